@@ -1,9 +1,10 @@
 //! The two renderers, OpenGL and the CPU reference, behind one interface.
 
-use crate::capture::Recorder;
-use crate::cli::BackendOptions;
-use crate::report::{CliError, Reporter, Times};
-use gonio_gl::{DriverInfo, GpuStatistics, HeadlessContext};
+use crate::capture::CaptureRecorder;
+use crate::error::CliError;
+use crate::options::{BackendChoice, BackendOptions};
+use crate::report::{Reporter, Times};
+use gonio_gl::{DriverInfo, GlError, GpuStatistics, HeadlessContext};
 use gonio_reference::{ReferenceScene, Rendered};
 use gonio_render::{DisplayOptions, GpuScene, RenderedFrame, RenderedPicture, Renderer};
 use gonio_scene::picture::EncodedPicture;
@@ -11,31 +12,6 @@ use gonio_scene::{DisplayMap, Frame, Picture, Scene, ViewSpec};
 use serde::Serialize;
 use std::borrow::Cow;
 use std::path::Path;
-
-/// The renderer that `--backend` asks for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum BackendChoice {
-    /// OpenGL where available, else the CPU reference.
-    #[default]
-    Auto,
-    /// OpenGL, or an error.
-    Gl,
-    /// The CPU reference, in f64 on all cores.
-    Cpu,
-}
-
-impl BackendChoice {
-    pub const ALL: &'static [Self] = &[Self::Auto, Self::Gl, Self::Cpu];
-
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Auto => "auto",
-            Self::Gl => "gl",
-            Self::Cpu => "cpu",
-        }
-    }
-}
 
 /// A backend without a scene, created while the scene is being read.
 pub enum Opened {
@@ -52,7 +28,7 @@ pub struct OpenGl {
     renderer: Renderer,
     context: HeadlessContext,
     /// Captures the first picture.
-    recorder: Option<Recorder>,
+    recorder: Option<CaptureRecorder>,
     /// Only pictures of 8 bits per channel are needed.
     eight_bits: bool,
 }
@@ -62,7 +38,7 @@ impl OpenGl {
     /// written is drawn afterwards, as without a capture.
     fn record(
         &mut self,
-        mut recorder: Recorder,
+        mut recorder: CaptureRecorder,
         scene: &GpuScene,
         frame: &Frame,
         view: Option<ViewSpec>,
@@ -85,7 +61,7 @@ impl Opened {
         if options.backend == BackendChoice::Cpu {
             return Ok(Opened::Cpu { reason: None });
         }
-        let recorder = capture.map(Recorder::new).transpose()?;
+        let recorder = capture.map(CaptureRecorder::new).transpose()?;
         match times.measure("context", || open_gl(options)) {
             Ok((renderer, context)) => {
                 Ok(Opened::Gl(Box::new(OpenGl { renderer, context, recorder, eight_bits: false })))
@@ -164,13 +140,13 @@ impl Opened {
     }
 }
 
-fn open_gl(options: &BackendOptions) -> Result<(Renderer, HeadlessContext), gonio_gl::GlError> {
+fn open_gl(options: &BackendOptions) -> Result<(Renderer, HeadlessContext), GlError> {
     let context = open_context(options)?;
     Ok((Renderer::new(context.gl().clone())?, context))
 }
 
 /// The driver of a new context without a window.
-pub fn find_driver(options: &BackendOptions) -> Result<DriverInfo, gonio_gl::GlError> {
+pub fn find_driver(options: &BackendOptions) -> Result<DriverInfo, GlError> {
     let (renderer, context) = open_gl(options)?;
     let driver = renderer.info().clone();
     // The process ends soon; the system frees the context faster.
@@ -178,7 +154,27 @@ pub fn find_driver(options: &BackendOptions) -> Result<DriverInfo, gonio_gl::GlE
     Ok(driver)
 }
 
-pub fn open_context(options: &BackendOptions) -> Result<HeadlessContext, gonio_gl::GlError> {
+/// The version and the renderer of a driver.
+pub fn driver_line(driver: &DriverInfo) -> String {
+    format!("{}, GLSL {}, {}", driver.version, driver.glsl, driver.renderer)
+}
+
+/// Reports the driver with `--verbose`, for commands whose own context is elsewhere.
+pub fn report_driver(reporter: &Reporter) {
+    if reporter.is_verbose() {
+        match find_driver(&BackendOptions::default()) {
+            Ok(driver) => reporter.verbose(format_args!("driver: {}", driver_line(&driver))),
+            Err(error) => reporter.verbose(format_args!("driver: none: {}", first_line(&error))),
+        }
+    }
+}
+
+/// The first line of an error's message; a driver may add more.
+pub fn first_line(error: &GlError) -> &str {
+    error.message.lines().next().unwrap_or_default()
+}
+
+pub fn open_context(options: &BackendOptions) -> Result<HeadlessContext, GlError> {
     HeadlessContext::with_options(&gonio_gl::headless::HeadlessOptions {
         egl_library: options.egl_library.as_ref().map(Into::into),
         ..Default::default()

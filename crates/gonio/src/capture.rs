@@ -1,7 +1,7 @@
 //! `--capture`: a RenderDoc capture of the first picture.
 
+use crate::error::CliError;
 use crate::output::atomic;
-use crate::report::CliError;
 use gonio_gl::Gl;
 use gonio_gl::capture::{self, Capture};
 use std::convert::Infallible;
@@ -78,18 +78,18 @@ fn restart(variable: &str, library: &str) -> Result<Infallible, CliError> {
 }
 
 /// A capture of one picture.
-pub struct Recorder {
+pub struct CaptureRecorder {
     capture: Capture,
     target: PathBuf,
     /// The folder where RenderDoc writes, under names of its own; beside the target, so that a rename suffices.
     folder: TempDir,
 }
 
-impl Recorder {
+impl CaptureRecorder {
     /// Must come after [`prepare`], and before OpenGL is loaded.
     pub fn new(target: &Path) -> Result<Self, CliError> {
         let folder = atomic::folder_beside(target)?;
-        Ok(Recorder { capture: Capture::new(folder.path())?, target: target.to_owned(), folder })
+        Ok(CaptureRecorder { capture: Capture::new(folder.path())?, target: target.to_owned(), folder })
     }
 
     /// Starts the recording of everything that the context does.

@@ -1,20 +1,11 @@
-//! The command line as a person sees it: commands, shared options and help.
+//! The command line as a person sees it: commands, their overview and help. [`crate::options`] has the shared options.
 
-use crate::backend::BackendChoice;
-use crate::cli_environment::EnvironmentOptions;
 use crate::commands;
-use crate::memory;
+use crate::error::{CliError, CommandOutcome};
+use crate::options::{GENERAL, GeneralOptions};
+use crate::output::check_folder;
 use crate::report::Reporter;
-use crate::values::{self, BackgroundValue};
-use clap::{Arg, ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
-use gonio_light::brdf::BrdfKind;
-use gonio_light::color::{ColorEncoding, ToneMap};
-use gonio_light::{Convention, Specular};
-use gonio_mesh::Limits;
-use gonio_scene::TextureFilter;
-use gonio_scene::ViewSpec;
-use gonio_scene::files::{Budgeted, DiskAndInput, FileSource, Sandbox};
-use gonio_scene::scene_file::{LightSpec, MaterialOverride, Normals, Shading};
+use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 
 /// The commands by subject. A macro because `concat!` takes literals only.
@@ -55,7 +46,7 @@ About gonio:
 
 /// Lights 3D models with the light equation and shows every term of it at every pixel.
 #[derive(Parser, Debug)]
-#[command(name = "gonio", bin_name = "gonio", version = crate::version::SHORT, propagate_version = true)]
+#[command(name = "gonio", bin_name = "gonio", version = commands::about::VERSION, propagate_version = true)]
 #[command(help_template = "{about-with-newline}\n{usage-heading} {usage}{after-help}\n\nOptions:\n{options}")]
 #[command(after_help = concat!(overview!(), "\n\n`gonio COMMAND -h` lists the options of a command, `gonio help COMMAND` explains them."))]
 #[command(after_long_help = concat!(overview!(), "
@@ -144,6 +135,30 @@ impl Command {
         };
         options.clone()
     }
+
+    /// Runs the command.
+    pub fn run(&self, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+        match self {
+            Command::Render(args) => commands::render::run(args, reporter),
+            Command::Probe(args) => commands::probe::run(args, reporter),
+            Command::Frame(args) => commands::frame::run(args, reporter),
+            Command::Convert(args) => commands::convert::run(args, reporter),
+            Command::Environment(command) => commands::environment::run(command, reporter),
+            Command::Diff(args) => commands::diff::run(args, reporter),
+            Command::Inspect(args) => commands::inspect::run(args, reporter),
+            Command::Lab(command) => commands::lab::run(command, reporter),
+            Command::Scene(args) => commands::scene::run(args, reporter),
+            Command::Serve(args) => commands::serve::run(args, reporter),
+            Command::Tour(args) => {
+                check_folder(&args.output, "`gonio tour`")?;
+                commands::tour::run(args, reporter)
+            }
+            Command::View(args) => commands::view::run(args),
+            Command::Completions(args) => commands::about::completions(args, &mut self::command()),
+            Command::Man(args) => commands::about::man(args, self::command(), reporter),
+            Command::Licenses(_) => commands::about::licenses(reporter),
+        }
+    }
 }
 
 /// Parses a command line; the first word is the program's name.
@@ -173,210 +188,6 @@ fn with_help_options(command: clap::Command, is_first: bool) -> clap::Command {
     names
         .into_iter()
         .fold(command, |command, name| command.mut_subcommand(name, |command| with_help_options(command, false)))
-}
-
-const GENERAL: &str = "General options";
-
-/// The options that every command has.
-#[derive(Args, Debug, Clone, Default)]
-#[command(next_help_heading = GENERAL)]
-pub struct GeneralOptions {
-    /// Print one JSON object on stdout.
-    #[arg(long)]
-    pub json: bool,
-    /// Print nothing but errors.
-    #[arg(long, short)]
-    pub quiet: bool,
-    /// Report the driver, the files read and timings on stderr.
-    #[arg(long, short, conflicts_with = "quiet")]
-    pub verbose: bool,
-}
-
-/// Which renderer draws, and how.
-#[derive(Args, Debug, Clone, Default)]
-#[command(next_help_heading = "Drawing options")]
-pub struct BackendOptions {
-    /// Renderer: OpenGL, the CPU reference, or OpenGL where available.
-    #[arg(long, value_parser = values::named(BackendChoice::ALL, BackendChoice::name), default_value = "auto")]
-    pub backend: BackendChoice,
-    /// Threads of the CPU reference; all cores by default.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
-    /// Load OpenGL's EGL from this library instead of the system's (for tests).
-    #[arg(long, value_name = "FILE", hide = true)]
-    pub egl_library: Option<String>,
-}
-
-/// Options that replace values of a scene. The same for every command that reads one.
-#[derive(Args, Debug, Clone, Default)]
-pub struct SceneOptions {
-    /// Where the equation is evaluated.
-    ///
-    /// flat: at each pixel, with one normal per triangle; flat-per-face: once per triangle, at its centroid; gouraud: at
-    /// the vertices, interpolating the light; phong: at each pixel, interpolating the normal.
-    #[arg(long, help_heading = "Shading options", value_parser = values::named(Shading::ALL, Shading::name))]
-    pub shading: Option<Shading>,
-    /// Source of the normals: the file, one per triangle, or averages over adjacent faces.
-    #[arg(long, help_heading = "Shading options", value_parser = values::named(Normals::ALL, Normals::name))]
-    pub normals: Option<Normals>,
-    /// Largest angle between faces whose normals are averaged, in degrees.
-    #[arg(long, help_heading = "Shading options", value_name = "DEG", value_parser = values::crease_angle)]
-    pub crease_angle: Option<f64>,
-    /// Replace values of all materials.
-    ///
-    /// Colours: ambient, diffuse, specular, emitted. Numbers: shininess, refraction-index, opacity. Textures:
-    /// textures=false. For environments: one of mirror, glass, water, ice, diamond and air, or single values: reflectivity,
-    /// transmission, fresnel (none, exact, schlick), tint, absorption, dispersion, surfaces (one, two).
-    #[arg(long, help_heading = "Shading options", value_name = "KEY=VALUE,...",
-          value_parser = MaterialOverride::from_option_text)]
-    pub material: Option<MaterialOverride>,
-    /// Texture filter.
-    #[arg(long, help_heading = "Shading options", value_name = "FILTER",
-          value_parser = values::named(TextureFilter::ALL, TextureFilter::name))]
-    pub texture_filter: Option<TextureFilter>,
-
-    /// Specular term.
-    #[arg(long, help_heading = "Equation options", value_name = "MODEL",
-          value_parser = values::named(Specular::ALL, Specular::name))]
-    pub specular: Option<Specular>,
-    /// BRDF that replaces the diffuse and the specular term.
-    #[arg(long, help_heading = "Equation options", value_parser = values::named(BrdfKind::ALL, BrdfKind::name))]
-    pub brdf: Option<BrdfKind>,
-    /// Multiply the BRDF by the factor that conserves energy.
-    #[arg(long, help_heading = "Equation options")]
-    pub brdf_normalised: bool,
-    /// Diffuse factor: 1 (lab), or 1/pi with radiometric lights (physical).
-    #[arg(long, help_heading = "Equation options", value_parser = values::named(Convention::ALL, Convention::name))]
-    pub convention: Option<Convention>,
-    /// Multiply the specular term by <N.L>; =false switches that off.
-    #[arg(long, help_heading = "Equation options", value_name = "BOOL", num_args = 0..=1, require_equals = true,
-          default_missing_value = "true")]
-    pub cosine_weighted: Option<bool>,
-    /// Keep specular light where N.L <= 0, as the lab's own solutions do.
-    #[arg(long, help_heading = "Equation options")]
-    pub ungated: bool,
-    /// Omit terms from the sum; attenuation and spot then count as 1.
-    #[arg(long, help_heading = "Equation options", value_name = "TERM,...", value_delimiter = ',',
-          value_parser = ["ambient", "emitted", "diffuse", "specular", "attenuation", "spot"])]
-    pub without: Vec<String>,
-    /// Turn the normals of back faces to the viewer.
-    #[arg(long, help_heading = "Equation options", conflicts_with = "one_sided")]
-    pub two_sided: bool,
-    /// Light back faces with their normals unchanged.
-    #[arg(long, help_heading = "Equation options")]
-    pub one_sided: bool,
-
-    /// A light that replaces the scene's lights; repeat it for several.
-    ///
-    /// KIND is ambient, directional, point or spot. Keys: position, direction, color, intensity, constant, linear,
-    /// quadratic, inner-angle, outer-angle, name; motion=oscillate|circle|path with period, amplitude, center, axis,
-    /// points.
-    #[arg(long, help_heading = "Light options", value_name = "KIND KEY=VALUE ...", action = ArgAction::Append,
-          value_parser = LightSpec::from_option_text)]
-    pub light: Vec<LightSpec>,
-
-    /// Camera of the model's file, by its name or its number (from 1).
-    #[arg(long, help_heading = "Camera options", value_name = "NAME")]
-    pub camera: Option<String>,
-    /// Position of the eye in world space.
-    #[arg(long, help_heading = "Camera options", value_name = "X,Y,Z", value_parser = values::vector,
-          allow_hyphen_values = true)]
-    pub camera_position: Option<[f64; 3]>,
-    /// Point the camera looks at, in world space.
-    #[arg(long, help_heading = "Camera options", value_name = "X,Y,Z", value_parser = values::vector,
-          allow_hyphen_values = true, conflicts_with_all = ["yaw", "pitch"])]
-    pub camera_target: Option<[f64; 3]>,
-    /// Horizontal viewing direction in degrees: -90 looks along -Z.
-    #[arg(long, help_heading = "Camera options", value_name = "DEG", value_parser = values::number,
-          allow_negative_numbers = true)]
-    pub yaw: Option<f64>,
-    /// Vertical viewing direction in degrees: positive looks up.
-    #[arg(long, help_heading = "Camera options", value_name = "DEG", value_parser = values::number,
-          allow_negative_numbers = true)]
-    pub pitch: Option<f64>,
-    /// Up direction: +Y (the default), +Z, -X, ... or a vector.
-    #[arg(long, help_heading = "Camera options", value_name = "AXIS", value_parser = values::up,
-          allow_hyphen_values = true)]
-    pub up: Option<[f64; 3]>,
-    /// Full vertical field of view in degrees.
-    #[arg(long, help_heading = "Camera options", value_name = "DEG", value_parser = values::field_of_view,
-          allow_negative_numbers = true)]
-    pub fov_y: Option<f64>,
-
-    #[command(flatten)]
-    pub surroundings: EnvironmentOptions,
-
-    /// Size in pixels.
-    #[arg(long, help_heading = "Picture options", value_name = "WxH", value_parser = values::size,
-          allow_hyphen_values = true)]
-    pub size: Option<(u32, u32)>,
-    /// Samples per pixel: 1, 2, 4, 8 or 16.
-    #[arg(long, help_heading = "Picture options", value_name = "N", value_parser = values::samples)]
-    pub samples: Option<u32>,
-    /// Encoding: sRGB, or the sum as it is, as the lab's programs write it.
-    #[arg(long, help_heading = "Picture options", value_parser = values::named(ColorEncoding::ALL, ColorEncoding::name))]
-    pub color: Option<ColorEncoding>,
-    /// Tone mapping of light above 1.
-    #[arg(long, help_heading = "Picture options", value_name = "OPERATOR",
-          value_parser = values::named(ToneMap::ALL, ToneMap::name))]
-    pub tone_map: Option<ToneMap>,
-    /// Exposure in stops.
-    #[arg(long, help_heading = "Picture options", value_name = "STOPS", value_parser = values::number,
-          allow_negative_numbers = true)]
-    pub exposure: Option<f64>,
-    #[command(flatten)]
-    pub limits: LimitOptions,
-
-    /// Background: COLOR, TOP:BOTTOM or transparent.
-    ///
-    /// A colour is #rrggbb (sRGB), r,g,b or one number (linear).
-    #[arg(long, help_heading = "Picture options", value_name = "COLOR", value_parser = values::background)]
-    pub background: Option<BackgroundValue>,
-}
-
-/// Limits on what a file may make gonio allocate.
-#[derive(Args, Debug, Clone, Default)]
-#[command(next_help_heading = "Limit options")]
-pub struct LimitOptions {
-    /// Reject models with more triangles.
-    #[arg(long, value_name = "N")]
-    pub max_triangles: Option<u64>,
-    /// Reject inputs that need more memory, for example 512MiB; by default a quarter of the machine's.
-    ///
-    /// Counts an input together with all files that it names, unpacked and decoded.
-    #[arg(long, value_name = "SIZE", value_parser = values::bytes)]
-    pub max_memory: Option<u64>,
-    /// Read only files in the folders of the inputs.
-    ///
-    /// Models and scenes cannot name files elsewhere, neither by `..` nor by absolute paths or links.
-    #[arg(long)]
-    pub sandbox: bool,
-}
-
-impl LimitOptions {
-    /// The default limits, with those of the options in their place.
-    pub fn limits(&self) -> Limits {
-        let usual = Limits::default();
-        Limits {
-            max_triangles: self.max_triangles.map_or(usual.max_triangles, |most| most.min(usual.max_triangles)),
-            max_bytes: self.max_memory.unwrap_or_else(memory::default_limit),
-            ..usual
-        }
-    }
-
-    /// The files that a command reads for what the user names: models, scenes, environments.
-    pub fn files<'i>(&self, named: impl IntoIterator<Item = &'i str>, reporter: &Reporter) -> Box<dyn FileSource> {
-        let named: Vec<&str> = named.into_iter().collect();
-        let disk = reporter.reporting_reads(DiskAndInput::new(named.iter().copied()));
-        let files: Box<dyn FileSource> =
-            if self.sandbox { Box::new(Sandbox::new(disk, named)) } else { Box::new(disk) };
-        Box::new(Budgeted::new(files, self.limits().max_bytes))
-    }
-}
-
-/// A parser for a list of debug views.
-pub fn view_list() -> clap::builder::ValueParser {
-    clap::builder::ValueParser::from(values::view as fn(&str) -> Result<ViewSpec, String>)
 }
 
 #[cfg(test)]

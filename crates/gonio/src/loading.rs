@@ -1,7 +1,8 @@
 //! Loading the scene of a command from its inputs and options.
 
-use crate::cli::SceneOptions;
-use crate::report::{CliError, Reporter, Times};
+use crate::error::CliError;
+use crate::options::SceneOptions;
+use crate::report::{Reporter, Times};
 use gonio_scene::{Scene, ViewSpec, load};
 use std::path::Path;
 

@@ -6,23 +6,17 @@
 mod backend;
 mod capture;
 mod cli;
-mod cli_environment;
 mod commands;
-mod escapes;
-mod hints;
-mod limits;
+mod error;
 mod loading;
-mod memory;
+mod options;
 mod output;
-mod overrides;
-mod page;
 mod report;
-mod values;
-mod verbose;
-mod version;
+mod terminal;
 
 use clap::error::ErrorKind;
-use report::{CliError, Outcome, Reporter};
+use error::{CliError, CommandOutcome};
+use report::Reporter;
 use std::time::Instant;
 
 fn main() {
@@ -33,9 +27,11 @@ fn main() {
         Err(error)
             if error.kind() == ErrorKind::DisplayVersion && std::env::args_os().any(|word| word == "--version") =>
         {
-            std::process::exit(exit_code(&report::write_stdout(version::long().as_bytes()).map(|()| Outcome::Done)));
+            std::process::exit(exit_code(
+                &report::write_stdout(commands::about::version().as_bytes()).map(|()| CommandOutcome::Done),
+            ));
         }
-        Err(error) => std::process::exit(report::print_usage_error(&error)),
+        Err(error) => std::process::exit(report::print_usage_error(&error, |words| cli::parse(words).err())),
     };
     let Some(command) =
         arguments.command.or_else(|| commands::view::alone().map(|args| cli::Command::View(Box::new(args))))
@@ -44,7 +40,7 @@ fn main() {
     };
     let reporter = Reporter::new(&command.general());
     // The hook has reported a panic, which is an error like any other.
-    let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| commands::run(&command, &reporter)))
+    let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| command.run(&reporter)))
         .unwrap_or(Err(CliError::AlreadyReported));
     if let Err(error) = &result
         && !matches!(error, CliError::ClosedPipe | CliError::AlreadyReported)
@@ -61,11 +57,11 @@ fn main() {
     std::process::exit(exit_code(&result));
 }
 
-fn exit_code(result: &Result<Outcome, CliError>) -> i32 {
+fn exit_code(result: &Result<CommandOutcome, CliError>) -> i32 {
     match result {
         // Whoever read stdout has seen enough, as in `gonio inspect model.obj | head`.
-        Ok(Outcome::Done) | Err(CliError::ClosedPipe) => 0,
-        Ok(Outcome::CheckFailed) => 1,
+        Ok(CommandOutcome::Done) | Err(CliError::ClosedPipe) => 0,
+        Ok(CommandOutcome::CheckFailed) => 1,
         Err(_) => 2,
     }
 }

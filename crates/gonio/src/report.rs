@@ -2,21 +2,18 @@
 //!
 //! The result of a command goes to stdout: bytes, text or (`--json`) one JSON object. Messages about it go to stderr:
 //! `error:`, `warning:`, `note:`, one sentence each, `info:` with `--verbose`, and progress bars if stderr is a terminal.
-//! Text goes through [`crate::page`], so that nothing in a file can move the cursor, hide a message or forge one.
+//! Text goes through [`crate::terminal`], so that nothing in a file can move the cursor, hide a message or forge one.
 #![allow(clippy::disallowed_methods, clippy::print_stderr, clippy::print_stdout)]
 
-use crate::cli::{self, GeneralOptions};
-use crate::escapes::json_for_terminal;
-use crate::hints::{hint, opengl_hint};
-use crate::page::{Page, Style, line_for_terminal};
-use crate::verbose::ReportedReads;
-use gonio_gallery::GalleryError;
-use gonio_gl::GlError;
-use gonio_image::ImageError;
-use gonio_mesh::{Diagnostic, ReadError, Severity};
+use crate::error::{CliError, hint};
+use crate::options::GeneralOptions;
+use crate::terminal::{Style, TerminalPage, json_for_terminal, line_for_terminal};
+use gonio_mesh::{Diagnostic, Severity};
+use gonio_scene::files::{FileBytes, FileSource};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
 use std::sync::mpsc;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -41,17 +38,18 @@ pub fn print_help_without_display(command: &mut clap::Command) -> i32 {
 /// Prints why the arguments were rejected, or the requested help or version, and returns the exit code.
 ///
 /// Messages quote the arguments, so these are parsed once more with hidden characters as escapes.
-pub fn print_usage_error(error: &clap::Error) -> i32 {
+/// `parse` is the parser that rejected them.
+pub fn print_usage_error(error: &clap::Error, parse: impl Fn(Vec<String>) -> Option<clap::Error>) -> i32 {
     // There is nobody to tell about a closed stream.
     if !error.use_stderr() {
         let _ = error.print();
         return error.exit_code();
     }
-    let escaped = std::env::args_os().map(|word| line_for_terminal(&word.to_string_lossy()));
-    let _ = match cli::parse(escaped) {
-        Err(same) if same.kind() == error.kind() => write!(anstream::stderr(), "{}", same.render().ansi()),
+    let escaped = std::env::args_os().map(|word| line_for_terminal(&word.to_string_lossy())).collect();
+    let _ = match parse(escaped) {
+        Some(same) if same.kind() == error.kind() => write!(anstream::stderr(), "{}", same.render().ansi()),
         _ => {
-            let page = Page::from_text(&error.render().to_string());
+            let page = TerminalPage::from_text(&error.render().to_string());
             write!(anstream::stderr(), "{}", page.for_terminal())
         }
     };
@@ -62,7 +60,7 @@ pub fn print_usage_error(error: &clap::Error) -> i32 {
 pub fn print_panic(panic: &std::panic::PanicHookInfo<'_>) {
     let place = panic.location().map(ToString::to_string).unwrap_or_default();
     let message = panic.payload_as_str().unwrap_or("for an unknown reason");
-    let mut page = Page::new();
+    let mut page = TerminalPage::new();
     let (red, end) = (Style::Red, Style::Red);
     page.line(format_args!("{red}error{end:#}: gonio panicked at {place}: {message}; this is a bug, please report it"));
     let trace = std::backtrace::Backtrace::capture();
@@ -70,105 +68,6 @@ pub fn print_panic(panic: &std::panic::PanicHookInfo<'_>) {
         page.text(&trace.to_string());
     }
     let _ = write!(anstream::stderr(), "{}", page.for_terminal());
-}
-
-/// Outcome of a successful command.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// Exit code 0.
-    Done,
-    /// A requested check failed: exit code 1.
-    CheckFailed,
-}
-
-/// The reason why a command failed: exit code 2.
-#[derive(Debug)]
-pub enum CliError {
-    /// One sentence: what is wrong, where, and what to do.
-    Message(String),
-    /// Several lines, as from a compiler.
-    Lines(Vec<String>),
-    /// The reader of stdout has gone. This counts as success and prints nothing.
-    ClosedPipe,
-    /// The process that did the work, or the panic hook, has printed the reason.
-    AlreadyReported,
-}
-
-impl CliError {
-    pub fn new(message: impl Into<String>) -> Self {
-        CliError::Message(message.into())
-    }
-
-    pub fn lines(lines: impl IntoIterator<Item = String>) -> Self {
-        CliError::Lines(lines.into_iter().collect())
-    }
-
-    /// `context`, followed by the system's reason.
-    pub fn io(context: impl Display, error: &io::Error) -> Self {
-        CliError::Message(format!("{context}: {}", io_reason(error)))
-    }
-}
-
-impl Display for CliError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            CliError::Message(message) => f.write_str(message),
-            CliError::Lines(lines) => f.write_str(&lines.join("\n")),
-            CliError::ClosedPipe => f.write_str("stdout was closed before everything was written"),
-            CliError::AlreadyReported => f.write_str("the reason was printed before"),
-        }
-    }
-}
-
-impl From<ReadError> for CliError {
-    fn from(error: ReadError) -> Self {
-        CliError::Message(format!("{error}{}", hint(error.cause)))
-    }
-}
-
-impl From<GalleryError> for CliError {
-    fn from(error: GalleryError) -> Self {
-        match error {
-            GalleryError::Scene(error) => error.into(),
-            GalleryError::OpenGl(error) => error.into(),
-            other => CliError::new(other.to_string()),
-        }
-    }
-}
-
-impl From<ImageError> for CliError {
-    fn from(error: ImageError) -> Self {
-        CliError::new(error.to_string())
-    }
-}
-
-impl From<GlError> for CliError {
-    fn from(error: GlError) -> Self {
-        // A driver's messages about a shader have several lines; those errors have no remedy.
-        let message = format!("{}{}", error.message, opengl_hint(error.remedy));
-        CliError::lines(message.lines().map(str::to_owned))
-    }
-}
-
-/// The reason of an I/O error, without the system's number.
-pub fn io_reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => "no such file or folder".into(),
-        io::ErrorKind::PermissionDenied => "permission denied".into(),
-        io::ErrorKind::IsADirectory => "it is a folder".into(),
-        io::ErrorKind::NotADirectory => "a part of the path is not a folder".into(),
-        io::ErrorKind::StorageFull => "the disk is full".into(),
-        io::ErrorKind::QuotaExceeded => "the disk quota is exceeded".into(),
-        io::ErrorKind::FileTooLarge => "the file would become larger than this system allows".into(),
-        io::ErrorKind::ReadOnlyFilesystem => "the file system is read-only".into(),
-        _ => {
-            let text = error.to_string();
-            match text.find(" (os error") {
-                Some(end) => text[..end].to_lowercase(),
-                None => text,
-            }
-        }
-    }
 }
 
 /// Stdout for another process of gonio, which reads bytes that no person sees.
@@ -270,7 +169,7 @@ impl Reporter {
 
     /// Prints the word before the first line, and the other lines indented.
     fn print_message(word: &str, style: Style, lines: &[impl Display]) {
-        let mut page = Page::new();
+        let mut page = TerminalPage::new();
         for (index, line) in lines.iter().enumerate() {
             match index {
                 0 => page.line(format_args!("{style}{word}{style:#}: {line}")),
@@ -282,14 +181,14 @@ impl Reporter {
     }
 
     /// Prints the report to stderr, because one of the command's files goes to stdout.
-    pub fn text_on_stderr(&self, page: &Page) {
+    pub fn text_on_stderr(&self, page: &TerminalPage) {
         if !self.quiet {
             let _ = write!(anstream::stderr(), "{}", page.for_terminal());
         }
     }
 
     /// Prints the report to stdout, without styles unless stdout is a terminal.
-    pub fn text(&self, page: &Page) -> Result<(), CliError> {
+    pub fn text(&self, page: &TerminalPage) -> Result<(), CliError> {
         let mut out = anstream::stdout().lock();
         out.write_all(page.for_terminal().as_bytes()).and_then(|()| out.flush()).map_err(stdout_error)
     }
@@ -358,6 +257,36 @@ fn stdout_error(error: io::Error) -> CliError {
     match error.kind() {
         io::ErrorKind::BrokenPipe => CliError::ClosedPipe,
         _ => CliError::io("cannot write to stdout", &error),
+    }
+}
+
+/// A source of files that reports each file it reads with `--verbose`.
+pub struct ReportedReads<S> {
+    source: S,
+    is_verbose: bool,
+}
+
+impl<S: FileSource> FileSource for ReportedReads<S> {
+    fn read_within(&self, path: &Path, most: u64) -> io::Result<FileBytes> {
+        let bytes = self.source.read_within(path, most);
+        if self.is_verbose
+            && let Ok(bytes) = &bytes
+        {
+            print_info(format_args!("read `{}`, {} bytes", path.display(), bytes.len()));
+        }
+        bytes
+    }
+
+    fn list(&self, folder: &Path) -> Vec<PathBuf> {
+        self.source.list(folder)
+    }
+
+    fn builtin(&self, name: &str) -> Option<FileBytes> {
+        self.source.builtin(name)
+    }
+
+    fn is_coming(&self, name: &str) -> bool {
+        self.source.is_coming(name)
     }
 }
 

@@ -21,7 +21,7 @@ const REPORT: &[&str] = &["crates/gonio/src/report.rs"];
 /// The file that prints, and a test that prints what it measured.
 const REPORT_AND_TEST: &[&str] = &["crates/gonio/src/report.rs", "crates/gonio/tests/hostile/main.rs"];
 /// The file that writes the terminal's escape sequences.
-const PAGE: &[&str] = &["crates/gonio/src/page.rs"];
+const TERMINAL: &[&str] = &["crates/gonio/src/terminal.rs"];
 
 /// Lints, and the files that may allow them.
 pub const GUARDED: &[(&str, &[&str])] = &[
@@ -31,7 +31,7 @@ pub const GUARDED: &[(&str, &[&str])] = &[
     ("print_stderr", REPORT),
     ("dbg_macro", &[]),
     ("disallowed_methods", REPORT),
-    ("disallowed_types", PAGE),
+    ("disallowed_types", TERMINAL),
 ];
 
 /// Clippy's configurations. One in a folder replaces those above it.

@@ -1,13 +1,19 @@
-//! `gonio completions`, `gonio man` and `gonio licenses`: what gonio tells about itself.
+//! `gonio completions`, `gonio man`, `gonio licenses` and `gonio --version`.
 
-use crate::cli;
-use crate::output::{FileSet, OutputPath};
-use crate::page::Page;
-use crate::report::{self, CliError, Outcome, Reporter};
+use crate::backend::{self, driver_line};
+use crate::commands::serve;
+use crate::error::{CliError, CommandOutcome};
+use crate::options::BackendOptions;
+use crate::output::{OutputFiles, OutputPath};
+use crate::report::{self, Reporter};
+use crate::terminal::TerminalPage;
 use clap::Args;
 use clap_complete::Shell;
 use clap_mangen::Man;
 use std::io;
+
+/// The version and, where gonio was built from its repository, the commit and its date.
+pub const VERSION: &str = env!("GONIO_VERSION");
 
 /// Notices about everything in this program that others wrote, made by `cargo xtask licenses`.
 const THIRD_PARTY: &str = include_str!("../../THIRD-PARTY.txt");
@@ -47,30 +53,31 @@ Examples:
   gonio licenses > THIRD-PARTY.txt")]
 pub struct LicensesArgs {}
 
-pub fn completions(args: &CompletionsArgs) -> Result<Outcome, CliError> {
+/// Prints the script for `command`, the whole command line.
+pub fn completions(args: &CompletionsArgs, command: &mut clap::Command) -> Result<CommandOutcome, CliError> {
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut cli::command(), "gonio", &mut script);
+    clap_complete::generate(args.shell, command, "gonio", &mut script);
     report::write_stdout(&script)?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
-pub fn man(args: &ManArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
-    let mut command = cli::command();
+/// Prints or writes the manual pages of `command`, the whole command line.
+pub fn man(args: &ManArgs, mut command: clap::Command, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     command.build();
     let Some(folder) = args.folder.as_ref().and_then(OutputPath::file) else {
         report::write_stdout(&manual_page(command)?)?;
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     };
     let mut pages = Vec::new();
     manual_pages(command, &mut pages)?;
-    let mut files = FileSet::new();
+    let mut files = OutputFiles::new();
     files.make_folder(folder)?;
     for (name, page) in &pages {
         files.add(&folder.join(name), page)?;
     }
     files.commit()?;
     reporter.note(format!("wrote {} manual pages to `{}`", pages.len(), folder.display()));
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// The pages of a command and of those below it, each with the name of its file.
@@ -89,7 +96,17 @@ fn manual_page(command: clap::Command) -> Result<Vec<u8>, CliError> {
     Ok(page)
 }
 
-pub fn licenses(reporter: &Reporter) -> Result<Outcome, CliError> {
-    reporter.text(&Page::from_text(THIRD_PARTY))?;
-    Ok(Outcome::Done)
+pub fn licenses(reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    reporter.text(&TerminalPage::from_text(THIRD_PARTY))?;
+    Ok(CommandOutcome::Done)
+}
+
+/// The text of `--version`: the version, the OpenGL of this machine, and whether this program contains the web page.
+pub fn version() -> String {
+    let opengl = match backend::find_driver(&BackendOptions::default()) {
+        Ok(driver) => driver_line(&driver),
+        Err(error) => format!("none: {}", backend::first_line(&error)),
+    };
+    let page = if serve::has_embedded_page() { "embedded" } else { "not embedded" };
+    format!("gonio {VERSION}\nOpenGL: {opengl}\nWeb page: {page}\n")
 }

@@ -1,10 +1,11 @@
 //! `gonio scene`: the complete effective scene of an input, from which any picture can be drawn again.
 
-use crate::cli::{GeneralOptions, SceneOptions};
-use crate::escapes::toml_for_terminal;
+use crate::error::{CliError, CommandOutcome};
 use crate::loading;
+use crate::options::{GeneralOptions, SceneOptions};
 use crate::output::OutputPath;
-use crate::report::{CliError, Outcome, Reporter, json_text};
+use crate::report::{Reporter, json_text};
+use crate::terminal::toml_for_terminal;
 use clap::Args;
 use gonio_scene::SceneFile;
 use std::path::{Path, PathBuf};
@@ -39,12 +40,12 @@ pub struct SceneArgs {
     pub general: GeneralOptions,
 }
 
-pub fn run(args: &SceneArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &SceneArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let output = args.output.clone().unwrap_or(OutputPath::Stdout);
     output.check_writable()?;
     let text = if args.schema { schema()? } else { effective(args, reporter)? };
     output.write(text.as_bytes())?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 fn schema() -> Result<String, CliError> {

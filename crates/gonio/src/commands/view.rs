@@ -1,7 +1,7 @@
 //! `gonio view`: the gonio window.
 
-use crate::cli::{GeneralOptions, SceneOptions};
-use crate::report::{CliError, Outcome};
+use crate::error::{CliError, CommandOutcome};
+use crate::options::{GeneralOptions, SceneOptions};
 use clap::Args;
 use gonio_app::platform::desktop::{self, WindowOptions};
 use gonio_scene::SceneFile;
@@ -36,7 +36,7 @@ pub struct ViewArgs {
 }
 
 /// Opens the window, and returns when it is closed.
-pub fn run(args: &ViewArgs) -> Result<Outcome, CliError> {
+pub fn run(args: &ViewArgs) -> Result<CommandOutcome, CliError> {
     // The size is the window's: the picture adapts to it.
     let size = args.scene.size.map(|(width, height)| [width as f32, height as f32]);
     let options = SceneOptions { size: None, ..args.scene.clone() };
@@ -56,7 +56,7 @@ pub fn run(args: &ViewArgs) -> Result<Outcome, CliError> {
         exercise: None,
     };
     desktop::run(window).map_err(CliError::new)?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// The options of `gonio` without a command: the window, if there is a display.

@@ -1,7 +1,7 @@
 //! The numbers of a comparison.
 
 use super::read::Pixels;
-use crate::report::CliError;
+use crate::error::CliError;
 use gonio_scene::difference::Tally;
 pub use gonio_scene::difference::{Spread, within};
 use image_compare::Algorithm;
@@ -10,7 +10,7 @@ use serde::Serialize;
 
 /// All numbers of a comparison.
 #[derive(Clone, Debug, Serialize)]
-pub struct Numbers {
+pub struct PictureDifference {
     pub width: u32,
     pub height: u32,
     pub pixels: u64,
@@ -57,7 +57,7 @@ struct Row {
 }
 
 /// Compares pictures of the same size.
-pub fn measure(a: &Pixels, b: &Pixels, tolerance: f64) -> Result<Numbers, CliError> {
+pub fn measure(a: &Pixels, b: &Pixels, tolerance: f64) -> Result<PictureDifference, CliError> {
     let channels = if a.has_alpha() || b.has_alpha() { 4 } else { 3 };
     let width = a.width as usize;
     let rows: Vec<Row> = (0..a.height as usize)
@@ -80,7 +80,7 @@ pub fn measure(a: &Pixels, b: &Pixels, tolerance: f64) -> Result<Numbers, CliErr
         b: hex(b.displayed(index)),
     });
     let differing = total.steps.differing() + total.not_finite;
-    Ok(Numbers {
+    Ok(PictureDifference {
         width: a.width,
         height: a.height,
         pixels,

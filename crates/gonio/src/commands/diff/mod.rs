@@ -1,22 +1,21 @@
 //! `gonio diff`: a comparison of two pictures.
 
-mod digits;
-mod map;
 mod measure;
+mod pictures;
 mod read;
-mod sheets;
 
-use crate::cli::GeneralOptions;
-use crate::output::path::check_stdout;
-use crate::output::{Content, FileSet, OutputPath};
-use crate::page::Page;
-use crate::report::{CliError, Outcome, Reporter};
-use crate::values;
+use crate::error::{CliError, CommandOutcome};
+use crate::options::GeneralOptions;
+use crate::options::values;
+use crate::output::check_stdout;
+use crate::output::{OutputFiles, OutputKind, OutputPath};
+use crate::report::Reporter;
+use crate::terminal::TerminalPage;
 use clap::Args;
 use gonio_image::EncodedPicture;
 use gonio_image::encode::png::{self, ColorTag};
 use gonio_light::is_noise;
-use measure::Numbers;
+use measure::PictureDifference;
 use read::Pixels;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -110,13 +109,13 @@ struct Report<'a> {
     a: &'a Path,
     b: &'a Path,
     #[serde(flatten)]
-    numbers: &'a Numbers,
+    numbers: &'a PictureDifference,
     checks: &'a [Check],
     held: bool,
     outputs: Vec<String>,
 }
 
-pub fn run(args: &DiffArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &DiffArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let outputs: Vec<&OutputPath> = [&args.output, &args.side_by_side, &args.wipe].into_iter().flatten().collect();
     for output in &outputs {
         if let Some(path) = output.file()
@@ -126,7 +125,7 @@ pub fn run(args: &DiffArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         }
         output.check_writable()?;
     }
-    let is_stdout_taken = check_stdout(outputs.iter().map(|output| (*output, Content::Binary)), reporter)?;
+    let is_stdout_taken = check_stdout(outputs.iter().map(|output| (*output, OutputKind::Binary)), reporter)?;
     let busy = reporter.busy("comparing");
     let a = read::read(&args.a, args.layer.as_deref(), reporter)?;
     let b = read::read(&args.b, args.layer.as_deref(), reporter)?;
@@ -165,30 +164,30 @@ pub fn run(args: &DiffArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             number(check.value)
         ));
     }
-    Ok(if held { Outcome::Done } else { Outcome::CheckFailed })
+    Ok(if held { CommandOutcome::Done } else { CommandOutcome::CheckFailed })
 }
 
-fn write_pictures(args: &DiffArgs, a: &Pixels, b: &Pixels, numbers: &Numbers) -> Result<(), CliError> {
+fn write_pictures(args: &DiffArgs, a: &Pixels, b: &Pixels, numbers: &PictureDifference) -> Result<(), CliError> {
     let full_scale = args.scale.unwrap_or(numbers.steps.max.max(1.0));
-    let difference = map::map(a, b, full_scale);
-    let mut files = FileSet::new();
+    let difference = pictures::difference_map(a, b, full_scale);
+    let mut files = OutputFiles::new();
     let mut add = |output: &OutputPath, picture: &EncodedPicture<u8>| {
         files.add_output(output, png::encode8(picture, ColorTag::Srgb)?)
     };
     if let Some(output) = &args.side_by_side {
-        add(output, &sheets::side_by_side(a, b, &difference))?;
+        add(output, &pictures::side_by_side(a, b, &difference))?;
     }
     if let Some(output) = &args.wipe {
-        add(output, &sheets::wipe(a, b, args.wipe_at))?;
+        add(output, &pictures::wipe(a, b, args.wipe_at))?;
     }
     if let Some(output) = &args.output {
-        let picture = if args.no_legend { difference } else { map::with_legend(&difference, full_scale) };
+        let picture = if args.no_legend { difference } else { pictures::with_legend(&difference, full_scale) };
         add(output, &picture)?;
     }
     files.commit()
 }
 
-fn checks(args: &DiffArgs, numbers: &Numbers) -> Vec<Check> {
+fn checks(args: &DiffArgs, numbers: &PictureDifference) -> Vec<Check> {
     let most = |option, limit: Option<f64>, value: f64| {
         limit.map(|limit| Check { option, limit, value, held: measure::within(value, limit) })
     };
@@ -216,8 +215,8 @@ fn checks(args: &DiffArgs, numbers: &Numbers) -> Vec<Check> {
     checks
 }
 
-fn text(args: &DiffArgs, a: &Pixels, b: &Pixels, n: &Numbers) -> Page {
-    let mut page = Page::new();
+fn text(args: &DiffArgs, a: &Pixels, b: &Pixels, n: &PictureDifference) -> TerminalPage {
+    let mut page = TerminalPage::new();
     let names = [args.a.display().to_string(), args.b.display().to_string()];
     let width = names[0].len().max(names[1].len());
     for (name, pixels) in names.iter().zip([a, b]) {

@@ -1,7 +1,8 @@
 //! Reading pictures.
 
-use crate::memory;
-use crate::report::{CliError, Reporter};
+use crate::error::CliError;
+use crate::options::limits;
+use crate::report::Reporter;
 use glam::DVec3;
 use gonio_light::color::{OutputTransform, srgb_decode};
 use gonio_scene::files::{DiskAndInput, FileSource};
@@ -90,7 +91,7 @@ fn premultiplied(p: [f64; 4]) -> [f64; 4] {
 /// Reads a picture. Its first bytes determine the format.
 pub fn read(path: &Path, layer: Option<&str>, reporter: &Reporter) -> Result<Pixels, CliError> {
     let name = path.display();
-    let limit = memory::default_limit();
+    let limit = limits::default_limit();
     let named = path.to_str();
     let bytes = reporter
         .reporting_reads(DiskAndInput::new(named))

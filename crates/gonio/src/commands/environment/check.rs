@@ -1,13 +1,14 @@
 //! `gonio environment check`: the orientation of an environment.
 
 use super::describe;
-use super::write::{Appearance, Container, Plan};
-use crate::cli::{GeneralOptions, LimitOptions};
-use crate::output::path::check_stdout;
-use crate::output::{Content, OutputPath};
-use crate::page::Page;
-use crate::report::{CliError, Outcome, Reporter};
-use crate::values;
+use super::write::{Appearance, Container, EnvironmentPlan};
+use crate::error::{CliError, CommandOutcome};
+use crate::options::values;
+use crate::options::{GeneralOptions, LimitOptions};
+use crate::output::check_stdout;
+use crate::output::{OutputKind, OutputPath};
+use crate::report::Reporter;
+use crate::terminal::TerminalPage;
 use clap::Args;
 use gonio_environment::arrange::Arrangement;
 use gonio_environment::check::{self, Certificate, FaceFit};
@@ -54,9 +55,9 @@ pub struct CheckArgs {
     pub general: GeneralOptions,
 }
 
-pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
-    let plan = args.repair.as_ref().map(|output| Plan::new(output, None, None, None)).transpose()?;
-    let is_stdout_taken = check_stdout(args.repair.iter().map(|output| (output, Content::Binary)), reporter)?;
+pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    let plan = args.repair.as_ref().map(|output| EnvironmentPlan::new(output, None, None, None)).transpose()?;
+    let is_stdout_taken = check_stdout(args.repair.iter().map(|output| (output, OutputKind::Binary)), reporter)?;
     if let Some(plan) = &plan {
         plan.check_writable()?;
     }
@@ -89,7 +90,7 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             "warnings": opened.diagnostics,
         }))?;
     } else {
-        let mut page = Page::new();
+        let mut page = TerminalPage::new();
         page.line(format_args!("{}: {}", args.input, describe(&opened)));
         found.sentences().iter().for_each(|sentence| page.line(format_args!("  {sentence}")));
         if is_stdout_taken {
@@ -100,9 +101,9 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         }
     }
     if found.fits() || args.repair.is_some() {
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     }
-    Ok(Outcome::CheckFailed)
+    Ok(CommandOutcome::CheckFailed)
 }
 
 /// The result of the check.
@@ -165,7 +166,11 @@ impl Found {
     }
 
     /// Writes the repaired environment.
-    fn repair(&self, opened: &OpenedEnvironment, plan: Plan) -> Result<super::write::Written, CliError> {
+    fn repair(
+        &self,
+        opened: &OpenedEnvironment,
+        plan: EnvironmentPlan,
+    ) -> Result<super::write::WrittenEnvironment, CliError> {
         let layout = opened.layout.unwrap_or_default();
         let appearance = Appearance {
             layout,

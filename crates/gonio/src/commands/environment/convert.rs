@@ -1,14 +1,13 @@
 //! `gonio environment convert`: any arrangement to any other.
 
 use super::describe;
-use super::write::{Appearance, Container, Plan, Written};
-use crate::backend::{BackendChoice, open_context};
-use crate::cli::{BackendOptions, GeneralOptions, LimitOptions};
-use crate::output::path::check_stdout;
-use crate::output::{Content, OutputPath};
-use crate::report::{CliError, Outcome, Reporter, Times};
-use crate::values;
-use crate::version;
+use super::write::{Appearance, Container, EnvironmentPlan, WrittenEnvironment};
+use crate::backend::{self, open_context};
+use crate::error::{CliError, CommandOutcome};
+use crate::options::{BackendChoice, BackendOptions, GeneralOptions, LimitOptions, values};
+use crate::output::{OutputKind, OutputPath, check_stdout};
+use crate::report::{Reporter, Times};
+
 use clap::Args;
 use gonio_environment::arrange::Arrangement;
 use gonio_environment::builtin::Builtin;
@@ -100,10 +99,10 @@ pub struct ConvertArgs {
     pub general: GeneralOptions,
 }
 
-pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let times = Times::default();
-    let plan = Plan::new(&args.output, args.to, args.format.as_deref(), args.bits)?;
-    check_stdout([(&args.output, Content::Binary)], reporter)?;
+    let plan = EnvironmentPlan::new(&args.output, args.to, args.format.as_deref(), args.bits)?;
+    check_stdout([(&args.output, OutputKind::Binary)], reporter)?;
     plan.check_writable()?;
     if !plan.container.has_faces() && args.layout != Layout::OpenGl {
         return Err(CliError::new("--layout applies to faces, and a panorama has none"));
@@ -164,7 +163,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
         (written, (width, height), filter)
     };
     drop(busy);
-    let Written { outputs, warnings } = written;
+    let WrittenEnvironment { outputs, warnings } = written;
     warnings.iter().for_each(|w| reporter.warning(w));
     reporter.verbose_times(&times);
     if reporter.json() {
@@ -182,7 +181,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
             "times_ms": times.to_json(),
         }))?;
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 fn note_conversion(reporter: &Reporter, read: &str, wrote: &str, filter: Filter) {
@@ -200,7 +199,7 @@ impl Engine {
         if choice != BackendChoice::Gl {
             return Ok(Engine::Cpu);
         }
-        version::report_driver(reporter);
+        backend::report_driver(reporter);
         let context = open_context(&BackendOptions::default())?;
         Ok(Engine::Gl(Converter::new(context.gl().clone())?))
     }
@@ -252,7 +251,7 @@ impl Engine {
 const MOST_PIXELS: u64 = 1 << 29;
 
 /// Checks `--size` before anything is read or allocated.
-fn check_size(args: &ConvertArgs, plan: &Plan) -> Result<(), CliError> {
+fn check_size(args: &ConvertArgs, plan: &EnvironmentPlan) -> Result<(), CliError> {
     match args.size {
         None => Ok(()),
         Some((_, Some(_))) if plan.container.has_faces() => {

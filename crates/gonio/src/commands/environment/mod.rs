@@ -4,8 +4,9 @@ pub mod check;
 pub mod convert;
 mod write;
 
-use crate::cli::GeneralOptions;
-use crate::report::{CliError, Outcome, Reporter};
+use crate::error::{CliError, CommandOutcome};
+use crate::options::GeneralOptions;
+use crate::report::Reporter;
 use clap::Subcommand;
 use gonio_environment::arrange::Arrangement;
 use gonio_scene::environment_file::{EnvironmentMap, OpenedEnvironment};
@@ -32,7 +33,7 @@ impl EnvironmentCommand {
     }
 }
 
-pub fn run(command: &EnvironmentCommand, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(command: &EnvironmentCommand, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     match command {
         EnvironmentCommand::Convert(args) => convert::run(args, reporter),
         EnvironmentCommand::Check(args) => check::run(args, reporter),

@@ -1,8 +1,8 @@
 //! Writing an environment: as what, where to, and in which format.
 
-use crate::output::{FileSet, OutputPath, atomic};
-use crate::report::CliError;
-use crate::values::nearest;
+use crate::error::CliError;
+use crate::options::values::nearest;
+use crate::output::{OutputFiles, OutputPath, atomic};
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout, Panorama};
 use gonio_image::decode::{self, FileFormat, Shape};
@@ -112,7 +112,7 @@ impl Format {
 
 /// The output, settled before anything is read.
 #[derive(Debug)]
-pub struct Plan {
+pub struct EnvironmentPlan {
     pub container: Container,
     output: OutputPath,
     /// The format of pictures; `None` for KTX2, and if it depends on what is read.
@@ -135,20 +135,20 @@ pub struct Appearance {
 
 /// The outputs that were written.
 #[derive(Debug, Default)]
-pub struct Written {
+pub struct WrittenEnvironment {
     pub outputs: Vec<OutputPath>,
     /// Warnings about what their formats cannot represent.
     pub warnings: Vec<String>,
 }
 
-impl Plan {
+impl EnvironmentPlan {
     /// Settles what OUT is.
     pub fn new(
         output: &OutputPath,
         to: Option<Container>,
         format: Option<&str>,
         bits: Option<u8>,
-    ) -> Result<Plan, CliError> {
+    ) -> Result<EnvironmentPlan, CliError> {
         let path = output.file().unwrap_or(Path::new(""));
         let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
         let by_name = Format::from_extension(&extension);
@@ -205,11 +205,11 @@ impl Plan {
         if bits.is_some() && !is_png {
             return Err(CliError::new("--bits applies to PNG only; .exr has half floats, .hdr 8 bits and an exponent"));
         }
-        Ok(Plan { container, output: output.clone(), format, bits })
+        Ok(EnvironmentPlan { container, output: output.clone(), format, bits })
     }
 
     /// The plan with the format of the source for faces, and for a picture to stdout, if it is not settled.
-    pub fn with_format_of(mut self, source: Option<FileFormat>) -> Plan {
+    pub fn with_format_of(mut self, source: Option<FileFormat>) -> EnvironmentPlan {
         if self.container == Container::Faces || (self.output.is_stdout() && self.container != Container::Ktx2) {
             self.format = self.format.or(source.map(Format::that_preserves));
         }
@@ -217,7 +217,7 @@ impl Plan {
     }
 
     /// The plan with the arrangement of the source, if the output is one picture.
-    pub fn with_arrangement(mut self, arrangement: Arrangement) -> Plan {
+    pub fn with_arrangement(mut self, arrangement: Arrangement) -> EnvironmentPlan {
         if self.container == Container::Equirectangular
             && let Some(container) = Container::ALL.iter().find(|c| c.arrangement() == Some(arrangement))
         {
@@ -263,7 +263,7 @@ impl Plan {
     }
 
     /// Writes six faces in the arrangement of the plan.
-    pub fn write_cubemap(&self, map: Cubemap, appearance: &Appearance) -> Result<Written, CliError> {
+    pub fn write_cubemap(&self, map: Cubemap, appearance: &Appearance) -> Result<WrittenEnvironment, CliError> {
         match (self.container, self.container.arrangement()) {
             (Container::Faces, _) => self.write_faces(&map, appearance),
             (_, Some(arrangement)) => {
@@ -283,23 +283,23 @@ impl Plan {
                 }
                 .map_err(failed)?;
                 self.output.write(&bytes)?;
-                Ok(Written { outputs: vec![self.output.clone()], warnings })
+                Ok(WrittenEnvironment { outputs: vec![self.output.clone()], warnings })
             }
         }
     }
 
     /// Writes a panorama.
-    pub fn write_panorama(&self, panorama: &Panorama, appearance: &Appearance) -> Result<Written, CliError> {
+    pub fn write_panorama(&self, panorama: &Panorama, appearance: &Appearance) -> Result<WrittenEnvironment, CliError> {
         self.write_picture(&panorama.image, appearance)
     }
 
-    fn write_picture(&self, image: &Image, appearance: &Appearance) -> Result<Written, CliError> {
+    fn write_picture(&self, image: &Image, appearance: &Appearance) -> Result<WrittenEnvironment, CliError> {
         let (bytes, warnings) = self.encode(image, appearance).map_err(failed)?;
         self.output.write(&bytes)?;
-        Ok(Written { outputs: vec![self.output.clone()], warnings })
+        Ok(WrittenEnvironment { outputs: vec![self.output.clone()], warnings })
     }
 
-    fn write_faces(&self, map: &Cubemap, appearance: &Appearance) -> Result<Written, CliError> {
+    fn write_faces(&self, map: &Cubemap, appearance: &Appearance) -> Result<WrittenEnvironment, CliError> {
         let extension = self.format(appearance.high_dynamic_range).extension();
         let encoded: Vec<(Vec<u8>, Vec<String>)> = map
             .faces(appearance.layout)
@@ -307,8 +307,8 @@ impl Plan {
             .map(|image| self.encode(image, appearance))
             .collect::<Result<_, ImageError>>()
             .map_err(failed)?;
-        let mut written = Written::default();
-        let mut files = FileSet::new();
+        let mut written = WrittenEnvironment::default();
+        let mut files = OutputFiles::new();
         let folder = self.output.file().unwrap_or(Path::new(""));
         files.make_folder(folder)?;
         for (face, (bytes, warnings)) in Face::ALL.into_iter().zip(encoded) {

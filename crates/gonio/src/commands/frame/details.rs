@@ -1,7 +1,7 @@
 //! One draw call with everything it read, or one program.
 
 use super::text::{self, aligned, counted, numbers, table};
-use crate::page::Page;
+use crate::terminal::TerminalPage;
 use gonio_gl::trace::{
     AttributeRecord, AttributeSource, DrawRecord, Finding, FrameRecord, Numbers, ProgramRecord, SamplerRecord,
     UniformValue,
@@ -14,8 +14,8 @@ const NAME: usize = 18;
 const MOST_ELEMENTS: usize = 16;
 
 /// Lists a draw call.
-pub fn draw(record: &FrameRecord, draw: &DrawRecord, findings: &[Finding]) -> Page {
-    let mut page = Page::new();
+pub fn draw(record: &FrameRecord, draw: &DrawRecord, findings: &[Finding]) -> TerminalPage {
+    let mut page = TerminalPage::new();
     page.heading(format_args!("draw {}: {}", draw.index, draw.title()));
     let mut line = |name: &str, value: String| {
         page.line(format_args!("  {name:NAME$}{value}"));
@@ -45,7 +45,7 @@ pub fn draw(record: &FrameRecord, draw: &DrawRecord, findings: &[Finding]) -> Pa
     page
 }
 
-fn attributes(page: &mut Page, attributes: &[AttributeRecord]) {
+fn attributes(page: &mut TerminalPage, attributes: &[AttributeRecord]) {
     page.heading("attributes");
     if attributes.is_empty() {
         page.line("  none: the shader computes vertices from their indices");
@@ -64,7 +64,7 @@ fn attributes(page: &mut Page, attributes: &[AttributeRecord]) {
     }
 }
 
-fn samplers(page: &mut Page, record: &FrameRecord, samplers: &[SamplerRecord]) {
+fn samplers(page: &mut TerminalPage, record: &FrameRecord, samplers: &[SamplerRecord]) {
     page.heading("samplers");
     if samplers.is_empty() {
         page.line("  none");
@@ -85,7 +85,7 @@ fn samplers(page: &mut Page, record: &FrameRecord, samplers: &[SamplerRecord]) {
 }
 
 /// Lists a uniform: a matrix by rows, an array by elements.
-fn uniform(page: &mut Page, uniform: &UniformValue) {
+fn uniform(page: &mut TerminalPage, uniform: &UniformValue) {
     let mark = if uniform.sent { "" } else { "   (never sent)" };
     let name = format!("{} {}", uniform.glsl_type, uniform.name);
     let rows = rows(uniform);
@@ -137,8 +137,8 @@ fn matrix(kind: &str) -> Option<[usize; 2]> {
 }
 
 /// Lists a program.
-pub fn program(number: usize, program: &ProgramRecord) -> Page {
-    let mut page = Page::new();
+pub fn program(number: usize, program: &ProgramRecord) -> TerminalPage {
+    let mut page = TerminalPage::new();
     page.heading(format_args!("program {number}: {}", program.name));
     page.heading("attributes");
     let rows = program.attributes.iter().map(|a| vec![a.location.to_string(), a.name.clone(), a.glsl_type.clone()]);

@@ -3,13 +3,13 @@
 mod details;
 mod text;
 
-use crate::backend::{BackendChoice, open_context};
-use crate::cli::{self, BackendOptions, GeneralOptions, SceneOptions};
+use crate::backend::{self, open_context};
+use crate::error::{CliError, CommandOutcome};
 use crate::loading;
-use crate::page::Page;
-use crate::report::{CliError, Outcome, Reporter, Times};
-use crate::values;
-use crate::version;
+use crate::options::{BackendChoice, BackendOptions, GeneralOptions, SceneOptions, values};
+use crate::report::{Reporter, Times};
+use crate::terminal::TerminalPage;
+
 use clap::Args;
 use gonio_gl::DriverInfo;
 use gonio_gl::trace::{Finding, FrameRecord, Severity, lint};
@@ -47,7 +47,7 @@ pub struct FrameArgs {
     #[arg(long, help_heading = "Detail options", value_name = "N")]
     pub program: Option<usize>,
     /// Draw a debug view instead of the picture: NAME, NAME:LIGHT, or a symbol such as N.
-    #[arg(long, help_heading = "Detail options", value_name = "VIEW", value_parser = cli::view_list())]
+    #[arg(long, help_heading = "Detail options", value_name = "VIEW", value_parser = values::view_list())]
     pub debug: Option<ViewSpec>,
     /// Time in seconds, for lights that move.
     #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,
@@ -75,7 +75,7 @@ struct Report<'a> {
     warnings: &'a [Diagnostic],
 }
 
-pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let times = Times::default();
     let backend = BackendOptions { backend: BackendChoice::Gl, threads: None, egl_library: args.egl_library.clone() };
     let (scene, context) =
@@ -97,7 +97,7 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     };
     let findings = lint(&record);
     let info: &DriverInfo = renderer.info();
-    reporter.verbose(format_args!("driver: {}", version::driver_line(info)));
+    reporter.verbose(format_args!("driver: {}", backend::driver_line(info)));
     reporter.verbose_times(&times);
     if reporter.json() {
         reporter.report(&Report {
@@ -129,13 +129,13 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     std::mem::forget((renderer, context, scene));
     let errors = findings.iter().filter(|finding| finding.severity == Severity::Error).count();
     if errors == 0 {
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     }
     reporter.check_failed(match errors {
         1 => "the frame has one error".to_owned(),
         _ => format!("the frame has {errors} errors"),
     });
-    Ok(Outcome::CheckFailed)
+    Ok(CommandOutcome::CheckFailed)
 }
 
 /// The part of a frame that is listed.
@@ -150,7 +150,7 @@ pub enum Shown {
 }
 
 /// A frame as text; an error if there is no such draw call or program.
-pub fn page(about: &str, record: &FrameRecord, findings: &[Finding], shown: Shown) -> Result<Page, CliError> {
+pub fn page(about: &str, record: &FrameRecord, findings: &[Finding], shown: Shown) -> Result<TerminalPage, CliError> {
     match shown {
         Shown::Everything => Ok(text::frame(about, record, findings)),
         Shown::Draw(number) => {

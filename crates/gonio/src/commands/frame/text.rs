@@ -1,6 +1,6 @@
 //! A frame as text: tables in the order of the calls.
 
-use crate::page::{Page, Style};
+use crate::terminal::{Style, TerminalPage};
 use gonio_gl::trace::{
     DrawRecord, Finding, FrameRecord, PassRecord, ProgramRecord, SamplerRecord, Severity, TextureRecord,
 };
@@ -10,8 +10,8 @@ use std::fmt::Write;
 const WIDEST: usize = 44;
 
 /// Lists everything, briefly.
-pub fn frame(about: &str, record: &FrameRecord, findings: &[Finding]) -> Page {
-    let mut text = Page::new();
+pub fn frame(about: &str, record: &FrameRecord, findings: &[Finding]) -> TerminalPage {
+    let mut text = TerminalPage::new();
     text.heading(about);
     for note in &record.notes {
         text.line(format_args!("  note: {note}"));
@@ -26,7 +26,7 @@ pub fn frame(about: &str, record: &FrameRecord, findings: &[Finding]) -> Page {
 }
 
 /// Lists what is wrong.
-pub(super) fn findings(text: &mut Page, findings: &[Finding]) {
+pub(super) fn findings(text: &mut TerminalPage, findings: &[Finding]) {
     text.heading("findings");
     if findings.is_empty() {
         text.line("  none: every sampler reads a bound texture, and every uniform was sent");
@@ -52,7 +52,7 @@ pub(super) fn findings(text: &mut Page, findings: &[Finding]) {
     }
 }
 
-fn passes(text: &mut Page, passes: &[PassRecord]) {
+fn passes(text: &mut TerminalPage, passes: &[PassRecord]) {
     let rows = passes.iter().enumerate().map(|(number, pass)| {
         let target = &pass.target;
         let samples = if target.samples == 1 { "1 sample".to_owned() } else { format!("{} samples", target.samples) };
@@ -77,7 +77,7 @@ fn passes(text: &mut Page, passes: &[PassRecord]) {
     table(text, "rllrlrrl", &[], rows);
 }
 
-fn draws(text: &mut Page, record: &FrameRecord) {
+fn draws(text: &mut TerminalPage, record: &FrameRecord) {
     text.heading("draw calls");
     let header = ["", "pass", "what", "program", "primitives", "vertices", "fragments", "state"];
     let row = |draw: &DrawRecord| {
@@ -130,7 +130,7 @@ pub(super) fn state(draw: &DrawRecord) -> Vec<String> {
 }
 
 /// Lists samplers, units and textures, once for all draws with the same.
-fn samplers(text: &mut Page, record: &FrameRecord) {
+fn samplers(text: &mut TerminalPage, record: &FrameRecord) {
     let mut seen: Vec<(&SamplerRecord, Vec<usize>)> = Vec::new();
     for draw in &record.draws {
         for sampler in &draw.samplers {
@@ -174,7 +174,7 @@ pub(super) fn sampled(sampler: &SamplerRecord) -> String {
     format!("{}, {wrap}", sampling.min_filter)
 }
 
-fn textures(text: &mut Page, record: &FrameRecord) {
+fn textures(text: &mut TerminalPage, record: &FrameRecord) {
     text.heading("textures");
     let header = ["", "name", "kind", "size", "format", "levels", ""];
     let read = |id: u32| record.draws.iter().flat_map(|draw| &draw.samplers).any(|s| s.texture == Some(id));
@@ -214,7 +214,7 @@ pub(super) fn size(texture: &TextureRecord) -> String {
     size
 }
 
-fn programs(text: &mut Page, programs: &[ProgramRecord]) {
+fn programs(text: &mut TerminalPage, programs: &[ProgramRecord]) {
     text.heading("programs");
     let rows = programs.iter().enumerate().map(|(number, program)| {
         let samplers = program.uniforms.iter().filter(|uniform| uniform.glsl_type.contains("sampler")).count();
@@ -298,7 +298,7 @@ pub(super) fn aligned(columns: &str, header: &[&str], rows: impl Iterator<Item =
 }
 
 /// Adds a table of aligned columns.
-pub(super) fn table(text: &mut Page, columns: &str, header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
+pub(super) fn table(text: &mut TerminalPage, columns: &str, header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     aligned(columns, header, rows).iter().for_each(|line| text.line(line));
 }
 
@@ -313,7 +313,7 @@ mod tests {
 
     #[test]
     fn columns_are_aligned_and_empty_ones_left_out() {
-        let mut text = Page::new();
+        let mut text = TerminalPage::new();
         let rows = [["1", "", "a"], ["10", "", "bcd"]].map(|row| row.map(str::to_owned).to_vec());
         table(&mut text, "rll", &["n", "nothing", "word"], rows.into_iter());
         assert_eq!(text.for_terminal(), "   n  word\n   1  a\n  10  bcd\n");

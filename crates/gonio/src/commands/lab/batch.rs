@@ -1,11 +1,13 @@
 //! Checking many submissions, each in a process of its own, so that none can harm the others.
 
 use super::check::CheckArgs;
-use super::intake::{Class, ClassMember, Gathered};
-use super::text;
-use crate::output::{FileSet, OutputPath, atomic};
-use crate::report::{CliError, Outcome, Reporter, io_reason};
-use crate::version;
+use super::intake::{ClassMember, ClassSubmissions, GatheredFiles};
+use super::{child_process, text};
+use crate::backend;
+use crate::error::{CliError, CommandOutcome, io_reason};
+use crate::output::{OutputFiles, OutputPath, atomic};
+use crate::report::Reporter;
+
 use gonio_app::platform::desktop::worker;
 use gonio_check::submission::{self, SourceFile};
 use gonio_check::verdict::{Outcome as Word, Verdict};
@@ -40,16 +42,21 @@ struct Checked {
 }
 
 /// Checks all submissions, and writes pages, table and overview.
-pub fn run(args: &CheckArgs, exercise: &Exercise, class: &Class, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(
+    args: &CheckArgs,
+    exercise: &Exercise,
+    class: &ClassSubmissions,
+    reporter: &Reporter,
+) -> Result<CommandOutcome, CliError> {
     let results = results_folder(args)?;
     let kept = results.join("kept");
     std::fs::create_dir_all(&kept)
         .map_err(|error| CliError::io(format!("cannot create the folder `{}`", kept.display()), &error))?;
-    let program = super::own_program()?;
+    let program = child_process::own_program()?;
     let next = AtomicUsize::new(0);
     let checked = Mutex::new(Vec::new());
     let progress = reporter.progress("checking");
-    version::report_driver(reporter);
+    backend::report_driver(reporter);
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
     std::thread::scope(|scope| {
         for _ in 0..workers {
@@ -80,10 +87,10 @@ fn report(
     args: &CheckArgs,
     exercise: &Exercise,
     mut checked: Vec<Checked>,
-    class: &Class,
+    class: &ClassSubmissions,
     results: &Path,
     reporter: &Reporter,
-) -> Result<Outcome, CliError> {
+) -> Result<CommandOutcome, CliError> {
     checked.sort_by(|a, b| a.label.cmp(&b.label));
     let rows: Vec<Row> = checked.iter().map(|one| Row::new(&one.label, &one.verdict, one.seconds)).collect();
     let fingerprints: Vec<(String, Fingerprint)> =
@@ -91,7 +98,7 @@ fn report(
     let similar = report::similar_pairs(&fingerprints, SIMILAR);
     let title = format!("{}: {}", exercise.id, exercise.title);
     let overview = report::overview(&title, &rows, &similar, &class.skipped);
-    let mut files = FileSet::new();
+    let mut files = OutputFiles::new();
     files.add(&results.join("index.html"), overview.as_bytes())?;
     files.add(&results.join("table.csv"), report::csv(&rows).as_bytes())?;
     let is_stdout_taken = args.junit.as_ref().is_some_and(OutputPath::is_stdout);
@@ -116,7 +123,7 @@ fn report(
         ));
     }
     let right = rows.iter().all(|row| row.verdict == Word::Correct);
-    Ok(if right { Outcome::Done } else { Outcome::CheckFailed })
+    Ok(if right { CommandOutcome::Done } else { CommandOutcome::CheckFailed })
 }
 
 /// The folder for the results, which is never inside the submissions.
@@ -204,7 +211,7 @@ fn one(
 fn checked(
     args: &CheckArgs,
     exercise: &Exercise,
-    gathered: Gathered,
+    gathered: GatheredFiles,
     label: &str,
     program: &Path,
 ) -> Result<(Verdict, Option<Vec<u8>>), CliError> {

@@ -1,13 +1,13 @@
 //! `gonio lab check`: the verdict about a student's answer, or about those of a class.
 
-use super::intake::{self, Gathered, Intake, Submissions};
-use super::{batch, exercise, text};
-use crate::cli::GeneralOptions;
-use crate::output::path::{check_folder, check_stdout};
-use crate::output::{Content, FileSet, OutputPath};
-use crate::report::{CliError, Outcome, Reporter};
-use crate::values;
-use crate::version;
+use super::intake::{self, GatheredFiles, Intake, Submissions};
+use super::{batch, child_process, exercise, text};
+use crate::backend;
+use crate::error::{CliError, CommandOutcome};
+use crate::options::{GeneralOptions, values};
+use crate::output::{OutputFiles, OutputKind, OutputPath, check_folder, check_stdout};
+use crate::report::Reporter;
+
 use clap::Args;
 use gonio_app::platform::desktop::worker::{self, Answer, Request};
 use gonio_check::CheckOptions;
@@ -104,7 +104,7 @@ impl CheckArgs {
     }
 
     /// The request for a worker process, without a page and a sheet.
-    pub fn request(&self, exercise: &Exercise, gathered: Gathered) -> Request {
+    pub fn request(&self, exercise: &Exercise, gathered: GatheredFiles) -> Request {
         Request {
             exercise: exercise.id.clone(),
             files: gathered.files,
@@ -122,14 +122,14 @@ impl CheckArgs {
     }
 }
 
-pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     if let Some(folder) = &args.output {
         check_folder(folder, "-o")?;
     }
     let texts = [&args.page, &args.junit, &args.gradescope, &args.code_runner].into_iter().flatten();
-    let texts = texts.map(|output| (output, Content::Text));
-    let is_stdout_taken = check_stdout(texts.chain(args.sheet.iter().map(|o| (o, Content::Binary))), reporter)?;
+    let texts = texts.map(|output| (output, OutputKind::Text));
+    let is_stdout_taken = check_stdout(texts.chain(args.sheet.iter().map(|o| (o, OutputKind::Binary))), reporter)?;
     // A folder for results is for those of a class, even a class of one.
     let as_class = args.output.is_some() || args.submissions == Submissions::Many;
     match intake::take(&args.files, exercise, args.submissions, as_class)? {
@@ -147,7 +147,7 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             for file in &gathered.files {
                 reporter.verbose(format_args!("read `{}`, {} bytes", file.name, file.bytes.len()));
             }
-            version::report_driver(reporter);
+            backend::report_driver(reporter);
             check_one(args, exercise, gathered, is_stdout_taken, reporter)
         }
     }
@@ -157,15 +157,15 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
 fn check_one(
     args: &CheckArgs,
     exercise: &Exercise,
-    gathered: Gathered,
+    gathered: GatheredFiles,
     is_stdout_taken: bool,
     reporter: &Reporter,
-) -> Result<Outcome, CliError> {
+) -> Result<CommandOutcome, CliError> {
     let label = args.label();
     let mut request = args.request(exercise, gathered);
     request.page = args.page.is_some().then(|| label.clone());
     request.sheet = args.sheet.is_some();
-    let program = super::own_program()?;
+    let program = child_process::own_program()?;
     let not_started = |error| CliError::io("gonio cannot start itself for a check", &error);
     let worker = worker::start(&program, request, false).map_err(not_started)?;
     let answer = worker.wait(args.patience(), || false).map_err(CliError::new)?;
@@ -177,11 +177,11 @@ fn check_one(
     } else {
         reporter.text(&text::verdict(&answer.verdict))?;
     }
-    Ok(if answer.verdict.verdict == Word::Correct { Outcome::Done } else { Outcome::CheckFailed })
+    Ok(if answer.verdict.verdict == Word::Correct { CommandOutcome::Done } else { CommandOutcome::CheckFailed })
 }
 
 fn write(args: &CheckArgs, label: &str, Answer { verdict, page, sheet }: &Answer) -> Result<(), CliError> {
-    let mut files = FileSet::new();
+    let mut files = OutputFiles::new();
     if let Some(output) = &args.page {
         // The check that makes the pictures may have been stopped.
         let page = page.clone().unwrap_or_else(|| report::page(label, verdict, None).into_bytes());

@@ -1,11 +1,12 @@
 //! `gonio lab list`, `show`, `start` and `reference`: the exercises themselves.
 
 use super::{draw, exercise};
-use crate::cli::GeneralOptions;
-use crate::output::path::check_folder;
-use crate::output::{FileSet, OutputPath};
-use crate::page::{Page, Style};
-use crate::report::{CliError, Outcome, Reporter};
+use crate::error::{CliError, CommandOutcome};
+use crate::options::GeneralOptions;
+use crate::output::check_folder;
+use crate::output::{OutputFiles, OutputPath};
+use crate::report::Reporter;
+use crate::terminal::{Style, TerminalPage};
 use clap::Args;
 use gonio_exercises::exercise::{self as exercises, Exercise};
 use gonio_exercises::{GOAL, preview};
@@ -65,7 +66,7 @@ struct Listed<'a> {
     builds_on: &'a [String],
 }
 
-pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let all = exercises::all();
     if reporter.json() {
         let listed: Vec<Listed<'_>> = all
@@ -80,21 +81,21 @@ pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             })
             .collect();
         reporter.report(&listed)?;
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     }
     let (bold, dim) = (Style::Bold, Style::Dim);
     let width = all.iter().map(|e| e.title.chars().count()).max().unwrap_or(0);
-    let mut page = Page::new();
+    let mut page = TerminalPage::new();
     for e in all {
         page.line(format_args!("{bold}{:<5}{bold:#} {:<width$}  {dim}{}{dim:#}", e.id, e.title, e.summary));
     }
     page.blank();
     page.line("`gonio lab show ex04` prints its text, `gonio lab start ex04 mine` begins it in the folder `mine`.");
     reporter.text(&page)?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
-pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     if reporter.json() {
         reporter.report(&serde_json::json!({
@@ -102,16 +103,16 @@ pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             "look_for": exercise.look_for.iter().map(|l| &l.text).collect::<Vec<_>>(),
         }))?;
     } else {
-        reporter.text(&Page::from_text(exercise.text()))?;
+        reporter.text(&TerminalPage::from_text(exercise.text()))?;
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
-pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     check_folder(&args.folder, "`gonio lab start`")?;
     let texts = exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
-    let mut set = FileSet::new();
+    let mut set = OutputFiles::new();
     let mut written = add_all(&mut set, texts.chain(exercise.pictures()), &args.folder)?;
     let goal = args.folder.join(GOAL);
     let mut is_drawn = preview::is_drawn(exercise) && !goal.exists();
@@ -131,11 +132,11 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     set.commit()?;
     if reporter.json() {
         reporter.report(&serde_json::json!({ "exercise": exercise.id, "folder": args.folder, "files": written }))?;
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     }
     let folder = args.folder.display();
     let look = if is_drawn { format!(", and look at {GOAL}") } else { String::new() };
-    let mut page = Page::new();
+    let mut page = TerminalPage::new();
     page.line(format_args!("{}: {}", exercise.id, exercise.title));
     page.blank();
     page.line(format_args!("{folder}: {}", written.join(", ")));
@@ -143,39 +144,39 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     page.line(format_args!("Read text.md first{look}; then change the files, and check them as often as you like:"));
     page.line(format_args!("  gonio lab check {} {folder}", exercise.id));
     reporter.text(&page)?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
-pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let exercise: &Exercise = exercise(&args.exercise)?;
     if let Some(folder) = args.output.as_ref().and_then(OutputPath::file) {
-        let mut set = FileSet::new();
+        let mut set = OutputFiles::new();
         let files = exercise.reference_files().map(|(name, text)| (name, text.as_bytes()));
         let written = add_all(&mut set, files, folder)?;
         set.commit()?;
         reporter.note(format!("wrote {} into {}", written.join(", "), folder.display()));
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     }
     if reporter.json() {
         let files: serde_json::Map<String, serde_json::Value> =
             exercise.reference_files().map(|(name, text)| (name.to_owned(), text.into())).collect();
         reporter.report(&serde_json::json!({ "exercise": exercise.id, "files": files }))?;
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     }
     let bold = Style::Bold;
-    let mut page = Page::new();
+    let mut page = TerminalPage::new();
     for (name, content) in exercise.reference_files() {
         page.line(format_args!("{bold}// {name}{bold:#}"));
         page.text(content);
         page.blank();
     }
     reporter.text(&page)?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// Adds the files of a folder; an error if one of them exists.
 fn add_all<'a>(
-    set: &mut FileSet,
+    set: &mut OutputFiles,
     files: impl Iterator<Item = (&'a str, &'a [u8])>,
     folder: &Path,
 ) -> Result<Vec<String>, CliError> {

@@ -1,8 +1,9 @@
 //! `gonio lab mistakes`: the catalogue of mistakes.
 
-use crate::cli::GeneralOptions;
-use crate::page::{Page, Style};
-use crate::report::{CliError, Outcome, Reporter};
+use crate::error::{CliError, CommandOutcome};
+use crate::options::GeneralOptions;
+use crate::report::Reporter;
+use crate::terminal::{Style, TerminalPage};
 use clap::Args;
 use gonio_check::mistakes::structural;
 use gonio_check::mistakes::{self, Hypotheses, Mistake};
@@ -17,7 +18,7 @@ pub struct MistakesArgs {
     pub general: GeneralOptions,
 }
 
-pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let Some(id) = &args.id else { return list(reporter) };
     let all = all();
     let Some(mistake) = all.iter().find(|mistake| mistake.id == *id) else {
@@ -31,7 +32,7 @@ pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<Outcome, CliError
     } else {
         reporter.text(&explanation(mistake))?;
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// The catalogue's mistakes, and those that are not changes of a line.
@@ -39,26 +40,26 @@ fn all() -> Vec<Mistake> {
     mistakes::all().iter().cloned().chain(structural()).collect()
 }
 
-fn list(reporter: &Reporter) -> Result<Outcome, CliError> {
+fn list(reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let all = all();
     if reporter.json() {
         reporter.report(&all)?;
-        return Ok(Outcome::Done);
+        return Ok(CommandOutcome::Done);
     }
     let (bold, dim) = (Style::Bold, Style::Dim);
     let width = all.iter().map(|m| m.id.len()).max().unwrap_or(0);
-    let mut page = Page::new();
+    let mut page = TerminalPage::new();
     let mut seen = std::collections::BTreeSet::new();
     for mistake in all.iter().filter(|m| seen.insert(m.id.as_str())) {
         let mark = if mistake.harmless { format!(" {dim}(harmless){dim:#}") } else { String::new() };
         page.line(format_args!("{bold}{:<width$}{bold:#}  {}{mark}", mistake.id, mistake.name));
     }
     reporter.text(&page)?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
-fn explanation(mistake: &Mistake) -> Page {
-    let mut page = Page::new();
+fn explanation(mistake: &Mistake) -> TerminalPage {
+    let mut page = TerminalPage::new();
     page.heading(&mistake.id);
     page.line(format_args!("{}.", mistake.name));
     for (heading, text) in [

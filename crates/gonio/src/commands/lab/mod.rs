@@ -2,22 +2,21 @@
 
 mod batch;
 mod check;
+mod child_process;
 mod draw;
 mod exercises;
-mod guard;
 mod intake;
 mod mistakes;
 mod open;
 mod score;
 mod text;
 mod trial;
-mod worker;
 
-use crate::cli::GeneralOptions;
-use crate::report::{CliError, Outcome, Reporter};
+use crate::error::{CliError, CommandOutcome};
+use crate::options::GeneralOptions;
+use crate::report::Reporter;
 use clap::Subcommand;
 use gonio_exercises::exercise::{self, Exercise};
-use std::path::PathBuf;
 
 #[derive(Subcommand, Debug)]
 #[command(after_long_help = "\
@@ -70,7 +69,7 @@ impl LabCommand {
     }
 }
 
-pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     match command {
         LabCommand::List(args) => exercises::list(args, reporter),
         LabCommand::Show(args) => exercises::show(args, reporter),
@@ -81,14 +80,9 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<Outcome, CliErro
         LabCommand::Draw(args) => draw::run(args, reporter),
         LabCommand::Mistakes(args) => mistakes::run(args, reporter),
         LabCommand::Score(args) => score::run(args, reporter),
-        LabCommand::CheckWorker(_) => worker::run(),
+        LabCommand::CheckWorker(_) => child_process::check_worker(),
         LabCommand::Trial(args) => trial::run(args, reporter),
     }
-}
-
-/// gonio's own program, for processes that a shader may crash.
-fn own_program() -> Result<PathBuf, CliError> {
-    std::env::current_exe().map_err(|error| CliError::io("cannot find gonio's own program", &error))
 }
 
 /// The exercise with this id or number.

@@ -1,9 +1,10 @@
 //! `gonio lab open`: an exercise in the window.
 
 use super::{exercise, intake};
-use crate::cli::GeneralOptions;
-use crate::report::{CliError, Outcome, Reporter};
-use crate::values;
+use crate::error::{CliError, CommandOutcome};
+use crate::options::GeneralOptions;
+use crate::options::values;
+use crate::report::Reporter;
 use clap::Args;
 use gonio_app::exercise::Start;
 use gonio_app::files::ExerciseFile;
@@ -41,7 +42,7 @@ pub struct OpenArgs {
 }
 
 /// Opens the window, and returns when it is closed.
-pub fn run(args: &OpenArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &OpenArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     let mut given = Vec::new();
     for path in &args.files {
@@ -67,7 +68,7 @@ pub fn run(args: &OpenArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         ..WindowOptions::default()
     };
     desktop::run(window).map_err(CliError::new)?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// The files of a path: those of a folder by their names in it, those of a zip in memory.

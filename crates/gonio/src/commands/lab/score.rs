@@ -1,10 +1,11 @@
 //! `gonio lab score`: measurements of the checker.
 
 use super::intake::{self, ClassMember, Intake, Submissions};
-use super::{exercise, guard};
-use crate::cli::GeneralOptions;
-use crate::page::Page;
-use crate::report::{CliError, Outcome, Reporter};
+use super::{child_process, exercise};
+use crate::error::{CliError, CommandOutcome};
+use crate::options::GeneralOptions;
+use crate::report::Reporter;
+use crate::terminal::TerminalPage;
 use clap::Args;
 use gonio_app::platform::desktop::child;
 use gonio_check::CheckOptions;
@@ -59,9 +60,9 @@ impl Row {
     }
 }
 
-pub fn run(args: &ScoreArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &ScoreArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     if args.end_with_the_caller {
-        guard::end_with_the_caller();
+        child_process::end_with_the_caller();
     }
     let exercises = match args.exercises.as_slice() {
         [] => TASKS.iter().map(|task| exercise(task.exercise)).collect::<Result<Vec<_>, _>>()?,
@@ -74,9 +75,9 @@ pub fn run(args: &ScoreArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if reporter.json() {
         reporter.report(&rows)?;
     } else {
-        reporter.text(&Page::from_text(&table(&rows)))?;
+        reporter.text(&TerminalPage::from_text(&table(&rows)))?;
     }
-    Ok(if rows.iter().all(Row::reaches_the_goals) { Outcome::Done } else { Outcome::CheckFailed })
+    Ok(if rows.iter().all(Row::reaches_the_goals) { CommandOutcome::Done } else { CommandOutcome::CheckFailed })
 }
 
 /// Measures one exercise in this process.
@@ -105,7 +106,7 @@ fn measure(args: &ScoreArgs, exercise: &Exercise) -> Result<Row, CliError> {
 /// Measures each exercise in a process of its own, as many at once as there are cores: a software driver uses them better that
 /// way than by drawing small pictures with all of them.
 fn measure_apart(args: &ScoreArgs, exercises: &[&Exercise], reporter: &Reporter) -> Result<Vec<Row>, CliError> {
-    let program = super::own_program()?;
+    let program = child_process::own_program()?;
     let next = AtomicUsize::new(0);
     let done: Mutex<Vec<(usize, Result<Row, CliError>)>> = Mutex::default();
     let progress = reporter.progress("measuring");

@@ -1,6 +1,6 @@
 //! Verdicts as text for a terminal.
 
-use crate::page::{Page, Style};
+use crate::terminal::{Style, TerminalPage};
 use gonio_check::verdict::{FoundMistake, Outcome, PropertyState, TermState, Verdict};
 use gonio_exercises::report::Row;
 
@@ -11,14 +11,14 @@ const RED: Style = Style::Red;
 const YELLOW: Style = Style::Yellow;
 
 /// A verdict as a student reads it.
-pub fn verdict(verdict: &Verdict) -> Page {
+pub fn verdict(verdict: &Verdict) -> TerminalPage {
     let (word, style) = match verdict.verdict {
         Outcome::Correct => ("correct", GREEN),
         Outcome::Wrong => ("wrong", RED),
         Outcome::DoesNotCompile => ("does not compile", RED),
         Outcome::Unsure => ("unsure", YELLOW),
     };
-    let mut page = Page::new();
+    let mut page = TerminalPage::new();
     page.line(format_args!("{BOLD}{}{BOLD:#}  {style}{word}{style:#}: {}", verdict.exercise, verdict.summary));
     for message in &verdict.messages {
         let place = match (message.line, message.column) {
@@ -107,7 +107,7 @@ fn source_line(line: &str) -> String {
     }
 }
 
-fn mistake(page: &mut Page, found: &FoundMistake) {
+fn mistake(page: &mut TerminalPage, found: &FoundMistake) {
     page.blank();
     page.line(format_args!("  {RED}{}{RED:#}  {}", found.id, found.name));
     if let (Some(file), Some(line)) = (&found.file, found.line) {
@@ -136,9 +136,9 @@ fn mistake(page: &mut Page, found: &FoundMistake) {
 }
 
 /// Many submissions, one line each, with a summary.
-pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> Page {
+pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> TerminalPage {
     let width = rows.iter().map(|row| row.submission.chars().count()).max().unwrap_or(0).min(40);
-    let mut page = Page::new();
+    let mut page = TerminalPage::new();
     for row in rows {
         let (word, style) = match row.verdict {
             Outcome::Correct => ("correct", GREEN),

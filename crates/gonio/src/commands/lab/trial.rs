@@ -1,8 +1,9 @@
 //! `gonio lab trial`: the process that compiles and draws a pair of shaders before the window's own OpenGL does.
 
-use super::{exercise, guard};
-use crate::cli::GeneralOptions;
-use crate::report::{CliError, Outcome, Reporter};
+use super::{child_process, exercise};
+use crate::error::{CliError, CommandOutcome};
+use crate::options::GeneralOptions;
+use crate::report::Reporter;
 use clap::Args;
 use gonio_app::platform::desktop::trial::Answer;
 use gonio_app::platform::desktop::worker;
@@ -40,12 +41,12 @@ pub struct TrialArgs {
     pub general: GeneralOptions,
 }
 
-pub fn run(args: &TrialArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &TrialArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let exercise = exercise(&args.exercise)?;
     let mut input = std::io::stdin();
     let unread = |error| CliError::io("cannot read the files to try", &error);
     let files = worker::read_request(&mut input).map_err(unread)?.files;
-    guard::end_with_the_caller();
+    child_process::end_with_the_caller();
     let thread = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(move || answer(exercise, files));
     let thread = thread.map_err(|error| CliError::io("cannot start the thread of the trial", &error))?;
     let answer = match thread.join() {
@@ -54,7 +55,7 @@ pub fn run(args: &TrialArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
         Err(_) => std::process::abort(),
     };
     reporter.report(&answer)?;
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 fn answer(exercise: &Exercise, files: Vec<SourceFile>) -> Answer {

@@ -3,12 +3,13 @@
 mod surroundings;
 mod text;
 
-use crate::backend::{Backend, BackendChoice, BackendReport, Opened};
-use crate::cli::{BackendOptions, GeneralOptions, SceneOptions};
+use crate::backend::{self, Backend, BackendReport, Opened};
+use crate::error::{CliError, CommandOutcome};
 use crate::loading;
-use crate::report::{CliError, Outcome, Reporter, Times};
-use crate::values;
-use crate::version;
+use crate::options::{BackendChoice, BackendOptions, GeneralOptions, SceneOptions, values};
+use crate::report::{Reporter, Times};
+use crate::terminal::TerminalPage;
+
 use clap::Args;
 use gonio_mesh::Diagnostic;
 use gonio_reference::{Probe, ReferenceScene};
@@ -79,7 +80,7 @@ struct GpuValue {
     difference: f64,
 }
 
-pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let times = Times::default();
     let (x, y) = args.at;
     let (scene, opened) = loading::load_scene_while(&args.inputs, &args.scene, reporter, &times, || {
@@ -113,7 +114,7 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     };
     let gpu = gpu_value(&mut backend, &frame, (x, y), reference, reporter, &times)?;
     if let Some(driver) = backend.driver() {
-        reporter.verbose(format_args!("driver: {}", version::driver_line(driver)));
+        reporter.verbose(format_args!("driver: {}", backend::driver_line(driver)));
     }
     reporter.verbose_times(&times);
     let report = Report {
@@ -139,10 +140,10 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     // The process ends next, and the system frees it faster.
     std::mem::forget(backend);
     std::mem::forget(scene);
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
-fn text(report: &Report<'_>, scene: &Scene, frame: &Frame) -> crate::page::Page {
+fn text(report: &Report<'_>, scene: &Scene, frame: &Frame) -> TerminalPage {
     text::ProbePage::new(scene, frame).write(report)
 }
 

@@ -1,10 +1,9 @@
 //! A probe as text: aligned numbers, and the light equation with its numbers.
 
 use super::{GpuValue, Report};
-use crate::page;
+use crate::terminal::TerminalPage;
 use glam::DVec3;
-use gonio_light::is_noise;
-use gonio_light::{Convention, LightKind, LightTerms, Specular, Terms};
+use gonio_light::{Convention, LightKind, LightTerms, Specular, Terms, is_noise};
 use gonio_reference::Probe;
 use gonio_scene::{Frame, Scene};
 use std::fmt::Write as _;
@@ -16,17 +15,17 @@ const NAME: usize = 22;
 pub struct ProbePage<'a> {
     pub(super) scene: &'a Scene,
     pub(super) frame: &'a Frame,
-    pub(super) text: page::Page,
+    pub(super) text: TerminalPage,
 }
 
 impl<'a> ProbePage<'a> {
     /// An empty page.
     pub fn new(scene: &'a Scene, frame: &'a Frame) -> Self {
-        ProbePage { scene, frame, text: page::Page::new() }
+        ProbePage { scene, frame, text: TerminalPage::new() }
     }
 
     /// Writes everything.
-    pub(super) fn write(mut self, report: &Report<'_>) -> page::Page {
+    pub(super) fn write(mut self, report: &Report<'_>) -> TerminalPage {
         let size = format!("pixel {},{} of {}x{}", report.x, report.y, report.width, report.height);
         self.heading(&size);
         match report.probe {

@@ -1,17 +1,20 @@
 //! `gonio render`: a model or a scene as a picture, its debug views, or an animation.
 
-mod frames;
+mod animation;
+mod plan;
 mod report;
 
-use crate::backend::{Backend, BackendChoice, Counts, Opened, Shot};
+use crate::backend::{self, Backend, Counts, Opened, Shot};
 use crate::capture;
-use crate::cli::{self, BackendOptions, GeneralOptions, SceneOptions};
+use crate::error::{CliError, CommandOutcome};
 use crate::loading;
-use crate::output::animation::Animation;
-use crate::output::{FileSet, Format, OutputPath, Plan, PlanRequest};
-use crate::report::{CliError, Outcome, Reporter, Times};
-use crate::values::{self, DebugView};
-use crate::version;
+use crate::options::values::{self, DebugView};
+use crate::options::{BackendChoice, BackendOptions, GeneralOptions, SceneOptions};
+use crate::output::{OutputFiles, OutputPath};
+use crate::report::{Reporter, Times};
+use animation::{AnimationFile, Frames};
+use plan::{PictureFormat, PicturePlan, PicturePlanRequest};
+
 use clap::{ArgAction, Args};
 use gonio_image::ImageError;
 use gonio_image::encode::exr::{self, Layer};
@@ -62,8 +65,8 @@ pub struct RenderArgs {
           allow_hyphen_values = true)]
     pub output: Vec<OutputPath>,
     /// Format, if no extension determines it (stdout): png by default.
-    #[arg(long, help_heading = "Output options", value_parser = values::named(Format::ALL, Format::name))]
-    pub format: Option<Format>,
+    #[arg(long, help_heading = "Output options", value_parser = values::named(PictureFormat::ALL, PictureFormat::name))]
+    pub format: Option<PictureFormat>,
     /// Bits per channel of .png.
     #[arg(long, help_heading = "Output options", value_name = "8|16", value_parser = values::bits)]
     pub bits: Option<u8>,
@@ -78,7 +81,7 @@ pub struct RenderArgs {
     pub overlay: Vec<Overlay>,
     /// Also write debug views: OUT-NAME.png each, or layers of one .exr.
     #[arg(long, help_heading = "Output options", value_name = "VIEW,...", value_delimiter = ',',
-          value_parser = cli::view_list())]
+          value_parser = values::view_list())]
     pub views: Vec<ViewSpec>,
 
     /// Number of frames, in numbered files or one animation.
@@ -141,7 +144,7 @@ struct Written {
     notes: Vec<String>,
 }
 
-pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     if let Some(target) = &args.capture {
         if args.backend.backend == BackendChoice::Cpu {
             return Err(CliError::new("--capture needs OpenGL; leave out --backend cpu"));
@@ -158,7 +161,7 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> 
     }
     let start = Instant::now();
     let times = Times::default();
-    let plans = PlanRequest {
+    let plans = PicturePlanRequest {
         outputs: &args.output,
         format: args.format,
         frames: args.frames,
@@ -167,7 +170,7 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> 
         bits: args.bits,
     }
     .plan(reporter)?;
-    if args.is_shown() && plans.iter().any(|p| p.format == Format::Exr || p.bits != 8) {
+    if args.is_shown() && plans.iter().any(|p| p.format == PictureFormat::Exr || p.bits != 8) {
         return Err(CliError::new(
             "--overlay and the views uv-checker, overdraw and nothing have 8 bits per channel; write .png of 8 bits, \
              .apng or .gif",
@@ -188,13 +191,13 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> 
         reporter.note(backend.sentence());
     }
 
-    if plans.iter().all(|p| p.format != Format::Exr && p.bits == 8) {
+    if plans.iter().all(|p| p.format != PictureFormat::Exr && p.bits == 8) {
         backend.for_eight_bits();
     }
     if let Some(driver) = backend.driver() {
-        reporter.verbose(format_args!("driver: {}", version::driver_line(driver)));
+        reporter.verbose(format_args!("driver: {}", backend::driver_line(driver)));
     }
-    let files = FileSet::new();
+    let files = OutputFiles::new();
     let mut drawing = Drawing { args, plans: &plans, reporter, times: &times, files, written: Written::default() };
     drawing.draw_frames(&scene, &mut backend)?;
     let Drawing { files, written, .. } = drawing;
@@ -210,27 +213,27 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<Outcome, CliError> 
     // The process ends next, and the system frees buffers and contexts faster.
     std::mem::forget(backend);
     std::mem::forget(scene);
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// The drawing of all frames and views into all outputs.
 struct Drawing<'a> {
     args: &'a RenderArgs,
-    plans: &'a [Plan],
+    plans: &'a [PicturePlan],
     reporter: &'a Reporter,
     times: &'a Times,
-    files: FileSet,
+    files: OutputFiles,
     written: Written,
 }
 
 impl Drawing<'_> {
     fn draw_frames(&mut self, scene: &Scene, backend: &mut Backend) -> Result<(), CliError> {
         let count = self.args.frames.unwrap_or(1);
-        let frames = frames::Frames::new(scene, self.args.time, count, self.args.fps, self.args.orbit);
-        let mut animations: Vec<Option<Animation>> = self
+        let frames = Frames::new(scene, self.args.time, count, self.args.fps, self.args.orbit);
+        let mut animations: Vec<Option<AnimationFile>> = self
             .plans
             .iter()
-            .map(|p| p.format.is_animation().then(|| Animation::new(p.format, count, self.args.fps)))
+            .map(|p| p.format.is_animation().then(|| AnimationFile::new(p.format, count, self.args.fps)))
             .collect();
         let progress = (count > 1).then(|| self.reporter.progress("frames"));
         for index in 0..count {
@@ -254,14 +257,14 @@ impl Drawing<'_> {
         index: u32,
         frame: &Frame,
         backend: &mut Backend,
-        animations: &mut [Option<Animation>],
+        animations: &mut [Option<AnimationFile>],
     ) -> Result<(), CliError> {
         let first = self.args.debug.and_then(DebugView::quantity);
         let views: Vec<Option<ViewSpec>> =
             std::iter::once(first).chain(self.args.views.iter().copied().map(Some)).collect();
         let shows = self.args.is_shown().then(|| self.args.shows(&views));
         let mut layers: Vec<(String, Picture)> = Vec::new();
-        let wants_layers = self.plans.iter().any(|p| p.format == Format::Exr);
+        let wants_layers = self.plans.iter().any(|p| p.format == PictureFormat::Exr);
         let (reporter, times) = (self.reporter, self.times);
         let each = |place: usize, shot: Shot| {
             let view = views[place];
@@ -281,7 +284,7 @@ impl Drawing<'_> {
             Some(shows) => backend.draw_shown(frame, &shows, reporter, times, each)?,
             None => backend.draw(frame, &views, reporter, times, each)?,
         }
-        for plan in self.plans.iter().filter(|p| p.format == Format::Exr) {
+        for plan in self.plans.iter().filter(|p| p.format == PictureFormat::Exr) {
             let bytes = self.times.measure("encode", || encode_layers(&layers))?;
             self.write(plan, index, None, bytes)?;
         }
@@ -295,7 +298,7 @@ impl Drawing<'_> {
         view: Option<ViewSpec>,
         own_name: Option<ViewSpec>,
         shot: &Shot,
-        animations: &mut [Option<Animation>],
+        animations: &mut [Option<AnimationFile>],
     ) -> Result<(), CliError> {
         let times = self.times;
         let tag = match DisplayMap::for_view(view, frame) {
@@ -304,7 +307,7 @@ impl Drawing<'_> {
         };
         for (plan, animation) in self.plans.iter().zip(animations) {
             let bytes = match (plan.format, animation) {
-                (Format::Exr, _) => continue,
+                (PictureFormat::Exr, _) => continue,
                 (_, Some(animation)) => {
                     let picture = times.measure("read_back", || shot.encoded8())?;
                     times.measure("encode", || animation.add(picture.into_owned(), tag))?;
@@ -324,7 +327,13 @@ impl Drawing<'_> {
         Ok(())
     }
 
-    fn write(&mut self, plan: &Plan, frame: u32, view: Option<ViewSpec>, bytes: Vec<u8>) -> Result<(), CliError> {
+    fn write(
+        &mut self,
+        plan: &PicturePlan,
+        frame: u32,
+        view: Option<ViewSpec>,
+        bytes: Vec<u8>,
+    ) -> Result<(), CliError> {
         let output = plan.output(frame, view);
         self.times.measure("write", || self.files.add_output(&output, bytes))?;
         self.written.files.extend(output.file().map(Path::to_owned));

@@ -1,23 +1,24 @@
 //! `gonio serve`: the web page for this machine.
 //!
-//! The server uses `std::net` and answers GET and HEAD for a handful of files whose names it knows beforehand. A server crate
-//! would be ten times the code, and none of those examined limits the time of a request.
+//! The server is built on `std::net`: it answers GET and HEAD for files whose names it knows beforehand, and limits the time of
+//! each request. A server crate would be ten times the code, and none of those examined has such a limit.
 
-mod answer;
-mod connection;
-mod page;
-mod request;
+mod files;
+mod http;
 
-use crate::cli::GeneralOptions;
-use crate::report::{CliError, Outcome, Reporter};
-use answer::Site;
+use crate::error::{CliError, CommandOutcome, io_reason};
+use crate::options::GeneralOptions;
+use crate::report::Reporter;
+use crate::terminal::TerminalPage;
 use clap::Args;
-use page::Page;
-use std::net::{Ipv4Addr, TcpListener};
+use files::PageFiles;
+use http::{HttpRequest, HttpResponse, Site};
+use std::io::{self, Read, Write};
+use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Serve the lab as a web page to this machine.
 #[derive(Args, Debug)]
@@ -44,17 +45,17 @@ pub struct ServeArgs {
 
 /// Whether this program contains the web page.
 pub fn has_embedded_page() -> bool {
-    Page::embedded().is_some()
+    PageFiles::embedded().is_some()
 }
 
 /// More connections than a browser opens, and few enough for any machine.
 const MOST_CONNECTIONS: usize = 64;
 
 /// Serves until the process is ended.
-pub fn run(args: &ServeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &ServeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let page = match &args.from {
-        Some(folder) => Page::in_folder(folder)?,
-        None => Page::embedded().ok_or_else(|| {
+        Some(folder) => PageFiles::in_folder(folder)?,
+        None => PageFiles::embedded().ok_or_else(|| {
             CliError::new(
                 "this gonio was built without the web page; run `cargo xtask web` and build gonio again, or name a \
                  folder that contains the page with --from",
@@ -74,11 +75,11 @@ pub fn run(args: &ServeArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if reporter.json() {
         reporter.report(&serde_json::json!({ "command": "serve", "url": url, "port": port }))?;
     } else {
-        reporter.text(&crate::page::Page::from_text(&url))?;
+        reporter.text(&TerminalPage::from_text(&url))?;
         reporter.note("open this address in a browser; press Ctrl-C to stop");
     }
     accept(&listener, &Arc::new(Site { page, port }), reporter);
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// Accepts connections for ever, and starts a thread for each.
@@ -89,7 +90,7 @@ fn accept(listener: &TcpListener, site: &Arc<Site>, reporter: &Reporter) {
             Ok(stream) => stream,
             Err(error) => {
                 // The other side has gone, or this process has too many open files, which passes.
-                reporter.warning(format_args!("cannot accept a connection: {}", crate::report::io_reason(&error)));
+                reporter.warning(format_args!("cannot accept a connection: {}", io_reason(&error)));
                 std::thread::sleep(Duration::from_millis(100));
                 continue;
             }
@@ -98,11 +99,11 @@ fn accept(listener: &TcpListener, site: &Arc<Site>, reporter: &Reporter) {
         let crowded = connection.0.load(Ordering::Relaxed) > MOST_CONNECTIONS;
         let site = Arc::clone(site);
         let started = std::thread::Builder::new().spawn(move || {
-            connection::serve(stream, &site, crowded);
+            serve_connection(stream, &site, crowded);
             drop(connection);
         });
         if let Err(error) = started {
-            reporter.warning(format_args!("cannot serve a connection: {}", crate::report::io_reason(&error)));
+            reporter.warning(format_args!("cannot serve a connection: {}", io_reason(&error)));
         }
     }
 }
@@ -121,4 +122,83 @@ impl Drop for OpenConnection {
     fn drop(&mut self) {
         self.0.fetch_sub(1, Ordering::Relaxed);
     }
+}
+
+/// Longer heads are rejected; no browser sends them.
+const MOST_HEAD_BYTES: usize = 16 * 1024;
+/// The time a client has to send its request.
+const REQUEST_TIMEOUT: Duration = Duration::from_secs(10);
+/// The time a client may pause while it receives the answer.
+const STALL: Duration = Duration::from_secs(60);
+
+/// Serves one request, or answers that there are too many connections if `crowded`.
+///
+/// Errors of a connection are ignored: its client has gone.
+fn serve_connection(mut stream: TcpStream, site: &Site, crowded: bool) {
+    let answer = if crowded {
+        HttpResponse::text((503, "Service Unavailable"), "too many connections at once; try again")
+    } else {
+        match read_head(&mut stream) {
+            Ok(Head::Whole(bytes)) => site.answer(HttpRequest::parse(&bytes).as_ref()),
+            Ok(Head::TooLong) => {
+                HttpResponse::text((431, "Request Header Fields Too Large"), "the request's head is too long")
+            }
+            Ok(Head::Late) => HttpResponse::text((408, "Request Timeout"), "the request took too long"),
+            Ok(Head::Empty) | Err(_) => return,
+        }
+    };
+    let _ = write(&mut stream, &answer);
+}
+
+enum Head {
+    Whole(Vec<u8>),
+    TooLong,
+    Late,
+    /// Closed before it was complete.
+    Empty,
+}
+
+fn read_head(stream: &mut TcpStream) -> io::Result<Head> {
+    let deadline = Instant::now() + REQUEST_TIMEOUT;
+    let (mut head, mut buffer) = (Vec::new(), [0; 2048]);
+    loop {
+        let left = deadline.saturating_duration_since(Instant::now());
+        if left.is_zero() {
+            return Ok(Head::Late);
+        }
+        stream.set_read_timeout(Some(left))?;
+        let count = match stream.read(&mut buffer) {
+            Ok(0) => return Ok(Head::Empty),
+            Ok(count) => count,
+            Err(error) if matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut) => continue,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            Err(error) => return Err(error),
+        };
+        head.extend(buffer.iter().take(count));
+        if let Some(end) = head.windows(4).position(|bytes| bytes == b"\r\n\r\n") {
+            head.truncate(end + 4);
+            return Ok(Head::Whole(head));
+        }
+        if head.len() > MOST_HEAD_BYTES {
+            return Ok(Head::TooLong);
+        }
+    }
+}
+
+fn write(stream: &mut TcpStream, answer: &HttpResponse) -> io::Result<()> {
+    stream.set_write_timeout(Some(STALL))?;
+    stream.write_all(answer.head().as_bytes())?;
+    if !answer.head_only {
+        stream.write_all(&answer.body)?;
+    }
+    stream.shutdown(Shutdown::Write)?;
+    // Closing while the client still sends would discard the answer: let it finish, within bounds.
+    stream.set_read_timeout(Some(Duration::from_secs(1)))?;
+    let mut sink = [0; 2048];
+    for _ in 0..64 {
+        if stream.read(&mut sink)? == 0 {
+            break;
+        }
+    }
+    Ok(())
 }

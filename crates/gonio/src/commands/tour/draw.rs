@@ -1,16 +1,19 @@
-//! Draws the exhibits one after the other and writes their pictures and scenes.
+//! Draws the exhibits one after the other, and writes their pictures, their scenes and the commands that draw them again.
 
-use super::{Folder, TourArgs, command};
-use crate::backend::{BackendChoice, BackendReport, Opened};
-use crate::report::{CliError, Reporter, Times};
+use super::{Folder, TourArgs};
+use crate::backend::{BackendReport, Opened};
+use crate::error::CliError;
+use crate::options::BackendChoice;
+use crate::report::{Reporter, Times};
 use gonio_gallery::contact_sheet::BACKGROUND;
 use gonio_gallery::drawing::{
     CPU_SCALE, DrawCounts, DrawnExhibit, EnvironmentCache, OPEN_GL_SCALE, PreparedScene, color_tag,
 };
-use gonio_gallery::environment_picture::EnvironmentPicture;
+use gonio_gallery::environment_picture::{EnvironmentPicture, PictureForm};
 use gonio_gallery::rgb_image::reduced;
 use gonio_gallery::{Exhibit, Placement, Section, SheetLayout, Subject};
 use gonio_image::encode::png;
+use gonio_light::color::ToneMap;
 use gonio_scene::{Scene, SceneFile};
 use std::time::Instant;
 
@@ -97,7 +100,7 @@ fn convert<'a>(
         counts: DrawCounts::default(),
         ms,
         difference: None,
-        command: command::of_environment(picture, &exhibit.name, width),
+        command: convert_command(picture, &exhibit.name, width),
     })
 }
 
@@ -143,6 +146,44 @@ fn draw<'a>(
         counts: drawn.counts,
         ms,
         difference,
-        command: command::of_scene(args, folder, exhibit),
+        command: render_command(args, folder, exhibit),
     })
+}
+
+/// Returns the command that draws a scene again, with the path of the tour as it was given.
+fn render_command(args: &TourArgs, folder: &Folder, exhibit: &Exhibit) -> String {
+    let quoted = |text: String| if text.contains(char::is_whitespace) { format!("\"{text}\"") } else { text };
+    let scene = quoted(folder.scene(&exhibit.name).display().to_string());
+    let mut command = format!("gonio render {scene} -o {}.png", exhibit.name);
+    if let Some(view) = exhibit.view {
+        command += &format!(" --debug {view}");
+    }
+    if exhibit.time != 0.0 {
+        command += &format!(" --time {}", exhibit.time);
+    }
+    match args.backend.backend {
+        BackendChoice::Auto => {}
+        BackendChoice::Gl => command += " --backend gl",
+        BackendChoice::Cpu => command += " --backend cpu",
+    }
+    command
+}
+
+/// Returns the commands that convert an environment again to a picture that is at least `width` pixels wide.
+fn convert_command(picture: EnvironmentPicture, name: &str, width: u32) -> String {
+    let (from, size) = (picture.from.name(), picture.size(width));
+    let tone_map = match picture.tone_map() {
+        ToneMap::None => String::new(),
+        other => format!(" --tone-map {other}"),
+    };
+    match picture.form {
+        PictureForm::Panorama => format!("gonio environment convert {from} {name}.png --size {size}{tone_map}"),
+        PictureForm::PanoramaOfCubemap(face) => format!(
+            "gonio environment convert {from} {from}.ktx2 --size {face} && \
+             gonio environment convert {from}.ktx2 {name}.png --size {size}{tone_map}"
+        ),
+        PictureForm::Faces(arrangement, layout) => format!(
+            "gonio environment convert {from} {name}.png --to {arrangement} --layout {layout} --size {size}{tone_map}"
+        ),
+    }
 }

@@ -3,17 +3,20 @@
 //! The exhibits, the contact sheet and the page are those of `gonio-gallery`. This module has the options, the
 //! progress bar and the files.
 
-mod command;
 mod draw;
-mod report;
 
-use crate::cli::{BackendOptions, GeneralOptions};
-use crate::output::{FileSet, atomic};
-use crate::report::{CliError, Outcome, Reporter, Times};
-use crate::values;
+use crate::backend::BackendReport;
+use crate::error::{CliError, CommandOutcome};
+use crate::options::values;
+use crate::options::{BackendOptions, GeneralOptions};
+use crate::output::{OutputFiles, atomic};
+use crate::report::{Reporter, Times};
 use clap::Args;
-use gonio_gallery::{SheetLayout, contact_sheet, page, sections};
+use draw::DrawnTour;
+use gonio_gallery::drawing::{Difference, DrawCounts};
+use gonio_gallery::{Section, SheetLayout, Subject, contact_sheet, page, sections};
 use gonio_image::encode::png::{self, ColorTag};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -52,13 +55,13 @@ fn scale(text: &str) -> Result<f64, String> {
 /// The folder of the tour, and the files that will appear there together.
 pub struct Folder {
     path: PathBuf,
-    set: FileSet,
+    set: OutputFiles,
 }
 
 impl Folder {
     /// Creates missing folders and checks that files can be written.
     fn new(path: &Path) -> Result<Self, CliError> {
-        let mut folder = Folder { path: path.to_owned(), set: FileSet::new() };
+        let mut folder = Folder { path: path.to_owned(), set: OutputFiles::new() };
         for inner in [path.to_owned(), path.join("pictures"), path.join("scenes")] {
             if inner.exists() && !inner.is_dir() {
                 return Err(CliError::new(format!(
@@ -100,7 +103,7 @@ impl Folder {
 }
 
 /// Draws the tour.
-pub fn run(args: &TourArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &TourArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let start = Instant::now();
     let times = Times::default();
     let sections = sections::all()?;
@@ -120,7 +123,7 @@ pub fn run(args: &TourArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     times.add("total", start.elapsed());
     if reporter.json() {
         let size = (sheet.width, sheet.height);
-        reporter.report(&report::Report::new(args, &folder, &sections, &drawn, size, &times))?;
+        reporter.report(&Report::new(args, &folder, &sections, &drawn, size, &times))?;
     } else {
         reporter.note(format!(
             "{} pictures in {:.1} s; open {}",
@@ -129,5 +132,80 @@ pub fn run(args: &TourArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
             folder.page().display()
         ));
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
+}
+
+/// The whole report. Times are milliseconds, sizes pixels.
+#[derive(Serialize)]
+pub struct Report<'a> {
+    command: &'static str,
+    output: String,
+    page: String,
+    sheet: SheetReport,
+    backend: &'a BackendReport,
+    pictures: Vec<PictureReport<'a>>,
+    times_ms: serde_json::Value,
+}
+
+#[derive(Serialize)]
+struct SheetReport {
+    file: String,
+    width: u32,
+    height: u32,
+}
+
+#[derive(Serialize)]
+struct PictureReport<'a> {
+    name: &'a str,
+    section: &'a str,
+    file: String,
+    /// `None` for converted environments.
+    scene: Option<String>,
+    command: &'a str,
+    view: Option<String>,
+    time: f64,
+    width: u32,
+    height: u32,
+    draw_ms: f64,
+    drawn: DrawCounts,
+    gpu_against_cpu: Option<Difference>,
+}
+
+impl<'a> Report<'a> {
+    /// Reports a finished tour with a sheet of this size.
+    pub fn new(
+        args: &TourArgs,
+        folder: &Folder,
+        sections: &'a [Section],
+        drawn: &'a DrawnTour<'a>,
+        (width, height): (u32, u32),
+        times: &Times,
+    ) -> Self {
+        let pictures = drawn.exhibits.iter().map(|drawn| PictureReport {
+            name: &drawn.exhibit.name,
+            section: sections.get(drawn.section).map_or("", |s| s.id),
+            file: folder.picture(&drawn.exhibit.name).display().to_string(),
+            scene: match drawn.exhibit.subject {
+                Subject::Scene(_) => Some(folder.scene(&drawn.exhibit.name).display().to_string()),
+                Subject::Environment(_) => None,
+            },
+            command: &drawn.command,
+            view: drawn.exhibit.view.map(|v| v.to_string()),
+            time: drawn.exhibit.time,
+            width: drawn.width,
+            height: drawn.height,
+            draw_ms: (drawn.ms * 1e3).round() / 1e3,
+            drawn: drawn.counts,
+            gpu_against_cpu: drawn.difference,
+        });
+        Report {
+            command: "tour",
+            output: args.output.display().to_string(),
+            page: folder.page().display().to_string(),
+            sheet: SheetReport { file: folder.sheet().display().to_string(), width, height },
+            backend: &drawn.backend,
+            pictures: pictures.collect(),
+            times_ms: times.to_json(),
+        }
+    }
 }

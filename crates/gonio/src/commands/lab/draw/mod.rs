@@ -1,19 +1,19 @@
 //! `gonio lab draw`: the picture of a student's files, and the OpenGL calls behind it.
 
-mod host;
+mod gl_program;
 mod shaders;
 
 pub use shaders::goal;
 
-use super::{exercise, guard, intake};
+use super::{child_process, exercise, intake};
+use crate::backend;
 use crate::capture;
-use crate::cli::GeneralOptions;
 use crate::commands::frame::Shown;
-use crate::output::path::check_stdout;
-use crate::output::{Content, OutputPath};
-use crate::report::{CliError, Outcome, Reporter};
-use crate::values;
-use crate::version;
+use crate::error::{CliError, CommandOutcome};
+use crate::options::{GeneralOptions, values};
+use crate::output::{OutputKind, OutputPath, check_stdout};
+use crate::report::Reporter;
+
 use clap::Args;
 use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::ExerciseKind;
@@ -88,11 +88,11 @@ impl DrawArgs {
     }
 }
 
-pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let exercise = exercise(&args.exercise)?;
-    check_stdout(args.output.iter().map(|output| (output, Content::Binary)), reporter)?;
+    check_stdout(args.output.iter().map(|output| (output, OutputKind::Binary)), reporter)?;
     if !args.in_this_process {
-        return guard::run_again("--in-this-process");
+        return child_process::run_again("--in-this-process");
     }
     if let Some(target) = &args.capture {
         capture::prepare(target)?;
@@ -100,7 +100,7 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     if args.output.is_none() && args.capture.is_none() && args.shown().is_none() && !reporter.json() {
         return Err(CliError::new("nothing to do; `-o picture.png` writes the picture"));
     }
-    guard::end_with_the_caller();
+    child_process::end_with_the_caller();
     let submitted = match args.files.as_slice() {
         [] => exercise.reference_files().map(|(name, text)| SourceFile::new(name, text)).collect(),
         named => intake::read(named)?,
@@ -108,9 +108,9 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
     for file in &submitted {
         reporter.verbose(format_args!("read `{}`, {} bytes", file.name, file.bytes.len()));
     }
-    version::report_driver(reporter);
+    backend::report_driver(reporter);
     match exercise.kind {
-        ExerciseKind::GlProgram => host::run(args, submitted, reporter),
+        ExerciseKind::GlProgram => gl_program::run(args, submitted, reporter),
         ExerciseKind::Shaders if preview::is_drawn(exercise) => shaders::run(args, exercise, submitted, reporter),
         _ => Err(CliError::new(format!("{} has no picture to draw", exercise.id))),
     }

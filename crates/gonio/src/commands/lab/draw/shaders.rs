@@ -1,8 +1,9 @@
 //! Drawing a pair of shaders in the exercise's scene.
 
 use super::DrawArgs;
-use crate::capture::Recorder;
-use crate::report::{CliError, Outcome, Reporter};
+use crate::capture::CaptureRecorder;
+use crate::error::{CliError, CommandOutcome};
+use crate::report::Reporter;
 use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview::{
@@ -34,7 +35,7 @@ pub fn run(
     exercise: &'static Exercise,
     files: Vec<SourceFile>,
     reporter: &Reporter,
-) -> Result<Outcome, CliError> {
+) -> Result<CommandOutcome, CliError> {
     if args.shown().is_some() {
         return Err(CliError::new(
             "--frame, --draw and --program list the frame of a GL program; a pair of shaders has one draw call per body",
@@ -42,7 +43,7 @@ pub fn run(
     }
     let source = SubmittedPair::gather(exercise, files).map_err(CliError::new)?;
     let scene = scene(args, exercise)?;
-    let recorder = args.capture.as_deref().map(Recorder::new).transpose()?;
+    let recorder = args.capture.as_deref().map(CaptureRecorder::new).transpose()?;
     let size = [args.size; 2];
     let drawn = on_a_large_stack(args.size, args.time, source, scene.clone(), recorder)?;
     for note in drawn.notes.iter().filter(|note| note.kind == NoteKind::Warning) {
@@ -66,7 +67,7 @@ pub fn run(
             "warnings": drawn.notes.iter().map(note_text).chain(drawn.warnings.iter().cloned()).collect::<Vec<_>>(),
         }))?;
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// The picture of the reference solution, as PNG; an error if it cannot be drawn here.
@@ -95,7 +96,7 @@ fn on_a_large_stack(
     time: f64,
     source: SubmittedPair,
     scene: PreviewScene,
-    recorder: Option<Recorder>,
+    recorder: Option<CaptureRecorder>,
 ) -> Result<Drawn, CliError> {
     let drawing = std::thread::Builder::new().stack_size(STACK_BYTES);
     let drawing = drawing
@@ -109,7 +110,7 @@ fn draw(
     time: f64,
     source: &SubmittedPair,
     scene: &PreviewScene,
-    mut recorder: Option<Recorder>,
+    mut recorder: Option<CaptureRecorder>,
 ) -> Result<Drawn, CliError> {
     let context: HeadlessContext = super::context()?;
     let gl = context.gl();

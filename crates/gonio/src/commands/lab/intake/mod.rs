@@ -1,19 +1,17 @@
 //! Turns the paths on the command line into submissions: one, or those of a class.
 //!
-//! [`tree`] reads folders and archives, [`gonio_exercises::class`] separates submissions, [`gather()`] reads the files of one.
+//! [`tree`] reads folders and archives, [`gonio_exercises::class`] separates submissions, [`gather`] reads the files of one, within
+//! limits.
 
-mod gather;
 mod tree;
 
 #[cfg(test)]
 mod tests;
 
-pub use gather::{Gathered, gather};
-
-use crate::report::CliError;
+use crate::error::CliError;
 use clap::ValueEnum;
 use gonio_check::submission::SourceFile;
-use gonio_exercises::class::{self, ClassEntry, ClassLayout, Many};
+use gonio_exercises::class::{self, ClassEntry, ClassLayout, Many, is_noise};
 use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview;
 use std::path::{Path, PathBuf};
@@ -33,12 +31,12 @@ pub enum Submissions {
 
 /// The submissions of a command.
 pub enum Intake {
-    One(Gathered),
-    Class(Class),
+    One(GatheredFiles),
+    Class(ClassSubmissions),
 }
 
 /// Several submissions.
-pub struct Class {
+pub struct ClassSubmissions {
     /// The submissions in order of their labels, which are unique.
     pub submissions: Vec<ClassMember>,
     /// Entries that belong to no submission: `name (reason)`.
@@ -54,7 +52,7 @@ pub struct ClassMember {
 
 impl ClassMember {
     /// Reads its files.
-    pub fn gather(&self) -> Gathered {
+    pub fn gather(&self) -> GatheredFiles {
         gather(self.members.iter().map(|(tree, name)| (tree, name.clone())))
     }
 }
@@ -80,7 +78,9 @@ pub fn take(
     let members = members(paths, trees);
     let gathered = gather_some(&members)?;
     Ok(match as_class {
-        true => Intake::Class(Class { submissions: vec![ClassMember { label, members }], skipped: Vec::new() }),
+        true => {
+            Intake::Class(ClassSubmissions { submissions: vec![ClassMember { label, members }], skipped: Vec::new() })
+        }
         false => Intake::One(gathered),
     })
 }
@@ -112,7 +112,7 @@ fn members(paths: &[PathBuf], trees: Vec<Tree>) -> Vec<(Tree, String)> {
 }
 
 /// Reads the files. If there are none because of a damaged archive, say, that is an error.
-fn gather_some(members: &[(Tree, String)]) -> Result<Gathered, CliError> {
+fn gather_some(members: &[(Tree, String)]) -> Result<GatheredFiles, CliError> {
     let gathered = gather(members.iter().map(|(tree, name)| (tree, name.clone())));
     match gathered.left_out.first() {
         Some(why) if gathered.files.is_empty() => Err(CliError::new(why.clone())),
@@ -132,7 +132,7 @@ fn root_name(path: &Path, tree: &Tree, count: usize) -> String {
 
 /// The class, if the trees form one; else the label of the single submission: the name of the innermost folder or archive that
 /// contains all of it, unless that is the name of a part of a project.
-fn class_of(trees: &[Tree], exercise: &Exercise, requested: Submissions) -> Result<Class, String> {
+fn class_of(trees: &[Tree], exercise: &Exercise, requested: Submissions) -> Result<ClassSubmissions, String> {
     let mut level: Vec<Tree> = trees.to_vec();
     let mut label = first_name(trees);
     let mut skipped = Vec::new();
@@ -169,7 +169,7 @@ fn class_of(trees: &[Tree], exercise: &Exercise, requested: Submissions) -> Resu
     }
 }
 
-fn class_from_groups(many: Many, level: &[Tree], mut skipped: Vec<String>) -> Class {
+fn class_from_groups(many: Many, level: &[Tree], mut skipped: Vec<String>) -> ClassSubmissions {
     let reason = |at: usize, why| format!("{} ({})", level[at].name, level[at].unread().unwrap_or(why));
     skipped.extend(many.skipped.iter().map(|&(at, why)| reason(at, why)));
     let member = |(at, name): (usize, String)| {
@@ -181,7 +181,7 @@ fn class_from_groups(many: Many, level: &[Tree], mut skipped: Vec<String>) -> Cl
         label: group.label,
         members: group.members.into_iter().map(member).collect(),
     };
-    Class { submissions: many.submissions.into_iter().map(submission).collect(), skipped }
+    ClassSubmissions { submissions: many.submissions.into_iter().map(submission).collect(), skipped }
 }
 
 fn contains_answer(exercise: &Exercise, tree: &Tree) -> bool {
@@ -190,4 +190,101 @@ fn contains_answer(exercise: &Exercise, tree: &Tree) -> bool {
         return file.is_ok_and(|file| preview::is_answer(exercise, &file));
     }
     preview::is_complete(exercise, &gather([(tree, String::new())]).files)
+}
+
+/// Bytes of all files of a submission: six large faces and a project around them.
+const MAX_BYTES: u64 = 128 << 20;
+/// Files of a submission.
+const MAX_FILES: usize = 2000;
+/// Entries that are visited.
+const MAX_VISITED: usize = 20_000;
+/// Folders and archives within one another.
+const MAX_DEPTH: usize = 32;
+
+/// The files of a submission.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct GatheredFiles {
+    /// The files in the order of the submission.
+    pub files: Vec<SourceFile>,
+    /// The entries that were left out, each with its name and the reason.
+    pub left_out: Vec<String>,
+}
+
+/// Reads the files of these trees. Each tree has a name: that of a file, or of the folder that its files get (empty for none).
+/// Small files are read first, so that a large one cannot keep a shader out.
+pub fn gather<'a>(roots: impl IntoIterator<Item = (&'a Tree, String)>) -> GatheredFiles {
+    let mut walk = Walk::default();
+    for (tree, name) in roots {
+        walk.visit(tree, name, 0);
+    }
+    let mut gathered = GatheredFiles { files: Vec::new(), left_out: walk.left_out };
+    let mut by_size: Vec<usize> = (0..walk.found.len()).collect();
+    by_size.sort_by_key(|&at| walk.found[at].1.size());
+    let mut total = 0;
+    let mut read: Vec<(usize, SourceFile)> = Vec::new();
+    let mut over = 0;
+    for at in by_size {
+        let (name, tree) = &walk.found[at];
+        if read.len() >= MAX_FILES || total + tree.size() > MAX_BYTES {
+            over += 1;
+            continue;
+        }
+        match tree.bytes() {
+            Ok(bytes) => {
+                total += bytes.len() as u64;
+                read.push((at, SourceFile { name: name.clone(), bytes }));
+            }
+            Err(why) => gathered.left_out.push(format!("{name}: {why}")),
+        }
+    }
+    if over > 0 {
+        gathered.left_out.push(format!(
+            "the {over} largest files; at most {MAX_FILES} files and {} MiB of a submission are read",
+            MAX_BYTES >> 20
+        ));
+    }
+    read.sort_by_key(|(at, _)| *at);
+    gathered.files = read.into_iter().map(|(_, file)| file).collect();
+    gathered
+}
+
+#[derive(Default)]
+struct Walk {
+    found: Vec<(String, Tree)>,
+    left_out: Vec<String>,
+    visited: usize,
+}
+
+impl Walk {
+    fn visit(&mut self, tree: &Tree, name: String, depth: usize) {
+        self.visited += 1;
+        if self.visited == MAX_VISITED {
+            self.left_out.push(format!("everything after the first {MAX_VISITED} entries"));
+        }
+        if self.visited >= MAX_VISITED {
+            return;
+        }
+        if !tree.is_container() {
+            match tree.unread() {
+                Some(why) => self.left_out.push(format!("{name}: {why}")),
+                None => self.found.push((name, tree.clone())),
+            }
+            return;
+        }
+        if depth >= MAX_DEPTH {
+            return self.left_out.push(format!("{name}: folders are read up to {MAX_DEPTH} deep"));
+        }
+        match tree.children() {
+            Ok(children) => {
+                for child in children.iter().filter(|child| !is_noise(&child.name)) {
+                    let name = if name.is_empty() { child.name.clone() } else { format!("{name}/{}", child.name) };
+                    self.visit(child, name, depth + 1);
+                }
+            }
+            Err(why) => {
+                let name = if name.is_empty() { &tree.name } else { &name };
+                self.left_out.push(format!("{name}: {why}"));
+            }
+        }
+    }
 }

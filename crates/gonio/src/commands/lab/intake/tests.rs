@@ -62,21 +62,21 @@ fn zipped_pair(prefix: &str) -> Vec<u8> {
     zip_of(&files.iter().map(|(name, content)| (name.as_str(), *content)).collect::<Vec<_>>())
 }
 
-fn class_at(path: &Path) -> Class {
+fn class_at(path: &Path) -> ClassSubmissions {
     match take(&[path.to_owned()], exercise(), Submissions::Auto, false).unwrap() {
         Intake::Class(class) => class,
         Intake::One(one) => panic!("one submission: {one:?}"),
     }
 }
 
-fn one_at(path: &Path) -> Gathered {
+fn one_at(path: &Path) -> GatheredFiles {
     match take(&[path.to_owned()], exercise(), Submissions::Auto, false).unwrap() {
         Intake::One(one) => one,
         Intake::Class(class) => panic!("{} submissions", class.submissions.len()),
     }
 }
 
-fn names(gathered: &Gathered) -> Vec<&str> {
+fn names(gathered: &GatheredFiles) -> Vec<&str> {
     gathered.files.iter().map(|file| file.name.as_str()).collect()
 }
 
@@ -117,7 +117,7 @@ fn a_class_is_found_in_folders_in_a_zip_and_in_a_flat_download() {
     let in_folders = folder(files);
     let in_a_zip = folder(&[("class.zip", &zip_of(files))]);
     let side_by_side = folder(flat);
-    let labels = |class: &Class| class.submissions.iter().map(|one| one.label.clone()).collect::<Vec<_>>();
+    let labels = |class: &ClassSubmissions| class.submissions.iter().map(|one| one.label.clone()).collect::<Vec<_>>();
     for place in [in_folders.path().join("class"), in_folders.path().to_owned(), in_a_zip.path().join("class.zip")] {
         let class = class_at(&place);
         assert_eq!(labels(&class), ["anna", "ben", "cyd"], "{place:?}");

@@ -3,7 +3,7 @@
 //! Nothing here trusts its input: links are not followed, only regular files are opened, and an archive is unpacked entry by
 //! entry, never beyond the sizes in its directory.
 
-use crate::report::io_reason;
+use crate::error::io_reason;
 use gonio_app::files::zip;
 use gonio_scene::files::{Disk, FileBytes, FileSource};
 use std::ffi::OsStr;

@@ -1,10 +1,9 @@
 //! Parsers for the values of options: sizes, vectors, colours. `gonio-scene` parses lights and materials, whose keys are
 //! those of scene files.
 
-use crate::limits;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use gonio_scene::color_value::Color;
-use gonio_scene::validate::MAX_CUBEMAP_SIZE;
+use gonio_scene::validate::{MAX_CUBEMAP_SIZE, MAX_PIXELS, MAX_SIDE};
 use gonio_scene::{SpecialView, ViewSpec};
 use std::str::FromStr;
 
@@ -33,7 +32,7 @@ pub fn size(text: &str) -> Result<(u32, u32), String> {
         }
     };
     let (w, h) = (side(w)?, side(h)?);
-    limits::check_size(w, h)?;
+    check_size(w, h)?;
     Ok((w as u32, h as u32))
 }
 
@@ -180,8 +179,8 @@ pub fn samples(text: &str) -> Result<u32, String> {
 /// Parses a number of frames.
 pub fn frames(text: &str) -> Result<u32, String> {
     match text.trim().parse() {
-        Ok(n) if (1..=limits::MAX_FRAMES).contains(&n) => Ok(n),
-        _ => Err(format!("invalid number of frames `{text}`: expected 1 to {}", limits::MAX_FRAMES)),
+        Ok(n) if (1..=MAX_FRAMES).contains(&n) => Ok(n),
+        _ => Err(format!("invalid number of frames `{text}`: expected 1 to {}", MAX_FRAMES)),
     }
 }
 
@@ -259,6 +258,29 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .map(|(_, known)| known)
 }
 
+/// Checks the size of a picture. The error names the largest size.
+fn check_size(width: u64, height: u64) -> Result<(), String> {
+    if width == 0 || height == 0 {
+        return Err(format!("a picture of {width}x{height} has no pixels: both sides must be at least 1"));
+    }
+    let side = u64::from(MAX_SIDE);
+    if width > side || height > side || width * height > MAX_PIXELS {
+        return Err(format!(
+            "{width}x{height} is too large: a picture has at most {MAX_SIDE} pixels along a side and {MAX_PIXELS} \
+             altogether, for example 8192x8192"
+        ));
+    }
+    Ok(())
+}
+
+/// Most frames of an animation: as many as four digits can number.
+const MAX_FRAMES: u32 = 9999;
+
+/// A parser for a list of debug views.
+pub fn view_list() -> clap::builder::ValueParser {
+    clap::builder::ValueParser::from(view as fn(&str) -> Result<ViewSpec, String>)
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
@@ -306,5 +328,17 @@ mod tests {
     fn vectors_must_be_finite_and_three() {
         assert_eq!(vector("1,-2,3e1"), Ok([1.0, -2.0, 30.0]));
         assert!(vector("1,2").is_err() && vector("1,2,nan").is_err() && vector("a,b,c").is_err());
+    }
+
+    #[test]
+    fn pictures_have_limits() {
+        assert!(check_size(1, 1).is_ok());
+        assert!(check_size(8192, 8192).is_ok());
+        assert!(check_size(16384, 4096).is_ok());
+        assert!(check_size(0, 10).is_err());
+        assert!(check_size(8193, 8192).is_err());
+        assert!(check_size(16385, 1).is_err());
+        assert!(check_size(u64::from(u32::MAX), u64::from(u32::MAX)).is_err());
+        assert!(check_size(100_000, 100_000).is_err_and(|e| e.contains("16384")));
     }
 }

@@ -1,9 +1,10 @@
-//! Animations: frames in one animated PNG or GIF.
+//! Animations: the frames of moving lights and an orbiting camera, and the animated PNG or GIF that they are written to.
 
-use crate::output::Format;
-use crate::report::CliError;
+use super::plan::PictureFormat;
+use crate::error::CliError;
 use gonio_image::EncodedPicture;
 use gonio_image::encode::png::{self, ColorTag};
+use gonio_scene::{Frame, Scene};
 
 /// The time of a frame in seconds as a fraction, with at most 16 bits each.
 fn delay(fps: f64) -> (u16, u16) {
@@ -16,7 +17,7 @@ fn delay(fps: f64) -> (u16, u16) {
 }
 
 /// An animation being written.
-pub enum Animation {
+pub enum AnimationFile {
     Png(png::Animation),
     Gif(Box<Gif>),
 }
@@ -27,31 +28,31 @@ pub struct Gif {
     hundredths: u16,
 }
 
-impl Animation {
+impl AnimationFile {
     /// An animation of `frames` frames at `fps` frames per second, repeated for ever.
-    pub fn new(format: Format, frames: u32, fps: f64) -> Self {
+    pub fn new(format: PictureFormat, frames: u32, fps: f64) -> Self {
         match format {
-            Format::Gif => {
+            PictureFormat::Gif => {
                 let hundredths = (100.0 / fps).round().clamp(1.0, 65535.0) as u16;
-                Animation::Gif(Box::new(Gif { encoder: None, hundredths }))
+                AnimationFile::Gif(Box::new(Gif { encoder: None, hundredths }))
             }
-            _ => Animation::Png(png::Animation::new(frames, delay(fps))),
+            _ => AnimationFile::Png(png::Animation::new(frames, delay(fps))),
         }
     }
 
     /// Adds a frame. All have the size of the first.
     pub fn add(&mut self, picture: EncodedPicture<u8>, tag: ColorTag) -> Result<(), CliError> {
         match self {
-            Animation::Png(animation) => Ok(animation.add(&picture, tag)?),
-            Animation::Gif(gif) => gif.add(picture).map_err(gif_failed),
+            AnimationFile::Png(animation) => Ok(animation.add(&picture, tag)?),
+            AnimationFile::Gif(gif) => gif.add(picture).map_err(gif_failed),
         }
     }
 
     /// The bytes of the file.
     pub fn finish(self) -> Result<Vec<u8>, CliError> {
         match self {
-            Animation::Png(animation) => Ok(animation.finish()?),
-            Animation::Gif(gif) => match gif.encoder {
+            AnimationFile::Png(animation) => Ok(animation.finish()?),
+            AnimationFile::Gif(gif) => match gif.encoder {
                 Some(encoder) => encoder.into_inner().map_err(gif_failed),
                 None => Err(CliError::new("an animation needs at least one frame")),
             },
@@ -83,6 +84,34 @@ impl Gif {
         frame.delay = self.hundredths;
         frame.dispose = gif::DisposalMethod::Background;
         encoder.write_frame(&frame)
+    }
+}
+
+/// The frames of an animation.
+pub struct Frames<'a> {
+    scene: &'a Scene,
+    start: f64,
+    fps: f64,
+    /// Radians from one frame to the next, if the camera orbits.
+    step: Option<f64>,
+}
+
+impl<'a> Frames<'a> {
+    /// `count` frames from `start` seconds on, over which the camera orbits by `orbit` degrees.
+    pub fn new(scene: &'a Scene, start: f64, count: u32, fps: f64, orbit: Option<f64>) -> Self {
+        // Whole turns loop: the last frame is one step before the first. Part of a turn is shown from end to end.
+        let steps = |degrees: f64| if degrees % 360.0 == 0.0 { count } else { count.saturating_sub(1).max(1) };
+        let step = orbit.map(|degrees| degrees.to_radians() / f64::from(steps(degrees)));
+        Frames { scene, start, fps, step }
+    }
+
+    /// The frame with this index, from 0.
+    pub fn at(&self, index: u32) -> Frame {
+        let frame = self.scene.frame(self.start + f64::from(index) / self.fps);
+        match self.step {
+            Some(step) => self.scene.orbit(&self.scene.orbit_start(&frame), step * f64::from(index)),
+            None => frame,
+        }
     }
 }
 

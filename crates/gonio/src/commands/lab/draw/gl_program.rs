@@ -1,20 +1,21 @@
 //! A GL program: its calls are executed, its picture is written, its frame is listed.
 
 use super::DrawArgs;
-use crate::capture::Recorder;
+use crate::capture::CaptureRecorder;
 use crate::commands::frame;
+use crate::error::{CliError, CommandOutcome};
 use crate::output::OutputPath;
-use crate::page::Page;
-use crate::report::{CliError, Outcome, Reporter};
+use crate::report::Reporter;
+use crate::terminal::TerminalPage;
 use gonio_check::submission::SourceFile;
 use gonio_exercises::gl_program::{self, GlProgram};
 use gonio_gl::trace::Severity;
 use gonio_render::gl_program::{GlProgramOptions, GlProgramRun};
 use serde_json::json;
 
-pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let program = the_program(&files)?;
-    let recorder = args.capture.as_deref().map(Recorder::new).transpose()?;
+    let recorder = args.capture.as_deref().map(CaptureRecorder::new).transpose()?;
     let context = super::context()?;
     let run = execute(args, &program, &files, recorder, &context)?;
     super::write_picture(args, run.size, upright(&run))?;
@@ -51,7 +52,7 @@ pub fn run(args: &DrawArgs, files: Vec<SourceFile>, reporter: &Reporter) -> Resu
         }
     }
     std::mem::forget(context);
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
 /// The pixels in 8 bits, the top row first.
@@ -77,7 +78,7 @@ fn execute(
     args: &DrawArgs,
     program: &GlProgram,
     files: &[SourceFile],
-    recorder: Option<Recorder>,
+    recorder: Option<CaptureRecorder>,
     context: &gonio_gl::HeadlessContext,
 ) -> Result<GlProgramRun, CliError> {
     let mut known = gl_program::exercise_files();
@@ -102,7 +103,7 @@ fn execute(
 }
 
 /// The frame as text, with the program's line of each draw call.
-fn page(program: &GlProgram, run: &GlProgramRun, shown: frame::Shown) -> Result<Page, CliError> {
+fn page(program: &GlProgram, run: &GlProgramRun, shown: frame::Shown) -> Result<TerminalPage, CliError> {
     let about = format!("frame of {}, {} x {} pixels", program.file, run.size[0], run.size[1]);
     let mut text = frame::page(&about, &run.record, &run.findings, shown)?;
     if shown == frame::Shown::Everything {

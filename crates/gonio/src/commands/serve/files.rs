@@ -1,6 +1,6 @@
 //! The files of the page, embedded in the program or in a folder.
 
-use crate::report::CliError;
+use crate::error::CliError;
 use std::collections::BTreeMap;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -9,13 +9,13 @@ use std::path::{Path, PathBuf};
 const EMBEDDED: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/embedded_page.rs"));
 
 /// The page's files by their names, relative to its top folder, with `/`.
-pub struct Page {
-    files: BTreeMap<String, Encoded>,
+pub struct PageFiles {
+    files: BTreeMap<String, ServedFile>,
 }
 
 /// One file in the encodings that exist.
 #[derive(Default)]
-pub struct Encoded {
+pub struct ServedFile {
     /// Not compressed.
     plain: Option<Stored>,
     /// Compressed by brotli (RFC 7932).
@@ -32,37 +32,37 @@ enum Stored {
 
 /// The content encoding of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Encoding {
+pub enum ContentEncoding {
     Identity,
     Brotli,
     Gzip,
 }
 
-impl Encoding {
+impl ContentEncoding {
     /// The name in headers.
     pub fn name(self) -> &'static str {
         match self {
-            Encoding::Identity => "identity",
-            Encoding::Brotli => "br",
-            Encoding::Gzip => "gzip",
+            ContentEncoding::Identity => "identity",
+            ContentEncoding::Brotli => "br",
+            ContentEncoding::Gzip => "gzip",
         }
     }
 }
 
-impl Page {
+impl PageFiles {
     /// The page embedded in this program, if it has one.
-    pub fn embedded() -> Option<Page> {
+    pub fn embedded() -> Option<PageFiles> {
         if EMBEDDED.is_empty() {
             return None;
         }
-        Some(Page::from_files(EMBEDDED.iter().map(|(name, bytes)| ((*name).to_owned(), Stored::Embedded(bytes)))))
+        Some(PageFiles::from_files(EMBEDDED.iter().map(|(name, bytes)| ((*name).to_owned(), Stored::Embedded(bytes)))))
     }
 
     /// The page in a folder. Only files that exist now will be served.
-    pub fn in_folder(folder: &Path) -> Result<Page, CliError> {
+    pub fn in_folder(folder: &Path) -> Result<PageFiles, CliError> {
         let mut files = Vec::new();
         list(folder, "", &mut files).map_err(|error| CliError::io(folder.display(), &error))?;
-        let page = Page::from_files(files.into_iter().map(|(name, path)| (name, Stored::OnDisk(path))));
+        let page = PageFiles::from_files(files.into_iter().map(|(name, path)| (name, Stored::OnDisk(path))));
         if page.file("index.html").is_none() {
             return Err(CliError::new(format!(
                 "{}: there is no index.html; `cargo xtask web` builds the page into the folder dist",
@@ -72,8 +72,8 @@ impl Page {
         Ok(page)
     }
 
-    fn from_files(stored: impl Iterator<Item = (String, Stored)>) -> Page {
-        let mut files: BTreeMap<String, Encoded> = BTreeMap::new();
+    fn from_files(stored: impl Iterator<Item = (String, Stored)>) -> PageFiles {
+        let mut files: BTreeMap<String, ServedFile> = BTreeMap::new();
         for (name, bytes) in stored {
             if let Some(plain) = name.strip_suffix(".br") {
                 files.entry(plain.to_owned()).or_default().brotli = Some(bytes);
@@ -83,18 +83,18 @@ impl Page {
                 files.entry(name).or_default().plain = Some(bytes);
             }
         }
-        Page { files }
+        PageFiles { files }
     }
 
-    pub fn file(&self, name: &str) -> Option<&Encoded> {
+    pub fn file(&self, name: &str) -> Option<&ServedFile> {
         self.files.get(name)
     }
 }
 
-impl Encoded {
+impl ServedFile {
     /// The smallest encoding that the client accepts, and its bytes.
-    pub fn read(&self, accepts: impl Fn(&str) -> bool) -> io::Result<(Encoding, Vec<u8>)> {
-        for (stored, encoding) in [(&self.brotli, Encoding::Brotli), (&self.gzip, Encoding::Gzip)] {
+    pub fn read(&self, accepts: impl Fn(&str) -> bool) -> io::Result<(ContentEncoding, Vec<u8>)> {
+        for (stored, encoding) in [(&self.brotli, ContentEncoding::Brotli), (&self.gzip, ContentEncoding::Gzip)] {
             if let Some(stored) = stored
                 && accepts(encoding.name())
             {
@@ -106,7 +106,7 @@ impl Encoded {
             (None, Some(gzip)) => unpack(&gzip.read()?)?,
             (None, None) => return Err(io::Error::other("the file exists in brotli only")),
         };
-        Ok((Encoding::Identity, bytes))
+        Ok((ContentEncoding::Identity, bytes))
     }
 
     /// Whether the answer depends on what the client accepts.

@@ -1,10 +1,72 @@
-//! An inspection as text.
+//! `gonio inspect`: what a model file contains, and how it was interpreted.
 
-use crate::hints::hint;
-use crate::page::{self, Style};
+use crate::error::{CliError, CommandOutcome, hint};
+use crate::options::{GeneralOptions, LimitOptions};
+use crate::report::Reporter;
+use crate::terminal::{Style, TerminalPage};
+use clap::Args;
 use gonio_mesh::explain::LineExplanation;
 use gonio_mesh::{Diagnostic, ModelLightKind, NormalSource, Severity};
-use gonio_scene::inspect::{Inspection, MaterialReport};
+use gonio_scene::inspect::{self, Inspection, MaterialReport};
+use serde::Serialize;
+
+/// Show what a model file contains and how each part was interpreted.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+Examples:
+  gonio inspect model.obj
+      Counts, bounds, the values of each material, the files it names, the source of the normals, warnings.
+  gonio inspect model.obj --line 1204
+      An explanation of that line, with the vertices that it refers to.
+  gonio inspect model.mtl --line 3
+      The same for a material library.
+  gonio inspect model.glb --json
+      Everything as one JSON object.
+  curl https://example.com/model.obj | gonio inspect -
+      A model from stdin. Files compressed by gzip or zstd are unpacked.")]
+pub struct InspectArgs {
+    /// Model (.obj .gltf .glb .dae .ply .stl .mesh .meshb, also .gz and .zst), - for stdin, or builtin:NAME.
+    #[arg(value_name = "FILE")]
+    pub input: String,
+    /// Explain one line of an OBJ or MTL file, counted from 1.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..), help_heading = "Detail options")]
+    pub line: Option<u64>,
+    #[command(flatten)]
+    pub limits: LimitOptions,
+    #[command(flatten)]
+    pub general: GeneralOptions,
+}
+
+pub fn run(args: &InspectArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    let files = args.limits.files([args.input.as_str()], reporter);
+    let limits = args.limits.limits();
+    let page = match args.line {
+        Some(line) => {
+            let explanation = inspect::explain_line(&args.input, line, &files, &limits)?;
+            if reporter.json() {
+                return json("line", &explanation, reporter);
+            }
+            line_page(&explanation)
+        }
+        None => {
+            let inspection = {
+                let _busy = reporter.busy("reading the model");
+                inspect::inspect(&args.input, &files, &limits)?
+            };
+            if reporter.json() {
+                return json("model", &inspection, reporter);
+            }
+            inspection_page(&inspection)
+        }
+    };
+    reporter.text(&page)?;
+    Ok(CommandOutcome::Done)
+}
+
+fn json(key: &str, value: &impl Serialize, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    reporter.report(&serde_json::json!({ "command": "inspect", key: value }))?;
+    Ok(CommandOutcome::Done)
+}
 
 const FAINT: Style = Style::Dim;
 const WARNING: Style = Style::Yellow;
@@ -15,8 +77,8 @@ const NAME: usize = 20;
 const MOST_ROWS: usize = 40;
 
 /// Lists everything about a model.
-pub fn inspection(i: &Inspection) -> page::Page {
-    let mut page = Page::default();
+fn inspection_page(i: &Inspection) -> TerminalPage {
+    let mut page = InspectionPage::default();
     let unpacked = i.unpacked_bytes.map_or(String::new(), |b| format!(", {} unpacked", bytes(b)));
     page.heading(&format!("{}: {}, {}{unpacked}", i.file, i.format.name(), bytes(i.bytes)));
     page.contents(i);
@@ -33,8 +95,8 @@ pub fn inspection(i: &Inspection) -> page::Page {
 }
 
 /// Explains one line of a file.
-pub fn line(e: &LineExplanation) -> page::Page {
-    let mut page = Page::default();
+fn line_page(e: &LineExplanation) -> TerminalPage {
+    let mut page = InspectionPage::default();
     let lines = if e.first_line == e.last_line {
         format!("line {}", e.line)
     } else {
@@ -54,7 +116,7 @@ pub fn line(e: &LineExplanation) -> page::Page {
 }
 
 #[derive(Default)]
-struct Page(page::Page);
+struct InspectionPage(TerminalPage);
 
 /// The search for a file that a model names.
 struct Search<'a> {
@@ -63,7 +125,7 @@ struct Search<'a> {
     refused: Option<&'a str>,
 }
 
-impl Page {
+impl InspectionPage {
     fn heading(&mut self, text: &str) {
         self.0.heading(text);
     }

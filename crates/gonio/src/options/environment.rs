@@ -1,6 +1,6 @@
-//! The options about a scene's environment.
+//! Options about the environment of a scene.
 
-use crate::values;
+use super::values;
 use clap::Args;
 use gonio_environment::Layout;
 use gonio_scene::SceneFile;

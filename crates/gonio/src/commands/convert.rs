@@ -1,18 +1,20 @@
 //! `gonio convert`: a model in another format.
 
-mod textures;
-
-use crate::cli::{GeneralOptions, LimitOptions};
-use crate::output::path::check_stdout;
-use crate::output::{Content, FileSet, OutputPath};
-use crate::report::{CliError, Outcome, Reporter};
-use crate::values;
+use crate::commands::scene::seen_from;
+use crate::error::{CliError, CommandOutcome};
+use crate::options::values;
+use crate::options::{GeneralOptions, LimitOptions};
+use crate::output::check_stdout;
+use crate::output::{OutputFiles, OutputKind, OutputPath};
+use crate::report::Reporter;
 use clap::Args;
 use gonio_mesh::write::{self, ImageFile};
-use gonio_mesh::{Diagnostic, Model};
+use gonio_mesh::{Diagnostic, EmbeddedImage, Model};
+use gonio_scene::files::FileSource;
 use gonio_scene::model_file::ModelFile;
+use gonio_scene::model_textures::TextureFile;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use textures::Textures;
 
 /// Convert a model to OBJ with MTL, PLY or GLB.
 #[derive(Args, Debug)]
@@ -35,8 +37,8 @@ pub struct ConvertArgs {
     #[arg(value_name = "OUT")]
     pub output: OutputPath,
     /// Format, if no extension determines it (stdout).
-    #[arg(long, help_heading = "Output options", value_parser = values::named(Format::ALL, Format::name))]
-    pub format: Option<Format>,
+    #[arg(long, help_heading = "Output options", value_parser = values::named(ModelFormat::ALL, ModelFormat::name))]
+    pub format: Option<ModelFormat>,
     /// Write PLY as text.
     #[arg(long, help_heading = "Output options")]
     pub ascii: bool,
@@ -48,13 +50,13 @@ pub struct ConvertArgs {
 
 /// The formats that can be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
+pub enum ModelFormat {
     Obj,
     Ply,
     Glb,
 }
 
-impl Format {
+impl ModelFormat {
     const ALL: &'static [Self] = &[Self::Obj, Self::Ply, Self::Glb];
 
     /// The extension.
@@ -67,12 +69,12 @@ impl Format {
     }
 }
 
-pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError> {
+pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let format = format_of(args)?;
-    if args.ascii && format != Format::Ply {
+    if args.ascii && format != ModelFormat::Ply {
         return Err(CliError::new("--ascii applies to .ply only; .obj is always text, and .glb never"));
     }
-    check_stdout([(&args.output, Content::Binary)], reporter)?;
+    check_stdout([(&args.output, OutputKind::Binary)], reporter)?;
     args.output.check_writable()?;
     let files = args.limits.files([args.input.as_str()], reporter);
     let mut file = {
@@ -85,9 +87,9 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
     let written = {
         let _busy = reporter.busy("writing the model");
         match format {
-            Format::Obj => obj_files(&mut model, textures, &args.output),
-            Format::Ply => ply_files(&mut model, textures, args),
-            Format::Glb => glb_file(&model, &textures, &args.output)?,
+            ModelFormat::Obj => obj_files(&mut model, textures, &args.output),
+            ModelFormat::Ply => ply_files(&mut model, textures, args),
+            ModelFormat::Glb => glb_file(&model, &textures, &args.output)?,
         }
     };
     diagnostics.extend(written.diagnostics);
@@ -106,15 +108,15 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<Outcome, CliError>
             "warnings": diagnostics,
         }))?;
     }
-    Ok(Outcome::Done)
+    Ok(CommandOutcome::Done)
 }
 
-fn format_of(args: &ConvertArgs) -> Result<Format, CliError> {
+fn format_of(args: &ConvertArgs) -> Result<ModelFormat, CliError> {
     let Some(path) = args.output.file() else {
         return args.format.ok_or_else(|| CliError::new("stdout has no extension; add --format obj, ply or glb"));
     };
     let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-    let by_name = Format::ALL.iter().copied().find(|format| format.name() == extension);
+    let by_name = ModelFormat::ALL.iter().copied().find(|format| format.name() == extension);
     args.format.or(by_name).ok_or_else(|| {
         CliError::new(format!("`{}` cannot be written: expected an extension .obj, .ply or .glb", path.display()))
     })
@@ -172,7 +174,7 @@ fn write_files(output: &OutputPath, main: Vec<u8>, beside: &[(PathBuf, Vec<u8>)]
     if beside.is_empty() {
         return output.write(&main);
     }
-    let mut files = FileSet::new();
+    let mut files = OutputFiles::new();
     for (path, bytes) in beside.iter().rev() {
         files.add(path, bytes)?;
     }
@@ -194,4 +196,63 @@ fn image_files<'m>(
 
 fn stem_of(output: &Path) -> String {
     output.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// The files of all textures that are not inside the model, by their names in the model.
+pub struct Textures {
+    files: BTreeMap<String, TextureFile>,
+}
+
+impl Textures {
+    /// Looks for all of them. A missing one is reported and keeps its name.
+    pub fn find(file: &ModelFile, files: &dyn FileSource, diagnostics: &mut Vec<Diagnostic>) -> Self {
+        let mut textures = Textures { files: BTreeMap::new() };
+        let mut missing: Vec<&str> = Vec::new();
+        let maps = file.model.materials.iter().flat_map(|material| {
+            material.textures().filter(|map| map.embedded.is_none()).map(move |map| (material, map))
+        });
+        for (material, map) in maps {
+            if textures.files.contains_key(&map.path) || missing.contains(&map.path.as_str()) {
+                continue;
+            }
+            match file.texture(&map.path, files) {
+                Ok(found) => drop(textures.files.insert(map.path.clone(), found)),
+                Err(not_found) => {
+                    missing.push(&map.path);
+                    let why = match not_found.refused {
+                        Some(refused) => format!("was not read: {refused}"),
+                        None => format!("was not found; tried {}", not_found.tried.join(", ")),
+                    };
+                    let message = format!("the texture {:?} {why}", map.path);
+                    let diagnostic = Diagnostic { line: map.line, ..Diagnostic::warning(message) };
+                    diagnostics.push(diagnostic.in_file(material.file.as_deref().unwrap_or(&file.name)));
+                }
+            }
+        }
+        textures
+    }
+
+    /// The bytes of the texture that the model calls `name`.
+    pub fn bytes(&self, name: &str) -> Option<Vec<u8>> {
+        self.files.get(name).map(|file| file.bytes.to_vec())
+    }
+
+    /// Names them relative to the folder of `output`; those that are not files of their own are embedded in the model.
+    pub fn name_for(self, model: &mut Model, output: &Path) {
+        let folder = output.parent().unwrap_or(Path::new(""));
+        let mut image_of: BTreeMap<String, usize> = BTreeMap::new();
+        for map in model.materials.iter_mut().flat_map(|material| material.textures_mut()) {
+            let Some(file) = self.files.get(&map.path).filter(|_| map.embedded.is_none()) else { continue };
+            if let Some(path) = &file.path {
+                map.path = seen_from(folder, &path.to_string_lossy());
+                continue;
+            }
+            let images = &mut model.images;
+            let image = *image_of.entry(map.path.clone()).or_insert_with(|| {
+                images.push(EmbeddedImage { name: map.path.clone(), bytes: file.bytes.to_vec() });
+                images.len() - 1
+            });
+            map.embedded = Some(image);
+        }
+    }
 }

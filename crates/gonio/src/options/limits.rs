@@ -1,11 +1,56 @@
-//! The default of `--max-memory`: a quarter of the memory that the machine has for this process.
+//! Limits on the files that a command reads, and the default of `--max-memory`.
 //!
-//! On Linux that is the least of the physical memory (`/proc/meminfo`), the limits of the process's control groups, version 1
-//! and 2, and its limit on address space (`ulimit -v`). Other systems tell it only by a system call, so the readers' default
-//! applies there.
+//! The default is a quarter of the memory that the machine has for this process. On Linux that is the least of the physical
+//! memory (`/proc/meminfo`), the limits of the process's control groups, version 1 and 2, and its limit on address space
+//! (`ulimit -v`). Other systems report it only through a system call, so the readers' default applies there.
 
+use super::values;
+use crate::report::Reporter;
+use clap::Args;
+use gonio_mesh::Limits;
 use gonio_mesh::limits::DEFAULT_MAX_BYTES;
+use gonio_scene::files::{Budgeted, DiskAndInput, FileSource, Sandbox};
 use std::path::{Path, PathBuf};
+
+/// Limits on what a file may make gonio allocate.
+#[derive(Args, Debug, Clone, Default)]
+#[command(next_help_heading = "Limit options")]
+pub struct LimitOptions {
+    /// Reject models with more triangles.
+    #[arg(long, value_name = "N")]
+    pub max_triangles: Option<u64>,
+    /// Reject inputs that need more memory, for example 512MiB; by default a quarter of the machine's.
+    ///
+    /// Counts an input together with all files that it names, unpacked and decoded.
+    #[arg(long, value_name = "SIZE", value_parser = values::bytes)]
+    pub max_memory: Option<u64>,
+    /// Read only files in the folders of the inputs.
+    ///
+    /// Models and scenes cannot name files elsewhere, neither by `..` nor by absolute paths or links.
+    #[arg(long)]
+    pub sandbox: bool,
+}
+
+impl LimitOptions {
+    /// The default limits, with those of the options in their place.
+    pub fn limits(&self) -> Limits {
+        let usual = Limits::default();
+        Limits {
+            max_triangles: self.max_triangles.map_or(usual.max_triangles, |most| most.min(usual.max_triangles)),
+            max_bytes: self.max_memory.unwrap_or_else(default_limit),
+            ..usual
+        }
+    }
+
+    /// The files that a command reads for what the user names: models, scenes, environments.
+    pub fn files<'i>(&self, named: impl IntoIterator<Item = &'i str>, reporter: &Reporter) -> Box<dyn FileSource> {
+        let named: Vec<&str> = named.into_iter().collect();
+        let disk = reporter.reporting_reads(DiskAndInput::new(named.iter().copied()));
+        let files: Box<dyn FileSource> =
+            if self.sandbox { Box::new(Sandbox::new(disk, named)) } else { Box::new(disk) };
+        Box::new(Budgeted::new(files, self.limits().max_bytes))
+    }
+}
 
 /// The divisor of the machine's memory. Pictures and meshes made from an input take as much again, and other programs run too.
 const SHARE: u64 = 4;

@@ -1,15 +1,16 @@
 //! The files that `render` will write, settled before anything is drawn.
 
+use crate::error::CliError;
+use crate::options::values::nearest;
 use crate::output::atomic;
-use crate::output::path::{Content, OutputPath, check_stdout};
-use crate::report::{CliError, Reporter};
-use crate::values::nearest;
+use crate::output::{OutputKind, OutputPath, check_stdout};
+use crate::report::Reporter;
 use gonio_scene::ViewSpec;
 use std::path::{Path, PathBuf};
 
 /// A picture file's format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
+pub enum PictureFormat {
     /// 8 or 16 bits, encoded.
     Png,
     /// Animated PNG.
@@ -20,7 +21,7 @@ pub enum Format {
     Exr,
 }
 
-impl Format {
+impl PictureFormat {
     pub const ALL: &'static [Self] = &[Self::Png, Self::Apng, Self::Gif, Self::Exr];
 
     /// The extension.
@@ -34,7 +35,7 @@ impl Format {
     }
 
     /// Finds the format by the extension of a file's name.
-    fn from_path(path: &Path) -> Result<Format, CliError> {
+    fn from_path(path: &Path) -> Result<PictureFormat, CliError> {
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default();
         if let Some(known) = Self::ALL.iter().find(|f| f.name() == extension) {
             return Ok(*known);
@@ -53,16 +54,16 @@ impl Format {
 
     /// Whether all frames go into one file.
     pub fn is_animation(self) -> bool {
-        matches!(self, Format::Apng | Format::Gif)
+        matches!(self, PictureFormat::Apng | PictureFormat::Gif)
     }
 }
 
 /// One `-o` with its format.
 #[derive(Clone, Debug)]
-pub struct Plan {
+pub struct PicturePlan {
     /// Stdout, a file, or the pattern of several numbered ones.
     pub output: OutputPath,
-    pub format: Format,
+    pub format: PictureFormat,
     /// The number of frames, 1 without `--frames`.
     pub frames: u32,
     /// Bits per channel of PNG.
@@ -70,23 +71,24 @@ pub struct Plan {
 }
 
 /// The options that determine the plans.
-pub struct PlanRequest<'a> {
+pub struct PicturePlanRequest<'a> {
     /// Every `-o`.
     pub outputs: &'a [OutputPath],
     /// `--format`, for stdout.
-    pub format: Option<Format>,
+    pub format: Option<PictureFormat>,
     pub frames: Option<u32>,
     pub animated: bool,
     pub views: &'a [ViewSpec],
     pub bits: Option<u8>,
 }
 
-impl PlanRequest<'_> {
+impl PicturePlanRequest<'_> {
     /// Settles every file, and checks that it can be written.
-    pub fn plan(&self, reporter: &Reporter) -> Result<Vec<Plan>, CliError> {
-        check_stdout(self.outputs.iter().map(|output| (output, Content::Binary)), reporter)?;
-        let plans: Vec<Plan> = self.outputs.iter().map(|output| self.plan_one(output)).collect::<Result<_, _>>()?;
-        if self.bits.is_some() && !plans.iter().any(|p| p.format == Format::Png) {
+    pub fn plan(&self, reporter: &Reporter) -> Result<Vec<PicturePlan>, CliError> {
+        check_stdout(self.outputs.iter().map(|output| (output, OutputKind::Binary)), reporter)?;
+        let plans: Vec<PicturePlan> =
+            self.outputs.iter().map(|output| self.plan_one(output)).collect::<Result<_, _>>()?;
+        if self.bits.is_some() && !plans.iter().any(|p| p.format == PictureFormat::Png) {
             return Err(CliError::new(
                 "--bits applies to .png only; .exr always has 32-bit floats, animations have 8 bits",
             ));
@@ -99,17 +101,17 @@ impl PlanRequest<'_> {
         Ok(plans)
     }
 
-    fn plan_one(&self, output: &OutputPath) -> Result<Plan, CliError> {
+    fn plan_one(&self, output: &OutputPath) -> Result<PicturePlan, CliError> {
         let mut format = match (self.format, output) {
             // A device has no extension.
             (Some(format), _) => format,
-            (None, OutputPath::File(path)) => Format::from_path(path)?,
-            (None, OutputPath::Stdout) => Format::Png,
+            (None, OutputPath::File(path)) => PictureFormat::from_path(path)?,
+            (None, OutputPath::Stdout) => PictureFormat::Png,
         };
-        if self.animated && format == Format::Png {
-            format = Format::Apng;
+        if self.animated && format == PictureFormat::Png {
+            format = PictureFormat::Apng;
         }
-        if self.animated && format == Format::Exr {
+        if self.animated && format == PictureFormat::Exr {
             return Err(CliError::new("--animated applies to .png only; .exr has no animations"));
         }
         let frames = self.frames.unwrap_or(1);
@@ -123,14 +125,14 @@ impl PlanRequest<'_> {
                 "an animation shows one view: choose it with --debug, or write numbered .png or .exr files",
             ));
         }
-        if !self.views.is_empty() && output.is_stdout() && format == Format::Png {
+        if !self.views.is_empty() && output.is_stdout() && format == PictureFormat::Png {
             return Err(CliError::new("stdout takes one file; --format exr puts several views into one, as layers"));
         }
-        Ok(Plan { output: output.clone(), format, frames, bits: self.bits.unwrap_or(8) })
+        Ok(PicturePlan { output: output.clone(), format, frames, bits: self.bits.unwrap_or(8) })
     }
 }
 
-impl Plan {
+impl PicturePlan {
     /// The output of frame `frame` (from 0), and of `view` if views have files of their own.
     pub fn output(&self, frame: u32, view: Option<ViewSpec>) -> OutputPath {
         self.path(frame, view).map_or(OutputPath::Stdout, OutputPath::File)
@@ -156,7 +158,7 @@ impl Plan {
     }
 
     fn all_paths(&self, views: &[ViewSpec]) -> Vec<PathBuf> {
-        let own_views: &[ViewSpec] = if self.format == Format::Png { views } else { &[] };
+        let own_views: &[ViewSpec] = if self.format == PictureFormat::Png { views } else { &[] };
         // All frames are in one folder: checking the first and the last is enough.
         let frames = if self.is_numbered() { [0, self.frames - 1] } else { [0, 0] };
         let mut paths: Vec<PathBuf> = frames
@@ -198,33 +200,33 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
 
-    fn plan(path: &str, format: Format, frames: u32) -> Plan {
-        Plan { output: OutputPath::File(path.into()), format, frames, bits: 8 }
+    fn plan(path: &str, format: PictureFormat, frames: u32) -> PicturePlan {
+        PicturePlan { output: OutputPath::File(path.into()), format, frames, bits: 8 }
     }
 
     #[test]
     fn names_of_frames_and_views() {
         let view = Some("diffuse:2".parse::<ViewSpec>().unwrap());
-        let name = |plan: &Plan, frame, view| plan.path(frame, view).unwrap().to_string_lossy().into_owned();
-        assert_eq!(name(&plan("d/out.png", Format::Png, 1), 0, None), "d/out.png");
-        assert_eq!(name(&plan("d/out.png", Format::Png, 1), 0, view), "d/out-diffuse-2.png");
-        assert_eq!(name(&plan("d/out.png", Format::Png, 9), 8, None), "d/out-0009.png");
-        assert_eq!(name(&plan("d/out.png", Format::Png, 9), 8, view), "d/out-0009-diffuse-2.png");
-        assert_eq!(name(&plan("a%03d.exr", Format::Exr, 9), 0, None), "a001.exr");
-        assert_eq!(name(&plan("a%d.exr", Format::Exr, 9), 11, None), "a12.exr");
-        assert_eq!(name(&plan("out.gif", Format::Gif, 9), 8, None), "out.gif");
+        let name = |plan: &PicturePlan, frame, view| plan.path(frame, view).unwrap().to_string_lossy().into_owned();
+        assert_eq!(name(&plan("d/out.png", PictureFormat::Png, 1), 0, None), "d/out.png");
+        assert_eq!(name(&plan("d/out.png", PictureFormat::Png, 1), 0, view), "d/out-diffuse-2.png");
+        assert_eq!(name(&plan("d/out.png", PictureFormat::Png, 9), 8, None), "d/out-0009.png");
+        assert_eq!(name(&plan("d/out.png", PictureFormat::Png, 9), 8, view), "d/out-0009-diffuse-2.png");
+        assert_eq!(name(&plan("a%03d.exr", PictureFormat::Exr, 9), 0, None), "a001.exr");
+        assert_eq!(name(&plan("a%d.exr", PictureFormat::Exr, 9), 11, None), "a12.exr");
+        assert_eq!(name(&plan("out.gif", PictureFormat::Gif, 9), 8, None), "out.gif");
         // A percent sign outside a pattern is a percent sign.
-        assert_eq!(name(&plan("50%.png", Format::Png, 9), 0, None), "50%-0001.png");
-        assert_eq!(name(&plan("%99d.png", Format::Png, 9), 0, None), "%99d-0001.png");
+        assert_eq!(name(&plan("50%.png", PictureFormat::Png, 9), 0, None), "50%-0001.png");
+        assert_eq!(name(&plan("%99d.png", PictureFormat::Png, 9), 0, None), "%99d-0001.png");
     }
 
     #[test]
     fn an_unknown_extension_gets_a_list_of_the_known_ones() {
-        let text = Format::from_path(Path::new("a.jpg")).unwrap_err().to_string();
+        let text = PictureFormat::from_path(Path::new("a.jpg")).unwrap_err().to_string();
         assert!(text.contains("unsupported format `.jpg`") && text.contains(".exr (linear float)"), "{text}");
-        let text = Format::from_path(Path::new("a.pgn")).unwrap_err().to_string();
+        let text = PictureFormat::from_path(Path::new("a.pgn")).unwrap_err().to_string();
         assert!(text.contains("did you mean .png?"), "{text}");
-        assert!(Format::from_path(Path::new("a")).unwrap_err().to_string().contains("no extension"));
-        assert_eq!(Format::from_path(Path::new("A.PNG")).unwrap(), Format::Png);
+        assert!(PictureFormat::from_path(Path::new("a")).unwrap_err().to_string().contains("no extension"));
+        assert_eq!(PictureFormat::from_path(Path::new("A.PNG")).unwrap(), PictureFormat::Png);
     }
 }
