@@ -1,17 +1,17 @@
 //! The application: one frame from files, keys and panels to the picture.
 
+mod actions;
 mod exercise;
 pub mod loader;
-mod output;
 
 use crate::action::Action;
 use crate::app::loader::{LoadOutcome, LoadRequest, Loader, OpenOptions};
 use crate::document::{Document, History};
-use crate::exercise::{ExerciseView, Start};
-use crate::files::{Layered, link};
-use crate::platform::{Event, FileDialog, FrameShown, Platform, SceneInput};
+use crate::exercise::ExerciseView;
+use crate::files::Layered;
+use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
-use crate::session::{PathField, RecordedFrame, Session, Severity, Tab};
+use crate::session::{Session, Severity};
 use crate::{exported, panels, scene_view, shortcuts, theme};
 use egui::Ui;
 use gonio_gl::Gl;
@@ -25,8 +25,6 @@ use std::sync::Arc;
 
 /// The scene that is opened when nothing else is named.
 pub const FIRST_SCENE: &str = "builtin:still-life";
-
-const NOTHING_DRAWN: &str = "there is no picture yet: wait until the scene is loaded";
 
 /// The application.
 pub struct App {
@@ -379,99 +377,6 @@ impl App {
                 self.history.revert(&mut self.document);
             }
         }
-    }
-
-    fn act(&mut self, ctx: &egui::Context, action: Action) {
-        match action {
-            Action::Open(inputs) => {
-                let files = self.platform.files();
-                self.open(ctx, inputs, files);
-            }
-            Action::OpenPaths(paths) => self.platform.open_paths(paths, self.purpose(), ctx),
-            Action::ChooseFiles => {
-                if self.platform.choose_files(self.purpose(), ctx) == FileDialog::Unavailable {
-                    self.session.asking = Some(PathField { saves: None, text: String::new() });
-                }
-            }
-            Action::Save(product) => {
-                let name = product.file_name(&self.session.title);
-                if self.platform.choose_place(product, &name, ctx) == FileDialog::Unavailable {
-                    self.session.asking = Some(PathField { saves: Some(product), text: name });
-                }
-            }
-            Action::SaveTo(product, place) => self.save(product, &place),
-            Action::CopyPicture => self.copy_picture(ctx),
-            Action::CopyLink => match link::of_scene(&self.document.scene) {
-                Ok(fragment) => {
-                    ctx.copy_text(self.platform.link(&fragment));
-                    self.session.announcement = "copied the link".into();
-                }
-                Err(why) => self.session.messages.say(Severity::Error, why),
-            },
-            Action::CopyText(text) => {
-                ctx.copy_text(text);
-                self.session.announcement = "copied".into();
-            }
-            Action::Undo => {
-                if self.history.undo(&mut self.document) {
-                    self.session.announcement = "undone".into();
-                }
-            }
-            Action::Redo => {
-                if self.history.redo(&mut self.document) {
-                    self.session.announcement = "redone".into();
-                }
-            }
-            Action::Frame => {
-                if let Some(loaded) = &self.session.loaded {
-                    let [width, height] = self.session.facts.size.map(f64::from);
-                    self.document.scene.camera = loaded.framed(&self.document.scene.camera, width / height.max(1.0));
-                }
-            }
-            Action::PlayOrPause => self.session.clock.playing = !self.session.clock.playing,
-            Action::SetTime(time) => self.session.clock.time = time,
-            Action::Show(tab) => self.session.tab = tab,
-            Action::ToggleProbe => {
-                self.session.tab = if self.session.tab == Tab::Probe { Tab::Lights } else { Tab::Probe };
-            }
-            Action::ToggleObserver => self.session.observer.toggle(),
-            Action::Overlay(overlay) => {
-                if let Some(pane) = self.document.panes.current_mut() {
-                    pane.toggle_overlay(overlay);
-                }
-            }
-            Action::Special(view) => {
-                if let Some(pane) = self.document.panes.current_mut() {
-                    pane.special = if pane.special == Some(view) { None } else { Some(view) };
-                }
-            }
-            Action::ToggleHelp => self.session.help = !self.session.help,
-            Action::ToggleTheme => {
-                let theme = if ctx.theme() == egui::Theme::Dark { egui::Theme::Light } else { egui::Theme::Dark };
-                ctx.set_theme(theme);
-                self.session.settings.dark = Some(theme == egui::Theme::Dark);
-                self.platform.keep(&self.session.settings);
-            }
-            Action::RecordFrame => self.record_frame(ctx),
-            Action::Dismiss(id) => self.session.messages.dismiss(id),
-            Action::ShowExercise => self.exercise.is_open = true,
-            Action::ListExercises => self.exercise.list(),
-            Action::StartExercise(exercise) => self.begin_exercise(ctx, Start { exercise, files: Vec::new() }),
-        }
-        ctx.request_repaint();
-    }
-
-    /// Records the OpenGL calls of the current pane's picture. If that fails the record is empty, and it is not retried
-    /// before the next picture.
-    fn record_frame(&mut self, ctx: &egui::Context) {
-        let Some(pane_renderer) = &mut self.pane_renderer else { return };
-        let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|why| {
-            self.session.messages.say(Severity::Error, format!("the frame cannot be recorded: {why}"));
-            None
-        });
-        let before = self.session.recorded_frame.take();
-        let taken = RecordedFrame::new(ctx, record.unwrap_or_default(), self.session.facts.pictures, before.as_ref());
-        self.session.recorded_frame = Some(taken);
     }
 
     /// Ends a frame: a finished gesture becomes a step of the history.

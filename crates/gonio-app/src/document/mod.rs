@@ -1,9 +1,7 @@
-//! The document: everything that is edited, saved and undone, as plain data.
+//! The document: everything that is edited, saved and undone, as plain data; and its history.
 
-mod history;
 mod pane;
 
-pub use history::History;
 pub use pane::{Arrangement, DifferenceSettings, Overlay, Pane, Panes, Reflectance, VIEW_KEYS};
 
 use gonio_scene::SceneSettings;
@@ -21,5 +19,132 @@ impl Document {
     /// Wraps a scene that was just opened, in one pane.
     pub fn from_scene(scene: SceneSettings) -> Self {
         Document { scene, panes: Panes::default() }
+    }
+}
+
+/// Most steps that are kept; a snapshot is a few kilobytes.
+const MOST_STEPS: usize = 500;
+
+/// Earlier versions of the document, and later ones that were undone.
+#[derive(Clone, Debug)]
+pub struct History {
+    /// The document as of the last finished gesture.
+    settled: Document,
+    undo: Vec<Document>,
+    redo: Vec<Document>,
+}
+
+impl History {
+    /// An empty history.
+    pub fn new(document: &Document) -> Self {
+        History { settled: document.clone(), undo: Vec::new(), redo: Vec::new() }
+    }
+
+    /// Records changes; called once per frame. All changes while `gesture` is true (a button or key is held, or the wheel
+    /// moves) become one step.
+    pub fn observe(&mut self, document: &Document, gesture: bool) {
+        if gesture || *document == self.settled {
+            return;
+        }
+        if self.undo.len() == MOST_STEPS {
+            self.undo.remove(0);
+        }
+        self.undo.push(std::mem::replace(&mut self.settled, document.clone()));
+        self.redo.clear();
+    }
+
+    /// Whether there is something to undo in `document`.
+    pub fn can_undo(&self, document: &Document) -> bool {
+        !self.undo.is_empty() || *document != self.settled
+    }
+
+    /// Whether there is something to redo.
+    pub fn can_redo(&self) -> bool {
+        !self.redo.is_empty()
+    }
+
+    /// The document one step earlier; `false` where there is none. A gesture that has not ended is a step.
+    pub fn undo(&mut self, document: &mut Document) -> bool {
+        self.observe(document, false);
+        let Some(earlier) = self.undo.pop() else { return false };
+        self.redo.push(std::mem::replace(&mut self.settled, earlier.clone()));
+        *document = earlier;
+        true
+    }
+
+    /// The document one step later; `false` where there is none.
+    pub fn redo(&mut self, document: &mut Document) -> bool {
+        self.observe(document, false);
+        let Some(later) = self.redo.pop() else { return false };
+        self.undo.push(std::mem::replace(&mut self.settled, later.clone()));
+        *document = later;
+        true
+    }
+
+    /// Reverts to the last settled document, because a change since then cannot be applied.
+    pub fn revert(&self, document: &mut Document) {
+        document.clone_from(&self.settled);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn with_exposure(exposure: f64) -> Document {
+        let mut document = Document::default();
+        document.scene.picture.exposure = exposure;
+        document
+    }
+
+    #[test]
+    fn a_gesture_is_one_step_and_comes_back() {
+        let mut document = with_exposure(0.0);
+        let mut history = History::new(&document);
+        for step in 1..=5 {
+            document.scene.picture.exposure = f64::from(step);
+            history.observe(&document, true);
+        }
+        history.observe(&document, false);
+        assert!(history.undo(&mut document));
+        assert_eq!(document, with_exposure(0.0));
+        assert!(!history.undo(&mut document));
+        assert!(history.redo(&mut document));
+        assert_eq!(document, with_exposure(5.0));
+        assert!(!history.can_redo());
+    }
+
+    #[test]
+    fn what_is_changed_after_an_undo_cannot_be_redone_over() {
+        let mut document = with_exposure(0.0);
+        let mut history = History::new(&document);
+        document = with_exposure(1.0);
+        history.observe(&document, false);
+        assert!(history.undo(&mut document));
+        document = with_exposure(2.0);
+        history.observe(&document, false);
+        assert!(!history.redo(&mut document));
+        assert!(history.undo(&mut document));
+        assert_eq!(document, with_exposure(0.0));
+    }
+
+    #[test]
+    fn a_gesture_that_has_not_ended_can_be_undone() {
+        let mut document = with_exposure(0.0);
+        let mut history = History::new(&document);
+        document = with_exposure(1.0);
+        history.observe(&document, true);
+        assert!(history.can_undo(&document));
+        assert!(history.undo(&mut document));
+        assert_eq!(document, with_exposure(0.0));
+    }
+
+    #[test]
+    fn a_change_that_cannot_be_is_given_up() {
+        let mut document = with_exposure(0.0);
+        let history = History::new(&document);
+        document = with_exposure(f64::NAN);
+        history.revert(&mut document);
+        assert_eq!(document, with_exposure(0.0));
     }
 }

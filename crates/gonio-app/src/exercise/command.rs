@@ -1,4 +1,7 @@
-//! Commands of the exercise view: pushed by widgets and keys, applied after the frame is laid out.
+//! Requests to the exercise view: commands, which widgets and keys push and which are applied after the frame is laid out,
+//! and the exercise to start.
+
+use crate::files::ExerciseFile;
 
 /// A command of the exercise view.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,4 +42,13 @@ pub enum Command {
     KeepRestored,
     /// Switches between the light and the dark theme.
     Theme,
+}
+
+/// An exercise to open, with a student's files.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Start {
+    /// The id of the exercise: `ex04`.
+    pub exercise: String,
+    /// The student's files; if empty, the original ones.
+    pub files: Vec<ExerciseFile>,
 }

@@ -1,8 +1,7 @@
 //! Compiles the shaders in the editor while they are being written.
 
-use super::check::request;
+use super::check::{ContentKey, Trials, request};
 use super::preview::Preview;
-use super::trials::{ContentKey, Trials};
 use super::work::{ProgramFacts, Work};
 use crate::platform::{Platform, TrialOutcome};
 use crate::scene_view::drawing::PaneRenderer;

@@ -1,22 +1,21 @@
 //! The exercise view: an exercise's text, the student's files in an editor, their picture beside the correct answer's,
 //! and the verdict.
 //!
-//! | file | what |
+//! | file | contents |
 //! |---|---|
 //! | `work` | the open exercise as plain data |
 //! | `file_sets`, `saving` | a student's files in place of the open ones; files on disk |
-//! | `command`, `apply` | commands of widgets and keys, and what they do |
-//! | `compiler`, `trials` | shaders compiled, after a trial outside of the window |
+//! | `command` | commands of widgets and keys, and the exercise to start |
+//! | `check` | checks, and trials of shaders outside of the window |
+//! | `compiler`, `preview` | shaders compiled as they are typed; their pictures |
 //! | `drafts` | unsaved text, kept for the next window |
-//! | `check`, `preview` | the running check; the pictures |
-//! | `editor`, `highlight` | the files' texts |
+//! | `editor` | the files' texts, with colours and marked lines |
 //! | `toolbar`, `list`, `pictures` | the toolbar, the exercises, the pictures and their settings |
-//! | `markdown`, `figure`, `verdict`, `variables` | the pages: the text and its figures, the verdict, the variables |
+//! | `markdown`, `figure`, `pages` | the pages: the text and its figures; the verdict and the variables |
 //! | `state_json` | its part of the exported state |
 //!
 //! It is independent of the scene and its document.
 
-mod apply;
 mod check;
 mod command;
 mod compiler;
@@ -24,25 +23,20 @@ mod drafts;
 mod editor;
 mod figure;
 mod file_sets;
-mod highlight;
 mod list;
 mod markdown;
+mod pages;
 mod pictures;
 mod preview;
 mod saving;
-mod start;
 mod state_json;
 mod toolbar;
-mod trials;
-mod variables;
-mod verdict;
 mod work;
 
-pub use command::Command;
+pub use command::{Command, Start};
 pub use drafts::MOST_AGE as MOST_AGE_OF_DRAFTS;
 pub use file_sets::{FileSet, ReplaceOutcome};
 pub use preview::Picture;
-pub use start::Start;
 pub use work::{Judged, Mark, MarkKind, OpenFile, Page, PictureMode, ProgramFacts, Work};
 
 use crate::action::Action;
@@ -54,7 +48,8 @@ use crate::theme::colors;
 use check::Check;
 use compiler::Compiler;
 use drafts::Drafts;
-use egui::{Frame, Margin, Panel, ScrollArea, Ui};
+use egui::{Context, Frame, Margin, Panel, ScrollArea, Ui};
+use std::path::PathBuf;
 
 /// Below this width (points) everything lies one above the other: a phone held upright.
 const NARROW: f32 = 720.0;
@@ -228,7 +223,7 @@ impl ExerciseView {
                 Command::Theme => actions.push(Action::ToggleTheme),
                 other => {
                     if let Some(work) = &mut self.work {
-                        failures.extend(apply::apply(ctx, other, work, &mut self.compiler, &mut self.check, platform));
+                        failures.extend(apply_to_work(ctx, other, work, &mut self.compiler, &mut self.check, platform));
                     }
                 }
             }
@@ -329,8 +324,8 @@ fn page_of(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
             markdown::show(ui, work.exercise);
             start_files(ui, work, commands);
         }
-        Page::Verdict => verdict::show(ui, work, commands),
-        Page::Variables => variables::show(ui, work),
+        Page::Verdict => pages::verdict(ui, work, commands),
+        Page::Variables => pages::variables(ui, work),
     });
 }
 
@@ -353,4 +348,75 @@ fn start_files(ui: &mut Ui, work: &Work, commands: &mut Vec<Command>) {
         }
     });
     ui.add_space(40.0);
+}
+
+/// Applies a command to the open exercise. Returns a sentence for each thing that failed.
+fn apply_to_work(
+    ctx: &Context,
+    command: Command,
+    work: &mut Work,
+    compiler: &mut Compiler,
+    check: &mut Check,
+    platform: &mut dyn Platform,
+) -> Vec<String> {
+    let current = work.current;
+    match command {
+        Command::Check => check.start(ctx, work, platform),
+        Command::StopChecking => check.stop(work),
+        Command::Save => {
+            let failures = saving::save(work, platform);
+            if work.asking.is_some() {
+                editor::let_go(ctx, work);
+            }
+            return failures;
+        }
+        Command::SaveInto(folder) => return saving::save_into(work, &folder, platform),
+        Command::Undo | Command::Redo => {
+            if let Some(file) = work.files.get_mut(current) {
+                editor::step(ctx, file, command == Command::Redo);
+            }
+        }
+        Command::TakeOther(index) => {
+            if let Some(file) = work.files.get_mut(index)
+                && let Some(other) = file.other.take()
+            {
+                editor::remember(ctx, file);
+                file.take(other);
+            }
+        }
+        Command::KeepMine(index) => {
+            if let Some(file) = work.files.get_mut(index) {
+                // The version on disk is what changes are compared with.
+                if let Some(other) = file.other.take() {
+                    file.saved = other;
+                }
+                return saving::save(work, platform);
+            }
+        }
+        Command::DiscardRestored => {
+            for file in work.files.iter_mut().filter(|file| file.is_restored() && file.other.is_none()) {
+                editor::remember(ctx, file);
+                file.take(file.saved.clone());
+            }
+        }
+        Command::KeepRestored => work.files.iter_mut().for_each(|file| file.restored = None),
+        Command::PutBack => {
+            work.put_back();
+            compiler.begin_anew();
+            // They were not watched while they were put away.
+            let paths: Vec<PathBuf> = work.files.iter().filter_map(|file| file.path.clone()).collect();
+            return saving::read_again(ctx, work, &paths);
+        }
+        Command::BeginAgain => {
+            work.begin_again();
+            compiler.begin_anew();
+        }
+        Command::StartFiles => {
+            let name = format!("{}.zip", work.exercise.id);
+            return platform.write(&name, &saving::start_files(work)).err().into_iter().collect();
+        }
+        // These concern the application: see `ExerciseView::apply`.
+        Command::Begin(_) | Command::List | Command::Leave | Command::Open | Command::Theme => {}
+    }
+    Vec::new()
 }

@@ -1,27 +1,33 @@
 //! Files from the user: dropped, chosen, in a zip file or in a link.
 //!
-//! | file | what |
+//! | file | contents |
 //! |---|---|
-//! | `memory` | files that lie in memory, with folders |
-//! | `layered` | one place of files over another |
-//! | `recording` | which files were read, so that they can be watched |
-//! | `zip`, `packed` | what a zip holds; files as a zip |
-//! | `exercise_file` | a file of an exercise, with its place |
-//! | `gathered` | which of several files is the model |
+//! | `memory` | files in memory, with folders |
+//! | `sources` | one source before another; a record of the files that were read |
+//! | `zip` | reading and writing zip files |
+//! | `gathered` | finds the model among several files |
 //! | `link` | a scene in the address of a page |
 
-mod exercise_file;
 mod gathered;
-mod layered;
 pub mod link;
 mod memory;
-mod packed;
-mod recording;
+mod sources;
 pub mod zip;
 
-pub use exercise_file::ExerciseFile;
 pub use gathered::{Gathered, gather};
-pub use layered::Layered;
 pub use memory::MemoryFiles;
-pub use packed::pack;
-pub use recording::Recording;
+pub use sources::{Layered, Recording};
+pub use zip::pack;
+
+use std::path::PathBuf;
+
+/// A file of an exercise, with its path.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ExerciseFile {
+    /// The name in the exercise.
+    pub name: String,
+    /// The path on disk; `None` for a file in memory.
+    pub path: Option<PathBuf>,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}

@@ -2,18 +2,17 @@
 
 mod camera;
 mod compare;
+mod dialogs;
 mod equation;
 mod frame;
-mod help;
 mod lights;
-mod messages;
 mod objects;
-mod path_field;
 mod picture;
 mod probe;
 mod status;
-mod time;
 mod top_bar;
+
+pub use dialogs::{messages, path_field};
 
 use crate::action::Action;
 use crate::document::{Document, History};
@@ -49,9 +48,9 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
     Panel::bottom("status").frame(bar).resizable(false).show(ui, |ui| {
         status::show(ui, session);
     });
-    if time::period(document).is_some() {
+    if status::period(document).is_some() {
         Panel::bottom("time").frame(bar).resizable(false).show(ui, |ui| {
-            ui.horizontal(|ui| time::show(ui, document, session, actions));
+            ui.horizontal(|ui| status::show_time(ui, document, session, actions));
         });
     }
     let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 8));
@@ -62,19 +61,9 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
         let panel = Panel::right("side").frame(inside).default_size(SIDE_WIDTH).size_range(280.0..=560.0);
         panel.show(ui, |ui| side(ui, document, session, actions));
     }
-    messages::show(ui, session, actions);
-    help::show(ui, session);
-    path_field::show(ui, session, Purpose::Scene, actions);
-}
-
-/// The messages alone, over whatever is shown.
-pub fn messages(ui: &Ui, session: &Session, actions: &mut Vec<Action>) {
-    messages::show(ui, session, actions);
-}
-
-/// The field for a path alone, where one is asked for.
-pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mut Vec<Action>) {
-    path_field::show(ui, session, purpose, actions);
+    messages(ui, session, actions);
+    dialogs::help(ui, session);
+    path_field(ui, session, Purpose::Scene, actions);
 }
 
 /// The tabs and what the chosen one shows.

@@ -2,17 +2,13 @@
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod desktop;
-mod pending;
-mod trial;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
-
-pub use pending::{CheckRequest, CheckResult, Pending, Ready};
-pub use trial::{ByCheck, TrialOutcome};
 
 use crate::files::ExerciseFile;
 use crate::saving::Product;
 use crate::session::Settings;
+use gonio_check::verdict::{Outcome, Verdict};
 use gonio_scene::files::FileSource;
 use serde_json::Value;
 use std::path::PathBuf;
@@ -151,5 +147,75 @@ pub trait Platform {
     /// Publishes the state after a frame, for tests.
     fn publish(&mut self, state: &dyn Fn() -> Value) {
         let _ = state;
+    }
+}
+
+/// A student's files to check.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CheckRequest {
+    /// The id of the exercise: `ex04`.
+    pub exercise: String,
+    /// The student's files: names with `/` between folders, and contents.
+    pub files: Vec<(String, Vec<u8>)>,
+    /// Accept what the lab's own solutions do too, where they differ from the textbook.
+    pub as_the_lab: bool,
+}
+
+/// The verdict, or one sentence on why there is none.
+pub type CheckResult = Result<Verdict, String>;
+
+/// A result that is on its way. Dropping it ends the work.
+pub trait Pending<T> {
+    /// Returns the result once, when it has arrived, and `None` before and after that. The window is repainted when it arrives.
+    fn poll(&mut self) -> Option<T>;
+}
+
+/// A result that is known from the start.
+pub struct Ready<T>(Option<T>);
+
+impl<T> Ready<T> {
+    /// Has this result.
+    pub fn new(result: T) -> Self {
+        Ready(Some(result))
+    }
+}
+
+impl<T> Pending<T> for Ready<T> {
+    fn poll(&mut self) -> Option<T> {
+        self.0.take()
+    }
+}
+
+/// The result of a trial.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TrialOutcome {
+    /// The shaders were compiled and drawn, or the compiler refused them: the window may do the same.
+    Harmless,
+    /// They crashed the trial, or took too much time or memory. One sentence for the student.
+    Refused(String),
+    /// The trial could not be made; one sentence says why. Nothing is known of the shaders.
+    Unavailable(String),
+}
+
+/// A trial by a complete check, for platforms that have no processes.
+pub struct ByCheck(Box<dyn Pending<CheckResult>>);
+
+impl ByCheck {
+    /// Waits for this check.
+    pub fn new(checking: Box<dyn Pending<CheckResult>>) -> Self {
+        ByCheck(checking)
+    }
+}
+
+impl Pending<TrialOutcome> for ByCheck {
+    fn poll(&mut self) -> Option<TrialOutcome> {
+        let why = match self.0.poll()? {
+            Ok(Verdict { verdict: Outcome::Correct | Outcome::Wrong | Outcome::DoesNotCompile, .. }) => {
+                return Some(TrialOutcome::Harmless);
+            }
+            Ok(verdict) => verdict.summary,
+            Err(why) => why,
+        };
+        Some(TrialOutcome::Refused(format!("This shader is not drawn because it may never finish: {why}")))
     }
 }

@@ -1,6 +1,6 @@
 //! The axes cross; a click looks along an axis.
 
-use super::{Projection, ink, navigation};
+use super::{Projection, navigation, paint};
 use crate::document::Document;
 use crate::exported::{self, Role};
 use crate::session::Session;
@@ -45,7 +45,7 @@ pub fn show(ui: &Ui, projection: &Projection, document: &mut Document, session: 
         exported::note(ui, &response, &format!("look-along-{name}"), Role::Button, &tip, "");
         let hovered = response.hovered();
         if let Some(letter) = letter {
-            ink::line(&painter, [middle, end], 2.0, color);
+            paint::line(&painter, [middle, end], 2.0, color);
             painter.circle_filled(end, END, if hovered { Color32::WHITE } else { color });
             painter.text(end, Align2::CENTER_CENTER, letter, theme::bold(11.5), Color32::BLACK);
         } else {

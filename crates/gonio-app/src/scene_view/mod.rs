@@ -1,24 +1,21 @@
 //! The view of the scene: its panes, and what the pointer and the keys do there.
 //!
 //! [`show`] is the only entry of a frame. `arrangement` divides the room, `pane` handles one pane, `drawing` renders its picture,
-//! and `present` puts that into the window.
+//! and `paint` puts that into the window.
 
 mod arrangement;
 mod axes;
-mod dragging;
 pub mod drawing;
 mod gizmos;
-mod ink;
 pub mod navigation;
 mod observer;
+mod paint;
 mod pane;
-mod present;
 mod projection;
-mod scale;
 mod toolbar;
 mod vectors;
 
-pub(crate) use present::{picture_size, present};
+pub(crate) use paint::{picture_size, present};
 pub use projection::Projection;
 
 use crate::document::{Arrangement, Document};

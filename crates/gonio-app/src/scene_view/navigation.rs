@@ -9,10 +9,9 @@
 //! | w a s d, z q s d, arrows | flies |
 
 use super::Projection;
-use super::dragging::Dragging;
 use crate::document::Document;
 use crate::session::Session;
-use egui::{Event, InputState, Key, PointerButton, Response, Ui};
+use egui::{Event, InputState, Key, PointerButton, Response, Ui, Vec2};
 use glam::{DQuat, DVec3};
 use gonio_light::vector::unit;
 use gonio_scene::Camera;
@@ -276,6 +275,31 @@ pub fn note_combinations(ui: &Ui) {
 
 fn spent_keys(ui: &Ui) -> Vec<Key> {
     ui.data(|data| data.get_temp(combinations())).unwrap_or_default()
+}
+
+/// egui counts the frame of the release to no drag. But where frames take long, the pointer's last way comes in that same
+/// frame, and what is dragged would be left short of where it was released.
+pub trait Dragging {
+    /// Dragged, or just released.
+    fn is_dragged(&self) -> bool;
+    /// The same by one button.
+    fn is_dragged_by(&self, button: PointerButton) -> bool;
+    /// Movement since the last frame, points.
+    fn way(&self) -> Vec2;
+}
+
+impl Dragging for Response {
+    fn is_dragged(&self) -> bool {
+        self.dragged() || self.drag_stopped()
+    }
+
+    fn is_dragged_by(&self, button: PointerButton) -> bool {
+        self.dragged_by(button) || self.drag_stopped_by(button)
+    }
+
+    fn way(&self) -> Vec2 {
+        if self.drag_stopped() { self.ctx.input(|i| i.pointer.delta()) } else { self.drag_delta() }
+    }
 }
 
 #[cfg(test)]

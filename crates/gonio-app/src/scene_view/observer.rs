@@ -1,8 +1,8 @@
 //! The observer's view: the scene from a second camera, with frustum, axes and position of the first.
 
-use super::dragging::Dragging;
-use super::present::{picture_size, present};
-use super::{Projection, ink};
+use super::navigation::Dragging;
+use super::paint::{picture_size, present};
+use super::{Projection, paint};
 use crate::exported::{self, Role};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::session::Observer;
@@ -112,7 +112,7 @@ fn draw(painter: &Painter, projection: &Projection, frame: &Frame) {
     let seen = |p: DVec3| projection.to_window(p);
     let line = |a: DVec3, b: DVec3, width: f32, color: Color32| {
         if let (Some(a), Some(b)) = (seen(a), seen(b)) {
-            ink::line(painter, [a, b], width, color);
+            paint::line(painter, [a, b], width, color);
         }
     };
     for far in planes[1] {
@@ -147,7 +147,7 @@ fn draw(painter: &Painter, projection: &Projection, frame: &Frame) {
     ] {
         let (color, end) = (tint.in_theme(true), camera.position + length * axis);
         if let (Some(from), Some(to)) = (seen(camera.position), seen(end)) {
-            ink::arrow(painter, from, to, 2.2, color);
+            paint::arrow(painter, from, to, 2.2, color);
             let align = if to.x < from.x { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER };
             label(end, name, color, align, small());
         }

@@ -1,8 +1,8 @@
 //! One pane: its picture, what pointer and keys do there, and what lies over it.
 
 use super::drawing::PaneRenderer;
-use super::present::{picture_size, present};
-use super::{Projection, axes, gizmos, ink, navigation, observer, toolbar, vectors};
+use super::paint::{picture_size, present};
+use super::{Projection, axes, gizmos, navigation, observer, paint, toolbar, vectors};
 use crate::document::Document;
 use crate::exported::{self, Role};
 use crate::session::{Selection, Session, Tab};
@@ -132,7 +132,7 @@ fn aim(ui: &Ui, projection: &Projection, document: &Document, loaded: &Scene) {
     let painter = ui.painter_at(projection.rect());
     for arm in [vec2(9.0, 0.0), vec2(0.0, 9.0)] {
         for side in [-1.0, 1.0] {
-            ink::line(&painter, [place + 0.35 * side * arm, place + side * arm], 1.5, Color32::WHITE);
+            paint::line(&painter, [place + 0.35 * side * arm, place + side * arm], 1.5, Color32::WHITE);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The probe in the picture: N, L, V, R and H as arrows from the point on the model.
 
-use super::{Projection, ink};
+use super::{Projection, paint};
 use crate::session::Selection;
 use crate::session::probing::{Probing, Reading};
 use crate::theme::{self, colors};
@@ -48,7 +48,7 @@ fn arrows(ui: &Ui, painter: &Painter, projection: &Projection, reading: &Reading
     let mut arrow = |direction: DVec3, symbol: &'static str, light: Option<usize>, tint: colors::Tint, width: f32| {
         let color = tint.in_theme(true);
         let Some(tip) = projection.to_window(point + length * direction) else { return };
-        ink::arrow(painter, origin, tip, width, color);
+        paint::arrow(painter, origin, tip, width, color);
         labels.push((tip, symbol, light, color));
     };
     let several = probe.terms.lights.len() > 1;
@@ -59,7 +59,7 @@ fn arrows(ui: &Ui, painter: &Painter, projection: &Projection, reading: &Reading
             _ => None,
         };
         if let (Some(place), Some(tip)) = (place, projection.to_window(point + length * light.l)) {
-            ink::dashes(painter, [tip, place], 1.0, colors::LIGHT.in_theme(true).gamma_multiply(0.8));
+            paint::dashes(painter, [tip, place], 1.0, colors::LIGHT.in_theme(true).gamma_multiply(0.8));
         }
         arrow(light.l, "L", several.then_some(light.light), colors::LIGHT, if leads { 2.5 } else { 1.6 });
     }

@@ -1,27 +1,22 @@
 //! State that is not undone: loaded scene, time, selection, messages.
 
-mod clock;
 pub mod comparison;
 mod equation;
 mod messages;
-mod observer;
 pub mod probing;
-mod recorded_frame;
-mod selection;
 mod settings;
 
-pub use clock::Clock;
 pub use comparison::Comparison;
 pub use equation::{BeforeAlone, EquationView, Term};
 pub use messages::{Message, Messages, Severity};
-pub use observer::Observer;
 pub use probing::Probing;
-pub use recorded_frame::RecordedFrame;
-pub use selection::{Selection, Tab};
 pub use settings::Settings;
 
 use crate::saving::Product;
+use egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use gonio_gl::trace::{Finding, FrameRecord, lint};
 use gonio_scene::Scene;
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Facts about the last picture.
@@ -131,5 +126,149 @@ impl Default for Session {
             unframed: false,
             sketching: false,
         }
+    }
+}
+
+/// The animation's time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Clock {
+    /// Seconds of the scene.
+    pub time: f64,
+    /// Whether it runs.
+    pub playing: bool,
+}
+
+impl Clock {
+    /// Lets `seconds` pass. A long pause (a hidden window, a slow frame) counts as a tenth of a second.
+    pub fn advance(&mut self, seconds: f64) {
+        if self.playing && seconds.is_finite() {
+            self.time += seconds.clamp(0.0, 0.1);
+        }
+    }
+}
+
+/// The second camera.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Observer {
+    /// Whether it is shown.
+    pub open: bool,
+    /// Whether it rotates automatically.
+    pub turning: bool,
+    /// Azimuth and elevation, radians. `None` until it is opened.
+    pub(crate) angles: Option<(f64, f64)>,
+}
+
+impl Observer {
+    /// Shows or hides it, and resets its position.
+    pub fn toggle(&mut self) {
+        *self = Observer { open: !self.open, ..Observer::default() };
+    }
+}
+
+/// The selected light, object or camera.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Selection {
+    /// Nothing.
+    #[default]
+    None,
+    /// A light of the scene, by its index.
+    Light(usize),
+    /// An object of the scene, by its index.
+    Object(usize),
+    /// The camera.
+    Camera,
+}
+
+/// The tabs of the side panel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// The lights: the rows of the sum.
+    #[default]
+    Lights,
+    /// Objects and their materials.
+    Objects,
+    /// The camera and its matrices.
+    Camera,
+    /// Environment, background and display.
+    Picture,
+    /// The equation at a pixel.
+    Probe,
+    /// Panes side by side.
+    Compare,
+    /// The frame taken apart.
+    Frame,
+}
+
+impl Tab {
+    /// All tabs, in order.
+    pub const ALL: [Tab; 7] =
+        [Tab::Lights, Tab::Objects, Tab::Camera, Tab::Picture, Tab::Probe, Tab::Compare, Tab::Frame];
+
+    /// The title.
+    pub fn title(self) -> &'static str {
+        match self {
+            Tab::Lights => "Lights",
+            Tab::Objects => "Objects",
+            Tab::Camera => "Camera",
+            Tab::Picture => "Picture",
+            Tab::Probe => "Probe",
+            Tab::Compare => "Compare",
+            Tab::Frame => "Frame",
+        }
+    }
+
+    /// A description in one sentence.
+    pub fn description(self) -> &'static str {
+        match self {
+            Tab::Lights => "Lights: each adds one summand to the equation",
+            Tab::Objects => "Models, their transformations and materials",
+            Tab::Camera => "Camera parameters and matrices",
+            Tab::Picture => "Environment, background, exposure and tone mapping",
+            Tab::Probe => "The light equation at one pixel, in numbers",
+            Tab::Compare => "The scene with up to four settings side by side",
+            Tab::Frame => "The OpenGL calls that drew this picture",
+        }
+    }
+}
+
+/// A record of a picture.
+pub struct RecordedFrame {
+    /// The record.
+    pub record: FrameRecord,
+    /// The problems found in it.
+    pub findings: Vec<Finding>,
+    /// The recorded picture: [`FrameFacts::pictures`] at the time.
+    pub picture: u64,
+    /// The selected draw.
+    pub draw: usize,
+    /// Whether the fragment shader's source is shown, not the vertex shader's.
+    pub fragment_source: bool,
+    thumbnails: HashMap<u32, TextureHandle>,
+}
+
+impl RecordedFrame {
+    /// Checks a record. The draw that was selected in `before` stays selected.
+    pub fn new(ctx: &Context, record: FrameRecord, picture: u64, before: Option<&RecordedFrame>) -> Self {
+        let show = |id: u32| {
+            let thumbnail = record.texture(id)?.thumbnail.as_ref()?;
+            let size = [thumbnail.width as usize, thumbnail.height as usize];
+            let image = ColorImage::from_rgba_unmultiplied(size, &thumbnail.rgba);
+            Some((id, ctx.load_texture(format!("thumbnail {id}"), image, TextureOptions::LINEAR)))
+        };
+        let thumbnails = record.textures.iter().filter_map(|texture| show(texture.id)).collect();
+        let last = record.draws.len().saturating_sub(1);
+        RecordedFrame {
+            findings: lint(&record),
+            picture,
+            draw: before.map_or(0, |before| before.draw.min(last)),
+            fragment_source: before.is_none_or(|before| before.fragment_source),
+            thumbnails,
+            record,
+        }
+    }
+
+    /// A small picture of a texture, by id.
+    pub fn thumbnail(&self, id: u32) -> Option<&TextureHandle> {
+        self.thumbnails.get(&id)
     }
 }

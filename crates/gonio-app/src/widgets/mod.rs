@@ -3,19 +3,77 @@
 //! Each notes itself ([`crate::exported::note`]) under a stable id, tells screen readers what it is called, and goes back
 //! to its default by a double click. They edit the document in place: undo needs no word from them.
 
-mod button;
 mod choice;
 mod color;
-mod digits;
 mod number;
-mod row;
-mod vector;
 
-pub use button::{icon_button, toggle, tool_button};
 pub(crate) use choice::named_options;
 pub use choice::{choice, dropdown, slug};
 pub use color::{color, color_swatch, shown};
-pub use digits::{NO_BREAK, SPACE, grouped};
-pub use number::{Number, compact};
-pub use row::{LABEL_WIDTH, heading, row};
-pub use vector::{Vector, axes};
+pub use number::{NO_BREAK, Number, SPACE, Vector, axes, compact, grouped};
+
+use crate::exported::{self, Role};
+use crate::theme;
+use egui::{Align, Button, Color32, Label, Layout, Response, RichText, Ui, WidgetInfo, vec2};
+
+/// Points along a side of a small icon's button.
+const SIDE: f32 = 22.0;
+
+/// A button that is an icon. `tip` names it, for screen readers too.
+pub fn icon_button(ui: &mut Ui, id: &str, icon: &str, tip: &str) -> Response {
+    tool_button(ui, id, icon, tip, None, true)
+}
+
+/// The same, in a colour, or greyed out.
+pub fn tool_button(ui: &mut Ui, id: &str, icon: &str, tip: &str, color: Option<Color32>, enabled: bool) -> Response {
+    let color = color.unwrap_or_else(|| ui.visuals().text_color());
+    let text = RichText::new(icon).font(theme::icon_font(15.0)).color(color);
+    let button = Button::new(text).frame_when_inactive(false).min_size(vec2(SIDE, SIDE));
+    let response = ui
+        .scope(|ui| {
+            ui.spacing_mut().button_padding = vec2(2.0, 2.0);
+            ui.add_enabled(enabled, button)
+        })
+        .inner;
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, enabled, tip));
+    exported::note(ui, &response, id, Role::Button, tip, "");
+    response.on_hover_text(tip).on_disabled_hover_text(tip)
+}
+
+/// A switch with its name beside it; whether it was changed.
+pub fn toggle(ui: &mut Ui, id: &str, label: &str, value: &mut bool, tip: &str) -> bool {
+    let response = ui.checkbox(value, label);
+    exported::note(ui, &response, id, Role::Toggle, label, *value);
+    let changed = response.changed();
+    if !tip.is_empty() {
+        response.on_hover_text(tip);
+    }
+    changed
+}
+
+/// Room for the name of a value, points.
+pub const LABEL_WIDTH: f32 = 84.0;
+
+/// The name of a value and its widgets. `tip` says what it is, with symbol and unit.
+pub fn row<R>(ui: &mut Ui, label: &str, tip: &str, add: impl FnOnce(&mut Ui) -> R) -> R {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let size = vec2(LABEL_WIDTH, ui.spacing().interact_size.y);
+        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_size(size);
+            let name = ui.add(Label::new(RichText::new(label).color(ui.visuals().weak_text_color())).truncate());
+            if !tip.is_empty() {
+                name.on_hover_text(tip);
+            }
+        });
+        add(ui)
+    })
+    .inner
+}
+
+/// What the lines below it are about.
+pub fn heading(ui: &mut Ui, text: &str) -> Response {
+    ui.add_space(6.0);
+    let color = ui.visuals().strong_text_color();
+    ui.label(RichText::new(text).font(theme::bold(13.5)).color(color))
+}

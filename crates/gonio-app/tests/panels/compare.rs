@@ -1,6 +1,6 @@
 //! Panes: presets, settings, arrangement.
 
-use crate::bench::Bench;
+use crate::Bench;
 use egui_kittest::kittest::Queryable;
 use gonio_app::document::{Arrangement, Pane};
 use gonio_app::session::Tab;

@@ -1,6 +1,6 @@
 //! The equation: its terms are switches.
 
-use crate::bench::Bench;
+use crate::Bench;
 use egui::{Modifiers, vec2};
 use gonio_app::document::Document;
 use gonio_app::session::Tab;

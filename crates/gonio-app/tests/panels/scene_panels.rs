@@ -1,6 +1,6 @@
 //! The panels that edit the scene: camera, picture, objects and lights.
 
-use crate::bench::Bench;
+use crate::Bench;
 use egui::vec2;
 use egui_kittest::kittest::Queryable;
 use gonio_app::session::{Selection, Tab};

@@ -1,13 +1,11 @@
 //! An exercise's figures, painted from the files that the text names.
 //!
-//! | file | what |
+//! | file | contents |
 //! |---|---|
 //! | `read` | the file's elements |
-//! | `path` | the points of its curves |
-//! | `fill` | the insides of its shapes |
+//! | `outline` | the points of its curves, and the insides of its shapes |
 
-mod fill;
-mod path;
+mod outline;
 mod read;
 
 use crate::exported::{self, Role};
@@ -93,7 +91,7 @@ impl Place<'_> {
             Shape::Lines { points, closed, fill, pen } => {
                 let points: Vec<Pos2> = points.iter().map(|point| self.at(*point)).collect();
                 if let Some(fill) = fill {
-                    painter.add(fill::inside(&points, self.color(*fill)));
+                    painter.add(outline::inside(&points, self.color(*fill)));
                 }
                 self.line(points, *closed, pen.as_ref());
             }

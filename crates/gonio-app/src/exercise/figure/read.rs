@@ -3,7 +3,7 @@
 //! After W3C, *Scalable Vector Graphics (SVG) 2*, chapters 9 (paths), 10 (shapes) and 11 (text). Without groups, transforms,
 //! styles and nesting but for `tspan`. A test holds that the figures of all exercises are read whole.
 
-use super::path;
+use super::outline;
 use egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
 
 /// A figure.
@@ -132,7 +132,7 @@ fn shape(element: &Element<'_>) -> Option<Shape> {
             Shape::Lines { points: points(element.get("points")?)?, closed: element.name == "polygon", fill, pen }
         }
         "path" => {
-            let (points, closed) = path::flattened(element.get("d")?)?;
+            let (points, closed) = outline::flattened(element.get("d")?)?;
             Shape::Lines { points, closed, fill, pen }
         }
         "rect" => {

@@ -1,9 +1,7 @@
 //! The same scene in one to four ways.
 
-mod curve;
 mod measured;
 mod plot;
-mod presets;
 mod settings;
 
 use crate::action::Action;
@@ -14,7 +12,7 @@ use crate::theme::icons;
 use egui::{Response, RichText, Ui};
 
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut Vec<Action>) {
-    presets::show(ui, document);
+    settings::show_presets(ui, document);
     list(ui, document);
     if document.panes.list.len() > 1 {
         arrangement(ui, document, session);
@@ -27,7 +25,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut
     let adaptive = ui.checkbox(&mut session.adaptive, "One sample per pixel while something moves, if frames are slow");
     exported::note(ui, &adaptive, "adaptive", Role::Toggle, "One sample while moving", session.adaptive);
     section(ui, "Error against the finest mesh");
-    curve::show(ui, session);
+    measured::show_curve(ui, session);
 }
 
 /// A heading with some air above.

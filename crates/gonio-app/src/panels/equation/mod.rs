@@ -7,7 +7,6 @@
 //!
 //! The line below holds the parameters of the term that was clicked last; the arrow opens all definitions.
 
-mod explain;
 mod formula;
 mod parameters;
 mod switch;
@@ -18,9 +17,11 @@ use crate::exported::{self, Role};
 use crate::session::{Session, Tab, Term};
 use crate::theme::icons;
 use crate::typeset::{self, EguiFonts, Laid, Node, Tag};
-use crate::widgets::{self, icon_button};
-use egui::{Color32, CursorIcon, Id, Rect, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use crate::widgets::{self, compact, icon_button};
+use egui::{Color32, CursorIcon, Id, Rect, RichText, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use gonio_light::Specular;
 use gonio_scene::SceneSettings;
+use gonio_scene::scene_file::LightSourceKind;
 
 /// Sizes of the formula that are tried until it fits on a line, points for an em.
 const SIZES: [f32; 4] = [23.0, 21.0, 19.0, 17.0];
@@ -148,7 +149,7 @@ fn one_term(
     }
     let alone = response.double_clicked() || ui.input(|i| i.modifiers.shift || i.modifiers.alt);
     let clicked = response.clicked();
-    response.on_hover_ui(|ui| explain::show(ui, document, session, &effective(document), term));
+    response.on_hover_ui(|ui| explain(ui, document, session, &effective(document), term));
     clicked.then_some((term, alone))
 }
 
@@ -245,4 +246,88 @@ fn formula_line(ui: &mut Ui, node: &Node, size: f32, document: &Document, sense:
     let colors = |tag: Option<Tag>| color_of(ui, document, tag.and_then(formula::term));
     typeset::paint(ui.painter(), &laid, pos2(rect.left(), rect.top() + up), &colors);
     response
+}
+
+/// The tooltip of a term.
+fn explain(ui: &mut Ui, document: &Document, session: &Session, scene: &SceneSettings, term: Term) {
+    ui.set_max_width(340.0);
+    ui.label(RichText::new(term.description().trim()).strong());
+    formula_line(ui, &formula::definition(scene, term), 16.0, document, Sense::hover());
+    if let Some(now) = now(scene, session, term) {
+        ui.label(now);
+    }
+    let how = match switch::is_on(document, term) {
+        None if term == Term::Light => "Click: show the lights",
+        None => return,
+        Some(on) if switch::SUMMANDS.contains(&term) => {
+            if on {
+                "Click: switch off. Double click: show it alone"
+            } else {
+                "Click: switch on. Double click: show it alone"
+            }
+        }
+        Some(true) => "Click: switch off (counts as 1)",
+        Some(false) => "Click: switch on",
+    };
+    ui.label(RichText::new(how).small().weak());
+}
+
+/// The values of a term in this scene.
+fn now(scene: &SceneSettings, session: &Session, term: Term) -> Option<String> {
+    let count = |kind: LightSourceKind| scene.lights.iter().filter(|l| l.kind == kind && l.enabled).count();
+    let e = &scene.equation;
+    Some(match term {
+        Term::Ambient => {
+            let lights = scene.lights.iter().filter(|l| l.kind == LightSourceKind::Ambient && l.enabled);
+            let sum = lights.fold([0.0; 3], |sum, light| {
+                let (color, intensity) = (light.color.0, light.intensity);
+                [0, 1, 2].map(|i| sum[i] + color[i] * intensity)
+            });
+            let [r, g, b] = sum.map(compact);
+            format!("The scene's ambient light is {r}, {g}, {b}")
+        }
+        Term::Emitted => {
+            let materials = session.loaded.iter().flat_map(|loaded| &loaded.materials);
+            let shining = materials.filter(|m| m.material.emitted.iter().any(|v| *v > 0.0)).count();
+            match shining {
+                0 => "No material of this scene emits light".into(),
+                1 => "One material of this scene emits light".into(),
+                n => format!("{n} materials of this scene emit light"),
+            }
+        }
+        Term::Environment => {
+            let environment = scene.environment.as_ref()?;
+            format!("Environment {}, intensity {}", environment.image, compact(environment.intensity))
+        }
+        Term::Diffuse => match e.brdf {
+            Some(brdf) => format!("The diffuse part of the BRDF {brdf}"),
+            None => format!("By the {} convention", e.convention),
+        },
+        Term::Specular => match (e.brdf, e.specular) {
+            (Some(brdf), _) => format!("The lobe of the BRDF {brdf}"),
+            (None, Specular::None) => "None; a click selects Blinn-Phong".into(),
+            (None, specular) => {
+                format!("{specular}{}", if e.gated { ", 0 where the light is behind the surface" } else { "" })
+            }
+        },
+        Term::Light => {
+            let lit = scene.lights.iter().filter(|l| l.kind != LightSourceKind::Ambient);
+            let on = lit.clone().filter(|l| l.enabled).count();
+            format!("{on} of {} lights are on", lit.count())
+        }
+        Term::Attenuation => {
+            let places = count(LightSourceKind::Point) + count(LightSourceKind::Spot);
+            match places {
+                0 => "This scene has only directional lights: att is 1".into(),
+                1 => "Applies to one light; directional lights have att = 1".into(),
+                n => format!("Applies to {n} lights; directional lights have att = 1"),
+            }
+        }
+        Term::Spot => match count(LightSourceKind::Spot) {
+            0 => "This scene has no spot light: spot is 1".into(),
+            1 => "Applies to one spot light; other lights have spot = 1".into(),
+            n => format!("Applies to {n} spot lights; other lights have spot = 1"),
+        },
+        Term::Cosine => "0 where the light is behind the surface".into(),
+    })
 }

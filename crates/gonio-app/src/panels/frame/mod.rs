@@ -1,16 +1,14 @@
 //! The recorded frame: passes and draw calls, and the selected draw with its inputs.
 
 mod draw;
-mod findings;
-mod source;
 
 use crate::action::Action;
 use crate::document::Document;
 use crate::exported::{self, Role};
 use crate::session::{RecordedFrame, Session};
-use crate::theme::{self, colors};
-use egui::{Align, Label, Layout, RichText, ScrollArea, Ui};
-use gonio_gl::trace::{DrawRecord, PassRecord};
+use crate::theme::{self, colors, icons};
+use egui::{Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Stroke, Ui};
+use gonio_gl::trace::{DrawRecord, PassRecord, Severity};
 
 /// Height of the list of draws, points: some ten of them.
 const LIST_HEIGHT: f32 = 190.0;
@@ -26,7 +24,7 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
         ui.label(RichText::new("There is no picture yet.").weak());
         return;
     };
-    findings::show(ui, taken);
+    findings(ui, taken);
     ui.add_space(8.0);
     list(ui, taken);
     ui.add_space(8.0);
@@ -102,4 +100,42 @@ fn primitives(draw: &DrawRecord) -> String {
 
 fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
+}
+
+/// Shows it; pressing one shows its draw.
+fn findings(ui: &mut Ui, taken: &mut RecordedFrame) {
+    if taken.findings.is_empty() {
+        let color = colors::NORMAL.of(ui);
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(icons::CHECK).font(theme::icon_font(15.0)).color(color));
+            ui.add(Label::new(RichText::new("No problems found in this frame").color(color)).wrap());
+        })
+        .response
+        .on_hover_text("Every sampler reads a bound texture, every uniform is set, and every attribute has data.");
+        return;
+    }
+    let mut chosen = taken.draw;
+    for finding in &taken.findings {
+        let (tint, icon) = match finding.severity {
+            Severity::Error => (colors::ERROR, icons::WARNING_CIRCLE),
+            Severity::Warning => (colors::WARNING, icons::WARNING),
+        };
+        let color = tint.of(ui);
+        let frame = Frame::NONE.inner_margin(Margin::same(8)).stroke(Stroke::new(1.0, color)).corner_radius(5);
+        frame.show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            ui.horizontal(|ui| {
+                ui.label(RichText::new(icon).font(theme::icon_font(15.0)).color(color));
+                ui.label(RichText::new(finding.rule.name()).font(theme::bold(13.5)).color(color));
+                let more = if finding.draws > 1 { format!(" and {} more", finding.draws - 1) } else { String::new() };
+                if ui.link(format!("draw {}{more}", finding.draw)).clicked() {
+                    chosen = finding.draw;
+                }
+            });
+            ui.add(Label::new(&finding.message).wrap());
+            ui.add(Label::new(RichText::new(&finding.advice).weak()).wrap());
+        });
+        ui.add_space(4.0);
+    }
+    taken.draw = chosen;
 }

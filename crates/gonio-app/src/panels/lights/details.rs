@@ -1,18 +1,17 @@
-//! Everything of one light.
+//! All parameters of one light: values, falloff, cone, motion.
 
 use super::edits::{self, Edit};
-use super::{falloff, motion};
 use crate::document::Document;
 use crate::exported::{self, Role};
 use crate::session::Session;
-use crate::theme::icons;
+use crate::theme::{colors, icons};
 use crate::typeset::{self, EguiFonts, Node};
-use crate::widgets::{Number, Vector, color, dropdown, icon_button, named_options, row, tool_button};
-use egui::{Frame, Margin, Sense, TextEdit, Ui, pos2, vec2};
+use crate::widgets::{Number, Vector, color, compact, dropdown, icon_button, named_options, row, tool_button};
+use egui::{Align2, FontId, Frame, Margin, Sense, Stroke, TextEdit, Ui, pos2, vec2};
 use glam::DVec3;
 use gonio_scene::defaults;
-use gonio_scene::scene_file::LightSourceKind;
-use gonio_scene::settings::{LightSettings, MotionPath};
+use gonio_scene::scene_file::{LightSourceKind, MotionKind};
+use gonio_scene::settings::{LightSettings, Motion, MotionPath};
 
 /// Shows it; what is asked for that changes the list.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &Session, index: usize) -> Option<Edit> {
@@ -69,7 +68,7 @@ fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
         cone(ui, light, index);
     }
     if light.position.is_some() {
-        motion::show(ui, light, session, index);
+        motion(ui, light, session, index);
     }
 }
 
@@ -104,7 +103,7 @@ fn attenuation(ui: &mut Ui, light: &mut LightSettings, session: &Session, index:
     });
     let (center, radius) = edits::around(session);
     let here = light.position.map_or(radius, |p| DVec3::from(p).distance(center));
-    falloff::show(ui, values, (2.0 * here).max(radius), here);
+    falloff(ui, values, (2.0 * here).max(radius), here);
     if values != [0.0; 3] {
         [light.constant, light.linear, light.quadratic] = values;
     }
@@ -168,4 +167,134 @@ fn tools(ui: &mut Ui, index: usize, count: usize) -> Option<Edit> {
         });
     });
     asked
+}
+
+/// Height of the falloff plot, points.
+const HEIGHT: f32 = 58.0;
+
+/// Plots `1 / (kc + kl d + kq d^2)` from 0 to `reach` world units; `here` is the distance to the scene's middle.
+fn falloff(ui: &mut Ui, [constant, linear, quadratic]: [f64; 3], reach: f64, here: f64) {
+    let width = ui.available_width().min(360.0);
+    let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::hover());
+    let painter = ui.painter();
+    let weak = ui.visuals().weak_text_color();
+    painter.rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
+    let plot = rect.shrink2(vec2(6.0, 8.0));
+    let at = |d: f64| {
+        let below = constant + linear * d + quadratic * d * d;
+        if below > 0.0 { (1.0 / below).min(1e6) } else { 1e6 }
+    };
+    // If attenuation exceeds 1 near the light, the axis ends at its value for the nearest part of the scene.
+    let most = at(0.15 * reach).max(at(here)).max(1e-9);
+    let top = if at(0.0) <= 1.5 * most { at(0.0) } else { 1.5 * most };
+    let place = |d: f64| {
+        let x = plot.left() + (d / reach) as f32 * plot.width();
+        let y = plot.bottom() - (at(d) / top).min(1.08) as f32 * plot.height();
+        pos2(x, y)
+    };
+    let color = colors::LIGHT.of(ui);
+    let points = (0..=96).map(|i| place(reach * f64::from(i) / 96.0)).collect();
+    painter.with_clip_rect(rect).line(points, Stroke::new(1.5, color));
+    painter.hline(plot.x_range(), plot.bottom(), Stroke::new(1.0, weak.gamma_multiply(0.5)));
+    if here <= reach {
+        let dot = place(here);
+        painter.vline(dot.x, dot.y..=plot.bottom(), Stroke::new(1.0, weak));
+        painter.circle_filled(dot, 3.0, color);
+    }
+    let font = FontId::proportional(10.5);
+    let text = format!("att = {} at d = {}", compact(at(here)), compact(here));
+    painter.text(plot.right_top(), Align2::RIGHT_TOP, text, font, weak);
+    response.on_hover_text("att as a function of the distance d; the dot marks the centre of the scene");
+}
+
+/// Most points of a path that are shown; more are edited in the scene file.
+const MOST_POINTS: usize = 24;
+
+/// The light's motion.
+fn motion(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
+    let mut kind = light.motion.as_ref().map(|motion| motion.path.kind());
+    let mut options = vec![(None, "none", "The light does not move")];
+    options.extend(MotionKind::ALL.iter().map(|kind| (Some(*kind), kind.name(), kind.description())));
+    let changed = row(ui, "Motion", "Motion over time", |ui| {
+        dropdown(ui, &format!("light-{index}-motion"), "motion", &mut kind, &options)
+    });
+    if changed {
+        light.motion = kind.map(|kind| fresh(kind, light, session));
+    }
+    let Some(motion) = &mut light.motion else { return };
+    row(ui, "Period", "Duration of one cycle, in seconds", |ui| {
+        let id = format!("light-{index}-period");
+        let number = Number::new(&id, "period").tip("Duration of one cycle, in seconds").unit(" s");
+        number.range(0.01..=1e6).default(4.0).show(ui, &mut motion.period);
+    });
+    match &mut motion.path {
+        MotionPath::Oscillate { amplitude } => {
+            row(ui, "Amplitude", "Largest displacement, in world units", |ui| {
+                let id = format!("light-{index}-amplitude");
+                Vector::new(&id, "amplitude").tip("Largest displacement, in world units").show(ui, amplitude);
+            });
+        }
+        MotionPath::Circle { center, axis } => {
+            row(ui, "Centre", "Centre of the circle, in world space", |ui| {
+                Vector::new(&format!("light-{index}-center"), "centre").show(ui, center);
+            });
+            let before = *axis;
+            row(ui, "Axis", "Axis of rotation", |ui| {
+                Vector::new(&format!("light-{index}-axis"), "axis").default(defaults::MOTION_AXIS).show(ui, axis);
+            });
+            // A direction of length 0 is none.
+            if *axis == [0.0; 3] {
+                *axis = before;
+            }
+        }
+        MotionPath::Path { points } => {
+            path(ui, points, index);
+            light.position = points.first().copied().or(light.position);
+        }
+    }
+}
+
+fn path(ui: &mut Ui, points: &mut Vec<[f64; 3]>, index: usize) {
+    let mut removed = None;
+    let count = points.len();
+    for (number, point) in points.iter_mut().enumerate().take(MOST_POINTS) {
+        row(ui, &format!("Point {}", number + 1), "In world space; the path is closed", |ui| {
+            let id = format!("light-{index}-point-{number}");
+            ui.scope(|ui| {
+                ui.set_max_width(ui.available_width() - 26.0);
+                Vector::new(&id, "point").show(ui, point);
+            });
+            if count > 2 && icon_button(ui, &format!("{id}-remove"), icons::X, "Remove this point").clicked() {
+                removed = Some(number);
+            }
+        });
+    }
+    if let Some(number) = removed {
+        points.remove(number);
+    }
+    row(ui, "", "", |ui| {
+        if icon_button(ui, &format!("light-{index}-add-point"), icons::PLUS, "Add a point").clicked() {
+            let last = points.last().copied().unwrap_or_default();
+            points.push([last[0] + 0.5, last[1], last[2]]);
+        }
+    });
+}
+
+/// A motion that is seen at once.
+fn fresh(kind: MotionKind, light: &LightSettings, session: &Session) -> Motion {
+    let (center, radius) = edits::around(session);
+    let round = |v: f64| (100.0 * v).round() / 100.0;
+    let place = light.position.unwrap_or_default();
+    let step = round(radius).max(0.01);
+    let path = match kind {
+        MotionKind::Oscillate => MotionPath::Oscillate { amplitude: [0.0, 0.0, step] },
+        MotionKind::Circle => {
+            MotionPath::Circle { center: [round(center.x), place[1], round(center.z)], axis: defaults::MOTION_AXIS }
+        }
+        MotionKind::Path => {
+            let [x, y, z] = place;
+            MotionPath::Path { points: vec![place, [x + step, y, z], [x + step, y + step, z]] }
+        }
+    };
+    Motion { period: 4.0, path }
 }

@@ -2,8 +2,6 @@
 
 mod details;
 mod edits;
-mod falloff;
-mod motion;
 
 use crate::action::Action;
 use crate::document::Document;

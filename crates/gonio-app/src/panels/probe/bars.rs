@@ -1,6 +1,6 @@
 //! A stacked bar for each light, on one scale, with its terms.
 
-use super::numbers::{number, triple};
+use super::{number, triple};
 use crate::session::probing::Reading;
 use crate::theme::colors::{AMBIENT, DIFFUSE, EMITTED, ENVIRONMENT, SPECULAR, Tint};
 use egui::{Rect, RichText, Sense, Ui, vec2};

@@ -1,6 +1,6 @@
 //! Light by light: the factors, and their products.
 
-use super::numbers::{cell, number, vector_row};
+use super::{cell, number, vector_row};
 use crate::session::Selection;
 use crate::session::probing::Reading;
 use crate::theme::{self, colors};

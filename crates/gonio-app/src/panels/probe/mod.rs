@@ -2,10 +2,8 @@
 
 mod bars;
 mod lights;
-mod numbers;
 mod sum;
 mod surface;
-mod text;
 
 use crate::action::Action;
 use crate::document::Document;
@@ -13,8 +11,10 @@ use crate::exported::{self, Role};
 use crate::session::Session;
 use crate::session::probing::{GpuValue, Reading};
 use crate::theme::{self, icons};
-use egui::{Color32, Grid, Response, RichText, Sense, Ui, vec2};
-use numbers::{hex, number};
+use egui::{Align, Color32, Grid, Layout, Response, RichText, Sense, Ui, vec2};
+use glam::DVec3;
+use gonio_light::is_noise;
+use std::fmt::Write;
 
 pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     let reading = session.probing.reading().cloned();
@@ -80,7 +80,7 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
             if button(ui, "probe-copy-text", icons::COPY, tip, reading.is_some()).clicked()
                 && let Some(reading) = reading
             {
-                actions.push(Action::CopyText(text::format_reading(reading)));
+                actions.push(Action::CopyText(format_reading(reading)));
             }
         });
     });
@@ -102,7 +102,7 @@ fn values(ui: &mut Ui, reading: &Reading) {
             swatch(ui, color);
             ui.label(RichText::new(hex(color)).monospace().size(11.5));
             for v in value {
-                numbers::cell(ui, v, None);
+                cell(ui, v, None);
             }
             ui.end_row();
         };
@@ -147,4 +147,130 @@ fn fact(ui: &mut Ui, name: &str, value: impl Into<egui::WidgetText>) {
         });
         ui.add(egui::Label::new(value).wrap());
     });
+}
+
+/// Aligned lines: the pixel, its value, and where a surface is seen every factor of every light.
+fn format_reading(reading: &Reading) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, value: String| {
+        let _ = writeln!(text, "{name:16} {value}");
+    };
+    line("pixel", format!("{}, {} of {} x {}", reading.x, reading.y, reading.width, reading.height));
+    let [r, g, b, a] = reading.reference;
+    line("CPU", format!("{r} {g} {b} {a}, {}", hex(reading.displayed)));
+    if let Some(gpu) = reading.gpu {
+        let [r, g, b, a] = gpu.value;
+        line("OpenGL", format!("{r} {g} {b} {a}, {}", hex(gpu.displayed)));
+        line("difference", number(gpu.difference));
+    }
+    let Some(probe) = &reading.probe else { return text };
+    line("object", probe.object_name.clone());
+    line("material", probe.material_name.clone());
+    line("triangle", format!("{}, weights {}", probe.triangle, triple(probe.barycentrics)));
+    line("position", triple(probe.position));
+    line("N", triple(probe.terms.point.normal));
+    line("V", triple(probe.terms.point.view));
+    line("A", triple(probe.terms.ambient));
+    line("E", triple(probe.terms.emitted));
+    for light in &probe.terms.lights {
+        line("light", lights::name(reading, light.light));
+        line("  L", triple(light.l));
+        let factors = [
+            ("N.L", light.cos_theta),
+            ("att", light.attenuation),
+            ("spot", light.spot),
+            ("diff", light.diff),
+            ("spec", light.spec),
+            ("R.V", light.r_dot_v),
+            ("N.H", light.n_dot_h),
+        ];
+        line("  factors", factors.map(|(name, value)| format!("{name} {}", number(value))).join("  "));
+        line("  diffuse", triple(light.diffuse));
+        line("  specular", triple(light.specular));
+    }
+    line("L_o", triple(probe.lit));
+    line("L", triple(probe.radiance));
+    text
+}
+
+/// Width of a number's column, points.
+const NUMBER_WIDTH: f32 = 49.0;
+
+/// Formats a number with four decimals, or an exponent where that would hide it. Numerical noise is 0.
+fn number(v: f64) -> String {
+    if is_noise(v) {
+        return "0".to_owned();
+    }
+    let size = v.abs();
+    match size {
+        _ if !v.is_finite() => "-".to_owned(),
+        _ if (1e-3..10.0).contains(&size) => format!("{v:.4}"),
+        _ if (10.0..1000.0).contains(&size) => format!("{v:.2}"),
+        _ if (1000.0..1e5).contains(&size) => format!("{v:.0}"),
+        _ => format!("{v:.0e}"),
+    }
+}
+
+/// [`number`] without zeros at its end.
+fn short(v: f64) -> String {
+    let text = number(v);
+    let plain = text.contains('.') && !text.contains('e');
+    if plain { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// Three numbers in a row.
+fn triple(v: DVec3) -> String {
+    format!("{} {} {}", number(v.x), number(v.y), number(v.z))
+}
+
+/// `#rrggbb`
+fn hex([r, g, b]: [u8; 3]) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// A number in a cell of its own, flush right.
+fn cell(ui: &mut Ui, v: f64, color: Option<Color32>) {
+    let text = RichText::new(number(v)).monospace().size(11.5);
+    let text = if let Some(color) = color { text.color(color) } else { text };
+    ui.allocate_ui_with_layout(vec2(NUMBER_WIDTH, 16.0), Layout::right_to_left(Align::Center), |ui| {
+        ui.set_min_width(NUMBER_WIDTH);
+        ui.label(text);
+    });
+}
+
+/// A row of a grid: a name and three numbers.
+fn vector_row(ui: &mut Ui, name: &str, tip: &str, v: DVec3, color: Option<Color32>) {
+    let text = RichText::new(name);
+    let response = ui.label(if let Some(color) = color { text.color(color) } else { text });
+    if !tip.is_empty() {
+        response.on_hover_text(tip);
+    }
+    for c in v.to_array() {
+        cell(ui, c, None);
+    }
+    ui.end_row();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_their_width() {
+        for (v, text) in [
+            (0.0, "0"),
+            (0.51234, "0.5123"),
+            (-1.0, "-1.0000"),
+            (54.321, "54.32"),
+            (12345.6, "12346"),
+            (1.2e-7, "1e-7"),
+            (0.5e-46, "0"),
+            (f64::INFINITY, "-"),
+        ] {
+            assert_eq!(number(v), text);
+            assert!(number(v).len() <= 7);
+        }
+        assert_eq!(short(0.5), "0.5");
+        assert_eq!(short(-2.0), "-2");
+    }
 }

@@ -1,6 +1,6 @@
 //! The equation with its numbers in it, typeset: a channel after the other, each term in its colour.
 
-use super::numbers::short;
+use super::short;
 use crate::session::probing::Reading;
 use crate::theme::colors;
 use crate::typeset::{self, EguiFonts, Node, Tag};

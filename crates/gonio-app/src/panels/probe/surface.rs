@@ -1,7 +1,7 @@
 //! The surface at the pixel: object, triangle, material, texels, normals, and light of the environment.
 
-use super::numbers::{number, vector_row};
 use super::{fact, heading, swatch};
+use super::{number, vector_row};
 use crate::session::probing::Reading;
 use crate::theme::colors;
 use egui::{Grid, RichText, Ui};

@@ -9,7 +9,7 @@
 //! So two windows never write the same draft, and a window takes drafts only from windows that are gone, however they ended.
 //! Drafts older than 90 days are removed, and the oldest beyond 200.
 
-use super::write;
+use super::storage;
 use crate::exercise::MOST_AGE_OF_DRAFTS;
 use std::ffi::OsStr;
 use std::fs::{self, File};
@@ -57,7 +57,7 @@ impl DraftFolder {
             self.own = None;
         }
         let place = self.session()?.folder.join(file);
-        write::beside_and_renamed(&place, text.as_bytes())
+        storage::write_atomically(&place, text.as_bytes())
     }
 
     /// Removes this window's draft.

@@ -1,20 +1,14 @@
 //! The desktop: a window of its own, files on disk.
 
-mod background;
 mod check;
 pub mod child;
 mod dialog;
-mod display;
 mod drafts;
-mod exercise_files;
-mod home;
 mod open;
+mod storage;
 pub mod trial;
 mod watch;
 pub mod worker;
-mod write;
-
-pub use display::has_display;
 
 use super::{CheckRequest, CheckResult, Event, FileDialog, Pending, Platform, Purpose, Ready, TrialOutcome};
 use crate::exercise::Start;
@@ -64,7 +58,7 @@ pub fn run_within(
     options: WindowOptions,
     around: impl FnOnce(App, Option<Gl>) -> Box<dyn eframe::App> + 'static,
 ) -> Result<(), String> {
-    display::check()?;
+    check_display()?;
     let [width, height] = options.size.unwrap_or([1280.0, 800.0]);
     let viewport = egui::ViewportBuilder::default()
         .with_title("gonio")
@@ -95,7 +89,7 @@ pub fn run_within(
         }
         Ok(around(app, gl))
     };
-    eframe::run_native("gonio", native, Box::new(created)).map_err(display::sentence)
+    eframe::run_native("gonio", native, Box::new(created)).map_err(window_error)
 }
 
 /// Restrictions on reading files.
@@ -127,7 +121,7 @@ impl Desktop {
         } else {
             Arc::new(disk)
         };
-        let drafts = home::drafts_folder().map(DraftFolder::new);
+        let drafts = storage::drafts_folder().map(DraftFolder::new);
         Desktop { files, access, sender, receiver, watcher: None, state, program, drafts }
     }
 }
@@ -159,7 +153,7 @@ impl Platform for Desktop {
     }
 
     fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String> {
-        write::beside_and_renamed(Path::new(place), bytes).map(|()| place.to_owned())
+        storage::write_atomically(Path::new(place), bytes).map(|()| place.to_owned())
     }
 
     fn link(&self, fragment: &str) -> String {
@@ -207,17 +201,17 @@ impl Platform for Desktop {
     }
 
     fn settings(&self) -> Settings {
-        home::settings_file()
+        storage::settings_file()
             .and_then(|file| std::fs::read_to_string(file).ok())
             .map_or_else(Settings::default, |text| Settings::from_text(&text))
     }
 
     fn keep(&mut self, settings: &Settings) {
-        let Some(file) = home::settings_file() else { return };
+        let Some(file) = storage::settings_file() else { return };
         let made = file.parent().is_some_and(|folder| std::fs::create_dir_all(folder).is_ok());
         if made {
             // Nothing of a scene is in it: a home that cannot be written to forgets a colour and a list.
-            let _ = write::beside_and_renamed(&file, settings.to_text().as_bytes());
+            let _ = storage::write_atomically(&file, settings.to_text().as_bytes());
         }
     }
 
@@ -238,9 +232,67 @@ impl Platform for Desktop {
 
     fn publish(&mut self, state: &dyn Fn() -> Value) {
         let Some(file) = &self.state else { return };
-        if let Err(why) = write::beside_and_renamed(file, state().to_string().as_bytes()) {
+        if let Err(why) = storage::write_atomically(file, state().to_string().as_bytes()) {
             let _ = self.sender.send(Event::Failed(why));
             self.state = None;
+        }
+    }
+}
+
+/// The window's counterpart that needs none of this.
+const INSTEAD: &str = "`gonio render` draws without a window";
+
+/// Whether there is a display at all: always but on Linux and the like.
+pub fn has_display() -> bool {
+    !cfg!(all(unix, not(target_os = "macos"))) || is_set("WAYLAND_DISPLAY") || is_set("DISPLAY")
+}
+
+fn is_set(name: &str) -> bool {
+    std::env::var_os(name).is_some_and(|value| !value.is_empty())
+}
+
+/// Everything whose lack would otherwise end in a panic or in words that do not help. An error is one sentence.
+fn check_display() -> Result<(), String> {
+    if !has_display() {
+        return Err(format!("there is no display: neither WAYLAND_DISPLAY nor DISPLAY is set; {INSTEAD}"));
+    }
+    check_libraries()
+}
+
+#[cfg(target_os = "linux")]
+fn check_libraries() -> Result<(), String> {
+    let lacks = |library: &str, package: &str| {
+        format!(
+            "the window needs {library}, which is not installed: on Debian and Ubuntu, run `apt-get install {package}`"
+        )
+    };
+    if xkbcommon_dl::xkbcommon_option().is_none() {
+        return Err(lacks("libxkbcommon.so.0", "libxkbcommon0"));
+    }
+    // winit takes Wayland first, and does without X11's part then.
+    if !is_set("WAYLAND_DISPLAY") && xkbcommon_dl::x11::xkbcommon_x11_option().is_none() {
+        return Err(lacks("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"));
+    }
+    Ok(())
+}
+
+#[cfg(not(target_os = "linux"))]
+fn check_libraries() -> Result<(), String> {
+    Ok(())
+}
+
+/// An error of eframe as one sentence.
+fn window_error(why: eframe::Error) -> String {
+    let packages =
+        "on Debian and Ubuntu: apt-get install libgl1-mesa-dri libegl1 libxcursor1 libxi6 libxkbcommon-x11-0";
+    let words = why.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+    match why {
+        eframe::Error::AppCreation(_) => format!("the window could not be opened: {words}"),
+        eframe::Error::Glutin(_) | eframe::Error::NoGlutinConfigs(..) | eframe::Error::OpenGL(_) => {
+            format!("the window has no OpenGL ({words}); {packages}; {INSTEAD}")
+        }
+        _ => {
+            format!("the display cannot be reached ({words}); check DISPLAY or WAYLAND_DISPLAY, {packages}; {INSTEAD}")
         }
     }
 }

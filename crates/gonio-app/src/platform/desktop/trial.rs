@@ -3,7 +3,7 @@
 //! The process reads the files from its standard input ([`worker::read_request`]) and answers with JSON ([`Answer`]). Its
 //! input stays open until its answer is known: it ends by itself when the window is gone.
 
-use super::background::Background;
+use super::check::Background;
 use super::child::{self, Ended};
 use super::worker::{self, Request};
 use crate::platform::{CheckRequest, TrialOutcome};

@@ -2,24 +2,22 @@
 //!
 //! Everything on the GPU follows from document and session: after a lost context a new [`PaneRenderer`] draws the same.
 
-mod curve;
+mod comparison;
 mod details;
-mod observer;
-mod pair;
 mod pane;
-mod saved;
 #[cfg(test)]
 mod tests;
 
 use crate::document::Document;
+use crate::saving::DisplayedPicture;
 use crate::session::{FrameFacts, Session, Tab};
-use curve::CurveRun;
+use comparison::{CurveRun, PairDrawing};
 use details::Details;
 use gonio_gl::trace::FrameRecord;
 use gonio_gl::{Gl, GlError};
-use gonio_render::{DisplayTexture, Presentation, Presenter, Renderer, View};
-use gonio_scene::{Frame, Scene};
-use pair::PairDrawing;
+use gonio_light::color::ColorEncoding;
+use gonio_render::{DisplayOptions, DisplayTexture, Presentation, Presenter, Renderer, View};
+use gonio_scene::{Camera, Frame, Picture, Scene};
 use pane::PaneDrawing;
 use std::sync::Arc;
 
@@ -32,7 +30,7 @@ pub struct PaneRenderer {
     pair: PairDrawing,
     details: Details,
     curve: Option<CurveRun>,
-    observer: Option<observer::ObserverPicture>,
+    observer: Option<ObserverPicture>,
 }
 
 impl PaneRenderer {
@@ -193,5 +191,64 @@ impl PaneRenderer {
         }
         // While a mesh is made beside the window, that paints the next frame.
         Ok(more && session.comparison.curve.progress != before)
+    }
+}
+
+/// The observer's picture, and the frame that it shows.
+struct ObserverPicture {
+    canvas: DisplayTexture,
+    drawn: Option<(Frame, Arc<Scene>)>,
+}
+
+impl PaneRenderer {
+    /// What OpenGL draws at a pixel of a pane's picture with one sample: linear, premultiplied RGBA. None where nothing
+    /// was drawn yet, or it cannot be read.
+    pub fn pixel(&mut self, pane: usize, x: u32, y: u32) -> Option<[f32; 4]> {
+        let pane = self.panes.get(pane)?;
+        let ((_, uploaded), (frame, _)) = (pane.uploaded.as_ref()?, pane.drawn.as_ref()?);
+        self.renderer.pixel(uploaded, frame, x, y).ok()
+    }
+
+    /// A pane's scene as another camera sees it, `size` pixels; drawn if anything changed since.
+    pub fn seen_by(&mut self, pane: usize, camera: Camera, size: [u32; 2]) -> Result<Option<Presentation>, GlError> {
+        let Some(pane) = self.panes.get(pane) else { return Ok(None) };
+        let (Some((_, uploaded)), Some((frame, _)), Some(loaded)) = (&pane.uploaded, &pane.drawn, &pane.loaded) else {
+            return Ok(None);
+        };
+        let [width, height] = size;
+        let wanted = Frame { width, height, camera, ..frame.clone() };
+        let observer = match &mut self.observer {
+            Some(kept) => kept,
+            none => none.insert(ObserverPicture { canvas: DisplayTexture::new(&self.gl, size)?, drawn: None }),
+        };
+        let is_drawn = |(frame, of): &(Frame, Arc<Scene>)| *frame == wanted && Arc::ptr_eq(of, loaded);
+        if !observer.drawn.as_ref().is_some_and(is_drawn) {
+            self.renderer.paint(uploaded, &wanted, &DisplayOptions::default(), &mut observer.canvas)?;
+            observer.drawn = Some((wanted, loaded.clone()));
+        }
+        Ok(Some(self.presenter.presentation(observer.canvas.texture())))
+    }
+}
+
+impl PaneRenderer {
+    /// The picture as displayed; `None` if the pane has not been drawn. Waits for the GPU.
+    pub fn shown(&mut self, index: usize, size: Option<[u32; 2]>) -> Result<Option<DisplayedPicture>, GlError> {
+        let Some((uploaded, frame, show)) = self.panes.get(index).and_then(|pane| pane.to_save(size)) else {
+            return Ok(None);
+        };
+        let mut canvas = DisplayTexture::new(&self.gl, [frame.width, frame.height])?;
+        self.renderer.paint(uploaded, &frame, &show, &mut canvas)?;
+        let is_srgb = show.view == View::Picture && frame.output.encoding == ColorEncoding::Srgb;
+        Ok(Some(DisplayedPicture { size: canvas.size(), rgba: canvas.read8(), is_srgb }))
+    }
+
+    /// The light, linear and premultiplied (of a quantity, its numbers; of a view that is none, the picture's); `None`
+    /// where the pane has not been drawn. Waits for the GPU.
+    pub fn light(&mut self, index: usize, size: Option<[u32; 2]>) -> Result<Option<Picture>, GlError> {
+        let Some((uploaded, frame, show)) = self.panes.get(index).and_then(|pane| pane.to_save(size)) else {
+            return Ok(None);
+        };
+        let view = if let View::Quantity(view) = show.view { Some(view) } else { None };
+        self.renderer.paint_linear(uploaded, &frame, view).map(Some)
     }
 }

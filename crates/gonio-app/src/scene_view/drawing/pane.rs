@@ -157,6 +157,17 @@ impl PaneDrawing {
     }
 }
 
+impl PaneDrawing {
+    /// The frame to save, at `size` or at its own, with all of the scene's samples.
+    pub fn to_save(&self, size: Option<[u32; 2]>) -> Option<(&GpuScene, Frame, DisplayOptions)> {
+        let (frame, show) = self.drawn.as_ref()?;
+        let [width, height] = size.unwrap_or([frame.width, frame.height]);
+        let samples = self.loaded.as_ref()?.settings.picture.samples;
+        let (_, uploaded) = self.uploaded.as_ref()?;
+        Some((uploaded, Frame { width, height, samples, ..frame.clone() }, *show))
+    }
+}
+
 /// The scene with a pane's settings, its detail apart.
 pub fn with_settings(base: &Arc<Scene>, settings: &Pane) -> Arc<Scene> {
     let scene = settings.applied_to(&base.settings);

@@ -1,7 +1,7 @@
 //! Drawing of the light gizmos: a bulb, a sun with its arrow, a lamp with its cone.
 
 use super::Mark;
-use crate::scene_view::{Projection, ink};
+use crate::scene_view::{Projection, paint};
 use egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2};
 use glam::{DQuat, DVec3};
 use gonio_light::LightKind;
@@ -27,13 +27,13 @@ pub fn light(painter: &Painter, projection: &Projection, mark: &Mark, emphasised
         LightKind::Point { .. } => rays(painter, place, mark),
         LightKind::Directional { direction } => {
             if let Some(way) = way_on_screen(projection, mark.anchor, direction) {
-                ink::arrow(painter, place + way.normalized() * (RADIUS + 3.0), place + way, 2.5, mark.color);
+                paint::arrow(painter, place + way.normalized() * (RADIUS + 3.0), place + way, 2.5, mark.color);
             }
         }
         LightKind::Spot { axis, outer_rad, .. } => beam(painter, projection, mark, place, axis, outer_rad as f32),
     }
     let radius = if emphasised { RADIUS + 1.0 } else { RADIUS };
-    ink::disc(painter, place, radius, mark.color, mark.off);
+    paint::disc(painter, place, radius, mark.color, mark.off);
 }
 
 /// A light outside of the picture, at the picture's edge: it points to where it is.
@@ -43,7 +43,7 @@ pub fn off_screen(painter: &Painter, rect: egui::Rect, place: Pos2, mark: &Mark)
     let tip = place + way * 14.0;
     let triangle = vec![tip, tip - way * 7.0 + side * 5.0, tip - way * 7.0 - side * 5.0];
     painter.add(Shape::convex_polygon(triangle, mark.color, Stroke::new(1.0, Color32::from_black_alpha(150))));
-    ink::disc(painter, place, 0.75 * RADIUS, mark.color, mark.off);
+    paint::disc(painter, place, 0.75 * RADIUS, mark.color, mark.off);
 }
 
 /// A ring around what is selected.
@@ -65,9 +65,9 @@ fn rays(painter: &Painter, place: Pos2, mark: &Mark) {
         let ahead = Vec2::angled(i as f32 * std::f32::consts::TAU / 8.0);
         let (from, to) = (place + ahead * (RADIUS + 4.0), place + ahead * (RADIUS + 8.5));
         if mark.off {
-            ink::line(painter, [from, to], 1.0, Color32::from_gray(140));
+            paint::line(painter, [from, to], 1.0, Color32::from_gray(140));
         } else {
-            ink::line(painter, [from, to], 2.0, mark.color);
+            paint::line(painter, [from, to], 2.0, mark.color);
         }
     }
 }
@@ -106,15 +106,15 @@ pub fn cone(painter: &Painter, projection: &Projection, mark: &Mark, end: DVec3,
     let (length, axis) = (reach.length(), reach.normalize_or(DVec3::NEG_Y));
     let (inner, outer) = angles;
     let thin = mark.color.gamma_multiply(0.8);
-    ink::curve(painter, &circle(projection, end, axis, length * outer.tan()), 1.5, mark.color);
+    paint::curve(painter, &circle(projection, end, axis, length * outer.tan()), 1.5, mark.color);
     if inner > 0.0 {
-        ink::curve(painter, &circle(projection, end, axis, length * inner.tan()), 1.0, thin);
+        paint::curve(painter, &circle(projection, end, axis, length * inner.tan()), 1.0, thin);
     }
     let side = any_orthonormal_vector(axis) * (length * outer.tan());
     for quarter in 0..4 {
         let turned = DQuat::from_axis_angle(axis, f64::from(quarter) * std::f64::consts::FRAC_PI_2) * side;
         if let (Some(from), Some(to)) = (projection.to_window(mark.anchor), projection.to_window(end + turned)) {
-            ink::line(painter, [from, to], 1.0, thin);
+            paint::line(painter, [from, to], 1.0, thin);
         }
     }
 }
@@ -126,7 +126,7 @@ pub fn path(painter: &Painter, projection: &Projection, spec: &LightSettings, co
     let points: Vec<Option<Pos2>> = (0..=96)
         .map(|i| projection.to_window(position_at(motion, position, motion.period * f64::from(i) / 96.0)))
         .collect();
-    ink::curve(painter, &points, 1.0, color.gamma_multiply(0.75));
+    paint::curve(painter, &points, 1.0, color.gamma_multiply(0.75));
 }
 
 /// The box of an object, as twelve edges.
@@ -144,7 +144,7 @@ pub fn object_box(painter: &Painter, projection: &Projection, loaded: &Scene, ob
     for i in 0..8_usize {
         for axis in (0..3).filter(|axis| (i >> axis) & 1 == 0) {
             if let (Some(from), Some(to)) = (corner(i), corner(i | (1 << axis))) {
-                ink::line(painter, [from, to], 1.2, color);
+                paint::line(painter, [from, to], 1.2, color);
             }
         }
     }

@@ -13,8 +13,8 @@
 mod drag;
 mod draw;
 
-use super::dragging::Dragging;
-use super::{Projection, ink};
+use super::navigation::Dragging;
+use super::{Projection, paint};
 use crate::document::Document;
 use crate::exported::{self, Role};
 use crate::session::{Selection, Session};
@@ -216,7 +216,7 @@ impl Handles<'_> {
             let text = format!("{name}   {}{where_to}", coordinates(mark));
             let below = place + vec2(0.0, draw::RADIUS + 14.0);
             let color = self.ui.visuals().strong_text_color();
-            ink::label(self.ui, &self.painter, self.projection.rect(), below, Align2::CENTER_TOP, &text, color);
+            paint::label(self.ui, &self.painter, self.projection.rect(), below, Align2::CENTER_TOP, &text, color);
         }
         touched || response.clicked()
     }
@@ -256,7 +256,7 @@ impl Handles<'_> {
             let color = tint.in_theme(true);
             let width = if response.hovered() || response.dragged() { 3.5 } else { 2.0 };
             let from = place + (tip - place).normalized() * (draw::RADIUS + 8.0);
-            ink::arrow(&self.painter, from, tip, width, color);
+            paint::arrow(&self.painter, from, tip, width, color);
             if let Some((grab, pointer)) = self.grabbed(&response, mark, Part::Arm(number), end) {
                 let along = drag::along_axis(self.projection, grab.start, axis, pointer + grab.offset);
                 if let Some(end) = along {
@@ -283,9 +283,9 @@ impl Handles<'_> {
             let response = self.handle(mark, Part::AxisEnd, place);
             exported_handle(self, &response, mark.index, "axis", "direction of the spot light", "");
             let radius = if response.hovered() || response.dragged() { 6.0 } else { 4.5 };
-            ink::disc(&self.painter, place, radius, mark.color, false);
+            paint::disc(&self.painter, place, radius, mark.color, false);
             if let Some(from) = mark.place {
-                ink::dashes(&self.painter, [from, place], 1.0, mark.color);
+                paint::dashes(&self.painter, [from, place], 1.0, mark.color);
             }
             if let Some((grab, pointer)) = self.grabbed(&response, mark, Part::AxisEnd, end) {
                 let target = drag::in_screen_plane(self.projection, grab.start, pointer + grab.offset);
@@ -304,7 +304,7 @@ impl Handles<'_> {
             let response = self.handle(mark, Part::Rim, place);
             exported_handle(self, &response, mark.index, "angle", "outer angle", &outer.to_degrees().to_string());
             let radius = if response.hovered() || response.dragged() { 6.0 } else { 4.5 };
-            ink::disc(&self.painter, place, radius, Color32::WHITE, false);
+            paint::disc(&self.painter, place, radius, Color32::WHITE, false);
             if let Some((grab, pointer)) = self.grabbed(&response, mark, Part::Rim, rim) {
                 // The rim slides along the line from the axis' end.
                 if let Some(at) = drag::along_axis(self.projection, grab.start, side, pointer + grab.offset) {
@@ -320,7 +320,7 @@ impl Handles<'_> {
                 let text = format!("{:.1} deg", outer.to_degrees());
                 let color = self.ui.visuals().strong_text_color();
                 let beside = place + vec2(12.0, 0.0);
-                ink::label(self.ui, &self.painter, self.projection.rect(), beside, Align2::LEFT_CENTER, &text, color);
+                paint::label(self.ui, &self.painter, self.projection.rect(), beside, Align2::LEFT_CENTER, &text, color);
             }
         }
         touched

@@ -1,6 +1,9 @@
-//! A path as points: moves, lines, quadratic curves and arcs of circles, with absolute coordinates.
+//! Outlines of shapes: paths as points, and the inside of a closed outline.
+//!
+//! Paths have moves, lines, quadratic curves and arcs of circles, with absolute coordinates. The inside of an outline need
+//! not be convex; egui fills convex shapes only.
 
-use egui::{Pos2, Vec2, pos2, vec2};
+use egui::{Color32, Mesh, Pos2, Shape, Vec2, pos2, vec2};
 use std::f32::consts::TAU;
 
 /// Pieces of a quarter of a circle, and of a curve: at the sizes of figures no corner is seen.
@@ -73,6 +76,59 @@ fn arc(points: &mut Vec<Pos2>, radius: f32, large: bool, clockwise: bool, to: Po
     Some(())
 }
 
+/// The inside of lines from point to point: what an odd number of them surrounds.
+pub fn inside(points: &[Pos2], color: Color32) -> Shape {
+    if is_convex(points) {
+        return Shape::convex_polygon(points.to_vec(), color, egui::Stroke::NONE);
+    }
+    let mut mesh = Mesh::default();
+    let mut across: Vec<f32> = points.iter().map(|point| point.x).collect();
+    across.sort_by(f32::total_cmp);
+    across.dedup();
+    // Between the places of two corners all lines are straight: what they enclose there are trapezoids.
+    for strip in across.windows(2) {
+        let &[left, right] = strip else { continue };
+        let mut edges: Vec<[f32; 2]> = edges(points).filter_map(|edge| within(edge, left, right)).collect();
+        edges.sort_by(|a, b| (a[0] + a[1]).total_cmp(&(b[0] + b[1])));
+        for pair in edges.chunks_exact(2) {
+            let &[upper, lower] = pair else { continue };
+            let first = mesh.vertices.len() as u32;
+            for corner in [(left, upper[0]), (right, upper[1]), (right, lower[1]), (left, lower[0])] {
+                mesh.colored_vertex(pos2(corner.0, corner.1), color);
+            }
+            mesh.add_triangle(first, first + 1, first + 2);
+            mesh.add_triangle(first, first + 2, first + 3);
+        }
+    }
+    Shape::mesh(mesh)
+}
+
+fn edges(points: &[Pos2]) -> impl Iterator<Item = [Pos2; 2]> + '_ {
+    points.iter().copied().zip(points.iter().copied().cycle().skip(1)).map(|(from, to)| [from, to])
+}
+
+/// Height of an edge at the left and the right end of a strip; `None` if it does not cross the strip.
+fn within([a, b]: [Pos2; 2], left: f32, right: f32) -> Option<[f32; 2]> {
+    let (a, b) = if a.x <= b.x { (a, b) } else { (b, a) };
+    let at = |x: f32| a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+    (a.x <= left && b.x >= right && a.x < b.x).then(|| [at(left), at(right)])
+}
+
+/// Whether it turns one way at all corners.
+fn is_convex(points: &[Pos2]) -> bool {
+    let mut turns = [false; 2];
+    for [before, corner] in edges(points) {
+        let next = edges(points).find(|[from, _]| *from == corner).map_or(corner, |[_, to]| to);
+        let (a, b) = (corner - before, next - corner);
+        let turn = a.x * b.y - a.y * b.x;
+        // Corners are rounded to a tenth.
+        if turn.abs() > 0.5 {
+            turns[usize::from(turn > 0.0)] = true;
+        }
+    }
+    turns != [true; 2]
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
@@ -99,5 +155,25 @@ mod tests {
         let (points, closed) = flattened("M0 0Q10 10 20 0Q10 -10 0 0Z").unwrap();
         assert!(closed && points[PIECES / 2].distance(pos2(10.0, 5.0)) < 1e-3, "{points:?}");
         assert!(flattened("M0 0C1 1 2 2 3 3").is_none() && flattened("m0 0l1 1").is_none() && flattened("").is_none());
+    }
+
+    fn points(of: &[[f32; 2]]) -> Vec<Pos2> {
+        of.iter().map(|[x, y]| pos2(*x, *y)).collect()
+    }
+
+    #[test]
+    fn the_inside_has_the_area_that_it_has_on_paper() {
+        // An arrow head with a notch: a triangle of 200 less one of 50.
+        let notched = points(&[[0.0, 0.0], [20.0, 10.0], [0.0, 20.0], [5.0, 10.0]]);
+        assert!(!is_convex(&notched));
+        let Shape::Mesh(mesh) = inside(&notched, Color32::RED) else { panic!("no mesh") };
+        let area = |triangle: &[u32]| {
+            let corner = |at: usize| mesh.vertices[triangle[at] as usize].pos;
+            let (a, b) = (corner(1) - corner(0), corner(2) - corner(0));
+            (a.x * b.y - a.y * b.x).abs() / 2.0
+        };
+        let area: f32 = mesh.indices.chunks(3).map(area).sum();
+        assert!((area - 150.0).abs() < 1e-3, "{area}");
+        assert!(is_convex(&points(&[[0.0, 0.0], [20.0, 10.0], [0.0, 20.0]])));
     }
 }

@@ -1,13 +1,38 @@
-//! Atomic writing of files.
+//! Where gonio keeps settings and drafts, and atomic writing of files.
+//!
+//! Folders follow the XDG Base Directory Specification 0.8, Known Folders of Windows, and the Library of macOS.
 
+use std::env::var_os;
 use std::ffi::OsString;
 use std::fs::File;
 use std::io::{Error, ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// The file of the window's settings; `None` without a home folder.
+pub fn settings_file() -> Option<PathBuf> {
+    Some(folder()?.join("window.json"))
+}
+
+/// The folder of drafts of unsaved text; `None` without a home folder.
+pub fn drafts_folder() -> Option<PathBuf> {
+    Some(folder()?.join("drafts"))
+}
+
+fn folder() -> Option<PathBuf> {
+    let folder = |name: &str| var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    let place = if cfg!(windows) {
+        folder("LOCALAPPDATA")?
+    } else if cfg!(target_os = "macos") {
+        folder("HOME")?.join("Library/Application Support")
+    } else {
+        folder("XDG_STATE_HOME").or_else(|| Some(folder("HOME")?.join(".local/state")))?
+    };
+    Some(place.join("gonio"))
+}
 
 /// Writes beside the place and then renames: who looks meanwhile sees the old file or the new one, and what fails leaves
 /// the old one. An error is one sentence.
-pub fn beside_and_renamed(place: &Path, bytes: &[u8]) -> Result<(), String> {
+pub fn write_atomically(place: &Path, bytes: &[u8]) -> Result<(), String> {
     let told = |why: Error| format!("`{}` could not be written: {}", place.display(), reason(&why));
     if place.is_dir() {
         return Err(told(ErrorKind::IsADirectory.into()));
@@ -47,12 +72,12 @@ mod tests {
         std::fs::create_dir_all(&folder).unwrap_or_else(|e| panic!("{e}"));
         let place = folder.join("a.png");
         for content in ["first", "second"] {
-            beside_and_renamed(&place, content.as_bytes()).unwrap_or_else(|e| panic!("{e}"));
+            write_atomically(&place, content.as_bytes()).unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(std::fs::read_to_string(&place).unwrap_or_default(), content);
         }
-        assert!(beside_and_renamed(&folder, b"x").is_err_and(|why| why.contains("this is a folder")));
+        assert!(write_atomically(&folder, b"x").is_err_and(|why| why.contains("this is a folder")));
         let nowhere = folder.join("none").join("a.png");
-        assert!(beside_and_renamed(&nowhere, b"x").is_err_and(|why| why.contains("no such folder")));
+        assert!(write_atomically(&nowhere, b"x").is_err_and(|why| why.contains("no such folder")));
         let names = std::fs::read_dir(&folder).map(|entries| entries.count()).unwrap_or_default();
         assert_eq!(names, 1);
         std::fs::remove_dir_all(&folder).unwrap_or_else(|e| panic!("{e}"));

@@ -1,4 +1,10 @@
-//! Layout of formulas.
+//! Formulas as a textbook sets them: TeX's rules, in the fonts of [`crate::theme`].
+//!
+//! A [`Node`] is a formula; [`Laid`] has the position of each piece, in points from the start of its baseline;
+//! [`paint`] draws it and gives the rectangles of tagged parts, to be clicked. Layout knows no window: it asks a
+//! [`Measure`] how large a piece of text is.
+//!
+//! Distances are those of Computer Modern in TeX (D. E. Knuth, *The TeXbook*, 1986, appendix G):
 //!
 //! | distance | ems | TeX's name |
 //! |---|---|---|
@@ -10,9 +16,129 @@
 //! | least gap below a sum's sign | 0.166 | xi_10 |
 //! | size of an index | 0.7 | scriptstyle of a 10 point font |
 
-use super::node::{Face, Node, Tag};
-use super::{Extent, Measure};
-use egui::{Rect, Vec2, pos2, vec2};
+use crate::theme;
+use egui::{Color32, FontId, Galley, Painter, Pos2, Rect, Vec2, pos2, vec2};
+use std::sync::Arc;
+
+/// Measures text.
+pub trait Measure {
+    /// The size of `text` on one line, with `size` points per em.
+    fn measure(&mut self, text: &str, face: Face, size: f32) -> Extent;
+}
+
+/// The size of a piece of text, points.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extent {
+    /// To where the next piece begins.
+    pub width: f32,
+    /// Ink above the baseline.
+    pub ascent: f32,
+    /// Ink below the baseline.
+    pub descent: f32,
+}
+
+/// Identifies a part of a formula, for its colour and for clicks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Tag(pub u8);
+
+/// A font style.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Face {
+    /// Digits, signs, brackets, names of functions.
+    Upright,
+    /// Variables.
+    Italic,
+    /// Large signs: sums, large brackets.
+    Large,
+}
+
+/// A formula, or a part of one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Node {
+    /// Characters of one face.
+    Text(String, Face),
+    /// One after the other, on one baseline.
+    Row(Vec<Node>),
+    /// Nothing, so many ems wide.
+    Space(f32),
+    /// A node with a subscript, a superscript or both.
+    Scripts {
+        /// The base.
+        base: Box<Node>,
+        /// The index.
+        below: Option<Box<Node>>,
+        /// The exponent.
+        above: Option<Box<Node>>,
+    },
+    /// One over the other.
+    Fraction(Box<Node>, Box<Node>),
+    /// A sum's sign with what it runs over below it.
+    Sum(Box<Node>),
+    /// A part with a meaning of its own.
+    Tagged(Tag, Box<Node>),
+}
+
+impl Node {
+    /// A variable.
+    pub fn variable(text: &str) -> Node {
+        Node::Text(text.to_owned(), Face::Italic)
+    }
+
+    /// Digits, signs, names of functions.
+    pub fn upright(text: &str) -> Node {
+        Node::Text(text.to_owned(), Face::Upright)
+    }
+
+    /// A large bracket.
+    pub fn large(text: &str) -> Node {
+        Node::Text(text.to_owned(), Face::Large)
+    }
+
+    /// Between factors: a thin space.
+    pub fn thin() -> Node {
+        Node::Space(1.0 / 6.0)
+    }
+
+    /// A sign between terms, with the room that it has on both sides.
+    pub fn binary(sign: &str) -> Node {
+        Node::Row(vec![Node::Space(4.0 / 18.0), Node::upright(sign), Node::Space(4.0 / 18.0)])
+    }
+
+    /// A sign between sides, with the room that it has on both sides.
+    pub fn relation(sign: &str) -> Node {
+        Node::Row(vec![Node::Space(5.0 / 18.0), Node::upright(sign), Node::Space(5.0 / 18.0)])
+    }
+
+    /// One after the other.
+    pub fn row(nodes: impl IntoIterator<Item = Node>) -> Node {
+        Node::Row(nodes.into_iter().collect())
+    }
+
+    /// Adds a subscript.
+    pub fn below(self, below: Node) -> Node {
+        Node::Scripts { base: Box::new(self), below: Some(Box::new(below)), above: None }
+    }
+
+    /// Adds a superscript.
+    pub fn sup(self, above: Node) -> Node {
+        Node::Scripts { base: Box::new(self), below: None, above: Some(Box::new(above)) }
+    }
+
+    /// Over another.
+    pub fn over(self, under: Node) -> Node {
+        Node::Fraction(Box::new(self), Box::new(under))
+    }
+
+    /// Adds a tag.
+    pub fn tagged(self, tag: Tag) -> Node {
+        Node::Tagged(tag, Box::new(self))
+    }
+
+    /// `<a . b>`: the product of two directions, or 0 where it is negative.
+    pub fn clamped_product(a: Node, b: Node) -> Node {
+        Node::row([Node::upright("\u{27e8}"), a, Node::upright("\u{22c5}"), b, Node::upright("\u{27e9}")])
+    }
+}
 
 const AXIS: f32 = 0.25;
 const EXPONENT: f32 = 0.413;
@@ -189,4 +315,57 @@ pub fn broken(parts: &[Node], size: f32, width: f32, fonts: &mut dyn Measure) ->
         }
     }
     lines
+}
+
+fn font(face: Face, size: f32) -> FontId {
+    match face {
+        Face::Upright => theme::math_font(size),
+        Face::Italic => theme::math_italic_font(size),
+        Face::Large => theme::math_large_font(size),
+    }
+}
+
+/// The baseline of a line of text, from the galley's top.
+fn baseline(galley: &Galley) -> f32 {
+    let row = galley.rows.first();
+    row.and_then(|row| row.glyphs.first().map(|glyph| row.pos.y + glyph.pos.y)).unwrap_or_default()
+}
+
+/// The window's fonts.
+pub struct EguiFonts<'a>(pub &'a Painter);
+
+impl EguiFonts<'_> {
+    fn galley(&self, text: &str, face: Face, size: f32, color: Color32) -> Arc<Galley> {
+        self.0.layout_no_wrap(text.to_owned(), font(face, size), color)
+    }
+}
+
+impl Measure for EguiFonts<'_> {
+    fn measure(&mut self, text: &str, face: Face, size: f32) -> Extent {
+        let galley = self.galley(text, face, size, Color32::PLACEHOLDER);
+        let base = baseline(&galley);
+        let ink = galley.mesh_bounds;
+        let (ascent, descent) =
+            if ink.is_positive() { ((base - ink.top()).max(0.0), (ink.bottom() - base).max(0.0)) } else { (0.0, 0.0) };
+        Extent { width: galley.rect.width(), ascent, descent }
+    }
+}
+
+/// Draws a formula whose baseline begins at `start`; gives the tagged parts' rectangles in the window.
+pub fn paint(painter: &Painter, laid: &Laid, start: Pos2, color: &dyn Fn(Option<Tag>) -> Color32) -> Vec<(Tag, Rect)> {
+    let fonts = EguiFonts(painter);
+    for piece in &laid.pieces {
+        let (at, color) = (start + piece.at, color(piece.tag));
+        match &piece.shape {
+            Shape::Text(text, face, size) => {
+                let galley = fonts.galley(text, *face, *size, color);
+                let top = at.y - baseline(&galley);
+                painter.galley(Pos2::new(at.x, top), galley, color);
+            }
+            Shape::Rule(size) => {
+                painter.rect_filled(Rect::from_min_size(at, *size), 0.0, color);
+            }
+        }
+    }
+    laid.tagged.iter().map(|(tag, rect)| (*tag, rect.translate(start.to_vec2()))).collect()
 }

@@ -1,0 +1,163 @@
+//! Carries out actions: requests of widgets and keys, saving and copying.
+
+use super::App;
+use crate::action::Action;
+use crate::exercise::Start;
+use crate::files::link;
+use crate::platform::FileDialog;
+use crate::saving::{self, DisplayedPicture, Product};
+use crate::session::{PathField, RecordedFrame, Severity, Tab};
+use gonio_image::encode::exr_compact;
+use std::path::Path;
+
+const NOTHING_DRAWN: &str = "there is no picture yet: wait until the scene is loaded";
+
+impl App {
+    /// Carries out an action.
+    pub(super) fn act(&mut self, ctx: &egui::Context, action: Action) {
+        match action {
+            Action::Open(inputs) => {
+                let files = self.platform.files();
+                self.open(ctx, inputs, files);
+            }
+            Action::OpenPaths(paths) => self.platform.open_paths(paths, self.purpose(), ctx),
+            Action::ChooseFiles => {
+                if self.platform.choose_files(self.purpose(), ctx) == FileDialog::Unavailable {
+                    self.session.asking = Some(PathField { saves: None, text: String::new() });
+                }
+            }
+            Action::Save(product) => {
+                let name = product.file_name(&self.session.title);
+                if self.platform.choose_place(product, &name, ctx) == FileDialog::Unavailable {
+                    self.session.asking = Some(PathField { saves: Some(product), text: name });
+                }
+            }
+            Action::SaveTo(product, place) => self.save(product, &place),
+            Action::CopyPicture => self.copy_picture(ctx),
+            Action::CopyLink => match link::of_scene(&self.document.scene) {
+                Ok(fragment) => {
+                    ctx.copy_text(self.platform.link(&fragment));
+                    self.session.announcement = "copied the link".into();
+                }
+                Err(why) => self.session.messages.say(Severity::Error, why),
+            },
+            Action::CopyText(text) => {
+                ctx.copy_text(text);
+                self.session.announcement = "copied".into();
+            }
+            Action::Undo => {
+                if self.history.undo(&mut self.document) {
+                    self.session.announcement = "undone".into();
+                }
+            }
+            Action::Redo => {
+                if self.history.redo(&mut self.document) {
+                    self.session.announcement = "redone".into();
+                }
+            }
+            Action::Frame => {
+                if let Some(loaded) = &self.session.loaded {
+                    let [width, height] = self.session.facts.size.map(f64::from);
+                    self.document.scene.camera = loaded.framed(&self.document.scene.camera, width / height.max(1.0));
+                }
+            }
+            Action::PlayOrPause => self.session.clock.playing = !self.session.clock.playing,
+            Action::SetTime(time) => self.session.clock.time = time,
+            Action::Show(tab) => self.session.tab = tab,
+            Action::ToggleProbe => {
+                self.session.tab = if self.session.tab == Tab::Probe { Tab::Lights } else { Tab::Probe };
+            }
+            Action::ToggleObserver => self.session.observer.toggle(),
+            Action::Overlay(overlay) => {
+                if let Some(pane) = self.document.panes.current_mut() {
+                    pane.toggle_overlay(overlay);
+                }
+            }
+            Action::Special(view) => {
+                if let Some(pane) = self.document.panes.current_mut() {
+                    pane.special = if pane.special == Some(view) { None } else { Some(view) };
+                }
+            }
+            Action::ToggleHelp => self.session.help = !self.session.help,
+            Action::ToggleTheme => {
+                let theme = if ctx.theme() == egui::Theme::Dark { egui::Theme::Light } else { egui::Theme::Dark };
+                ctx.set_theme(theme);
+                self.session.settings.dark = Some(theme == egui::Theme::Dark);
+                self.platform.keep(&self.session.settings);
+            }
+            Action::RecordFrame => self.record_frame(ctx),
+            Action::Dismiss(id) => self.session.messages.dismiss(id),
+            Action::ShowExercise => self.exercise.is_open = true,
+            Action::ListExercises => self.exercise.list(),
+            Action::StartExercise(exercise) => self.begin_exercise(ctx, Start { exercise, files: Vec::new() }),
+        }
+        ctx.request_repaint();
+    }
+
+    /// Records the OpenGL calls of the current pane's picture. If that fails the record is empty, and it is not retried
+    /// before the next picture.
+    fn record_frame(&mut self, ctx: &egui::Context) {
+        let Some(pane_renderer) = &mut self.pane_renderer else { return };
+        let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|why| {
+            self.session.messages.say(Severity::Error, format!("the frame cannot be recorded: {why}"));
+            None
+        });
+        let before = self.session.recorded_frame.take();
+        let taken = RecordedFrame::new(ctx, record.unwrap_or_default(), self.session.facts.pictures, before.as_ref());
+        self.session.recorded_frame = Some(taken);
+    }
+
+    pub(super) fn save(&mut self, product: Product, place: &str) {
+        let folder = cfg!(not(target_arch = "wasm32")).then(|| Path::new(place).parent()).flatten();
+        let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
+        match saved {
+            Ok(place) => self.session.announcement = format!("saved {place}"),
+            Err(why) => self.session.messages.say(Severity::Error, why),
+        }
+    }
+
+    fn produced(&mut self, product: Product, folder: Option<&Path>) -> Result<Vec<u8>, String> {
+        let picture = &self.document.scene.picture;
+        let size = (product == Product::SizedPicture).then_some([picture.width, picture.height]);
+        match product {
+            Product::Scene => Ok(saving::scene_file(&self.document.scene, folder).into_bytes()),
+            Product::Picture | Product::SizedPicture => {
+                saving::encode_png(&self.shown(size)?).map_err(|why| why.to_string())
+            }
+            Product::Light => {
+                let pane = self.document.panes.current;
+                let light =
+                    self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.light(pane, size)).transpose();
+                let light = light.map_err(|why| why.to_string())?.flatten().ok_or(NOTHING_DRAWN)?;
+                exr_compact::encode([light.width, light.height], &light.pixels).map_err(|why| why.to_string())
+            }
+        }
+    }
+
+    /// The current pane's picture as displayed.
+    fn shown(&mut self, size: Option<[u32; 2]>) -> Result<DisplayedPicture, String> {
+        let pane = self.document.panes.current;
+        let shown = self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.shown(pane, size)).transpose();
+        shown.map_err(|why| why.to_string())?.flatten().ok_or_else(|| NOTHING_DRAWN.to_owned())
+    }
+
+    pub(super) fn copy_picture(&mut self, ctx: &egui::Context) {
+        match self.shown(None) {
+            Ok(DisplayedPicture { size: [width, height], rgba, .. }) => {
+                let size = [width as usize, height as usize];
+                ctx.copy_image(egui::ColorImage::from_rgba_premultiplied(size, &rgba));
+                self.session.announcement = "copied the picture".into();
+            }
+            Err(why) => self.session.messages.say(Severity::Error, why),
+        }
+    }
+
+    /// Adds the input to the recent files.
+    pub(super) fn remember(&mut self, inputs: &[String]) {
+        let [input] = inputs else { return };
+        if let Some(lasting) = self.platform.lasting(input) {
+            self.session.settings.opened(lasting);
+            self.platform.keep(&self.session.settings);
+        }
+    }
+}

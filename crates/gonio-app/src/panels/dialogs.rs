@@ -1,0 +1,155 @@
+//! Windows over the picture: messages, keyboard shortcuts, the path field.
+
+use crate::action::Action;
+use crate::exported::{self, Role};
+use crate::platform::Purpose;
+use crate::session::{Session, Severity};
+use crate::shortcuts;
+use crate::theme::{self, colors, icons};
+use egui::{
+    Align2, Area, Frame, Grid, Id, Key, Label, Margin, Order, RichText, ScrollArea, Stroke, TextEdit, Ui, Window, vec2,
+};
+use gonio_scene::files::BUILTIN;
+
+/// Most messages that are shown at once.
+const MOST: usize = 3;
+const WIDTH: f32 = 380.0;
+
+/// Shows the messages at the lower left; they stay until they are dismissed.
+pub fn messages(ui: &Ui, session: &Session, actions: &mut Vec<Action>) {
+    let messages = session.messages.list();
+    if messages.is_empty() {
+        return;
+    }
+    let offset = vec2(12.0, -44.0);
+    Area::new(Id::unique("messages")).order(Order::Foreground).anchor(Align2::LEFT_BOTTOM, offset).show(
+        ui.ctx(),
+        |ui| {
+            ui.set_max_width(WIDTH.min(ui.ctx().content_rect().width() - 24.0));
+            for message in messages.iter().take(MOST) {
+                let (tint, icon) = match message.severity {
+                    Severity::Error => (colors::ERROR, icons::WARNING_CIRCLE),
+                    Severity::Warning => (colors::WARNING, icons::WARNING),
+                    Severity::Note => (colors::ACCENT, icons::INFO),
+                };
+                let color = tint.of(ui);
+                let frame = Frame::popup(ui.style()).inner_margin(Margin::same(10)).stroke(Stroke::new(1.0, color));
+                frame.show(ui, |ui| {
+                    ui.horizontal_top(|ui| {
+                        ui.label(RichText::new(icon).font(theme::icon_font(18.0)).color(color));
+                        ui.vertical(|ui| {
+                            ui.add(egui::Label::new(&message.text).wrap());
+                            if message.times > 1 {
+                                ui.label(RichText::new(format!("{} times", message.times)).small().weak());
+                            }
+                            ui.horizontal(|ui| {
+                                let id = |what: &str| format!("{what}-{}", message.id);
+                                let read = ui.small_button("Dismiss");
+                                exported::note(ui, &read, &id("dismiss"), Role::Button, "Dismiss", "");
+                                if read.clicked() {
+                                    actions.push(Action::Dismiss(message.id));
+                                }
+                                let copy = ui.small_button("Copy");
+                                exported::note(ui, &copy, &id("copy"), Role::Button, "Copy", "");
+                                if copy.clicked() {
+                                    actions.push(Action::CopyText(message.text.clone()));
+                                }
+                            });
+                        });
+                    });
+                });
+            }
+            if messages.len() > MOST {
+                ui.label(RichText::new(format!("and {} more", messages.len() - MOST)).small().weak());
+            }
+        },
+    );
+}
+
+/// Shows the keyboard shortcuts if they are requested.
+pub fn help(ui: &Ui, session: &mut Session) {
+    let room = ui.ctx().content_rect();
+    // On a phone the keys' column is what gives way.
+    let key_width = if room.width() < 480.0 { 96.0 } else { 190.0 };
+    Window::new("Keyboard shortcuts")
+        .open(&mut session.help)
+        .collapsible(false)
+        .resizable(false)
+        .anchor(Align2::CENTER_CENTER, vec2(0.0, 0.0))
+        .show(ui.ctx(), |ui| {
+            ui.set_width(480_f32.min(room.width() - 48.0));
+            let height = room.height() - 120.0;
+            ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+                for (group, rows) in shortcuts::list() {
+                    ui.label(RichText::new(group).font(theme::bold(13.5)));
+                    Grid::new(group).num_columns(2).spacing([20.0, 4.0]).min_col_width(key_width).show(ui, |ui| {
+                        for (key, what) in rows {
+                            ui.scope(|ui| {
+                                ui.set_max_width(key_width);
+                                ui.add(Label::new(RichText::new(key).strong()).wrap());
+                            });
+                            ui.add(Label::new(what).wrap());
+                            ui.end_row();
+                        }
+                    });
+                    ui.add_space(8.0);
+                }
+            });
+        });
+}
+
+/// Shows the path field if a path is requested, on systems without file dialogs.
+pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mut Vec<Action>) {
+    let Some(mut asking) = session.asking.take() else { return };
+    let (title, hint, verb) = match asking.saves {
+        None if purpose == Purpose::Exercise => {
+            ("Open", "Path of a file, folder or zip file; you can also drop files on the window", "Open")
+        }
+        Some(_) => ("Save as", "Path of the file", "Save"),
+        None => ("Open", "Path of a model, scene, zip file or picture; you can also drop files on the window", "Open"),
+    };
+    let (mut open, mut done) = (true, false);
+    let width = 460_f32.min(ui.ctx().content_rect().width() - 48.0);
+    Window::new(title)
+        .open(&mut open)
+        .collapsible(false)
+        .resizable(false)
+        .anchor(Align2::CENTER_CENTER, vec2(0.0, -60.0))
+        .show(ui.ctx(), |ui| {
+            ui.set_width(width);
+            ui.add(Label::new(RichText::new(hint).weak()).wrap());
+            let edit = TextEdit::singleline(&mut asking.text).desired_width(f32::INFINITY).id_salt("path");
+            let field = ui.add(edit);
+            exported::note(ui, &field, "path", Role::Text, hint, &asking.text);
+            // Enter takes the focus away, and is the answer.
+            done |= field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+            if !field.has_focus() && !done && ui.memory(|m| m.focused().is_none()) {
+                field.request_focus();
+            }
+            ui.horizontal(|ui| {
+                let button = ui.add_enabled(!asking.text.trim().is_empty(), egui::Button::new(verb));
+                exported::note(ui, &button, "path-done", Role::Button, verb, "");
+                done |= button.clicked();
+                let cancel = ui.button("Cancel");
+                exported::note(ui, &cancel, "path-cancel", Role::Button, "Cancel", "");
+                if cancel.clicked() {
+                    asking.text.clear();
+                    done = true;
+                }
+            });
+        });
+    if ui.input(|i| i.key_pressed(Key::Escape)) {
+        open = false;
+    }
+    let path = asking.text.trim().to_owned();
+    match asking.saves {
+        _ if !done => {}
+        _ if path.is_empty() => open = false,
+        Some(product) => actions.push(Action::SaveTo(product, path)),
+        None if path.starts_with(BUILTIN) => actions.push(Action::Open(vec![path])),
+        None => actions.push(Action::OpenPaths(vec![path])),
+    }
+    if open && !done {
+        session.asking = Some(asking);
+    }
+}

@@ -1,0 +1,164 @@
+//! Saving of pictures and scenes.
+
+use gonio_image::encode::png::{self, ColorTag};
+use gonio_image::{EncodedPicture, ImageError};
+use gonio_scene::files::BUILTIN;
+use gonio_scene::{SceneFile, SceneSettings, environment_file};
+use std::path::{Path, PathBuf};
+
+/// Something to save.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Product {
+    /// The current pane's picture as it is shown, in its size there.
+    Picture,
+    /// The same in the size that the scene says (`[picture]`).
+    SizedPicture,
+    /// The current pane's light, linear, in its size there.
+    Light,
+    /// The scene.
+    Scene,
+}
+
+impl Product {
+    /// All.
+    pub const ALL: [Product; 4] = [Product::Picture, Product::SizedPicture, Product::Light, Product::Scene];
+
+    /// Kebab-case, for widgets' ids.
+    pub fn id(self) -> &'static str {
+        match self {
+            Product::Picture => "picture",
+            Product::SizedPicture => "sized-picture",
+            Product::Light => "light",
+            Product::Scene => "scene",
+        }
+    }
+
+    /// The title in menus.
+    pub fn title(self) -> &'static str {
+        match self {
+            Product::Picture => "Picture as displayed (PNG)",
+            Product::SizedPicture => "Picture at the scene's resolution (PNG)",
+            Product::Light => "Linear light (EXR)",
+            Product::Scene => "Scene (TOML)",
+        }
+    }
+
+    /// The file name extension.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Product::Picture | Product::SizedPicture => "png",
+            Product::Light => "exr",
+            Product::Scene => "toml",
+        }
+    }
+
+    /// A name for its file, after what is open.
+    pub fn file_name(self, title: &str) -> String {
+        let stem = title.split(" and ").next().unwrap_or(title);
+        let stem = stem.split('.').next().unwrap_or(stem);
+        let stem: String = stem.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
+        let stem = if stem.is_empty() { "scene" } else { stem.as_str() };
+        format!("{stem}.{}", self.extension())
+    }
+}
+
+/// A picture in the numbers of a screen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DisplayedPicture {
+    /// Pixels: width and height.
+    pub size: [u32; 2],
+    /// `width * height * 4` bytes, the top row first; where there is no background, colours are premultiplied by alpha.
+    pub rgba: Vec<u8>,
+    /// Whether the numbers are sRGB: not so where they are light unencoded, or a quantity.
+    pub is_srgb: bool,
+}
+
+/// The file. Opaque pictures have three channels; in others colours are divided by alpha, as the format has them.
+pub fn encode_png(picture: &DisplayedPicture) -> Result<Vec<u8>, ImageError> {
+    let [width, height] = picture.size;
+    let rgba = picture.rgba.as_chunks::<4>().0.iter().flat_map(|&pixel| straight(pixel)).collect();
+    let tag = if picture.is_srgb { ColorTag::Srgb } else { ColorTag::Untagged };
+    png::encode8(&EncodedPicture { width, height, rgba }, tag)
+}
+
+/// Divides colours by alpha.
+fn straight([r, g, b, a]: [u8; 4]) -> [u8; 4] {
+    let divided = |c: u8| match a {
+        0 => 0,
+        u8::MAX => c,
+        _ => ((u32::from(c) * 255 + u32::from(a) / 2) / u32::from(a)).min(255) as u8,
+    };
+    [divided(r), divided(g), divided(b), a]
+}
+
+/// The text of a scene file that will lie in `folder`; `None` where there are no folders, as on the web.
+pub fn scene_file(settings: &SceneSettings, folder: Option<&Path>) -> String {
+    let mut scene = SceneFile::from(settings);
+    if let Some(folder) = folder {
+        for object in scene.objects.iter_mut().filter(|object| !object.model.starts_with(BUILTIN)) {
+            object.model = seen_from(folder, &object.model);
+        }
+        if let Some(environment) = &mut scene.environment {
+            let names = std::iter::once(&mut environment.image).chain(&mut environment.background);
+            for name in names.filter(|name| environment_file::builtin_of(name).is_none()) {
+                *name = seen_from(folder, name);
+            }
+        }
+    }
+    scene.to_toml_string()
+}
+
+/// Converts a path relative to the current folder to one relative to `folder`, or returns it unchanged if that fails.
+fn seen_from(folder: &Path, file: &str) -> String {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    // A pattern of faces (`sky_*.png`) is no file: its folder is.
+    let path = Path::new(file);
+    let (Some(parent), Some(name)) = (path.parent(), path.file_name()) else { return file.to_owned() };
+    let parent = if parent.as_os_str().is_empty() { Path::new(".") } else { parent };
+    let (Ok(folder), Ok(parent)) = (folder.canonicalize(), parent.canonicalize()) else { return file.to_owned() };
+    let common = folder.components().zip(parent.components()).take_while(|(a, b)| a == b).count();
+    if common == 0 {
+        return file.to_owned();
+    }
+    let up = std::iter::repeat_n(Path::new("..").components(), folder.components().count() - common).flatten();
+    let path: PathBuf = up.chain(parent.components().skip(common)).collect::<PathBuf>().join(name);
+    // Scene files have forward slashes on every system.
+    path.to_string_lossy().replace(std::path::MAIN_SEPARATOR, "/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_are_called_after_what_is_open() {
+        assert_eq!(Product::Picture.file_name("suzanne.obj"), "suzanne.png");
+        assert_eq!(Product::Scene.file_name("my model.tar.gz and 2 more"), "my_model.toml");
+        assert_eq!(Product::Light.file_name(""), "scene.exr");
+    }
+
+    #[test]
+    fn alpha_is_divided_out_of_the_colours() {
+        assert_eq!(straight([64, 32, 0, 128]), [128, 64, 0, 128]);
+        assert_eq!(straight([0, 0, 0, 0]), [0, 0, 0, 0]);
+        assert_eq!(straight([7, 200, 255, 255]), [7, 200, 255, 255]);
+    }
+
+    #[test]
+    fn too_few_bytes_are_an_error() {
+        assert!(encode_png(&DisplayedPicture { size: [3, 2], rgba: vec![255; 4], is_srgb: true }).is_err());
+    }
+
+    #[test]
+    fn files_are_named_as_seen_from_the_scene() {
+        // Tests run in this crate's folder.
+        assert_eq!(seen_from(Path::new("src"), "Cargo.toml"), "../Cargo.toml");
+        assert_eq!(seen_from(Path::new("src/saving"), "src/lab.rs"), "../lab.rs");
+        assert_eq!(seen_from(Path::new(""), "src/lab.rs"), "src/lab.rs");
+        assert_eq!(seen_from(Path::new("src"), "src/sky_*.png"), "sky_*.png");
+        assert_eq!(seen_from(Path::new("src"), "nowhere/a.obj"), "nowhere/a.obj");
+        let here = std::env::current_dir().unwrap_or_else(|e| panic!("{e}"));
+        let absolute = here.join("Cargo.toml").to_string_lossy().into_owned();
+        assert_eq!(seen_from(Path::new("src"), &absolute), "../Cargo.toml");
+    }
+}
