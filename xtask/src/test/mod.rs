@@ -26,16 +26,6 @@ pub enum Extent {
 const DESKTOPS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
 /// The repository's own tools, which are not built for other platforms.
 const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench", "gonio-web-bindgen", "gonio-web-split"];
-/// Crates of the web page, and whether the page disables their default features.
-const WEB: &[(&str, bool)] = &[
-    ("gonio-light", false),
-    ("gonio-mesh", false),
-    ("gonio-image", false),
-    ("gonio-scene", false),
-    ("gonio-gl", true),
-    ("gonio-render", false),
-    ("gonio-gallery", false),
-];
 
 /// Runs every step, also after one has failed.
 pub fn run(extent: Extent) -> ExitCode {
@@ -95,9 +85,6 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
         report.step("licences and duplicates", || check_dependencies(root));
         for target in DESKTOPS {
             report.step(target, || check_desktop(root, target));
-        }
-        for (krate, bare) in WEB {
-            report.step(&format!("wasm32 {krate}"), || check_web(root, krate, *bare));
         }
     }
     if let Some(page_build) = page_build {
@@ -174,14 +161,6 @@ fn check_desktop(root: &Path, target: &str) -> Findings {
     let mut arguments = vec!["check", "--locked", "--workspace", "--target", target];
     for krate in NOT_SHIPPED {
         arguments.extend(["--exclude", krate]);
-    }
-    cargo_check(root, &arguments, &[])
-}
-
-fn check_web(root: &Path, krate: &str, bare: bool) -> Findings {
-    let mut arguments = vec!["check", "--locked", "--target", "wasm32-unknown-unknown", "--package", krate];
-    if bare {
-        arguments.push("--no-default-features");
     }
     cargo_check(root, &arguments, &[])
 }
