@@ -3,7 +3,7 @@
 #![no_main]
 
 use gonio_glsl::{Stage, check, parse};
-use gonio_check::mistakes::{self, Model};
+use gonio_check::mistakes::{self, ModelSolution};
 use gonio_check::dataflow::Shader;
 use gonio_check::driver_log::{link_messages, to_messages};
 use gonio_check::roles::NamesFile;
@@ -11,7 +11,7 @@ use gonio_check::rules::Analysis;
 use gonio_check::submission::{SourceFile, Submission};
 use libfuzzer_sys::fuzz_target;
 
-const MODELS: [Model; 5] = [Model::Gouraud, Model::Phong, Model::Reflection, Model::Refraction, Model::Skybox];
+const MODELS: [ModelSolution; 5] = [ModelSolution::Gouraud, ModelSolution::Phong, ModelSolution::Reflection, ModelSolution::Refraction, ModelSolution::Skybox];
 
 fuzz_target!(|data: &[u8]| {
     // A zero divides two files; without one both are the same, so that a shader by itself is a pair too. The length says as
@@ -31,7 +31,7 @@ fuzz_target!(|data: &[u8]| {
         &Shader { parsed: &fragment, checked: &checked[1] },
         &given,
     );
-    let _ = source.written();
+    let _ = source.constants();
     let _ = source.in_source_only();
     for model in MODELS {
         for mistake in mistakes::for_model(model) {

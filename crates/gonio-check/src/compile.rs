@@ -1,6 +1,6 @@
 //! Compiles a pair of shaders, and reports errors and portability problems at the student's own lines.
 
-use crate::driver_log::{self, Message};
+use crate::driver_log::{self, DriverMessage};
 use crate::submission::StageText;
 use crate::verdict::{CompilerMessage, Outcome, Verdict};
 use gonio_gl::Gl;
@@ -149,7 +149,7 @@ pub fn compiler_messages(
     told
 }
 
-fn from_driver(message: Message) -> CompilerMessage {
+fn from_driver(message: DriverMessage) -> CompilerMessage {
     CompilerMessage {
         file: message.file,
         line: message.line,

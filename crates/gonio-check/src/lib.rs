@@ -8,7 +8,6 @@ pub mod dataflow;
 pub mod driver_log;
 pub mod interpreter;
 pub mod mistakes;
-pub mod nearest;
 pub mod panorama;
 pub mod roles;
 pub mod rules;
@@ -16,6 +15,7 @@ pub mod search;
 pub mod submission;
 pub mod testbench;
 pub mod verdict;
+pub mod words;
 
 pub use check::{CheckOptions, ShaderExercise, check};
 pub use search::ShaderChecker;

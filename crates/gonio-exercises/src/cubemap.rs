@@ -6,7 +6,7 @@
 
 use crate::exercise::Exercise;
 use gonio_check::ShaderChecker;
-use gonio_check::mistakes::{Hypothesis, Model};
+use gonio_check::mistakes::{Hypothesis, ModelSolution};
 use gonio_check::panorama::{Explanation, FaceBench, FaceTask, Tiles, Tolerance, blur, verdict};
 use gonio_check::search::{Evidence, SourceSupport};
 use gonio_check::submission::SourceFile;
@@ -31,7 +31,7 @@ pub fn check(
         Err(sentence) => return Ok((Verdict::new(&exercise.id, Outcome::Unsure, sentence), None)),
     };
     let bench = FaceBench::of_panorama(checker.gl(), FINE, &submitted.panorama)?;
-    let model = checker.model(Model::Panorama);
+    let model = checker.model(ModelSolution::Panorama);
     let seen = submitted.tiles(TILE as usize).encoded().softened();
     let silent: SourceSupport = Box::new(|id, _| if id == "layout-photographic" { 0.6 } else { 0.5 });
     let task = FaceTask { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, source_support: &silent };

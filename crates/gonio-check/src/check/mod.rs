@@ -1,13 +1,10 @@
 //! From a student's files to a verdict.
 
-mod lookups;
-mod other_hosts;
-mod terms;
-mod unexplained;
+mod corrections;
 
 use crate::compile::{ParsedStage, compile, compiler_messages, does_not_link, first_message, strictness};
 use crate::dataflow::Shader;
-use crate::mistakes::{self, Model};
+use crate::mistakes::{self, ModelSolution};
 use crate::panorama;
 use crate::roles::{Declared, Meaning, NamesFile};
 use crate::rules::{Analysis, Place};
@@ -109,20 +106,21 @@ pub fn check(
             .map(|leaf| Declared::uniform(leaf.name.clone(), leaf.ty.written()))
             .collect(),
         names,
-        written: source.written(),
+        constants: source.constants(),
         unused_terms: unused_terms(&fragment),
         source_support: Box::new(move |id, model| asked.support(id, model)),
     };
     let (mut verdict, mut evidence) = match task.model {
-        Model::Panorama => panorama::check(checker, task.exercise, &program, &prepared)?,
+        ModelSolution::Panorama => panorama::check(checker, task.exercise, &program, &prepared)?,
         _ => checker.check(task, &program, &prepared)?,
     };
-    if task.model == Model::Camera
+    if task.model == ModelSolution::Camera
         && let Some((by_places, seen)) = by_places(checker, &verdict, &vertex, &prepared)?
     {
         (verdict, evidence) = (by_places, seen);
     }
-    if let Some((of_lookup, seen)) = lookups::judge(checker, task, [&vertex, &fragment], &prepared, &source, &verdict)?
+    if let Some((of_lookup, seen)) =
+        corrections::judge_lookups(checker, task, [&vertex, &fragment], &prepared, &source, &verdict)?
     {
         (verdict, evidence) = (of_lookup, seen);
     }
@@ -133,11 +131,11 @@ pub fn check(
         found.line = Some(line);
         found.quoted = text.line(place.span.line).map(str::to_owned);
     };
-    if task.model == Model::Skybox {
-        other_hosts::trust(&mut verdict, &source);
+    if task.model == ModelSolution::Skybox {
+        corrections::trust_other_programs(&mut verdict, &source);
     }
     by_the_source(&mut verdict, &source, task.model);
-    unexplained::name_from_source(&mut verdict, evidence.as_ref(), &source, task);
+    corrections::name_from_source(&mut verdict, evidence.as_ref(), &source, task);
     for found in &mut verdict.mistakes {
         if let Some(at) = source.line(&found.id, task.model) {
             place(found, at);
@@ -155,7 +153,7 @@ pub fn check(
             verdict.mistakes.push(found);
         }
     }
-    if let Some((at, sentence)) = source.seam_by_mipmaps().filter(|_| task.model == Model::Panorama) {
+    if let Some((at, sentence)) = source.seam_by_mipmaps().filter(|_| task.model == ModelSolution::Panorama) {
         let text = if at.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
         let (file, line, _) = text.place(at.span.line, at.span.column);
         verdict.warnings.push(format!("{file}:{line}: {sentence}"));
@@ -167,7 +165,7 @@ pub fn check(
         tell_unchanged(&mut verdict);
     }
     if task.model.is_lit() {
-        terms::agree(&mut verdict);
+        corrections::agree_terms(&mut verdict);
     }
     verdict.warnings.extend(submission.warnings.iter().cloned());
     verdict.warnings.extend(strictness(&vertex, &fragment));
@@ -224,7 +222,7 @@ fn by_places(
 pub(crate) const SURE: f32 = 0.95;
 
 /// What pictures leave open, and the source tells: which of two names, and what looks right because it is another right way.
-fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: Model) {
+fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: ModelSolution) {
     // A diffuse term without its cosine is light from everywhere, and so is ambient light alone.
     let flat = "diffuse-without-cosine";
     let missing = "diffuse-missing";
@@ -263,7 +261,7 @@ fn unused_terms(fragment: &ParsedStage<'_>) -> [bool; 3] {
 }
 
 /// A mistake that only the source shows; `sentence` says how to fix it there.
-fn in_source(id: &str, sentence: String, model: Model) -> Option<FoundMistake> {
+fn in_source(id: &str, sentence: String, model: ModelSolution) -> Option<FoundMistake> {
     let mistake = mistakes::for_model(model).find(|mistake| mistake.id == id)?;
     Some(FoundMistake { fix: sentence, ..FoundMistake::from_catalogue(mistake, 0.0) })
 }

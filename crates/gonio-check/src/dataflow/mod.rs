@@ -6,11 +6,9 @@
 //! mistake (`rules`) names the node at fault. Whatever the source is, this returns: loops, calls and depth are limited, and
 //! beyond them nothing is known.
 
-pub(crate) mod by_use;
 pub(crate) mod camera;
 mod choice;
 mod eval;
-mod fold;
 mod graph;
 pub(crate) mod matrix;
 mod reading;

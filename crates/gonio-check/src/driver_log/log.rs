@@ -2,7 +2,7 @@
 
 /// The severity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Severity {
+pub enum LogSeverity {
     /// It does not compile.
     Error,
     /// It compiles.
@@ -19,7 +19,7 @@ pub struct LogLine {
     /// The driver's column, where it names one.
     pub column: Option<u32>,
     /// The severity.
-    pub severity: Severity,
+    pub severity: LogSeverity,
     /// The message without location and severity.
     pub text: String,
 }
@@ -102,13 +102,13 @@ fn belongs(before: &LogLine, line: &str) -> bool {
 
 /// A message that names no place: a linker's, mostly.
 fn unplaced(line: &str) -> LogLine {
-    let (severity, text) = severity(line).unwrap_or((Severity::Error, line));
+    let (severity, text) = severity(line).unwrap_or((LogSeverity::Error, line));
     LogLine { line: None, column: None, severity, text: text.to_owned() }
 }
 
 /// One line with a place; and whether it only goes on with the one before.
 fn read_line(line: &str) -> Option<(LogLine, bool)> {
-    let placed = |number: u32, column: Option<u32>, severity: Severity, text: &str| LogLine {
+    let placed = |number: u32, column: Option<u32>, severity: LogSeverity, text: &str| LogLine {
         // Drivers write 0 where they know none.
         line: Some(number).filter(|&number| number > 0),
         column: column.filter(|&column| column > 0),
@@ -126,26 +126,26 @@ fn read_line(line: &str) -> Option<(LogLine, bool)> {
     }
     // The place first: Mesa, NVIDIA, Mali.
     let (number, column, rest) = place(line)?;
-    let (level, text) = severity(rest).unwrap_or((Severity::Error, rest));
+    let (level, text) = severity(rest).unwrap_or((LogSeverity::Error, rest));
     let goes_on = text.starts_with("   ");
     Some((placed(number, column, level, text), goes_on))
 }
 
 /// `error:`, `WARNING:`, `: error C1008:`, `preprocessor error:`, `error(#143)` in front of a text; spaces behind are
 /// left, for they tell Mesa's candidates.
-fn severity(text: &str) -> Option<(Severity, &str)> {
+fn severity(text: &str) -> Option<(LogSeverity, &str)> {
     let trimmed = text.trim_start_matches([' ', ':']);
     let lower: String = trimmed.chars().take(20).flat_map(char::to_lowercase).collect();
     for (word, severity) in [
-        ("preprocessor error", Severity::Error),
-        ("preprocessor warning", Severity::Warning),
-        ("internal error", Severity::Error),
-        ("fatal error", Severity::Error),
-        ("link error", Severity::Error),
-        ("error", Severity::Error),
-        ("warning", Severity::Warning),
-        ("note", Severity::Note),
-        ("info", Severity::Note),
+        ("preprocessor error", LogSeverity::Error),
+        ("preprocessor warning", LogSeverity::Warning),
+        ("internal error", LogSeverity::Error),
+        ("fatal error", LogSeverity::Error),
+        ("link error", LogSeverity::Error),
+        ("error", LogSeverity::Error),
+        ("warning", LogSeverity::Warning),
+        ("note", LogSeverity::Note),
+        ("info", LogSeverity::Note),
     ] {
         if !lower.starts_with(word) {
             continue;
@@ -218,7 +218,7 @@ fn digits(text: &str) -> Option<(u32, &str)> {
 
 #[cfg(test)]
 mod tests {
-    use super::Severity::{Error, Note, Warning};
+    use super::LogSeverity::{Error, Note, Warning};
     use super::*;
 
     #[test]

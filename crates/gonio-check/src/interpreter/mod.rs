@@ -5,12 +5,10 @@
 //! thousands can be held against a picture in the time of one check. Which pixels there are, and of which triangle, the
 //! driver tells once (`stage::surface`); and what a verdict names is drawn by the driver in the end.
 
-mod functions;
 mod plan;
-mod read;
 mod run;
 mod value;
 
-pub use plan::{Input, Plan};
-pub use run::{Drawn, InputSet, Points, Run};
+pub use plan::{EvaluationPlan, ModelUniform};
+pub use run::{Fragments, InputSet, Points, Run};
 pub use value::Value;

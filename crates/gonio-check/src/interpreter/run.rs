@@ -1,7 +1,7 @@
 //! Works a plan out.
 
-use super::functions::resized;
-use super::plan::{Act, Node, Plan, Step, Way};
+use super::plan::{Act, EvaluationPlan, Node, Step, Way};
+use super::value::resized;
 use super::value::{Spans, Value};
 use gonio_glsl::Stage;
 use gonio_glsl::ast::BinaryOp;
@@ -20,7 +20,7 @@ pub struct Points {
 
 /// The pixels that are drawn, test scene by test scene.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Drawn {
+pub struct Fragments {
     /// Where each test scene's lie.
     pub spans: Vec<Range<usize>>,
     /// The three vertices of the triangle that a pixel shows: indices into [`Points`].
@@ -34,9 +34,9 @@ pub type InputSet = Vec<Rc<Value>>;
 
 /// A model that is worked out over one set of pixels: the model itself once, and of each hypothesis what it changes.
 pub struct Run {
-    plan: Rc<Plan>,
+    plan: Rc<EvaluationPlan>,
     points: Rc<Points>,
-    drawn: Drawn,
+    drawn: Fragments,
     input_sets: Rc<Vec<InputSet>>,
     /// Which inputs are not the same in all casts.
     varying: Vec<bool>,
@@ -49,7 +49,7 @@ type PerSet = Vec<Rc<Value>>;
 
 impl Run {
     /// Works out the model itself.
-    pub fn new(plan: Rc<Plan>, points: Rc<Points>, drawn: Drawn, input_sets: Rc<Vec<InputSet>>) -> Self {
+    pub fn new(plan: Rc<EvaluationPlan>, points: Rc<Points>, drawn: Fragments, input_sets: Rc<Vec<InputSet>>) -> Self {
         let varying = (0..plan.inputs.len())
             .map(|input| input_sets.windows(2).any(|pair| pair[0].get(input) != pair[1].get(input)))
             .collect();

@@ -3,7 +3,7 @@
 //! Compiling a program costs a software driver as much as drawing a hundred small pictures with it, and there are a hundred
 //! mistakes: so there is one program, and a hypothesis is a few integers.
 
-use super::{Mistake, Model};
+use super::{Mistake, ModelSolution};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -32,7 +32,7 @@ impl Hypothesis {
 /// A model with all its changes.
 pub struct Hypotheses {
     /// The model.
-    pub model: Model,
+    pub model: ModelSolution,
     /// The mistakes that can be made in it, harmless ones included.
     pub mistakes: Vec<&'static Mistake>,
     /// Each way to make each mistake: the index of the mistake stands in `mistakes`.
@@ -52,7 +52,7 @@ fn assignment(line: &str) -> Option<(&str, &str)> {
 
 impl Hypotheses {
     /// Of a model: a mistake that names a variable that the model does not write is left out (a test holds that there is none).
-    pub fn for_model(model: Model) -> Self {
+    pub fn for_model(model: ModelSolution) -> Self {
         let sources = model.sources();
         let written: Vec<&str> =
             sources.iter().flat_map(|source| source.lines()).filter_map(|l| Some(assignment(l)?.0)).collect();
@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn every_change_finds_its_line() {
-        for model in Model::ALL {
+        for model in ModelSolution::ALL {
             let hypotheses = Hypotheses::for_model(model);
             let ways: usize = super::super::for_model(model).map(|mistake| mistake.change.len()).sum();
             assert_eq!(hypotheses.singles.len(), ways, "{model:?}");
@@ -201,7 +201,7 @@ mod tests {
 
     #[test]
     fn without_a_choice_the_model_is_itself() {
-        for model in Model::ALL {
+        for model in ModelSolution::ALL {
             let written = Hypotheses::for_model(model).written(&Hypothesis::default());
             for (written, source) in written.iter().zip(model.sources()) {
                 let without_remarks = |text: &str| -> Vec<String> {
@@ -214,7 +214,7 @@ mod tests {
 
     #[test]
     fn changes_of_one_line_exclude_each_other() {
-        let hypotheses = Hypotheses::for_model(Model::Phong);
+        let hypotheses = Hypotheses::for_model(ModelSolution::Phong);
         let by_id = |id: &str| hypotheses.singles.iter().find(|h| hypotheses.mistakes[h.mistakes[0]].id == id).unwrap();
         assert!(by_id("diffuse-absolute").and(by_id("diffuse-not-clamped")).is_none());
         let both = by_id("diffuse-absolute").and(by_id("normal-by-model-matrix")).unwrap();

@@ -1,6 +1,6 @@
 //! Mistakes with single faces of a cubemap, made from the table of faces: turned, mirrored, swapped.
 
-use super::{Mistake, Model};
+use super::{Mistake, ModelSolution};
 use std::collections::BTreeMap;
 
 /// The six faces in OpenGL's order: the word of each, and its name for people.
@@ -40,7 +40,7 @@ fn mistake(id: String, name: String, looks_like: &str, fix: &str, change: BTreeM
     Mistake {
         id,
         name,
-        models: vec![Model::Panorama],
+        models: vec![ModelSolution::Panorama],
         looks_like: looks_like.to_owned(),
         fix: fix.to_owned(),
         lecture_section: LECTURE_SECTION.to_owned(),
@@ -96,7 +96,7 @@ mod tests {
 
     #[test]
     fn faces_as_they_should_be_are_the_models_own() {
-        let [_, fragment] = Model::Panorama.sources();
+        let [_, fragment] = ModelSolution::Panorama.sources();
         for (face, (word, _)) in FACES.iter().enumerate() {
             let line = format!("vec3 {word} = {};", direction(face, "s", "t"));
             assert!(fragment.contains(&line), "{line}");

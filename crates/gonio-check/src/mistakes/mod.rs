@@ -2,12 +2,8 @@
 
 mod compose;
 pub mod faces;
-mod model;
-mod structural;
 
 pub use compose::{Hypotheses, Hypothesis};
-pub use model::Model;
-pub use structural::structural;
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -22,7 +18,7 @@ pub struct Mistake {
     /// The mistake in half a sentence.
     pub name: String,
     /// The models in which it can be made.
-    pub models: Vec<Model>,
+    pub models: Vec<ModelSolution>,
     /// A right answer that looks different.
     #[serde(default)]
     pub harmless: bool,
@@ -80,7 +76,7 @@ pub fn all() -> &'static [Mistake] {
 }
 
 /// Returns the mistakes that can be made in a model.
-pub fn for_model(model: Model) -> impl Iterator<Item = &'static Mistake> {
+pub fn for_model(model: ModelSolution) -> impl Iterator<Item = &'static Mistake> {
     all().iter().filter(move |mistake| mistake.models.contains(&model.with_mistakes_of()))
 }
 
@@ -88,6 +84,126 @@ pub fn for_model(model: Model) -> impl Iterator<Item = &'static Mistake> {
 pub fn find(id: &str) -> Option<&'static Mistake> {
     all().iter().find(|mistake| mistake.id == id)
 }
+
+/// A right answer that hypotheses are changes of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ModelSolution {
+    /// The light equation per fragment.
+    Phong,
+    /// The light equation per vertex.
+    Gouraud,
+    /// A mirror.
+    Reflection,
+    /// Glass, through one surface.
+    Refraction,
+    /// The sky around everything.
+    Skybox,
+    /// A camera built from its position, Front and Up.
+    Camera,
+    /// The same without colours: what is drawn is how far everything is. Its mistakes are the camera's.
+    Places,
+    /// The faces of a cubemap, from a panorama.
+    Panorama,
+}
+
+macro_rules! shader {
+    ($name:literal) => {
+        include_str!(concat!("../../../../exercises/models/", $name))
+    };
+}
+
+impl ModelSolution {
+    /// Every one that has mistakes of its own.
+    pub const ALL: [ModelSolution; 7] = [
+        ModelSolution::Phong,
+        ModelSolution::Gouraud,
+        ModelSolution::Reflection,
+        ModelSolution::Refraction,
+        ModelSolution::Skybox,
+        ModelSolution::Camera,
+        ModelSolution::Panorama,
+    ];
+
+    /// Vertex and fragment shader, `#version 330 core`.
+    pub fn sources(self) -> [&'static str; 2] {
+        match self {
+            ModelSolution::Phong => [shader!("phong.vert"), shader!("phong.frag")],
+            ModelSolution::Gouraud => [shader!("gouraud.vert"), shader!("gouraud.frag")],
+            ModelSolution::Reflection => [shader!("mirror.vert"), shader!("reflection.frag")],
+            ModelSolution::Refraction => [shader!("mirror.vert"), shader!("refraction.frag")],
+            ModelSolution::Skybox => [shader!("skybox.vert"), shader!("skybox.frag")],
+            ModelSolution::Camera => [shader!("camera.vert"), shader!("camera.frag")],
+            ModelSolution::Places => [shader!("camera.vert"), shader!("places.frag")],
+            ModelSolution::Panorama => [shader!("panorama.vert"), shader!("panorama.frag")],
+        }
+    }
+
+    /// Whether it computes light from lights.
+    pub fn is_lit(self) -> bool {
+        matches!(self, ModelSolution::Phong | ModelSolution::Gouraud)
+    }
+
+    /// Whether it puts out what a cubemap gives in a direction.
+    pub fn is_looked_up(self) -> bool {
+        matches!(self, ModelSolution::Skybox | ModelSolution::Reflection | ModelSolution::Refraction)
+    }
+
+    /// The model whose mistakes apply to this one.
+    pub fn with_mistakes_of(self) -> ModelSolution {
+        match self {
+            ModelSolution::Places => ModelSolution::Camera,
+            other => other,
+        }
+    }
+
+    /// Whether it is about where things are drawn: two mistakes then have a picture that neither of them hints at.
+    pub fn is_of_places(self) -> bool {
+        matches!(self, ModelSolution::Camera | ModelSolution::Places)
+    }
+}
+
+/// Mistakes that are another model, or more than any model has, and not a change of a line.
+pub fn structural() -> Vec<Mistake> {
+    let mistake = |(id, name, looks_like, fix): &(&str, &str, &str, &str)| Mistake {
+        id: (*id).to_owned(),
+        name: (*name).to_owned(),
+        models: vec![ModelSolution::Phong, ModelSolution::Gouraud],
+        looks_like: (*looks_like).to_owned(),
+        fix: (*fix).to_owned(),
+        lecture_section: "Where is the rendering equation computed?".to_owned(),
+        ..Mistake::default()
+    };
+    STRUCTURAL.iter().map(mistake).collect()
+}
+
+/// Their ids, names, symptoms and fixes.
+const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
+    (
+        "phong-instead-of-gouraud",
+        "The light is computed for each fragment instead of each vertex",
+        "The picture is smoother than Gouraud shading is.",
+        "Compute the light in the vertex shader and pass the colour to the fragment shader.",
+    ),
+    (
+        "gouraud-instead-of-phong",
+        "The light is computed for each vertex instead of each fragment",
+        "The light is interpolated across triangles, and highlights are angular or missing.",
+        "Pass position and normal to the fragment shader, and compute the light there.",
+    ),
+    (
+        "ambient-in-cone",
+        "The spot light's cone cuts the ambient term too",
+        "Outside the cone the surface is black, where ambient light should remain.",
+        "Multiply only the diffuse and specular terms by the cone's factor.",
+    ),
+    (
+        "attenuation-other-formula",
+        "The attenuation is not 1 / (kc + kl d + kq d^2)",
+        "The light is too bright or too dark at most distances, or ends abruptly.",
+        "`1.0 / (constant + linear * d + quadratic * d * d)`. In a project of your own this may be intended.",
+    ),
+];
 
 #[cfg(test)]
 mod tests {

@@ -4,7 +4,7 @@ use super::tiles::Tiles;
 use crate::mistakes::Hypothesis;
 use crate::roles::{Bindings, Role, VariableKind};
 use crate::search::CompiledModel;
-use crate::testbench::{Shape, numbers, scene};
+use crate::testbench::{TestShape, numbers, scene};
 use glam::{DVec3, Vec3};
 use gonio_environment::{Conversion, Panorama, convert};
 use gonio_gl::{Gl, GlError};
@@ -54,7 +54,7 @@ impl FaceBench {
         let coords = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0_f32];
         let stream = |name, components, numbers| Stream { name, components, numbers };
         let square = [stream("position", 3, corners.as_slice()), stream("tex_coord", 2, coords.as_slice())];
-        let mesh = Shape::Cube.mesh();
+        let mesh = TestShape::Cube.mesh();
         let cube = [stream("position", 3, &mesh.positions), stream("tex_coord", 2, &mesh.tex_coords)];
         let image = &panorama.image;
         let size = [image.width as usize, image.height as usize];

@@ -3,7 +3,7 @@
 
 use super::tiles::{Fit, Tiles, Tolerance, WAYS};
 use crate::mistakes::faces::{FACES, swapped_id, turned_id};
-use crate::mistakes::{Hypotheses, Hypothesis, Model};
+use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use crate::search::SourceSupport;
 use gonio_gl::GlError;
 
@@ -197,7 +197,7 @@ impl<'a> Search<'a> {
         };
         let support = |candidate: &Candidate| -> f32 {
             let ids = ids(candidate);
-            let sum: f32 = ids.iter().map(|id| (self.task.source_support)(id, Model::Panorama)).sum();
+            let sum: f32 = ids.iter().map(|id| (self.task.source_support)(id, ModelSolution::Panorama)).sum();
             // Nothing speaks for or against single faces.
             if ids.is_empty() { 0.5 } else { sum / ids.len() as f32 }
         };

@@ -5,20 +5,22 @@
 //! mirrored, in another's place) is found face by face: each is compared with all six in all eight ways.
 
 mod bench;
-mod conclusion;
 mod explain;
 mod tiles;
 
 pub use bench::FaceBench;
-pub use conclusion::{blur, verdict};
 pub use explain::{Explanation, FaceTask};
 pub use tiles::{Tiles, Tolerance};
 
-use crate::mistakes::{Hypothesis, Model};
+use crate::mistakes::{
+    self,
+    faces::{FACES, LECTURE_SECTION},
+};
+use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::roles::{self, Role, VariableKind};
 use crate::search::{Evidence, Prepared, ShaderChecker};
 use crate::testbench::TILE;
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict, join_names};
 use gonio_gl::GlError;
 use gonio_render::user_program::UserProgram;
 
@@ -55,7 +57,7 @@ pub(crate) fn check(
         verdict.bound = bound;
         return Ok((verdict, None));
     };
-    let model = checker.model(Model::Panorama);
+    let model = checker.model(ModelSolution::Panorama);
     let task = FaceTask {
         hypotheses: &model.hypotheses,
         tolerance: Tolerance::DRAWN,
@@ -63,7 +65,121 @@ pub(crate) fn check(
     };
     let mut predict = |hypothesis: &Hypothesis| bench.draw_model(model, hypothesis);
     let explanation = Explanation::find(&task, &seen, &mut predict)?;
-    let (mut verdict, evidence) = conclusion::verdict(exercise, &explanation, &seen, |tiles| tiles.atlas());
+    let (mut verdict, evidence) = verdict(exercise, &explanation, &seen, |tiles| tiles.atlas());
     verdict.bound = bound;
     Ok((verdict, Some(evidence)))
+}
+
+/// Faces of less than this part of the sharpness that is possible are blurred.
+const BLURRED: f64 = 0.45;
+
+fn found(id: &str, share: f64) -> FoundMistake {
+    match mistakes::find(id) {
+        Some(mistake) => {
+            FoundMistake { or: mistake.looks_the_same_as.clone(), ..FoundMistake::from_catalogue(mistake, share) }
+        }
+        None => {
+            // `face-posx-shows-negx`
+            let name = |word: &str| FACES.iter().find(|(known, _)| *known == word).map_or("?", |(_, name)| name);
+            let mut words = id.split('-').skip(1);
+            let (face, shown) = (words.next().unwrap_or_default(), words.nth(1).unwrap_or_default());
+            let sentence = format!("Face {} shows what belongs on {}", name(face), name(shown));
+            let fix = "The order of OpenGL's faces is +X, -X, +Y, -Y, +Z, -Z.";
+            FoundMistake::new(id, sentence, share).taught("", fix, LECTURE_SECTION)
+        }
+    }
+}
+
+/// The verdict and its pictures; `atlas` makes pictures of light of what was compared.
+pub fn verdict(
+    exercise: &str,
+    explanation: &Explanation,
+    seen: &Tiles,
+    atlas: impl Fn(&Tiles) -> crate::testbench::Atlas,
+) -> (Verdict, Evidence) {
+    let scenes = scenes(explanation);
+    let evidence = Evidence {
+        seen: atlas(seen),
+        reference: atlas(&explanation.reference),
+        predicted: (!explanation.is_right() && explanation.unexplained.is_empty())
+            .then(|| atlas(&explanation.predicted)),
+        scenes: scenes.iter().map(|scene| scene.scene.clone()).collect(),
+    };
+    let right = scenes.iter().filter(|scene| scene.right).count();
+    let mut verdict = Verdict::new(exercise, Outcome::Wrong, "");
+    verdict.score = (right as f64 / 6.0).min(0.9);
+    verdict.scenes = scenes;
+    if explanation.is_right() {
+        verdict.verdict = Outcome::Correct;
+        verdict.score = 1.0;
+        verdict.summary = "all six faces are right".to_owned();
+        return (verdict, evidence);
+    }
+    let names = |faces: &[usize]| -> String {
+        let names: Vec<&str> = faces.iter().map(|&face| FACES[face % 6].1).collect();
+        names.join(", ")
+    };
+    let unexplained = &explanation.unexplained;
+    // What explains few faces is no explanation of all.
+    if unexplained.len() <= 2 {
+        let share = 1.0 - unexplained.len() as f64 / 6.0;
+        let ids = explanation.global.iter().chain(&explanation.local);
+        verdict.mistakes = ids.map(|id| found(id, share)).collect();
+        if let [only] = verdict.mistakes.as_mut_slice() {
+            only.or.extend(explanation.or.iter().filter(|id| !only.or.contains(id)).cloned().collect::<Vec<_>>());
+            only.or.retain(|id| *id != only.id);
+        }
+    }
+    let mut sentences: Vec<String> = verdict.mistakes.iter().map(|mistake| mistake.name.clone()).collect();
+    match unexplained.len() {
+        0 => {}
+        6 => sentences.push("no face is right, and no known mistake explains it".to_owned()),
+        _ => {
+            let s = if unexplained.len() == 1 { "face" } else { "faces" };
+            sentences.push(format!("no known mistake explains the {s} {}", names(unexplained)));
+        }
+    }
+    verdict.summary = join_names(sentences.iter().map(String::as_str));
+    (verdict, evidence)
+}
+
+fn scenes(explanation: &Explanation) -> Vec<SceneVerdict> {
+    const SHOWS: [&str; 6] = [
+        "to the right: s runs towards -Z, t towards -Y",
+        "to the left: s runs towards +Z, t towards -Y",
+        "above: s runs towards +X, t towards +Z",
+        "below: s runs towards +X, t towards -Z",
+        "behind: s runs towards +X, t towards -Y",
+        "straight ahead: s runs towards -X, t towards -Y",
+    ];
+    let is_wrong = |face: usize| {
+        let word = FACES[face].0;
+        !explanation.global.is_empty()
+            || explanation.unexplained.contains(&face)
+            || explanation.local.iter().any(|id| match id.split_once("-shows-") {
+                Some((who, _)) => who.ends_with(word),
+                None => id.contains(word),
+            })
+    };
+    let scene = |(face, fit): (usize, &tiles::Fit)| SceneVerdict {
+        scene: format!("{} {}", FACES[face].1, FACES[face].0),
+        shows: SHOWS[face].into(),
+        right: !is_wrong(face),
+        pixels_beyond: fit.beyond,
+        worst: fit.worst,
+    };
+    explanation.held.iter().enumerate().map(scene).collect()
+}
+
+/// What is right but for its sharpness; `sharpness` is that of the pictures against what is possible.
+pub fn blur(verdict: &mut Verdict, sharpness: f64) {
+    if sharpness >= BLURRED {
+        return;
+    }
+    let mut mistake = found("faces-blurred", 1.0);
+    mistake.name = format!("{}: they have {:.0} % of the panorama's sharpness", mistake.name, 100.0 * sharpness);
+    verdict.verdict = Outcome::Wrong;
+    verdict.score = 0.8;
+    verdict.summary.clone_from(&mistake.name);
+    verdict.mistakes.push(mistake);
 }

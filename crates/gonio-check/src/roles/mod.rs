@@ -5,7 +5,6 @@
 
 mod context;
 mod file;
-mod lights;
 mod role;
 mod rules;
 mod words;

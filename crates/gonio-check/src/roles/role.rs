@@ -273,8 +273,7 @@ impl FromStr for Role {
             (Some((_, named @ Light(_))), light) => Ok(named.with_light(light.unwrap_or(0))),
             (Some((_, Plain(role))), None) => Ok(*role),
             _ => {
-                let nearest =
-                    crate::nearest::most_like(name, NAMES.iter().map(|&(name, _)| name)).unwrap_or("position");
+                let nearest = crate::words::most_like(name, NAMES.iter().map(|&(name, _)| name)).unwrap_or("position");
                 Err(UnknownRole { given: given.to_owned(), nearest })
             }
         }

@@ -1,7 +1,7 @@
 //! A variable's name as words with one meaning each, whatever the dialect: `u_lightPos`, `LightPosition_worldspace`,
 //! `lights[1].pos` and `posLumiere` all say *light* and *pos*.
 
-use crate::submission::words::words_of;
+use crate::words::words_of;
 
 /// Spellings and what they mean. What stands here with an empty meaning says nothing.
 const MEANINGS: &[(&str, &str)] = &[

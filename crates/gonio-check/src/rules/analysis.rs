@@ -1,10 +1,11 @@
 //! Analyses the source of a pair of shaders: the mistakes that it makes and where, and the constants written in it.
 
-use super::constants::{self, Written};
+use super::constants::{self, SourceConstants};
 use super::{Answer, answer, power_under_maximum};
-use crate::dataflow::{Id, Op, Reading, Shader, by_use};
-use crate::mistakes::Model;
+use crate::dataflow::{Id, Op, Reading, Shader};
+use crate::mistakes::ModelSolution;
 use crate::roles::{NamesFile, Role};
+use gonio_glsl::ast::BinaryOp;
 use gonio_glsl::{Span, Stage};
 
 /// An expression of the student's.
@@ -32,8 +33,8 @@ impl Analysis {
 
     /// Constants in the source where a uniform could be, as far as they flow into the colour.
     #[must_use]
-    pub fn written(&self) -> Written {
-        constants::written(&self.reading)
+    pub fn constants(&self) -> SourceConstants {
+        constants::constants(&self.reading)
     }
 
     /// Whether V is cut down to its rotation somewhere, used or not.
@@ -50,13 +51,13 @@ impl Analysis {
     /// Matrices whose names say nothing, and what they must be for the position to be what it is.
     #[must_use]
     pub fn matrices_by_use(&self) -> Vec<(String, Role)> {
-        by_use::matrices(&self.reading)
+        matrices_by_use(&self.reading)
     }
 
     /// The place in the source that looks like a mistake of the catalogue, or where what is missing belongs. `None` where the
     /// source does not tell.
     #[must_use]
-    pub fn line(&self, id: &str, model: Model) -> Option<Place> {
+    pub fn line(&self, id: &str, model: ModelSolution) -> Option<Place> {
         match answer(&self.reading, id, model) {
             Answer::At(node, confidence) => self.place(node, confidence),
             Answer::Not | Answer::Silent => None,
@@ -66,7 +67,7 @@ impl Analysis {
     /// How far the source supports a mistake: 1 if the very expression is there, 0 if it is there and right, 0.5 if the source
     /// does not tell.
     #[must_use]
-    pub fn support(&self, id: &str, model: Model) -> f32 {
+    pub fn support(&self, id: &str, model: ModelSolution) -> f32 {
         match answer(&self.reading, id, model) {
             Answer::At(_, support) => support,
             Answer::Not => 0.0,
@@ -113,5 +114,61 @@ impl Analysis {
     fn place(&self, node: Id, confidence: f32) -> Option<Place> {
         let node = self.reading.graph.node(node);
         (node.span.line > 0).then_some(Place { stage: node.stage, span: node.span, confidence })
+    }
+}
+
+/// The names of uniforms and what they must be. Empty where names say it all, or where the position is no plain product.
+fn matrices_by_use(reading: &Reading) -> Vec<(String, Role)> {
+    let Some(position) = reading.position else { return Vec::new() };
+    let mut factors = Vec::new();
+    if !product(reading, position, &mut factors, 0) || factors.iter().all(|(_, role)| role.is_some()) {
+        return Vec::new();
+    }
+    let known: Vec<Option<Role>> = factors.iter().map(|(_, role)| *role).collect();
+    let projects = |role: &Role| matches!(role, Role::Projection | Role::ViewProjection | Role::ModelViewProjection);
+    let others_project = known[1..].iter().flatten().any(projects);
+    let meant: &[Role] = match known[..] {
+        _ if others_project => return Vec::new(),
+        [None] => &[Role::ModelViewProjection],
+        [Some(Role::Projection), None] => &[Role::Projection, Role::ModelView],
+        // `camera * transform`: with nothing to project with, it is in the first.
+        [None | Some(Role::View | Role::ViewProjection), None] | [None, Some(Role::Model)] => {
+            &[Role::ViewProjection, Role::Model]
+        }
+        [None, Some(Role::ModelView)] => &[Role::Projection, Role::ModelView],
+        [_, _, _] => &[Role::Projection, Role::View, Role::Model],
+        _ => return Vec::new(),
+    };
+    let contradicts = |((_, known), meant): (&(String, Option<Role>), &Role)| {
+        known.is_some_and(|known| known != *meant && !(known == Role::View && *meant == Role::ViewProjection))
+    };
+    if factors.iter().zip(meant).any(contradicts) {
+        return Vec::new();
+    }
+    let changed =
+        |((name, known), meant): ((String, Option<Role>), &Role)| (known != Some(*meant)).then_some((name, *meant));
+    factors.into_iter().zip(meant).filter_map(changed).collect()
+}
+
+/// The uniforms of a product from left to right, without the vector at its end; whether it is one.
+fn product(reading: &Reading, id: Id, factors: &mut Vec<(String, Option<Role>)>, depth: usize) -> bool {
+    let graph = &reading.graph;
+    if depth > 16 || factors.len() > 3 {
+        return false;
+    }
+    match graph.op(graph.core(id)) {
+        Op::Input { name, role } if graph.node(graph.core(id)).is_matrix => {
+            factors.push((name.clone(), *role));
+            true
+        }
+        Op::Input { .. } => true,
+        Op::Binary(BinaryOp::Multiply, a, b) => {
+            graph.node(*a).is_matrix
+                && product(reading, *a, factors, depth + 1)
+                && product(reading, *b, factors, depth + 1)
+        }
+        // `vec4(position, 1.0)`
+        Op::Construct(_) => !graph.node(graph.core(id)).is_matrix,
+        _ => false,
     }
 }

@@ -9,7 +9,7 @@ use gonio_glsl::ast::BinaryOp;
 
 /// Numbers that stand in the student's source where a uniform could be.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Written {
+pub struct SourceConstants {
     /// In the world.
     pub light_position: Option<Vec3>,
     /// Where the light comes from outside: another place of a light that is written all the same.
@@ -23,12 +23,12 @@ pub struct Written {
     /// Where the light is a direction from outside: whether it is used as the one towards the light.
     pub points_to_light: Option<bool>,
     /// A direction towards the light that is written down, and that nothing calls a place.
-    pub sun: Option<WrittenSun>,
+    pub sun: Option<ConstantSun>,
 }
 
 /// A direction towards the light, of length 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WrittenSun {
+pub struct ConstantSun {
     /// In the world, or in the view's space.
     pub to_light: Vec3,
     /// The light turns with the camera.
@@ -36,9 +36,9 @@ pub struct WrittenSun {
 }
 
 /// All of them that flow into the colour.
-pub(super) fn written(reading: &Reading) -> Written {
+pub(super) fn constants(reading: &Reading) -> SourceConstants {
     let sun = sun(reading);
-    Written {
+    SourceConstants {
         // A direction is no place.
         light_position: light_position(reading).filter(|_| sun.is_none()),
         other_light: other_light(reading),
@@ -104,7 +104,7 @@ fn points_to_light(reading: &Reading) -> Option<bool> {
 }
 
 /// A direction that is written down and meets the normal, if nothing on its way calls it a place.
-fn sun(reading: &Reading) -> Option<WrittenSun> {
+fn sun(reading: &Reading) -> Option<ConstantSun> {
     let of_dots = reading.diffuse_dots().into_iter().flat_map(|(_, a, b)| [a, b]);
     let slots: Vec<Id> = reading.lights().into_iter().chain(of_dots).collect();
     let (slot, vector) = slots.into_iter().find_map(|slot| {
@@ -119,7 +119,7 @@ fn sun(reading: &Reading) -> Option<WrittenSun> {
     let towards = vec3(reading, vector.at)? * vector.sign as f32;
     let normals: Vec<_> = reading.normals().into_iter().filter_map(|id| reading.vector(id)).collect();
     let in_view = !normals.is_empty() && normals.iter().all(|v| matches!(v.kind, VectorKind::Normal(By::View { .. })));
-    Some(WrittenSun { to_light: towards.try_normalize()?, in_view })
+    Some(ConstantSun { to_light: towards.try_normalize()?, in_view })
 }
 
 /// The variables that a vector went through since it was made.

@@ -3,11 +3,11 @@
 use super::{Answer, At, Not, Silent, ambient};
 use crate::dataflow::vector::{Incoming, Space, Vector, VectorKind};
 use crate::dataflow::{Id, Op, Reading};
-use crate::mistakes::Model;
+use crate::mistakes::ModelSolution;
 use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp;
 
-pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer> {
+pub(super) fn answer(reading: &Reading, id: &str, model: ModelSolution) -> Option<Answer> {
     Some(match id {
         "reflection-vector-reversed" | "refraction-view-reversed" => reversed(reading),
         "reflection-normal-only" => looked_up(reading, |kind| matches!(kind, VectorKind::Normal(_))),
@@ -116,7 +116,7 @@ fn is_inverted(reading: &Reading, id: Id) -> bool {
 }
 
 /// Where a component of the direction that is looked up changes its sign.
-fn negated(reading: &Reading, components: &[usize], model: Model) -> Answer {
+fn negated(reading: &Reading, components: &[usize], model: ModelSolution) -> Answer {
     let graph = &reading.graph;
     let is_negative = |id: Id| match graph.op(graph.plain(id)) {
         Op::Neg(_) => true,
@@ -158,7 +158,7 @@ fn negated(reading: &Reading, components: &[usize], model: Model) -> Answer {
                 }
                 // All three, in a sky.
                 Op::Neg(inner) => {
-                    if model == Model::Skybox && components == [1] {
+                    if model == ModelSolution::Skybox && components == [1] {
                         return At(id, 0.8);
                     }
                     *inner

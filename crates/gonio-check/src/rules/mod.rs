@@ -6,21 +6,20 @@ mod attenuation;
 mod camera;
 mod constants;
 mod diffuse;
-mod directions;
 mod environment;
-mod normals;
 mod panorama;
 mod places;
 mod specular;
+mod vectors;
 
 #[cfg(test)]
 mod tests;
 
 pub use analysis::{Analysis, Place};
-pub use constants::{Written, WrittenSun};
+pub use constants::{ConstantSun, SourceConstants};
 
 use crate::dataflow::{Id, Op, Reading};
-use crate::mistakes::Model;
+use crate::mistakes::ModelSolution;
 
 /// The evidence in the source for a mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,16 +45,16 @@ impl Answer {
 }
 
 /// Returns the evidence in the source for a mistake of the catalogue.
-pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Answer {
+pub(super) fn answer(reading: &Reading, id: &str, model: ModelSolution) -> Answer {
     if model.is_of_places() {
         return camera::answer(reading, id);
     }
-    if model == Model::Panorama {
+    if model == ModelSolution::Panorama {
         return panorama::answer(reading, id);
     }
-    let found = normals::answer(reading, id)
+    let found = vectors::normal_answer(reading, id)
         .or_else(|| places::answer(reading, id, model))
-        .or_else(|| directions::answer(reading, id, model))
+        .or_else(|| vectors::direction_answer(reading, id, model))
         .or_else(|| diffuse::answer(reading, id))
         .or_else(|| specular::answer(reading, id))
         .or_else(|| ambient::answer(reading, id))

@@ -5,10 +5,10 @@ use crate::dataflow::Reading;
 use crate::dataflow::matrix::Base;
 use crate::dataflow::vector::{Space, VectorKind};
 use crate::dataflow::{Graph, Id, Op};
-use crate::mistakes::Model;
+use crate::mistakes::ModelSolution;
 use gonio_glsl::ast::BinaryOp;
 
-pub(super) fn answer(reading: &Reading, id: &str, model: Model) -> Option<Answer> {
+pub(super) fn answer(reading: &Reading, id: &str, model: ModelSolution) -> Option<Answer> {
     use Base::{Model as M, Projection as P, View as V};
     Some(match id {
         "position-not-transformed" => in_space(reading, Space::Model, model),
@@ -87,7 +87,7 @@ fn behind_screen(reading: &Reading, mut id: Id, at: Id) -> Id {
     }
 }
 
-fn in_space(reading: &Reading, wanted: Space, model: Model) -> Answer {
+fn in_space(reading: &Reading, wanted: Space, model: ModelSolution) -> Answer {
     let mut found = places(reading);
     if found.is_empty() && !model.is_lit() {
         let looked_up = reading.lookups().into_iter().filter_map(|(_, id)| Some((reading.vector(id)?, id)));

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::dataflow::Shader;
-use crate::mistakes::Model;
+use crate::mistakes::ModelSolution;
 use crate::roles::{NamesFile, Role};
 use glam::Vec3;
 use gonio_glsl::{Stage, check, parse};
@@ -20,14 +20,14 @@ fn read(vertex: &str, fragment: &str) -> Analysis {
 fn fragment(head: &str, body: &str) -> Analysis {
     let given = "in vec3 world_position; in vec3 v_normal; out vec4 FragColor; uniform vec3 u_view_pos;";
     let text = format!("#version 330 core\n{given}\n{head}\nvoid main() {{\n{body}\n}}\n");
-    let source = read(Model::Phong.sources()[0], &text);
+    let source = read(ModelSolution::Phong.sources()[0], &text);
     assert!(source.reading.colour.is_some(), "{text}");
     source
 }
 
 #[test]
 fn the_models_themselves_make_no_mistake() {
-    for model in Model::ALL {
+    for model in ModelSolution::ALL {
         let [vertex, fragment] = model.sources();
         let source = read(vertex, fragment);
         for mistake in crate::mistakes::for_model(model).filter(|mistake| !mistake.harmless) {
@@ -47,7 +47,7 @@ fn every_mistake_put_into_its_model_is_found_at_its_line() {
         "normal-not-normalised-in-vertex",
     ];
     let (mut right, mut wrong, mut all) = (0, Vec::new(), 0);
-    for model in Model::ALL {
+    for model in ModelSolution::ALL {
         for mistake in crate::mistakes::for_model(model).filter(|mistake| !mistake.harmless) {
             for change in mistake.change.iter().filter(|change| change.len() == 1) {
                 let (variable, value) = change.iter().next().unwrap();
@@ -71,7 +71,7 @@ fn every_mistake_put_into_its_model_is_found_at_its_line() {
                 all += 1;
                 let found = read(&sources[0], &sources[1]).line(&mistake.id, model).map(|place| place.span.line);
                 // What is wrong with a camera is told where it stands in the matrix.
-                let is_elsewhere = model == Model::Camera || elsewhere.contains(&mistake.id.as_str());
+                let is_elsewhere = model == ModelSolution::Camera || elsewhere.contains(&mistake.id.as_str());
                 if found == Some(line) || is_elsewhere && found.is_some() {
                     right += 1;
                 } else {
@@ -106,7 +106,7 @@ fn exponents_that_are_written_are_found() {
         ("", "c", None),
     ] {
         let source = fragment(head, &format!("{lit}\nfloat s = {value};\nFragColor = vec4(vec3(s), 1.0);"));
-        let found = source.written().shininess;
+        let found = source.constants().shininess;
         assert_eq!(found.map(|n| (n * 1000.0).round() / 1000.0), wanted, "{head} {value}");
     }
 }
@@ -126,7 +126,7 @@ fn lights_that_are_written_are_found() {
         ("const vec3 unused = vec3(1.0); uniform vec3 lightPos;", "normalize(lightPos - world_position)", None),
     ] {
         let body = format!("vec3 L = {value};\nFragColor = vec4(vec3(max(dot(normalize(v_normal), L), 0.0)), 1.0);");
-        assert_eq!(fragment(head, &body).written().light_position, wanted, "{head} {value}");
+        assert_eq!(fragment(head, &body).constants().light_position, wanted, "{head} {value}");
     }
 }
 
@@ -148,7 +148,7 @@ fn attenuations_that_are_written_are_found() {
             "vec3 to = vec3(1.0, 2.0, 3.0) - world_position; float d = length(to);\nfloat a = {value};\n\
              FragColor = vec4(vec3(a * max(dot(normalize(v_normal), normalize(to)), 0.0)), 1.0);"
         );
-        assert_eq!(fragment(head, &body).written().attenuation, wanted, "{head} {value}");
+        assert_eq!(fragment(head, &body).constants().attenuation, wanted, "{head} {value}");
     }
 }
 
@@ -167,7 +167,7 @@ fn indices_that_are_written_are_found() {
             "vec3 I = normalize(world_position - u_view_pos);\nfloat ratio = {value};\n\
              FragColor = texture(skybox, refract(I, normalize(v_normal), ratio));"
         );
-        let found = fragment(&head, &body).written().refraction_index;
+        let found = fragment(&head, &body).constants().refraction_index;
         assert_eq!(found.map(|n| (n * 100.0).round() / 100.0), wanted, "{head} {value}");
     }
 }
@@ -193,7 +193,8 @@ fn what_no_picture_tells_apart_the_source_does() {
         ("L - 2.0 * dot(N, L) * N", towards, 1.0, 0.0),
     ] {
         let source = highlight(reflected, eye);
-        let found = ["specular-reflect-sign", "view-direction-reversed"].map(|id| source.support(id, Model::Phong));
+        let found =
+            ["specular-reflect-sign", "view-direction-reversed"].map(|id| source.support(id, ModelSolution::Phong));
         assert_eq!(found, [sign, view], "{reflected}, {eye}");
     }
     let diffuse = |n: &str, l: &str| {
@@ -209,7 +210,7 @@ fn what_no_picture_tells_apart_the_source_does() {
         [("N", "L", 0.0, 0.0), ("-N", "L", 1.0, 0.0), ("N", "-L", 0.0, 1.0), ("-N", "-L", 0.0, 0.0)]
     {
         let source = diffuse(n, l);
-        let found = ["normal-reversed", "light-direction-reversed"].map(|id| source.support(id, Model::Phong));
+        let found = ["normal-reversed", "light-direction-reversed"].map(|id| source.support(id, ModelSolution::Phong));
         assert_eq!(found, [normal, light], "{n}, {l}");
     }
 }
@@ -251,7 +252,7 @@ fn line_of_face(head: &str, lines: &[&str], id: &str) -> u32 {
     );
     let vertex = "#version 330 core\nin vec3 position; out vec2 st;\n\
                   void main() { st = position.xy; gl_Position = vec4(position, 1.0); }";
-    read(vertex, &text).line(id, Model::Panorama).map_or(0, |place| place.span.line)
+    read(vertex, &text).line(id, ModelSolution::Panorama).map_or(0, |place| place.span.line)
 }
 
 #[test]
@@ -367,7 +368,7 @@ fn no_source_makes_it_panic_or_hang() {
         let text = format!("{head}void main() {{ {body} }}");
         for (vertex, fragment) in [(text.as_str(), text.as_str()), ("", text.as_str()), (text.as_str(), "\u{feff}")] {
             let source = read(vertex, fragment);
-            assert!(source.written().shininess.is_none_or(f32::is_finite));
+            assert!(source.constants().shininess.is_none_or(f32::is_finite));
             assert!(source.in_source_only().len() <= 1);
             for mistake in crate::mistakes::all() {
                 for model in &mistake.models {
@@ -379,7 +380,7 @@ fn no_source_makes_it_panic_or_hang() {
             }
         }
     }
-    assert_eq!(read("", "").support("no-such-mistake", Model::Phong), 0.5);
+    assert_eq!(read("", "").support("no-such-mistake", ModelSolution::Phong), 0.5);
 }
 
 fn by_use(uniforms: &str, position: &str) -> Vec<(String, Role)> {
@@ -407,7 +408,7 @@ fn matrices_are_told_by_how_they_are_multiplied() {
 fn a_sun_is_a_direction_that_nothing_calls_a_place() {
     let sun = |head: &str, body: &str| {
         let body = format!("{body}\nFragColor = vec4(max(dot(normalize(v_normal), L), 0.0));");
-        fragment(head, &body).written()
+        fragment(head, &body).constants()
     };
     let found = sun("", "vec3 L = normalize(vec3(0.0, 3.0, 4.0));").sun.unwrap();
     assert!((found.to_light - Vec3::new(0.0, 0.6, 0.8)).length() < 1e-6 && !found.in_view);
@@ -428,11 +429,11 @@ fn a_cone_is_no_diffuse_term() {
             FragColor = vec4(vec3({sum}), 1.0);"
         )
     };
-    let looks = |sum: &str| fragment(head, &body(sum)).support("ambient-in-cone", Model::Phong);
+    let looks = |sum: &str| fragment(head, &body(sum)).support("ambient-in-cone", ModelSolution::Phong);
     assert_eq!(looks("cone * (ambientStrength + diffuse)"), 1.0);
     assert_eq!(looks("ambientStrength + cone * diffuse"), 0.0);
     assert_eq!(looks("ambientStrength + diffuse"), 0.5);
-    let turned = fragment(head, &body("cone * diffuse")).support("light-direction-reversed", Model::Phong);
+    let turned = fragment(head, &body("cone * diffuse")).support("light-direction-reversed", ModelSolution::Phong);
     assert_eq!(turned, 0.0);
 }
 

@@ -32,14 +32,14 @@ pub fn channel_difference(a: f32, b: f32) -> f32 {
 
 /// A test scene's differences, added up.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Tally {
+pub struct SceneDifference {
     drawn: usize,
     beyond: usize,
     squares: f64,
     worst: f32,
 }
 
-impl Tally {
+impl SceneDifference {
     /// One pixel more.
     pub fn add(&mut self, difference: f32) {
         self.drawn += 1;
@@ -57,8 +57,8 @@ impl Tally {
     }
 }
 
-impl FromIterator<Tally> for Comparison {
-    fn from_iter<T: IntoIterator<Item = Tally>>(tallies: T) -> Self {
+impl FromIterator<SceneDifference> for Comparison {
+    fn from_iter<T: IntoIterator<Item = SceneDifference>>(tallies: T) -> Self {
         let mut comparison = Comparison { beyond: Vec::new(), squares: Vec::new(), worst: Vec::new() };
         for tally in tallies {
             let drawn = tally.drawn.max(1) as f64;
@@ -85,7 +85,7 @@ impl Comparison {
     /// Compares as many test scenes as there are.
     pub fn new(a: &Atlas, b: &Atlas, test_scenes: usize) -> Self {
         let tally = |tile: usize| {
-            let mut tally = Tally::default();
+            let mut tally = SceneDifference::default();
             for (p, q) in a.tile(tile).iter().zip(b.tile(tile)) {
                 if Atlas::is_drawn(p) || Atlas::is_drawn(q) {
                     tally.add(pixel_difference(p, q));

@@ -2,8 +2,9 @@
 
 use super::compare::Comparison;
 use super::parameterisation::Parameterisation;
-use super::ranking::{Entry, Found, Search, Tried};
+use super::ranking::{Found, Search, SearchEntry, Tried};
 use super::task::Task;
+use crate::mistakes::Hypothesis;
 use crate::roles::Bindings;
 use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{
@@ -15,7 +16,7 @@ const MOST_FOR_WRONG: f64 = 0.9;
 /// A runner-up is told from this share on.
 const RUNNER_UP_FROM: f64 = 0.25;
 /// A name is given from this share of the difference on, where some of it is left over.
-pub(super) const NAMED_FROM: f64 = 0.985;
+const NAMED_FROM: f64 = 0.985;
 /// ... and by that much more than the next best.
 const CLEARER_BY: f64 = 0.01;
 
@@ -128,7 +129,7 @@ fn undefined_pixels(seen: &Atlas) -> usize {
     seen.pixels.iter().filter(|p| Atlas::is_drawn(p) && p.iter().take(3).any(|c| !c.is_finite())).count()
 }
 
-fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&Entry>) -> Vec<Peculiarity> {
+fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&SearchEntry>) -> Vec<Peculiarity> {
     let harmless = best.mistakes.iter().filter(|m| m.harmless);
     let mut all: Vec<Peculiarity> = harmless.map(|m| Peculiarity { id: m.id.clone(), name: m.name.clone() }).collect();
     if entry.is_some_and(|entry| entry.is_right && entry.model != task.model) {
@@ -225,4 +226,36 @@ pub fn terms(
             TermVerdict { term: term.into(), state }
         })
         .collect()
+}
+
+/// The model's number among the search's, and what of it is peculiar.
+///
+/// Where a mistake explains the program, it is the program without that mistake. The right answer that is nearest would not
+/// do: nothing is nearer to a program without its highlight than one whose normals are so short that none shows, and then
+/// the diffuse term is the one that differs.
+pub(super) fn right_answer(search: &Search<'_>, found: &Found<'_>) -> (usize, Hypothesis) {
+    let nearest = (found.nearest_right.model, found.nearest_right.hypothesis.clone());
+    let is_named = |explained: f64, is_same: bool| is_same || explained >= NAMED_FROM;
+    let Some(best) = found.ranking.first().filter(|best| is_named(best.explained, best.residual.is_same())) else {
+        return nearest;
+    };
+    let kind = search.entries[best.model].model;
+    let is_right = search.entries[best.model].is_right;
+    // Also in a way that only wrong answers take, where nothing shows that it is wrong.
+    if best.wrong().is_empty() && (is_right || search.entries[best.model].word.is_none()) {
+        return (best.model, best.hypothesis.clone());
+    }
+    let right = match is_right {
+        true => Some(best.model),
+        false => search.entries.iter().position(|entry| entry.is_right && entry.model == kind),
+    };
+    let Some(right) = right else { return (0, Hypothesis::default()) };
+    let hypotheses = &search.models[right].hypotheses;
+    let is_part = |single: &&Hypothesis| {
+        let [mistake] = single.mistakes[..] else { return false };
+        let is_made = best.hypothesis.mistakes.contains(&mistake) && hypotheses.mistakes[mistake].harmless;
+        is_made && single.choices.iter().all(|(line, way)| best.hypothesis.choices.get(line) == Some(way))
+    };
+    let parts = hypotheses.singles.iter().filter(is_part);
+    (right, parts.fold(Hypothesis::default(), |all, part| all.and(part).unwrap_or(all)))
 }

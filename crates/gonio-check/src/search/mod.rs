@@ -2,34 +2,32 @@
 
 mod compare;
 mod conclusion;
-mod endless;
 mod fit;
-mod guided;
 mod on_cpu;
 mod parameterisation;
 mod predict;
 mod properties;
 mod ranking;
-mod right;
+mod several;
 mod task;
 
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
 pub use conclusion::mistake as named;
 pub(crate) use conclusion::{bound, fixed};
-pub(crate) use endless::{drawn as drawn_unless_endless, verdict as endless_verdict};
 pub use parameterisation::{Lights, Parameterisation, Second};
 pub use predict::{CompiledModel, declared};
 pub use task::{PLACES, TASKS, Task};
 
-use crate::mistakes::{Hypothesis, Model};
+use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::roles::{self, Declared, NamesFile, Role, VariableKind};
-use crate::rules::Written;
+use crate::rules::SourceConstants;
 use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::{Gl, GlError};
+use gonio_glsl::DRAWN_ALL_THE_SAME;
 use gonio_render::user_program::UserProgram;
 use on_cpu::CpuComparer;
-use ranking::{Entry, Found, Search};
+use ranking::{Found, Search, SearchEntry};
 use std::collections::HashMap;
 
 /// A pair of shaders that runs here, and what is known of it beside its pictures.
@@ -39,7 +37,7 @@ pub struct Prepared {
     /// Roles of names that nothing else determines.
     pub names: NamesFile,
     /// Constants in the source where a uniform could be.
-    pub written: Written,
+    pub constants: SourceConstants,
     /// For ambient, diffuse and specular: whether the source computes it but never uses it.
     pub unused_terms: [bool; 3],
     /// The support of the source for a mistake where pictures do not decide: 0 contradicted, 1 the very expression is
@@ -48,7 +46,7 @@ pub struct Prepared {
 }
 
 /// The support of the source for a mistake of the catalogue, in a model.
-pub type SourceSupport = Box<dyn Fn(&str, Model) -> f32>;
+pub type SourceSupport = Box<dyn Fn(&str, ModelSolution) -> f32>;
 
 /// The pictures of a check, for reports beside a verdict.
 #[derive(Clone, Debug)]
@@ -66,7 +64,7 @@ pub struct Evidence {
 /// Checks pairs of shaders, one after the other, in one context. What it compiles is kept.
 pub struct ShaderChecker {
     gl: Gl,
-    models: HashMap<Model, CompiledModel>,
+    models: HashMap<ModelSolution, CompiledModel>,
     testbenches: HashMap<&'static str, (Testbench, [usize; 2])>,
 }
 
@@ -82,14 +80,14 @@ impl ShaderChecker {
     }
 
     /// A model, compiled when it is first asked for.
-    pub fn model(&mut self, model: Model) -> &CompiledModel {
+    pub fn model(&mut self, model: ModelSolution) -> &CompiledModel {
         let gl = &self.gl;
         self.models.entry(model).or_insert_with(|| CompiledModel::new(gl, model))
     }
 
     /// A fragment shader for this context that shows how far away everything is, whatever colours there are.
     pub fn places_fragment(&self) -> String {
-        let [_, fragment] = Model::Places.sources();
+        let [_, fragment] = ModelSolution::Places.sources();
         crate::testbench::for_context(&self.gl, fragment)
     }
 
@@ -101,7 +99,7 @@ impl ShaderChecker {
         found: &Found<'_>,
         unused_terms: [bool; 3],
     ) -> Result<Atlas, GlError> {
-        let (right_model, right) = right::answer(search, found);
+        let (right_model, right) = conclusion::right_answer(search, found);
         let best = found.ranking.first().filter(|best| best.residual.is_same());
         let Some(strengths) = best.map(|best| best.strengths).filter(|s| s.iter().any(Option::is_some)) else {
             let drawn = search.drawn(right_model, right, search.test_scenes)?;
@@ -150,17 +148,17 @@ impl ShaderChecker {
             return Ok((verdict, None));
         }
         let declared = roles::bind(&prepared.declared, &prepared.names);
-        let parameterisation = Parameterisation::new(task, &bindings, &declared, &prepared.written);
+        let parameterisation = Parameterisation::new(task, &bindings, &declared, &prepared.constants);
         let inputs = testbench.inputs(program, &bindings, |test_scene| parameterisation.apply(test_scene));
         let fixed = conclusion::fixed(&bindings);
         let all = testbench.test_scenes().len();
-        let drawn = endless::drawn(program, &fixed, &[1, all], |fixed, count| {
+        let drawn = drawn_unless_endless(program, &fixed, &[1, all], |fixed, count| {
             let seen = testbench.draw(program, &inputs, fixed, count)?;
             testbench.complaint()?;
             Ok(seen)
         })?;
         let Some(seen) = drawn else {
-            let mut verdict = endless::verdict(task.exercise);
+            let mut verdict = endless_verdict(task.exercise);
             verdict.bound = bound;
             return Ok((verdict, None));
         };
@@ -188,7 +186,7 @@ impl ShaderChecker {
         let held = Comparison::new(&seen, &reference, whole);
         let mut verdict = conclusion::verdict(task, &search, &found, &held, prepared.unused_terms);
         if task.model.is_lit() {
-            let (model, right) = right::answer(&search, &found);
+            let (model, right) = conclusion::right_answer(&search, &found);
             // Where nothing can be looked at alone there is nothing to draw.
             let alone = match parameterisation.to_find {
                 [true, true, true] => None,
@@ -221,14 +219,14 @@ impl ShaderChecker {
 }
 
 /// The ways that an answer may take, the usual one first.
-fn entries(task: &Task, parameterisation: &Parameterisation) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = Vec::new();
+fn entries(task: &Task, parameterisation: &Parameterisation) -> Vec<SearchEntry> {
+    let mut entries: Vec<SearchEntry> = Vec::new();
     let right = parameterisation.right_lights();
     for &lights in right {
-        entries.push(Entry { model: task.model, lights, is_right: true, word: None });
+        entries.push(SearchEntry { model: task.model, lights, is_right: true, word: None });
     }
     if let (Some((model, word)), Some(&lights)) = (task.other, right.first()) {
-        entries.push(Entry { model, lights, is_right: word.is_none(), word });
+        entries.push(SearchEntry { model, lights, is_right: word.is_none(), word });
     }
     for &lights in parameterisation.wrong_lights() {
         // A light that cannot be switched may be there for the one term that is wrong, or for nothing.
@@ -238,10 +236,67 @@ fn entries(task: &Task, parameterisation: &Parameterisation) -> Vec<Entry> {
             Lights::EachAmbient => Some("ambient-twice"),
             _ => None,
         };
-        entries.push(Entry { model: task.model, lights, is_right: false, word });
+        entries.push(SearchEntry { model: task.model, lights, is_right: false, word });
     }
     entries
 }
 
-#[cfg(test)]
-mod on_cpu_tests;
+/// A picture, for this purpose: its pixels' numbers.
+pub(crate) trait Numbers {
+    /// Whether each number is the other picture's, bit for bit.
+    fn equals(&self, other: &Self) -> bool;
+}
+
+impl Numbers for crate::testbench::Atlas {
+    fn equals(&self, other: &Self) -> bool {
+        // By bits, for NaN is no difference.
+        let bits = |atlas: &Self| atlas.pixels.iter().flatten().map(|number| number.to_bits()).collect::<Vec<_>>();
+        bits(self) == bits(other)
+    }
+}
+
+impl Numbers for crate::panorama::Tiles {
+    fn equals(&self, other: &Self) -> bool {
+        let numbers = |tiles: &Self| tiles.faces.iter().flatten().flatten().map(|n| n.to_bits()).collect::<Vec<_>>();
+        numbers(self) == numbers(other)
+    }
+}
+
+/// Draws the student's program by `draw`, which is given fixed uniforms and the number of test scenes: each of `counts`, of
+/// which the last is the whole. `None` where a vertex or fragment took more turns than [`gonio_glsl::LoopBound::STUDENTS`].
+///
+/// Such vertices and fragments are drawn or not by a uniform: two pictures that differ tell of them. The first test scene is
+/// tried alone, for a program with an endless loop takes long in each.
+pub(crate) fn drawn_unless_endless<T: Numbers>(
+    program: &UserProgram,
+    fixed: &[(String, Vec<f32>)],
+    counts: &[usize],
+    mut draw: impl FnMut(&[(String, Vec<f32>)], usize) -> Result<T, GlError>,
+) -> Result<Option<T>, GlError> {
+    let whole = counts.last().copied().unwrap_or(0);
+    if program.uniform_index(DRAWN_ALL_THE_SAME).is_none() {
+        return draw(fixed, whole).map(Some);
+    }
+    let mut fixed = fixed.to_vec();
+    fixed.push((DRAWN_ALL_THE_SAME.to_owned(), vec![0.0]));
+    let mut seen = None;
+    for &count in counts {
+        let mut drawn = |all_the_same: f32| {
+            if let Some((_, value)) = fixed.last_mut() {
+                *value = vec![all_the_same];
+            }
+            draw(&fixed, count)
+        };
+        let (all, ended) = (drawn(1.0)?, drawn(0.0)?);
+        if !all.equals(&ended) {
+            return Ok(None);
+        }
+        seen = Some(ended);
+    }
+    Ok(seen)
+}
+
+/// The verdict on such a program.
+pub(crate) fn endless_verdict(exercise: &str) -> Verdict {
+    Verdict::new(exercise, Outcome::Unsure, "a loop in a shader never ends")
+}

@@ -1,9 +1,9 @@
 //! Hypotheses held against a program's picture on the CPU, thousands of them in a second.
 
-use super::compare::{Comparison, Tally, channel_difference};
+use super::compare::{Comparison, SceneDifference, channel_difference};
 use super::fit::{Plane, strengths};
 use super::predict::{CompiledModel, Lit, ModelInputs, Strengths, model_names};
-use crate::interpreter::{InputSet, Plan, Points, Run, Value};
+use crate::interpreter::{EvaluationPlan, InputSet, Points, Run, Value};
 use crate::mistakes::Hypothesis;
 use crate::roles::{self, Declared};
 use crate::testbench::{Atlas, TILE, TestScene, Testbench, numbers};
@@ -14,7 +14,7 @@ use std::rc::Rc;
 
 /// The resolution of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Detail {
+pub enum ComparisonDetail {
     /// Every fourth pixel: enough to rank by.
     Coarse,
     /// Every pixel.
@@ -27,7 +27,7 @@ pub struct CpuComparer<'a> {
     model: &'a CompiledModel,
     seen: &'a Atlas,
     test_scenes: usize,
-    plan: Rc<Plan>,
+    plan: Rc<EvaluationPlan>,
     points: Rc<Points>,
     /// The terms whose strengths have to be found.
     terms: Vec<usize>,
@@ -38,14 +38,14 @@ pub struct CpuComparer<'a> {
     /// For each light, whether the hypothesis applies to it.
     is_changed: Vec<bool>,
     /// By what is written to `gl_Position`.
-    known: RefCell<HashMap<(String, Detail), Rc<CoveredPixels>>>,
+    known: RefCell<HashMap<(String, ComparisonDetail), Rc<CoveredPixels>>>,
 }
 
 /// The pixels that a way of placing vertices draws, and the program's picture there.
 struct CoveredPixels {
     by_terms: Run,
     whole: OnceCell<Run>,
-    surface: crate::testbench::Surface,
+    surface: crate::testbench::CoverageMap,
     seen: [Plane; 3],
     /// For each test scene, the number of pixels that only one of the two draws.
     lost: Vec<usize>,
@@ -84,7 +84,11 @@ impl<'a> CpuComparer<'a> {
     }
 
     /// Returns the residual of a hypothesis and the strengths that were fitted for it.
-    pub fn compare(&self, hypothesis: &Hypothesis, detail: Detail) -> Result<(Comparison, Strengths), GlError> {
+    pub fn compare(
+        &self,
+        hypothesis: &Hypothesis,
+        detail: ComparisonDetail,
+    ) -> Result<(Comparison, Strengths), GlError> {
         let place = self.model.hypotheses.text_of("gl_Position", hypothesis).unwrap_or_default();
         let covered = self.covered(place, detail)?;
         let is_whole = !self.terms.is_empty() && self.model.is_whole(hypothesis);
@@ -142,14 +146,14 @@ impl<'a> CpuComparer<'a> {
         both.map(|(set, (changed, own))| if is_changed(set) { changed } else { own }).collect()
     }
 
-    fn covered(&self, place: &str, detail: Detail) -> Result<Rc<CoveredPixels>, GlError> {
+    fn covered(&self, place: &str, detail: ComparisonDetail) -> Result<Rc<CoveredPixels>, GlError> {
         let key = (place.to_owned(), detail);
         if let Some(known) = self.known.borrow().get(&key) {
             return Ok(Rc::clone(known));
         }
         let counts = |place: u32| {
             let (x, y) = (place % TILE, place / TILE % TILE);
-            detail == Detail::Full || (x % 2 == 0 && y % 2 == 0)
+            detail == ComparisonDetail::Full || (x % 2 == 0 && y % 2 == 0)
         };
         let all = self.testbench.surface(place)?;
         let is_seen = |place: u32| self.seen.pixels.get(place as usize).is_some_and(Atlas::is_drawn);
@@ -182,7 +186,7 @@ impl<'a> CpuComparer<'a> {
 impl CoveredPixels {
     fn comparison(&self, predicted: &[Plane]) -> Comparison {
         let tally = |(span, lost): (&std::ops::Range<usize>, &usize)| {
-            let mut tally = Tally::default();
+            let mut tally = SceneDifference::default();
             for index in span.clone() {
                 let channels = predicted.iter().zip(&self.seen);
                 let difference = channels.map(|(p, s)| channel_difference(p[index], s[index])).fold(0.0, f32::max);
@@ -212,7 +216,12 @@ fn added(
 }
 
 /// What every input of a model holds.
-fn given(plan: &Plan, testbench: &Testbench, inputs: &ModelInputs, change: impl Fn(&mut TestScene)) -> InputSet {
+fn given(
+    plan: &EvaluationPlan,
+    testbench: &Testbench,
+    inputs: &ModelInputs,
+    change: impl Fn(&mut TestScene),
+) -> InputSet {
     let declared: Vec<Declared> = plan
         .inputs
         .iter()
@@ -253,3 +262,50 @@ fn given(plan: &Plan, testbench: &Testbench, inputs: &ModelInputs, change: impl 
 
 /// No uniform of the stage but a number out of the student's source.
 const WRITTEN_EXPONENT: &str = "written_exponent";
+
+#[cfg(test)]
+mod tests {
+    use super::super::compare::Comparison;
+    use super::super::on_cpu::{ComparisonDetail, CpuComparer};
+    use super::super::parameterisation::{Lights, Parameterisation};
+    use super::super::predict::CompiledModel;
+    use super::super::task::Task;
+    use crate::roles::Bindings;
+    use crate::rules::SourceConstants;
+    use crate::testbench::Testbench;
+    use gonio_gl::HeadlessContext;
+
+    /// The share of pixels that may differ: half of what a verdict allows. Set by rounding, at the edge of what counts as a difference.
+    const MOST_BEYOND: f64 = 0.005;
+
+    #[test]
+    fn every_hypothesis_is_on_the_cpu_what_the_driver_draws() {
+        let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+        let mut tried = 0;
+        for exercise in ["ex05", "ex07"] {
+            let task = Task::find(exercise).unwrap();
+            let (test_scenes, [whole, _]) = task.test_scenes();
+            let testbench = Testbench::new(context.gl(), test_scenes).unwrap();
+            // Nothing is given from outside: every strength has to be found.
+            let parameterisation =
+                Parameterisation::new(task, &Bindings::default(), &Bindings::default(), &SourceConstants::default());
+            for model in [Some(task.model), task.other.map(|(model, _)| model)].into_iter().flatten() {
+                let compiled = CompiledModel::new(context.gl(), model);
+                let inputs = compiled.inputs(&parameterisation, Lights::One);
+                for hypothesis in compiled.hypotheses.singles.iter().step_by(3) {
+                    let black = crate::testbench::Atlas { pixels: vec![[0.5, 0.25, 0.125, 1.0]; whole * 1024] };
+                    let driver = compiled.predict(&testbench, &inputs, &black, hypothesis, whole).unwrap();
+                    let comparers = CpuComparer::new(&testbench, &compiled, &inputs, &driver.atlas, whole).unwrap();
+                    let (residual, _) = comparers.compare(hypothesis, ComparisonDetail::Full).unwrap();
+                    let id = &compiled.hypotheses.mistakes[hypothesis.mistakes[0]].id;
+                    let worst = residual.beyond.iter().copied().fold(0.0, f64::max);
+                    assert!(residual.is_same() && worst <= MOST_BEYOND, "{exercise} {model:?} {id}: {residual:?}");
+                    let plain = compiled.predict(&testbench, &inputs, &black, &Default::default(), whole).unwrap();
+                    let shows = !Comparison::new(&plain.atlas, &driver.atlas, whole).is_same();
+                    tried += usize::from(shows);
+                }
+            }
+        }
+        assert!(tried >= 40, "{tried}");
+    }
+}

@@ -3,8 +3,8 @@
 
 use super::task::Task;
 use crate::roles::{Bindings, Role};
-use crate::rules::{Written, WrittenSun};
-use crate::testbench::{Light, TestScene};
+use crate::rules::{ConstantSun, SourceConstants};
+use crate::testbench::{TestLight, TestScene};
 use glam::{Mat3, Vec3};
 
 /// The exponent that the lab's programs have.
@@ -18,7 +18,7 @@ enum Sun {
         /// Whether it is used as the direction towards the light.
         points_to_light: bool,
     },
-    Written(WrittenSun),
+    Constant(ConstantSun),
 }
 
 /// Whether a program has a second light.
@@ -113,7 +113,7 @@ fn says_up(role: Role) -> bool {
 
 impl Parameterisation {
     /// Of a program that takes what is bound, and declares strengths and colours that it may not use.
-    pub fn new(task: &Task, bindings: &Bindings, declared: &Bindings, written: &Written) -> Self {
+    pub fn new(task: &Task, bindings: &Bindings, declared: &Bindings, constants: &SourceConstants) -> Self {
         let has = |wanted: &dyn Fn(Role) -> bool| bindings.bound.iter().any(|bound| wanted(bound.role));
         let bindings_or_source = |wanted: &dyn Fn(Role) -> bool| {
             bindings.bound.iter().chain(&declared.bound).any(|bound| wanted(bound.role))
@@ -174,10 +174,10 @@ impl Parameterisation {
         // Beside a place, a direction is where a lamp is turned to.
         let is_given = has(&|role| matches!(role, Role::LightDirection(_))) && !has(&is_place);
         // The place of the exercise's own lamp is no direction.
-        let is_lamp = |sun: &WrittenSun| sun.to_light.dot(task.light_position.normalize_or_zero()) > 0.9999;
-        let sun = match written.sun.filter(|sun| !lit_from_outside && !is_lamp(sun)) {
-            Some(sun) => Some(Sun::Written(sun)),
-            None => is_given.then(|| Sun::Given { points_to_light: written.points_to_light.unwrap_or(false) }),
+        let is_lamp = |sun: &ConstantSun| sun.to_light.dot(task.light_position.normalize_or_zero()) > 0.9999;
+        let sun = match constants.sun.filter(|sun| !lit_from_outside && !is_lamp(sun)) {
+            Some(sun) => Some(Sun::Constant(sun)),
+            None => is_given.then(|| Sun::Given { points_to_light: constants.points_to_light.unwrap_or(false) }),
         };
         // A sun is as bright here as there.
         let usual = if task.attenuated && sun.is_none() { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
@@ -186,14 +186,14 @@ impl Parameterisation {
             given,
             usual: [0.0, 1.0, if task.wanted[2] { 1.0 } else { 0.0 }],
             material,
-            light_position: (!lit_from_outside).then(|| written.light_position.unwrap_or(task.light_position)),
+            light_position: (!lit_from_outside).then(|| constants.light_position.unwrap_or(task.light_position)),
             // The exercises give the exponent: another one that is written is no choice but a mistake.
             // The lab's own, written for one light and taken from outside for another, is one and the same.
-            shininess: match written.shininess {
-                Some(exponent) if exponent == USUAL_EXPONENT => written.shininess,
+            shininess: match constants.shininess {
+                Some(exponent) if exponent == USUAL_EXPONENT => constants.shininess,
                 _ => fixed(has(&|role| role == Role::Shininess), None, USUAL_EXPONENT),
             },
-            written_exponent: written.shininess,
+            written_exponent: constants.shininess,
             attenuation: std::array::from_fn(|degree| {
                 let is_given = has(&|role| match role {
                     Role::AttenuationConstant(_) => degree == 0,
@@ -201,18 +201,18 @@ impl Parameterisation {
                     Role::AttenuationQuadratic(_) => degree == 2,
                     role => matches!(role, Role::Attenuation(_)),
                 });
-                fixed(is_given, written.attenuation[degree], usual[degree])
+                fixed(is_given, constants.attenuation[degree], usual[degree])
             }),
             refraction_index: fixed(
                 has(&|role| matches!(role, Role::RefractionIndex | Role::RefractionRatio)),
-                written.refraction_index,
+                constants.refraction_index,
                 1.52,
             ),
             second,
             own,
             coloured,
             counted: has(&|role| role == Role::LightCount),
-            other_light: written.other_light.filter(|_| lit_from_outside),
+            other_light: constants.other_light.filter(|_| lit_from_outside),
             sun,
             upright: task.model.is_of_places() && !has(&says_up),
         }
@@ -329,19 +329,19 @@ impl Parameterisation {
         let centre = test_scene.world_from_model.w_axis.truncate();
         match self.sun {
             Some(Sun::Given { points_to_light }) => {
-                test_scene.light = Light { points_to_light, ..test_scene.light.as_sun(centre) };
+                test_scene.light = TestLight { points_to_light, ..test_scene.light.as_sun(centre) };
             }
-            Some(Sun::Written(sun)) => {
+            Some(Sun::Constant(sun)) => {
                 let to_world = Mat3::from_mat4(test_scene.view_from_world()).transpose();
                 let to_light = if sun.in_view { to_world * sun.to_light } else { sun.to_light };
-                test_scene.light = Light { position: centre + to_light, ..test_scene.light }.as_sun(centre);
+                test_scene.light = TestLight { position: centre + to_light, ..test_scene.light }.as_sun(centre);
             }
             None => {}
         }
         let (light, elsewhere) = (test_scene.light, test_scene.elsewhere());
         match self.second {
-            Second::None => test_scene.other = self.other_light.map(|position| Light { position, ..light.dark() }),
-            Second::Always => test_scene.other = Some(Light { position: elsewhere, ..light }),
+            Second::None => test_scene.other = self.other_light.map(|position| TestLight { position, ..light.dark() }),
+            Second::Always => test_scene.other = Some(TestLight { position: elsewhere, ..light }),
             // What it has not of its own it shares with the first.
             Second::Switched => {
                 if let Some(other) = &mut test_scene.other {

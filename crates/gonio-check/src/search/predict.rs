@@ -2,8 +2,8 @@
 
 use super::fit::{Fit, fit};
 use super::parameterisation::{Lights, Parameterisation};
-use crate::interpreter::Plan;
-use crate::mistakes::{Hypotheses, Hypothesis, Model};
+use crate::interpreter::EvaluationPlan;
+use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use crate::roles::{self, Bindings, Declared, NamesFile, VariableKind};
 use crate::testbench::{Atlas, TestScene, Testbench, for_context};
 use gonio_gl::{Gl, GlError};
@@ -17,14 +17,14 @@ pub struct CompiledModel {
     /// Its hypotheses.
     pub hypotheses: Hypotheses,
     /// The same on the CPU, where the model can be worked out there.
-    pub plan: Option<Rc<Plan>>,
+    pub plan: Option<Rc<EvaluationPlan>>,
     gl: Gl,
     /// Where it can: one program a hypothesis that was drawn. Where not: one that is every hypothesis, under no choice.
-    programs: RefCell<HashMap<BTreeMap<usize, usize>, Rc<Program>>>,
+    programs: RefCell<HashMap<BTreeMap<usize, usize>, Rc<ModelProgram>>>,
 }
 
 /// A program and what its uniforms mean.
-pub struct Program {
+pub struct ModelProgram {
     /// Linked.
     pub program: UserProgram,
     /// But for those that choose among hypotheses.
@@ -46,16 +46,16 @@ pub type Strengths = [Option<[f64; 3]>; 3];
 
 impl CompiledModel {
     /// Reads it. What the driver makes of it shows when it is drawn.
-    pub fn new(gl: &Gl, model: Model) -> Self {
+    pub fn new(gl: &Gl, model: ModelSolution) -> Self {
         let hypotheses = Hypotheses::for_model(model);
         // The CPU knows how surfaces are lit, and not where else they are drawn.
-        let is_lit_surface = !model.is_of_places() && model != Model::Panorama;
-        let plan = is_lit_surface.then(|| Plan::new(&hypotheses)).flatten().map(Rc::new);
+        let is_lit_surface = !model.is_of_places() && model != ModelSolution::Panorama;
+        let plan = is_lit_surface.then(|| EvaluationPlan::new(&hypotheses)).flatten().map(Rc::new);
         CompiledModel { hypotheses, plan, gl: gl.clone(), programs: RefCell::default() }
     }
 
     /// 330 core, or 300 es where the context is such.
-    pub fn program(&self, hypothesis: &Hypothesis) -> Result<Rc<Program>, GlError> {
+    pub fn program(&self, hypothesis: &Hypothesis) -> Result<Rc<ModelProgram>, GlError> {
         let is_own = self.plan.is_some();
         let choices = if is_own { hypothesis.choices.clone() } else { BTreeMap::new() };
         if let Some(known) = self.programs.borrow().get(&choices) {
@@ -71,7 +71,7 @@ impl CompiledModel {
             .filter(|declared| !declared.name.starts_with("way_") && declared.name != "written_exponent")
             .collect();
         let bindings = roles::bind(&known, &model_names());
-        let program = Rc::new(Program { program, bindings });
+        let program = Rc::new(ModelProgram { program, bindings });
         self.programs.borrow_mut().insert(choices, Rc::clone(&program));
         Ok(program)
     }
@@ -99,7 +99,7 @@ impl CompiledModel {
         for &(light, is_changed) in inputs.lights.each() {
             let plain = Hypothesis::default();
             let hypothesis = if is_changed { hypothesis } else { &plain };
-            let Program { program, bindings } = &*self.program(hypothesis)?;
+            let ModelProgram { program, bindings } = &*self.program(hypothesis)?;
             let given = testbench.inputs(program, bindings, |test_scene| inputs.apply(test_scene, light, lit));
             let atlas = testbench.draw(program, &given, &self.ways(inputs, hypothesis), test_scenes)?;
             match &mut sum {

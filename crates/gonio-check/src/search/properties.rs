@@ -3,7 +3,7 @@
 use super::compare::{PIXEL_TOLERANCE, channel_difference};
 use super::parameterisation::Parameterisation;
 use crate::roles::{Bindings, Role};
-use crate::testbench::{Atlas, Light, TestScene, Testbench};
+use crate::testbench::{Atlas, TestLight, TestScene, Testbench};
 use crate::verdict::{Outcome, PropertyState, PropertyVerdict, Verdict};
 use glam::{EulerRot, Quat};
 use gonio_gl::GlError;
@@ -147,7 +147,7 @@ impl Student<'_> {
         let lit = |first: bool, second: bool| {
             self.draw(move |test_scene| {
                 let place = test_scene.elsewhere();
-                let other = Light { position: place, ambient: 0.05, ..test_scene.light };
+                let other = TestLight { position: place, ambient: 0.05, ..test_scene.light };
                 test_scene.other = Some(if second { other } else { other.dark() });
                 test_scene.light = if first { test_scene.light } else { test_scene.light.dark() };
             })

@@ -3,10 +3,10 @@
 //! Harmless peculiarities come first, then single mistakes, then pairs: the simplest explanation without a residual is named.
 
 use super::compare::Comparison;
-use super::on_cpu::{CpuComparer, Detail};
+use super::on_cpu::{ComparisonDetail, CpuComparer};
 use super::parameterisation::Lights;
 use super::predict::{CompiledModel, ModelInputs, Strengths};
-use crate::mistakes::{Hypothesis, Mistake, Model};
+use crate::mistakes::{Hypothesis, Mistake, ModelSolution};
 use crate::testbench::{Atlas, Testbench};
 use gonio_gl::GlError;
 
@@ -41,13 +41,13 @@ impl Tried<'_> {
     }
 
     /// Of the test scene that it explains best: how much.
-    fn best_share(&self, difference: &Comparison) -> f64 {
+    pub(super) fn best_share(&self, difference: &Comparison) -> f64 {
         let share = |(seen, residual): (&f64, &f64)| if *seen > 1e-6 { 1.0 - residual / seen } else { 0.0 };
         difference.squares.iter().zip(&self.residual.squares).map(share).fold(0.0, f64::max)
     }
 
     /// Simpler and better first.
-    fn order(&self, other: &Self) -> std::cmp::Ordering {
+    pub(super) fn order(&self, other: &Self) -> std::cmp::Ordering {
         let key = |tried: &Self| {
             let wrong = tried.mistakes.iter().filter(|m| !m.harmless).count();
             let model_is_other = tried.model > 0;
@@ -90,12 +90,10 @@ impl Found<'_> {
     }
 }
 
-/// Most singles to which a second mistake is sought.
-const FIRSTS: usize = 14;
 /// The first test scenes of every exercise tell most: in those many hypotheses are ranked ...
 const TELLING: usize = 4;
 /// ... and so many of the best are then tried in all.
-const KEPT: usize = 16;
+pub(super) const KEPT: usize = 16;
 /// Most that are tried again with every peculiarity.
 const TRIED_AGAIN: usize = 10;
 /// Most that the driver is asked to draw before a verdict.
@@ -103,21 +101,21 @@ const MOST_DRAWN: usize = 12;
 
 /// What there is to be explained: what the plain model leaves over.
 pub(super) struct Difference {
-    full: Comparison,
-    coarse: Comparison,
+    pub(super) full: Comparison,
+    pub(super) coarse: Comparison,
 }
 
 impl Difference {
-    fn at(&self, detail: Detail) -> &Comparison {
-        if detail == Detail::Full { &self.full } else { &self.coarse }
+    fn at(&self, detail: ComparisonDetail) -> &Comparison {
+        if detail == ComparisonDetail::Full { &self.full } else { &self.coarse }
     }
 }
 
 /// A way to answer, right or wrong, that answers may be changes of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Entry {
+pub struct SearchEntry {
     /// The function.
-    pub model: Model,
+    pub model: ModelSolution,
     /// The lights that it covers.
     pub lights: Lights,
     /// Whether an answer may be so.
@@ -131,7 +129,7 @@ pub struct Search<'a> {
     /// Where.
     pub testbench: &'a Testbench,
     /// The right answer first, then others that answers may be changes of.
-    pub entries: &'a [Entry],
+    pub entries: &'a [SearchEntry],
     /// The model of each.
     pub models: &'a [&'a CompiledModel],
     /// What each model is given.
@@ -145,23 +143,6 @@ pub struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// Of single mistakes those that show, each picture once: in this exercise many may look the same, or like nothing.
-    fn distinct(&self, model: usize, difference: &Difference) -> Result<Vec<Hypothesis>, GlError> {
-        // Where strengths have to be found, hypotheses that fit badly all end without the term: they look the same, and are not.
-        if self.model_inputs[model].must_find() {
-            return Ok(self.wrong(model).cloned().collect());
-        }
-        let picture = |comparison: &Comparison| -> Vec<i64> {
-            comparison.squares.iter().map(|square| (square * 1e7).round() as i64).collect()
-        };
-        // What leaves over exactly as much as no mistake at all is not to be seen.
-        let mut known = std::collections::BTreeSet::from([picture(&difference.coarse)]);
-        let wrong = self.wrong(model).cloned();
-        let tried: Vec<_> =
-            wrong.map(|h| self.attempt_in(model, h, difference, Detail::Coarse)).collect::<Result<_, _>>()?;
-        Ok(tried.into_iter().filter(|t| known.insert(picture(&t.residual))).map(|t| t.hypothesis).collect())
-    }
-
     /// Tries many at a glance, and the best of them closely.
     pub(super) fn best_of(
         &self,
@@ -172,7 +153,7 @@ impl<'a> Search<'a> {
         if self.test_scenes <= TELLING || hypotheses.len() <= KEPT {
             return hypotheses.into_iter().map(|h| self.attempt(model, h, difference)).collect();
         }
-        let tried = hypotheses.into_iter().map(|h| self.attempt_in(model, h, difference, Detail::Coarse));
+        let tried = hypotheses.into_iter().map(|h| self.attempt_in(model, h, difference, ComparisonDetail::Coarse));
         let mut tried = tried.collect::<Result<Vec<_>, _>>()?;
         tried.sort_by(|a, b| a.order(b));
         tried.into_iter().take(KEPT).map(|tried| self.attempt(model, tried.hypothesis, difference)).collect()
@@ -184,15 +165,15 @@ impl<'a> Search<'a> {
         hypothesis: Hypothesis,
         difference: &Difference,
     ) -> Result<Tried<'a>, GlError> {
-        self.attempt_in(model, hypothesis, difference, Detail::Full)
+        self.attempt_in(model, hypothesis, difference, ComparisonDetail::Full)
     }
 
-    fn attempt_in(
+    pub(super) fn attempt_in(
         &self,
         model: usize,
         hypothesis: Hypothesis,
         difference: &Difference,
-        detail: Detail,
+        detail: ComparisonDetail,
     ) -> Result<Tried<'a>, GlError> {
         let mut tried = self.unrated(model, hypothesis, detail)?;
         tried.explained = difference.at(detail).explained_by(&tried.residual);
@@ -200,9 +181,10 @@ impl<'a> Search<'a> {
     }
 
     /// On the CPU where that can be, else by the driver.
-    fn unrated(&self, model: usize, hypothesis: Hypothesis, detail: Detail) -> Result<Tried<'a>, GlError> {
+    fn unrated(&self, model: usize, hypothesis: Hypothesis, detail: ComparisonDetail) -> Result<Tried<'a>, GlError> {
         let Some(comparers) = self.comparers.get(model).and_then(Option::as_ref) else {
-            let test_scenes = if detail == Detail::Full { self.test_scenes } else { TELLING.min(self.test_scenes) };
+            let test_scenes =
+                if detail == ComparisonDetail::Full { self.test_scenes } else { TELLING.min(self.test_scenes) };
             return self.drawn(model, hypothesis, test_scenes);
         };
         let (residual, strengths) = comparers.compare(&hypothesis, detail)?;
@@ -242,7 +224,7 @@ impl<'a> Search<'a> {
     }
 
     /// All sets of at most three peculiarities that go together, the empty one first.
-    fn peculiar(&self, model: usize) -> Vec<Hypothesis> {
+    pub(super) fn peculiar(&self, model: usize) -> Vec<Hypothesis> {
         let hypotheses = &self.models[model].hypotheses;
         let single: Vec<&Hypothesis> =
             hypotheses.singles.iter().filter(|h| h.mistakes.iter().all(|&m| hypotheses.mistakes[m].harmless)).collect();
@@ -281,7 +263,7 @@ impl<'a> Search<'a> {
         if plain.residual.is_same() {
             return Ok(Found { nearest_right: plain.clone(), ranking: vec![plain] });
         }
-        let coarse = self.unrated(0, Hypothesis::default(), Detail::Coarse)?.residual;
+        let coarse = self.unrated(0, Hypothesis::default(), ComparisonDetail::Coarse)?.residual;
         let difference = Difference { full: plain.residual.clone(), coarse };
         let mut nearest_right = plain.clone();
         let mut all = vec![plain];
@@ -363,137 +345,13 @@ impl<'a> Search<'a> {
         Ok(again)
     }
 
-    fn without_peculiarities(&self, tried: &Tried<'a>) -> Hypothesis {
+    pub(super) fn without_peculiarities(&self, tried: &Tried<'a>) -> Hypothesis {
         let hypotheses = &self.models[tried.model].hypotheses;
         let is_wrong = |h: &&Hypothesis| {
             h.mistakes.iter().all(|&m| !hypotheses.mistakes[m].harmless && tried.hypothesis.mistakes.contains(&m))
                 && h.choices.iter().all(|(line, way)| tried.hypothesis.choices.get(line) == Some(way))
         };
         hypotheses.singles.iter().find(is_wrong).cloned().unwrap_or_default()
-    }
-
-    /// Two mistakes at once: to each of the best, the one that explains most of what it leaves over.
-    fn pairs(&self, difference: &Difference, singles: &[Tried<'a>]) -> Result<Vec<Tried<'a>>, GlError> {
-        if self.models.iter().all(|model| model.hypotheses.model.is_of_places()) {
-            return self.all_pairs(difference);
-        }
-        let mut firsts: Vec<&Tried<'a>> = Vec::new();
-        let mut by_share: Vec<&Tried<'a>> = singles.iter().collect();
-        by_share.sort_by(|a, b| b.best_share(&difference.full).total_cmp(&a.best_share(&difference.full)));
-        // Those that explain most of it all, and those that explain most of some test scene.
-        for tried in singles.iter().take(4 * FIRSTS).zip(by_share).flat_map(|(a, b)| [a, b]) {
-            // A mistake's ways count each for itself, what is peculiar beside it does not.
-            let alone = self.without_peculiarities(tried);
-            let known = firsts.iter().any(|o| o.model == tried.model && self.without_peculiarities(o) == alone);
-            if !known && firsts.len() < FIRSTS {
-                firsts.push(tried);
-            }
-        }
-        let mut pairs = Vec::new();
-        let mut seconds: Vec<Option<Vec<Hypothesis>>> = vec![None; self.models.len()];
-        for first in firsts {
-            let seconds = match &mut seconds[first.model] {
-                Some(known) => &*known,
-                unknown => &*unknown.insert(self.distinct(first.model, difference)?),
-            };
-            let alone = self.without_peculiarities(first);
-            let mut best: Option<Tried<'a>> = None;
-            let mut both: Vec<Hypothesis> = Vec::new();
-            for second in seconds {
-                // What is peculiar may stand on the second's line, or be taken for it.
-                for one in [&first.hypothesis, &alone] {
-                    both.extend(one.and(second).filter(|way| !both.contains(way)));
-                }
-            }
-            for mut tried in self.best_of(first.model, both, difference)? {
-                // What the first leaves over may be small beside what it explains.
-                let of_the_rest = first.residual.explained_by(&tried.residual);
-                tried.explained = tried.explained.min(0.5 + 0.5 * of_the_rest).max(tried.explained * of_the_rest);
-                if best.as_ref().is_none_or(|best| tried.order(best).is_lt()) {
-                    best = Some(tried.clone());
-                }
-                if tried.residual.is_same() {
-                    pairs.push(tried);
-                }
-            }
-            let Some(best) = best else { continue };
-            let again = self.pair_with_peculiarities(&best, difference)?;
-            let is_named = best.residual.is_same();
-            pairs.push(best);
-            pairs.extend(again);
-            if is_named {
-                break;
-            }
-        }
-        Ok(pairs)
-    }
-
-    /// Of two mistakes that leave nothing over each once more, with any other in the place of the second: of what leaves just as
-    /// little over no picture tells which it is, and the verdict says so.
-    fn in_their_place(&self, pair: &Tried<'a>, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
-        let model = pair.model;
-        // Where the driver has to draw each, it would take too long.
-        if self.comparers.get(model).and_then(Option::as_ref).is_none() {
-            return Ok(Vec::new());
-        }
-        let is_part = |h: &&Hypothesis| {
-            let is_chosen = |(line, way): (_, _)| pair.hypothesis.choices.get(line) == Some(way);
-            h.mistakes.iter().all(|m| pair.hypothesis.mistakes.contains(m)) && h.choices.iter().all(is_chosen)
-        };
-        let peculiar = |h: &&Hypothesis| {
-            let mistakes = &self.models[model].hypotheses.mistakes;
-            is_part(h) && h.mistakes.iter().all(|&m| mistakes[m].harmless)
-        };
-        let set = self.models[model].hypotheses.singles.iter().filter(peculiar);
-        let set = set.fold(Hypothesis::default(), |all, one| all.and(one).unwrap_or(all));
-        let mut same = Vec::new();
-        for part in self.wrong(model).filter(is_part) {
-            let Some(first) = part.and(&set) else { continue };
-            for other in self.wrong(model).filter(|h| !is_part(h) && h.mistakes != part.mistakes) {
-                let Some(both) = first.and(other) else { continue };
-                if self.attempt_in(model, both.clone(), difference, Detail::Coarse)?.residual.is_same() {
-                    let tried = self.attempt(model, both, difference)?;
-                    same.extend(Some(tried).filter(|tried| tried.residual.is_same()));
-                }
-            }
-        }
-        Ok(same)
-    }
-
-    /// Every two mistakes of the first model: where things are drawn elsewhere, a picture with one of two mistakes is no
-    /// nearer to the one with both.
-    fn all_pairs(&self, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
-        let singles: Vec<&Hypothesis> = self.wrong(0).collect();
-        let later = |at: usize| singles.iter().skip(at + 1);
-        let both = singles.iter().enumerate().flat_map(|(at, one)| {
-            later(at).filter(|other| other.mistakes != one.mistakes).filter_map(|other| one.and(other))
-        });
-        // At a glance: in one test scene.
-        let first = difference.full.first(1);
-        let at_a_glance = |both: Hypothesis| {
-            let tried = self.drawn(0, both, 1)?;
-            Ok(Tried { explained: first.explained_by(&tried.residual), ..tried })
-        };
-        let mut tried = both.map(at_a_glance).collect::<Result<Vec<Tried<'a>>, GlError>>()?;
-        tried.sort_by(|a, b| a.order(b));
-        tried.into_iter().take(KEPT).map(|tried| self.attempt(0, tried.hypothesis, difference)).collect()
-    }
-
-    pub(super) fn pair_with_peculiarities(
-        &self,
-        pair: &Tried<'a>,
-        difference: &Difference,
-    ) -> Result<Vec<Tried<'a>>, GlError> {
-        let mut again = Vec::new();
-        if pair.residual.is_same() || pair.explained < 0.5 {
-            return Ok(again);
-        }
-        for set in self.peculiar(pair.model).into_iter().skip(1) {
-            if let Some(both) = pair.hypothesis.and(&set) {
-                again.push(self.attempt(pair.model, both, difference)?);
-            }
-        }
-        Ok(again)
     }
 
     fn found(&self, nearest_right: Tried<'a>, mut all: Vec<Tried<'a>>) -> Found<'a> {

@@ -1,6 +1,6 @@
 //! The tasks that exercises set for a pair of shaders.
 
-use crate::mistakes::Model;
+use crate::mistakes::ModelSolution;
 use crate::testbench::{TestScene, scene};
 use glam::Vec3;
 
@@ -10,9 +10,9 @@ pub struct Task {
     /// The exercise's word: `ex04`.
     pub exercise: &'static str,
     /// The right answer.
-    pub model: Model,
+    pub model: ModelSolution,
     /// Another way to compute it, and the word for doing so where it is a mistake.
-    pub other: Option<(Model, Option<&'static str>)>,
+    pub other: Option<(ModelSolution, Option<&'static str>)>,
     /// Whether ambient, diffuse and specular light must be there.
     pub wanted: [bool; 3],
     /// Whether light fades with distance.
@@ -25,30 +25,50 @@ const LAMP: Vec3 = Vec3::new(0.5, 0.5, -0.7);
 
 /// All exercises of which a pair of shaders is the answer.
 pub const TASKS: &[Task] = &[
-    task("ex01", Model::Camera, None, [false; 3]),
-    task("ex03", Model::Gouraud, Some((Model::Phong, Some("phong-instead-of-gouraud"))), [false, true, false]),
-    task("ex04", Model::Phong, Some((Model::Gouraud, Some("gouraud-instead-of-phong"))), [false, true, false]),
-    task("ex05", Model::Gouraud, Some((Model::Phong, Some("phong-instead-of-gouraud"))), [false, false, true]),
-    task("ex06", Model::Phong, Some((Model::Gouraud, Some("gouraud-instead-of-phong"))), [false, false, true]),
+    task("ex01", ModelSolution::Camera, None, [false; 3]),
+    task(
+        "ex03",
+        ModelSolution::Gouraud,
+        Some((ModelSolution::Phong, Some("phong-instead-of-gouraud"))),
+        [false, true, false],
+    ),
+    task(
+        "ex04",
+        ModelSolution::Phong,
+        Some((ModelSolution::Gouraud, Some("gouraud-instead-of-phong"))),
+        [false, true, false],
+    ),
+    task(
+        "ex05",
+        ModelSolution::Gouraud,
+        Some((ModelSolution::Phong, Some("phong-instead-of-gouraud"))),
+        [false, false, true],
+    ),
+    task(
+        "ex06",
+        ModelSolution::Phong,
+        Some((ModelSolution::Gouraud, Some("gouraud-instead-of-phong"))),
+        [false, false, true],
+    ),
     Task {
         attenuated: true,
         light_position: Vec3::new(1.0, 2.0, 1.5),
         // The exercise does not say where the equation is to be computed.
-        ..task("ex07", Model::Phong, Some((Model::Gouraud, None)), [true, true, true])
+        ..task("ex07", ModelSolution::Phong, Some((ModelSolution::Gouraud, None)), [true, true, true])
     },
-    task("ex08", Model::Skybox, None, [false; 3]),
-    task("ex09", Model::Reflection, None, [false; 3]),
-    task("ex10", Model::Refraction, None, [false; 3]),
-    task("s1", Model::Panorama, None, [false; 3]),
+    task("ex08", ModelSolution::Skybox, None, [false; 3]),
+    task("ex09", ModelSolution::Reflection, None, [false; 3]),
+    task("ex10", ModelSolution::Refraction, None, [false; 3]),
+    task("s1", ModelSolution::Panorama, None, [false; 3]),
 ];
 
 /// Exercise 01 by its places alone: for programs whose colours are none of the vertices'.
-pub const PLACES: &Task = &task("ex01", Model::Places, None, [false; 3]);
+pub const PLACES: &Task = &task("ex01", ModelSolution::Places, None, [false; 3]);
 
 const fn task(
     exercise: &'static str,
-    model: Model,
-    other: Option<(Model, Option<&'static str>)>,
+    model: ModelSolution,
+    other: Option<(ModelSolution, Option<&'static str>)>,
     wanted: [bool; 3],
 ) -> Task {
     Task { exercise, model, other, wanted, attenuated: false, light_position: LAMP }
@@ -64,11 +84,11 @@ impl Task {
     /// first and of the second kind.
     pub fn test_scenes(&self) -> (Vec<TestScene>, [usize; 2]) {
         let mut all = match self.model {
-            Model::Phong | Model::Gouraud => scene::lit(),
-            Model::Reflection | Model::Refraction => scene::mirrored(),
-            Model::Skybox => scene::skies(),
-            Model::Camera | Model::Places => scene::cameras(),
-            Model::Panorama => (0..6).map(scene::face).collect(),
+            ModelSolution::Phong | ModelSolution::Gouraud => scene::lit(),
+            ModelSolution::Reflection | ModelSolution::Refraction => scene::mirrored(),
+            ModelSolution::Skybox => scene::skies(),
+            ModelSolution::Camera | ModelSolution::Places => scene::cameras(),
+            ModelSolution::Panorama => (0..6).map(scene::face).collect(),
         };
         let whole = all.len();
         let mut of_two = 0;

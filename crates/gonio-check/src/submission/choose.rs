@@ -3,7 +3,7 @@
 use super::error::{IntakeError, list};
 use super::stage::stage_of_word;
 use super::text::StageText;
-use super::words::words_of;
+use crate::words::words_of;
 use gonio_glsl::Stage;
 
 /// One shader that was found.

@@ -86,7 +86,7 @@ impl fmt::Display for IntakeError {
             Self::TooLarge { file, bytes } => write!(
                 f,
                 "{file} has {bytes} bytes, more than the {} that a shader may have: hand in the shader's source alone",
-                super::decode::LARGEST
+                super::text::LARGEST
             ),
             Self::NoShader { files } => write!(
                 f,

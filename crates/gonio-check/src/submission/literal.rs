@@ -484,7 +484,3 @@ impl Wholeness {
         self.main && self.open > 0 && self.open <= self.close
     }
 }
-
-#[cfg(test)]
-#[path = "literal_tests.rs"]
-mod tests;

@@ -4,13 +4,11 @@
 //! guessed, corrected or left aside is a warning; what cannot be used is one [`IntakeError`].
 
 mod choose;
-mod decode;
 mod error;
 mod literal;
 mod split;
 mod stage;
 mod text;
-pub mod words;
 
 #[cfg(test)]
 mod tests;
@@ -103,7 +101,7 @@ pub struct Holds {
 /// # Errors
 /// An [`IntakeError`] where it was meant to be a shader and cannot be read.
 pub fn holds(file: &SourceFile) -> Result<Holds, IntakeError> {
-    if kind(&file.name) == FileKind::Perhaps && decode::decode(&file.name, &file.bytes).is_err() {
+    if kind(&file.name) == FileKind::Perhaps && text::decode(&file.name, &file.bytes).is_err() {
         return Ok(Holds::default());
     }
     let mut intake = Intake { few: true, ..Intake::default() };
@@ -195,7 +193,7 @@ impl Intake {
             FileKind::Aside => return self.left_aside.push(name.clone()),
             FileKind::Names | FileKind::Program(_) | FileKind::Shader | FileKind::Perhaps => {}
         }
-        let text = match decode::decode(name, &file.bytes) {
+        let text = match text::decode(name, &file.bytes) {
             Ok((text, warning)) => {
                 self.corrected.extend(warning.map(|warning| (name.clone(), warning)));
                 text

@@ -2,7 +2,7 @@
 
 use super::stage;
 use super::text::{Builder, number};
-use super::words::words_of;
+use crate::words::words_of;
 use gonio_glsl::Stage;
 
 /// The vertex and the fragment stage of a text that holds both; `None` where it does not.

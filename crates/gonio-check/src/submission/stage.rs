@@ -1,6 +1,6 @@
 //! Which stage a text is of: told from its name, and from its content where the name is silent or contradicts it.
 
-use super::words::words_of;
+use crate::words::words_of;
 use gonio_glsl::Stage;
 
 /// The stage that one word names.

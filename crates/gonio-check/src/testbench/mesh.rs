@@ -4,7 +4,7 @@ use std::f32::consts::{PI, TAU};
 
 /// The mesh to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Shape {
+pub enum TestShape {
     /// Radius 1 around the origin, 8 segments and 6 rings. Its normals are its positions.
     Sphere,
     /// Radii 0.7 and 0.3 around the y axis, 14 by 8: its normals are nothing like its positions.
@@ -17,11 +17,12 @@ pub enum Shape {
     Landmarks,
 }
 
-impl Shape {
-    /// All shapes, in the order of [`Shape::index`].
-    pub const ALL: [Shape; 5] = [Shape::Sphere, Shape::Torus, Shape::Cube, Shape::Pyramid, Shape::Landmarks];
+impl TestShape {
+    /// All shapes, in the order of [`TestShape::index`].
+    pub const ALL: [TestShape; 5] =
+        [TestShape::Sphere, TestShape::Torus, TestShape::Cube, TestShape::Pyramid, TestShape::Landmarks];
 
-    /// Its index in [`Shape::ALL`].
+    /// Its index in [`TestShape::ALL`].
     pub fn index(self) -> usize {
         self as usize
     }
@@ -29,11 +30,11 @@ impl Shape {
     /// Its vertices and triangles.
     pub fn mesh(self) -> TestMesh {
         match self {
-            Shape::Sphere => sphere(8, 6),
-            Shape::Torus => torus(14, 8),
-            Shape::Cube => cube(),
-            Shape::Pyramid => pyramid(),
-            Shape::Landmarks => landmarks(),
+            TestShape::Sphere => sphere(8, 6),
+            TestShape::Torus => torus(14, 8),
+            TestShape::Cube => cube(),
+            TestShape::Pyramid => pyramid(),
+            TestShape::Landmarks => landmarks(),
         }
     }
 }
@@ -144,7 +145,7 @@ fn landmarks() -> TestMesh {
     mesh.normals.extend(&globe.normals);
     mesh.tex_coords.extend(&globe.tex_coords);
     for direction in globe.normals.chunks_exact(3) {
-        mesh.colors.extend(super::sky::radiance(glam::Vec3::from_slice(direction)));
+        mesh.colors.extend(super::inputs::radiance(glam::Vec3::from_slice(direction)));
     }
     mesh.indices.extend(globe.indices.iter().map(|index| first + index));
     mesh
@@ -156,7 +157,7 @@ mod tests {
 
     #[test]
     fn normals_are_unit_vectors_and_point_out_of_the_surface() {
-        for shape in [Shape::Sphere, Shape::Torus] {
+        for shape in [TestShape::Sphere, TestShape::Torus] {
             let mesh = shape.mesh();
             for normal in mesh.normals.chunks_exact(3) {
                 let length = normal.iter().map(|x| x * x).sum::<f32>().sqrt();

@@ -1,20 +1,14 @@
 //! The testbench: meshes, test scenes that distinguish mistakes, and the drawing of all scenes at once.
 
-mod atlas;
+mod draw;
+pub mod inputs;
 pub mod mesh;
 pub mod scene;
-pub mod sky;
-mod surface;
-mod units;
-mod values;
 
-pub use atlas::{Atlas, ProgramInputs, TILE, Testbench, stream_of};
-pub use mesh::{Shape, TestMesh};
-pub use scene::{Light, TestScene};
-pub use sky::radiance;
-pub use surface::Surface;
-pub use units::{CUBEMAP_UNIT, WHITE_UNIT, samplers, unit};
-pub use values::{numbers, numbers_of_array};
+pub use draw::{Atlas, CoverageMap, ProgramInputs, TILE, Testbench, stream_of};
+pub use inputs::{CUBEMAP_UNIT, SKY_SIDE, WHITE_UNIT, numbers, numbers_of_array, radiance, samplers, sky_faces, unit};
+pub use mesh::{TestMesh, TestShape};
+pub use scene::{TestLight, TestScene};
 
 /// Our own programs are written as 330 core; as 300 es they are the same with another first line.
 pub fn for_context(gl: &gonio_gl::Gl, source: &str) -> String {

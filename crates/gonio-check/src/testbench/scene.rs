@@ -1,6 +1,6 @@
 //! Scenes made to tell mistakes apart: what each is good for stands beside it.
 
-use super::Shape;
+use super::TestShape;
 use glam::{Mat3, Mat4, Quat, Vec3};
 
 /// So far away, in the world's units, that its rays are parallel: to 1/10000 of a radian all over a model.
@@ -8,7 +8,7 @@ const SUN_DISTANCE: f32 = 1e5;
 
 /// A light and how it fades. Positions in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Light {
+pub struct TestLight {
     /// In the world.
     pub position: Vec3,
     /// Strengths of the terms, 0 to 1.
@@ -26,16 +26,16 @@ pub struct Light {
     pub points_to_light: bool,
 }
 
-impl Light {
+impl TestLight {
     /// The same light, switched off.
     pub fn dark(self) -> Self {
-        Light { ambient: 0.0, diffuse: 0.0, specular: 0.0, brightness: 0.0, ..self }
+        TestLight { ambient: 0.0, diffuse: 0.0, specular: 0.0, brightness: 0.0, ..self }
     }
 
     /// The same light as a sun: endlessly far away from `centre`, in the world, and as bright there as here.
     pub fn as_sun(self, centre: Vec3) -> Self {
         let position = centre + (self.position - centre).normalize_or(Vec3::Y) * SUN_DISTANCE;
-        Light { position, ..self }
+        TestLight { position, ..self }
     }
 
     /// Whether it gives any light.
@@ -52,7 +52,7 @@ pub struct TestScene {
     /// The reason for this scene: what it shows that others do not.
     pub shows: &'static str,
     /// The mesh to draw.
-    pub shape: Shape,
+    pub shape: TestShape,
     /// M.
     pub world_from_model: Mat4,
     /// In the world.
@@ -64,9 +64,9 @@ pub struct TestScene {
     /// Radians, from the lower to the upper edge.
     pub fov_y_rad: f32,
     /// The light.
-    pub light: Light,
+    pub light: TestLight,
     /// Another one, which only programs with several lights are given.
-    pub other: Option<Light>,
+    pub other: Option<TestLight>,
     /// Linear RGB.
     pub material: Vec3,
     /// The exponent of the highlight.
@@ -107,7 +107,7 @@ impl TestScene {
     /// The whole world turned about its origin: object, lights and camera together, so that the picture stays.
     #[must_use]
     pub fn turned(&self, turn: Quat) -> Self {
-        let turned = |light: Light| Light { position: turn * light.position, ..light };
+        let turned = |light: TestLight| TestLight { position: turn * light.position, ..light };
         TestScene {
             world_from_model: Mat4::from_quat(turn) * self.world_from_model,
             eye: turn * self.eye,
@@ -131,7 +131,7 @@ impl TestScene {
 }
 
 /// The lab's own values.
-pub const LAB_LIGHT: Light = Light {
+pub const LAB_LIGHT: TestLight = TestLight {
     position: Vec3::new(1.0, 2.0, 1.5),
     ambient: 0.1,
     diffuse: 0.5,
@@ -145,7 +145,7 @@ fn base(name: &str, shows: &'static str) -> TestScene {
     TestScene {
         name: name.to_owned(),
         shows,
-        shape: Shape::Torus,
+        shape: TestShape::Torus,
         world_from_model: Mat4::IDENTITY,
         eye: Vec3::new(0.0, 0.0, 3.0),
         target: Vec3::ZERO,
@@ -170,7 +170,7 @@ fn placed(at: [f32; 3], turn_deg: [f32; 3], scale: [f32; 3]) -> Mat4 {
 pub fn lit() -> Vec<TestScene> {
     let mut all = vec![
         TestScene {
-            shape: Shape::Sphere,
+            shape: TestShape::Sphere,
             world_from_model: placed([0.0, 0.0, -2.0], [0.0; 3], [0.5; 3]),
             eye: Vec3::new(0.0, 0.0, 0.0),
             target: Vec3::new(0.0, 0.0, -2.0),
@@ -181,22 +181,22 @@ pub fn lit() -> Vec<TestScene> {
             eye: Vec3::new(1.9, 1.1, 2.0),
             target: Vec3::new(0.4, -0.3, -0.6),
             fov_y_rad: 0.42,
-            light: Light { position: Vec3::new(1.6, 2.2, 1.2), ..LAB_LIGHT },
+            light: TestLight { position: Vec3::new(1.6, 2.2, 1.2), ..LAB_LIGHT },
             ..base("stretched", "a model that is stretched, turned and moved")
         },
         TestScene {
-            shape: Shape::Sphere,
+            shape: TestShape::Sphere,
             world_from_model: placed([-0.3, 0.2, 0.1], [10.0, 20.0, 0.0], [0.5; 3]),
             eye: Vec3::new(0.5, 0.5, 1.6),
             target: Vec3::new(-0.3, 0.2, 0.1),
-            light: Light { position: Vec3::new(0.5, 0.8, 0.9), ..LAB_LIGHT },
+            light: TestLight { position: Vec3::new(0.5, 0.8, 0.9), ..LAB_LIGHT },
             ..base("coarse", "a coarse sphere close to the light")
         },
         TestScene {
             world_from_model: placed([-0.2, 0.1, -0.3], [-60.0, 10.0, 0.0], [0.9; 3]),
             eye: Vec3::new(0.3, 0.9, 2.4),
             target: Vec3::new(-0.2, 0.1, -0.3),
-            light: Light { position: Vec3::new(-1.2, 1.0, -2.2), ambient: 0.25, ..LAB_LIGHT },
+            light: TestLight { position: Vec3::new(-1.2, 1.0, -2.2), ambient: 0.25, ..LAB_LIGHT },
             shininess: 6.0,
             ..base("behind", "the light behind the object")
         },
@@ -207,7 +207,7 @@ pub fn lit() -> Vec<TestScene> {
             world_from_model: placed([0.2, 0.1, 0.0], [60.0, 15.0, 0.0], [0.8; 3]),
             eye: Vec3::new(-0.4, 0.6, 2.5),
             target: Vec3::new(0.2, 0.1, 0.0),
-            light: Light { position: Vec3::new(0.2, 0.1, 0.0) + direction * distance, ambient: 0.35, ..LAB_LIGHT },
+            light: TestLight { position: Vec3::new(0.2, 0.1, 0.0) + direction * distance, ambient: 0.35, ..LAB_LIGHT },
             ..base(name, "the same light at three distances, with much ambient light")
         });
     }
@@ -217,15 +217,15 @@ pub fn lit() -> Vec<TestScene> {
         target: Vec3::new(0.6, 0.4, -0.5),
         up: Vec3::new(0.5, 1.0, 0.2),
         fov_y_rad: 0.5,
-        light: Light { position: Vec3::new(-1.5, 1.2, -2.0), ..LAB_LIGHT },
+        light: TestLight { position: Vec3::new(-1.5, 1.2, -2.0), ..LAB_LIGHT },
         ..base("turned", "another camera, turned and tilted")
     });
     all.push(TestScene {
-        shape: Shape::Sphere,
+        shape: TestShape::Sphere,
         world_from_model: placed([-0.5, -0.4, -0.4], [0.0, 30.0, 40.0], [0.5, 0.8, 0.6]),
         eye: Vec3::new(0.4, -0.2, 2.2),
         target: Vec3::new(-0.5, -0.4, -0.4),
-        light: Light { position: Vec3::new(1.2, 0.6, 1.4), ambient: 0.2, ..LAB_LIGHT },
+        light: TestLight { position: Vec3::new(1.2, 0.6, 1.4), ambient: 0.2, ..LAB_LIGHT },
         material: Vec3::new(0.85, 0.4, 0.15),
         shininess: 12.0,
         ..base("coloured", "another material, whose colour is strong")
@@ -238,13 +238,14 @@ pub fn lit() -> Vec<TestScene> {
 
 /// For programs with several lights: two of different place and strength, and the second one alone.
 pub fn lit_by_two() -> Vec<TestScene> {
-    let other = Light { position: Vec3::new(-1.3, 0.4, 1.5), ambient: 0.04, diffuse: 0.35, specular: 0.6, ..LAB_LIGHT };
+    let other =
+        TestLight { position: Vec3::new(-1.3, 0.4, 1.5), ambient: 0.04, diffuse: 0.35, specular: 0.6, ..LAB_LIGHT };
     let both = TestScene {
         world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.7, 1.0, 0.5]),
         eye: Vec3::new(1.4, 0.7, 2.2),
         target: Vec3::new(0.4, -0.3, -0.6),
         fov_y_rad: 0.5,
-        light: Light { position: Vec3::new(1.9, 1.2, 0.6), ..LAB_LIGHT },
+        light: TestLight { position: Vec3::new(1.9, 1.2, 0.6), ..LAB_LIGHT },
         other: Some(other),
         shininess: 8.0,
         ..base("two lights", "two lights of different place and strength")
@@ -252,7 +253,7 @@ pub fn lit_by_two() -> Vec<TestScene> {
     let mut second = both.clone();
     second.name = "second light".to_owned();
     second.shows = "the second of two lights alone";
-    second.light = Light { brightness: 0.0, ..second.light.dark() };
+    second.light = TestLight { brightness: 0.0, ..second.light.dark() };
     vec![both, second]
 }
 
@@ -278,7 +279,7 @@ pub fn isolated(whole: &[TestScene]) -> Vec<TestScene> {
 /// For mirrors and glass.
 pub fn mirrored() -> Vec<TestScene> {
     vec![
-        TestScene { shape: Shape::Sphere, ..base("front", "a sphere in the middle") },
+        TestScene { shape: TestShape::Sphere, ..base("front", "a sphere in the middle") },
         TestScene {
             world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.6, 1.2, 0.3]),
             eye: Vec3::new(1.9, 1.1, 2.0),
@@ -286,7 +287,7 @@ pub fn mirrored() -> Vec<TestScene> {
             ..base("stretched", "a model that is stretched, turned and moved")
         },
         TestScene {
-            shape: Shape::Sphere,
+            shape: TestShape::Sphere,
             world_from_model: placed([-1.5, 0.8, 0.6], [10.0, 20.0, 0.0], [0.5; 3]),
             eye: Vec3::new(-0.7, 0.3, 2.6),
             target: Vec3::new(-1.5, 0.8, 0.6),
@@ -306,7 +307,7 @@ pub fn mirrored() -> Vec<TestScene> {
 /// For skies: cameras that look elsewhere, and one that has moved.
 pub fn skies() -> Vec<TestScene> {
     let sky = |name: &str, shows, eye: [f32; 3], towards: [f32; 3], up: [f32; 3]| TestScene {
-        shape: Shape::Cube,
+        shape: TestShape::Cube,
         eye: eye.into(),
         target: Vec3::from(eye) + Vec3::from(towards),
         up: up.into(),
@@ -325,7 +326,7 @@ pub fn skies() -> Vec<TestScene> {
 pub fn cameras() -> Vec<TestScene> {
     let model = placed([0.3, -0.2, -0.4], [40.0, 25.0, 15.0], [0.8, 1.1, 0.6]);
     let camera = |name: &str, shows, eye: [f32; 3], target: [f32; 3], up: [f32; 3]| TestScene {
-        shape: Shape::Landmarks,
+        shape: TestShape::Landmarks,
         world_from_model: model,
         eye: eye.into(),
         target: target.into(),
@@ -363,7 +364,7 @@ pub fn cameras() -> Vec<TestScene> {
             )
         },
         TestScene {
-            shape: Shape::Pyramid,
+            shape: TestShape::Pyramid,
             world_from_model: Mat4::IDENTITY,
             ..camera(
                 "lab",
@@ -374,7 +375,7 @@ pub fn cameras() -> Vec<TestScene> {
             )
         },
         TestScene {
-            shape: Shape::Pyramid,
+            shape: TestShape::Pyramid,
             world_from_model: Mat4::IDENTITY,
             ..camera(
                 "to the right",
@@ -412,7 +413,7 @@ pub fn face(face: usize) -> TestScene {
         _ => (Vec3::NEG_Z, Vec3::NEG_Y),
     };
     TestScene {
-        shape: Shape::Cube,
+        shape: TestShape::Cube,
         eye: Vec3::ZERO,
         target: ahead,
         up,

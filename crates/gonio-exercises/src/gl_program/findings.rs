@@ -3,8 +3,8 @@
 use super::names::GlProgramMistakeName;
 use super::program::{GlProgram, GlProgramError, MOST_ERRORS};
 use super::signature::shown;
-use gonio_check::nearest::nearest;
 use gonio_check::verdict::Outcome;
+use gonio_check::words::nearest;
 use gonio_gl::trace::{Finding, Rule, Severity};
 use gonio_render::gl_program::{Call, CallError, GlProgramFailure, GlProgramFiles, GlProgramRun, Selector};
 use serde::Serialize;

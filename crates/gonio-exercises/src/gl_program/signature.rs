@@ -1,6 +1,6 @@
 //! The parameters of each call, word by word.
 
-use gonio_check::nearest::nearest;
+use gonio_check::words::nearest;
 use gonio_render::gl_program::{
     CONSTANTS, Call, Constant, Number, ObjectKind, Pointer, Selector, UniformArgument, constant,
 };

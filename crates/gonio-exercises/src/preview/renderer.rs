@@ -2,7 +2,9 @@
 
 use super::{CompiledPair, PreviewScene, PreviewShape};
 use gonio_check::roles::{Bound, Role, VariableKind};
-use gonio_check::testbench::{CUBEMAP_UNIT, TestScene, WHITE_UNIT, numbers_of_array, samplers, sky, stream_of, unit};
+use gonio_check::testbench::{
+    CUBEMAP_UNIT, SKY_SIDE, TestScene, WHITE_UNIT, numbers_of_array, samplers, sky_faces, stream_of, unit,
+};
 use gonio_gl::{Gl, GlError};
 use gonio_render::user_program::{FloatTexture, Stream, StreamMesh};
 use std::cell::RefCell;
@@ -35,7 +37,7 @@ impl PreviewRenderer {
         Ok(PreviewRenderer {
             gl: gl.clone(),
             meshes: RefCell::default(),
-            cubemap: FloatTexture::cube(gl, sky::SIDE, &sky::faces(), "the laboratory's sky")?,
+            cubemap: FloatTexture::cube(gl, SKY_SIDE, &sky_faces(), "the laboratory's sky")?,
             white: FloatTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
         })
     }

@@ -3,7 +3,7 @@
 use crate::exercise::Exercise;
 use glam::{Mat4, Quat, Vec3};
 use gonio_check::search::Task;
-use gonio_check::testbench::{Light, Shape, TestMesh, TestScene, mesh, scene::LAB_LIGHT};
+use gonio_check::testbench::{TestLight, TestMesh, TestScene, TestShape, mesh, scene::LAB_LIGHT};
 
 /// The mesh to draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,9 +48,9 @@ impl PreviewShape {
             PreviewShape::Coarse => mesh::sphere(20, 12),
             PreviewShape::Smooth => mesh::sphere(72, 48),
             PreviewShape::Torus => mesh::torus(96, 48),
-            PreviewShape::Cube => Shape::Cube.mesh(),
-            PreviewShape::Pyramid => Shape::Pyramid.mesh(),
-            PreviewShape::Landmarks => Shape::Landmarks.mesh(),
+            PreviewShape::Cube => TestShape::Cube.mesh(),
+            PreviewShape::Pyramid => TestShape::Pyramid.mesh(),
+            PreviewShape::Landmarks => TestShape::Landmarks.mesh(),
         }
     }
 }
@@ -87,7 +87,7 @@ pub struct PreviewScene {
     /// The objects.
     pub objects: Vec<PreviewObject>,
     /// The light at time 0, without what it swings.
-    pub light: Light,
+    pub light: TestLight,
     /// The lamp's place is moved by this times sin(now), as the lab's is in exercise 07.
     pub swing: Vec3,
     /// The first one.
@@ -105,11 +105,11 @@ impl PreviewScene {
         let [width, height] = size.map(|side| side.max(1) as f32);
         let longer = (width / height).max(height / width);
         let fov_y_rad = 2.0 * ((0.5 * eye.fov_rad).tan() * longer).atan();
-        let light = Light { position: self.light.position + self.swing * time.sin(), ..self.light };
+        let light = TestLight { position: self.light.position + self.swing * time.sin(), ..self.light };
         let test_scene = |object: &PreviewObject| TestScene {
             name: self.name.to_owned(),
             shows: self.shows,
-            shape: Shape::Sphere,
+            shape: TestShape::Sphere,
             world_from_model: object.world_from_model,
             eye: eye.position,
             target: eye.target,
@@ -136,13 +136,13 @@ pub fn scenes(exercise: &Exercise) -> Vec<PreviewScene> {
             let task = Task::find(id);
             let attenuation =
                 if task.is_some_and(|task| task.attenuated) { LAB_LIGHT.attenuation } else { [1.0, 0.0, 0.0] };
-            let light = Light {
+            let light = TestLight {
                 position: task.map_or(LAB_LIGHT.position, |task| task.light_position),
                 attenuation,
                 ..LAB_LIGHT
             };
             let lab = if id == "ex07" { one_sphere(light) } else { three_spheres(light) };
-            vec![lab, stretched(Light { attenuation, ..LAB_LIGHT })]
+            vec![lab, stretched(TestLight { attenuation, ..LAB_LIGHT })]
         }
     }
 }
@@ -151,7 +151,13 @@ fn eye(position: [f32; 3], target: [f32; 3], fov_deg: f32) -> Eye {
     Eye { position: position.into(), target: target.into(), up: Vec3::Y, fov_rad: fov_deg.to_radians() }
 }
 
-fn scene(name: &'static str, shows: &'static str, objects: Vec<PreviewObject>, light: Light, eye: Eye) -> PreviewScene {
+fn scene(
+    name: &'static str,
+    shows: &'static str,
+    objects: Vec<PreviewObject>,
+    light: TestLight,
+    eye: Eye,
+) -> PreviewScene {
     PreviewScene { name, shows, objects, light, swing: Vec3::ZERO, eye, has_sky: false, looks_around: false }
 }
 
@@ -175,7 +181,7 @@ fn landmarks() -> PreviewScene {
 const LAB_FOV_DEG: f32 = 58.3;
 
 /// Exercise 07's.
-fn one_sphere(light: Light) -> PreviewScene {
+fn one_sphere(light: TestLight) -> PreviewScene {
     let model = Mat4::from_translation(Vec3::new(0.0, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
     let objects = vec![PreviewObject { shape: PreviewShape::Smooth, world_from_model: model }];
     let eye = eye([0.0, 0.0, 0.0], [0.0, 0.0, -2.0], 38.0);
@@ -184,7 +190,7 @@ fn one_sphere(light: Light) -> PreviewScene {
 }
 
 /// That of exercises 03 to 06.
-fn three_spheres(light: Light) -> PreviewScene {
+fn three_spheres(light: TestLight) -> PreviewScene {
     let object = |shape, x: f32| {
         let model = Mat4::from_translation(Vec3::new(x, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
         PreviewObject { shape, world_from_model: model }
@@ -199,12 +205,12 @@ fn three_spheres(light: Light) -> PreviewScene {
 }
 
 /// What a model that is scaled evenly and not turned hides.
-fn stretched(light: Light) -> PreviewScene {
+fn stretched(light: TestLight) -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 50f32.to_radians(), 35f32.to_radians(), 20f32.to_radians());
     let scale = Vec3::new(0.6, 1.2, 0.3);
     let model = Mat4::from_scale_rotation_translation(scale, turn, Vec3::new(0.4, -0.3, -0.6));
     let objects = vec![PreviewObject { shape: PreviewShape::Torus, world_from_model: model }];
-    let light = Light { position: Vec3::new(1.6, 2.2, 1.2), ..light };
+    let light = TestLight { position: Vec3::new(1.6, 2.2, 1.2), ..light };
     let shows = "a ring that is stretched, turned and moved: normals by M, and matrices in the wrong order, show here";
     scene("stretched", shows, objects, light, eye([1.9, 1.1, 2.0], [0.4, -0.3, -0.6], 34.0))
 }

@@ -1,8 +1,10 @@
-//! The value of a uniform with a known role in a test scene.
+//! What programs read in a test scene: the value of each uniform with a known role, the texture of each sampler, and the
+//! environment that mirrors and skies are tested in.
 
 use super::TestScene;
-use crate::roles::Role;
+use crate::roles::{Bindings, Role, VariableKind};
 use glam::{Mat4, Vec3};
+use gonio_render::user_program::UserProgram;
 
 /// The numbers for a uniform of this meaning and type; `None` where the test scene has nothing to say of it.
 pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Vec<f32>> {
@@ -93,4 +95,102 @@ pub fn numbers_of_array(role: Role, glsl_type: &str, elements: u32, test_scene: 
         Some(numbers)
     });
     elements.collect::<Option<Vec<_>>>().map(|elements| elements.concat())
+}
+
+/// Where the sky is.
+pub const CUBEMAP_UNIT: u32 = 0;
+/// Where the white texture is.
+pub const WHITE_UNIT: u32 = 1;
+/// No honest array of samplers is longer.
+const MOST_ELEMENTS: u32 = 64;
+
+/// The unit of a sampler of that type: each type its own, for no unit may be read in two ways. What gonio has no texture for
+/// reads an empty unit, which is black; a 2D texture that nothing is known of is white, as a shadow map without shadows is.
+pub fn unit(glsl_type: &str) -> Option<u32> {
+    const EMPTY: [&str; 8] = [
+        "sampler2DShadow",
+        "samplerCubeShadow",
+        "sampler2DArray",
+        "sampler3D",
+        "sampler1D",
+        "sampler2DArrayShadow",
+        "sampler2DMS",
+        "samplerBuffer",
+    ];
+    match glsl_type {
+        "samplerCube" => Some(CUBEMAP_UNIT),
+        "sampler2D" => Some(WHITE_UNIT),
+        _ => {
+            let place = EMPTY.iter().position(|known| *known == glsl_type).unwrap_or(EMPTY.len());
+            glsl_type.contains("sampler").then_some(2 + place as u32)
+        }
+    }
+}
+
+/// The numbers and units of all samplers of a program, of those too that nothing is known of.
+pub fn samplers(program: &UserProgram, bindings: &Bindings) -> Vec<(usize, Vec<f32>)> {
+    let unknown = bindings.unknown.iter().filter(|declared| declared.kind == VariableKind::Uniform);
+    let all = bindings.bound.iter().map(|bound| &bound.declared).chain(unknown);
+    all.filter_map(|declared| {
+        let elements = declared.array.clamp(1, MOST_ELEMENTS) as usize;
+        Some((program.uniform_index(&declared.name)?, vec![unit(&declared.glsl_type)? as f32; elements]))
+    })
+    .collect()
+}
+
+/// Texels along a face's side.
+pub const SKY_SIDE: usize = 32;
+
+/// The light from a direction, linear RGB, each between 0.05 and 0.95.
+pub fn radiance(direction: Vec3) -> [f32; 3] {
+    let d = direction.normalize();
+    let wave = |frequency: Vec3, phase: f32| 0.5 + 0.45 * (d.dot(frequency) + phase).sin();
+    [wave(Vec3::new(1.9, 0.7, 0.4), 0.3), wave(Vec3::new(-0.5, 2.1, 0.8), 1.1), wave(Vec3::new(0.6, -0.9, 2.3), -0.7)]
+}
+
+/// Six faces in OpenGL's layout (specification, table of cube map coordinates), rows from t = 0.
+pub fn sky_faces() -> [Vec<[f32; 4]>; 6] {
+    let place = |face: usize, s: f32, t: f32| match face {
+        0 => Vec3::new(1.0, -t, -s),
+        1 => Vec3::new(-1.0, -t, s),
+        2 => Vec3::new(s, 1.0, t),
+        3 => Vec3::new(s, -1.0, -t),
+        4 => Vec3::new(s, -t, 1.0),
+        _ => Vec3::new(-s, -t, -1.0),
+    };
+    std::array::from_fn(|face| {
+        let texel = |index: usize| {
+            let along = |i: usize| (i as f32 + 0.5) / SKY_SIDE as f32 * 2.0 - 1.0;
+            let [r, g, b] = radiance(place(face, along(index % SKY_SIDE), along(index / SKY_SIDE)));
+            [r, g, b, 1.0]
+        };
+        (0..SKY_SIDE * SKY_SIDE).map(texel).collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_turn_and_no_mirror_leaves_it_as_it_is() {
+        let directions: Vec<Vec3> = (0..200)
+            .map(|i| Vec3::new((i as f32 * 0.7).sin(), (i as f32 * 1.3).cos(), (i as f32 * 2.1).sin()))
+            .collect();
+        let axes = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+        for axes in axes {
+            for signs in 0..8_u32 {
+                let sign = |bit: usize| if signs >> bit & 1 == 1 { -1.0 } else { 1.0 };
+                if axes == [0, 1, 2] && signs == 0 {
+                    continue;
+                }
+                let moved = |d: &Vec3| Vec3::new(d[axes[0]] * sign(0), d[axes[1]] * sign(1), d[axes[2]] * sign(2));
+                let worst = directions
+                    .iter()
+                    .flat_map(|d| (0..3).map(|c| (radiance(*d)[c] - radiance(moved(d))[c]).abs()))
+                    .fold(0.0, f32::max);
+                assert!(worst > 0.3, "{axes:?} {signs}: {worst}");
+            }
+        }
+    }
 }

@@ -1,0 +1,281 @@
+//! Corrections of a verdict by what the pictures alone do not show: the source, what a cubemap lookup returns, the program
+//! that the shaders were written for, and the terms that a mistake concerns.
+
+use super::SURE;
+use crate::compile::ParsedStage;
+use crate::mistakes;
+use crate::mistakes::term_of;
+use crate::roles::Role;
+use crate::rules::Analysis;
+use crate::search::{Evidence, PIXEL_TOLERANCE, Prepared, ShaderChecker, Task, named};
+use crate::testbench::Atlas;
+use crate::verdict::{FoundMistake, Outcome, Peculiarity, TermState, Verdict};
+use gonio_gl::GlError;
+use gonio_render::user_program::UserProgram;
+
+/// More names at once than a student can use.
+const MOST_NAMES: usize = 4;
+/// Where a picture fits everything that puts the light out, a name needs this support by the source.
+const SUPPORTED_FROM: f32 = 0.85;
+
+/// What the source shows beyond doubt, whatever else a program does. The rules for other mistakes take a fog's distance, a
+/// shadow's cosine or a second light for the exercise's.
+const BEYOND_DOUBT: &[&str] = &[
+    "normal-by-model-matrix",
+    "normal-by-model-view",
+    "normal-by-whole-matrix",
+    "normal-not-transformed",
+    "normal-translated",
+    "normal-not-normalised-in-vertex",
+    "normal-not-renormalised",
+    "position-in-clip-space",
+    "light-direction-minus-normal",
+    "light-direction-reversed",
+    "light-position-as-direction",
+    "diffuse-floor",
+    "diffuse-half-lambert",
+    "specular-without-power",
+    "ambient-attenuated",
+    "ambient-twice",
+    "albedo-squared",
+    "gamma-applied",
+    "attenuation-without-constant",
+    "attenuation-inverse-square",
+    "attenuation-added",
+    "attenuation-distance-of-direction",
+    "attenuation-plus-view-distance",
+    "refraction-ratio-inverted",
+    "skybox-keeps-translation",
+    "matrix-order",
+    "terms-not-put-out",
+    "position-not-transformed",
+    "position-without-translation",
+    "view-position-at-origin",
+    "output-normal",
+];
+
+/// Mistakes that no model of the catalogue has, and the source shows.
+const WITHOUT_MODEL: &[&str] = &["ambient-in-cone", "attenuation-other-formula"];
+
+/// A picture that says nothing about mistakes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Blank {
+    Nothing,
+    Black,
+    NoNumber,
+    Flat,
+}
+
+impl Blank {
+    fn recognise(seen: &Atlas, test_scenes: usize) -> Option<Blank> {
+        let pixels = || (0..test_scenes).flat_map(|tile| seen.tile(tile)).filter(|pixel| Atlas::is_drawn(pixel));
+        let all = |is: &dyn Fn(f32) -> bool| pixels().all(|pixel| pixel.iter().take(3).all(|channel| is(*channel)));
+        if pixels().next().is_none() {
+            Some(Blank::Nothing)
+        } else if all(&|channel| channel.abs() <= PIXEL_TOLERANCE) {
+            Some(Blank::Black)
+        } else if all(&f32::is_nan) {
+            Some(Blank::NoNumber)
+        } else {
+            (0..test_scenes).all(|tile| is_flat(seen.tile(tile))).then_some(Blank::Flat)
+        }
+    }
+
+    fn sentence(self) -> &'static str {
+        match self {
+            Blank::Nothing => "nothing is drawn; is gl_Position what the exercise asks for?",
+            Blank::Black => {
+                "the picture is black in every scene; some vector, colour or strength is 0 that should \
+                             not be"
+            }
+            Blank::NoNumber => {
+                "every pixel is NaN in every scene; look for a division of 0 by 0, or for a normalised vector of \
+                 length 0"
+            }
+            Blank::Flat => {
+                "the picture has a single colour in every scene; no term depends on the position or the \
+                            normal"
+            }
+        }
+    }
+}
+
+fn is_flat(tile: &[[f32; 4]]) -> bool {
+    let mut drawn = tile.iter().filter(|pixel| Atlas::is_drawn(pixel));
+    let Some(first) = drawn.next() else { return true };
+    drawn.all(|pixel| pixel.iter().zip(first).take(3).all(|(a, b)| (a - b).abs() <= PIXEL_TOLERANCE))
+}
+
+/// A verdict without a name, or with one that any picture without light would get, is told what the source shows.
+pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &Analysis, task: &Task) {
+    if verdict.verdict != Outcome::Wrong {
+        return;
+    }
+    let model = task.model;
+    let blank = evidence.and_then(|evidence| Blank::recognise(&evidence.seen, evidence.scenes.len()));
+    if let Some(blank) = blank.filter(|_| task.model.is_lit()) {
+        let is_supported = |id: &str| source.support(id, model) >= SUPPORTED_FROM;
+        // Everything that puts the light out explains it, so only the source can name it.
+        if !verdict.mistakes.iter().all(|found| is_supported(&found.id)) || verdict.mistakes.is_empty() {
+            verdict.mistakes.clear();
+            verdict.peculiarities.clear();
+            verdict.summary = blank.sentence().to_owned();
+            verdict.runner_up = None;
+        }
+    }
+    if !verdict.mistakes.is_empty() {
+        return;
+    }
+    let is_shown = |id: &str| BEYOND_DOUBT.contains(&id) && source.support(id, model) >= SURE;
+    let shown: Vec<_> = mistakes::for_model(model)
+        .filter(|mistake| is_shown(&mistake.id) && source.line(&mistake.id, model).is_some())
+        .map(|mistake| FoundMistake::from_catalogue(mistake, 0.0))
+        .chain(without_model(source, task))
+        .take(MOST_NAMES)
+        .collect();
+    if !shown.is_empty() {
+        verdict.mistakes = shown;
+        verdict.summary =
+            format!("{}; the source shows this, and the picture has further errors", verdict.mistake_names());
+    }
+}
+
+/// Of programs that do more than any exercise asks.
+fn without_model<'a>(source: &'a Analysis, task: &'a Task) -> impl Iterator<Item = FoundMistake> + 'a {
+    let is_asked = |id: &str| task.model.is_lit() && (task.attenuated || !id.starts_with("attenuation"));
+    let is_shown = |id: &str| source.support(id, task.model) >= SURE && source.line(id, task.model).is_some();
+    WITHOUT_MODEL.iter().filter(move |id| is_asked(id) && is_shown(id)).filter_map(|id| named(id, 0.0))
+}
+
+/// Most look-ups of a program that are tried: of a mirror and a glass there are two.
+const MOST_LOOKUPS: usize = 4;
+
+/// Another verdict on a program that looks a cubemap up and is wrong without a name: of what it looks up alone. `None` where that
+/// tells no more, or where no look-up flows into the colour.
+pub(super) fn judge_lookups(
+    checker: &mut ShaderChecker,
+    task: &'static Task,
+    [vertex, fragment]: [&ParsedStage<'_>; 2],
+    prepared: &Prepared,
+    source: &Analysis,
+    verdict: &Verdict,
+) -> Result<Option<(Verdict, Option<Evidence>)>, GlError> {
+    if verdict.verdict != Outcome::Wrong || !verdict.mistakes.is_empty() || !task.model.is_looked_up() {
+        return Ok(None);
+    }
+    let mut best: Option<(Verdict, Option<Evidence>)> = None;
+    let lookups = fragment.lookups().into_iter().filter(|lookup| source.puts_out_lookup(lookup.span));
+    for lookup in lookups.take(MOST_LOOKUPS) {
+        let text = fragment.showing(lookup);
+        let Ok(program) = UserProgram::new(checker.gl(), &vertex.translated.text, &text) else { continue };
+        let (mut of_lookup, evidence) = checker.check(task, &program, prepared)?;
+        of_lookup.bound.clone_from(&verdict.bound);
+        let is_named = |verdict: &Verdict| verdict.verdict == Outcome::Wrong && !verdict.mistakes.is_empty();
+        if of_lookup.verdict == Outcome::Correct {
+            of_lookup.summary = "the lookup is right in every scene; its colour is changed afterwards".to_owned();
+            of_lookup.peculiarities.push(Peculiarity {
+                id: "lookup-mixed".to_owned(),
+                name: "The colour of the cubemap is mixed with other colours; the pictures show the lookup alone"
+                    .to_owned(),
+            });
+            return Ok(Some((of_lookup, evidence)));
+        }
+        let is_better = |best: &(Verdict, Option<Evidence>)| of_lookup.mistakes.len() < best.0.mistakes.len();
+        if is_named(&of_lookup) && best.as_ref().is_none_or(is_better) {
+            of_lookup.warnings.push(
+                "the colour of the cubemap is mixed with other colours; only the lookup was judged, and the pictures \
+                 show it"
+                    .to_owned(),
+            );
+            best = Some((of_lookup, evidence));
+        }
+    }
+    Ok(best)
+}
+
+/// The interface of exercise 08. Whoever takes these names has its word that V comes as the camera has it.
+const GIVEN: [&str; 4] = ["position", "V", "P", "cubemapSampler"];
+const MOVES: &str = "skybox-keeps-translation";
+
+/// Many programs take the translation out of V before they send it, and their shaders are right to leave it as it comes: where names
+/// show that a shader was written for another program than ours, that is taken for granted, and said.
+pub(super) fn trust_other_programs(verdict: &mut Verdict, source: &Analysis) {
+    let of_another = verdict.bound.iter().any(|bound| bound.role.is_some() && !GIVEN.contains(&bound.name.as_str()));
+    let moves = |verdict: &Verdict| verdict.mistakes.iter().any(|found| found.id == MOVES);
+    // Whoever makes a V without translation knows that it comes with one.
+    if verdict.verdict != Outcome::Wrong || !of_another || !moves(verdict) || source.turns_only() {
+        return;
+    }
+    let is_view = |role: &str| [Role::View, Role::ViewProjection].iter().any(|view| view.to_string() == role);
+    let view = verdict.bound.iter().find(|bound| bound.role.as_deref().is_some_and(is_view));
+    let view = view.map_or("V", |bound| bound.name.as_str()).to_owned();
+    verdict.warnings.push(format!(
+        "this is right if the program sends `{view}` without its translation, `glm::mat4(glm::mat3({view}))`; \
+         otherwise the sky moves with the camera, and the shader must remove the translation: \
+         `mat4(mat3({view}))`"
+    ));
+    verdict.mistakes.retain(|found| found.id != MOVES);
+    if verdict.mistakes.is_empty() {
+        verdict.verdict = Outcome::Correct;
+        verdict.score = 1.0;
+        verdict.summary = format!("right, provided that the program sends `{view}` without its translation");
+        verdict.runner_up = None;
+    } else {
+        verdict.summary = verdict.mistake_names();
+    }
+}
+
+/// Makes the terms that could be looked at alone agree with the verdict and its mistakes, which the summary names too.
+///
+/// Terms are looked at in a few scenes only, with a tolerance for outlines, and by strengths from outside, which a mistake
+/// may mix up. So a mistake with one term makes that term wrong. Where such mistakes explain everything, the other terms are
+/// right, and all are where the verdict is that the program is right.
+pub(super) fn agree_terms(verdict: &mut Verdict) {
+    let blamed: Vec<Option<&str>> = verdict.mistakes.iter().map(|mistake| term_of(&mistake.id)).collect();
+    let is_explained = verdict.mistakes.iter().all(|mistake| mistake.share_explained >= 1.0);
+    let is_only_blame = !blamed.is_empty() && blamed.iter().all(Option::is_some) && is_explained;
+    let is_correct = verdict.verdict == Outcome::Correct;
+    for term in verdict.terms.iter_mut().filter(|term| term.state != TermState::NotSeparable) {
+        if blamed.contains(&Some(&*term.term)) {
+            term.state = TermState::Wrong;
+        } else if is_correct || is_only_blame {
+            term.state = TermState::Right;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verdict::{FoundMistake, TermVerdict};
+    use TermState::{NotSeparable, Right, Wrong};
+
+    fn agreed(outcome: Outcome, states: [TermState; 3], mistakes: &[(&str, f64)]) -> [TermState; 3] {
+        let mut verdict = Verdict::new("ex07", outcome, "");
+        let terms = crate::mistakes::TERMS.into_iter().zip(states);
+        verdict.terms = terms.map(|(term, state)| TermVerdict { term: term.into(), state }).collect();
+        verdict.mistakes = mistakes.iter().map(|(id, share)| FoundMistake::new(*id, *id, *share)).collect();
+        agree_terms(&mut verdict);
+        [0, 1, 2].map(|index| verdict.terms[index].state)
+    }
+
+    #[test]
+    fn a_mistake_with_a_term_makes_it_wrong_and_no_other() {
+        let wrong = Outcome::Wrong;
+        assert_eq!(agreed(wrong, [Right, Wrong, Right], &[("specular-missing", 1.0)]), [Right, Right, Wrong]);
+        // What is not explained stays what the pictures say.
+        assert_eq!(agreed(wrong, [Right, Wrong, Right], &[("specular-missing", 0.97)]), [Right, Wrong, Wrong]);
+        let both = [("specular-missing", 1.0), ("normal-reversed", 1.0)];
+        assert_eq!(agreed(wrong, [Right, Wrong, Right], &both), [Right, Wrong, Wrong]);
+        assert_eq!(agreed(wrong, [NotSeparable; 3], &both), [NotSeparable; 3]);
+        assert_eq!(agreed(wrong, [Right, Wrong, Wrong], &[]), [Right, Wrong, Wrong]);
+        assert_eq!(agreed(Outcome::Correct, [Right, Wrong, NotSeparable], &[]), [Right, Right, NotSeparable]);
+    }
+
+    #[test]
+    fn ids_tell_the_term() {
+        assert_eq!(term_of("specular-missing"), Some("specular"));
+        assert_eq!(term_of("normal-reversed"), None);
+        assert_eq!(term_of("ambient"), None);
+    }
+}
