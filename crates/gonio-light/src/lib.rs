@@ -9,16 +9,14 @@
 //! probe, the debug views, the checker and the plots all read those values. Nothing here opens a
 //! file or knows OpenGL.
 //!
-//! | room | what |
+//! | module | contents |
 //! |---|---|
 //! | [`equation`] | the switches of the equation, its terms, and their sum |
 //! | [`light`] | light kinds, attenuation, the spot's cone |
 //! | [`brdf`] | Lambert, Phong, Blinn, Lafortune, Ward |
-//! | [`microfacet`] | rough mirrors (GGX) and their integral over an environment |
-//! | [`roughness`] | exponents of roughnesses |
-//! | [`vector`] | reflection, refraction, half vector |
-//! | [`optics`] | mirrors and glass: how a surface shows its surroundings |
-//! | [`fresnel`] | exact dielectric Fresnel and Schlick's approximation |
+//! | [`microfacet`] | rough mirrors (GGX), their integral over an environment, exponents of roughnesses |
+//! | [`vector`] | the vectors at a point; reflection, refraction, half vector |
+//! | [`optics`] | mirrors and glass: how a surface shows its surroundings; Fresnel factors |
 //! | [`color`] | sRGB, exposure, tone mapping |
 //! | [`quantity`] | the vectors and scalars of the equation by name |
 
@@ -27,19 +25,16 @@ pub mod names;
 pub mod brdf;
 pub mod color;
 pub mod equation;
-pub mod fresnel;
 pub mod light;
 pub mod microfacet;
-mod noise;
 pub mod optics;
 pub mod quantity;
-pub mod roughness;
-mod shading_point;
 pub mod vector;
 
-pub use equation::{Convention, Equation, LightSums, LightTerms, ShadingPoint, Specular, Surface, TermSwitches, Terms};
+pub use brdf::Surface;
+pub use equation::{Convention, Equation, LightSums, LightTerms, Specular, TermSwitches, Terms};
 pub use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 pub use light::{Attenuation, Incident, Light, LightKind};
-pub use noise::is_noise;
 pub use optics::{Fresnel, Optics, Sight, Surfaces};
-pub use quantity::{Quantity, Value};
+pub use quantity::{Quantity, Value, is_noise};
+pub use vector::ShadingPoint;

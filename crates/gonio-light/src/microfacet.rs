@@ -16,8 +16,10 @@
 //! *Sources*: D: B. Walter et al., *Microfacet Models for Refraction through Rough Surfaces*, EGSR 2007, eq. (33) (T. S.
 //! Trowbridge and K. P. Reitz had it in 1975). Vis: E. Heitz, *Understanding the Masking-Shadowing Function in
 //! Microfacet-Based BRDFs*, JCGT 3(2), 2014, eq. (99), shadowing correlated with masking by height. F:
-//! [`schlick`](crate::fresnel::schlick). `alpha = roughness^2`: B. Burley, *Physically-Based Shading at Disney*, 2012.
+//! [`schlick`](crate::optics::schlick). `alpha = roughness^2`: B. Burley, *Physically-Based Shading at Disney*, 2012.
 //! The split sum: B. Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH 2013 course.
+//! The exponent of a roughness: a Blinn-Phong lobe about as wide as the one of `alpha` has the exponent `2 / alpha^2 - 2`
+//! (Walter et al. 2007, section 5.2).
 //! *Limits*: light that bounces from facet to facet more than once is lost: at roughness 1 a white mirror returns about
 //! half of it.
 
@@ -173,4 +175,35 @@ pub fn specular_integral(
         }
     }
     sum / f64::from(samples)
+}
+
+/// No roughness gives a larger exponent: a lobe of it is a degree wide, and a mirror's would never be seen.
+pub const SHININESS_OF_ROUGHNESS_MAX: f64 = 10_000.0;
+
+/// The exponent of a roughness in [0, 1] (beyond: as at the edge), from 1 to [`SHININESS_OF_ROUGHNESS_MAX`].
+pub fn shininess_of_roughness(roughness: f64) -> f64 {
+    let alpha = roughness * roughness;
+    (2.0 / (alpha * alpha).max(1e-12) - 2.0).clamp(1.0, SHININESS_OF_ROUGHNESS_MAX)
+}
+
+/// The roughness of an exponent, in (0, 1]: the inverse, where there is one.
+pub fn roughness_of_shininess(shininess: f64) -> f64 {
+    (2.0 / (shininess.max(0.0) + 2.0)).powf(0.25)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn known_values_and_back() {
+        // alpha 0.25: 2 / 0.0625 - 2.
+        assert_eq!(shininess_of_roughness(0.5), 30.0);
+        assert_eq!((shininess_of_roughness(0.0), shininess_of_roughness(1.0)), (SHININESS_OF_ROUGHNESS_MAX, 1.0));
+        for shininess in [1.0, 2.0, 32.0, 500.0, 9_999.0] {
+            let back = shininess_of_roughness(roughness_of_shininess(shininess));
+            // Two powers in f64.
+            assert!((back / shininess - 1.0).abs() < 1e-12, "{shininess}: {back}");
+        }
+    }
 }

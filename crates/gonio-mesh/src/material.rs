@@ -92,12 +92,12 @@ impl MetallicRoughness {
 
     /// Returns the exponent `gamma` for a roughness.
     pub fn shininess(roughness: f32) -> f32 {
-        gonio_light::roughness::shininess_of_roughness(roughness.into()) as f32
+        gonio_light::microfacet::shininess_of_roughness(roughness.into()) as f32
     }
 
     /// Returns the roughness for an exponent: the inverse of [`Self::shininess`].
     pub fn roughness(shininess: f32) -> f32 {
-        gonio_light::roughness::roughness_of_shininess(shininess.into()) as f32
+        gonio_light::microfacet::roughness_of_shininess(shininess.into()) as f32
     }
 }
 

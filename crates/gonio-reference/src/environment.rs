@@ -8,7 +8,7 @@ use gonio_environment::prefilter::dominant_direction;
 use gonio_environment::{BrdfTable, GlossyMips, harmonics};
 use gonio_light::brdf::effective_shininess;
 use gonio_light::optics::{self, Body, EnvironmentTerms, Sight, boundary};
-use gonio_light::roughness::roughness_of_shininess;
+use gonio_light::microfacet::roughness_of_shininess;
 use gonio_light::{Optics, ShadingPoint, Surface, Surfaces};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, LoadedEnvironment, Scene, Surroundings, TextureFilter};

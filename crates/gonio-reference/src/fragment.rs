@@ -4,7 +4,7 @@ use crate::geometry::{Triangle, WorldGeometry};
 use crate::intersect::{Crossing, RaySpace, plane_barycentrics};
 use glam::{DMat2, DVec2, DVec3, DVec4};
 use gonio_light::Surface;
-use gonio_light::roughness::shininess_of_roughness;
+use gonio_light::microfacet::shininess_of_roughness;
 use gonio_mesh::{AmbientRule, Mesh};
 use gonio_scene::{BoundTexture, Scene, SceneMaterial, TextureFilter};
 

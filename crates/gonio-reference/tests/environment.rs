@@ -10,7 +10,7 @@ use gonio_environment::cubemap::texel_direction;
 use gonio_environment::prefilter::dominant_direction;
 use gonio_environment::{BrdfTable, Cubemap, Face, Layout, Panorama};
 use gonio_image::Image;
-use gonio_light::roughness::roughness_of_shininess;
+use gonio_light::microfacet::roughness_of_shininess;
 use gonio_light::{Optics, Quantity};
 use gonio_mesh::Material;
 use gonio_reference::ReferenceScene;

@@ -18,7 +18,7 @@ use gonio_light::brdf::{self, BrdfKind};
 use gonio_light::color::{self, ToneMap};
 use gonio_light::light::Attenuation;
 use gonio_light::optics::{self, Fresnel};
-use gonio_light::{Quantity, Specular, roughness, vector};
+use gonio_light::{Quantity, Specular, microfacet, vector};
 use gonio_scene::scene::HOLE_OPACITY;
 use gonio_scene::scene_file::Shading;
 use output::{OUTPUT_VERT, tone_map_define};
@@ -382,7 +382,7 @@ fn constants() -> String {
         ("DEGENERATE_LENGTH", vector::DEGENERATE_LENGTH),
         ("LOBE_CAP", brdf::LOBE_CAP),
         ("SHININESS_MAX", brdf::SHININESS_MAX),
-        ("SHININESS_OF_ROUGHNESS_MAX", roughness::SHININESS_OF_ROUGHNESS_MAX),
+        ("SHININESS_OF_ROUGHNESS_MAX", microfacet::SHININESS_OF_ROUGHNESS_MAX),
         ("GRAZING_COSINE", brdf::ward::GRAZING_COSINE),
         ("RADIANCE_CAP", color::RADIANCE_CAP),
         ("EXPOSURE_LIMIT", color::EXPOSURE_LIMIT),

@@ -5,7 +5,7 @@ use crate::table_reader::{TableReader, unknown_key};
 use crate::toml_reader;
 use crate::toml_tree::{Entry, Fault, Item, Value, nearest};
 use crate::validate;
-use gonio_light::fresnel::Medium;
+use gonio_light::optics::Medium;
 use std::ops::Range;
 
 /// The keys that belong to a light's motion; `motion` itself names its kind.

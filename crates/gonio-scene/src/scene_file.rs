@@ -9,7 +9,7 @@ use crate::texture::TextureFilter;
 use gonio_environment::Layout;
 use gonio_light::brdf::BrdfKind;
 use gonio_light::color::{ColorEncoding, ToneMap};
-use gonio_light::fresnel::Medium;
+use gonio_light::optics::Medium;
 use gonio_light::named_enum;
 use gonio_light::{Convention, Fresnel, Specular, Surfaces};
 use schemars::JsonSchema;

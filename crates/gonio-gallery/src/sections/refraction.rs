@@ -3,7 +3,7 @@
 use crate::GalleryError;
 use crate::base_scene::BaseScene;
 use crate::exhibit::{Exhibit, Section};
-use gonio_light::fresnel::Medium;
+use gonio_light::optics::Medium;
 use gonio_light::{Fresnel, Surfaces};
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::{MaterialOverride, SceneFile};

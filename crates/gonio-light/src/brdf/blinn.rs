@@ -20,9 +20,9 @@
 //! angle is the one between `N` and `H`, not the one between `w_i` and `w_o`.
 //! *Limits*: about four times the exponent of Phong's for a highlight of the same size; no Fresnel.
 
+use super::Surface;
 use super::{above_horizon, cosine_power, effective_shininess};
-use crate::equation::{ShadingPoint, Surface};
-use crate::vector;
+use crate::vector::{self, ShadingPoint};
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, PI};
 

@@ -26,9 +26,9 @@
 //! [`LOBE_CAP`]. A matrix that is 0 (`m` below [`vector::DEGENERATE_LENGTH`]) has no lobe when
 //! normalised.
 
+use super::Surface;
 use super::{LOBE_CAP, above_horizon, cosine_power, effective_shininess, phong};
-use crate::equation::{ShadingPoint, Surface};
-use crate::vector;
+use crate::vector::{self, ShadingPoint};
 use glam::DVec3;
 use std::f64::consts::FRAC_1_PI;
 

@@ -11,7 +11,7 @@
 //! *Normalised variant*: it is normalised as it stands: its albedo is `a` from every view direction.
 //! *Limits*: no highlight; no dependence on the view.
 
-use crate::equation::Surface;
+use super::Surface;
 use glam::DVec3;
 use std::f64::consts::FRAC_1_PI;
 

@@ -21,9 +21,9 @@
 //! is missing.
 //! *Limits*: dark at grazing views (the lobe is lost below the horizon); no Fresnel.
 
+use super::Surface;
 use super::{above_horizon, cosine_power, effective_shininess};
-use crate::equation::{ShadingPoint, Surface};
-use crate::vector;
+use crate::vector::{self, ShadingPoint};
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, TAU};
 

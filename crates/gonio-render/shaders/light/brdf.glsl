@@ -7,7 +7,7 @@ float effective_shininess(float shininess) {
     return clamp(shininess, 1.0, SHININESS_MAX);
 }
 
-// The exponent of a roughness in [0, 1]: twin of gonio-light's roughness.rs.
+// The exponent of a roughness in [0, 1]: twin of gonio-light's microfacet.rs.
 float shininess_of_roughness(float roughness) {
     float alpha = roughness * roughness;
     return clamp(2.0 / max(alpha * alpha, 1e-12) - 2.0, 1.0, SHININESS_OF_ROUGHNESS_MAX);

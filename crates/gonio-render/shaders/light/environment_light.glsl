@@ -1,5 +1,5 @@
 // Light that comes from everywhere: twins of gonio-environment's harmonics.rs and prefilter.rs, and of
-// gonio-light's roughness.rs, in f32. Sources stand there.
+// gonio-light's microfacet.rs, in f32. Sources are listed there.
 
 // The light that falls on a surface with this normal (in the environment): the integral of radiance times cosine. Never
 // negative.

@@ -1,4 +1,4 @@
-// How much a boundary of two media reflects: twins of gonio-light's fresnel.rs, in f32.
+// How much a boundary of two media reflects: twins of gonio-light's optics.rs, in f32.
 // eta = eta_L / eta_T: the index on the light's side over the one on the other side.
 
 // Exact, for unpolarised light and dielectrics; in [0, 1], 1 where reflection is total.

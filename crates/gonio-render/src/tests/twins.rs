@@ -13,9 +13,9 @@ use gonio_gl::target::OutputTarget;
 use gonio_gl::{Dialect, Texels};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap, srgb_decode, srgb_encode};
+use gonio_light::microfacet::roughness_of_shininess;
 use gonio_light::optics::{Fresnel, Optics, Sight, boundary, reflectance};
-use gonio_light::roughness::roughness_of_shininess;
-use gonio_light::{Attenuation, ShadingPoint, Surface, fresnel, light, roughness, vector};
+use gonio_light::{Attenuation, ShadingPoint, Surface, light, microfacet, optics, vector};
 
 /// Parameters of one call: four texels.
 pub(super) type Case = [[f32; 4]; 4];
@@ -207,7 +207,7 @@ fn exponents_of_roughnesses() {
     let some = cases(|r| [[1.2 * r.unit(), 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4], [0.0; 4]]);
     // Up to 10,000; a fourth power and a quotient in f32, relative to values above 1.
     compare("shininess_of_roughness", body, &some, 1e-5, |c| {
-        [roughness::shininess_of_roughness(c[0][0].into()), 0.0, 0.0, 0.0]
+        [microfacet::shininess_of_roughness(c[0][0].into()), 0.0, 0.0, 0.0]
     });
 }
 
@@ -259,7 +259,7 @@ fn fresnel_terms() {
     });
     compare("fresnel", body, &some, 2e-5, |c| {
         let [cos, eta, f0, _] = c[0].map(f64::from);
-        [fresnel::dielectric(cos, eta), fresnel::schlick(cos, f0), fresnel::f0_from_index(eta), 0.0]
+        [optics::dielectric(cos, eta), optics::schlick(cos, f0), optics::f0_from_index(eta), 0.0]
     });
 }
 

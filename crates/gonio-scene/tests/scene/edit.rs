@@ -1,7 +1,7 @@
 //! Edits of a scene, and its options.
 
 use crate::memory::{Memory, TRIANGLE, png};
-use gonio_light::fresnel::Medium;
+use gonio_light::optics::Medium;
 use gonio_light::{Convention, Fresnel, Specular, Surfaces};
 use gonio_scene::color_value::Color;
 use gonio_scene::edit::{Applied, Edited, apply};

@@ -2,7 +2,7 @@
 //! are compressed, mapped, or held to limits.
 
 use crate::memory::{Memory, TRIANGLE, png};
-use gonio_light::roughness::shininess_of_roughness;
+use gonio_light::microfacet::shininess_of_roughness;
 use gonio_mesh::{Limits, Wrap};
 use gonio_scene::files::Disk;
 use gonio_scene::load::{describe, load, load_within};

@@ -3,7 +3,7 @@
 use crate::theme::icons;
 use crate::widgets::{Number, color, dropdown, named_options, row, tool_button};
 use egui::{Align, Layout, RichText, Ui};
-use gonio_light::fresnel::Medium;
+use gonio_light::optics::Medium;
 use gonio_light::{Fresnel, Surfaces};
 use gonio_mesh::{AmbientRule, Material};
 use gonio_scene::color_value::Color;
