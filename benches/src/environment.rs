@@ -32,7 +32,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
     let bytes = std::fs::read(&picture).map_err(|e| format!("cannot read {}: {e}", picture.display()))?;
     let decoded = gonio_image::decode::decode("panorama.png", &bytes, &Default::default());
     let decoded = decoded.map_err(|e| e.to_string())?;
-    let gonio_image::decode::Shape::Picture(image) = decoded.shape else {
+    let gonio_image::decode::DecodedContent::Picture(image) = decoded.shape else {
         return Err("the panorama is not a single picture".to_owned());
     };
     let panorama = Panorama::new(image).map_err(|e| e.to_string())?;

@@ -2,17 +2,17 @@
 
 #![no_main]
 
-use gonio_image::decode::{Shape, decode};
+use gonio_image::decode::{DecodedContent, decode};
 use gonio_environment::{Arrangement, Layout, arrange};
-use gonio_image::Limits;
+use gonio_image::DecodeLimits;
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
     // So tight that a hundred bytes cannot allocate gigabytes unnoticed.
-    let Ok(decoded) = decode("input", data, &Limits { max_bytes: 1 << 24 }) else { return };
+    let Ok(decoded) = decode("input", data, &DecodeLimits { max_bytes: 1 << 24 }) else { return };
     let images = match &decoded.shape {
-        Shape::Picture(image) => std::slice::from_ref(image),
-        Shape::Faces(faces) => &faces[..],
+        DecodedContent::Picture(image) => std::slice::from_ref(image),
+        DecodedContent::Faces(faces) => &faces[..],
     };
     for image in images {
         assert_eq!(image.pixels.len(), image.width as usize * image.height as usize);

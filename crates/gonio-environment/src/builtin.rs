@@ -5,8 +5,8 @@ use crate::debug::debug;
 use crate::face::Layout;
 use crate::sky::Sky;
 use crate::{Cubemap, EnvironmentError, Panorama};
-use gonio_image::Limits;
-use gonio_image::decode::{Shape, decode};
+use gonio_image::DecodeLimits;
+use gonio_image::decode::{DecodedContent, decode};
 use gonio_light::named_enum;
 
 named_enum! {
@@ -56,10 +56,10 @@ pub fn room() -> Result<Panorama, EnvironmentError> {
 
 /// The room as a panorama, from the bytes of [`ROOM_FILE`].
 pub fn room_from(bytes: &[u8]) -> Result<Panorama, EnvironmentError> {
-    let decoded = decode("room.hdr", bytes, &Limits::default())?;
+    let decoded = decode("room.hdr", bytes, &DecodeLimits::default())?;
     match decoded.shape {
-        Shape::Picture(image) => Panorama::new(image),
-        Shape::Faces(_) => Err(EnvironmentError::new("the built-in room is not a panorama")),
+        DecodedContent::Picture(image) => Panorama::new(image),
+        DecodedContent::Faces(_) => Err(EnvironmentError::new("the built-in room is not a panorama")),
     }
 }
 

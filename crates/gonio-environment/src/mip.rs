@@ -6,7 +6,7 @@ use crate::solid_angle::SolidAngles;
 use glam::DVec3;
 use gonio_image::Pixel;
 use gonio_image::encode::Encoded;
-use gonio_image::encode::ktx2::{self, Format, Level};
+use gonio_image::encode::ktx2::{self, Ktx2Format, Level};
 use rayon::prelude::*;
 
 /// A cubemap and its mip levels.
@@ -46,7 +46,7 @@ impl CubeMips {
     }
 
     /// Encodes all levels as KTX2.
-    pub fn to_ktx2(&self, format: Format) -> Encoded {
+    pub fn to_ktx2(&self, format: Ktx2Format) -> Encoded {
         let levels: Vec<Level<'_>> =
             self.levels.iter().filter_map(|map| Level::new(map.size(), map.pixels())).collect();
         ktx2::encode(&levels, format)

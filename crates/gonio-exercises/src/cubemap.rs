@@ -14,8 +14,8 @@ use gonio_check::testbench::TILE;
 use gonio_check::verdict::{Outcome, Verdict};
 use gonio_environment::{Arrangement, Face, Layout, Panorama, arrange, names};
 use gonio_gl::GlError;
-use gonio_image::decode::{FileFormat, Shape, decode};
-use gonio_image::{Image, Limits};
+use gonio_image::decode::{DecodedContent, FileFormat, decode};
+use gonio_image::{DecodeLimits, Image};
 
 /// Pixels along a face that pictures are held against: fine enough for the lines of a panorama of usual size.
 const FINE: u32 = 128;
@@ -76,10 +76,10 @@ impl SubmittedFaces {
         }
         let mut read: Vec<(&str, Image)> = Vec::new();
         for file in pictures {
-            let decoded = decode(&file.name, &file.bytes, &Limits::default()).map_err(|error| error.to_string())?;
+            let decoded = decode(&file.name, &file.bytes, &DecodeLimits::default()).map_err(|error| error.to_string())?;
             match decoded.shape {
-                Shape::Picture(image) => read.push((file.name.as_str(), image)),
-                Shape::Faces(_) => return Err(format!("{}: hand the six faces in as PNG or JPEG", file.name)),
+                DecodedContent::Picture(image) => read.push((file.name.as_str(), image)),
+                DecodedContent::Faces(_) => return Err(format!("{}: hand the six faces in as PNG or JPEG", file.name)),
             }
         }
         let mut warnings = Vec::new();
@@ -141,9 +141,9 @@ fn is_panorama(name: &str, image: &Image) -> bool {
 fn given(exercise: &Exercise) -> Result<Image, String> {
     let (name, bytes) =
         exercise.pictures().next().ok_or("the exercise has no panorama; hand yours in with the faces")?;
-    match decode(name, bytes, &Limits::default()).map_err(|error| error.to_string())?.shape {
-        Shape::Picture(image) => Ok(image),
-        Shape::Faces(_) => Err(format!("{name} is not a panorama")),
+    match decode(name, bytes, &DecodeLimits::default()).map_err(|error| error.to_string())?.shape {
+        DecodedContent::Picture(image) => Ok(image),
+        DecodedContent::Faces(_) => Err(format!("{name} is not a panorama")),
     }
 }
 

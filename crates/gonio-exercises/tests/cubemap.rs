@@ -8,9 +8,9 @@ use gonio_environment::{Arrangement, Conversion, Cubemap, Face, Filter, Layout, 
 use gonio_exercises::Checker;
 use gonio_exercises::exercise;
 use gonio_gl::HeadlessContext;
-use gonio_image::decode::{Shape, decode};
+use gonio_image::decode::{DecodedContent, decode};
 use gonio_image::encode::png;
-use gonio_image::{Image, Limits};
+use gonio_image::{Image, DecodeLimits};
 use gonio_light::color::OutputTransform;
 
 const SIDE: u32 = 128;
@@ -18,9 +18,9 @@ const SIDE: u32 = 128;
 /// The panorama that the exercise hands out.
 fn panorama() -> Panorama {
     let (name, bytes) = exercise::find("s1").unwrap().pictures().next().unwrap();
-    match decode(name, bytes, &Limits::default()).unwrap().shape {
-        Shape::Picture(image) => Panorama::new(image).unwrap(),
-        Shape::Faces(_) => panic!("{name} is not a panorama"),
+    match decode(name, bytes, &DecodeLimits::default()).unwrap().shape {
+        DecodedContent::Picture(image) => Panorama::new(image).unwrap(),
+        DecodedContent::Faces(_) => panic!("{name} is not a panorama"),
     }
 }
 

@@ -4,9 +4,9 @@ use crate::GalleryError;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::convert::{Conversion, EnvironmentRef};
 use gonio_environment::{Builtin, CubeMips, Cubemap, Layout};
-use gonio_image::decode::{Shape, decode};
+use gonio_image::decode::{DecodedContent, decode};
 use gonio_image::encode::{ktx2, png};
-use gonio_image::{EncodedPicture, Image, ImageError, Limits};
+use gonio_image::{EncodedPicture, Image, ImageError, DecodeLimits};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 use gonio_scene::environment_file::{self, EnvironmentMap, OpenOptions};
 use gonio_scene::files::BuiltinOnly;
@@ -81,10 +81,10 @@ impl EnvironmentPicture {
             PictureForm::PanoramaOfCubemap(face) => {
                 let there = cubemap(self.open(Some(face), None)?, face);
                 // Through a file, as a person converts it: half floats.
-                let bytes = CubeMips::new(there).to_ktx2(ktx2::Format::Half).bytes;
-                let faces = match decode("cubemap.ktx2", &bytes, &Limits::default())?.shape {
-                    Shape::Faces(faces) => *faces,
-                    Shape::Picture(_) => {
+                let bytes = CubeMips::new(there).to_ktx2(ktx2::Ktx2Format::Half).bytes;
+                let faces = match decode("cubemap.ktx2", &bytes, &DecodeLimits::default())?.shape {
+                    DecodedContent::Faces(faces) => *faces,
+                    DecodedContent::Picture(_) => {
                         return Err(GalleryError::Incomplete("a KTX2 cubemap was read as one picture".into()));
                     }
                 };

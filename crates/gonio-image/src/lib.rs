@@ -2,20 +2,14 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`image`] | an image in linear light, and one in the numbers of a file |
+//! | [`image`] | an image in linear light, and one in the numbers of a file; the error type; how much memory a file may use |
 //! | [`mod@decode`] | PNG, JPEG, Radiance HDR, OpenEXR, KTX2 and DDS to linear light |
 //! | [`encode`] | linear light and encoded pictures to PNG, animated PNG, Radiance HDR, OpenEXR and KTX2 |
 //! | [`srgb`] | the sRGB transfer function by table |
-//! | [`limits`] | how much memory a file may use |
-//! | [`error`] | the error type |
 
 pub mod decode;
 pub mod encode;
-pub mod error;
 pub mod image;
-pub mod limits;
 pub mod srgb;
 
-pub use error::ImageError;
-pub use image::{EncodedPicture, Image, Pixel};
-pub use limits::Limits;
+pub use image::{DecodeLimits, EncodedPicture, Image, ImageError, Pixel};

@@ -11,7 +11,7 @@ use gonio_environment::convert::{Conversion, EnvironmentRef};
 use gonio_environment::names::{self, Assignment};
 use gonio_environment::{Cubemap, EnvironmentError, Face, Layout, Panorama};
 use gonio_image::Image;
-use gonio_image::decode::{Decoded, FileFormat, Shape, decode};
+use gonio_image::decode::{Decoded, FileFormat, DecodedContent, decode};
 use gonio_mesh::{Cause, Diagnostic, Limits, ReadError};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -142,8 +142,8 @@ fn open_within<S: FileSource>(
 }
 
 /// The memory that is left for pixels.
-fn limits_of<S: FileSource>(files: &Budgeted<S>) -> gonio_image::Limits {
-    gonio_image::Limits { max_bytes: files.budget().left() }
+fn limits_of<S: FileSource>(files: &Budgeted<S>) -> gonio_image::DecodeLimits {
+    gonio_image::DecodeLimits { max_bytes: files.budget().left() }
 }
 
 fn open_files<S: FileSource>(name: &str, reader: &Reader<'_, S>, path: &Path) -> Result<OpenedEnvironment, ReadError> {
@@ -170,7 +170,7 @@ fn open_builtin(
     kind: Builtin,
     options: OpenOptions,
     files: &dyn FileSource,
-    limits: &gonio_image::Limits,
+    limits: &gonio_image::DecodeLimits,
 ) -> Result<OpenedEnvironment, EnvironmentError> {
     let layout = options.layout.unwrap_or_default();
     let size = options.size.unwrap_or(BUILTIN_SIZE);
@@ -236,13 +236,13 @@ impl<S: FileSource> Reader<'_, S> {
             opened.diagnostics.push(Diagnostic::warning(warning).in_file(name));
         };
         match decoded.shape {
-            Shape::Faces(faces) => {
+            DecodedContent::Faces(faces) => {
                 let layout = self.options.layout.unwrap_or(Layout::OpenGl);
                 opened.layout = Some(layout);
                 let map = Cubemap::from_faces(*faces, layout).map_err(|e| read_error(e, name))?;
                 opened.map = EnvironmentMap::Cubemap(map);
             }
-            Shape::Picture(image) => {
+            DecodedContent::Picture(image) => {
                 if image.width == image.height && self.options.arrangement.is_none_or(|a| a == Arrangement::Faces) {
                     return self.open_with_siblings(name, path);
                 }
@@ -291,7 +291,7 @@ impl<S: FileSource> Reader<'_, S> {
         let paths = assignment.files.map(|i| folder.join(names.get(i).map_or("", |n| n.as_str())));
         let shown = |i: usize| paths[i].display().to_string();
         // Six at once: what is left is for all.
-        let limits = gonio_image::Limits { max_bytes: limits_of(self.files).max_bytes / 6 };
+        let limits = gonio_image::DecodeLimits { max_bytes: limits_of(self.files).max_bytes / 6 };
         let read: Vec<Result<Decoded, ReadError>> =
             (0..6_usize).into_par_iter().map(|i| self.decode(&shown(i), &paths[i], &limits)).collect();
         let mut diagnostics: Vec<Diagnostic> =
@@ -305,8 +305,8 @@ impl<S: FileSource> Reader<'_, S> {
             format = format.or(Some(decoded.format));
             diagnostics.append(&mut diagnostics_of(&decoded, &shown(i)));
             match decoded.shape {
-                Shape::Picture(image) => faces[i] = image,
-                Shape::Faces(_) => {
+                DecodedContent::Picture(image) => faces[i] = image,
+                DecodedContent::Faces(_) => {
                     let message = "this file holds six faces, but one face was expected; name this file alone";
                     return Err(ReadError::new(message).in_file(&shown(i)));
                 }
@@ -336,7 +336,7 @@ impl<S: FileSource> Reader<'_, S> {
     }
 
     /// Reads and decodes a picture. Its pixels are not paid for yet: a face is decoded alone to see that it is one.
-    fn decode(&self, name: &str, path: &Path, limits: &gonio_image::Limits) -> Result<Decoded, ReadError> {
+    fn decode(&self, name: &str, path: &Path, limits: &gonio_image::DecodeLimits) -> Result<Decoded, ReadError> {
         let bytes = files::read(self.files, path).map_err(|e| {
             let message = match (e.kind(), nearest_builtin(name)) {
                 (std::io::ErrorKind::NotFound, Some(meant)) => {
@@ -370,8 +370,8 @@ impl<S: FileSource> Reader<'_, S> {
 fn memory(decoded: &Decoded) -> u64 {
     let pixels = |image: &Image| size_of_val(image.pixels.as_slice()) as u64;
     match &decoded.shape {
-        Shape::Picture(image) => pixels(image),
-        Shape::Faces(faces) => faces.iter().map(pixels).sum(),
+        DecodedContent::Picture(image) => pixels(image),
+        DecodedContent::Faces(faces) => faces.iter().map(pixels).sum(),
     }
 }
 

@@ -110,9 +110,9 @@ fn models_and_environments_are_not_exchanged() {
     lab.write("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     lab.refuses("model.obj", &["model.obj: this is a model, not a picture; to draw it, name it as the input"]);
     let grey = Image::new(8, 4, [0.5, 0.5, 0.5, 1.0]);
-    lab.write("sky.ktx2", CubeMips::new(Cubemap::new(4, [0.5; 4])).to_ktx2(ktx2::Format::Srgb8).bytes);
+    lab.write("sky.ktx2", CubeMips::new(Cubemap::new(4, [0.5; 4])).to_ktx2(ktx2::Ktx2Format::Srgb8).bytes);
     lab.write("panorama.hdr", hdr::encode(&grey).unwrap().bytes);
-    lab.write("panorama.exr", exr::encode(&grey, exr::Precision::Half).unwrap().bytes);
+    lab.write("panorama.exr", exr::encode(&grey, exr::ExrPrecision::Half).unwrap().bytes);
     lab.write("panorama.png", png(8, 4));
     lab.write("sky.dds", dds());
     let before = lab.names();
@@ -148,8 +148,8 @@ fn files_that_are_cut_off_or_damaged() {
     for (name, bytes) in [
         ("a.png", png(32, 16)),
         ("a.hdr", hdr::encode(&image).unwrap().bytes),
-        ("a.exr", exr::encode(&image, exr::Precision::Half).unwrap().bytes),
-        ("a.ktx2", CubeMips::new(map).to_ktx2(ktx2::Format::Half).bytes),
+        ("a.exr", exr::encode(&image, exr::ExrPrecision::Half).unwrap().bytes),
+        ("a.ktx2", CubeMips::new(map).to_ktx2(ktx2::Ktx2Format::Half).bytes),
         ("a.dds", dds()),
     ] {
         lab.write(name, &bytes);

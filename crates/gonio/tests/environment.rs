@@ -6,9 +6,9 @@ mod common;
 use common::{Lab, Run};
 use glam::DVec3;
 use gonio_environment::{Cubemap, Face, Layout, Panorama};
-use gonio_image::decode::{self, Decoded, Shape};
+use gonio_image::decode::{self, Decoded, DecodedContent};
 use gonio_image::encode::{exr, hdr, png};
-use gonio_image::{Image, Limits};
+use gonio_image::{Image, DecodeLimits};
 use gonio_light::color::OutputTransform;
 
 /// Directions of the debug cubemap, and the colours of their faces (sRGB), as its documentation has them.
@@ -55,13 +55,13 @@ impl Lab {
     }
 
     fn decoded(&self, name: &str) -> Decoded {
-        decode::decode(name, &self.read(name), &Limits::default()).unwrap_or_else(|e| panic!("{e}"))
+        decode::decode(name, &self.read(name), &DecodeLimits::default()).unwrap_or_else(|e| panic!("{e}"))
     }
 
     fn image(&self, name: &str) -> Image {
         match self.decoded(name).shape {
-            Shape::Picture(image) => image,
-            Shape::Faces(_) => panic!("{name} has six faces"),
+            DecodedContent::Picture(image) => image,
+            DecodedContent::Faces(_) => panic!("{name} has six faces"),
         }
     }
 
@@ -344,8 +344,8 @@ fn a_repair_keeps_every_bit() {
     for (name, ending, encode) in [
         ("deep", "png", &png16 as &dyn Fn(&Image) -> Vec<u8>),
         ("rgbe", "hdr", &rgbe),
-        ("half", "exr", &exr(exr::Precision::Half)),
-        ("float", "exr", &exr(exr::Precision::Float)),
+        ("half", "exr", &exr(exr::ExrPrecision::Half)),
+        ("float", "exr", &exr(exr::ExrPrecision::Float)),
     ] {
         lab.write_faces(&format!("{name}-right"), ending, &right, encode);
         lab.write_faces(&format!("{name}-wrong"), ending, &wrong, encode);

@@ -7,7 +7,7 @@ use crate::files::link;
 use crate::platform::FileDialog;
 use crate::saving::{self, DisplayedPicture, Product};
 use crate::session::{PathField, RecordedFrame, Severity, Tab};
-use gonio_image::encode::exr_compact;
+use gonio_image::encode::exr;
 use std::path::Path;
 
 const NOTHING_DRAWN: &str = "there is no picture yet: wait until the scene is loaded";
@@ -129,7 +129,7 @@ impl App {
                 let light =
                     self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.light(pane, size)).transpose();
                 let light = light.map_err(|why| why.to_string())?.flatten().ok_or(NOTHING_DRAWN)?;
-                exr_compact::encode([light.width, light.height], &light.pixels).map_err(|why| why.to_string())
+                exr::encode_compact([light.width, light.height], &light.pixels).map_err(|why| why.to_string())
             }
         }
     }

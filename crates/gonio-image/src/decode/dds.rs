@@ -3,13 +3,10 @@
 //! Source: Microsoft, *DDS file layout for cubic environment maps* and *DDS_HEADER_DXT10*. Faces are stored in the order
 //! +X -X +Y -Y +Z -Z, each followed by its mip levels; Direct3D's faces are laid as OpenGL's are.
 
-use super::block::Block;
-use super::bytes::Bytes;
-use super::texel::{Texel, Transfer};
-use super::tidy::tidy;
-use super::{Decoded, FileFormat, Shape};
+use super::texel::{Block, Texel, Transfer};
+use super::{Bytes, Decoded, DecodedContent, FileFormat, tidy};
 use crate::image::Image;
-use crate::{ImageError, Limits};
+use crate::{DecodeLimits, ImageError};
 
 /// The first bytes of a DDS file.
 pub(super) const MAGIC: &[u8] = b"DDS ";
@@ -29,7 +26,7 @@ const VOLUME: u32 = 0x20_0000;
 const TEXTURE_2D: u32 = 3;
 const TEXTURE_CUBE: u32 = 0x4;
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
+pub(super) fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, ImageError> {
     let file = Bytes(bytes);
     let header = Header::read(file)?;
     let (mut notes, mut warnings) = (Vec::new(), Vec::new());
@@ -65,8 +62,8 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageErro
         notes.push(format!("the file holds {} layers; the first is read", header.layers));
     }
     let shape = match <[Image; 6]>::try_from(pictures) {
-        Ok(faces) => Shape::Faces(Box::new(faces)),
-        Err(pictures) => Shape::Picture(pictures.into_iter().next().unwrap_or_default()),
+        Ok(faces) => DecodedContent::Faces(Box::new(faces)),
+        Err(pictures) => DecodedContent::Picture(pictures.into_iter().next().unwrap_or_default()),
     };
     Ok(Decoded { shape, high_dynamic_range: texel.is_high_dynamic_range(), format: FileFormat::Dds, notes, warnings })
 }

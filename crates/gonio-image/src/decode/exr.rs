@@ -1,9 +1,8 @@
 //! OpenEXR: half, float and integer channels; the part and the layer that hold the colours.
 
-use super::tidy::tidy;
-use super::{Decoded, FileFormat, Shape};
+use super::{Decoded, DecodedContent, FileFormat, tidy};
 use crate::image::Image;
-use crate::{ImageError, Limits, Pixel};
+use crate::{DecodeLimits, ImageError, Pixel};
 use exr::block::UncompressedBlock;
 use exr::block::reader::ChunksReader;
 use exr::error::Error;
@@ -20,7 +19,7 @@ pub(super) const MAGIC: &[u8] = &[0x76, 0x2F, 0x31, 0x01];
 /// Blocks that are unpacked at once: enough for all threads, and at most a few hundred lines of the picture.
 const BATCH: usize = 64;
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
+pub(super) fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, ImageError> {
     let reader = exr::block::read(Cursor::new(bytes), false).map_err(failed)?;
     let (mut notes, mut warnings) = (Vec::new(), Vec::new());
     let chosen = Chosen::find(reader.headers(), &mut notes)?;
@@ -54,7 +53,13 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageErro
         return Err(cut_off());
     }
     tidy(&mut [&mut image.pixels], &mut warnings);
-    Ok(Decoded { shape: Shape::Picture(image), high_dynamic_range: true, format: FileFormat::Exr, notes, warnings })
+    Ok(Decoded {
+        shape: DecodedContent::Picture(image),
+        high_dynamic_range: true,
+        format: FileFormat::Exr,
+        notes,
+        warnings,
+    })
 }
 
 /// The part and the channels for red, green and blue; the same channel three times for a grey picture.
@@ -143,7 +148,7 @@ struct Window {
 }
 
 impl Window {
-    fn from_header(header: &Header, limits: &Limits, warnings: &mut Vec<String>) -> Result<Self, ImageError> {
+    fn from_header(header: &Header, limits: &DecodeLimits, warnings: &mut Vec<String>) -> Result<Self, ImageError> {
         let display = header.shared_attributes.display_window;
         let data = header.layer_size;
         let (data_width, data_height) = (data.width() as u64, data.height() as u64);

@@ -3,9 +3,9 @@
 //! Source: G. Ward, *Real Pixels*, Graphics Gems II, 1991, and Radiance's file formats (`filefmts.pdf`, 1997). A number
 //! is `m 2^(e - 136)`, as almost all readers have it; Radiance itself adds half a step to `m`.
 
-use super::{Decoded, FileFormat, Shape};
+use super::{Decoded, DecodedContent, FileFormat};
 use crate::image::Image;
-use crate::{ImageError, Limits, Pixel};
+use crate::{DecodeLimits, ImageError, Pixel};
 use std::sync::LazyLock;
 
 /// The first bytes of a Radiance HDR file.
@@ -15,7 +15,7 @@ pub(super) const MAGIC: &[u8] = b"#?";
 static SCALES: LazyLock<[f64; 256]> =
     LazyLock::new(|| std::array::from_fn(|e| if e == 0 { 0.0 } else { (e as f64 - 136.0).exp2() }));
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
+pub(super) fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, ImageError> {
     let mut rest = bytes;
     let header = Header::read(&mut rest)?;
     let order = Order::read(&mut rest)?;
@@ -33,7 +33,7 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageErro
     }
     let image = order.upright(image, &mut notes);
     Ok(Decoded {
-        shape: Shape::Picture(image),
+        shape: DecodedContent::Picture(image),
         high_dynamic_range: true,
         format: FileFormat::Hdr,
         notes,

@@ -1,8 +1,8 @@
 //! JPEG, taken as sRGB.
 
-use super::{Decoded, FileFormat, Shape};
+use super::{Decoded, DecodedContent, FileFormat};
 use crate::srgb::LINEAR_FROM_8;
-use crate::{ImageError, Limits};
+use crate::{DecodeLimits, ImageError};
 use rayon::prelude::*;
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::errors::DecodeErrors;
@@ -16,7 +16,7 @@ pub(super) const MAGIC: &[u8] = &[0xFF, 0xD8, 0xFF];
 /// The end marker, which other data may follow.
 const END: [u8; 2] = [0xFF, 0xD9];
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
+pub(super) fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, ImageError> {
     let options = DecoderOptions::default()
         .jpeg_set_out_colorspace(ColorSpace::RGB)
         // What cannot be decoded is an error, not grey.
@@ -55,7 +55,13 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageErro
     image.pixels.par_extend(
         rgb.as_chunks::<3>().0.par_iter().with_min_len(1 << 13).map(|[r, g, b]| [light(*r), light(*g), light(*b), 1.0]),
     );
-    Ok(Decoded { shape: Shape::Picture(image), high_dynamic_range: false, format: FileFormat::Jpeg, notes, warnings })
+    Ok(Decoded {
+        shape: DecodedContent::Picture(image),
+        high_dynamic_range: false,
+        format: FileFormat::Jpeg,
+        notes,
+        warnings,
+    })
 }
 
 /// Whether the end marker stands behind the beginning of the pixels. A small picture in the header has its own.

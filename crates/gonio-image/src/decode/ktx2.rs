@@ -3,13 +3,10 @@
 //! Source: Khronos, *KTX File Format Specification* 2.0. Faces are stored in the order +X -X +Y -Y +Z -Z in OpenGL's
 //! layout ("cubemaps use a left-handed coordinate system"), the largest level is level 0.
 
-use super::block::Block;
-use super::bytes::Bytes;
-use super::texel::{Texel, Transfer};
-use super::tidy::tidy;
-use super::{Decoded, FileFormat, Shape};
+use super::texel::{Block, Texel, Transfer};
+use super::{Bytes, Decoded, DecodedContent, FileFormat, tidy};
 use crate::image::Image;
-use crate::{ImageError, Limits};
+use crate::{DecodeLimits, ImageError};
 use std::borrow::Cow;
 use std::io::Read;
 
@@ -58,7 +55,7 @@ const FORMATS: &[(u32, Texel, Option<Transfer>)] = &[
     (146, Texel::Block(Block::Bc7), Some(Transfer::Srgb)),
 ];
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
+pub(super) fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, ImageError> {
     let file = Bytes(bytes);
     let header = Header::read(file)?;
     let (mut notes, mut warnings) = (Vec::new(), Vec::new());
@@ -78,11 +75,11 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageErro
         tidy(&mut all, &mut warnings);
     }
     let shape = match <[Image; 6]>::try_from(pictures) {
-        Ok(faces) => Shape::Faces(Box::new(faces)),
+        Ok(faces) => DecodedContent::Faces(Box::new(faces)),
         Err(pictures) => {
             let mut picture = pictures.into_iter().next().unwrap_or_default();
             header.put_upright(file, &mut picture, &mut notes)?;
-            Shape::Picture(picture)
+            DecodedContent::Picture(picture)
         }
     };
     Ok(Decoded { shape, high_dynamic_range: texel.is_high_dynamic_range(), format: FileFormat::Ktx2, notes, warnings })

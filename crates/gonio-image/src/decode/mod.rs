@@ -11,8 +11,6 @@
 //! | KTX2 | cubemaps and 2-D; 8 and 16 bits, half, float, R11G11B10, RGB9E5, BC1 to BC4, BC6H, BC7; zlib, Zstandard |
 //! | DDS | cubemaps and 2-D, old and DX10 headers; the same, and colours by masks |
 
-mod block;
-mod bytes;
 mod dds;
 mod exr;
 mod hdr;
@@ -20,18 +18,17 @@ mod jpeg;
 mod ktx2;
 mod png;
 mod texel;
-mod tidy;
 
-use crate::{Image, ImageError, Limits};
+use crate::{DecodeLimits, Image, ImageError, Pixel};
 pub(crate) use ktx2::MAGIC as KTX2_MAGIC;
-pub use tidy::INFINITE_LIGHT;
+use rayon::prelude::*;
 
 /// The note about every file with alpha.
 const ALPHA_IGNORED: &str = "alpha is ignored";
 
 /// The content of a file.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
+pub enum DecodedContent {
     /// One picture: a face, a panorama, a cross, a strip.
     Picture(Image),
     /// The six faces of a cubemap in the order +X, -X, +Y, -Y, +Z, -Z: square, of one size, and by the formats'
@@ -87,7 +84,7 @@ impl FileFormat {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decoded {
     /// Linear light; every number is finite and at least 0, and the fourth of every pixel is 1.
-    pub shape: Shape,
+    pub shape: DecodedContent,
     /// Whether the file can hold light beyond 1: floats, half floats, RGBE.
     pub high_dynamic_range: bool,
     /// The format of the file.
@@ -104,7 +101,7 @@ pub struct Decoded {
 ///
 /// An unsupported format or variant (the message says what to convert it to); a file that is cut off or damaged; a
 /// size beyond `limits`, before anything is allocated.
-pub fn decode(name: &str, bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
+pub fn decode(name: &str, bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, ImageError> {
     let decode = match FileFormat::detect(bytes) {
         Some(FileFormat::Png) => png::decode,
         Some(FileFormat::Jpeg) => jpeg::decode,
@@ -147,4 +144,81 @@ fn unknown(bytes: &[u8]) -> ImageError {
         Some((_, _, what)) => ImageError::new(format!("this is {what}; {READ}")),
         None => ImageError::new(format!("this is not a known picture format; {READ}")),
     }
+}
+
+/// A file's bytes; every access is checked.
+#[derive(Clone, Copy)]
+struct Bytes<'a>(&'a [u8]);
+
+impl<'a> Bytes<'a> {
+    /// `length` bytes from `start` on, or an error that says which part of the file they would have been.
+    fn part(&self, start: u64, length: u64, what: &str) -> Result<&'a [u8], ImageError> {
+        let range = usize::try_from(start).ok().zip(start.checked_add(length).and_then(|e| usize::try_from(e).ok()));
+        range.and_then(|(start, end)| self.0.get(start..end)).ok_or_else(|| {
+            ImageError::new(format!(
+                "{what} should be the {length} bytes from byte {start} on, but the file has only {}; it is cut off or \
+                 damaged, get it again",
+                self.0.len()
+            ))
+        })
+    }
+
+    /// The little-endian 32-bit number at a byte.
+    fn u32(&self, at: usize) -> Result<u32, ImageError> {
+        let part = self.part(at as u64, 4, "the header")?;
+        Ok(u32::from_le_bytes(part.try_into().unwrap_or_default()))
+    }
+
+    /// The little-endian 64-bit number at a byte.
+    fn u64(&self, at: usize) -> Result<u64, ImageError> {
+        let part = self.part(at as u64, 8, "the header")?;
+        Ok(u64::from_le_bytes(part.try_into().unwrap_or_default()))
+    }
+}
+
+/// Infinite light becomes this: the largest half float, which every GPU holds.
+pub const INFINITE_LIGHT: f32 = 65504.0;
+
+/// Makes NaN and negative numbers 0 and infinite ones [`INFINITE_LIGHT`], sets the fourth number of every pixel to 1,
+/// and says in one sentence each how many there were.
+fn tidy(pictures: &mut [&mut [Pixel]], warnings: &mut Vec<String>) {
+    let mut counts = [0_usize; 3];
+    for pixels in pictures {
+        let add = |a: [usize; 3], b: [usize; 3]| std::array::from_fn(|i| a[i] + b[i]);
+        let here = pixels.par_chunks_mut(1 << 14).map(tidy_chunk).reduce(|| [0; 3], add);
+        counts = add(counts, here);
+    }
+    let [nan, infinite, negative] = counts;
+    let mut tell = |count: usize, what: &str, now: &str| match count {
+        0 => {}
+        1 => warnings.push(format!("one number is {what} and counts as {now}")),
+        n => warnings.push(format!("{n} numbers are {what} and count as {now}")),
+    };
+    tell(nan, "NaN", "0");
+    tell(infinite, "infinite", &INFINITE_LIGHT.to_string());
+    tell(negative, "negative", "0");
+}
+
+fn tidy_chunk(pixels: &mut [Pixel]) -> [usize; 3] {
+    let [mut nan, mut infinite, mut negative] = [0; 3];
+    for pixel in pixels {
+        for x in &mut pixel[..3] {
+            // One comparison for almost every number; -0 is as good as 0.
+            if *x >= 0.0 && *x < f32::INFINITY {
+                continue;
+            }
+            if x.is_nan() {
+                nan += 1;
+                *x = 0.0;
+            } else if *x > 0.0 {
+                infinite += 1;
+                *x = INFINITE_LIGHT;
+            } else {
+                negative += 1;
+                *x = 0.0;
+            }
+        }
+        pixel[3] = 1.0;
+    }
+    [nan, infinite, negative]
 }

@@ -1,8 +1,8 @@
 //! PNG: grey, palette and RGB of 1 to 16 bits, taken as sRGB.
 
-use super::{Decoded, FileFormat, Shape};
+use super::{Decoded, DecodedContent, FileFormat};
 use crate::srgb::{LINEAR_FROM_8, LINEAR_FROM_16};
-use crate::{ImageError, Limits, Pixel};
+use crate::{DecodeLimits, ImageError, Pixel};
 use png::{BitDepth, DecodingError, Transformations};
 use rayon::prelude::*;
 use std::io::Cursor;
@@ -16,7 +16,7 @@ const BATCH: usize = 64;
 /// Memory that the codec may take in any case.
 const CODEC_BYTES: usize = 64 << 20;
 
-pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageError> {
+pub(super) fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, ImageError> {
     // What the codec itself takes: a few rows, metadata. The pixels are ours, and have their own limit.
     let codec_limit = usize::try_from(limits.max_bytes).unwrap_or(usize::MAX).max(CODEC_BYTES);
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: codec_limit });
@@ -54,7 +54,13 @@ pub(super) fn decode(bytes: &[u8], limits: &Limits) -> Result<Decoded, ImageErro
     }
     // To the end: a file that lacks only its last chunk is a file cut off.
     reader.finish().map_err(failed)?;
-    Ok(Decoded { shape: Shape::Picture(image), high_dynamic_range: false, format: FileFormat::Png, notes, warnings })
+    Ok(Decoded {
+        shape: DecodedContent::Picture(image),
+        high_dynamic_range: false,
+        format: FileFormat::Png,
+        notes,
+        warnings,
+    })
 }
 
 /// Notes and warnings about statements of the file that are ignored.

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 /// The number format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Format {
+pub enum Ktx2Format {
     /// `R16G16B16A16_SFLOAT`: half floats, up to 65504.
     #[default]
     Half,
@@ -49,7 +49,7 @@ struct Layout {
     transfer: u32,
 }
 
-impl Format {
+impl Ktx2Format {
     fn layout(self) -> Layout {
         // Of floats the descriptor gives -1 and 1 as f32, whatever their own size.
         let float = |vk_format, type_size| Layout {
@@ -61,9 +61,11 @@ impl Format {
             transfer: 1,
         };
         match self {
-            Format::Half => float(97, 2),
-            Format::Float => float(109, 4),
-            Format::Srgb8 => Layout { vk_format: 43, type_size: 1, qualifiers: 0, lower: 0, upper: 255, transfer: 2 },
+            Ktx2Format::Half => float(97, 2),
+            Ktx2Format::Float => float(109, 4),
+            Ktx2Format::Srgb8 => {
+                Layout { vk_format: 43, type_size: 1, qualifiers: 0, lower: 0, upper: 255, transfer: 2 }
+            }
         }
     }
 }
@@ -72,7 +74,7 @@ impl Format {
 ///
 /// Each level must be half as large as the one before it, rounded down. The first one that is not ends the chain, and a
 /// warning says so.
-pub fn encode(levels: &[Level<'_>], format: Format) -> Encoded {
+pub fn encode(levels: &[Level<'_>], format: Ktx2Format) -> Encoded {
     let mut warnings = Vec::new();
     let full_size = levels.first().map_or(0, |full| full.size);
     let fits = |(i, level): &(usize, &Level<'_>)| level.size == (full_size >> (*i).min(31)).max(1);
@@ -85,8 +87,8 @@ pub fn encode(levels: &[Level<'_>], format: Format) -> Encoded {
     }
     let full = levels.first().map_or(&[][..], |full| full.pixels);
     match format {
-        Format::Half => warnings.extend(beyond_half(full, "write floats to keep them")),
-        Format::Srgb8 => {
+        Ktx2Format::Half => warnings.extend(beyond_half(full, "write floats to keep them")),
+        Ktx2Format::Srgb8 => {
             let count: usize =
                 full.par_iter().with_min_len(1 << 14).map(|p| p[..3].iter().filter(|x| **x > 1.0).count()).sum();
             if count > 0 {
@@ -94,7 +96,7 @@ pub fn encode(levels: &[Level<'_>], format: Format) -> Encoded {
                     .push(format!("{count} numbers are above 1 and are clamped to it; write half floats to keep them"));
             }
         }
-        Format::Float => {}
+        Ktx2Format::Float => {}
     }
     Encoded { bytes: file(&levels[..chain], format), warnings }
 }
@@ -104,7 +106,7 @@ const HEADER: usize = 80;
 /// An entry of the level index: offset, length, length when unpacked.
 const ENTRY: usize = 24;
 
-fn file(levels: &[Level<'_>], format: Format) -> Vec<u8> {
+fn file(levels: &[Level<'_>], format: Ktx2Format) -> Vec<u8> {
     let layout = format.layout();
     let descriptor = descriptor(&layout);
     let metadata = metadata(&[("KTXorientation", "rd"), ("KTXwriter", "gonio")]);
@@ -199,7 +201,7 @@ fn metadata(entries: &[(&str, &str)]) -> Vec<u8> {
 }
 
 /// All faces of a level.
-fn pixels(level: &Level<'_>, format: Format) -> Vec<u8> {
+fn pixels(level: &Level<'_>, format: Ktx2Format) -> Vec<u8> {
     fn map<const N: usize>(level: &Level<'_>, encode: impl Fn([f32; 3]) -> [u8; N] + Sync) -> Vec<u8> {
         let mut bytes = vec![0; N * level.pixels.len()];
         bytes.par_chunks_mut(N << 13).zip(level.pixels.par_chunks(1 << 13)).for_each(|(to, from)| {
@@ -211,18 +213,20 @@ fn pixels(level: &Level<'_>, format: Format) -> Vec<u8> {
     }
     let encoder = &*ENCODER;
     match format {
-        Format::Half => map::<8>(level, |rgb| {
+        Ktx2Format::Half => map::<8>(level, |rgb| {
             let [r, g, b] = rgb.map(|x| half(x).to_le_bytes());
             // 0x3C00 is 1.
             [r[0], r[1], g[0], g[1], b[0], b[1], 0, 0x3C]
         }),
-        Format::Float => map::<16>(level, |[r, g, b]| {
+        Ktx2Format::Float => map::<16>(level, |[r, g, b]| {
             let mut texel = [0; 16];
             for (to, x) in texel.as_chunks_mut::<4>().0.iter_mut().zip([r, g, b, 1.0]) {
                 *to = x.to_le_bytes();
             }
             texel
         }),
-        Format::Srgb8 => map::<4>(level, |[r, g, b]| [encoder.encode(r), encoder.encode(g), encoder.encode(b), 255]),
+        Ktx2Format::Srgb8 => {
+            map::<4>(level, |[r, g, b]| [encoder.encode(r), encoder.encode(g), encoder.encode(b), 255])
+        }
     }
 }

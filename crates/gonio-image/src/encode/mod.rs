@@ -5,13 +5,11 @@
 //! | [`png`] | 8 or 16 bits, still or animated: encoded pictures, or linear light after exposure and tone map |
 //! | [`hdr`] | RGBE with adaptive run lengths: light up to 1.7e38, exact to a hundredth of a pixel's brightest channel |
 //! | [`exr`] | R, G and B as halves or floats, or layers of R, G, B and A as floats; ZIP-compressed |
-//! | [`exr_compact`] | one layer of R, G, B and A as floats, by a writer small enough for a web page |
 //! | [`ktx2`] | a cubemap with its mip levels, ready for a GPU |
 //!
 //! [`Encoded::warnings`] lists the values that a format cannot represent.
 
 pub mod exr;
-pub mod exr_compact;
 pub mod hdr;
 pub mod ktx2;
 pub mod png;

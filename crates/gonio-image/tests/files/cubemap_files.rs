@@ -4,7 +4,7 @@ use crate::samples::{CubeLevel, chain, cube, faces, ktx2 as encode, picture, rea
 use ddsfile::{AlphaMode, Caps2, D3D10ResourceDimension, D3DFormat, Dds, DxgiFormat, NewD3dParams, NewDxgiParams};
 use gonio_image::Image;
 use gonio_image::decode::FileFormat;
-use gonio_image::encode::ktx2::Format;
+use gonio_image::encode::ktx2::Ktx2Format;
 use gonio_light::color::srgb_decode;
 use std::io::Write;
 
@@ -171,10 +171,10 @@ fn dds_that_is_not_read_is_named() {
     }
 }
 
-const FORMATS: [(Format, ktx2::Format); 3] = [
-    (Format::Half, ktx2::Format::R16G16B16A16_SFLOAT),
-    (Format::Float, ktx2::Format::R32G32B32A32_SFLOAT),
-    (Format::Srgb8, ktx2::Format::R8G8B8A8_SRGB),
+const FORMATS: [(Ktx2Format, ktx2::Format); 3] = [
+    (Ktx2Format::Half, ktx2::Format::R16G16B16A16_SFLOAT),
+    (Ktx2Format::Float, ktx2::Format::R32G32B32A32_SFLOAT),
+    (Ktx2Format::Srgb8, ktx2::Format::R8G8B8A8_SRGB),
 ];
 
 fn put(bytes: &mut [u8], at: usize, number: u32) {
@@ -187,7 +187,7 @@ fn one_level(level: CubeLevel) -> Vec<CubeLevel> {
 
 /// A file whose only level is packed: 2 Zstandard (stored, not squeezed), 3 zlib.
 pub fn packed(scheme: u32) -> Vec<u8> {
-    let mut bytes = encode(&one_level(cube(4)), Format::Half).bytes;
+    let mut bytes = encode(&one_level(cube(4)), Ktx2Format::Half).bytes;
     let start = u64::from_le_bytes(bytes[80..88].try_into().unwrap_or_default()) as usize;
     let level = bytes.split_off(start);
     let packed = if scheme == 3 {
@@ -246,7 +246,7 @@ fn what_is_written_comes_back() {
         let encoded = encode(&levels, format);
         assert!(encoded.warnings.is_empty(), "{:?}", encoded.warnings);
         let decoded = read(&encoded.bytes);
-        assert_eq!((decoded.format, decoded.high_dynamic_range), (FileFormat::Ktx2, format != Format::Srgb8));
+        assert_eq!((decoded.format, decoded.high_dynamic_range), (FileFormat::Ktx2, format != Ktx2Format::Srgb8));
         assert_eq!(decoded.notes, ["of 3 mip levels the largest is read"]);
         for (found, wanted) in faces(&decoded).iter().zip(levels[0].faces()) {
             for (found, wanted) in found.pixels.iter().flatten().zip(wanted.iter().flatten()) {
@@ -263,11 +263,11 @@ fn what_does_not_fit_is_told() {
     let mut map = cube(2);
     map.pixels[3] = [70000.0, 2.0, 0.0, 1.0];
     let warnings = |format| encode(&one_level(map.clone()), format).warnings;
-    assert!(warnings(Format::Half)[0].starts_with("1 numbers are above 65504"), "{:?}", warnings(Format::Half));
-    assert!(warnings(Format::Srgb8)[0].starts_with("2 numbers are above 1 "), "{:?}", warnings(Format::Srgb8));
-    assert!(warnings(Format::Float).is_empty());
+    assert!(warnings(Ktx2Format::Half)[0].starts_with("1 numbers are above 65504"), "{:?}", warnings(Ktx2Format::Half));
+    assert!(warnings(Ktx2Format::Srgb8)[0].starts_with("2 numbers are above 1 "), "{:?}", warnings(Ktx2Format::Srgb8));
+    assert!(warnings(Ktx2Format::Float).is_empty());
     let odd = [cube(4), cube(3)];
-    assert!(encode(&odd, Format::Float).warnings[0].starts_with("of 2 mip levels 1 are written"));
+    assert!(encode(&odd, Ktx2Format::Float).warnings[0].starts_with("of 2 mip levels 1 are written"));
 }
 
 #[test]
@@ -289,7 +289,7 @@ fn pictures_and_what_integers_mean_are_as_the_file_says() {
     for (i, pixel) in map.pixels.iter_mut().enumerate() {
         *pixel = [gonio_light::color::srgb_decode(i as f64 / 255.0) as f32, 0.0, 0.0, 1.0];
     }
-    let mut file = encode(&one_level(map.clone()), Format::Srgb8).bytes;
+    let mut file = encode(&one_level(map.clone()), Ktx2Format::Srgb8).bytes;
     put(&mut file, 24, 6);
     put(&mut file, 36, 1);
     let reds = |file: &[u8]| picture(&read(file)).pixels.iter().map(|p| p[0]).collect::<Vec<_>>();
@@ -312,7 +312,7 @@ fn pictures_and_what_integers_mean_are_as_the_file_says() {
 
 #[test]
 fn ktx2_that_is_not_read_is_named() {
-    let file = encode(&one_level(cube(2)), Format::Half).bytes;
+    let file = encode(&one_level(cube(2)), Ktx2Format::Half).bytes;
     let with = |at: usize, number: u32| {
         let mut file = file.clone();
         put(&mut file, at, number);

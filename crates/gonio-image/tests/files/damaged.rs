@@ -1,16 +1,16 @@
 //! Files cut off, with single bits changed, and with numbers that lie: errors, never panics.
 
 use crate::samples::{every_kind, faces, read};
-use gonio_image::decode::{Decoded, Shape};
-use gonio_image::{Limits, decode};
+use gonio_image::decode::{Decoded, DecodedContent};
+use gonio_image::{DecodeLimits, decode};
 
 /// Tight, so that a header that lies asks for little.
-const LIMITS: Limits = Limits { max_bytes: 1 << 20 };
+const LIMITS: DecodeLimits = DecodeLimits { max_bytes: 1 << 20 };
 
 fn check(decoded: &Decoded) {
     let images = match &decoded.shape {
-        Shape::Picture(image) => std::slice::from_ref(image),
-        Shape::Faces(faces) => &faces[..],
+        DecodedContent::Picture(image) => std::slice::from_ref(image),
+        DecodedContent::Faces(faces) => &faces[..],
     };
     for image in images {
         assert_eq!(image.pixels.len(), image.width as usize * image.height as usize);

@@ -3,7 +3,7 @@
 use crate::samples::{bright, picture, read, refusal};
 use exr::prelude::*;
 use gonio_image::decode::FileFormat;
-use gonio_image::encode::exr::{Precision, encode};
+use gonio_image::encode::exr::{ExrPrecision, encode};
 use std::io::Cursor;
 
 /// A file of layers of flat channels.
@@ -38,12 +38,12 @@ fn reds(bytes: &[u8]) -> Vec<f32> {
 fn what_is_written_comes_back() {
     // More than one block of 16 lines.
     let image = bright(33, 40);
-    let float = encode(&image, Precision::Float).unwrap_or_else(|e| panic!("{e}"));
+    let float = encode(&image, ExrPrecision::Float).unwrap_or_else(|e| panic!("{e}"));
     let decoded = read(&float.bytes);
     assert_eq!((decoded.format, decoded.high_dynamic_range), (FileFormat::Exr, true));
     assert_eq!(picture(&decoded), &image);
     assert!(decoded.notes.is_empty() && decoded.warnings.is_empty(), "{decoded:?}");
-    let half = encode(&image, Precision::Half).unwrap_or_else(|e| panic!("{e}"));
+    let half = encode(&image, ExrPrecision::Half).unwrap_or_else(|e| panic!("{e}"));
     for (found, wanted) in picture(&read(&half.bytes)).pixels.iter().zip(&image.pixels) {
         for (found, wanted) in found.iter().zip(wanted) {
             // Half a step of 11 bits of mantissa.
@@ -56,13 +56,13 @@ fn what_is_written_comes_back() {
 fn light_beyond_half_floats_is_cut_and_told() {
     let mut image = bright(4, 4);
     image.pixels[5] = [1e6, 70000.0, 1.0, 1.0];
-    let half = encode(&image, Precision::Half).unwrap_or_else(|e| panic!("{e}"));
+    let half = encode(&image, ExrPrecision::Half).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(
         half.warnings,
         ["2 numbers are above 65504, the largest half float, and are clamped to it; write floats to keep them"]
     );
     assert_eq!(picture(&read(&half.bytes)).pixels[5], [65504.0, 65504.0, 1.0, 1.0]);
-    let float = encode(&image, Precision::Float).unwrap_or_else(|e| panic!("{e}"));
+    let float = encode(&image, ExrPrecision::Float).unwrap_or_else(|e| panic!("{e}"));
     assert!(float.warnings.is_empty());
 }
 

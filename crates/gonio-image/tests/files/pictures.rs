@@ -3,7 +3,7 @@
 use crate::samples::{bright, jpeg, picture, read, refusal};
 use gonio_image::decode::FileFormat;
 use gonio_image::encode::png::{Depth, encode, rows8};
-use gonio_image::{Limits, decode};
+use gonio_image::{DecodeLimits, decode};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap, srgb_decode};
 use image::{DynamicImage, ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 
@@ -178,13 +178,13 @@ fn other_kinds_are_named() {
 
 #[test]
 fn too_large_is_refused_by_the_header_alone() {
-    let small = Limits { max_bytes: 16 * 100 };
+    let small = DecodeLimits { max_bytes: 16 * 100 };
     for (name, bytes) in crate::samples::every_kind() {
         let message = decode::decode(name, &bytes, &small).err().map(|e| e.to_string()).unwrap_or_default();
         let refused = message.contains("the limit is 1.6 KiB") && message.starts_with(name);
         // All but the smallest are larger than a hundred pixels.
         assert_eq!(refused, !["ktx2", "dds", "flat"].iter().any(|k| name.starts_with(k)), "{name}: {message}");
-        let tiny = Limits { max_bytes: 16 };
+        let tiny = DecodeLimits { max_bytes: 16 };
         let message = decode::decode(name, &bytes, &tiny).err().map(|e| e.message).unwrap_or_default();
         assert!(message.contains("the limit is 16 bytes"), "{name}: {message}");
     }

@@ -1,9 +1,9 @@
 //! Pictures to write, and small files of every kind.
 
-use gonio_image::decode::{Decoded, Shape};
-use gonio_image::encode::exr::Precision;
-use gonio_image::encode::ktx2::{Format, Level};
-use gonio_image::{Image, Limits, Pixel, decode, encode};
+use gonio_image::decode::{Decoded, DecodedContent};
+use gonio_image::encode::exr::ExrPrecision;
+use gonio_image::encode::ktx2::{Ktx2Format, Level};
+use gonio_image::{DecodeLimits, Image, Pixel, decode, encode};
 use gonio_light::color::OutputTransform;
 
 /// A picture of which every pixel is another, with light from 0 to 12.
@@ -39,7 +39,7 @@ pub fn cube(size: u32) -> CubeLevel {
 }
 
 /// KTX2 of all levels of a cube: the first, and each next one half as large.
-pub fn ktx2(levels: &[CubeLevel], format: Format) -> encode::Encoded {
+pub fn ktx2(levels: &[CubeLevel], format: Ktx2Format) -> encode::Encoded {
     let whole: Vec<Level<'_>> = levels.iter().filter_map(|level| Level::new(level.size, &level.pixels)).collect();
     assert_eq!(whole.len(), levels.len());
     encode::ktx2::encode(&whole, format)
@@ -52,12 +52,12 @@ pub fn chain(size: u32) -> Vec<CubeLevel> {
 
 /// Reads, or fails with the error.
 pub fn read(bytes: &[u8]) -> Decoded {
-    decode::decode("test", bytes, &Limits::default()).unwrap_or_else(|e| panic!("{e}"))
+    decode::decode("test", bytes, &DecodeLimits::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// The error that reading gives, without the file's name.
 pub fn refusal(bytes: &[u8]) -> String {
-    match decode::decode("test", bytes, &Limits::default()) {
+    match decode::decode("test", bytes, &DecodeLimits::default()) {
         Err(error) => {
             assert_eq!(error.file.as_deref(), Some("test"));
             error.message
@@ -69,16 +69,16 @@ pub fn refusal(bytes: &[u8]) -> String {
 /// The one picture of a file.
 pub fn picture(decoded: &Decoded) -> &Image {
     match &decoded.shape {
-        Shape::Picture(image) => image,
-        Shape::Faces(_) => panic!("six faces, not one picture"),
+        DecodedContent::Picture(image) => image,
+        DecodedContent::Faces(_) => panic!("six faces, not one picture"),
     }
 }
 
 /// The six faces of a file.
 pub fn faces(decoded: &Decoded) -> &[Image; 6] {
     match &decoded.shape {
-        Shape::Faces(faces) => faces,
-        Shape::Picture(_) => panic!("one picture, not six faces"),
+        DecodedContent::Faces(faces) => faces,
+        DecodedContent::Picture(_) => panic!("one picture, not six faces"),
     }
 }
 
@@ -108,11 +108,11 @@ pub fn every_kind() -> Vec<(&'static str, Vec<u8>)> {
         ("jpeg", jpeg(&image::DynamicImage::ImageLuma8(gray))),
         ("hdr", ok(encode::hdr::encode(&image))),
         ("flat hdr", flat_hdr),
-        ("exr half", ok(encode::exr::encode(&image, Precision::Half))),
-        ("exr float", ok(encode::exr::encode(&image, Precision::Float))),
-        ("ktx2 half", ktx2(&levels, Format::Half).bytes),
-        ("ktx2 float", ktx2(&levels, Format::Float).bytes),
-        ("ktx2 srgb", ktx2(&levels, Format::Srgb8).bytes),
+        ("exr half", ok(encode::exr::encode(&image, ExrPrecision::Half))),
+        ("exr float", ok(encode::exr::encode(&image, ExrPrecision::Float))),
+        ("ktx2 half", ktx2(&levels, Ktx2Format::Half).bytes),
+        ("ktx2 float", ktx2(&levels, Ktx2Format::Float).bytes),
+        ("ktx2 srgb", ktx2(&levels, Ktx2Format::Srgb8).bytes),
         ("ktx2 zstd", super::cubemap_files::packed(2)),
         ("ktx2 zlib", super::cubemap_files::packed(3)),
         ("dds bc1", super::cubemap_files::cubemap(ddsfile::DxgiFormat::BC1_UNorm_sRGB, 4, 8)),

@@ -4,9 +4,9 @@ use crate::memory::{Memory, TRIANGLE};
 use glam::DVec3;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout};
-use gonio_image::decode::{self, FileFormat, Shape};
+use gonio_image::decode::{self, FileFormat, DecodedContent};
 use gonio_image::encode::ktx2;
-use gonio_image::{Image, Limits as ImageLimits};
+use gonio_image::{DecodeLimits, Image};
 use gonio_mesh::{Limits, Severity};
 use gonio_scene::environment_file::{BUILTIN_SIZE, EnvironmentMap, OpenOptions, OpenedEnvironment, open};
 use gonio_scene::files::{Disk, FileSource};
@@ -36,9 +36,9 @@ fn face(face: Face) -> Vec<u8> {
 }
 
 fn decoded(bytes: &[u8]) -> Image {
-    match decode::decode("", bytes, &ImageLimits::default()).unwrap().shape {
-        Shape::Picture(image) => image,
-        Shape::Faces(_) => panic!("six faces"),
+    match decode::decode("", bytes, &DecodeLimits::default()).unwrap().shape {
+        DecodedContent::Picture(image) => image,
+        DecodedContent::Faces(_) => panic!("six faces"),
     }
 }
 
@@ -146,7 +146,7 @@ fn pictures_of_six_faces_are_told_by_their_proportions() {
 
 #[test]
 fn a_ktx2_file_is_in_opengls_layout() {
-    let bytes = CubeMips::new(map(Layout::OpenGl)).to_ktx2(ktx2::Format::Srgb8).bytes;
+    let bytes = CubeMips::new(map(Layout::OpenGl)).to_ktx2(ktx2::Ktx2Format::Srgb8).bytes;
     let files = Memory::default().with("a.ktx2", bytes.clone());
     let found = opened(&files, "a.ktx2", OpenOptions::default());
     assert_eq!((found.layout, found.format), (Some(Layout::OpenGl), Some(FileFormat::Ktx2)));
@@ -253,7 +253,7 @@ fn what_is_asked_for_in_vain_is_told() {
 /// A scene file in a folder, and what it may be surrounded by.
 fn scene(environment: &str) -> (Scene, Memory) {
     let panorama = png(16, 8, |x, y| [10 * x as u8, 20 * y as u8, 99]);
-    let ktx2 = CubeMips::new(map(Layout::OpenGl)).to_ktx2(ktx2::Format::Srgb8).bytes;
+    let ktx2 = CubeMips::new(map(Layout::OpenGl)).to_ktx2(ktx2::Ktx2Format::Srgb8).bytes;
     let text = format!("[environment]\n{environment}\n[[object]]\nmodel = \"builtin:cube\"\n");
     // Paths in memory are compared as they are written.
     let files = six("scenes/faces/*.png").with("scenes/p.png", panorama).with("scenes/../k.ktx2", ktx2);

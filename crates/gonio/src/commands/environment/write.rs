@@ -5,9 +5,9 @@ use crate::options::values::nearest;
 use crate::output::{OutputFiles, OutputPath, atomic};
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout, Panorama};
-use gonio_image::decode::{self, FileFormat, Shape};
+use gonio_image::decode::{self, FileFormat, DecodedContent};
 use gonio_image::encode::{exr, hdr, ktx2, png};
-use gonio_image::{Image, ImageError, Limits};
+use gonio_image::{Image, ImageError, DecodeLimits};
 use gonio_light::color::{OutputTransform, ToneMap};
 use rayon::prelude::*;
 use std::path::Path;
@@ -271,10 +271,10 @@ impl EnvironmentPlan {
                 self.write_picture(&image, appearance)
             }
             _ => {
-                let formats = [ktx2::Format::Srgb8, ktx2::Format::Half, ktx2::Format::Float];
+                let formats = [ktx2::Ktx2Format::Srgb8, ktx2::Ktx2Format::Half, ktx2::Ktx2Format::Float];
                 let mips = CubeMips::new(map);
                 let least = usize::from(appearance.high_dynamic_range);
-                let encode = |format: &ktx2::Format| Ok(mips.to_ktx2(*format)).map(|e| (e.bytes, e.warnings));
+                let encode = |format: &ktx2::Ktx2Format| Ok(mips.to_ktx2(*format)).map(|e| (e.bytes, e.warnings));
                 let faces = mips.full().faces(Layout::OpenGl);
                 let (bytes, warnings) = if appearance.exact {
                     first_exact(&formats[least..], &faces, encode)
@@ -345,11 +345,11 @@ impl EnvironmentPlan {
                 }
             }
             Format::Exr => {
-                let encode = |p: &exr::Precision| exr::encode(image, *p).map(|e| (e.bytes, e.warnings));
+                let encode = |p: &exr::ExrPrecision| exr::encode(image, *p).map(|e| (e.bytes, e.warnings));
                 if appearance.exact {
-                    first_exact(&[exr::Precision::Half, exr::Precision::Float], std::slice::from_ref(image), encode)
+                    first_exact(&[exr::ExrPrecision::Half, exr::ExrPrecision::Float], std::slice::from_ref(image), encode)
                 } else {
-                    encode(&exr::Precision::Half)
+                    encode(&exr::ExrPrecision::Half)
                 }
             }
             Format::Hdr => hdr::encode(image).map(|e| (e.bytes, e.warnings)),
@@ -365,10 +365,10 @@ fn first_exact<T>(ways: &[T], pictures: &[Image], encode: impl Fn(&T) -> Bytes) 
     let (last, cheaper) = ways.split_last().ok_or_else(|| ImageError::new("no encoding is known for this"))?;
     for way in cheaper {
         let (bytes, warnings) = encode(way)?;
-        let again = decode::decode("", &bytes, &Limits { max_bytes: u64::MAX })?;
+        let again = decode::decode("", &bytes, &DecodeLimits { max_bytes: u64::MAX })?;
         let same = match &again.shape {
-            Shape::Picture(image) => pictures == std::slice::from_ref(image),
-            Shape::Faces(faces) => pictures == faces.as_slice(),
+            DecodedContent::Picture(image) => pictures == std::slice::from_ref(image),
+            DecodedContent::Faces(faces) => pictures == faces.as_slice(),
         };
         if same {
             return Ok((bytes, warnings));
