@@ -1,10 +1,10 @@
 //! Cubemaps: six square pictures, looked up without seams.
 
 use crate::EnvironmentError;
+use crate::face::SolidAngles;
+pub use crate::face::solid_angle;
 use crate::face::{Face, Layout};
 use crate::panorama::color;
-use crate::solid_angle::SolidAngles;
-pub use crate::solid_angle::solid_angle;
 use glam::DVec3;
 use gonio_image::{Image, Pixel};
 

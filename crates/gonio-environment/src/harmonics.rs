@@ -19,8 +19,8 @@
 use crate::Cubemap;
 use crate::cubemap::texel_direction;
 use crate::face::Face;
+use crate::face::SolidAngles;
 use crate::panorama::color;
-use crate::solid_angle::SolidAngles;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;

@@ -46,8 +46,6 @@ pub mod repair;
 mod seams;
 pub mod simd;
 pub mod sky;
-mod solid_angle;
-mod stroke_font;
 
 pub use arrange::Arrangement;
 pub use brdf_table::BrdfTable;

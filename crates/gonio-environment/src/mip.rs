@@ -2,7 +2,7 @@
 
 use crate::Cubemap;
 use crate::face::Face;
-use crate::solid_angle::SolidAngles;
+use crate::face::SolidAngles;
 use glam::DVec3;
 use gonio_image::Pixel;
 use gonio_image::encode::Encoded;

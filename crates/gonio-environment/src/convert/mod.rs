@@ -15,27 +15,25 @@
 //! of a panorama, and over its poles. Where lookups would be farther apart than a panorama's texels, near its poles, the
 //! area filter takes them from rows that were averaged along themselves as far as the texels crowd there.
 
-mod area;
 mod lanes;
 mod lookup;
 mod output_grid;
-mod texel_layers;
 mod texel_source;
 mod upright;
 
 use crate::simd::{Kernel, SimdLevel};
 use crate::{Cubemap, Panorama};
-pub use area::MOST_ALONG;
 use fearless_simd::Simd;
 use glam::{DMat3, DVec3, Mat3};
 use gonio_image::{Image, Pixel};
 use gonio_light::named_enum;
 pub use lanes::ARC_TANGENT;
 use lanes::{first_eight, turned};
-use lookup::{Bicubic, Bilinear, Mix, Nearest, fill_rows};
+pub use lookup::MOST_ALONG;
+use lookup::{Bicubic, Bilinear, Mix, Nearest, fill_row_by_area, fill_rows};
 use output_grid::{CubeGrid, OutputGrid, PanoramaGrid};
 use rayon::prelude::*;
-pub use texel_layers::{BORDER, TexelLayers};
+pub use texel_source::{BORDER, TexelLayers};
 use texel_source::{CubeSource, PanoramaSource, TexelSource};
 
 named_enum! {
@@ -224,7 +222,7 @@ impl<F: TexelSource, T: OutputGrid> Kernel for Row<'_, F, T> {
             Filter::Nearest => self.mix::<S, 1, Nearest>(simd),
             Filter::Bilinear => self.mix::<S, 2, Bilinear>(simd),
             Filter::Bicubic => self.mix::<S, 4, Bicubic>(simd),
-            Filter::Area => area::fill_row(simd, self.source, self.target, self.row, self.turn, self.pixels),
+            Filter::Area => fill_row_by_area(simd, self.source, self.target, self.row, self.turn, self.pixels),
         }
     }
 }

@@ -83,7 +83,7 @@ fn quakes_letters_fit_together_as_its_source_lays_them() {
     ];
     let words = TABLE.iter().find(|(c, _)| *c == NamingScheme::Quake).map(|(_, words)| *words).unwrap_or_default();
     for (letters, middle, columns, rows) in faces {
-        let face = table::face_of(&words, letters).unwrap_or_else(|| panic!("{letters}"));
+        let face = face_of(&words, letters).unwrap_or_else(|| panic!("{letters}"));
         let at = |s, t| face.direction(s, t, crate::Layout::Photographic);
         let centre = at(0.0, 0.0);
         assert_eq!(centre, ours(middle), "{letters}");
