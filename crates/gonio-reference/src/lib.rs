@@ -7,8 +7,7 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | `geometry` | triangles in world space, the tree of boxes over them |
-//! | `reference_geometry` | the same, shared by scenes of the same geometry |
+//! | `geometry` | triangles in world space, the tree of boxes over them; shared by scenes of the same geometry |
 //! | `intersect` | a ray against a triangle, without leaks |
 //! | `visibility` | which triangles the rays of a block of pixels see |
 //! | `fragment` | place, texture coordinates and material where a ray meets a triangle |
@@ -35,15 +34,13 @@ mod intersect;
 mod panorama;
 pub mod probe;
 mod ray;
-mod reference_geometry;
 mod render;
-mod report;
 mod samples;
 mod shade;
 mod visibility;
 
+pub use geometry::ReferenceGeometry;
 pub use probe::Probe;
-pub use reference_geometry::ReferenceGeometry;
 pub use render::{HOLE, MAX_LAYERS};
 pub use samples::sample_positions;
 

@@ -3,15 +3,15 @@
 use crate::ReferenceScene;
 use crate::intersect::EyeSpace;
 use crate::render::FrameContext;
-use crate::report;
 use crate::shade::{CornerCache, Shader};
 use crate::visibility::{Block, Visible};
 use glam::{DVec2, DVec4};
+use gonio_light::optics::EnvironmentTerms;
 use gonio_light::quantity::Geometry;
-use gonio_light::{DVec3, LightSums, Optics, Surface, Terms};
+use gonio_light::{DVec3, Fresnel, LightSums, LightTerms, Optics, ShadingPoint, Sight, Surface, Surfaces, Terms};
 use gonio_scene::Frame;
 use gonio_scene::scene_file::Shading;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// The values at the centre of one pixel.
 ///
@@ -43,7 +43,7 @@ pub struct Probe {
     /// World space.
     pub position: DVec3,
     /// Geometric normal (towards the triangle's front), the mesh's tangent (zero where it has none), texture coordinates.
-    #[serde(with = "report::GeometryReport")]
+    #[serde(with = "GeometryReport")]
     pub geometry: Geometry,
     /// The triangle's front is seen.
     pub front_facing: bool,
@@ -52,7 +52,7 @@ pub struct Probe {
     /// The points at which the equation is evaluated.
     pub shading: Shading,
     /// The material at the pixel, textures and vertex colours included.
-    #[serde(with = "report::SurfaceReport")]
+    #[serde(with = "SurfaceReport")]
     pub surface: Surface,
     /// 1 opaque.
     pub opacity: f64,
@@ -60,19 +60,19 @@ pub struct Probe {
     pub texels: Vec<TexelReport>,
     /// The equation at the pixel itself. Flat and Phong shading draw its total; Gouraud and flat per face do not, and
     /// it stands here for comparison. What is seen of the environment (`terms.environment`) every shading takes from here.
-    #[serde(with = "report::TermsReport")]
+    #[serde(with = "TermsReport")]
     pub terms: Terms,
     /// The equation where the shading evaluates it, if that is not at the pixel: at the three corners (Gouraud) or at
     /// the centroid (flat per face), with the material's bare numbers and without environment. Else empty.
-    #[serde(serialize_with = "report::terms")]
+    #[serde(serialize_with = "terms")]
     pub at_vertices: Vec<Terms>,
     /// The light of `at_vertices` interpolated, which is then multiplied by `surface`.
-    #[serde(serialize_with = "report::sums")]
+    #[serde(serialize_with = "sums")]
     pub interpolated: Option<LightSums>,
     /// The light equation's value as the shading has it, without the environment.
     pub lit: DVec3,
     /// Reflection and refraction of the environment; plain where the frame has none.
-    #[serde(with = "report::OpticsReport")]
+    #[serde(with = "OpticsReport")]
     pub optics: Optics,
     /// The radiance from the surface to the eye: `lit` and the environment's light, as `optics` let them be seen.
     pub radiance: DVec3,
@@ -163,4 +163,133 @@ pub(crate) fn probe(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -
         surfaces_behind: shaded.saturating_sub(1) as usize,
         total,
     })
+}
+
+// Serialization of the types of `gonio-light`.
+
+#[derive(Serialize)]
+#[serde(remote = "ShadingPoint")]
+struct PointReport {
+    position: DVec3,
+    normal: DVec3,
+    view: DVec3,
+    tangent: DVec3,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "Surface")]
+struct SurfaceReport {
+    ambient: DVec3,
+    diffuse: DVec3,
+    specular: DVec3,
+    emitted: DVec3,
+    shininess: f64,
+    refraction_index: f64,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "Optics")]
+struct OpticsReport {
+    reflectivity: f64,
+    transmission: f64,
+    fresnel: Fresnel,
+    tint: DVec3,
+    absorption: DVec3,
+    dispersion: f64,
+    surfaces: Surfaces,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "Sight")]
+struct SightReport {
+    reflection: DVec3,
+    reflected: DVec3,
+    transmitted: DVec3,
+    fresnel: DVec3,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "EnvironmentTerms")]
+struct EnvironmentReport {
+    diffuse: DVec3,
+    specular: DVec3,
+    #[serde(with = "SightReport")]
+    sight: Sight,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "Geometry")]
+struct GeometryReport {
+    geometric_normal: DVec3,
+    tangent: DVec3,
+    uv: DVec2,
+    depth: f64,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "LightSums")]
+struct SumsReport {
+    diffuse: DVec3,
+    specular: DVec3,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "LightTerms")]
+struct LightReport {
+    light: usize,
+    l: DVec3,
+    distance: f64,
+    attenuation: f64,
+    spot: f64,
+    cos_theta: f64,
+    r: DVec3,
+    h: DVec3,
+    r_dot_v: f64,
+    n_dot_h: f64,
+    diff: f64,
+    spec: f64,
+    incident: DVec3,
+    diffuse_light: DVec3,
+    specular_light: DVec3,
+    diffuse: DVec3,
+    specular: DVec3,
+}
+
+#[derive(Serialize)]
+#[serde(remote = "Terms")]
+struct TermsReport {
+    #[serde(with = "PointReport")]
+    point: ShadingPoint,
+    #[serde(with = "SurfaceReport")]
+    surface: Surface,
+    ambient: DVec3,
+    emitted: DVec3,
+    diffuse: DVec3,
+    specular: DVec3,
+    #[serde(with = "EnvironmentReport")]
+    environment: EnvironmentTerms,
+    total: DVec3,
+    #[serde(serialize_with = "lights")]
+    lights: Vec<LightTerms>,
+}
+
+fn lights<S: Serializer>(lights: &[LightTerms], serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct One<'a>(#[serde(with = "LightReport")] &'a LightTerms);
+    serializer.collect_seq(lights.iter().map(One))
+}
+
+/// A list of terms.
+fn terms<S: Serializer>(terms: &[Terms], serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct One<'a>(#[serde(with = "TermsReport")] &'a Terms);
+    serializer.collect_seq(terms.iter().map(One))
+}
+
+/// Sums that may be missing.
+fn sums<S: Serializer>(sums: &Option<LightSums>, serializer: S) -> Result<S::Ok, S::Error> {
+    match sums {
+        Some(sums) => SumsReport::serialize(sums, serializer),
+        None => serializer.serialize_none(),
+    }
 }
