@@ -76,7 +76,8 @@ impl SubmittedFaces {
         }
         let mut read: Vec<(&str, Image)> = Vec::new();
         for file in pictures {
-            let decoded = decode(&file.name, &file.bytes, &DecodeLimits::default()).map_err(|error| error.to_string())?;
+            let decoded =
+                decode(&file.name, &file.bytes, &DecodeLimits::default()).map_err(|error| error.to_string())?;
             match decoded.shape {
                 DecodedContent::Picture(image) => read.push((file.name.as_str(), image)),
                 DecodedContent::Faces(_) => return Err(format!("{}: hand the six faces in as PNG or JPEG", file.name)),

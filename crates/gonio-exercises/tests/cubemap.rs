@@ -10,7 +10,7 @@ use gonio_exercises::exercise;
 use gonio_gl::HeadlessContext;
 use gonio_image::decode::{DecodedContent, decode};
 use gonio_image::encode::png;
-use gonio_image::{Image, DecodeLimits};
+use gonio_image::{DecodeLimits, Image};
 use gonio_light::color::OutputTransform;
 
 const SIDE: u32 = 128;

@@ -1,7 +1,7 @@
 //! Scenes that exhibits start from.
 
 use crate::GalleryError;
-use gonio_scene::{SceneFile, toml_reader};
+use gonio_scene::{SceneFile, toml_file};
 
 /// A scene that exhibits start from. It names built-in models and environments only.
 #[derive(Clone, Copy, Debug)]
@@ -36,7 +36,7 @@ impl BaseScene {
             BaseScene::RoomSphere => include_str!("base_scenes/room_sphere.toml"),
             BaseScene::RoomSuzanne => include_str!("base_scenes/room_suzanne.toml"),
         };
-        Ok(toml_reader::read(text)?)
+        Ok(toml_file::read(text)?)
     }
 
     /// Reads the scene and changes it.

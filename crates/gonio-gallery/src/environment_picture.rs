@@ -6,9 +6,9 @@ use gonio_environment::convert::{Conversion, EnvironmentRef};
 use gonio_environment::{Builtin, CubeMips, Cubemap, Layout};
 use gonio_image::decode::{DecodedContent, decode};
 use gonio_image::encode::{ktx2, png};
-use gonio_image::{EncodedPicture, Image, ImageError, DecodeLimits};
+use gonio_image::{DecodeLimits, EncodedPicture, Image, ImageError};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
-use gonio_scene::environment_file::{self, EnvironmentMap, OpenOptions};
+use gonio_scene::environment_file::{self, EnvironmentMap, EnvironmentReadOptions};
 use gonio_scene::files::BuiltinOnly;
 use std::path::Path;
 
@@ -104,7 +104,7 @@ impl EnvironmentPicture {
     fn open(self, size: Option<u32>, layout: Option<Layout>) -> Result<EnvironmentMap, GalleryError> {
         // Only the debug cubemap shows the names of files.
         let layout = layout.filter(|_| self.from == Builtin::Debug);
-        let reading = OpenOptions { layout, arrangement: None, size };
+        let reading = EnvironmentReadOptions { layout, arrangement: None, size };
         let limits = gonio_mesh::Limits::default();
         let opened = environment_file::open(self.from.name(), reading, Path::new(""), &BuiltinOnly, &limits)?;
         Ok(opened.map)

@@ -2,13 +2,12 @@
 
 use crate::environment::LoadedEnvironment;
 use crate::files;
-use crate::load::NormalChoice;
-use crate::material_binding::MaterialBinder;
 use crate::model_file::ModelFile;
-use crate::scene_file::{MaterialOverride, ObjectSpec};
+use crate::scene_file::{Normals, ObjectSpec};
 use crate::settings::EnvironmentSettings;
 use crate::texture_library::TextureCache;
-use gonio_mesh::{EmbeddedImage, Format, Material, Mesh, Model};
+use gonio_mesh::normals::Averaging;
+use gonio_mesh::{Diagnostic, Format, Material, Mesh, normals};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -52,36 +51,6 @@ pub(crate) struct CachedMesh {
     pub with_tangents: Option<Arc<Mesh>>,
 }
 
-/// The source of materials: a model file that was just read, or its cached form.
-pub(crate) struct MaterialSource<'a> {
-    pub name: &'a str,
-    pub format: Format,
-    pub folders: &'a [PathBuf],
-    pub materials: &'a [Material],
-    pub used: &'a [bool],
-    pub images: &'a [EmbeddedImage],
-}
-
-impl<'a> MaterialSource<'a> {
-    /// Takes the materials of a file, with [`ModelFile::texture_folders`] and [`used_materials`].
-    pub fn of_file(file: &'a ModelFile, folders: &'a [PathBuf], used: &'a [bool]) -> Self {
-        let model = &file.model;
-        let (name, format) = (file.name.as_str(), file.format);
-        MaterialSource { name, format, folders, materials: &model.materials, used, images: &model.images }
-    }
-}
-
-/// Returns for each material of a model whether any triangle has it.
-pub(crate) fn used_materials(model: &Model) -> Vec<bool> {
-    let mut used = vec![false; model.materials.len()];
-    for part in model.mesh.parts.iter().filter(|part| part.triangle_count > 0) {
-        if let Some(used) = used.get_mut(part.material) {
-            *used = true;
-        }
-    }
-    used
-}
-
 impl CachedModel {
     /// Takes what is kept of a file whose materials and pictures are bound already.
     pub fn of_file(file: &mut ModelFile, used: Vec<bool>) -> Self {
@@ -99,18 +68,12 @@ impl CachedModel {
     pub fn object_name(&self) -> String {
         self.path.file_stem().map_or_else(|| "object".into(), |stem| stem.to_string_lossy().into_owned())
     }
+}
 
-    /// Binds its materials, of which it is model number `index`; gives the index of the first.
-    pub fn bind(&self, index: usize, with: &MaterialOverride, binder: &mut MaterialBinder<'_>) -> usize {
-        let source = MaterialSource {
-            name: &self.name,
-            format: self.format,
-            folders: &self.folders,
-            materials: &self.materials,
-            used: &self.used,
-            images: &[],
-        };
-        binder.add(index, with, &source)
+impl CachedMesh {
+    /// The mesh with or without tangents, whichever there is.
+    pub fn any(&self) -> Option<&Arc<Mesh>> {
+        self.plain.as_ref().or(self.with_tangents.as_ref())
     }
 }
 
@@ -131,5 +94,30 @@ impl AssetCache {
             && known.background == spec.background
             && (known.layout, known.size) == (spec.layout, spec.size);
         same.then(|| environment.clone())
+    }
+}
+
+/// The normals of a mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct NormalChoice {
+    normals: Normals,
+    crease_angle_rad: Option<f64>,
+}
+
+impl NormalChoice {
+    pub fn for_object(object: &ObjectSpec) -> Self {
+        // Flat normals have no creases to speak of.
+        let crease_angle = object.crease_angle.filter(|_| object.normals != Normals::Flat);
+        NormalChoice { normals: object.normals, crease_angle_rad: crease_angle.map(f64::to_radians) }
+    }
+}
+
+/// The mesh with normals of its own, from the file or made.
+pub(crate) fn with_normals(mesh: Mesh, choice: NormalChoice) -> (Mesh, Vec<Diagnostic>) {
+    let averaging = Averaging { crease_angle_rad: choice.crease_angle_rad };
+    match choice.normals {
+        Normals::File => normals::complete_with(mesh, &averaging),
+        Normals::Flat => (normals::make_flat(&mesh), Vec::new()),
+        Normals::Averaged => normals::make_averaged_with(&mesh, &averaging),
     }
 }

@@ -1,7 +1,7 @@
 //! The same scene with coarser meshes: how the picture depends on the number of triangles.
 
+use crate::asset_cache::{NormalChoice, with_normals};
 use crate::files::{self, BUILTIN};
-use crate::load::{NormalChoice, with_normals};
 use crate::scene::{ObjectPart, Scene};
 use crate::scene_file::ObjectSpec;
 use gonio_mesh::{Mesh, simplify, sphere, tangents, topology};
@@ -9,27 +9,27 @@ use std::sync::{Arc, OnceLock};
 
 /// The level of detail of objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Detail {
+pub enum LevelOfDetail {
     /// Each mesh simplified to this share of its triangles, above 0, at most 1.
     Share(f64),
     /// Each built-in sphere as one of about so many triangles: of the next of 8, 32, 72, ... 8 f².
     Sphere(usize),
 }
 
-impl Detail {
+impl LevelOfDetail {
     /// A mesh of an object in this detail; `None` where it stays what it is.
     ///
     /// Simplifying a large mesh takes seconds: it is meant to be done beside the window.
     pub fn mesh_for(self, mesh: &Mesh, object: &ObjectSpec) -> Option<Mesh> {
         let other = match self {
-            Detail::Share(share) => {
+            LevelOfDetail::Share(share) => {
                 let wanted = (share.clamp(0.0, 1.0) * mesh.triangle_count() as f64).round() as usize;
                 if wanted >= mesh.triangle_count() {
                     return None;
                 }
                 simplify::simplify(mesh, wanted)
             }
-            Detail::Sphere(triangles) => {
+            LevelOfDetail::Sphere(triangles) => {
                 if !is_sphere(object) {
                     return None;
                 }

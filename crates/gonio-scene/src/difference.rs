@@ -53,7 +53,7 @@ pub fn within(value: f64, limit: f64) -> bool {
 
 /// Statistics of the differences of encoded values, in 8-bit steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Tally {
+pub struct DifferenceStatistics {
     sum: f64,
     squares: f64,
     max: f64,
@@ -62,7 +62,7 @@ pub struct Tally {
     differing: u64,
 }
 
-impl Tally {
+impl DifferenceStatistics {
     /// Adds a pixel, whose number is `index`: encoded values from 0 to 1. It counts as differing where a value differs by
     /// more than `tolerance` steps.
     pub fn add(&mut self, index: usize, a: &[f64], b: &[f64], tolerance: f64) {
@@ -83,8 +83,8 @@ impl Tally {
     }
 
     /// This and what comes after it in the picture.
-    pub fn with(self, next: Tally) -> Tally {
-        Tally {
+    pub fn with(self, next: DifferenceStatistics) -> DifferenceStatistics {
+        DifferenceStatistics {
             sum: self.sum + next.sum,
             squares: self.squares + next.squares,
             max: self.max.max(next.max),
@@ -118,8 +118,8 @@ impl Tally {
 }
 
 /// Compares pictures of four bytes a pixel by their colours, as displayed; what is longer is cut off.
-pub fn of_bytes(a: &[u8], b: &[u8], tolerance: f64) -> Tally {
-    let mut tally = Tally::default();
+pub fn of_bytes(a: &[u8], b: &[u8], tolerance: f64) -> DifferenceStatistics {
+    let mut tally = DifferenceStatistics::default();
     let scaled = |p: &[u8]| [p[0], p[1], p[2]].map(|v| f64::from(v) / 255.0);
     for (index, (a, b)) in a.chunks_exact(4).zip(b.chunks_exact(4)).enumerate() {
         tally.add(index, &scaled(a), &scaled(b), tolerance);
@@ -163,7 +163,8 @@ mod tests {
         assert_eq!((tally.worst(), tally.differing()), (Some(1), 1));
         let psnr = tally.psnr_db().unwrap_or_default();
         assert!((psnr - 20.0 * (255.0 / (25.0_f64 / 6.0).sqrt()).log10()).abs() < 1e-9);
-        let halves = of_bytes(&a[..4], &b[..4], 3.0).with(Tally { worst: 1, ..of_bytes(&a[4..], &b[4..], 3.0) });
+        let halves =
+            of_bytes(&a[..4], &b[..4], 3.0).with(DifferenceStatistics { worst: 1, ..of_bytes(&a[4..], &b[4..], 3.0) });
         assert_eq!(halves, tally);
         assert_eq!(of_bytes(&a, &a, 0.0).psnr_db(), None);
         assert_eq!(of_bytes(&a, &a, 0.0).worst(), None);

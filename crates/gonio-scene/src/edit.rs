@@ -3,13 +3,13 @@
 //! A window edits the settings (a light is dragged, a colour is chosen) many times a second. Everything that does not
 //! need another file or other normals follows from what [`crate::load`] left in the scene's [`crate::AssetCache`].
 
-use crate::assemble::assemble;
-use crate::load::{NormalChoice, lacks_surroundings, world_from_model};
-use crate::material_binding::MaterialBinder;
-use crate::scene::Scene;
+use crate::asset_cache::NormalChoice;
+use crate::load::{assemble, lacks_surroundings};
+use crate::material_binding::{MaterialBinder, MaterialSource};
+use crate::scene::{Scene, world_from_model};
 use crate::scene_file::{ObjectSpec, SceneFile};
 use crate::settings::SceneSettings;
-use crate::validate::{self, Problem};
+use crate::validate::{self, InvalidValue};
 use gonio_mesh::Diagnostic;
 use std::sync::{Arc, OnceLock};
 
@@ -45,7 +45,7 @@ pub struct Applied {
 /// # Errors
 ///
 /// The first value that is out of its range.
-pub fn apply(loaded: &Scene, mut scene: SceneSettings) -> Result<Edited, Problem> {
+pub fn apply(loaded: &Scene, mut scene: SceneSettings) -> Result<Edited, InvalidValue> {
     validate::check(&SceneFile::from(&scene))?;
     let cache = &loaded.cache;
     let known: Option<Vec<(usize, usize)>> = scene.objects.iter().map(|object| cache.find(object)).collect();
@@ -105,7 +105,9 @@ fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> O
         .objects
         .iter()
         .zip(known)
-        .map(|(object, &(model, _))| cache.models[model].bind(model, &object.material, &mut binder))
+        .map(|(object, &(model, _))| {
+            binder.add(model, &object.material, &MaterialSource::of_cached(&cache.models[model]))
+        })
         .collect();
     let bound = binder.recall(&cache.textures)?;
     let mesh_of_object: Vec<usize> = known.iter().map(|&(_, mesh)| mesh).collect();

@@ -1,6 +1,5 @@
 //! The environment of a scene, ready to be looked up.
 
-use crate::scene::Scene;
 use glam::{DMat3, DQuat, DVec3};
 use gonio_environment::{CubeMips, Cubemap, GlossyMips, Harmonics};
 use std::sync::OnceLock;
@@ -96,21 +95,6 @@ impl Default for Surroundings {
 pub fn world_from_environment([yaw, pitch, roll]: [f64; 3]) -> DMat3 {
     let turn = |axis: DVec3, degrees: f64| DQuat::from_axis_angle(axis, degrees.to_radians());
     DMat3::from_quat(turn(DVec3::Y, yaw) * turn(DVec3::X, pitch) * turn(DVec3::Z, roll))
-}
-
-impl Scene {
-    /// The part of the environment; `None` where there is none.
-    pub fn surroundings(&self) -> Option<Surroundings> {
-        self.environment.as_ref()?;
-        let settings = self.settings.environment.clone().unwrap_or_default();
-        Some(Surroundings {
-            environment_from_world: world_from_environment(settings.rotate).transpose(),
-            intensity: settings.intensity,
-            lights: settings.light,
-            visible: settings.visible,
-            blur: settings.blur,
-        })
-    }
 }
 
 #[cfg(test)]

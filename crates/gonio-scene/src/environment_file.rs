@@ -4,14 +4,14 @@ use crate::environment::LoadedEnvironment;
 use crate::files::{self, Budgeted, FileSource};
 use crate::input_kind;
 use crate::scene_file::EnvironmentSpec;
-use crate::toml_tree::nearest;
+use crate::toml_table::nearest;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::builtin::{self, Builtin};
 use gonio_environment::convert::{Conversion, EnvironmentRef};
 use gonio_environment::names::{self, Assignment};
 use gonio_environment::{Cubemap, EnvironmentError, Face, Layout, Panorama};
 use gonio_image::Image;
-use gonio_image::decode::{Decoded, FileFormat, DecodedContent, decode};
+use gonio_image::decode::{Decoded, DecodedContent, FileFormat, decode};
 use gonio_mesh::{Cause, Diagnostic, Limits, ReadError};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ pub struct OpenedEnvironment {
 
 /// Options for opening an environment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct OpenOptions {
+pub struct EnvironmentReadOptions {
     /// The layout of the faces. By default photographic for six files, a cross or a strip, and OpenGL's for KTX2 and DDS,
     /// as these formats define.
     pub layout: Option<Layout>,
@@ -95,7 +95,7 @@ pub(crate) fn rebased(base: &Path, name: &str) -> String {
 /// faces that are missing, or do not fit together; an arrangement or a size that what is named cannot have.
 pub fn open(
     name: &str,
-    options: OpenOptions,
+    options: EnvironmentReadOptions,
     base: &Path,
     files: &dyn FileSource,
     limits: &Limits,
@@ -114,7 +114,7 @@ fn layout_unused(name: &str) -> Diagnostic {
 /// [`open`] without the warning about an unused layout.
 fn open_within<S: FileSource>(
     name: &str,
-    options: OpenOptions,
+    options: EnvironmentReadOptions,
     base: &Path,
     files: &Budgeted<S>,
 ) -> Result<OpenedEnvironment, ReadError> {
@@ -168,7 +168,7 @@ fn nearest_builtin(name: &str) -> Option<&'static str> {
 fn open_builtin(
     name: &str,
     kind: Builtin,
-    options: OpenOptions,
+    options: EnvironmentReadOptions,
     files: &dyn FileSource,
     limits: &gonio_image::DecodeLimits,
 ) -> Result<OpenedEnvironment, EnvironmentError> {
@@ -198,7 +198,7 @@ fn open_builtin(
 }
 
 struct Reader<'a, S> {
-    options: OpenOptions,
+    options: EnvironmentReadOptions,
     files: &'a Budgeted<S>,
 }
 
@@ -420,7 +420,7 @@ pub(crate) fn load<S: FileSource>(
     base: &Path,
     files: &Budgeted<S>,
 ) -> Result<ReadEnvironment, ReadError> {
-    let options = OpenOptions { layout: spec.layout, arrangement: None, size: spec.size };
+    let options = EnvironmentReadOptions { layout: spec.layout, arrangement: None, size: spec.size };
     let opened = open_within(&spec.image, options, base, files)?;
     let mut layouts: Vec<Layout> = opened.layout.into_iter().collect();
     let mut diagnostics = opened.diagnostics;

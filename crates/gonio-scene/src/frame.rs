@@ -1,18 +1,17 @@
 //! One moment of a scene: the input of a renderer.
 
 use crate::camera::Camera;
-use crate::environment::Surroundings;
-use crate::framing::Extent;
-use crate::motion::position_at;
-use crate::scene::Scene;
+use crate::environment::{Surroundings, world_from_environment};
+use crate::scene::{Extent, Scene};
 use crate::scene_file::LightSourceKind;
-use crate::settings::{EquationSettings, LightSettings};
+use crate::settings::{EquationSettings, LightSettings, Motion, MotionPath};
 use crate::texture::TextureFilter;
 use glam::{DQuat, DVec3};
 use gonio_light::brdf::BrdfSettings;
 use gonio_light::color::OutputTransform;
 use gonio_light::vector::unit;
 use gonio_light::{Attenuation, Equation, Light, LightKind, TermSwitches};
+use std::f64::consts::TAU;
 
 /// The background: linear radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,6 +99,19 @@ impl Scene {
         }
     }
 
+    /// The part of the environment; `None` where there is none.
+    pub fn surroundings(&self) -> Option<Surroundings> {
+        self.environment.as_ref()?;
+        let settings = self.settings.environment.clone().unwrap_or_default();
+        Some(Surroundings {
+            environment_from_world: world_from_environment(settings.rotate).transpose(),
+            intensity: settings.intensity,
+            lights: settings.light,
+            visible: settings.visible,
+            blur: settings.blur,
+        })
+    }
+
     /// `frame` for an orbit to start from: a camera that was chosen to frame the objects from one side
     /// steps back until they are in the picture from every side. A camera that was asked for stays.
     pub fn orbit_start(&self, frame: &Frame) -> Frame {
@@ -178,6 +190,39 @@ fn light_at(light: &LightSettings, time: f64) -> Light {
         color: if light.enabled { DVec3::from(light.color) * light.intensity } else { DVec3::ZERO },
         attenuation: Attenuation { constant: light.constant, linear: light.linear, quadratic: light.quadratic },
     }
+}
+
+/// The position at `time`, seconds, of a light whose motion starts at `position`.
+///
+/// All motions repeat after `period`. At time 0 the light is at `position`, on a path at its first point.
+pub fn position_at(motion: &Motion, position: DVec3, time: f64) -> DVec3 {
+    let turns = time / motion.period;
+    if !turns.is_finite() {
+        return position;
+    }
+    match &motion.path {
+        MotionPath::Oscillate { amplitude } => position + DVec3::from(*amplitude) * (TAU * turns).sin(),
+        MotionPath::Circle { center, axis } => {
+            let center = DVec3::from(*center);
+            let axis = unit(DVec3::from(*axis)).unwrap_or(DVec3::Y);
+            center + DQuat::from_axis_angle(axis, TAU * turns) * (position - center)
+        }
+        MotionPath::Path { points } => along(points, turns - turns.floor(), position),
+    }
+}
+
+/// The point at `share` in [0, 1) of the closed path's length: constant speed.
+fn along(points: &[[f64; 3]], share: f64, position: DVec3) -> DVec3 {
+    let point = |i: usize| DVec3::from(points[i % points.len()]);
+    let lengths: Vec<f64> = (0..points.len()).map(|i| point(i).distance(point(i + 1))).collect();
+    let mut left = share * lengths.iter().sum::<f64>();
+    for (i, &length) in lengths.iter().enumerate() {
+        if left < length {
+            return point(i).lerp(point(i + 1), left / length);
+        }
+        left -= length;
+    }
+    points.first().map_or(position, |&p| p.into())
 }
 
 impl From<&EquationSettings> for Equation {

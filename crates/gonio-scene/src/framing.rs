@@ -3,7 +3,7 @@
 use crate::camera::Camera;
 use crate::color_value::Color;
 use crate::defaults;
-use crate::scene::Scene;
+use crate::scene::{Extent, Scene};
 use crate::scene_file::{CameraSpec, LightSourceKind};
 use crate::settings::{Aim, CameraSettings, EquationSettings, LightSettings};
 use glam::{DQuat, DVec3};
@@ -19,12 +19,6 @@ const AZIMUTH_DEG: f64 = 25.0;
 /// ... and from above: a little for what stands upright, more for what lies flat, so that a table top is
 /// seen as one. Between height / width of 0.6 and 0.2 the angle goes from the first to the second.
 const ELEVATION_DEG: (f64, f64) = (12.0, 27.0);
-
-/// The extent of all objects along directions.
-pub(crate) trait Extent {
-    /// For each direction (any length) the largest `direction . p` over all points `p`, world space.
-    fn support(&self, directions: &[DVec3]) -> Vec<f64>;
-}
 
 /// The sphere around the box of all objects; of radius 1 where there is no extent.
 #[derive(Clone, Copy, Debug)]

@@ -1,26 +1,103 @@
-//! From a scene file to a complete scene.
+//! From the inputs that a user names to a scene file, and from a scene file to a complete scene.
 
-use crate::assemble::assemble;
-use crate::asset_cache::{self, AssetCache, CachedMesh, CachedModel, MaterialSource};
+use crate::asset_cache::{AssetCache, CachedMesh, CachedModel, NormalChoice, with_normals};
 use crate::environment_file;
 use crate::files::{self, Budgeted, FileSource};
 use crate::framing::{self, BoundingSphere};
-use crate::material_binding::MaterialBinder;
+use crate::input_kind::{self, InputKind};
+use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
 use crate::model_file::{self, ModelFile};
 use crate::model_scene;
-use crate::scene::{Scene, SceneMaterial};
-use crate::scene_file::{MaterialOverride, Normals, ObjectSpec, SceneFile};
+use crate::scene::{Object, ObjectPart, Scene, world_from_model};
+use crate::scene_file::{ObjectSpec, SceneFile};
 use crate::settings::{EnvironmentSettings, EquationSettings, LightSettings, SceneSettings};
+use crate::toml_file;
+use crate::toml_table::line_and_column;
 use crate::validate;
-use glam::{DMat4, DQuat, DVec3};
-use gonio_light::{Fresnel, Optics};
-use gonio_mesh::normals::Averaging;
-use gonio_mesh::{Cause, Diagnostic, Limits, Material, Mesh, ReadError, normals, topology};
+use gonio_mesh::{Cause, Diagnostic, Limits, Mesh, ReadError, encoding, tangents, topology};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub use crate::describe::describe;
+/// Reads what `inputs` name: scene files (`.toml`), bare models, or `builtin:NAME` of either. The
+/// models of a scene file are relative to its folder; in the result they are relative to the current
+/// one, so that [`load`] is given an empty base.
+///
+/// Several inputs become one scene, models in the coordinates of their files; the first scene file
+/// among them gives picture, camera, background and equation. Models are only read as far as it takes to
+/// detect their format.
+pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<SceneFile, ReadError> {
+    if inputs.is_empty() {
+        return Err(ReadError::new("nothing to read: name a model, a scene file or builtin:suzanne"));
+    }
+    let mut whole = SceneFile::default();
+    let mut has_settings = false;
+    for &input in inputs {
+        let (mut scene, is_scene_file) = describe_one(input, files).map_err(|e| e.in_file(input))?;
+        whole.objects.append(&mut scene.objects);
+        whole.lights.append(&mut scene.lights);
+        if is_scene_file && !has_settings {
+            has_settings = true;
+            whole = SceneFile { objects: whole.objects, lights: whole.lights, ..scene };
+        }
+    }
+    Ok(whole)
+}
+
+/// The scene of one input, and whether it came from a scene file.
+fn describe_one(input: &str, files: &dyn FileSource) -> Result<(SceneFile, bool), ReadError> {
+    let path = files::resolve(Path::new(""), input);
+    let explain = |e: std::io::Error| {
+        if e.kind() == std::io::ErrorKind::NotFound && environment_file::builtin_of(input).is_some() {
+            let message = "this is a built-in environment, not a model; to surround a model by it, name it as the \
+                           environment";
+            return ReadError::new(message).caused_by(Cause::EnvironmentAsModel);
+        }
+        files::failed(&e)
+    };
+    let bytes = files::read(files, &path).map_err(explain)?;
+    match input_kind::detect(&bytes, &path)? {
+        InputKind::Model => {
+            let object = ObjectSpec { model: input.to_owned(), ..ObjectSpec::default() };
+            Ok((SceneFile { objects: vec![object], ..SceneFile::default() }, false))
+        }
+        InputKind::Scene => {
+            let bytes = scene_text(&bytes)?;
+            let text = std::str::from_utf8(&bytes).map_err(|e| not_utf8(&bytes, e.valid_up_to()))?;
+            let mut scene = toml_file::read(text)?;
+            let base = path.parent().unwrap_or(Path::new(""));
+            for object in &mut scene.objects {
+                if !object.model.starts_with(files::BUILTIN) {
+                    object.model = files::resolve(base, &object.model).to_string_lossy().into_owned();
+                }
+            }
+            if let Some(environment) = &mut scene.environment {
+                for image in std::iter::once(&mut environment.image).chain(&mut environment.background) {
+                    *image = environment_file::rebased(base, image);
+                }
+            }
+            Ok((scene, true))
+        }
+    }
+}
+
+/// The text of a scene file as UTF-8: nothing of it may be lost.
+fn scene_text(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
+    let text = encoding::to_utf8(bytes);
+    match text.diagnostics.first() {
+        Some(damage) => {
+            let message = "a scene file must be UTF-8 or UTF-16 text, and here it is neither".to_owned();
+            Err(ReadError { message, file: None, line: damage.line, column: damage.column, cause: None })
+        }
+        None => Ok(text.bytes),
+    }
+}
+
+fn not_utf8(bytes: &[u8], valid: usize) -> ReadError {
+    let (line, column) = line_and_column(&String::from_utf8_lossy(&bytes[..valid]), valid);
+    ReadError::new("a scene file must be UTF-8 text, and here it is not").at(line, Some(column))
+}
 
 /// A model's mesh with one choice of normals.
 struct PreparedMesh {
@@ -72,7 +149,7 @@ pub fn load_within(
     let mut diagnostics = Vec::new();
     let mut binder = MaterialBinder::new(files, files.budget());
     let mut first_material = Vec::with_capacity(scene.objects.len());
-    let used: Vec<Vec<bool>> = models.iter().map(|file| asset_cache::used_materials(&file.model)).collect();
+    let used: Vec<Vec<bool>> = models.iter().map(|file| used_materials(&file.model)).collect();
     let folders: Vec<Vec<PathBuf>> = models.iter().map(ModelFile::texture_folders).collect();
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
         let source = MaterialSource::of_file(&models[m], &folders[m], &used[m]);
@@ -155,31 +232,6 @@ fn prepare(mesh: Mesh, choice: NormalChoice) -> (PreparedMesh, Vec<Diagnostic>) 
     (PreparedMesh { mesh, closed }, diagnostics)
 }
 
-/// The normals of a mesh.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct NormalChoice {
-    normals: Normals,
-    crease_angle_rad: Option<f64>,
-}
-
-impl NormalChoice {
-    pub fn for_object(object: &ObjectSpec) -> Self {
-        // Flat normals have no creases to speak of.
-        let crease_angle = object.crease_angle.filter(|_| object.normals != Normals::Flat);
-        NormalChoice { normals: object.normals, crease_angle_rad: crease_angle.map(f64::to_radians) }
-    }
-}
-
-/// The mesh with normals of its own, from the file or made.
-pub(crate) fn with_normals(mesh: Mesh, choice: NormalChoice) -> (Mesh, Vec<Diagnostic>) {
-    let averaging = Averaging { crease_angle_rad: choice.crease_angle_rad };
-    match choice.normals {
-        Normals::File => normals::complete_with(mesh, &averaging),
-        Normals::Flat => (normals::make_flat(&mesh), Vec::new()),
-        Normals::Averaged => normals::make_averaged_with(&mesh, &averaging),
-    }
-}
-
 /// The warning about mirrors and glass without an environment.
 pub(crate) fn lacks_surroundings() -> Diagnostic {
     Diagnostic::warning(
@@ -206,71 +258,75 @@ fn complete(file: SceneFile, scene: &Scene) -> SceneSettings {
     SceneSettings { picture, camera, background, environment, equation, objects, lights }
 }
 
-/// `M = T * Rz * Ry * Rx * S`: scaled, then turned about the world's x, y and z axes, then moved.
-pub fn world_from_model(object: &ObjectSpec) -> DMat4 {
-    let [x, y, z] = object.rotate.map(f64::to_radians);
-    let rotation = DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x);
-    DMat4::from_scale_rotation_translation(object.scale.into(), rotation, object.translate.into())
-}
-
-/// The material of an object: the model's, with the values that the scene replaces.
-pub(crate) fn overridden(mut material: Material, with: &MaterialOverride) -> Material {
-    let rgb = |c: crate::color_value::Color| c.0.map(|v| v as f32);
-    if with.textures == Some(false) {
-        material.diffuse_map = None;
-        material.specular_map = None;
-        material.emitted_map = None;
-        material.shininess_map = None;
-        material.opacity_map = None;
-        material.normal_map = None;
-        material.bump_map = None;
-        material.metallic_roughness = None;
+/// Fills in `meshes` and `objects` of `loaded`, whose materials are there: objects in the scene's order, tangents where
+/// a normal map needs them. `mesh_of_object` indexes `cache`, `first_material` the materials.
+pub(crate) fn assemble(
+    loaded: &mut Scene,
+    specs: &[ObjectSpec],
+    cache: &mut [CachedMesh],
+    mesh_of_object: &[usize],
+    first_material: &[usize],
+    diagnostics: &mut Vec<Diagnostic>,
+) {
+    // A mesh of the cache with or without tangents, each once.
+    let mut wanted: Vec<(usize, bool)> = Vec::new();
+    let mut index_of_object = Vec::with_capacity(specs.len());
+    for (&mesh, &first) in mesh_of_object.iter().zip(first_material) {
+        let has_normal_map = |material: usize| loaded.materials.get(material).is_some_and(|m| m.maps.normal.is_some());
+        let parts = cache[mesh].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
+        let tangents = parts.iter().any(|part| part.triangle_count > 0 && has_normal_map(first + part.material));
+        let index = wanted.iter().position(|key| *key == (mesh, tangents)).unwrap_or(wanted.len());
+        if index == wanted.len() {
+            wanted.push((mesh, tangents));
+        }
+        index_of_object.push(index);
     }
-    if let Some(c) = with.ambient {
-        material.ambient = gonio_mesh::AmbientRule::Value(rgb(c));
+    let lacking: Vec<usize> =
+        wanted.iter().filter(|(m, t)| *t && cache[*m].with_tangents.is_none()).map(|w| w.0).collect();
+    let made: Vec<Option<Mesh>> =
+        lacking.par_iter().map(|&m| cache[m].plain.as_ref().and_then(|mesh| tangents::with_tangents(mesh))).collect();
+    for (&m, made) in lacking.iter().zip(made) {
+        if let Some(mesh) = made {
+            cache[m].with_tangents = Some(Arc::new(mesh));
+            continue;
+        }
+        let object = mesh_of_object.iter().position(|mesh| *mesh == m).unwrap_or(0);
+        let name = specs.get(object).map_or("", |object| object.model.as_str());
+        let message = "the normal map is ignored: the mesh has no texture coordinates";
+        diagnostics.push(Diagnostic::warning(message).in_file(name));
     }
-    if let Some(c) = with.diffuse {
-        (material.diffuse, material.diffuse_map) = (rgb(c), None);
+    for &(m, tangents) in &wanted {
+        let of = &cache[m];
+        let [first, second] = if tangents { [&of.with_tangents, &of.plain] } else { [&of.plain, &of.with_tangents] };
+        loaded.meshes.push(first.as_ref().or(second.as_ref()).cloned().unwrap_or_default());
     }
-    if let Some(c) = with.specular {
-        (material.specular, material.specular_map) = (rgb(c), None);
+    // A mesh with tangents can replace the one without, which is kept only while it is drawn.
+    for (m, of) in cache.iter_mut().enumerate() {
+        if of.with_tangents.is_some() && !wanted.contains(&(m, false)) {
+            of.plain = None;
+        }
     }
-    if let Some(c) = with.emitted {
-        (material.emitted, material.emitted_map) = (rgb(c), None);
-    }
-    if let Some(v) = with.shininess {
-        (material.shininess, material.shininess_map) = (v as f32, None);
-    }
-    if let Some(medium) = with.medium {
-        material.refraction_index = medium.refraction_index() as f32;
-    }
-    if let Some(v) = with.refraction_index {
-        material.refraction_index = v as f32;
-    }
-    if let Some(v) = with.opacity {
-        (material.opacity, material.opacity_map) = (v as f32, None);
-    }
-    material
-}
-
-/// Reflection and refraction of an object. Only the scene file has them: model files have no keys for them.
-pub(crate) fn optics_of(with: &MaterialOverride) -> Optics {
-    let usual = Optics::default();
-    let clear = with.medium.is_some();
-    Optics {
-        reflectivity: with.reflectivity.unwrap_or(usual.reflectivity),
-        transmission: with.transmission.unwrap_or(if clear { 1.0 } else { usual.transmission }),
-        fresnel: with.fresnel.unwrap_or(if clear { Fresnel::Exact } else { usual.fresnel }),
-        tint: with.tint.map_or(usual.tint, DVec3::from),
-        absorption: with.absorption.map_or(usual.absorption, DVec3::from),
-        dispersion: with.dispersion.unwrap_or(usual.dispersion),
-        surfaces: with.surfaces.unwrap_or(usual.surfaces),
-    }
-}
-
-/// A material whose textures were all found, for tests and tools that build scenes by hand.
-impl From<Material> for SceneMaterial {
-    fn from(material: Material) -> Self {
-        SceneMaterial { material, maps: crate::scene::Maps::default(), optics: Optics::default() }
+    let last_material = loaded.materials.len().saturating_sub(1);
+    for (i, spec) in specs.iter().enumerate() {
+        let mesh = &loaded.meshes[index_of_object[i]];
+        let parts: Vec<ObjectPart> = mesh
+            .parts
+            .iter()
+            .map(|part| ObjectPart {
+                name: part.name.clone(),
+                first_triangle: part.first_triangle,
+                triangle_count: part.triangle_count,
+                material: (first_material[i] + part.material).min(last_material),
+            })
+            .collect();
+        let opaque = parts.iter().all(|p| !loaded.materials[p.material].is_transparent());
+        loaded.objects.push(Object {
+            name: spec.name.clone(),
+            mesh: index_of_object[i],
+            shading: spec.shading,
+            world_from_model: world_from_model(spec),
+            parts,
+            closed: opaque && cache[mesh_of_object[i]].closed,
+        });
     }
 }

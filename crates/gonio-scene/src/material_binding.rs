@@ -1,16 +1,61 @@
 //! Materials and their textures.
 
-use crate::asset_cache::MaterialSource;
+use crate::asset_cache::CachedModel;
+use crate::color_value::Color;
 use crate::files::{Budget, FileSource};
-use crate::load::{optics_of, overridden};
+use crate::model_file::ModelFile;
 use crate::scene::{BoundTexture, Maps, SceneMaterial};
 use crate::scene_file::MaterialOverride;
 use crate::texture::Texture;
 use crate::texture_library::{DecodedLibrary, Requester, TextureCache, TextureLibrary, TextureUse};
 use crate::texture_recipe::{Metal, Purpose, Rule};
-use gonio_light::Optics;
-use gonio_mesh::{Diagnostic, Format, Material, TextureMap};
+use glam::DVec3;
+use gonio_light::{Fresnel, Optics};
+use gonio_mesh::{AmbientRule, Diagnostic, EmbeddedImage, Format, Material, Model, TextureMap};
+use std::path::PathBuf;
 use std::sync::Arc;
+
+/// The source of materials: a model file that was just read, or its cached form.
+pub(crate) struct MaterialSource<'a> {
+    pub name: &'a str,
+    pub format: Format,
+    pub folders: &'a [PathBuf],
+    pub materials: &'a [Material],
+    pub used: &'a [bool],
+    pub images: &'a [EmbeddedImage],
+}
+
+impl<'a> MaterialSource<'a> {
+    /// Takes the materials of a file, with [`ModelFile::texture_folders`] and [`used_materials`].
+    pub fn of_file(file: &'a ModelFile, folders: &'a [PathBuf], used: &'a [bool]) -> Self {
+        let model = &file.model;
+        let (name, format) = (file.name.as_str(), file.format);
+        MaterialSource { name, format, folders, materials: &model.materials, used, images: &model.images }
+    }
+
+    /// Takes the materials of a cached model, whose textures are in the cache.
+    pub fn of_cached(model: &'a CachedModel) -> Self {
+        MaterialSource {
+            name: &model.name,
+            format: model.format,
+            folders: &model.folders,
+            materials: &model.materials,
+            used: &model.used,
+            images: &[],
+        }
+    }
+}
+
+/// Returns for each material of a model whether any triangle has it.
+pub(crate) fn used_materials(model: &Model) -> Vec<bool> {
+    let mut used = vec![false; model.materials.len()];
+    for part in model.mesh.parts.iter().filter(|part| part.triangle_count > 0) {
+        if let Some(used) = used.get_mut(part.material) {
+            *used = true;
+        }
+    }
+    used
+}
 
 /// A requested texture: the job, and the map with its placement.
 type Request = Option<(usize, TextureMap)>;
@@ -235,5 +280,60 @@ impl Requests<'_, '_> {
         let data = |m: &TextureMap| Purpose::Data(Rule::new(m.texel));
         pending.shininess = self.one(&from.roughness_map, data, "map_Pr", "roughness texture");
         pending.roughness = pending.shininess.is_some().then_some(from.roughness);
+    }
+}
+
+/// The material of an object: the model's, with the values that the scene replaces.
+fn overridden(mut material: Material, with: &MaterialOverride) -> Material {
+    let rgb = |c: Color| c.0.map(|v| v as f32);
+    if with.textures == Some(false) {
+        material.diffuse_map = None;
+        material.specular_map = None;
+        material.emitted_map = None;
+        material.shininess_map = None;
+        material.opacity_map = None;
+        material.normal_map = None;
+        material.bump_map = None;
+        material.metallic_roughness = None;
+    }
+    if let Some(c) = with.ambient {
+        material.ambient = AmbientRule::Value(rgb(c));
+    }
+    if let Some(c) = with.diffuse {
+        (material.diffuse, material.diffuse_map) = (rgb(c), None);
+    }
+    if let Some(c) = with.specular {
+        (material.specular, material.specular_map) = (rgb(c), None);
+    }
+    if let Some(c) = with.emitted {
+        (material.emitted, material.emitted_map) = (rgb(c), None);
+    }
+    if let Some(v) = with.shininess {
+        (material.shininess, material.shininess_map) = (v as f32, None);
+    }
+    if let Some(medium) = with.medium {
+        material.refraction_index = medium.refraction_index() as f32;
+    }
+    if let Some(v) = with.refraction_index {
+        material.refraction_index = v as f32;
+    }
+    if let Some(v) = with.opacity {
+        (material.opacity, material.opacity_map) = (v as f32, None);
+    }
+    material
+}
+
+/// Reflection and refraction of an object. Only the scene file has them: model files have no keys for them.
+fn optics_of(with: &MaterialOverride) -> Optics {
+    let usual = Optics::default();
+    let clear = with.medium.is_some();
+    Optics {
+        reflectivity: with.reflectivity.unwrap_or(usual.reflectivity),
+        transmission: with.transmission.unwrap_or(if clear { 1.0 } else { usual.transmission }),
+        fresnel: with.fresnel.unwrap_or(if clear { Fresnel::Exact } else { usual.fresnel }),
+        tint: with.tint.map_or(usual.tint, DVec3::from),
+        absorption: with.absorption.map_or(usual.absorption, DVec3::from),
+        dispersion: with.dispersion.unwrap_or(usual.dispersion),
+        surfaces: with.surfaces.unwrap_or(usual.surfaces),
     }
 }

@@ -1,8 +1,8 @@
 //! Lights and cameras of model files, taken over into the scene.
 
 use crate::color_value::Color;
-use crate::load::world_from_model;
 use crate::model_file::ModelFile;
+use crate::scene::world_from_model;
 use crate::scene_file::{CameraSpec, LightSourceKind, LightSpec, SceneFile};
 use glam::{DMat4, DVec3};
 use gonio_light::vector::unit;

@@ -1,9 +1,8 @@
 //! Lights and materials as options of a command line: the same keys as in a scene file, in one line.
 
 use crate::scene_file::{LightSpec, MaterialOverride};
-use crate::table_reader::{TableReader, unknown_key};
-use crate::toml_reader;
-use crate::toml_tree::{Entry, Fault, Item, Value, nearest};
+use crate::toml_file;
+use crate::toml_table::{Entry, Fault, Item, TableReader, Value, nearest, unknown_key};
 use crate::validate;
 use gonio_light::optics::Medium;
 use std::ops::Range;
@@ -98,7 +97,7 @@ fn read_light(text: &str) -> Result<LightSpec, Fault> {
         light.push(entry("motion", &span, Value::Table(motion), &span));
     }
     let item = Item { value: Value::Table(light), span: whole };
-    let spec = toml_reader::read_light(TableReader::new("a light", &item)?)?;
+    let spec = toml_file::read_light(TableReader::new("a light", &item)?)?;
     validate::check_light("", &spec).map_err(|p| Fault::at(&item.locate(p.path.trim_start_matches('.')), p.message))?;
     Ok(spec)
 }
@@ -119,7 +118,7 @@ fn read_material(text: &str) -> Result<MaterialOverride, Fault> {
         return Err(Fault::at(&twice.key_span, format!("`{}` is given twice", twice.key)));
     }
     let item = Item { value: Value::Table(entries), span: 0..text.len() };
-    let spec = toml_reader::read_material(TableReader::new("a material", &item)?)?;
+    let spec = toml_file::read_material(TableReader::new("a material", &item)?)?;
     validate::check_material("", &spec)
         .map_err(|p| Fault::at(&item.locate(p.path.trim_start_matches('.')), p.message))?;
     Ok(spec)

@@ -2,11 +2,10 @@
 
 use crate::asset_cache::AssetCache;
 use crate::environment::LoadedEnvironment;
-use crate::framing::Extent;
-use crate::scene_file::Shading;
+use crate::scene_file::{ObjectSpec, Shading};
 use crate::settings::SceneSettings;
 use crate::texture::Texture;
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DQuat, DVec3};
 use gonio_light::Optics;
 use gonio_mesh::{Diagnostic, Material, Mesh, Wrap};
 use std::sync::{Arc, OnceLock};
@@ -74,6 +73,12 @@ impl Scene {
     }
 }
 
+/// The extent of all objects along directions.
+pub(crate) trait Extent {
+    /// For each direction (any length) the largest `direction . p` over all points `p`, world space.
+    fn support(&self, directions: &[DVec3]) -> Vec<f64>;
+}
+
 impl Extent for Scene {
     fn support(&self, directions: &[DVec3]) -> Vec<f64> {
         let mut reach = vec![f64::NEG_INFINITY; directions.len()];
@@ -107,6 +112,13 @@ pub struct Object {
     pub parts: Vec<ObjectPart>,
     /// Closed, front faces outward, opaque: back faces are never seen.
     pub closed: bool,
+}
+
+/// `M = T * Rz * Ry * Rx * S`: scaled, then turned about the world's x, y and z axes, then moved.
+pub fn world_from_model(object: &ObjectSpec) -> DMat4 {
+    let [x, y, z] = object.rotate.map(f64::to_radians);
+    let rotation = DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x);
+    DMat4::from_scale_rotation_translation(object.scale.into(), rotation, object.translate.into())
 }
 
 /// A run of triangles with one material.
@@ -186,5 +198,12 @@ impl SceneMaterial {
     /// Whether what is behind shows through anywhere.
     pub fn is_transparent(&self) -> bool {
         self.material.opacity < 1.0 || self.maps.opacity.is_some()
+    }
+}
+
+/// A material whose textures were all found, for tests and tools that build scenes by hand.
+impl From<Material> for SceneMaterial {
+    fn from(material: Material) -> Self {
+        SceneMaterial { material, maps: Maps::default(), optics: Optics::default() }
     }
 }

@@ -1,8 +1,7 @@
 //! Conversion of pictures to textures: channels, ranges, heights to normals, metalness to colours.
 
-use crate::height_map;
 use crate::image_file::Decoded;
-use gonio_light::color::{srgb_decode, srgb_encode};
+use gonio_image::srgb::{ENCODER, LINEAR_FROM_8};
 use gonio_mesh::{Channel, MetallicRoughness, TexelRule};
 
 /// The purpose of a texture, which determines the conversion of its numbers. Floats are kept as bits, so that uses can be
@@ -98,8 +97,8 @@ pub(crate) fn cook(purpose: Purpose, sources: &[&Decoded]) -> (Decoded, Option<S
             scalar(&mut picture, rule, channel);
         }
         Purpose::Normal(bits) => strengthen(&mut picture, bits),
-        Purpose::Bump(bits) if height_map::is_heights(&picture) => {
-            height_map::normals_of_heights(&mut picture, f32::from_bits(bits).into());
+        Purpose::Bump(bits) if is_heights(&picture) => {
+            normals_of_heights(&mut picture, f32::from_bits(bits).into());
             note = Some("is grey, so it is read as a height map".to_owned());
         }
         Purpose::Bump(bits) => {
@@ -115,7 +114,7 @@ pub(crate) fn cook(purpose: Purpose, sources: &[&Decoded]) -> (Decoded, Option<S
 fn strengthen(picture: &mut Decoded, bits: u32) {
     let strength = f64::from(f32::from_bits(bits));
     if strength != 1.0 {
-        height_map::strengthen(picture, strength);
+        scale_slopes(picture, strength);
     }
 }
 
@@ -164,8 +163,6 @@ fn of_metal(metal: Metal, sources: &[&Decoded], specular: bool) -> Decoded {
     let base = sources.get(usize::from(metal.has_picture));
     let width = sources.iter().map(|picture| picture.width).max().unwrap_or(1);
     let height = sources.iter().map(|picture| picture.height).max().unwrap_or(1);
-    let linear: Vec<f32> = (0..=255_u8).map(|v| srgb_decode(f64::from(v) / 255.0) as f32).collect();
-    let encode = |v: f32| (255.0 * srgb_encode(f64::from(v.clamp(0.0, 1.0))) + 0.5) as u8;
     let channel = metal.channel.unwrap_or(Channel::Red);
     let factor = metal.base_color.map(f32::from_bits);
     let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
@@ -180,17 +177,61 @@ fn of_metal(metal: Metal, sources: &[&Decoded], specular: bool) -> Decoded {
             let there = metalness.map_or(1.0, |metalness| f32::from(channel_of(texel(metalness), channel)) / 255.0);
             let m = f32::from_bits(metal.metallic) * there;
             let base = base.map_or([255; 4], |b| texel(b));
-            let color = [0, 1, 2].map(|c| linear[usize::from(base[c])]);
+            let color = [0, 1, 2].map(|c| LINEAR_FROM_8[usize::from(base[c])]);
             let made = if specular {
                 MetallicRoughness::specular([0, 1, 2].map(|c| factor[c] * color[c]), m)
             } else {
                 MetallicRoughness::diffuse(color, m)
             };
-            let [r, g, b] = made.map(encode);
+            let [r, g, b] = made.map(|light| ENCODER.encode(light));
             rgba.extend([r, g, b, base[3]]);
         }
     }
     Decoded { width, height, rgba, has_alpha: base.is_some_and(|b| b.has_alpha) }
+}
+
+/// A picture counts as heights if no texel's channels differ by more than this (of 255): room for
+/// what JPEG does to greys. A tangent-space normal map is bluish everywhere: (128, 128, 255).
+const GREY_TOLERANCE: u8 = 24;
+
+/// Whether the picture is grey, or nearly so: heights, not normals.
+fn is_heights(picture: &Decoded) -> bool {
+    let spread = |t: &[u8; 4]| t[0].max(t[1]).max(t[2]) - t[0].min(t[1]).min(t[2]);
+    let texels = picture.rgba.as_chunks::<4>().0;
+    let colored = texels.iter().filter(|t| spread(t) > GREY_TOLERANCE).count();
+    colored * 100 <= texels.len()
+}
+
+/// Heights (red channel) in `[0, 1]` to a tangent-space normal map, green up.
+///
+/// The slope along u is `strength * (h[x+1] - h[x-1]) / 2` per texel (central differences, the
+/// picture repeats), and so along v; the normal is `(-slope_u, -slope_v, 1)` at unit length, mapped
+/// from [-1, 1] to bytes. `strength` is the material's `-bm`.
+fn normals_of_heights(picture: &mut Decoded, strength: f64) {
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    let heights: Vec<f64> = picture.rgba.as_chunks::<4>().0.iter().map(|t| f64::from(t[0]) / 255.0).collect();
+    let at = |x: usize, y: usize| heights[y * width + x];
+    for (i, texel) in picture.rgba.as_chunks_mut::<4>().0.iter_mut().enumerate() {
+        let (x, y) = (i % width, i / width);
+        let slope_u = 0.5 * strength * (at((x + 1) % width, y) - at((x + width - 1) % width, y));
+        // Rows run down, v runs up.
+        let slope_v = 0.5 * strength * (at(x, (y + height - 1) % height) - at(x, (y + 1) % height));
+        *texel = to_bytes([-slope_u, -slope_v, 1.0]);
+    }
+}
+
+/// A normal map with its slopes multiplied by `strength`.
+fn scale_slopes(picture: &mut Decoded, strength: f64) {
+    for texel in picture.rgba.as_chunks_mut::<4>().0 {
+        let [x, y, z] = [0, 1, 2].map(|c| f64::from(texel[c]) / 127.5 - 1.0);
+        *texel = to_bytes([x * strength, y * strength, z]);
+    }
+}
+
+fn to_bytes(normal: [f64; 3]) -> [u8; 4] {
+    let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt().max(1e-12);
+    let [x, y, z] = normal.map(|c| (127.5 * (c / length + 1.0) + 0.5) as u8);
+    [x, y, z, 255]
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ pub const MAX_LENGTH: f64 = 1e15;
 
 /// A value that is out of its range.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Problem {
+pub struct InvalidValue {
     /// The path of the key: `camera.fov_y`, `light[0].motion.period`.
     pub path: String,
     /// One sentence that names the key.
@@ -27,21 +27,21 @@ pub struct Problem {
     pub cause: Option<Cause>,
 }
 
-impl From<Problem> for ReadError {
-    fn from(problem: Problem) -> Self {
+impl From<InvalidValue> for ReadError {
+    fn from(problem: InvalidValue) -> Self {
         ReadError { cause: problem.cause, ..ReadError::new(problem.message) }
     }
 }
 
-impl std::fmt::Display for Problem {
+impl std::fmt::Display for InvalidValue {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&self.message)
     }
 }
 
-impl std::error::Error for Problem {}
+impl std::error::Error for InvalidValue {}
 
-type Check = Result<(), Problem>;
+type Check = Result<(), InvalidValue>;
 
 /// Checks all values of `scene`; the error is about the first that is out of its range.
 pub fn check(scene: &SceneFile) -> Check {
@@ -148,7 +148,7 @@ fn check_environment(e: &EnvironmentSpec) -> Check {
     let at = "environment";
     if e.image.trim().is_empty() {
         let message = "the environment needs `image`: debug, sky, room, a picture or a folder of six faces".to_owned();
-        return Err(Problem { path: at.to_owned(), message, cause: Some(Cause::NoEnvironment) });
+        return Err(InvalidValue { path: at.to_owned(), message, cause: Some(Cause::NoEnvironment) });
     }
     if let Some(size) = e.size.filter(|size| !(1..=MAX_CUBEMAP_SIZE).contains(size)) {
         return fail(at, "size", format!("`size` must be 1 to {MAX_CUBEMAP_SIZE} texels, not {size}"));
@@ -272,7 +272,7 @@ fn check_motion(at_light: &str, m: &MotionSpec, position: Option<[f64; 3]>) -> C
     check_point(at, "center", m.center)?;
     check_direction(at, "axis", m.axis)?;
     for (i, point) in m.points.iter().flatten().enumerate() {
-        check_point(at, "points", Some(*point)).map_err(|p| Problem { path: format!("{at}.points[{i}]"), ..p })?;
+        check_point(at, "points", Some(*point)).map_err(|p| InvalidValue { path: format!("{at}.points[{i}]"), ..p })?;
     }
     if let (Some(first), Some(position)) = (m.points.as_ref().and_then(|p| p.first()), position)
         && *first != position
@@ -285,7 +285,7 @@ fn check_motion(at_light: &str, m: &MotionSpec, position: Option<[f64; 3]>) -> C
 
 fn fail(at: &str, key: &str, message: impl Into<String>) -> Check {
     let dot = if at.is_empty() || key.is_empty() { "" } else { "." };
-    Err(Problem { path: format!("{at}{dot}{key}"), message: message.into(), cause: None })
+    Err(InvalidValue { path: format!("{at}{dot}{key}"), message: message.into(), cause: None })
 }
 
 fn check_number(at: &str, key: &str, value: Option<f64>, allowed: impl Fn(f64) -> bool, range: &str) -> Check {

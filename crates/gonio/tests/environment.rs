@@ -8,7 +8,7 @@ use glam::DVec3;
 use gonio_environment::{Cubemap, Face, Layout, Panorama};
 use gonio_image::decode::{self, Decoded, DecodedContent};
 use gonio_image::encode::{exr, hdr, png};
-use gonio_image::{Image, DecodeLimits};
+use gonio_image::{DecodeLimits, Image};
 use gonio_light::color::OutputTransform;
 
 /// Directions of the debug cubemap, and the colours of their faces (sRGB), as its documentation has them.

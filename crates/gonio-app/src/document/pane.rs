@@ -3,7 +3,7 @@
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Quantity, Specular};
 use gonio_render::{DisplayOptions, View};
-use gonio_scene::detail::Detail;
+use gonio_scene::detail::LevelOfDetail;
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Overlays, SceneSettings, SpecialView, ViewSpec, defaults};
 
@@ -70,7 +70,7 @@ pub struct Pane {
     /// A BRDF, or the terms.
     pub reflectance: Option<Reflectance>,
     /// Level of detail.
-    pub detail: Option<Detail>,
+    pub detail: Option<LevelOfDetail>,
     /// A quantity of the equation in place of the picture.
     pub view: Option<ViewSpec>,
     /// A view that is not a quantity of the equation, in place of the picture and of `view`.
@@ -172,10 +172,10 @@ fn written(name: &str) -> String {
     }
 }
 
-fn detail_name(detail: Detail) -> String {
+fn detail_name(detail: LevelOfDetail) -> String {
     match detail {
-        Detail::Share(share) => format!("{:.0} % of the triangles", 100.0 * share),
-        Detail::Sphere(triangles) => format!("{triangles} triangles"),
+        LevelOfDetail::Share(share) => format!("{:.0} % of the triangles", 100.0 * share),
+        LevelOfDetail::Sphere(triangles) => format!("{triangles} triangles"),
     }
 }
 

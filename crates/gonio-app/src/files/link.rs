@@ -89,7 +89,7 @@ fn from_base64url(text: &str) -> Option<Vec<u8>> {
 mod tests {
     use super::*;
     use gonio_scene::scene_file::ObjectSpec;
-    use gonio_scene::toml_reader;
+    use gonio_scene::toml_file;
 
     /// RFC 4648, section 10, in the alphabet of its section 5 and without padding.
     #[test]
@@ -111,7 +111,7 @@ mod tests {
         let link = of_scene(&loaded.settings).unwrap_or_else(|e| panic!("{e}"));
         let text =
             scene_file(&format!("#{link}")).unwrap_or_else(|| panic!("no scene")).unwrap_or_else(|e| panic!("{e}"));
-        assert_eq!(toml_reader::read(&text).unwrap_or_else(|e| panic!("{e}")), SceneFile::from(&loaded.settings));
+        assert_eq!(toml_file::read(&text).unwrap_or_else(|e| panic!("{e}")), SceneFile::from(&loaded.settings));
         // Addresses of a few thousand characters go everywhere.
         assert!(link.len() < 4000, "{} characters", link.len());
     }

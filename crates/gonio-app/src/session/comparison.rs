@@ -1,6 +1,6 @@
 //! Measurements of the panes, as plain numbers.
 
-use gonio_scene::difference::{Spread, Tally};
+use gonio_scene::difference::{DifferenceStatistics, Spread};
 use gonio_scene::scene_file::Shading;
 
 /// Measurements of one pane.
@@ -37,7 +37,7 @@ pub struct DifferenceFacts {
 
 impl DifferenceFacts {
     /// Summarises a tally over a picture.
-    pub fn new(tally: &Tally, size: [u32; 2]) -> Self {
+    pub fn new(tally: &DifferenceStatistics, size: [u32; 2]) -> Self {
         let width = size[0].max(1) as usize;
         let place = |index: usize| [(index % width) as u32, (index / width) as u32];
         DifferenceFacts {

@@ -6,7 +6,7 @@ use gonio_app::document::{Arrangement, Pane};
 use gonio_app::session::Tab;
 use gonio_app::session::comparison::{CurvePoint, DifferenceFacts};
 use gonio_light::{Convention, Specular};
-use gonio_scene::detail::Detail;
+use gonio_scene::detail::LevelOfDetail;
 use gonio_scene::difference::of_bytes;
 use gonio_scene::scene_file::Shading;
 
@@ -41,7 +41,7 @@ fn presets_make_the_panes_of_a_lecture() {
     assert_eq!(conventions, [Some(Convention::Lab), Some(Convention::Physical)]);
     bench.click("preset-details");
     let details: Vec<_> = bench.document().panes.list.iter().map(|pane| pane.detail).collect();
-    assert_eq!(details, [Some(Detail::Sphere(128)), Some(Detail::Sphere(8192))]);
+    assert_eq!(details, [Some(LevelOfDetail::Sphere(128)), Some(LevelOfDetail::Sphere(8192))]);
     bench.click("preset-one");
     assert_eq!(bench.document().panes.list, [Pane::default()]);
     bench.undo();

@@ -94,7 +94,7 @@ mod tests {
     fn bands_make_the_same_picture_as_the_whole() {
         // More than one band, and a last one that is not whole.
         let text = "[picture]\nwidth = 700\nheight = 621\n[[object]]\nmodel = \"builtin:still-life\"\n";
-        let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}"));
+        let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|why| panic!("{why}"));
         let scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
         let frame = scene.frame(0.0);
         let context = crate::tests::context(false);

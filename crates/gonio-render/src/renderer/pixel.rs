@@ -52,7 +52,7 @@ mod tests {
     #[test]
     fn a_pixel_is_that_of_the_whole_picture() {
         let text = "[picture]\nwidth = 90\nheight = 61\n[[object]]\nmodel = \"builtin:still-life\"\n";
-        let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}"));
+        let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|why| panic!("{why}"));
         let scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
         let frame = Frame { samples: 1, ..scene.frame(0.0) };
         let context = crate::tests::context(false);

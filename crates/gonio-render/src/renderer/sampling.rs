@@ -36,7 +36,7 @@ mod tests {
             40 * finer,
             30 * finer
         );
-        let scene = gonio_scene::toml_reader::read(&text).unwrap_or_else(|why| panic!("{why}"));
+        let scene = gonio_scene::toml_file::read(&text).unwrap_or_else(|why| panic!("{why}"));
         gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"))
     }
 

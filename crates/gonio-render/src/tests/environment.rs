@@ -147,7 +147,7 @@ fn what_is_too_large_begins_at_a_smaller_level_with_a_note() {
 fn a_body_that_does_not_fit_is_told() {
     let context = super::context(false);
     let text = "[[object]]\nmodel = \"builtin:cube\"\nmaterial = { medium = \"glass\", surfaces = \"two\" }\n";
-    let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}"));
+    let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|why| panic!("{why}"));
     let mut scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
     let info = DriverInfo::new(context.gl());
     let small = DriverInfo { max_size: 0, ..info.clone() };

@@ -15,7 +15,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 pub(super) fn loaded(text: &str) -> Scene {
-    let scene = gonio_scene::toml_reader::read(text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+    let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|why| panic!("{why}\n{text}"));
     gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"))
 }
 

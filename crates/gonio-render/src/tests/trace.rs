@@ -30,7 +30,7 @@ fn everything() -> Vec<(String, Scene)> {
     let mut scenes: Vec<(String, Scene)> = texts
         .into_iter()
         .map(|(name, text)| {
-            let scene = gonio_scene::toml_reader::read(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let scene = gonio_scene::toml_file::read(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
             (name, scene)
         })
         .chain(gonio_scene::files::builtin_names().into_iter().map(|name| {

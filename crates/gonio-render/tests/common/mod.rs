@@ -19,7 +19,7 @@ pub fn scene_from(camera: &str, equation: &str, lights: &str, objects: &str) -> 
          [camera]\n{camera}\nfov_y = 40\n\
          [equation]\n{equation}\n{objects}\n{lights}"
     );
-    let scene = gonio_scene::toml_reader::read(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
+    let scene = gonio_scene::toml_file::read(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
     gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}\n{text}"))
 }
 

@@ -1,6 +1,6 @@
 //! One limit on memory for an input and everything that is read on its behalf.
 
-use super::{FileBytes, FileSource, OverLimit, Refusal};
+use super::{FileBytes, FileRefusal, FileSource, OverLimit};
 use std::collections::HashMap;
 use std::io::Error;
 use std::path::{Path, PathBuf};
@@ -57,12 +57,14 @@ impl Budget {
         let mut spent = self.lock();
         let known = spent.files.get(path).copied().unwrap_or(0);
         let allowed = self.limit - spent.bytes + known;
-        let bytes = read(allowed).map_err(|error| match Refusal::in_error(&error) {
-            Some(Refusal::OverLimit(over)) => Refusal::OverLimit(self.over(over.needed, allowed.min(over.left))).into(),
+        let bytes = read(allowed).map_err(|error| match FileRefusal::in_error(&error) {
+            Some(FileRefusal::OverLimit(over)) => {
+                FileRefusal::OverLimit(self.over(over.needed, allowed.min(over.left))).into()
+            }
             _ => error,
         })?;
         let more = (bytes.len() as u64).saturating_sub(known);
-        spent.spend(more, self.limit).map_err(Refusal::OverLimit)?;
+        spent.spend(more, self.limit).map_err(FileRefusal::OverLimit)?;
         if more > 0 {
             spent.files.insert(path.to_owned(), bytes.len() as u64);
         }
@@ -134,7 +136,7 @@ mod tests {
         fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
             let size: u64 = path.to_str().unwrap().parse().unwrap();
             if size > most {
-                return Err(Refusal::OverLimit(OverLimit { needed: Some(size), left: most, limit: most }).into());
+                return Err(FileRefusal::OverLimit(OverLimit { needed: Some(size), left: most, limit: most }).into());
             }
             Ok(vec![0; size as usize].into())
         }
@@ -151,7 +153,7 @@ mod tests {
         assert_eq!(files.budget().left(), 40);
         let error = files.read(Path::new("50")).unwrap_err();
         let over = OverLimit { needed: Some(50), left: 40, limit: 100 };
-        assert_eq!(Refusal::in_error(&error), Some(&Refusal::OverLimit(over)));
+        assert_eq!(FileRefusal::in_error(&error), Some(&FileRefusal::OverLimit(over)));
         assert_eq!(files.read(Path::new("40")).unwrap().len(), 40);
         assert_eq!(files.budget().left(), 0);
         assert_eq!(files.read(Path::new("60")).unwrap().len(), 60, "it is paid for");

@@ -1,6 +1,6 @@
 //! Models and scenes that gonio carries with it.
 
-use crate::toml_tree::nearest;
+use crate::toml_table::nearest;
 use gonio_mesh::sphere;
 use std::fmt::Write;
 use std::io::{Error, ErrorKind};

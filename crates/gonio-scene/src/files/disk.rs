@@ -3,7 +3,7 @@
 // The memory map below is the one place of this crate that needs it.
 #![allow(unsafe_code)]
 
-use super::{FileBytes, FileSource, OverLimit, Refusal};
+use super::{FileBytes, FileRefusal, FileSource, OverLimit};
 use std::collections::HashMap;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{Error, ErrorKind, Read};
@@ -65,23 +65,23 @@ fn check_ordinary(metadata: &Metadata) -> Result<(), Error> {
 }
 
 #[cfg(unix)]
-fn special(metadata: &Metadata) -> Option<Refusal> {
+fn special(metadata: &Metadata) -> Option<FileRefusal> {
     use std::os::unix::fs::FileTypeExt;
     let kind = metadata.file_type();
     if kind.is_char_device() || kind.is_block_device() {
-        Some(Refusal::Device)
+        Some(FileRefusal::Device)
     } else if kind.is_fifo() {
-        Some(Refusal::Pipe)
+        Some(FileRefusal::Pipe)
     } else if kind.is_socket() {
-        Some(Refusal::Socket)
+        Some(FileRefusal::Socket)
     } else {
         None
     }
 }
 
 #[cfg(not(unix))]
-fn special(metadata: &Metadata) -> Option<Refusal> {
-    (!metadata.is_file()).then_some(Refusal::Device)
+fn special(metadata: &Metadata) -> Option<FileRefusal> {
+    (!metadata.is_file()).then_some(FileRefusal::Device)
 }
 
 /// Opens a file so that a pipe or a terminal in its place, put there a moment ago, neither waits nor takes over.
@@ -103,11 +103,11 @@ fn read_empty(file: &File, most: u64) -> Result<FileBytes, Error> {
     // A few: some of these files can only be read in words.
     file.take(most.saturating_add(1).min(64)).read_to_end(&mut bytes)?;
     if !bytes.is_empty() && file.metadata()?.len() == 0 {
-        return Err(Refusal::Generated.into());
+        return Err(FileRefusal::Generated.into());
     }
     let Some(left) = most.checked_sub(bytes.len() as u64) else { return Err(over(None, most)) };
-    let rest = read_to_end(file, left).map_err(|error| match Refusal::in_error(&error) {
-        Some(Refusal::OverLimit(_)) => over(None, most),
+    let rest = read_to_end(file, left).map_err(|error| match FileRefusal::in_error(&error) {
+        Some(FileRefusal::OverLimit(_)) => over(None, most),
         _ => error,
     })?;
     bytes.extend(rest);
@@ -125,7 +125,7 @@ fn read_to_end(reader: impl Read, most: u64) -> Result<Vec<u8>, Error> {
 }
 
 fn over(needed: Option<u64>, most: u64) -> Error {
-    Refusal::OverLimit(OverLimit { needed, left: most, limit: most }).into()
+    FileRefusal::OverLimit(OverLimit { needed, left: most, limit: most }).into()
 }
 
 /// The name of an input that comes from standard input.
@@ -147,7 +147,7 @@ type Piped = Result<Arc<Vec<u8>>, Failed>;
 /// An error that can be returned more than once.
 #[derive(Clone)]
 enum Failed {
-    Refused(Refusal),
+    Refused(FileRefusal),
     System(String),
 }
 
@@ -160,7 +160,7 @@ impl DiskAndInput {
     fn may_be_read_as_pipe(&self, path: &Path) -> bool {
         path == Path::new(STANDARD_INPUT)
             || self.inputs.iter().any(|input| input == path)
-                && std::fs::metadata(path).is_ok_and(|metadata| special(&metadata) == Some(Refusal::Pipe))
+                && std::fs::metadata(path).is_ok_and(|metadata| special(&metadata) == Some(FileRefusal::Pipe))
     }
 }
 
@@ -173,7 +173,7 @@ impl FileSource for DiskAndInput {
             return Disk.read_within(path, most);
         }
         let read = piped.entry(path.to_owned()).or_insert_with(|| {
-            read_pipe(path, most).map(Arc::new).map_err(|error| match Refusal::in_error(&error) {
+            read_pipe(path, most).map(Arc::new).map_err(|error| match FileRefusal::in_error(&error) {
                 Some(refusal) => Failed::Refused(refusal.clone()),
                 None => Failed::System(error.to_string()),
             })

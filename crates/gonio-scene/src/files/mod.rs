@@ -5,28 +5,28 @@
 
 mod budget;
 mod builtin;
-mod bytes;
 mod disk;
 mod refusal;
 mod sandbox;
 
 pub use budget::{Budget, Budgeted};
 pub use builtin::{BUILTIN, builtin, builtin_names, is_builtin, sphere_of};
-pub use bytes::FileBytes;
 pub use disk::{Disk, DiskAndInput, STANDARD_INPUT};
-pub use refusal::{OverLimit, Refusal};
+pub use refusal::{FileRefusal, OverLimit};
 pub use sandbox::Sandbox;
 
 use builtin::{builtin_of, builtin_path, list_builtin, no_builtin, sphere_file};
 use gonio_mesh::{Cause, MissingSidecar, ReadError, Sidecar, Sidecars};
+use std::fmt;
 use std::io::{Error, ErrorKind};
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Reads a scene's files. The web page has its own. Paths of built-in files never come here.
 pub trait FileSource: Send + Sync {
     /// The bytes of a file, or why they cannot be had (without the path). A file of more than `most` bytes is refused
-    /// with [`Refusal::OverLimit`], and no more than `most` bytes and one are read to find that out.
+    /// with [`FileRefusal::OverLimit`], and no more than `most` bytes and one are read to find that out.
     fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error>;
     /// The bytes of a file however large it is: for files that the program has chosen itself.
     fn read(&self, path: &Path) -> Result<FileBytes, Error> {
@@ -43,6 +43,56 @@ pub trait FileSource: Send + Sync {
     /// and is to be read again when it has come.
     fn is_coming(&self, _name: &str) -> bool {
         false
+    }
+}
+
+/// The bytes of a file: owned, mapped, shared or built in. Cloning shares them.
+#[derive(Clone)]
+pub struct FileBytes(Place);
+
+#[derive(Clone)]
+enum Place {
+    Static(&'static [u8]),
+    Shared(Arc<dyn AsRef<[u8]> + Send + Sync>),
+}
+
+impl FileBytes {
+    /// Bytes of the program itself.
+    pub fn from_static(bytes: &'static [u8]) -> Self {
+        FileBytes(Place::Static(bytes))
+    }
+
+    /// Bytes of a memory map or of a shared buffer.
+    pub fn shared(bytes: Arc<dyn AsRef<[u8]> + Send + Sync>) -> Self {
+        FileBytes(Place::Shared(bytes))
+    }
+
+    /// A copy of one's own.
+    pub fn into_vec(self) -> Vec<u8> {
+        self.to_vec()
+    }
+}
+
+/// Their number alone: a file may be large.
+impl fmt::Debug for FileBytes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "FileBytes({})", self.len())
+    }
+}
+
+impl From<Vec<u8>> for FileBytes {
+    fn from(bytes: Vec<u8>) -> Self {
+        FileBytes(Place::Shared(Arc::new(bytes)))
+    }
+}
+
+impl Deref for FileBytes {
+    type Target = [u8];
+    fn deref(&self) -> &[u8] {
+        match &self.0 {
+            Place::Static(bytes) => bytes,
+            Place::Shared(bytes) => (**bytes).as_ref(),
+        }
     }
 }
 
@@ -71,7 +121,7 @@ forward!(&S, Box<S>, Arc<S>);
 pub fn within(bytes: FileBytes, most: u64) -> Result<FileBytes, Error> {
     let needed = bytes.len() as u64;
     if needed > most {
-        return Err(Refusal::OverLimit(OverLimit { needed: Some(needed), left: most, limit: most }).into());
+        return Err(FileRefusal::OverLimit(OverLimit { needed: Some(needed), left: most, limit: most }).into());
     }
     Ok(bytes)
 }
@@ -122,9 +172,9 @@ pub(crate) fn explain(error: &Error) -> String {
 /// The error of a file that cannot be read.
 pub(crate) fn failed(error: &Error) -> ReadError {
     let failed = ReadError::new(explain(error));
-    match Refusal::in_error(error) {
-        Some(Refusal::OverLimit(_)) => failed.caused_by(Cause::MemoryLimit),
-        Some(Refusal::OutsideSandbox) => failed.caused_by(Cause::Sandbox),
+    match FileRefusal::in_error(error) {
+        Some(FileRefusal::OverLimit(_)) => failed.caused_by(Cause::MemoryLimit),
+        Some(FileRefusal::OutsideSandbox) => failed.caused_by(Cause::Sandbox),
         _ => failed,
     }
 }
@@ -191,9 +241,9 @@ impl NotFound {
     /// Notes why the file at `path` is not read, where it is more than that there is none.
     fn note(&mut self, path: &Path, error: &Error) {
         use ErrorKind::{InvalidFilename, InvalidInput, IsADirectory, NotADirectory, NotFound};
-        let refusal = Refusal::in_error(error);
+        let refusal = FileRefusal::in_error(error);
         let shown = path.display();
-        if let Some(Refusal::OverLimit(_)) = refusal {
+        if let Some(FileRefusal::OverLimit(_)) = refusal {
             self.over_limit.get_or_insert_with(|| Box::new(failed(error).in_file(&shown.to_string())));
         }
         let reason = match refusal {
@@ -263,7 +313,7 @@ impl Sidecars for SidecarFolder<'_> {
             }
         };
         if let Err(over) = self.pay_for_copy(&path, &bytes) {
-            let (error, shown) = (failed(&Refusal::OverLimit(over).into()), path.display().to_string());
+            let (error, shown) = (failed(&FileRefusal::OverLimit(over).into()), path.display().to_string());
             let refused = Some(format!("`{shown}` {over}"));
             self.over_limit.get_or_insert(error.in_file(&shown));
             return Err(MissingSidecar { tried: vec![shown], refused });

@@ -3,11 +3,11 @@
 use std::fmt;
 use std::io::Error;
 
-/// A reason for which a file that exists is not read. Travels inside an [`Error`]; [`Refusal::in_error`] takes it out again.
+/// A reason for which a file that exists is not read. Travels inside an [`Error`]; [`FileRefusal::in_error`] takes it out again.
 ///
 /// Displayed, it is the predicate of a sentence whose subject is the file: "is a pipe, not a file".
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Refusal {
+pub enum FileRefusal {
     /// A character or block device: reading may never end, or do something.
     Device,
     /// A FIFO: opening or reading it waits for another program.
@@ -23,22 +23,22 @@ pub enum Refusal {
     OutsideSandbox,
 }
 
-impl Refusal {
+impl FileRefusal {
     /// The refusal inside an error of a [`FileSource`](super::FileSource), if there is one.
-    pub fn in_error(error: &Error) -> Option<&Refusal> {
+    pub fn in_error(error: &Error) -> Option<&FileRefusal> {
         error.get_ref()?.downcast_ref::<Refused>().map(|refused| &refused.0)
     }
 }
 
-impl From<Refusal> for Error {
-    fn from(refusal: Refusal) -> Error {
+impl From<FileRefusal> for Error {
+    fn from(refusal: FileRefusal) -> Error {
         Error::other(Refused(refusal))
     }
 }
 
 /// A refusal as a whole sentence, for messages that say which file it is about.
 #[derive(Debug)]
-struct Refused(Refusal);
+struct Refused(FileRefusal);
 
 impl fmt::Display for Refused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -48,17 +48,17 @@ impl fmt::Display for Refused {
 
 impl std::error::Error for Refused {}
 
-impl fmt::Display for Refusal {
+impl fmt::Display for FileRefusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Refusal::Device => f.write_str("is a device, not a file"),
-            Refusal::Pipe => f.write_str("is a pipe, not a file; only the input itself may be a pipe"),
-            Refusal::Socket => f.write_str("is a socket, not a file"),
-            Refusal::Generated => f.write_str(
+            FileRefusal::Device => f.write_str("is a device, not a file"),
+            FileRefusal::Pipe => f.write_str("is a pipe, not a file; only the input itself may be a pipe"),
+            FileRefusal::Socket => f.write_str("is a socket, not a file"),
+            FileRefusal::Generated => f.write_str(
                 "holds data although its size is 0, like the files in /proc; copy it to an ordinary file first",
             ),
-            Refusal::OverLimit(over) => over.fmt(f),
-            Refusal::OutsideSandbox => {
+            FileRefusal::OverLimit(over) => over.fmt(f),
+            FileRefusal::OutsideSandbox => {
                 f.write_str("lies outside the folder of the input, and the sandbox forbids reading it")
             }
         }
@@ -121,9 +121,9 @@ mod tests {
 
     #[test]
     fn a_refusal_survives_in_an_error() {
-        let error = Error::from(Refusal::Pipe);
-        assert_eq!(Refusal::in_error(&error), Some(&Refusal::Pipe));
+        let error = Error::from(FileRefusal::Pipe);
+        assert_eq!(FileRefusal::in_error(&error), Some(&FileRefusal::Pipe));
         assert!(error.to_string().starts_with("it is a pipe, not a file"), "{error}");
-        assert_eq!(Refusal::in_error(&Error::other("else")), None);
+        assert_eq!(FileRefusal::in_error(&Error::other("else")), None);
     }
 }

@@ -1,6 +1,6 @@
 //! A wall around the folders of the inputs.
 
-use super::{FileBytes, FileSource, Refusal};
+use super::{FileBytes, FileRefusal, FileSource};
 use std::ffi::OsString;
 use std::io::Error;
 use std::path::{Component, Path, PathBuf};
@@ -30,10 +30,10 @@ impl<S: FileSource> Sandbox<S> {
     }
 
     /// The resolved path, where it lies in one of the folders; of what does not exist, where it would lie there.
-    fn inside(&self, path: &Path) -> Result<PathBuf, Refusal> {
-        let resolved = resolved(path).ok_or(Refusal::OutsideSandbox)?;
+    fn inside(&self, path: &Path) -> Result<PathBuf, FileRefusal> {
+        let resolved = resolved(path).ok_or(FileRefusal::OutsideSandbox)?;
         let is_inside = self.folders.iter().any(|folder| resolved.starts_with(folder));
-        if is_inside { Ok(resolved) } else { Err(Refusal::OutsideSandbox) }
+        if is_inside { Ok(resolved) } else { Err(FileRefusal::OutsideSandbox) }
     }
 }
 

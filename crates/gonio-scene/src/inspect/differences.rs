@@ -9,7 +9,7 @@ use serde::Serialize;
 
 /// Something of the file that other programs read in another way.
 #[derive(Debug, PartialEq, Eq, Serialize)]
-pub struct Difference {
+pub struct ReaderDifference {
     /// The feature of the file.
     pub feature: &'static str,
     /// Other programs, and their result.
@@ -21,13 +21,13 @@ pub struct Difference {
 /// A feature, its test, and the programs that read it differently.
 struct Known {
     is_there: fn(&ModelFile, &[TextureUse]) -> bool,
-    difference: Difference,
+    difference: ReaderDifference,
 }
 
 const KNOWN: [Known; 9] = [
     Known {
         is_there: |file, _| says(&file.model, "concave"),
-        difference: Difference {
+        difference: ReaderDifference {
             feature: "concave polygons",
             others: "three.js and tobj cut every polygon as a fan, which covers what lies outside of concave ones",
             here: "cut inside their outline",
@@ -35,7 +35,7 @@ const KNOWN: [Known; 9] = [
     },
     Known {
         is_there: |file, _| counted(&file.model, "vn") == 0 && has_smoothing(&file.model),
-        difference: Difference {
+        difference: ReaderDifference {
             feature: "smoothing groups without normals",
             others: "three.js makes flat normals, and tobj drops the groups",
             here: "normals are averaged within each group",
@@ -43,7 +43,7 @@ const KNOWN: [Known; 9] = [
     },
     Known {
         is_there: |file, _| file.model.mesh.normal_source == NormalSource::None && !has_smoothing(&file.model),
-        difference: Difference {
+        difference: ReaderDifference {
             feature: "no normals",
             others: "three.js makes flat ones, tobj none",
             here: "averaged, weighted by angle; flat ones with `normals = \"flat\"`",
@@ -51,7 +51,7 @@ const KNOWN: [Known; 9] = [
     },
     Known {
         is_there: |file, _| materials(file).any(|m| is_black_beside_map(m, "diffuse")),
-        difference: Difference {
+        difference: ReaderDifference {
             feature: "Kd 0 0 0 beside map_Kd",
             others: "three.js multiplies both, which is black (unless told ignoreZeroRGBs)",
             here: "the texture is shown, as in Blender",
@@ -59,7 +59,7 @@ const KNOWN: [Known; 9] = [
     },
     Known {
         is_there: |file, _| materials(file).any(|m| m.file.is_some() && is_grey_or_coloured(m.diffuse)),
-        difference: Difference {
+        difference: ReaderDifference {
             feature: "Kd between 0 and 1",
             others: "three.js takes the numbers of Kd, Ks and Ke for sRGB, which darkens them",
             here: "they are linear, as Blender writes them",
@@ -67,7 +67,7 @@ const KNOWN: [Known; 9] = [
     },
     Known {
         is_there: |file, _| materials(file).any(|m| writes(m, "opacity", "Tr")),
-        difference: Difference {
+        difference: ReaderDifference {
             feature: "Tr",
             others: "some older exporters mean opacity by it",
             here: "1 - Tr is the opacity; d decides where both are written",
@@ -77,7 +77,7 @@ const KNOWN: [Known; 9] = [
         is_there: |file, _| {
             file.model.sidecars.iter().any(|s| s.found.is_none()) || file.model.sidecars.is_empty() && uses(file)
         },
-        difference: Difference {
+        difference: ReaderDifference {
             feature: "materials without their library",
             others: "three.js and tobj say nothing and take a default",
             here: "a warning names every place where it was sought",
@@ -85,7 +85,7 @@ const KNOWN: [Known; 9] = [
     },
     Known {
         is_there: |_, textures| textures.iter().any(|t| t.found.as_deref().is_some_and(|f| !same_place(f, &t.name))),
-        difference: Difference {
+        difference: ReaderDifference {
             feature: "textures that are not where the file says",
             others: "most programs look only there",
             here: "also sought by bare name beside the model and its library, letters in any case",
@@ -93,7 +93,7 @@ const KNOWN: [Known; 9] = [
     },
     Known {
         is_there: |file, _| file.model.mesh.colors.iter().any(|c| c[..3] != [1.0; 3]),
-        difference: Difference {
+        difference: ReaderDifference {
             feature: "vertex colors",
             others: "tobj gives the numbers as they are written",
             here: "taken as sRGB, as three.js does, and multiplied with the diffuse color",
@@ -102,7 +102,7 @@ const KNOWN: [Known; 9] = [
 ];
 
 /// Finds the differences that apply; they are known for OBJ only.
-pub(super) fn find(file: &ModelFile, textures: &[TextureUse]) -> Vec<Difference> {
+pub(super) fn find(file: &ModelFile, textures: &[TextureUse]) -> Vec<ReaderDifference> {
     if file.format != Format::Obj {
         return Vec::new();
     }

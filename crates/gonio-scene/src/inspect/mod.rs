@@ -3,13 +3,12 @@
 mod differences;
 mod materials;
 
-pub use differences::Difference;
+pub use differences::ReaderDifference;
 pub use materials::{MaterialReport, ValueReport};
 
-use crate::asset_cache::{self, MaterialSource};
+use crate::asset_cache::{NormalChoice, with_normals};
 use crate::files::{self, Budgeted, FileSource};
-use crate::load;
-use crate::material_binding::MaterialBinder;
+use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
 use crate::model_file::{self, ModelFile};
 use crate::scene_file::MaterialOverride;
 use crate::texture_library::TextureUse;
@@ -33,7 +32,7 @@ pub struct Inspection {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unpacked_bytes: Option<u64>,
     /// The elements of the file, counted under the format's own names.
-    pub contents: Vec<Count>,
+    pub contents: Vec<NamedCount>,
     /// The resulting triangles.
     pub geometry: GeometryReport,
     /// The connectivity of the triangles.
@@ -53,14 +52,14 @@ pub struct Inspection {
     /// Its cameras.
     pub cameras: Vec<ModelCamera>,
     /// Known differences to other programs.
-    pub differences: Vec<Difference>,
+    pub differences: Vec<ReaderDifference>,
     /// Everything odd, with line and column where there are such.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 /// So many of something.
 #[derive(Debug, Serialize)]
-pub struct Count {
+pub struct NamedCount {
     /// The format's own name.
     pub what: String,
     /// The count.
@@ -89,7 +88,7 @@ pub struct GeometryReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub smoothing_groups: Option<usize>,
     /// Bytes of each array in memory, as a GPU gets it.
-    pub memory: Vec<Count>,
+    pub memory: Vec<NamedCount>,
 }
 
 /// A run of triangles.
@@ -126,7 +125,7 @@ pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<I
     let files = &Budgeted::new(files, limits.max_bytes);
     let mut file = model_file::read_within(&files::resolve(Path::new(""), input), input, files, limits)?;
     let mut binder = MaterialBinder::new(files, files.budget());
-    let (folders, used) = (file.texture_folders(), asset_cache::used_materials(&file.model));
+    let (folders, used) = (file.texture_folders(), used_materials(&file.model));
     binder.add(0, &MaterialOverride::default(), &MaterialSource::of_file(&file, &folders, &used));
     let bound = binder.finish();
     let geometry = geometry(&file);
@@ -142,7 +141,7 @@ pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<I
         format: file.format,
         bytes: file.size,
         unpacked_bytes: file.unpacked_size,
-        contents: model.contents.into_iter().map(|(what, count)| Count { what, count }).collect(),
+        contents: model.contents.into_iter().map(|(what, count)| NamedCount { what, count }).collect(),
         geometry,
         surface,
         materials,
@@ -215,7 +214,7 @@ fn range(values: &[[f32; 2]]) -> Option<[[f32; 2]; 2]> {
     })
 }
 
-fn memory(mesh: &Mesh) -> Vec<Count> {
+fn memory(mesh: &Mesh) -> Vec<NamedCount> {
     let arrays = [
         ("positions", size_of_val(mesh.positions.as_slice())),
         ("normals", size_of_val(mesh.normals.as_slice())),
@@ -225,11 +224,11 @@ fn memory(mesh: &Mesh) -> Vec<Count> {
         ("indices", size_of_val(mesh.indices.as_slice())),
     ];
     let there = arrays.into_iter().filter(|(_, bytes)| *bytes > 0);
-    there.map(|(what, bytes)| Count { what: what.to_owned(), count: bytes as u64 }).collect()
+    there.map(|(what, bytes)| NamedCount { what: what.to_owned(), count: bytes as u64 }).collect()
 }
 
 /// As [`crate::load`] makes them for a picture, by default.
 fn normals(mesh: Mesh) -> NormalReport {
-    let (mesh, diagnostics) = load::with_normals(mesh, load::NormalChoice::default());
+    let (mesh, diagnostics) = with_normals(mesh, NormalChoice::default());
     NormalReport { source: mesh.normal_source, notes: diagnostics.into_iter().map(|d| d.message).collect() }
 }

@@ -1,6 +1,6 @@
 //! Edits of a scene, and its options.
 
-use crate::memory::{Memory, TRIANGLE, png};
+use crate::{Memory, TRIANGLE, png};
 use gonio_light::optics::Medium;
 use gonio_light::{Convention, Fresnel, Specular, Surfaces};
 use gonio_scene::color_value::Color;
@@ -29,7 +29,7 @@ fn files() -> Memory {
 }
 
 fn read(text: &str) -> SceneFile {
-    gonio_scene::toml_reader::read(text).unwrap()
+    gonio_scene::toml_file::read(text).unwrap()
 }
 
 fn loaded(scene: SceneFile) -> Scene {

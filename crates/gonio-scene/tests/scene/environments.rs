@@ -1,17 +1,17 @@
 //! What `[environment]` and `--environment` may name, and what becomes of it in a scene.
 
-use crate::memory::{Memory, TRIANGLE};
+use crate::{Memory, TRIANGLE};
 use glam::DVec3;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout};
-use gonio_image::decode::{self, FileFormat, DecodedContent};
+use gonio_image::decode::{self, DecodedContent, FileFormat};
 use gonio_image::encode::ktx2;
 use gonio_image::{DecodeLimits, Image};
 use gonio_mesh::{Limits, Severity};
-use gonio_scene::environment_file::{BUILTIN_SIZE, EnvironmentMap, OpenOptions, OpenedEnvironment, open};
+use gonio_scene::environment_file::{BUILTIN_SIZE, EnvironmentMap, EnvironmentReadOptions, OpenedEnvironment, open};
 use gonio_scene::files::{Disk, FileSource};
 use gonio_scene::load::{describe, load};
-use gonio_scene::{Scene, toml_reader};
+use gonio_scene::{Scene, toml_file};
 use std::path::Path;
 
 /// A PNG of RGB pixels, top row first.
@@ -53,18 +53,21 @@ fn map(layout: Layout) -> Cubemap {
     Cubemap::from_faces(Face::ALL.map(|f| decoded(&face(f))), layout).unwrap()
 }
 
-fn in_layout(layout: Layout) -> OpenOptions {
-    OpenOptions { layout: Some(layout), ..OpenOptions::default() }
+fn in_layout(layout: Layout) -> EnvironmentReadOptions {
+    EnvironmentReadOptions { layout: Some(layout), ..EnvironmentReadOptions::default() }
 }
 
 #[track_caller]
-fn opened(files: &dyn FileSource, name: &str, reading: OpenOptions) -> OpenedEnvironment {
+fn opened(files: &dyn FileSource, name: &str, reading: EnvironmentReadOptions) -> OpenedEnvironment {
     open(name, reading, Path::new(""), files, &Limits::default()).unwrap_or_else(|e| panic!("{e}"))
 }
 
 #[track_caller]
 fn refused(files: &dyn FileSource, name: &str) -> String {
-    open(name, OpenOptions::default(), Path::new(""), files, &Limits::default()).map(|o| o.map).unwrap_err().to_string()
+    open(name, EnvironmentReadOptions::default(), Path::new(""), files, &Limits::default())
+        .map(|o| o.map)
+        .unwrap_err()
+        .to_string()
 }
 
 fn cubemap(opened: &OpenedEnvironment) -> &Cubemap {
@@ -78,7 +81,7 @@ fn cubemap(opened: &OpenedEnvironment) -> &Cubemap {
 fn a_folder_a_pattern_and_one_of_six_are_the_same_faces() {
     let files = six("faces/day_*.png").with("faces/night_posx.png", face(Face::PosX)).with("faces/readme.txt", "x");
     for name in ["faces", "faces/day_*.png", "faces/d*_*.p*", "faces/day_negy.png"] {
-        let found = opened(&files, name, OpenOptions::default());
+        let found = opened(&files, name, EnvironmentReadOptions::default());
         assert_eq!((found.layout, found.arrangement), (Some(Layout::Photographic), Arrangement::Faces), "{name}");
         assert!(*cubemap(&found) == map(Layout::Photographic), "{name}");
         let paths: Vec<String> = found.files.iter().map(|p| p.display().to_string()).collect();
@@ -88,7 +91,9 @@ fn a_folder_a_pattern_and_one_of_six_are_the_same_faces() {
         assert!(*cubemap(&opened(&files, name, in_layout(Layout::OpenGl))) == map(Layout::OpenGl), "{name}");
     }
     // In the current folder.
-    assert!(*cubemap(&opened(&six("*.png"), "negz.png", OpenOptions::default())) == map(Layout::Photographic));
+    assert!(
+        *cubemap(&opened(&six("*.png"), "negz.png", EnvironmentReadOptions::default())) == map(Layout::Photographic)
+    );
 }
 
 /// Said once without the code that is tested: where each picture is, and that none is mirrored.
@@ -134,12 +139,15 @@ fn pictures_of_six_faces_are_told_by_their_proportions() {
         assert_eq!((found.arrangement, found.layout), (arrangement, Some(Layout::OpenGl)));
         assert!(*cubemap(&found) == map(Layout::OpenGl), "{arrangement}");
         // The usual layout is the other one.
-        let usual = opened(&files, "a.png", OpenOptions::default());
+        let usual = opened(&files, "a.png", EnvironmentReadOptions::default());
         assert_eq!(usual.layout, Some(Layout::Photographic));
         assert!(*cubemap(&usual) == *cubemap(&opened(&files, "a.png", in_layout(Layout::Photographic))));
         assert!(*cubemap(&usual) != map(Layout::OpenGl), "{arrangement}");
         // Taken for a panorama where that is asked for.
-        let reading = OpenOptions { arrangement: Some(Arrangement::Equirectangular), ..OpenOptions::default() };
+        let reading = EnvironmentReadOptions {
+            arrangement: Some(Arrangement::Equirectangular),
+            ..EnvironmentReadOptions::default()
+        };
         assert!(matches!(opened(&files, "a.png", reading).map, EnvironmentMap::Panorama(_)));
     }
 }
@@ -148,7 +156,7 @@ fn pictures_of_six_faces_are_told_by_their_proportions() {
 fn a_ktx2_file_is_in_opengls_layout() {
     let bytes = CubeMips::new(map(Layout::OpenGl)).to_ktx2(ktx2::Ktx2Format::Srgb8).bytes;
     let files = Memory::default().with("a.ktx2", bytes.clone());
-    let found = opened(&files, "a.ktx2", OpenOptions::default());
+    let found = opened(&files, "a.ktx2", EnvironmentReadOptions::default());
     assert_eq!((found.layout, found.format), (Some(Layout::OpenGl), Some(FileFormat::Ktx2)));
     assert!(*cubemap(&found) == map(Layout::OpenGl));
     assert!(*cubemap(&opened(&files, "a.ktx2", in_layout(Layout::Photographic))) == map(Layout::Photographic));
@@ -161,21 +169,24 @@ fn a_ktx2_file_is_in_opengls_layout() {
 fn built_in_environments_need_no_file() {
     let none = Memory::default();
     for (name, layout) in [("debug", Some(Layout::OpenGl)), ("sky", None)] {
-        let found = opened(&none, name, OpenOptions::default());
+        let found = opened(&none, name, EnvironmentReadOptions::default());
         assert_eq!((cubemap(&found).size(), found.layout, found.files.len()), (BUILTIN_SIZE, layout, 0), "{name}");
     }
-    let small = OpenOptions { size: Some(8), ..OpenOptions::default() };
+    let small = EnvironmentReadOptions { size: Some(8), ..EnvironmentReadOptions::default() };
     assert!(cubemap(&opened(&none, "builtin:sky", small)) == cubemap(&opened(&none, "SKY", small)));
     assert_eq!(cubemap(&opened(&none, "sky", small)).size(), 8);
-    let photographic = OpenOptions { layout: Some(Layout::Photographic), ..small };
+    let photographic = EnvironmentReadOptions { layout: Some(Layout::Photographic), ..small };
     assert_eq!(opened(&none, "debug", photographic).layout, Some(Layout::Photographic));
-    assert!(matches!(opened(&none, "room", OpenOptions::default()).map, EnvironmentMap::Panorama(_)));
+    assert!(matches!(opened(&none, "room", EnvironmentReadOptions::default()).map, EnvironmentMap::Panorama(_)));
     // A size is checked before anything is made.
     let few = Limits { max_bytes: 1 << 20, ..Limits::default() };
-    let text = open("sky", OpenOptions::default(), Path::new(""), &none, &few).map(|o| o.map).unwrap_err().to_string();
+    let text = open("sky", EnvironmentReadOptions::default(), Path::new(""), &none, &few)
+        .map(|o| o.map)
+        .unwrap_err()
+        .to_string();
     assert!(text.starts_with("sky: 6 times 512 x 512 pixels are 24.0 MiB"), "{text}");
     // A folder that is called like one can be named otherwise.
-    let found = opened(&six("./sky/*.png"), "./sky", OpenOptions::default());
+    let found = opened(&six("./sky/*.png"), "./sky", EnvironmentReadOptions::default());
     assert!(*cubemap(&found) == map(Layout::Photographic));
     let found = opened(&six("sky/*.png"), "sky", small);
     let note = "this names the built-in environment; write ./sky for the folder";
@@ -239,12 +250,12 @@ fn what_is_asked_for_in_vain_is_told() {
     let found = opened(&files, "p.png", in_layout(Layout::OpenGl));
     assert_eq!(found.layout, None);
     assert!(found.diagnostics.iter().any(|d| d.message.starts_with("the layout has no effect")));
-    assert!(opened(&files, "p.png", OpenOptions::default()).diagnostics.is_empty());
-    let odd = opened(&files, "odd.png", OpenOptions::default());
+    assert!(opened(&files, "p.png", EnvironmentReadOptions::default()).diagnostics.is_empty());
+    let odd = opened(&files, "odd.png", EnvironmentReadOptions::default());
     assert_eq!((odd.diagnostics.len(), odd.diagnostics[0].severity), (1, Severity::Warning));
     assert!(odd.diagnostics[0].message.contains("360 degrees across its width"), "{:?}", odd.diagnostics);
     // Six files are no cross.
-    let reading = OpenOptions { arrangement: Some(Arrangement::Cross), ..OpenOptions::default() };
+    let reading = EnvironmentReadOptions { arrangement: Some(Arrangement::Cross), ..EnvironmentReadOptions::default() };
     let error = open("a", reading, Path::new(""), &files, &Limits::default()).map(|o| o.map).unwrap_err();
     let wanted = "a: this is already faces and cannot be read as cross; leave the arrangement out";
     assert_eq!(error.to_string(), wanted);
@@ -286,7 +297,7 @@ fn a_printed_scene_has_the_same_environment() {
         assert_eq!((spec.image.as_str(), spec.layout, spec.size), (image, layout, size), "{environment}");
         let whole = gonio_scene::SceneFile::from(&first.settings);
         let text = whole.to_toml_string();
-        let read = toml_reader::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let read = toml_file::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
         assert_eq!(read, whole, "{text}");
         let second = load(read, Path::new(""), &files).unwrap();
         assert_eq!(second.settings, first.settings, "{text}");
@@ -327,7 +338,7 @@ fn panoramas_become_cubemaps_as_fine_and_at_most_usual() {
     // A quarter of a row is an edge: 8192 pixels are as fine as 2048 texels. One row is enough to be so wide.
     let files = Memory::default().with("w.png", png(8192, 2, |_, _| [99; 3]));
     let text = "[environment]\nimage = \"w.png\"\n[[object]]\nmodel = \"builtin:cube\"\n";
-    let wide = load(toml_reader::read(text).unwrap(), Path::new(""), &files).unwrap();
+    let wide = load(toml_file::read(text).unwrap(), Path::new(""), &files).unwrap();
     assert_eq!(wide.environment.as_ref().unwrap().mips.full().size(), 1024);
     let note = wide.diagnostics.iter().find(|d| d.severity == Severity::Note).unwrap();
     assert!(note.message.contains("cubemap of 2048") && note.message.contains("one of 1024"), "{note:?}");
@@ -352,7 +363,7 @@ fn a_layout_that_nobody_named_is_told() {
 fn mirrors_and_glass_without_surroundings_are_warned_about() {
     let warned = |material: &str, environment: &str| {
         let text = format!("{environment}[[object]]\nmodel = \"builtin:cube\"\nmaterial = {{ {material} }}\n");
-        let scene = load(toml_reader::read(&text).unwrap(), Path::new(""), &Memory::default()).unwrap();
+        let scene = load(toml_file::read(&text).unwrap(), Path::new(""), &Memory::default()).unwrap();
         scene.diagnostics.iter().any(|d| d.message.starts_with("mirrors and glass show their surroundings"))
     };
     let sky = "[environment]\nimage = \"sky\"\nsize = 1\n";
@@ -364,7 +375,7 @@ fn mirrors_and_glass_without_surroundings_are_warned_about() {
 fn keys_of_an_environment_are_checked() {
     let says = |text: &str, expected: &str| {
         let text = format!("[[object]]\nmodel = \"builtin:cube\"\n[environment]\n{text}");
-        assert_eq!(toml_reader::read(&text).unwrap_err().to_string(), expected);
+        assert_eq!(toml_file::read(&text).unwrap_err().to_string(), expected);
     };
     says("blur = 0.5\n", "3:1: the environment needs `image`: debug, sky, room, a picture or a folder of six faces");
     says("image = \"sky\"\nblur = 2\n", "5:8: `blur` must be 0 to 1, not 2");

@@ -1,15 +1,18 @@
 //! What a scene takes from its models' files besides triangles: metal and roughness, lights, cameras; and models that
-//! are compressed, mapped, or held to limits.
+//! are compressed, mapped, or held to limits; built-in spheres
+//! of any number of triangles, and scenes in other levels of detail.
 
-use crate::memory::{Memory, TRIANGLE, png};
+use crate::{Memory, TRIANGLE, png};
 use gonio_light::microfacet::shininess_of_roughness;
-use gonio_mesh::{Limits, Wrap};
-use gonio_scene::files::Disk;
+use gonio_mesh::{Limits, Wrap, simplify};
+use gonio_scene::detail::{self, LevelOfDetail};
+use gonio_scene::files::{BuiltinOnly, Disk};
 use gonio_scene::load::{describe, load, load_within};
-use gonio_scene::scene_file::LightSourceKind;
-use gonio_scene::{Scene, inspect, model_file, toml_reader};
+use gonio_scene::scene_file::{LightSourceKind, Normals, ObjectSpec, SceneFile};
+use gonio_scene::{Scene, inspect, model_file, toml_file};
 use serde_json::{Value, json};
 use std::path::Path;
+use std::sync::Arc;
 
 /// One triangle (0 0 0) (1 0 0) (0 1 0) with texture coordinates, seen by what `more` adds.
 fn gltf(more: Value) -> Memory {
@@ -117,7 +120,7 @@ fn a_scene_without_lights_has_those_of_its_models() {
     );
     // A light of the scene's own is all that counts.
     let text = "[[object]]\nmodel = \"m.gltf\"\n[[light]]\nkind = \"ambient\"\n";
-    let own = load(toml_reader::read(text).unwrap(), Path::new(""), &with_camera_and_light()).unwrap();
+    let own = load(toml_file::read(text).unwrap(), Path::new(""), &with_camera_and_light()).unwrap();
     assert_eq!(own.settings.lights.len(), 1);
     assert_eq!(own.settings.lights[0].kind, LightSourceKind::Ambient);
 }
@@ -127,7 +130,7 @@ fn a_camera_of_the_file_is_taken_when_asked_for() {
     let files = with_camera_and_light();
     let with = |camera: &str| {
         let text = format!("[camera]\n{camera}\n[[object]]\nmodel = \"m.gltf\"\ntranslate = [1, 0, 0]\n");
-        load(toml_reader::read(&text).unwrap(), Path::new(""), &files)
+        load(toml_file::read(&text).unwrap(), Path::new(""), &files)
     };
     for name in ["Above", "1"] {
         let camera = with(&format!("from_model = \"{name}\"")).unwrap().settings.camera;
@@ -220,4 +223,60 @@ fn an_inspection_tells_where_everything_came_from() {
     assert!(line.text.starts_with("f 1/1/1"), "{line:?}");
     let error = inspect::explain_line("art/wood.png", 1, &files, &Limits::default()).unwrap_err().to_string();
     assert!(error.starts_with("art/wood.png: this is a PNG image"), "{error}");
+}
+
+fn opened(model: &str, normals: Normals) -> Result<Scene, String> {
+    let object = ObjectSpec { model: model.into(), normals, ..ObjectSpec::default() };
+    let scene = SceneFile { objects: vec![object], ..SceneFile::default() };
+    load(scene, Path::new(""), &BuiltinOnly).map_err(|e| e.to_string())
+}
+
+#[test]
+fn a_sphere_has_as_many_triangles_as_it_says() {
+    for (model, triangles) in [("builtin:sphere-8", 8), ("builtin:sphere_72", 72), ("builtin:sphere-4232", 4232)] {
+        let loaded = opened(model, Normals::File).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(loaded.meshes[0].triangle_count(), triangles);
+        assert!(loaded.objects[0].closed);
+        // The material of the other spheres.
+        let same = opened("builtin:sphere-smooth", Normals::File).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(loaded.materials, same.materials);
+        for (p, n) in loaded.meshes[0].positions.iter().zip(&loaded.meshes[0].normals) {
+            assert!(p.iter().zip(n).all(|(p, n)| (p - n).abs() < 1e-6), "{p:?} has the normal {n:?}");
+        }
+    }
+}
+
+#[test]
+fn numbers_that_cannot_be_are_refused_with_those_that_can() {
+    let why = opened("builtin:sphere-100", Normals::File).err().unwrap_or_default();
+    assert!(why.contains("72") && why.contains("128"), "{why}");
+    let why = opened("builtin:sphere-08", Normals::File).err().unwrap_or_default();
+    assert!(why.contains("sphere-N"), "{why}");
+}
+
+#[test]
+fn a_scene_in_another_detail_is_the_same_scene() {
+    let loaded = opened("builtin:sphere-smooth", Normals::Flat).unwrap_or_else(|e| panic!("{e}"));
+    let spec = &loaded.settings.objects[0];
+    let sphere =
+        LevelOfDetail::Sphere(100).mesh_for(&loaded.meshes[0], spec).unwrap_or_else(|| panic!("it is a sphere"));
+    // The next to 100 is 128; flat, as the object wants it.
+    assert_eq!((sphere.triangle_count(), sphere.positions.len()), (128, 3 * 128));
+    let coarse = detail::with_meshes(&loaded, &[Arc::new(sphere)]);
+    let object = &coarse.objects[0];
+    assert_eq!(coarse.meshes[object.mesh].triangle_count(), 128);
+    assert_eq!(object.parts.iter().map(|part| part.triangle_count).sum::<usize>(), 128);
+    assert_eq!(object.parts[0].material, loaded.objects[0].parts[0].material);
+    assert!(object.closed);
+    assert_eq!(coarse.settings, loaded.settings);
+
+    let monkey = opened("builtin:suzanne", Normals::File).unwrap_or_else(|e| panic!("{e}"));
+    let spec = &monkey.settings.objects[0];
+    assert!(LevelOfDetail::Sphere(100).mesh_for(&monkey.meshes[0], spec).is_none(), "no sphere");
+    assert!(LevelOfDetail::Share(1.0).mesh_for(&monkey.meshes[0], spec).is_none(), "all of it");
+    let wanted = monkey.meshes[0].triangle_count() / 4;
+    let mesh = LevelOfDetail::Share(0.25).mesh_for(&monkey.meshes[0], spec).unwrap_or_else(|| panic!("fewer"));
+    assert!(mesh.triangle_count() <= wanted + 1);
+    assert_eq!(mesh.normals.len(), mesh.positions.len());
+    assert_eq!(mesh, simplify::simplify(&monkey.meshes[0], mesh.triangle_count()));
 }

@@ -1,10 +1,10 @@
 //! Limits of what a scene may make the reader do, and input that is refused.
 
-use crate::memory::{Memory, TRIANGLE, png};
+use crate::{Memory, TRIANGLE, png};
 use gonio_mesh::{Cause, Limits, ReadError};
 use gonio_scene::Scene;
-use gonio_scene::environment_file::{self, OpenOptions};
-use gonio_scene::files::{Budgeted, BuiltinOnly, Disk, FileSource, Refusal, Sandbox};
+use gonio_scene::environment_file::{self, EnvironmentReadOptions};
+use gonio_scene::files::{Budgeted, BuiltinOnly, Disk, FileRefusal, FileSource, Sandbox};
 use gonio_scene::load::{describe, load, load_within};
 use std::path::Path;
 
@@ -101,7 +101,7 @@ fn pixels_of_an_environment_count() {
     }
     let open = |max_bytes| {
         let limits = Limits { max_bytes, ..Limits::default() };
-        environment_file::open("faces", OpenOptions::default(), Path::new(""), &files, &limits)
+        environment_file::open("faces", EnvironmentReadOptions::default(), Path::new(""), &files, &limits)
     };
     let decoded = 6 * 16 * 16 * 16;
     assert_eq!(open(read + decoded).err(), None);
@@ -213,12 +213,12 @@ fn a_scene_in_a_sandbox_cannot_name_models_and_environments_outside() {
 #[test]
 fn files_without_an_end_are_refused() {
     for (path, refusal) in [
-        ("/dev/zero", Refusal::Device),
-        ("/proc/self/pagemap", Refusal::Generated),
-        ("/proc/self/environ", Refusal::Generated),
+        ("/dev/zero", FileRefusal::Device),
+        ("/proc/self/pagemap", FileRefusal::Generated),
+        ("/proc/self/environ", FileRefusal::Generated),
     ] {
         let error = Disk.read_within(Path::new(path), u64::MAX).err().unwrap();
-        assert_eq!(Refusal::in_error(&error), Some(&refusal), "{path}");
+        assert_eq!(FileRefusal::in_error(&error), Some(&refusal), "{path}");
     }
 }
 
@@ -233,9 +233,9 @@ fn pipes_and_sockets_are_refused_without_waiting() {
     let _listener = std::os::unix::net::UnixListener::bind(&socket).unwrap();
     let link = folder.path().join("link");
     std::os::unix::fs::symlink("pipe", &link).unwrap();
-    for (path, refusal) in [(&pipe, Refusal::Pipe), (&link, Refusal::Pipe), (&socket, Refusal::Socket)] {
+    for (path, refusal) in [(&pipe, FileRefusal::Pipe), (&link, FileRefusal::Pipe), (&socket, FileRefusal::Socket)] {
         let error = Disk.read_within(path, u64::MAX).err().unwrap();
-        assert_eq!(Refusal::in_error(&error), Some(&refusal), "{path:?}");
+        assert_eq!(FileRefusal::in_error(&error), Some(&refusal), "{path:?}");
     }
 }
 
@@ -249,7 +249,7 @@ fn a_file_is_read_to_its_limit_and_no_further() {
         if size > 0 {
             let error = Disk.read_within(&path, size - 1).err().unwrap();
             assert!(
-                matches!(Refusal::in_error(&error), Some(Refusal::OverLimit(over)) if over.needed == Some(size)),
+                matches!(FileRefusal::in_error(&error), Some(FileRefusal::OverLimit(over)) if over.needed == Some(size)),
                 "{error}"
             );
         }

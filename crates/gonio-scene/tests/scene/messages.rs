@@ -1,9 +1,9 @@
 //! Messages, the JSON Schema, and detection of what a file is.
 
-use crate::memory::{Memory, TRIANGLE};
+use crate::{Memory, TRIANGLE};
 use gonio_mesh::Limits;
 use gonio_scene::load::{describe, load};
-use gonio_scene::toml_reader::read;
+use gonio_scene::toml_file::read;
 use gonio_scene::{SceneFile, inspect};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -280,7 +280,7 @@ fn it_accepts_the_shipped_scenes_and_refuses_wrong_ones() {
     ] {
         let text = if right.starts_with("[object") { format!("{object}{right}") } else { format!("{right}{object}") };
         assert!(valid_toml(&text), "{text}");
-        gonio_scene::toml_reader::read(&text).unwrap();
+        gonio_scene::toml_file::read(&text).unwrap();
     }
     for wrong in [
         "[camera]\nfov = 3\n",

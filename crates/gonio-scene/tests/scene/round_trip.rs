@@ -3,14 +3,14 @@
 use gonio_scene::SceneFile;
 use gonio_scene::files::{BuiltinOnly, builtin, builtin_names};
 use gonio_scene::load::{describe, load};
-use gonio_scene::toml_reader;
+use gonio_scene::toml_file;
 use std::path::Path;
 
 fn same_again(scene: SceneFile) {
     let first = load(scene, Path::new(""), &BuiltinOnly).unwrap();
     let whole = SceneFile::from(&first.settings);
     let text = whole.to_toml_string();
-    let read = toml_reader::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    let read = toml_file::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
     assert_eq!(read, whole, "{text}");
     let second = load(read, Path::new(""), &BuiltinOnly).unwrap();
     assert_eq!(second.settings, first.settings, "{text}");
@@ -97,5 +97,5 @@ fn a_scene_with_everything_in_it() {
         kind = "ambient"
         name = "sky"
     "##;
-    same_again(toml_reader::read(text).unwrap());
+    same_again(toml_file::read(text).unwrap());
 }

@@ -1,6 +1,6 @@
 //! Textures, how they are sampled, and pictures as bytes.
 
-use crate::memory::{Memory, TRIANGLE, png};
+use crate::{Memory, TRIANGLE, png};
 use glam::{DVec2, DVec4};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap, srgb_decode};
 use gonio_mesh::{Severity, Wrap};

@@ -12,7 +12,7 @@ use gonio_mesh::write::{self, ImageFile};
 use gonio_mesh::{Diagnostic, EmbeddedImage, Model};
 use gonio_scene::files::FileSource;
 use gonio_scene::model_file::ModelFile;
-use gonio_scene::model_textures::TextureFile;
+use gonio_scene::model_file::TextureFile;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

@@ -6,7 +6,7 @@ use crate::exported::{self, Role};
 use crate::widgets::slug;
 use egui::{ComboBox, Grid, Ui};
 use gonio_light::{Convention, Quantity, Specular};
-use gonio_scene::detail::{self, Detail};
+use gonio_scene::detail::{self, LevelOfDetail};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Scene, SceneSettings, ViewSpec};
 
@@ -76,7 +76,7 @@ fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&S
             // The frequency f is what is chosen; f² triangles on each of an octahedron's faces are what is shown.
             let own = loaded.and_then(|loaded| loaded.meshes.get(loaded.objects.get(sphere)?.mesh));
             let shown = match pane.detail {
-                Some(Detail::Sphere(triangles)) => triangles,
+                Some(LevelOfDetail::Sphere(triangles)) => triangles,
                 _ => own.map_or(0, |mesh| mesh.triangle_count()),
             };
             let mut frequency = (shown as f64 / 8.0).sqrt().round();
@@ -88,15 +88,15 @@ fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&S
             let slider = ui.add(slider).on_hover_text("Triangles of each sphere: 8 f², from an octahedron's faces");
             exported::note(ui, &slider, "pane-sphere", Role::Number, "Triangles of the sphere", shown);
             if slider.changed() {
-                pane.detail = Some(Detail::Sphere((8.0 * frequency * frequency) as usize));
+                pane.detail = Some(LevelOfDetail::Sphere((8.0 * frequency * frequency) as usize));
             }
         }
-        let mut percent = if let Some(Detail::Share(share)) = pane.detail { 100.0 * share } else { 100.0 };
+        let mut percent = if let Some(LevelOfDetail::Share(share)) = pane.detail { 100.0 * share } else { 100.0 };
         let slider = egui::Slider::new(&mut percent, 1.0..=100.0).step_by(1.0).logarithmic(true).suffix(" %");
         let slider = ui.add(slider).on_hover_text("Share of each model's triangles that is kept");
         exported::note(ui, &slider, "pane-simplify", Role::Number, "Share of the triangles", percent);
         if slider.changed() {
-            pane.detail = (percent < 100.0).then_some(Detail::Share(percent / 100.0));
+            pane.detail = (percent < 100.0).then_some(LevelOfDetail::Share(percent / 100.0));
         }
     });
     ui.end_row();
@@ -111,9 +111,9 @@ fn presets(scene: &SceneSettings) -> Vec<Preset> {
     let convention = |convention| Pane { convention: Some(convention), ..Pane::default() };
     let with_detail = |detail| Pane { detail: Some(detail), ..Pane::default() };
     let (coarse, fine) = if scene.objects.iter().any(detail::is_sphere) {
-        (with_detail(Detail::Sphere(128)), with_detail(Detail::Sphere(8192)))
+        (with_detail(LevelOfDetail::Sphere(128)), with_detail(LevelOfDetail::Sphere(8192)))
     } else {
-        (with_detail(Detail::Share(0.05)), Pane::default())
+        (with_detail(LevelOfDetail::Share(0.05)), Pane::default())
     };
     vec![
         ("one", "One", "One pane with the scene's settings", vec![Pane::default()]),

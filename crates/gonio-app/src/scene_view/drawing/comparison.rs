@@ -10,7 +10,7 @@ use crate::session::Session;
 use crate::session::comparison::{Curve, CurvePoint, DifferenceFacts};
 use gonio_gl::{Gl, GlError};
 use gonio_render::{DifferenceScale, DisplayTexture, Renderer};
-use gonio_scene::detail::{self, Detail};
+use gonio_scene::detail::{self, LevelOfDetail};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, Scene, difference};
 use std::sync::Arc;
@@ -90,7 +90,7 @@ pub struct CurveRun {
     frame_size: [u32; 2],
     time: f64,
     /// The finest comes first, in Phong shading: all are held against it.
-    wanted: Vec<(Shading, Option<Detail>)>,
+    wanted: Vec<(Shading, Option<LevelOfDetail>)>,
     next: usize,
     finest: Vec<u8>,
     canvas: Option<DisplayTexture>,
@@ -105,20 +105,20 @@ impl CurveRun {
         let longest = frame.width.max(frame.height).max(1);
         let shrink = |side: u32| (side * SIDE.min(longest) / longest).max(1);
         let spheres = base.settings.objects.iter().any(detail::is_sphere);
-        let (levels, finest): (Vec<Option<Detail>>, Option<Detail>) = if spheres {
-            let of = |frequency: usize| Some(Detail::Sphere(8 * frequency * frequency));
+        let (levels, finest): (Vec<Option<LevelOfDetail>>, Option<LevelOfDetail>) = if spheres {
+            let of = |frequency: usize| Some(LevelOfDetail::Sphere(8 * frequency * frequency));
             (SPHERES.iter().map(|&f| of(f)).collect(), of(FINEST_SPHERE))
         } else {
             let count = triangles(&base) as f64;
             let shares = (0..MOST_LEVELS).map(|level| 0.5_f64.powi(level)).filter(|s| *s == 1.0 || s * count >= FEWEST);
-            let mut levels: Vec<_> = shares.map(|s| (s < 1.0).then_some(Detail::Share(s))).collect();
+            let mut levels: Vec<_> = shares.map(|s| (s < 1.0).then_some(LevelOfDetail::Share(s))).collect();
             levels.reverse();
             (levels, None)
         };
         let mut wanted = vec![(Shading::Phong, finest)];
         for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
             // The finest against itself is 0.
-            let same = |level: &Option<Detail>| shading == Shading::Phong && *level == finest;
+            let same = |level: &Option<LevelOfDetail>| shading == Shading::Phong && *level == finest;
             wanted.extend(levels.iter().filter(|level| !same(level)).map(|&level| (shading, level)));
         }
         session.comparison.curve = Curve { running: true, progress: [0, wanted.len()], ..Curve::default() };

@@ -2,7 +2,7 @@
 
 use gonio_mesh::Mesh;
 use gonio_scene::Scene;
-use gonio_scene::detail::Detail;
+use gonio_scene::detail::LevelOfDetail;
 use gonio_scene::scene_file::{Normals, ObjectSpec};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Weak};
@@ -13,16 +13,16 @@ const MOST: usize = 64;
 /// Parameters of a mesh at another level of detail.
 #[derive(Clone, PartialEq)]
 struct Key {
-    detail: Detail,
+    detail: LevelOfDetail,
     /// The object's, where it is replaced by a sphere with normals of the same kind.
     model: Option<(String, Normals, Option<f64>)>,
 }
 
 impl Key {
-    fn new(detail: Detail, object: &ObjectSpec) -> Self {
+    fn new(detail: LevelOfDetail, object: &ObjectSpec) -> Self {
         let model = match detail {
-            Detail::Share(_) => None,
-            Detail::Sphere(_) => Some((object.model.clone(), object.normals, object.crease_angle)),
+            LevelOfDetail::Share(_) => None,
+            LevelOfDetail::Sphere(_) => Some((object.model.clone(), object.normals, object.crease_angle)),
         };
         Key { detail, model }
     }
@@ -69,7 +69,7 @@ impl Details {
     }
 
     /// The meshes of a scene's objects in a detail; `None` while some are being made.
-    pub fn meshes(&mut self, loaded: &Scene, detail: Detail) -> Option<Vec<Arc<Mesh>>> {
+    pub fn meshes(&mut self, loaded: &Scene, detail: LevelOfDetail) -> Option<Vec<Arc<Mesh>>> {
         let mut meshes = Vec::with_capacity(loaded.objects.len());
         for (object, spec) in loaded.objects.iter().zip(&loaded.settings.objects) {
             let source = loaded.meshes.get(object.mesh)?;
@@ -78,7 +78,7 @@ impl Details {
         Some(meshes)
     }
 
-    fn mesh(&mut self, source: &Arc<Mesh>, object: &ObjectSpec, detail: Detail) -> Option<Arc<Mesh>> {
+    fn mesh(&mut self, source: &Arc<Mesh>, object: &ObjectSpec, detail: LevelOfDetail) -> Option<Arc<Mesh>> {
         let key = Key::new(detail, object);
         if let Some(known) = self.find(source, &key) {
             return Some(known);
@@ -94,7 +94,7 @@ impl Details {
             let _ = sender.send(Made { source: for_it, key: made_of, mesh });
         };
         #[cfg(not(target_arch = "wasm32"))]
-        if matches!(detail, Detail::Share(_)) {
+        if matches!(detail, LevelOfDetail::Share(_)) {
             self.running = true;
             let ctx = self.ctx.clone();
             std::thread::spawn(move || {

@@ -8,7 +8,7 @@ use gonio_gl::{Gl, HeadlessContext};
 use gonio_light::{Quantity, Specular};
 use gonio_render::Renderer;
 use gonio_scene::SceneFile;
-use gonio_scene::detail::Detail;
+use gonio_scene::detail::LevelOfDetail;
 use gonio_scene::difference::of_bytes;
 use gonio_scene::edit::{Edited, apply};
 use gonio_scene::files::BuiltinOnly;
@@ -227,7 +227,7 @@ fn a_pane_is_simplified_beside_the_window() {
     let mut pane_renderer = pane_renderer(context.gl());
     draw(&mut pane_renderer, &document, &mut session);
     let before = pane_renderer.panes[0].facts.triangles;
-    document.panes.list[0].detail = Some(Detail::Share(0.25));
+    document.panes.list[0].detail = Some(LevelOfDetail::Share(0.25));
     draw(&mut pane_renderer, &document, &mut session);
     let ctx = egui::Context::default();
     // As long as it takes: the test's own limit is that of the runner.

@@ -4,7 +4,7 @@ use crate::scene_view::Projection;
 use egui::Pos2;
 use glam::DVec3;
 use gonio_light::vector::unit;
-use gonio_scene::motion::position_at;
+use gonio_scene::frame::position_at;
 use gonio_scene::settings::{LightSettings, MotionPath};
 
 /// Sine below which an axis counts as seen end-on: a point of the window would be too much of it.

@@ -7,7 +7,7 @@ use glam::{DQuat, DVec3};
 use gonio_light::LightKind;
 use gonio_light::vector::any_orthonormal_vector;
 use gonio_scene::Scene;
-use gonio_scene::motion::position_at;
+use gonio_scene::frame::position_at;
 use gonio_scene::settings::LightSettings;
 
 /// Radius of a light's disc, points.

@@ -2,7 +2,7 @@
 
 use super::read::Pixels;
 use crate::error::CliError;
-use gonio_scene::difference::Tally;
+use gonio_scene::difference::DifferenceStatistics;
 pub use gonio_scene::difference::{Spread, within};
 use image_compare::Algorithm;
 use rayon::prelude::*;
@@ -48,7 +48,7 @@ pub struct Worst {
 /// The sums of one row.
 #[derive(Clone, Copy, Default)]
 struct Row {
-    steps: Tally,
+    steps: DifferenceStatistics,
     linear_sum: f64,
     linear_squares: f64,
     linear_max: f64,

@@ -15,7 +15,7 @@ use gonio_environment::check::{self, Certificate, FaceFit};
 use gonio_environment::check_panorama::{PanoramaCertificate, Seam, check_panorama};
 use gonio_environment::{Cubemap, EnvironmentError, Layout, Panorama};
 use gonio_light::color::{ColorEncoding, OutputTransform};
-use gonio_scene::environment_file::{self, EnvironmentMap, OpenOptions, OpenedEnvironment};
+use gonio_scene::environment_file::{self, EnvironmentMap, EnvironmentReadOptions, OpenedEnvironment};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -61,7 +61,7 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     if let Some(plan) = &plan {
         plan.check_writable()?;
     }
-    let reading = OpenOptions { layout: args.layout, arrangement: args.from, size: None };
+    let reading = EnvironmentReadOptions { layout: args.layout, arrangement: args.from, size: None };
     let files = args.limits.files([args.input.as_str()], reporter);
     let busy = reporter.busy("reading the environment");
     let opened = environment_file::open(&args.input, reading, Path::new(""), &files, &args.limits.limits())?;

@@ -16,7 +16,7 @@ use gonio_environment::{Cubemap, Layout, Panorama};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 use gonio_render::conversion::Converter;
 use gonio_scene::environment::world_from_environment;
-use gonio_scene::environment_file::{self, EnvironmentMap, OpenOptions, OpenedEnvironment};
+use gonio_scene::environment_file::{self, EnvironmentMap, EnvironmentReadOptions, OpenedEnvironment};
 use std::path::Path;
 
 /// Convert a panorama or a cubemap to six faces, a cross, a strip, a panorama or KTX2, of any size, rotated.
@@ -117,7 +117,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
         // The debug cubemap shows the names of the files that its faces will have.
         let is_debug = environment_file::builtin_of(&args.input) == Some(Builtin::Debug);
         let from_layout = args.from_layout.or(is_debug.then_some(args.layout));
-        let reading = OpenOptions { layout: from_layout, arrangement: args.from, size };
+        let reading = EnvironmentReadOptions { layout: from_layout, arrangement: args.from, size };
         let files = args.limits.files([args.input.as_str()], reporter);
         times.measure("read", || {
             environment_file::open(&args.input, reading, Path::new(""), &files, &args.limits.limits())

@@ -5,9 +5,9 @@ use crate::options::values::nearest;
 use crate::output::{OutputFiles, OutputPath, atomic};
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout, Panorama};
-use gonio_image::decode::{self, FileFormat, DecodedContent};
+use gonio_image::decode::{self, DecodedContent, FileFormat};
 use gonio_image::encode::{exr, hdr, ktx2, png};
-use gonio_image::{Image, ImageError, DecodeLimits};
+use gonio_image::{DecodeLimits, Image, ImageError};
 use gonio_light::color::{OutputTransform, ToneMap};
 use rayon::prelude::*;
 use std::path::Path;
@@ -347,7 +347,11 @@ impl EnvironmentPlan {
             Format::Exr => {
                 let encode = |p: &exr::ExrPrecision| exr::encode(image, *p).map(|e| (e.bytes, e.warnings));
                 if appearance.exact {
-                    first_exact(&[exr::ExrPrecision::Half, exr::ExrPrecision::Float], std::slice::from_ref(image), encode)
+                    first_exact(
+                        &[exr::ExrPrecision::Half, exr::ExrPrecision::Float],
+                        std::slice::from_ref(image),
+                        encode,
+                    )
                 } else {
                     encode(&exr::ExrPrecision::Half)
                 }

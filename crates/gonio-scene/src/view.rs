@@ -1,7 +1,52 @@
-//! Views of a scene besides its picture and the quantities of the equation, and overlays.
+//! Views of a scene other than its picture: a quantity of the equation, special views, and overlays.
 
-use gonio_light::named_enum;
+use gonio_light::{Quantity, named_enum};
 use serde::{Deserialize, Serialize};
+use std::str::FromStr;
+
+/// A debug view: a quantity of the equation, and of which light. Written `NAME` or `NAME:LIGHT`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ViewSpec {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// Index into the scene's lights.
+    pub light: Option<usize>,
+}
+
+impl FromStr for ViewSpec {
+    type Err = String;
+
+    /// Names as in [`Quantity`], or its symbols (`N`, `L`, `V`, `R`, `H`, `T`, `att`, `d`, `A`, `E`).
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, light) = match text.split_once(':') {
+            None => (text, None),
+            Some((name, index)) => {
+                let index = index.trim().parse::<usize>().map_err(|_| {
+                    format!("invalid light number `{index}`: write {name}:0 for the scene's first light")
+                })?;
+                (name, Some(index))
+            }
+        };
+        let quantity = Quantity::ALL
+            .iter()
+            .copied()
+            .find(|q| q.symbol().is_some_and(|s| s.eq_ignore_ascii_case(name.trim())))
+            .map_or_else(|| name.parse::<Quantity>().map_err(|e| e.to_string()), Ok)?;
+        if light.is_some() && !quantity.per_light() && !quantity.summed_over_lights() {
+            return Err(format!("`{quantity}` does not belong to a light; write it without `:`"));
+        }
+        Ok(ViewSpec { quantity, light })
+    }
+}
+
+impl std::fmt::Display for ViewSpec {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.light {
+            None => write!(f, "{}", self.quantity),
+            Some(light) => write!(f, "{}:{light}", self.quantity),
+        }
+    }
+}
 
 named_enum! {
     /// A view of a scene that is not a quantity of the light equation.

@@ -1,13 +1,13 @@
-//! A scene from TOML, with errors that say where and what was meant.
+//! Scene files as TOML, read and written, and their JSON Schema.
 
 use crate::scene_file::{
     BackgroundSpec, CameraSpec, EnvironmentSpec, EquationSpec, LightSourceKind, LightSpec, MaterialOverride,
     MotionKind, MotionSpec, ObjectSpec, PictureSpec, SceneFile,
 };
-use crate::table_reader::TableReader;
-use crate::toml_tree::{Fault, Item, parse_toml};
+use crate::toml_table::{Fault, Item, TableReader, parse_toml};
 use crate::validate;
 use gonio_mesh::ReadError;
+use schemars::generate::SchemaSettings;
 
 /// Reads and checks a scene. Errors have line and column; the caller adds the file's name.
 pub fn read(text: &str) -> Result<SceneFile, ReadError> {
@@ -207,4 +207,28 @@ fn read_motion(mut t: TableReader<'_>) -> Result<MotionSpec, Fault> {
 
 fn names<E: ToString>(all: &[E]) -> String {
     all.iter().map(E::to_string).collect::<Vec<_>>().join(", ")
+}
+
+impl SceneFile {
+    /// The scene as a TOML file with a short heading. Every number is printed with as many digits as
+    /// it takes to read the same number again.
+    pub fn to_toml_string(&self) -> String {
+        let body = match toml::to_string(self) {
+            Ok(body) => body,
+            // A scene has nothing that TOML lacks (checked by a test of every field); should that
+            // change, the file says so where it is read.
+            Err(error) => format!("# the scene could not be written: {error}\n"),
+        };
+        format!(
+            "# A scene of gonio: `gonio render FILE.toml -o picture.png` draws it.\n\
+             # Angles in degrees, lengths in world units, colours linear [r, g, b] or \"#rrggbb\" (sRGB).\n\n{body}"
+        )
+    }
+
+    /// The JSON Schema of scene files, for editors.
+    pub fn json_schema() -> serde_json::Value {
+        let mut schema = SchemaSettings::draft07().into_generator().into_root_schema_for::<SceneFile>();
+        schema.insert("title".into(), "A scene of gonio".into());
+        schema.to_value()
+    }
 }
