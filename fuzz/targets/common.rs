@@ -54,7 +54,7 @@ pub fn check(model: Model) {
     assert_eq!(complete.normals.len(), complete.positions.len());
     assert!(complete.normals.iter().flatten().all(|x| x.is_finite()));
     tangents::with_tangents(&complete);
-    write::ply::write(&model, "m", write::ply::Encoding::Binary);
+    write::ply::write(&model, "m", write::ply::PlyEncoding::Binary);
     write::obj::write(&model, "m.mtl");
     let _ = write::glb::write(&model, &mut |_| None);
 }

@@ -7,8 +7,7 @@
 //!
 //! Lines and columns of diagnostics refer to the converted text, as they would if the file were saved as UTF-8.
 
-use crate::line_index::LineIndex;
-use crate::text::quote;
+use crate::text::{LineIndex, quote};
 use crate::{Diagnostic, Model, ReadError};
 use std::borrow::Cow;
 
@@ -221,6 +220,7 @@ pub(crate) fn windows_1252(bytes: &[u8]) -> Cow<'_, str> {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+
     use super::*;
 
     /// Encodes a text in each multi-byte encoding, with and without a byte order mark.

@@ -1,10 +1,7 @@
 //! Detects the format of a file by its content, or by its name where the content does not decide.
 
-mod json;
-mod xml;
-
 use crate::{Limits, Model, ReadError, Sidecars, collada, encoding, gltf, medit, obj, ply, stl};
-use memchr::memchr2;
+use memchr::{memchr2, memmem};
 use serde::Serialize;
 use std::borrow::Cow;
 
@@ -132,11 +129,11 @@ fn by_text(text: &[u8], named: Option<Format>) -> Result<Format, Option<&'static
         return Ok(Format::Ply);
     }
     if text.starts_with(b"<") {
-        let is_collada = xml::root_name(text).map_or(named == Some(Format::Collada), |root| root == b"COLLADA");
+        let is_collada = root_name(text).map_or(named == Some(Format::Collada), |root| root == b"COLLADA");
         return if is_collada { Ok(Format::Collada) } else { Err(Some("an XML or HTML file")) };
     }
     if text.starts_with(b"{") {
-        let is_gltf = named == Some(Format::Gltf) || json::is_gltf(text);
+        let is_gltf = named == Some(Format::Gltf) || is_gltf(text);
         return if is_gltf { Ok(Format::Gltf) } else { Err(Some("a JSON file that is not glTF")) };
     }
     let start = start_behind_comments(text);
@@ -196,5 +193,161 @@ fn is_obj_line(line: &str) -> bool {
         Some("f") => words.next().is_some_and(|w| w.starts_with(|c: char| c.is_ascii_digit() || c == '-')),
         Some("mtllib" | "usemtl" | "o" | "g") => words.next().is_some_and(|w| w != "="),
         _ => false,
+    }
+}
+
+/// Keys that distinguish a glTF document from other JSON.
+const KEYS_OF_GLTF: [&[u8]; 3] = [b"asset", b"accessors", b"bufferViews"];
+
+/// Whether the outermost object of `json`, which begins with its `{`, has one of glTF's keys.
+///
+/// The document is scanned up to the first such key, which may be the last one, after gigabytes of buffers; this takes
+/// no memory. Invalid JSON is scanned as far as possible.
+fn is_gltf(json: &[u8]) -> bool {
+    let mut depth = 0_usize;
+    let mut at = 0;
+    while let Some(offset) = json.get(at..).and_then(|rest| rest.iter().position(|byte| is_structure(*byte))) {
+        at += offset + 1;
+        match json[at - 1] {
+            b'{' | b'[' => depth += 1,
+            b'}' | b']' if depth <= 1 => return false,
+            b'}' | b']' => depth -= 1,
+            _ => {
+                let Some(end) = end_of_string(json, at) else { return false };
+                let is_key = || json[end + 1..].trim_ascii_start().first() == Some(&b':');
+                if depth == 1 && KEYS_OF_GLTF.contains(&&json[at..end]) && is_key() {
+                    return true;
+                }
+                at = end + 1;
+            }
+        }
+    }
+    false
+}
+
+fn is_structure(byte: u8) -> bool {
+    matches!(byte, b'{' | b'}' | b'[' | b']' | b'"')
+}
+
+/// Returns the position of the `"` that ends the string whose text begins at `at`.
+fn end_of_string(json: &[u8], mut at: usize) -> Option<usize> {
+    loop {
+        at += memchr2(b'"', b'\\', json.get(at..)?)?;
+        if json[at] == b'"' {
+            return Some(at);
+        }
+        at += 2;
+    }
+}
+
+/// Returns the name, without a prefix, of the first element of `xml`, which begins with a `<`; `None` if there is none,
+/// or if the prolog does not end.
+///
+/// The prolog consists of any number of processing instructions, comments and document type declarations of any length
+/// (Extensible Markup Language 1.0, section 2.8).
+fn root_name(xml: &[u8]) -> Option<&[u8]> {
+    let mut rest = xml;
+    loop {
+        rest = rest.trim_ascii_start();
+        rest = if let Some(instruction) = rest.strip_prefix(b"<?") {
+            behind(instruction, b"?>")?
+        } else if let Some(comment) = rest.strip_prefix(b"<!--") {
+            behind(comment, b"-->")?
+        } else if let Some(declaration) = rest.strip_prefix(b"<!") {
+            behind_declaration(declaration)?
+        } else {
+            break;
+        }
+    }
+    let name = rest.strip_prefix(b"<")?;
+    let end = name.iter().position(|byte| byte.is_ascii_whitespace() || matches!(byte, b'>' | b'/' | b'<'))?;
+    let name = &name[..end];
+    Some(name.iter().rposition(|byte| *byte == b':').map_or(name, |colon| &name[colon + 1..]))
+}
+
+/// Returns the text after the first `end`.
+fn behind<'a>(text: &'a [u8], end: &[u8]) -> Option<&'a [u8]> {
+    memmem::find(text, end).map(|at| &text[at + end.len()..])
+}
+
+/// Returns the text after the `>` of a declaration, which may contain declarations in brackets.
+fn behind_declaration(declaration: &[u8]) -> Option<&[u8]> {
+    let mut rest = declaration;
+    let mut brackets = 0_usize;
+    loop {
+        let (byte, next) = rest.split_first()?;
+        rest = match byte {
+            b'>' if brackets == 0 => return Some(next),
+            b'[' => {
+                brackets += 1;
+                next
+            }
+            b']' => {
+                brackets = brackets.saturating_sub(1);
+                next
+            }
+            b'"' | b'\'' => behind(next, &[*byte])?,
+            b'<' if next.starts_with(b"!--") => behind(&next[3..], b"-->")?,
+            b'<' if next.starts_with(b"?") => behind(next, b"?>")?,
+            _ => next,
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_keys_of_the_outermost_object_count() {
+        let gltf = [
+            r#"{"asset": {"version": "2.0"}}"#,
+            "{ \"nodes\" : [ { \"name\" : \"}]\\\"\" } ] , \"asset\"\n:\t{} }",
+            r#"{"buffers": [{"uri": "data:;base64,AA==\\"}], "x": [[[]], {}], "asset": {}}"#,
+            // Truncated or damaged: the reader reports where.
+            r#"{"accessors": [{"count": 3"#,
+            r#"{"scene": 0, "bufferViews": "#,
+        ];
+        for json in gltf {
+            assert!(is_gltf(json.as_bytes()), "{json}");
+        }
+        let others = [
+            "{}",
+            "{",
+            r#"{"a": "asset", "asset"}"#,
+            r#"{"model": {"asset": {"version": "2.0"}}}"#,
+            r#"{"models": [{"asset": 1}]}"#,
+            r#"{"a": "\"asset\": 1, \"asset"#,
+            r#"{"Asset": 1, "assets": 2}"#,
+            r#"{"a": 1} {"asset": 2}"#,
+            "{\"asset",
+            "{\"a\\",
+        ];
+        for json in others {
+            assert!(!is_gltf(json.as_bytes()), "{json}");
+        }
+    }
+
+    #[test]
+    fn the_root_stands_behind_the_prolog() {
+        let long = format!("<!-- {} <COLLADA> -->", "-".repeat(10_000));
+        let name = |xml: &str| root_name(xml.as_bytes()).map(|name| String::from_utf8_lossy(name).into_owned());
+        let documents = [
+            ("<COLLADA xmlns='x'>", "COLLADA"),
+            ("<COLLADA>", "COLLADA"),
+            ("<c:COLLADA\n>", "COLLADA"),
+            ("<svg/>", "svg"),
+            ("<?xml version='1.0'?>\n<?style a='>'?> <!-- <svg> --><COLLADA ", "COLLADA"),
+            ("<!DOCTYPE html><html>", "html"),
+            ("<!DOCTYPE COLLADA SYSTEM 'a>b.dtd'>\n<COLLADA>", "COLLADA"),
+            ("<!DOCTYPE a [<!ENTITY b \"]><svg>\"> <!-- ]><svg> ' --> <?c ]> ?>]>\n<COLLADA>", "COLLADA"),
+            (&format!("{long}\n<COLLADA>"), "COLLADA"),
+        ];
+        for (xml, root) in documents {
+            assert_eq!(name(xml).as_deref(), Some(root), "{xml}");
+        }
+        for xml in ["<", "<?xml", "<!-- COLLADA", "<!DOCTYPE a [ <b> ", "<COLLADA", "text <COLLADA>"] {
+            assert_eq!(name(xml), None, "{xml}");
+        }
     }
 }

@@ -11,9 +11,7 @@ pub mod encoding;
 pub mod explain;
 pub mod format;
 pub mod gltf;
-mod join;
-pub mod limits;
-mod line_index;
+pub mod input;
 pub mod material;
 pub mod medit;
 pub mod mesh;
@@ -24,28 +22,21 @@ mod number;
 pub mod obj;
 pub mod ply;
 mod polygon;
-mod report;
-pub mod sidecar;
 pub mod simplify;
 pub mod sphere;
-mod split;
 pub mod stl;
-mod tally;
 pub mod tangents;
 mod text;
-pub mod texture_map;
 pub mod topology;
 mod weld;
 pub mod write;
 
 pub use diagnostic::{Cause, Diagnostic, ReadError, Severity};
 pub use format::Format;
-pub use limits::Limits;
-pub use material::{AmbientRule, Material, MetallicRoughness, PropertySource};
+pub use input::{Limits, MissingSidecar, NoSidecars, Sidecar, SidecarUse, Sidecars};
+pub use material::{AmbientRule, Channel, Material, MetallicRoughness, PropertySource, TexelRule, TextureMap, Wrap};
 pub use mesh::{Bounds, Mesh, NormalSource, Part};
 pub use model_scene::{EmbeddedImage, ModelCamera, ModelLight, ModelLightKind};
-pub use sidecar::{MissingSidecar, NoSidecars, Sidecar, SidecarUse, Sidecars};
-pub use texture_map::{Channel, TexelRule, TextureMap, Wrap};
 
 /// A model read from a file.
 #[derive(Clone, Debug, Default)]

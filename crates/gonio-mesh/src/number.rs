@@ -89,6 +89,7 @@ pub(crate) fn integer_prefix(bytes: &[u8]) -> Option<(i64, usize)> {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+
     use super::*;
 
     /// A small generator (Steele, Lea, Flood, 2014: SplitMix64), so that every run tries the same numbers.

@@ -2,11 +2,10 @@
 
 mod ears;
 mod grid;
-mod ring;
 
 use crate::ReadError;
+use ears::Ring;
 use glam::{DVec2, DVec3};
-use ring::Ring;
 
 /// Most corners for a simple search for ears, whose time grows with the square of their number.
 pub(crate) const MOST_CORNERS_FOR_EARS: usize = 4000;

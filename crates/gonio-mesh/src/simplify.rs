@@ -4,14 +4,16 @@
 //! onto one of its ends (their "subset placement"), so that every remaining vertex keeps its position, normal, texture
 //! coordinates and colour: a comparison then shows the effect of the triangles only.
 
-mod quadric;
 mod surface;
+#[cfg(test)]
+mod tests;
 
 use crate::{Mesh, normals};
-use quadric::Quadric;
+use glam::{DMat3, DVec3};
 use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashSet};
-use surface::Surface;
+use std::ops::Add;
+use surface::CollapsingSurface;
 
 /// Returns the mesh with at most `triangles` triangles, or as few as possible. Outlines, seams of textures and normals,
 /// and borders between materials only lose vertices along themselves, and late; nothing folds over, no hole closes, and
@@ -25,7 +27,7 @@ pub fn simplify(mesh: &Mesh, triangles: usize) -> Mesh {
         return mesh.clone();
     }
     let faceted = is_faceted(mesh);
-    let mut surface = Surface::new(mesh, !faceted);
+    let mut surface = CollapsingSurface::new(mesh, !faceted);
     let mut quadrics = surface.quadrics();
     // A pass may be stopped by edges that could not collapse at their turn but can now.
     while surface.live > triangles && pass(&mut surface, &mut quadrics, triangles) {}
@@ -76,7 +78,7 @@ impl Ord for Candidate {
 }
 
 /// Collapses edges until enough are gone or no more can; returns whether any did.
-fn pass(surface: &mut Surface, quadrics: &mut [Quadric], triangles: usize) -> bool {
+fn pass(surface: &mut CollapsingSurface, quadrics: &mut [Quadric], triangles: usize) -> bool {
     let mut versions = vec![0_u32; quadrics.len()];
     let mut heap = BinaryHeap::new();
     for from in 0..quadrics.len() as u32 {
@@ -102,12 +104,45 @@ fn pass(surface: &mut Surface, quadrics: &mut [Quadric], triangles: usize) -> bo
     any
 }
 
-fn candidate(surface: &Surface, quadrics: &[Quadric], versions: &[u32], from: u32, onto: u32) -> Option<Candidate> {
+fn candidate(
+    surface: &CollapsingSurface,
+    quadrics: &[Quadric],
+    versions: &[u32],
+    from: u32,
+    onto: u32,
+) -> Option<Candidate> {
     let sum = *quadrics.get(from as usize)? + *quadrics.get(onto as usize)?;
     let cost = sum.error_at(*surface.places.get(onto as usize)?);
     let versions = [*versions.get(from as usize)?, *versions.get(onto as usize)?];
     Some(Candidate { cost, from, onto, versions })
 }
 
-#[cfg(test)]
-mod tests;
+/// The sum of weighted squared distances of a point p from planes: `p^T A p + 2 b.p + c` (Garland and Heckbert 1997,
+/// section 4).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Quadric {
+    a: DMat3,
+    b: DVec3,
+    c: f64,
+}
+
+impl Quadric {
+    /// Creates the quadric of the plane through `point` with the unit normal `normal`.
+    pub fn of_plane(normal: DVec3, point: DVec3, weight: f64) -> Self {
+        let d = -normal.dot(point);
+        let a = DMat3::from_cols(normal * normal.x, normal * normal.y, normal * normal.z);
+        Quadric { a: a * weight, b: normal * (d * weight), c: d * d * weight }
+    }
+
+    /// Returns the weighted sum of squares at a point; not below 0 in spite of rounding.
+    pub fn error_at(&self, p: DVec3) -> f64 {
+        (p.dot(self.a * p) + 2.0 * self.b.dot(p) + self.c).max(0.0)
+    }
+}
+
+impl Add for Quadric {
+    type Output = Quadric;
+    fn add(self, other: Quadric) -> Quadric {
+        Quadric { a: self.a + other.a, b: self.b + other.b, c: self.c + other.c }
+    }
+}

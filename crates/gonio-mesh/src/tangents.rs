@@ -3,7 +3,7 @@
 //! M. S. Mikkelsen, 2008, "Simulation of wrinkled surfaces revisited". Texture coordinates have v up, so the bitangent
 //! points up in the image, and normal maps have green up (as in OpenGL, glTF and Blender).
 
-use crate::{Mesh, split};
+use crate::{Mesh, weld};
 use bevy_mikktspace::{Geometry, TangentSpace};
 use glam::Vec3;
 
@@ -27,7 +27,7 @@ pub fn with_tangents(mesh: &Mesh) -> Option<Mesh> {
         .map(|(tangent, &vertex)| tangent.unwrap_or_else(|| any_tangent(mesh.normals[vertex as usize])))
         .collect();
     let bare = Mesh { tangents: Vec::new(), ..mesh.clone() };
-    let (mut split, tangents) = split::by_corner_values(&bare, &tangents);
+    let (mut split, tangents) = weld::split_by_corner_values(&bare, &tangents);
     split.tangents = tangents;
     Some(split)
 }
@@ -83,6 +83,7 @@ impl Geometry for Corners<'_> {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+
     use super::*;
 
     /// A square in the plane z = 0, seen from +z, with the picture upright or mirrored.

@@ -2,7 +2,7 @@
 
 mod report;
 
-pub use report::{Finding, Findings, TopologyReport, report};
+pub use report::{Findings, TopologyFinding, TopologyReport, report};
 
 use crate::Mesh;
 use crate::weld::{self, mix};

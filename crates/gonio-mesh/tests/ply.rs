@@ -45,21 +45,12 @@ fn ascii_square() -> String {
 /// The same square in both binary encodings, x y z as `float`, and a `double` and a list to step over in between.
 fn binary_square(is_big_endian: bool, end: &str) -> Vec<u8> {
     let order = if is_big_endian { "big" } else { "little" };
-    let lines = [
-        "ply",
-        &format!("format binary_{order}_endian 1.0"),
-        "comment numbers may begin with a line feed",
-        "element vertex 4",
-        "property list uint8 int16 skipped",
-        "property float32 x",
-        "property float y",
-        "property double weight",
-        "property float z",
-        "element face 1",
-        "property list ushort uint32 vertex_index",
-        "end_header",
-    ];
-    let mut bytes: Vec<u8> = lines.iter().flat_map(|line| format!("{line}{end}").into_bytes()).collect();
+    let header = format!(
+        "ply\nformat binary_{order}_endian 1.0\ncomment numbers may begin with a line feed\nelement vertex 4\n\
+         property list uint8 int16 skipped\nproperty float32 x\nproperty float y\nproperty double weight\n\
+         property float z\nelement face 1\nproperty list ushort uint32 vertex_index\nend_header\n"
+    );
+    let mut bytes = header.replace('\n', end).into_bytes();
     macro_rules! put {
         ($value:expr) => {
             bytes.extend(if is_big_endian { $value.to_be_bytes().to_vec() } else { $value.to_le_bytes().to_vec() })
@@ -122,13 +113,9 @@ fn every_type_by_both_spellings() {
                      property uchar z\nelement face 1\nproperty list uchar uchar vertex_indices\nend_header\n"
                 )
                 .into_bytes();
+                let bytes_of_x = if is_big_endian { number.to_vec() } else { number.iter().rev().copied().collect() };
                 for yz in [[0, 0], [1, 0], [0, 1]] {
-                    bytes.extend(number.iter().copied().map(Some).collect::<Vec<_>>().into_iter().flatten());
-                    if !is_big_endian {
-                        let start = bytes.len() - number.len();
-                        bytes[start..].reverse();
-                    }
-                    bytes.extend(yz);
+                    bytes.extend(bytes_of_x.iter().chain(&yz));
                 }
                 bytes.extend([3, 0, 1, 2]);
                 let mesh = quiet(&bytes).mesh;
@@ -492,12 +479,7 @@ fn every_prefix_and_every_changed_byte_is_survived() {
                   end_header\n0 0 0 1 2 3\n1 0 0 4 5 6\n0 1 0 7 8 9\n3 0 1 2 6 0 0 1 0 0 1 0\n";
     let strips = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
                   element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
-    let files = [
-        wedges.as_bytes().to_vec(),
-        strips.as_bytes().to_vec(),
-        binary_square(false, "\n"),
-        binary_square(true, "\r\n"),
-    ];
+    let files = [wedges.into(), strips.into(), binary_square(false, "\n"), binary_square(true, "\r\n")];
     let (mut read_well, mut tried) = (0, 0);
     for file in files {
         for length in 0..=file.len() {

@@ -44,7 +44,7 @@ fn through_obj(model: &Model) -> (Model, String, String) {
     (again, String::from_utf8(files.obj).unwrap(), String::from_utf8(files.mtl).unwrap())
 }
 
-fn through_ply(model: &Model, encoding: write_ply::Encoding) -> Model {
+fn through_ply(model: &Model, encoding: write_ply::PlyEncoding) -> Model {
     ply::read(&write_ply::write(model, "out", encoding).ply, &mut NoSidecars, &Limits::default()).unwrap()
 }
 
@@ -135,7 +135,7 @@ fn obj_files_come_back_as_they_were() {
 #[test]
 fn meshes_come_back_from_ply() {
     for (name, model) in obj_models() {
-        for encoding in [write_ply::Encoding::Binary, write_ply::Encoding::Ascii] {
+        for encoding in [write_ply::PlyEncoding::Binary, write_ply::PlyEncoding::Ascii] {
             let again = through_ply(&model, encoding);
             check_same_triangles(&again.mesh, &model.mesh, &name);
             let colors = again.mesh.colors.iter().flatten().zip(model.mesh.colors.iter().flatten());
@@ -162,7 +162,7 @@ fn a_triangle_by_its_letters() {
     let expected = "# gonio\nv 0 -0 1e-7\nv 1 0.1 3.4e38\nv 0 1 0.33333334\nf 1 2 3\n";
     assert_eq!(String::from_utf8(files.obj).unwrap(), expected);
     assert_eq!((files.mtl.len(), files.images.len(), files.diagnostics), (0, 0, vec![]));
-    let files = write_ply::write(&model, "out", write_ply::Encoding::Ascii);
+    let files = write_ply::write(&model, "out", write_ply::PlyEncoding::Ascii);
     let expected = "ply\nformat ascii 1.0\ncomment gonio\nelement vertex 3\nproperty float x\nproperty float y\n\
                     property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
                     0 -0 1e-7\n1 0.1 3.4e38\n0 1 0.33333334\n3 0 1 2\n";
@@ -347,7 +347,7 @@ fn what_obj_cannot_hold_is_reported() {
 fn what_ply_cannot_hold_is_reported() {
     let mut model = lossy();
     model.mesh.parts[0].name = "part".to_owned();
-    let files = write_ply::write(&model, "out", write_ply::Encoding::Binary);
+    let files = write_ply::write(&model, "out", write_ply::PlyEncoding::Binary);
     let said: Vec<String> = files.diagnostics.iter().map(ToString::to_string).collect();
     let expected = [
         "warning: of 1 material only the diffuse texture is written: PLY has no more",
@@ -372,7 +372,7 @@ fn several_textures_of_ply() {
         material
     };
     let model = painted(vec![textured("a.png"), textured("b c.png"), textured("a.png")]);
-    for encoding in [write_ply::Encoding::Binary, write_ply::Encoding::Ascii] {
+    for encoding in [write_ply::PlyEncoding::Binary, write_ply::PlyEncoding::Ascii] {
         let files = write_ply::write(&model, "out", encoding);
         assert_eq!(files.diagnostics, vec![]);
         let again = ply::read(&files.ply, &mut NoSidecars, &Limits::default()).unwrap();

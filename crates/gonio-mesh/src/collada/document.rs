@@ -1,9 +1,8 @@
 //! A document: references, positions in the text, diagnostics and numbers.
 
 use super::xml::{Element, Tree};
-use crate::line_index::LineIndex;
-use crate::report::Reports;
-use crate::text::quote;
+use crate::diagnostic::Reports;
+use crate::text::{LineIndex, quote};
 use crate::{Diagnostic, Limits, ReadError, Severity, number};
 use std::borrow::Cow;
 use std::cell::RefCell;

@@ -4,7 +4,6 @@
 //! (`walker`) reads each geometry once (`geometry`, `source`), converts it to an indexed mesh once (`local`) and copies
 //! that to each place (`build`).
 
-mod build;
 mod document;
 mod effect;
 mod geometry;
@@ -13,12 +12,11 @@ mod light;
 mod local;
 mod materials;
 mod source;
-mod transform;
 mod walker;
 mod xml;
 
 use crate::encoding::xml_to_text;
-use crate::line_index::LineIndex;
+use crate::text::LineIndex;
 use crate::{Diagnostic, Limits, Model, ReadError, Sidecars};
 use document::Document;
 use walker::NodeWalker;

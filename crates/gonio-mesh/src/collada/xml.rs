@@ -3,8 +3,7 @@
 //! Nothing here recurses, entities that a document defines are errors, and the tree takes memory proportional to the
 //! file, so deep nesting and entity expansion do no harm.
 
-use crate::line_index::LineIndex;
-use crate::text::quote;
+use crate::text::{LineIndex, quote};
 use crate::{Limits, ReadError};
 use quick_xml::Reader;
 use quick_xml::events::attributes::Attributes;

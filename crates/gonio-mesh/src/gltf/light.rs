@@ -1,7 +1,7 @@
 //! Lights (`KHR_lights_punctual`) and cameras. They are at their node and look along its -z, with +y up.
 
 use super::json::JsonRef;
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::{Diagnostic, ModelCamera, ModelLight, ModelLightKind, ReadError, Severity};
 use glam::{DMat4, DVec3};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};

@@ -4,7 +4,7 @@ use super::buffer::Buffers;
 use super::json::JsonRef;
 use super::primitive::MaterialUse;
 use super::texture::Textures;
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::{
     AmbientRule, Channel, Material, MetallicRoughness, PropertySource, ReadError, Severity, TexelRule, TextureMap,
 };

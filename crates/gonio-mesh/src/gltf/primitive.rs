@@ -3,12 +3,11 @@
 use super::accessor::Accessor;
 use super::buffer::Buffers;
 use super::json::JsonRef;
-use super::triangles::{self, Topology};
-use crate::limits::{too_many_triangles, too_many_vertices};
-use crate::report::Reports;
+use super::triangles::{self, Topology, Used};
+use crate::diagnostic::Reports;
+use crate::input::{too_many_triangles, too_many_vertices};
 use crate::{Cause, Diagnostic, Limits, Mesh, NormalSource, Part, ReadError, Severity};
 use glam::{DMat4, DVec3};
-use std::ops::Range;
 
 /// Most memory that a vertex and a triangle take.
 const BYTES_PER_VERTEX: u64 = 12 + 12 + 8 + 16 + 16;
@@ -415,47 +414,6 @@ struct Attributes<'v> {
     tangents: Option<Accessor<'v>>,
     tex_coords: Option<Accessor<'v>>,
     colors: Option<Accessor<'v>>,
-}
-
-/// The vertices of its arrays that a primitive uses: exporters let many primitives share large arrays.
-struct Used {
-    range: Range<usize>,
-    count: usize,
-    /// For each vertex of the range; empty if all are used.
-    is_used: Vec<bool>,
-}
-
-impl Used {
-    /// Finds the vertices of corners and renumbers the corners, so that the used vertices count from 0.
-    fn by_corners(corners: &mut [u32]) -> Option<Used> {
-        let (first, last) = (*corners.iter().min()?, *corners.iter().max()?);
-        let range = first as usize..last as usize + 1;
-        let mut is_used = vec![false; range.len()];
-        for corner in corners.iter_mut() {
-            *corner -= first;
-            is_used[*corner as usize] = true;
-        }
-        let count = is_used.iter().filter(|used| **used).count();
-        if count == is_used.len() {
-            return Some(Used { range, count, is_used: Vec::new() });
-        }
-        let mut next = 0_u32;
-        let renumbered: Vec<u32> = is_used
-            .iter()
-            .map(|used| {
-                next += u32::from(*used);
-                next.saturating_sub(1)
-            })
-            .collect();
-        corners.iter_mut().for_each(|corner| *corner = renumbered[*corner as usize]);
-        Some(Used { range, count, is_used })
-    }
-
-    /// Keeps the values of used vertices.
-    fn gather<T>(&self, values: Vec<T>) -> impl Iterator<Item = T> {
-        let is_used = |i: usize| self.is_used.get(i).copied().unwrap_or(true);
-        values.into_iter().enumerate().filter(move |(i, _)| is_used(*i)).map(|(_, value)| value)
-    }
 }
 
 /// The transform from a mesh's own space to the model's.

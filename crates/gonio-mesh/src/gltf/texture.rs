@@ -3,7 +3,7 @@
 use super::buffer::Buffers;
 use super::json::JsonRef;
 use super::uri::Uri;
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::{Cause, Diagnostic, EmbeddedImage, ReadError, Severity, TextureMap, Wrap};
 use std::collections::HashMap;
 

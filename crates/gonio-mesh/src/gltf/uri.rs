@@ -94,6 +94,7 @@ fn unescaped_bytes(text: &str) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+
     use super::*;
 
     /// The examples of RFC 4648, section 10.

@@ -1,10 +1,9 @@
 //! `.mesh`: words and numbers separated by blanks or line ends.
 
 use super::content::{Content, Locator, Numbers};
-use super::keywords::{self, Keyword, Rows};
-use crate::line_index::LineIndex;
-use crate::report::Reports;
-use crate::text::quote;
+use super::{Keyword, Rows};
+use crate::diagnostic::Reports;
+use crate::text::{LineIndex, quote};
 use crate::{Limits, ReadError, Severity, number};
 
 const UNKNOWN: &str = "unknown keywords";
@@ -24,7 +23,7 @@ fn sections(words: &mut Words<'_>, limits: &Limits, reports: &mut Reports) -> Re
     let mut content = Content::default();
     begin(words, reports)?;
     while let Some((at, word)) = words.next_keyword() {
-        match keywords::by_name(word) {
+        match super::by_name(word) {
             Some(keyword) => section(keyword, at, words, &mut content, limits, reports)?,
             None => words.warn(UNKNOWN, at, reports, || {
                 format!("unknown keyword {}: skipped, with the numbers after it", quote(word))
@@ -51,7 +50,7 @@ fn begin(words: &mut Words<'_>, reports: &mut Reports) -> Result<(), ReadError> 
         }
         return Ok(());
     }
-    if keywords::by_name(word).is_none() {
+    if super::by_name(word).is_none() {
         let message =
             format!("this is not a Medit file: it begins with {}, not with MeshVersionFormatted", quote(word));
         return Err(words.error_at(at, message));

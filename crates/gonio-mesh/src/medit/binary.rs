@@ -5,8 +5,8 @@
 //! next section (0 for the last one), the number of rows, and the rows.
 
 use super::content::{Content, Locator, Numbers};
-use super::keywords::{self, Keyword, Rows};
-use crate::report::Reports;
+use super::{Keyword, Rows};
+use crate::diagnostic::Reports;
 use crate::{Limits, ReadError, Severity};
 
 /// Whether the file begins like a binary one.
@@ -70,7 +70,7 @@ fn sections(cursor: &mut Bytes<'_>, reports: &mut Reports) -> Result<(Vec<Sectio
         let code = cursor.int32()?;
         let next = cursor.position()?;
         let data = cursor.at;
-        let keyword = u32::try_from(code).ok().and_then(keywords::by_code);
+        let keyword = u32::try_from(code).ok().and_then(super::by_code);
         if keyword.is_some_and(|keyword| keyword.rows == Rows::End) {
             has_end = true;
             break;

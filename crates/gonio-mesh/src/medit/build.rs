@@ -2,10 +2,10 @@
 
 use super::content::{Content, Locator};
 use super::surface::Face;
-use crate::join::Joiner;
-use crate::limits::{too_many_triangles, too_many_vertices};
+use crate::diagnostic::Reports;
+use crate::input::{too_many_triangles, too_many_vertices};
 use crate::polygon::{Cut, Triangulator};
-use crate::report::Reports;
+use crate::weld::Joiner;
 use crate::{Diagnostic, Limits, Material, Mesh, NormalSource, Part, ReadError, Severity};
 use gonio_light::color::srgb_decode;
 

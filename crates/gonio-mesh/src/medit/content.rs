@@ -1,8 +1,8 @@
 //! The contents of a file, in either encoding.
 
-use super::keywords::{Keyword, Rows};
-use crate::line_index::LineIndex;
-use crate::report::Reports;
+use super::{Keyword, Rows};
+use crate::diagnostic::Reports;
+use crate::text::LineIndex;
 use crate::{Diagnostic, Limits, ReadError, Severity};
 
 /// Reads the numbers of a section one after another.

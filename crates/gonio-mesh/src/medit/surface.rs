@@ -1,9 +1,9 @@
 //! Selects the faces to draw: the surface in the file, or else the boundary of its volume elements.
 
+use super::Rows;
 use super::content::{Content, Elements, Locator};
-use super::keywords::Rows;
 use crate::Severity;
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use glam::DVec3;
 
 const NO_VERTEX: &str = "elements with an index out of range";

@@ -2,7 +2,7 @@
 
 use super::map::{self, MapUse, UnsupportedOptions};
 use super::values::{Located, Place, color, only_scalar, put};
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::text::{Cursor, quote};
 use crate::{Channel, PropertySource, Severity, TextureMap};
 

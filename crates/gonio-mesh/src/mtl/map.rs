@@ -1,6 +1,6 @@
 //! Texture statements: options, followed by a file name that may contain spaces.
 
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::text::{Cursor, quote};
 use crate::{Channel, Severity, TextureMap, Wrap};
 

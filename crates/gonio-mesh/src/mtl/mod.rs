@@ -7,8 +7,8 @@ mod physical;
 mod rules;
 mod values;
 
+use crate::diagnostic::Reports;
 use crate::encoding::to_utf8;
-use crate::report::Reports;
 use crate::text::{Cursor, quote};
 use crate::{Diagnostic, Material, PropertySource, Severity};
 use draft::Draft;

@@ -4,7 +4,7 @@
 use super::draft::Draft;
 use super::physical::Physical;
 use super::values::{Located, source};
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::text::quote;
 use crate::{AmbientRule, Material, PropertySource, Severity, TextureMap};
 

@@ -1,6 +1,6 @@
 //! Numbers and colours in statements of a material, with their positions.
 
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::text::{BadNumber, Cursor, quote};
 use crate::{PropertySource, Severity};
 

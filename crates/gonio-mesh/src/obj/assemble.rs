@@ -2,7 +2,7 @@
 
 use super::attributes::Attributes;
 use super::vertices::{Corner, CornerAttributes, Vertices};
-use crate::limits::{too_many_triangles, too_many_vertices};
+use crate::input::{too_many_triangles, too_many_vertices};
 use crate::{Limits, Mesh, NormalSource, ReadError};
 use rayon::prelude::*;
 use std::mem;

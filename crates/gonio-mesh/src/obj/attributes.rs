@@ -3,7 +3,7 @@
 
 use super::fast_path::{Line, REACH, small_numbers};
 use super::scan::{self, Blanks, WINDOW};
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::text::{BadNumber, Cursor, quote};
 use crate::{ReadError, Severity};
 use glam::DVec3;

@@ -1,14 +1,14 @@
 //! The second pass: converts faces to triangles of vertices, and reads all other statements.
 
 use super::attributes::{Attributes, Segment};
-use super::part_spans::{PartSpans, SmoothingGroup};
+use super::parts::{PartSpans, SmoothingGroup};
 use super::plain_face::PlainFace;
 use super::statistics::{MOST_COUNTED, Statistics};
 use super::triangles::Triangles;
 use super::vertices::{Corner, CornerAttributes, Vertices};
-use crate::limits::too_many_triangles;
+use crate::diagnostic::Reports;
+use crate::input::too_many_triangles;
 use crate::polygon::{Cut, FEW, MOST_CORNERS, Triangulator, too_many_corners};
-use crate::report::Reports;
 use crate::text::{Cursor, quote};
 use crate::{ReadError, Severity};
 use std::mem;

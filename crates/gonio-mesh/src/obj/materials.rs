@@ -1,6 +1,6 @@
 //! Materials of an OBJ: finds and reads its libraries, and looks `usemtl` names up in them.
 
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::text::quote;
 use crate::{Diagnostic, Material, Severity, SidecarUse, Sidecars, mtl};
 use std::collections::HashMap;

@@ -12,33 +12,29 @@
 
 mod assemble;
 mod attributes;
-mod contents;
 mod faces;
 mod fast_path;
-mod join;
 mod materials;
-mod part_spans;
 mod parts;
 mod pieces;
 mod plain_face;
 mod scan;
 mod statistics;
-mod tallies;
 #[cfg(test)]
 mod tests;
 mod triangles;
 mod vertices;
 
+use crate::diagnostic::Reports;
 use crate::encoding::read_as_utf8;
-use crate::report::Reports;
 use crate::{Diagnostic, Limits, Model, ReadError, Sidecars};
 pub(crate) use attributes::not_finite_behind_position;
 use attributes::{Attributes, Segment};
 use faces::Faces;
 use gonio_light::color::srgb_decode_f32;
 use materials::MaterialTable;
-pub(crate) use part_spans::SmoothingGroup;
 use parts::Parts;
+pub(crate) use parts::SmoothingGroup;
 use pieces::Plan;
 use rayon::prelude::*;
 use statistics::Statistics;
@@ -72,9 +68,9 @@ fn read_with(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits, plan: P
     let mut attributes = read_attributes(bytes, plan);
     let SecondPass { mut reports, statistics, mut parts, libraries, vertices, indices } =
         read_second_pass(bytes, &mut attributes, limits, plan)?;
-    let contents = contents::list(&attributes, &statistics);
+    let contents = statistics::list(&attributes, &statistics);
     let vertex_count = attributes.positions.len() as u64;
-    contents::report(&attributes, &statistics, &mut reports);
+    statistics::report(&attributes, &statistics, &mut reports);
     if statistics.understood() + attributes.counts().iter().sum::<u64>() == 0 {
         return Err(nothing_understood(&reports));
     }
@@ -94,7 +90,7 @@ fn read_with(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits, plan: P
 fn read_attributes(bytes: &[u8], plan: Plan) -> Attributes {
     let pieces = pieces::split(bytes, plan.pieces);
     let parse = |piece: Range<usize>| Attributes::parse(bytes, piece, plan.fast_path);
-    join::attributes(match pieces.as_slice() {
+    pieces::attributes(match pieces.as_slice() {
         [all] => vec![parse(all.clone())],
         _ => pieces.into_par_iter().map(parse).collect(),
     })
@@ -168,7 +164,7 @@ impl SecondPass {
             all_reports.append(reports, 0);
             pieces.push((vertices, triangles));
         }
-        let vertices = join::vertices(&mut pieces)?;
+        let vertices = pieces::vertices(&mut pieces)?;
         let triangles = pieces.into_iter().map(|(_, triangles)| triangles.finish()).collect();
         let second_pass =
             SecondPass { reports: all_reports, statistics, parts, libraries, vertices, indices: Vec::new() };

@@ -99,6 +99,7 @@ pub(super) fn aligned_digits(bytes: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+
     use super::*;
 
     #[test]

@@ -5,7 +5,7 @@
 //! of their first use.
 
 use crate::ReadError;
-use crate::limits::too_many_vertices;
+use crate::input::too_many_vertices;
 use std::collections::HashMap;
 
 /// Texture coordinate and normal of a corner, as one number: their indices from 1, 0 for none.

@@ -2,11 +2,10 @@
 
 use super::faces::{Faces, NO_TEXTURE};
 use super::vertices::Vertices;
-use crate::join::Joiner;
-use crate::limits::{too_many_triangles, too_many_vertices};
+use crate::diagnostic::{Reports, Tally};
+use crate::input::{too_many_triangles, too_many_vertices};
 use crate::polygon::{Cut, MOST_CORNERS_FOR_EARS, Triangulator};
-use crate::report::Reports;
-use crate::tally::Tally;
+use crate::weld::Joiner;
 use crate::{Diagnostic, Limits, Mesh, NormalSource, Part, ReadError, Severity};
 
 /// Indices into the file's vertices, three for each triangle, and for each index its corner of a face.

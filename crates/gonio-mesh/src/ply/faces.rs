@@ -4,9 +4,8 @@ use super::header::{Element, Property};
 use super::number_reader::{ListProblem, NumberReader, explain, list_length, skip_property};
 use super::scalar::Scalar;
 use super::vertices::{LinearFromSrgb, color_slot};
+use crate::diagnostic::{Reports, Tally};
 use crate::polygon::MOST_CORNERS;
-use crate::report::Reports;
-use crate::tally::Tally;
 use crate::{ReadError, Severity};
 
 /// A `texnumber` that means no texture.

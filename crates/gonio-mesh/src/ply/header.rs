@@ -1,7 +1,7 @@
 //! The header of a PLY file: lines of text that describe the data.
 
 use super::scalar::Scalar;
-use crate::report::Reports;
+use crate::diagnostic::Reports;
 use crate::text::{decode, quote};
 use crate::{ReadError, Severity};
 
@@ -202,6 +202,7 @@ impl<'a> Lines<'a> {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used)]
+
     use super::*;
 
     #[test]

@@ -25,8 +25,8 @@ mod number_reader;
 mod scalar;
 mod vertices;
 
+use crate::diagnostic::Reports;
 use crate::encoding::read_as_utf8;
-use crate::report::Reports;
 use crate::{Diagnostic, Limits, Material, Model, PropertySource as Origin, ReadError, Sidecars, TextureMap};
 use faces::{Faces, Role};
 use header::{Element, Encoding, Header};

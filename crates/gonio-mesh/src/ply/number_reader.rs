@@ -4,10 +4,9 @@ use super::header::{Element, Property};
 use super::scalar::Scalar;
 use crate::ReadError;
 use crate::Severity;
+use crate::diagnostic::{Reports, Tally};
 use crate::number;
 use crate::polygon::too_many_corners;
-use crate::report::Reports;
-use crate::tally::Tally;
 use crate::text::quote;
 
 /// The reason why there is no number.

@@ -2,8 +2,7 @@
 
 use super::header::Element;
 use super::number_reader::{ListProblem, NumberReader, explain, skip_property};
-use crate::report::Reports;
-use crate::tally::Tally;
+use crate::diagnostic::{Reports, Tally};
 use crate::{Diagnostic, Limits, ReadError, Severity};
 use glam::DVec3;
 use gonio_light::color::srgb_decode;

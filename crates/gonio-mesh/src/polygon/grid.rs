@@ -1,7 +1,7 @@
 //! Ear clipping for large polygons: corners that may be in an ear are found in a grid of cells.
 
 use super::Cut;
-use super::ring::Ring;
+use super::ears::Ring;
 use glam::DVec2;
 
 /// Most work per corner, on average, before the search is given up: the worst polygons would take time that grows with

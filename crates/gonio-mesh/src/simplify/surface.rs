@@ -1,6 +1,6 @@
 //! Triangles over places, with the attributes of their corners, while edges collapse.
 
-use super::quadric::Quadric;
+use super::Quadric;
 use crate::{Mesh, Part, weld};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -12,7 +12,7 @@ const LEAST_COSINE: f64 = 0.2;
 
 /// A surface: triangles with a place and a wedge for each corner. A wedge consists of the attributes of a vertex other
 /// than its place (normal, texture coordinates, colour) and its part; a place with several wedges is on a seam.
-pub struct Surface {
+pub struct CollapsingSurface {
     /// Relative to the centre, so that quadrics are exact.
     pub places: Vec<DVec3>,
     /// Number of remaining triangles.
@@ -41,7 +41,7 @@ impl Triangle {
     }
 }
 
-impl Surface {
+impl CollapsingSurface {
     /// Creates the surface of a mesh; without `with_normals`, normals make no seams.
     pub fn new(mesh: &Mesh, with_normals: bool) -> Self {
         let (place_of_vertex, count) = weld::places(&mesh.positions);
@@ -82,7 +82,7 @@ impl Surface {
             }
             triangles.push(Triangle { places: corners, wedges: of_corner, alive });
         }
-        Surface { places, live, triangles, around, vertex_of_wedge }
+        CollapsingSurface { places, live, triangles, around, vertex_of_wedge }
     }
 
     /// Returns the places that share an edge with a place, each once.

@@ -2,9 +2,8 @@
 //! `endsolid NAME`. Case and white space do not matter.
 
 use super::Facets;
+use crate::diagnostic::{Reports, Tally};
 use crate::polygon::Triangulator;
-use crate::report::Reports;
-use crate::tally::Tally;
 use crate::text::{BadNumber, Cursor, quote};
 use crate::{Limits, ReadError, Severity};
 

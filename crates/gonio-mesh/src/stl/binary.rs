@@ -2,8 +2,7 @@
 //! more bytes.
 
 use super::Facets;
-use crate::report::Reports;
-use crate::tally::Tally;
+use crate::diagnostic::{Reports, Tally};
 use crate::{Diagnostic, Limits, Material, PropertySource, ReadError, Severity};
 use gonio_light::color::srgb_decode;
 

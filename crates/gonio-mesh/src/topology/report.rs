@@ -61,12 +61,12 @@ pub struct Findings {
     /// The number of occurrences.
     pub count: u64,
     /// At most five, in the order of their triangles or, for edges and positions, of the mesh's positions.
-    pub first: Vec<Finding>,
+    pub first: Vec<TopologyFinding>,
 }
 
 /// The place of an oddity.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Finding {
+pub struct TopologyFinding {
     /// Triangles that meet there (from 0, in the order of the mesh's indices), at most five.
     pub triangles: Vec<usize>,
     /// One position, the two ends of an edge, or the three corners of a triangle.
@@ -74,7 +74,7 @@ pub struct Finding {
 }
 
 impl Findings {
-    fn add(&mut self, finding: impl FnOnce() -> Finding) {
+    fn add(&mut self, finding: impl FnOnce() -> TopologyFinding) {
         self.count += 1;
         if self.first.len() < MOST_PLACES {
             self.first.push(finding());
@@ -141,12 +141,12 @@ impl Surface<'_> {
         self.mesh.triangle(t).map(|vertex| self.place_of_vertex[vertex])
     }
 
-    fn triangle_finding(&self, t: usize, with: &[usize]) -> Finding {
+    fn triangle_finding(&self, t: usize, with: &[usize]) -> TopologyFinding {
         let positions = self.mesh.triangle(t).map(|vertex| self.mesh.positions[vertex]).to_vec();
-        Finding { triangles: with.iter().copied().chain([t]).collect(), positions }
+        TopologyFinding { triangles: with.iter().copied().chain([t]).collect(), positions }
     }
 
-    fn edge_finding(&self, low: u32, high: u32, uses: &[HalfEdge]) -> Finding {
+    fn edge_finding(&self, low: u32, high: u32, uses: &[HalfEdge]) -> TopologyFinding {
         let triangles: Vec<usize> = uses.iter().take(MOST_PLACES).map(|edge| edge.triangle()).collect();
         let position = |place: u32| {
             let corner = triangles.first().map(|&t| self.mesh.triangle(t)).unwrap_or_default();
@@ -154,7 +154,7 @@ impl Surface<'_> {
             vertex.map(|vertex| self.mesh.positions[vertex]).unwrap_or_default()
         };
         let positions = vec![position(low), position(high)];
-        Finding { triangles, positions }
+        TopologyFinding { triangles, positions }
     }
 
     /// Counts triangles without area; returns which of them use a position twice.
@@ -230,7 +230,7 @@ impl Surface<'_> {
                 } else if *known != fan && !std::mem::replace(&mut is_odd[place as usize], true) {
                     let positions = vec![self.mesh.positions[self.mesh.triangle(t)[k]]];
                     let triangles = vec![*known as usize / 3, t];
-                    report.non_manifold_positions.add(|| Finding { triangles, positions });
+                    report.non_manifold_positions.add(|| TopologyFinding { triangles, positions });
                 }
             }
         }

@@ -3,13 +3,13 @@
 //! Writers take a model and return bytes; they open no files. Numbers have as many digits as needed to read the same
 //! `f32` again. Diagnostics list the properties that a format cannot store.
 
-mod distinct;
 pub mod glb;
 mod mtl;
 pub mod obj;
 pub mod ply;
 mod text;
 
+use crate::weld::{Table, mix};
 use crate::{Material, Model, TextureMap};
 
 /// An image to write to a file beside the model.
@@ -74,4 +74,53 @@ fn texture_path<'a>(texture: &'a TextureMap, images: &'a [ImageFile]) -> &'a str
 /// Formats a count: `1 light`, `2 lights`.
 fn counted(count: usize, one: &str) -> String {
     format!("{count} {one}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Values without repetition, in the order of their first use.
+struct Distinct {
+    /// For each value the number of the equal distinct one.
+    number_of: Vec<u32>,
+    /// For each distinct value its first index.
+    firsts: Vec<u32>,
+}
+
+impl Distinct {
+    /// Finds the distinct ones of `count` values (below 2^32), `N` numbers each: values are equal if they have the same
+    /// bits.
+    fn from_values<const N: usize>(count: usize, value: impl Fn(usize) -> [f32; N]) -> Distinct {
+        let bits = |index: usize| value(index).map(f32::to_bits);
+        let mut table = Table::with_room_for(count);
+        let mut distinct = Distinct { number_of: Vec::with_capacity(count), firsts: Vec::new() };
+        for index in 0..count {
+            let key = bits(index);
+            let hash = key.iter().fold(0, |hash, &part| mix(hash ^ u64::from(part)));
+            let firsts = &mut distinct.firsts;
+            let found = table.find(hash, |number| bits(firsts[number as usize] as usize) == key);
+            distinct.number_of.push(found.unwrap_or_else(|slot| {
+                let number = firsts.len() as u32;
+                table.fill(slot, number);
+                firsts.push(index as u32);
+                number
+            }));
+        }
+        distinct
+    }
+
+    /// Returns the indices of the distinct values.
+    fn indices(&self) -> impl Iterator<Item = usize> {
+        self.firsts.iter().map(|&first| first as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_bits_are_one_value() {
+        let values = [[0.0], [1.0], [-0.0], [1.0], [0.0]];
+        let distinct = Distinct::from_values(values.len(), |i| values[i]);
+        assert_eq!(distinct.number_of, [0, 1, 2, 1, 0]);
+        assert_eq!(distinct.firsts, [0, 1, 2]);
+    }
 }

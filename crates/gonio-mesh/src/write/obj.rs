@@ -1,8 +1,7 @@
 //! Writes a model as Wavefront OBJ with its material library.
 
-use super::distinct::Distinct;
 use super::text::{Text, plain_name};
-use super::{ImageFile, counted, image_files, mtl};
+use super::{Distinct, ImageFile, counted, image_files, mtl};
 use crate::{Diagnostic, Material, Mesh, Model, Part};
 use gonio_light::color::srgb_encode;
 

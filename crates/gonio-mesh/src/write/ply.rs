@@ -7,7 +7,7 @@ use gonio_light::color::srgb_encode;
 
 /// The encoding of numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Encoding {
+pub enum PlyEncoding {
     /// `binary_little_endian`
     #[default]
     Binary,
@@ -33,7 +33,7 @@ pub struct PlyFiles {
 /// TextureFile NAME`, and if there are several, `texnumber` for each face.
 ///
 /// Other properties of materials are lost, and so are names of parts, smoothing groups, tangents, lights and cameras.
-pub fn write(model: &Model, stem: &str, encoding: Encoding) -> PlyFiles {
+pub fn write(model: &Model, stem: &str, encoding: PlyEncoding) -> PlyFiles {
     let mesh = &model.mesh;
     let images = image_files(model, stem);
     let textures = Textures::of_model(model);
@@ -41,7 +41,7 @@ pub fn write(model: &Model, stem: &str, encoding: Encoding) -> PlyFiles {
     let mut text = Text::default();
     write_header(mesh, &textures, &images, encoding, &mut text, &mut diagnostics);
     // Up to 36 bytes for a vertex, 14 for a face; about twice that as text.
-    let factor = if encoding == Encoding::Ascii { 2 } else { 1 };
+    let factor = if encoding == PlyEncoding::Ascii { 2 } else { 1 };
     text.bytes.reserve(factor * (36 * mesh.positions.len() + 14 * mesh.triangle_count()));
     let mut writer = Writer { encoding, text };
     for i in 0..mesh.positions.len() {
@@ -103,11 +103,11 @@ fn write_header(
     mesh: &Mesh,
     textures: &Textures<'_>,
     images: &[ImageFile],
-    encoding: Encoding,
+    encoding: PlyEncoding,
     text: &mut Text,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    let format = if encoding == Encoding::Ascii { "ascii" } else { "binary_little_endian" };
+    let format = if encoding == PlyEncoding::Ascii { "ascii" } else { "binary_little_endian" };
     text.push(&format!("ply\nformat {format} 1.0\ncomment gonio\n"));
     for map in &textures.maps {
         let path = texture_path(map, images);
@@ -144,7 +144,7 @@ fn write_header(
 
 /// Writes numbers in one of the encodings.
 struct Writer {
-    encoding: Encoding,
+    encoding: PlyEncoding,
     text: Text,
 }
 
@@ -160,8 +160,8 @@ impl Writer {
         if let Some(&color) = mesh.colors.get(i) {
             for byte in bytes_of_color(color) {
                 match self.encoding {
-                    Encoding::Binary => self.text.byte(byte),
-                    Encoding::Ascii => self.integer(byte.into()),
+                    PlyEncoding::Binary => self.text.byte(byte),
+                    PlyEncoding::Ascii => self.integer(byte.into()),
                 }
             }
         }
@@ -170,12 +170,12 @@ impl Writer {
 
     fn face(&mut self, triangle: &[u32], texture: Option<i32>) {
         match self.encoding {
-            Encoding::Binary => {
+            PlyEncoding::Binary => {
                 self.text.byte(triangle.len() as u8);
                 triangle.iter().for_each(|index| self.text.bytes.extend(index.to_le_bytes()));
                 self.text.bytes.extend(texture.iter().flat_map(|texture| texture.to_le_bytes()));
             }
-            Encoding::Ascii => {
+            PlyEncoding::Ascii => {
                 self.integer(triangle.len() as i64);
                 triangle.iter().for_each(|&index| self.integer(index.into()));
                 texture.iter().for_each(|&texture| self.integer(texture.into()));
@@ -186,8 +186,8 @@ impl Writer {
 
     fn floats(&mut self, values: &[f32]) {
         match self.encoding {
-            Encoding::Binary => values.iter().for_each(|value| self.text.bytes.extend(value.to_le_bytes())),
-            Encoding::Ascii => {
+            PlyEncoding::Binary => values.iter().for_each(|value| self.text.bytes.extend(value.to_le_bytes())),
+            PlyEncoding::Ascii => {
                 for &value in values {
                     self.blank();
                     self.text.number(value);
@@ -212,7 +212,7 @@ impl Writer {
     }
 
     fn end(&mut self) {
-        if self.encoding == Encoding::Ascii {
+        if self.encoding == PlyEncoding::Ascii {
             self.text.byte(b'\n');
         }
     }

@@ -6,6 +6,6 @@ mod builder;
 mod errors;
 mod geometry;
 mod materials;
+mod oddities;
 mod second_reader;
-mod whole_numbers;
 mod write;

@@ -150,7 +150,7 @@ fn obj_files(model: &mut Model, textures: Textures, output: &OutputPath) -> Conv
 
 fn ply_files(model: &mut Model, textures: Textures, args: &ConvertArgs) -> Converted {
     let path = path_of(&args.output);
-    let encoding = if args.ascii { write::ply::Encoding::Ascii } else { write::ply::Encoding::Binary };
+    let encoding = if args.ascii { write::ply::PlyEncoding::Ascii } else { write::ply::PlyEncoding::Binary };
     textures.name_for(model, path);
     let files = write::ply::write(model, &stem_of(path), encoding);
     let beside = image_files(model, &files.images, path).collect();

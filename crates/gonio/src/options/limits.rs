@@ -8,7 +8,7 @@ use super::values;
 use crate::report::Reporter;
 use clap::Args;
 use gonio_mesh::Limits;
-use gonio_mesh::limits::DEFAULT_MAX_BYTES;
+use gonio_mesh::input::DEFAULT_MAX_BYTES;
 use gonio_scene::files::{Budgeted, DiskAndInput, FileSource, Sandbox};
 use std::path::{Path, PathBuf};
 
