@@ -2,10 +2,10 @@
 //! the same checks by itself, so a browser needs none of them.
 
 use crate::trace::enums::component_bytes;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-/// A draw call as it was asked for.
+/// The arguments of a draw call.
 #[derive(Clone, Copy, Debug)]
 pub struct DrawCall {
     /// `GL_TRIANGLES`, ...
@@ -22,15 +22,20 @@ pub struct DrawCall {
 
 /// The largest buffer of which a copy is kept, so that the indices of any part of it can be checked.
 const MOST_KEPT: usize = 64 << 10;
+/// Bytes of a large buffer that are searched at a time, for all sizes of indices: they stay in the cache.
+const BLOCK: usize = 16 << 10;
+/// The sizes of indices in bytes, each with the highest index of that size.
+const INDEX_SIZES: [(usize, u32); 3] = [(1, u8::MAX as u32), (2, u16::MAX as u32), (4, u32::MAX)];
 
 /// The contents of a buffer, as far as the checks of draws need them.
 #[derive(Debug, Default)]
 pub struct Contents {
     /// Its size.
     pub bytes: u64,
-    /// The highest index in it, read as indices of one, two and four bytes; `None` for buffers of vertices.
-    highest: Option<[u32; 3]>,
-    /// A copy of its bytes, if they are few.
+    /// The highest index in it for each of [`INDEX_SIZES`]. Found when a large buffer is filled, because nothing else is kept
+    /// of it, and in a copy when a draw first needs it; `None` until then, and for large buffers of vertices.
+    highest: [Cell<Option<u32>>; INDEX_SIZES.len()],
+    /// A copy of its bytes; empty if there are more than [`MOST_KEPT`].
     copy: Vec<u8>,
 }
 
@@ -44,8 +49,20 @@ impl Contents {
         if cfg!(target_arch = "wasm32") {
             return Contents { bytes: size, ..Contents::default() };
         }
-        let copy = if bytes.len() <= MOST_KEPT { bytes.to_vec() } else { Vec::new() };
-        Contents { bytes: size, highest: are_indices.then(|| highest_of_each_size(bytes)), copy }
+        if bytes.len() <= MOST_KEPT {
+            return Contents { bytes: size, copy: bytes.to_vec(), ..Contents::default() };
+        }
+        let highest = if are_indices { highest_of_each_size(bytes).map(Some) } else { [None; INDEX_SIZES.len()] };
+        Contents { bytes: size, highest: highest.map(Cell::new), copy: Vec::new() }
+    }
+
+    /// The highest index in the whole buffer; `None` if it is not known.
+    fn highest(&self, index_bytes: usize) -> Option<u32> {
+        let known = &self.highest[index_bytes.trailing_zeros() as usize];
+        if known.get().is_none() && self.copy.len() as u64 == self.bytes {
+            known.set(Some(highest(&self.copy, index_bytes)));
+        }
+        known.get()
     }
 
     /// Whether the indices of a range lie in the buffer and are all less than `end`.
@@ -54,8 +71,8 @@ impl Contents {
         if last > self.bytes {
             return false;
         }
-        let known = self.highest.map(|highest| highest[index_bytes.trailing_zeros() as usize]);
-        if known.is_some_and(|highest| u64::from(highest) < end) {
+        let is_aligned = first.is_multiple_of(index_bytes as u64);
+        if is_aligned && self.highest(index_bytes).is_some_and(|highest| u64::from(highest) < end) {
             return true;
         }
         // Only a part of the buffer may be drawn.
@@ -64,8 +81,18 @@ impl Contents {
     }
 }
 
-fn highest_of_each_size(bytes: &[u8]) -> [u32; 3] {
-    [1, 2, 4].map(|index_bytes| highest(bytes, index_bytes))
+/// The highest index for each of [`INDEX_SIZES`], in one pass over the memory. A size whose highest possible index was found
+/// is not searched any further, which for most models leaves only the size that is drawn.
+fn highest_of_each_size(bytes: &[u8]) -> [u32; INDEX_SIZES.len()] {
+    let mut highest_so_far = [0; INDEX_SIZES.len()];
+    for block in bytes.chunks(BLOCK) {
+        for (so_far, (index_bytes, most)) in highest_so_far.iter_mut().zip(INDEX_SIZES) {
+            if *so_far < most {
+                *so_far = highest(block, index_bytes).max(*so_far);
+            }
+        }
+    }
+    highest_so_far
 }
 
 fn highest(bytes: &[u8], index_bytes: usize) -> u32 {
@@ -95,15 +122,15 @@ pub struct EnabledArray<'a> {
 
 /// The number of vertices and instances that the enabled arrays have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Limits {
+pub struct IndexLimits {
     vertices: u64,
     instances: u64,
 }
 
-impl Limits {
+impl IndexLimits {
     /// The smallest number of vertices and instances among arrays.
     pub fn least_of<'a>(arrays: impl Iterator<Item = EnabledArray<'a>>) -> Self {
-        let mut limits = Limits { vertices: u64::MAX, instances: u64::MAX };
+        let mut limits = IndexLimits { vertices: u64::MAX, instances: u64::MAX };
         for array in arrays {
             let element = u64::from(array.components) * u64::from(component_bytes(array.component_type));
             let stride = if array.stride == 0 { element } else { array.stride.into() }.max(1);
@@ -132,7 +159,7 @@ impl CheckedDraw {
     pub fn new(
         call: DrawCall,
         array: Option<glow::VertexArray>,
-        limits: Limits,
+        limits: IndexLimits,
         indices: Option<&Contents>,
     ) -> Option<Self> {
         let checked = CheckedDraw { call, array };
@@ -169,7 +196,7 @@ mod tests {
         DrawCall { mode: glow::TRIANGLES, first, count, index_type, instances: 1 }
     }
 
-    fn limits(bytes: usize, stride: u32, offset: u32) -> Limits {
+    fn limits(bytes: usize, stride: u32, offset: u32) -> IndexLimits {
         let contents = Rc::new(RefCell::new(Contents::new(&vec![0; bytes], false)));
         let array = EnabledArray {
             contents: Some(&contents),
@@ -179,10 +206,10 @@ mod tests {
             offset,
             divisor: 0,
         };
-        Limits::least_of([array].into_iter())
+        IndexLimits::least_of([array].into_iter())
     }
 
-    fn allows(call: DrawCall, limits: Limits, indices: Option<&Contents>) -> bool {
+    fn allows(call: DrawCall, limits: IndexLimits, indices: Option<&Contents>) -> bool {
         CheckedDraw::new(call, None, limits, indices).is_some()
     }
 
@@ -194,7 +221,10 @@ mod tests {
             assert!(!allows(call(0, most + 1, None), limits, None), "{bytes} {stride} {offset}");
             assert!(!allows(call(most, 1, None), limits, None), "{bytes} {stride} {offset}");
         }
-        assert!(allows(call(0, 1000, None), Limits::least_of(std::iter::empty()), None), "no array, nothing to read");
+        assert!(
+            allows(call(0, 1000, None), IndexLimits::least_of(std::iter::empty()), None),
+            "no array, nothing to read"
+        );
         assert!(!allows(call(-1, 1, None), limits(72, 24, 0), None));
     }
 
@@ -229,6 +259,29 @@ mod tests {
     }
 
     #[test]
+    fn indices_of_every_size_are_found_in_a_large_buffer() {
+        let mut bytes = vec![0; 4 * MOST_KEPT + 2];
+        assert_eq!(highest_of_each_size(&bytes), [0; 3]);
+        bytes[BLOCK + 4] = 7;
+        bytes[3 * BLOCK - 2] = 9;
+        let [ones, twos, fours] = highest_of_each_size(&bytes);
+        assert_eq!((ones, twos), (9, highest(&bytes, 2)));
+        assert_eq!(fours, highest(&bytes, 4));
+        bytes[0] = u8::MAX;
+        assert_eq!(highest_of_each_size(&bytes), [1, 2, 4].map(|index_bytes| highest(&bytes, index_bytes)));
+    }
+
+    #[test]
+    fn indices_at_an_odd_byte_are_read_from_there() {
+        let contents = Contents::new(&[0, 1, 0, 1, 0, 0, 0, 0], true);
+        assert_eq!(contents.highest(2), Some(256));
+        let at = |first| call(first, 1, Some(glow::UNSIGNED_SHORT));
+        let limits = limits(36, 0, 0);
+        assert!(allows(at(4), limits, Some(&contents)) && !allows(at(0), limits, Some(&contents)));
+        assert!(allows(at(1), limits, Some(&contents)), "bytes 1 and 0");
+    }
+
+    #[test]
     fn instances_have_arrays_of_their_own() {
         let contents = Rc::new(RefCell::new(Contents::new(&[0; 24], false)));
         let array = EnabledArray {
@@ -239,10 +292,10 @@ mod tests {
             offset: 0,
             divisor: 1,
         };
-        let limits = Limits::least_of([array].into_iter());
+        let limits = IndexLimits::least_of([array].into_iter());
         let draw = |instances| DrawCall { instances, ..call(0, 4, None) };
         assert!(allows(draw(2), limits, None) && !allows(draw(3), limits, None));
-        let without_buffer = Limits::least_of([EnabledArray { contents: None, divisor: 0, ..array }].into_iter());
+        let without_buffer = IndexLimits::least_of([EnabledArray { contents: None, divisor: 0, ..array }].into_iter());
         assert!(!allows(call(0, 1, None), without_buffer, None));
     }
 }

@@ -10,7 +10,7 @@
 //! name of an object that does not exist cannot make these calls touch memory. None of them reads or writes memory of the
 //! process but through `&str` and slices, whose lengths glow passes on, and through results, for which glow asks for the
 //! length first. Where the number of results depends on an argument (`glGet...`), or where OpenGL reads as much as other
-//! state says (texels, attributes, draws), the call is not in this table but in `memory.rs`, with a check.
+//! state says (texels, attributes, draws), the call is not in this table but in `functions.rs`, with a check.
 //!
 //! What remains is a context that is current. [`crate::Gl`] is not `Send`; whoever makes one promises the context: glow's
 //! own constructors, which are unsafe, or `headless`.

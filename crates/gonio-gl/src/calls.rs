@@ -3,9 +3,9 @@
 use crate::Gl;
 use crate::bounds::DrawCall;
 use crate::call_table::call_table;
-use crate::memory::{AttributeLayout, Texels};
-use crate::trace::data::{Content, Subject};
-use crate::trace::state::{
+use crate::functions::{AttributeLayout, Texels};
+use crate::trace::data::{DrawSubject, TexelEncoding};
+use crate::trace::object_state::{
     ArrayState, Attached, BufferState, FramebufferState, Label, ProgramState, RenderbufferState, TextureState,
 };
 use std::convert::identity;
@@ -148,7 +148,7 @@ impl Gl {
     }
 
     /// Notes how the texels of the 2-D texture of the active unit encode their values.
-    pub fn note_content(&self, content: Content) {
+    pub fn note_content(&self, content: TexelEncoding) {
         self.with_state(|state| {
             if let Some(texture) = state.bound_texture(glow::TEXTURE_2D) {
                 texture.content = content;
@@ -296,7 +296,7 @@ impl Gl {
     }
 
     /// Names what is drawn until the returned guard is dropped. What is bound meanwhile is bound for that.
-    pub fn drawing(&self, subject: impl FnOnce() -> Subject) -> Drawing<'_> {
+    pub fn drawing(&self, subject: impl FnOnce() -> DrawSubject) -> Drawing<'_> {
         self.recorded(|_, state, _| {
             state.subjects += 1;
             state.subject = Some((state.subjects, Rc::new(subject())));

@@ -1,4 +1,4 @@
-//! The OpenGL of a context, and what must live as long as it is called.
+//! The OpenGL of a context, what must live as long as it is called, and its errors.
 
 use crate::Dialect;
 use crate::functions::Functions;
@@ -6,6 +6,7 @@ use crate::trace::recorder::Recorder;
 use crate::trace::state::State;
 use std::any::Any;
 use std::cell::RefCell;
+use std::fmt;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -131,3 +132,41 @@ impl Gl {
         self.tracker.recorder.replace(recorder)
     }
 }
+
+/// An error of OpenGL or of a driver.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GlError {
+    /// What went wrong and where, and what to do about it: one sentence. After it, a driver's log may follow.
+    pub message: String,
+    /// What would help besides, in a program that offers it.
+    pub remedy: Option<Remedy>,
+}
+
+/// What a program can do about an error, if it has an option for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remedy {
+    /// Drawing on the CPU, which needs no OpenGL.
+    CpuRenderer,
+    /// A picture of fewer pixels, or fewer samples per pixel.
+    SmallerPicture,
+}
+
+impl GlError {
+    /// An error with this sentence.
+    pub fn new(message: impl Into<String>) -> Self {
+        GlError { message: message.into(), remedy: None }
+    }
+
+    /// The same error with a remedy.
+    pub fn with_remedy(self, remedy: Remedy) -> Self {
+        GlError { remedy: Some(remedy), ..self }
+    }
+}
+
+impl fmt::Display for GlError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for GlError {}

@@ -7,36 +7,27 @@
 mod bounds;
 mod call_table;
 mod calls;
-#[cfg(all(feature = "headless", any(windows, target_os = "linux")))]
+#[cfg(feature = "headless")]
 pub mod capture;
-#[cfg(all(feature = "headless", not(any(windows, target_os = "linux"))))]
-#[path = "capture_unsupported.rs"]
-pub mod capture;
-mod dialect;
 mod driver;
-mod error;
 mod functions;
 mod gl;
 #[cfg(feature = "headless")]
 pub mod headless;
-mod memory;
 pub mod objects;
 pub mod program;
 mod saved_state;
-pub mod statistics;
 pub mod target;
 pub mod trace;
 
 pub use calls::Drawing;
-pub use dialect::Dialect;
-pub use driver::DriverInfo;
-pub use error::{GlError, Remedy};
-pub use gl::Gl;
+pub use driver::{Dialect, DriverInfo};
+pub use functions::Texels;
+pub use gl::{Gl, GlError, Remedy};
 #[cfg(feature = "headless")]
 pub use headless::HeadlessContext;
-pub use memory::Texels;
+pub use objects::GpuStatistics;
 pub use saved_state::SavedState;
-pub use statistics::GpuStatistics;
 
 #[cfg(test)]
 mod tests;

@@ -6,18 +6,18 @@ use crate::{Gl, GlError, Remedy, Texels};
 
 /// The precision of linear colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precision {
+pub enum ColorPrecision {
     /// 16-bit floats, 11 bits of mantissa: enough for pictures of 8 bits a channel, and half the memory.
     Half,
     /// 32-bit floats: for linear output, and for comparisons.
     Full,
 }
 
-impl Precision {
+impl ColorPrecision {
     fn format(self) -> u32 {
         match self {
-            Precision::Half => glow::RGBA16F,
-            Precision::Full => glow::RGBA32F,
+            ColorPrecision::Half => glow::RGBA16F,
+            ColorPrecision::Full => glow::RGBA32F,
         }
     }
 }
@@ -59,7 +59,7 @@ pub struct Target {
     /// The samples of each pixel.
     pub sampling: Sampling,
     /// The precision of its colours.
-    pub precision: Precision,
+    pub precision: ColorPrecision,
     drawn: Framebuffer,
     _depth: Renderbuffer,
     color: Color,
@@ -132,7 +132,7 @@ impl Target {
         dialect: Dialect,
         size: [i32; 2],
         sampling: Sampling,
-        precision: Precision,
+        precision: ColorPrecision,
     ) -> Result<Self, GlError> {
         let format = precision.format();
         let float = (glow::RGBA, glow::FLOAT);

@@ -1,4 +1,4 @@
-// The inside of an object, as rays of sight find it: twin of gonio-light's `through_body`, with body_tree.rs as the body.
+// The inside of an object, as rays of sight find it: twin of gonio-light's `through_body`, with body.rs as the body.
 // Body space is the world moved and scaled, not turned.
 // From Rust: MOST_MEETINGS, WEIGHT_THAT_COUNTS, NEAREST_MEETING, BODY_ROW, LEAF_STEP.
 

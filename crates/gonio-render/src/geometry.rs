@@ -24,7 +24,7 @@ pub enum Form {
 }
 
 /// A mesh's buffers. The vertex array names them all, so they live as long as it does.
-pub struct Geometry {
+pub struct MeshOnGpu {
     array: VertexArray,
     _buffers: Vec<Buffer>,
     /// Bytes on the GPU.
@@ -35,7 +35,7 @@ pub struct Geometry {
     pub count: usize,
 }
 
-impl Geometry {
+impl MeshOnGpu {
     /// A mesh in a form, which a debugger shows as `name`. The order of triangles is the mesh's.
     pub fn new(gl: &Gl, mesh: &Mesh, form: Form, name: &str) -> Result<Self, GlError> {
         match form {
@@ -69,7 +69,7 @@ impl Geometry {
         }
         gl.bind_vertex_array(None);
         let count = starts.len().min(ways.len());
-        Ok(Geometry { array, _buffers: buffers, bytes: count * 24, has_colors: false, count })
+        Ok(MeshOnGpu { array, _buffers: buffers, bytes: count * 24, has_colors: false, count })
     }
 
     fn corners(gl: &Gl, mesh: &Mesh, name: &str) -> Result<Self, GlError> {
@@ -81,7 +81,7 @@ impl Geometry {
         attribute(gl, "position", 3);
         gl.bind_vertex_array(None);
         let (bytes, count) = (bytes.len(), corners.len());
-        Ok(Geometry { array, _buffers: vec![buffer], bytes, has_colors: false, count })
+        Ok(MeshOnGpu { array, _buffers: vec![buffer], bytes, has_colors: false, count })
     }
 
     fn unshared(gl: &Gl, mesh: &Mesh, name: &str) -> Result<Self, GlError> {
@@ -121,7 +121,13 @@ impl Geometry {
         }
         fill(bytemuck::cast_slice(&mesh.indices), glow::ELEMENT_ARRAY_BUFFER, "indices")?;
         gl.bind_vertex_array(None);
-        Ok(Geometry { array, _buffers: buffers, bytes, has_colors: !mesh.colors.is_empty(), count: mesh.indices.len() })
+        Ok(MeshOnGpu {
+            array,
+            _buffers: buffers,
+            bytes,
+            has_colors: !mesh.colors.is_empty(),
+            count: mesh.indices.len(),
+        })
     }
 
     /// Makes it what the next draws read. Attributes that the mesh lacks get their constants, which

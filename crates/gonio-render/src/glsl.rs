@@ -1,18 +1,14 @@
 //! GLSL, composed once: a header for the dialect, constants generated from Rust, then the files.
 
-mod difference;
 mod output;
-mod presentation;
 mod special;
 mod surroundings;
 
-pub use difference::difference_sources;
-pub use output::{Display, OutputKey};
-pub use presentation::presentation_sources;
+pub use output::{Display, OutputKey, difference_sources, presentation_sources};
 pub use special::{OVERDRAW_SCALE, SpecialProgram};
 pub use surroundings::{SurfaceOptics, SurroundingsKey, sky_sources};
 
-use crate::body_tree::LEAF_STEP;
+use crate::body::LEAF_STEP;
 use gonio_gl::Dialect;
 use gonio_light::brdf::{self, BrdfKind};
 use gonio_light::color::{self, ToneMap};
@@ -21,7 +17,7 @@ use gonio_light::optics::{self, Fresnel};
 use gonio_light::{Quantity, Specular, microfacet, vector};
 use gonio_scene::scene::HOLE_OPACITY;
 use gonio_scene::scene_file::Shading;
-use output::{OUTPUT_VERT, tone_map_define};
+use output::tone_map_define;
 use std::fmt::Write;
 
 /// Texels of one light in the light table.

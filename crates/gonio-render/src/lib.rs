@@ -5,29 +5,22 @@
 //! are the twins of `gonio-light`'s.
 #![forbid(unsafe_code)]
 
-mod body_on_gpu;
-mod body_tree;
+mod body;
 pub mod conversion;
-mod display_options;
-mod display_texture;
+mod display;
 mod environment_on_gpu;
 mod geometry;
 pub mod gl_program;
 pub mod glsl;
-mod gpu_cache;
-mod half;
 mod light_table;
-mod presenter;
 mod renderer;
 mod scene_on_gpu;
 mod textures;
 pub mod user_program;
 
-pub use display_options::{DisplayOptions, View};
-pub use display_texture::DisplayTexture;
+pub use display::{DisplayOptions, DisplayTexture, Presentation, Presenter, View};
 pub use glsl::OVERDRAW_SCALE;
 pub use gonio_scene::{Overlays, SpecialView};
-pub use presenter::{Presentation, Presenter};
 pub use renderer::{DifferenceScale, Painted, RenderedFrame, RenderedPicture, Renderer};
 pub use scene_on_gpu::GpuScene;
 

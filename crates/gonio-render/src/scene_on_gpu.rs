@@ -1,23 +1,21 @@
-//! A scene's buffers and textures on the GPU.
+//! A scene's buffers and textures on the GPU, and the cache that scenes share.
 
-use crate::body_on_gpu::BodyOnGpu;
-use crate::body_tree::BodyTable;
+use crate::body::{BodyOnGpu, BodyTable};
 use crate::environment_on_gpu::EnvironmentOnGpu;
-use crate::geometry::{Form, Geometry};
-use crate::gpu_cache::GpuCache;
+use crate::geometry::{Form, MeshOnGpu};
 use crate::textures;
 use glam::{DMat4, Mat3, Vec3};
-use gonio_gl::DriverInfo;
 use gonio_gl::objects::TextureObject;
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{DriverInfo, Gl, GlError};
 use gonio_light::{Optics, Surfaces};
 use gonio_mesh::Mesh;
 use gonio_scene::scene_file::Shading;
-use gonio_scene::{Object, Scene, SceneMaterial};
+use gonio_scene::{LoadedEnvironment, Object, Scene, SceneMaterial, Texture};
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::rc::Rc;
-use std::sync::Arc;
+use std::hash::Hash;
+use std::rc::{Rc, Weak as WeakRc};
+use std::sync::{Arc, Weak};
 
 /// A scene's buffers and textures on the GPU, shared with other scenes of the same renderer; freed with the last.
 pub struct GpuScene {
@@ -31,7 +29,7 @@ pub struct GpuScene {
     /// The meshes, for overlays.
     meshes: Vec<Arc<Mesh>>,
     /// The geometry of overlays, by mesh and form.
-    overlays: RefCell<HashMap<(usize, Form), Rc<Geometry>>>,
+    overlays: RefCell<HashMap<(usize, Form), Rc<MeshOnGpu>>>,
     /// Bytes of geometry on the GPU.
     pub geometry_bytes: usize,
     /// Triangles of all objects.
@@ -41,8 +39,8 @@ pub struct GpuScene {
 /// A mesh in the forms that its objects need.
 #[derive(Default)]
 pub(crate) struct MeshGeometry {
-    pub shared: Option<Rc<Geometry>>,
-    pub unshared: Option<Rc<Geometry>>,
+    pub shared: Option<Rc<MeshOnGpu>>,
+    pub unshared: Option<Rc<MeshOnGpu>>,
 }
 
 /// An object with what does not change from frame to frame.
@@ -91,11 +89,11 @@ impl GpuScene {
             let geometry = &mut geometries[object.mesh];
             if wants_unshared(object.shading) {
                 if geometry.unshared.is_none() {
-                    let make = || Geometry::new(gl, mesh, Form::Unshared, &object.name);
+                    let make = || MeshOnGpu::new(gl, mesh, Form::Unshared, &object.name);
                     geometry.unshared = Some(cache.geometries.get(mesh, Form::Unshared, make)?);
                 }
             } else if geometry.shared.is_none() {
-                let make = || Geometry::new(gl, mesh, Form::Shared, &object.name);
+                let make = || MeshOnGpu::new(gl, mesh, Form::Shared, &object.name);
                 geometry.shared = Some(cache.geometries.get(mesh, Form::Shared, make)?);
             }
         }
@@ -137,14 +135,14 @@ impl GpuScene {
         cache: &mut GpuCache,
         object: &GpuObject,
         form: Form,
-    ) -> Result<Rc<Geometry>, GlError> {
+    ) -> Result<Rc<MeshOnGpu>, GlError> {
         let index = object.object.mesh;
         if let Some(made) = self.overlays.borrow().get(&(index, form)) {
             return Ok(made.clone());
         }
         let name = &object.object.name;
         let mesh = self.meshes.get(index).ok_or_else(|| GlError::new(format!("`{name}` has no mesh")))?;
-        let made = cache.geometries.get(mesh, form, || Geometry::new(gl, mesh, form, name))?;
+        let made = cache.geometries.get(mesh, form, || MeshOnGpu::new(gl, mesh, form, name))?;
         self.overlays.borrow_mut().insert((index, form), made.clone());
         Ok(made)
     }
@@ -230,5 +228,86 @@ impl GpuObject {
             ));
         }
         Ok(())
+    }
+}
+
+/// The GPU resources of all scenes.
+#[derive(Default)]
+pub(crate) struct GpuCache {
+    pub geometries: CacheOf<Form, Mesh, MeshOnGpu>,
+    pub textures: CacheOf<(), Texture, TextureObject>,
+    pub environments: CacheOf<(), LoadedEnvironment, EnvironmentOnGpu>,
+    /// By whether normals are those of triangles, and by the bits of the object's matrix.
+    pub bodies: CacheOf<(bool, [u64; 16]), Mesh, BodyOnGpu>,
+}
+
+impl GpuCache {
+    /// Removes unused entries.
+    pub fn tidy(&mut self) {
+        self.geometries.tidy();
+        self.textures.tidy();
+        self.environments.tidy();
+        self.bodies.tidy();
+    }
+
+    /// The number of resources created so far.
+    pub fn count_made(&self) -> usize {
+        self.geometries.count_made + self.textures.count_made + self.environments.count_made + self.bodies.count_made
+    }
+}
+
+/// GPU resources by the identity of the data that they were created from, and how.
+pub(crate) struct CacheOf<How, Source, Made> {
+    made: HashMap<(usize, How), (Weak<Source>, WeakRc<Made>)>,
+    /// The number created so far.
+    count_made: usize,
+}
+
+impl<How, Source, Made> Default for CacheOf<How, Source, Made> {
+    fn default() -> Self {
+        CacheOf { made: HashMap::new(), count_made: 0 }
+    }
+}
+
+impl<How: Hash + Eq, Source, Made> CacheOf<How, Source, Made> {
+    /// The resource that was created from `source` in this way; it is created now if it is missing.
+    ///
+    /// An address says who somebody is while somebody remembers it: the weak reference keeps the address from being
+    /// given to another, though not what lay there.
+    pub fn get(
+        &mut self,
+        source: &Arc<Source>,
+        how: How,
+        make: impl FnOnce() -> Result<Made, GlError>,
+    ) -> Result<Rc<Made>, GlError> {
+        let made = self.get_if(source, how, || make().map(Some))?;
+        made.ok_or_else(|| GlError::new("what was just made is not there"))
+    }
+
+    /// [`Self::get`] of what cannot always be made.
+    pub fn get_if(
+        &mut self,
+        source: &Arc<Source>,
+        how: How,
+        make: impl FnOnce() -> Result<Option<Made>, GlError>,
+    ) -> Result<Option<Rc<Made>>, GlError> {
+        let key = (Arc::as_ptr(source) as usize, how);
+        if let Some(made) = self.made.get(&key).and_then(|(_, made)| made.upgrade()) {
+            return Ok(Some(made));
+        }
+        let Some(made) = make()?.map(Rc::new) else { return Ok(None) };
+        self.count_made += 1;
+        self.made.insert(key, (Arc::downgrade(source), Rc::downgrade(&made)));
+        Ok(Some(made))
+    }
+
+    fn tidy(&mut self) {
+        self.made.retain(|_, (_, made)| made.strong_count() > 0);
+    }
+
+    /// The number that scenes use.
+    #[cfg(test)]
+    pub fn count(&self) -> usize {
+        self.made.values().filter(|(_, made)| made.strong_count() > 0).count()
     }
 }

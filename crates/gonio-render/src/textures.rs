@@ -1,7 +1,7 @@
 //! Textures on the GPU: sRGB colours decoded by the hardware, mipmapped, anisotropic.
 
 use gonio_gl::objects::TextureObject;
-use gonio_gl::trace::Content;
+use gonio_gl::trace::TexelEncoding;
 use gonio_gl::{Gl, GlError, Texels};
 use gonio_mesh::Wrap;
 use gonio_scene::{ColorSpace, Texture, TextureFilter};
@@ -23,7 +23,7 @@ pub fn upload(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject
     }
     let object = TextureObject::bound(gl, &texture.name)?;
     if texture.color_space == ColorSpace::Data {
-        gl.note_content(Content::SignedHalves);
+        gl.note_content(TexelEncoding::SignedHalves);
     }
     upload_level(gl, texture.color_space, 0, [texture.width, texture.height], &texture.rgba);
     // The reference's own mipmaps: drivers round theirs differently, and some do not average in linear light.

@@ -12,7 +12,6 @@ pub const UNSAFE_CODE: &[&str] = &[
     "crates/gonio-gl/src/functions.rs",
     "crates/gonio-gl/src/headless/egl.rs",
     "crates/gonio-gl/src/headless/glutin_window.rs",
-    "crates/gonio-gl/src/memory.rs",
     "crates/gonio-scene/src/files/disk.rs",
 ];
 

@@ -4,7 +4,7 @@ use super::suspects::Case;
 use gonio_gl::GlError;
 use gonio_gl::trace::SamplingRecord;
 use gonio_render::gl_program::{
-    Call, Constant, GlProgramFailure, GlProgramFiles, GlProgramOptions, GlProgramRun, Selector, Step, constant, run,
+    Constant, GlCall, GlProgramFailure, GlProgramFiles, GlProgramOptions, GlProgramRun, Selector, Step, constant, run,
 };
 use std::collections::HashMap;
 
@@ -89,7 +89,7 @@ fn sampled(reference: &[Step], words: &[String; 4]) -> Vec<Step> {
     let parameters = ["TEXTURE_MIN_FILTER", "TEXTURE_MAG_FILTER", "TEXTURE_WRAP_S", "TEXTURE_WRAP_T"];
     let mut steps = reference.to_vec();
     for step in &mut steps {
-        let Call::TexParameter { parameter, value, .. } = &mut step.call else { continue };
+        let GlCall::TexParameter { parameter, value, .. } = &mut step.call else { continue };
         let Some(place) = parameters.iter().position(|name| *name == parameter.name) else { continue };
         if let Some(constant) = by_words(&words[place]) {
             *value = Selector::Constant(constant);

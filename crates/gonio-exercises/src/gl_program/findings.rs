@@ -6,7 +6,7 @@ use super::signature::shown;
 use gonio_check::verdict::Outcome;
 use gonio_check::words::nearest;
 use gonio_gl::trace::{Finding, Rule, Severity};
-use gonio_render::gl_program::{Call, CallError, GlProgramFailure, GlProgramFiles, GlProgramRun, Selector};
+use gonio_render::gl_program::{CallError, GlCall, GlProgramFailure, GlProgramFiles, GlProgramRun, Selector};
 use serde::Serialize;
 
 /// A mistake: with it fixed, the picture is right.
@@ -204,12 +204,14 @@ pub fn warnings(program: &GlProgram, run: &GlProgramRun, right: bool) -> Vec<GlP
 
 /// A program draws many frames: in the second one, the depths of the first are still there.
 fn depth_never_cleared(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>) {
-    let on =
-        program.steps.iter().find(|s| matches!(&s.call, Call::Switch { what, on: true } if what.name == "DEPTH_TEST"));
+    let on = program
+        .steps
+        .iter()
+        .find(|s| matches!(&s.call, GlCall::Switch { what, on: true } if what.name == "DEPTH_TEST"));
     let cleared = program
         .steps
         .iter()
-        .any(|step| matches!(&step.call, Call::Clear(bits) if bits.iter().any(|bit| bit.name == "DEPTH_BUFFER_BIT")));
+        .any(|step| matches!(&step.call, GlCall::Clear(bits) if bits.iter().any(|bit| bit.name == "DEPTH_BUFFER_BIT")));
     if let (Some(step), false) = (on, cleared) {
         let text = "DEPTH_TEST is on and no call clears DEPTH_BUFFER_BIT: a second frame would stay empty".to_owned();
         warnings.push(GlProgramWarning { line: Some(step.line), text });
@@ -220,7 +222,7 @@ fn depth_never_cleared(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>
 fn unknown_uniforms(program: &GlProgram, run: &GlProgramRun, warnings: &mut Vec<GlProgramWarning>) {
     let Some(drawn) = run.record.draws.last().and_then(|draw| run.record.program_of(draw)) else { return };
     for step in &program.steps {
-        let Call::Uniform { uniform, .. } = &step.call else { continue };
+        let GlCall::Uniform { uniform, .. } = &step.call else { continue };
         let bare = uniform.strip_suffix("[0]").unwrap_or(uniform);
         if !drawn.uniforms.iter().any(|known| known.name == bare) {
             let text = format!("the program needs no uniform `{uniform}`, and OpenGL says nothing");
@@ -232,7 +234,7 @@ fn unknown_uniforms(program: &GlProgram, run: &GlProgramRun, warnings: &mut Vec<
 /// One does not see it where the coordinates end with the triangle.
 fn dark_edges(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>) {
     for step in &program.steps {
-        let Call::TexParameter { value: Selector::Constant(value), .. } = &step.call else { continue };
+        let GlCall::TexParameter { value: Selector::Constant(value), .. } = &step.call else { continue };
         if value.name == "CLAMP_TO_BORDER" {
             let text = "CLAMP_TO_BORDER mixes the border's colour, black, into the texture's edge".to_owned();
             warnings.push(GlProgramWarning { line: Some(step.line), text });

@@ -14,7 +14,7 @@ pub use check::{check, check_bytes, check_program, exercise_files, for_context, 
 pub use compare::SIDE;
 pub use findings::{GlProgramFindings, GlProgramMistake, GlProgramWarning};
 pub use gonio_render::gl_program::{
-    Call, CallError, GlProgramFailure, GlProgramFiles, GlProgramImage, GlProgramOptions, GlProgramRun, Step, run,
+    CallError, GlCall, GlProgramFailure, GlProgramFiles, GlProgramImage, GlProgramOptions, GlProgramRun, Step, run,
 };
 pub use names::{GlProgramMistakeName, name_of, names};
 pub use program::{GlProgram, GlProgramError, MOST_CALLS, MOST_DATA_BYTES, MOST_ERRORS, MOST_TEXT_BYTES};

@@ -1,7 +1,7 @@
 //! The text of a GL program, read into its calls: one call on a line, words separated by blanks.
 
 use super::signature::{self, LineError, Named, WORDS, Word, is_name, shown};
-use gonio_render::gl_program::{Call, Step};
+use gonio_render::gl_program::{GlCall, Step};
 use serde::Serialize;
 use std::collections::HashMap;
 use std::fmt;
@@ -128,9 +128,9 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
                 if open.too_long {
                     // It was told where it happened.
                 } else if open.whole {
-                    steps.push(Step { line, call: Call::Indices { name: open.name, numbers: open.indices } });
+                    steps.push(Step { line, call: GlCall::Indices { name: open.name, numbers: open.indices } });
                 } else {
-                    steps.push(Step { line, call: Call::Data { name: open.name, numbers: open.floats } });
+                    steps.push(Step { line, call: GlCall::Data { name: open.name, numbers: open.floats } });
                 }
                 names.insert(name, Named::Data);
                 continue;

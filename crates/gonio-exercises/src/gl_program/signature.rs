@@ -2,7 +2,7 @@
 
 use gonio_check::words::nearest;
 use gonio_render::gl_program::{
-    CONSTANTS, Call, Constant, Number, ObjectKind, Pointer, Selector, UniformArgument, constant,
+    CONSTANTS, Constant, GlCall, IntArgument, ObjectKind, Pointer, Selector, UniformArgument, constant,
 };
 use std::collections::HashMap;
 
@@ -124,7 +124,7 @@ pub const WORDS: &[&str] = &{
 /// Names that are known in a line.
 type Names = HashMap<String, Named>;
 /// The call of a line, and the name that it gives.
-type Read = (Call, Option<(String, Named)>);
+type Read = (GlCall, Option<(String, Named)>);
 
 /// Reads a line that begins no list.
 pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
@@ -175,8 +175,8 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
     };
     let call = arguments.call(word.text, name.clone())?;
     let gives = match &call {
-        Call::LoadImage { .. } => Some(Named::Image),
-        Call::CreateProgram { .. } | Call::Generate { .. } => Some(Named::Number),
+        GlCall::LoadImage { .. } => Some(Named::Image),
+        GlCall::CreateProgram { .. } | GlCall::Generate { .. } => Some(Named::Number),
         _ => None,
     };
     match (gives, returned) {
@@ -200,23 +200,23 @@ struct Arguments<'a> {
 }
 
 impl Arguments<'_> {
-    fn call(&self, word: &str, name: String) -> Result<Call, LineError> {
+    fn call(&self, word: &str, name: String) -> Result<GlCall, LineError> {
         Ok(match word {
-            "load_image" => Call::LoadImage { name, file: self.file(0)? },
-            "create_program" => Call::CreateProgram { name, vertex: self.file(0)?, fragment: self.file(1)? },
-            "gen_texture" => Call::Generate { name, kind: ObjectKind::Texture },
-            "gen_buffer" => Call::Generate { name, kind: ObjectKind::Buffer },
-            "gen_vertex_array" => Call::Generate { name, kind: ObjectKind::VertexArray },
-            "delete_texture" => Call::Delete { kind: ObjectKind::Texture, object: self.number(0)? },
-            "delete_buffer" => Call::Delete { kind: ObjectKind::Buffer, object: self.number(0)? },
-            "delete_vertex_array" => Call::Delete { kind: ObjectKind::VertexArray, object: self.number(0)? },
-            "bind_vertex_array" => Call::BindVertexArray(self.number(0)?),
-            "bind_buffer" => Call::BindBuffer { target: self.constant(0)?, buffer: self.number(1)? },
+            "load_image" => GlCall::LoadImage { name, file: self.file(0)? },
+            "create_program" => GlCall::CreateProgram { name, vertex: self.file(0)?, fragment: self.file(1)? },
+            "gen_texture" => GlCall::Generate { name, kind: ObjectKind::Texture },
+            "gen_buffer" => GlCall::Generate { name, kind: ObjectKind::Buffer },
+            "gen_vertex_array" => GlCall::Generate { name, kind: ObjectKind::VertexArray },
+            "delete_texture" => GlCall::Delete { kind: ObjectKind::Texture, object: self.number(0)? },
+            "delete_buffer" => GlCall::Delete { kind: ObjectKind::Buffer, object: self.number(0)? },
+            "delete_vertex_array" => GlCall::Delete { kind: ObjectKind::VertexArray, object: self.number(0)? },
+            "bind_vertex_array" => GlCall::BindVertexArray(self.number(0)?),
+            "bind_buffer" => GlCall::BindBuffer { target: self.constant(0)?, buffer: self.number(1)? },
             "buffer_data" => {
                 let data = self.named(1, Named::Data, "data NAME ... end")?;
-                Call::BufferData { target: self.constant(0)?, data, usage: self.constant(2)? }
+                GlCall::BufferData { target: self.constant(0)?, data, usage: self.constant(2)? }
             }
-            "vertex_attrib_pointer" => Call::VertexAttribPointer(Pointer {
+            "vertex_attrib_pointer" => GlCall::VertexAttribPointer(Pointer {
                 attribute: self.variable(0)?,
                 size: self.whole(1)?,
                 kind: self.constant(2)?,
@@ -224,37 +224,39 @@ impl Arguments<'_> {
                 stride: self.whole(4)?,
                 offset: self.whole(5)?,
             }),
-            "enable_vertex_attrib_array" => Call::SwitchAttribute { attribute: self.variable(0)?, on: true },
-            "disable_vertex_attrib_array" => Call::SwitchAttribute { attribute: self.variable(0)?, on: false },
-            "active_texture" => Call::ActiveTexture(self.selector(0)?),
-            "bind_texture" => Call::BindTexture { target: self.constant(0)?, texture: self.number(1)? },
+            "enable_vertex_attrib_array" => GlCall::SwitchAttribute { attribute: self.variable(0)?, on: true },
+            "disable_vertex_attrib_array" => GlCall::SwitchAttribute { attribute: self.variable(0)?, on: false },
+            "active_texture" => GlCall::ActiveTexture(self.selector(0)?),
+            "bind_texture" => GlCall::BindTexture { target: self.constant(0)?, texture: self.number(1)? },
             "tex_image_2d" => {
                 let image = self.named(3, Named::Image, "NAME = load_image FILE")?;
                 let (target, level) = (self.constant(0)?, self.whole(1)?);
-                Call::TexImage2d { target, level, format: self.constant(2)?, image }
+                GlCall::TexImage2d { target, level, format: self.constant(2)?, image }
             }
             "tex_parameter" => {
                 let (target, parameter) = (self.constant(0)?, self.constant(1)?);
-                Call::TexParameter { target, parameter, value: self.selector(2)? }
+                GlCall::TexParameter { target, parameter, value: self.selector(2)? }
             }
-            "generate_mipmap" => Call::GenerateMipmap { target: self.constant(0)? },
-            "use_program" => Call::UseProgram(self.number(0)?),
+            "generate_mipmap" => GlCall::GenerateMipmap { target: self.constant(0)? },
+            "use_program" => GlCall::UseProgram(self.number(0)?),
             "uniform_1i" => {
-                Call::Uniform { uniform: self.variable(0)?, given: UniformArgument::Whole(self.number(1)?) }
+                GlCall::Uniform { uniform: self.variable(0)?, given: UniformArgument::Whole(self.number(1)?) }
             }
             "uniform_1f" | "uniform_2f" | "uniform_3f" | "uniform_4f" => {
                 let numbers = (1..self.given.len()).map(|at| self.float(at)).collect::<Result<_, _>>()?;
-                Call::Uniform { uniform: self.variable(0)?, given: UniformArgument::Floats(numbers) }
+                GlCall::Uniform { uniform: self.variable(0)?, given: UniformArgument::Floats(numbers) }
             }
-            "viewport" => Call::Viewport([self.whole(0)?, self.whole(1)?, self.whole(2)?, self.whole(3)?]),
-            "enable" => Call::Switch { what: self.constant(0)?, on: true },
-            "disable" => Call::Switch { what: self.constant(0)?, on: false },
-            "clear_color" => Call::ClearColor([self.float(0)?, self.float(1)?, self.float(2)?, self.float(3)?]),
-            "clear" => Call::Clear(self.bits()?),
-            "draw_arrays" => Call::DrawArrays { mode: self.constant(0)?, first: self.whole(1)?, count: self.whole(2)? },
+            "viewport" => GlCall::Viewport([self.whole(0)?, self.whole(1)?, self.whole(2)?, self.whole(3)?]),
+            "enable" => GlCall::Switch { what: self.constant(0)?, on: true },
+            "disable" => GlCall::Switch { what: self.constant(0)?, on: false },
+            "clear_color" => GlCall::ClearColor([self.float(0)?, self.float(1)?, self.float(2)?, self.float(3)?]),
+            "clear" => GlCall::Clear(self.bits()?),
+            "draw_arrays" => {
+                GlCall::DrawArrays { mode: self.constant(0)?, first: self.whole(1)?, count: self.whole(2)? }
+            }
             "draw_elements" => {
                 let (mode, count) = (self.constant(0)?, self.whole(1)?);
-                Call::DrawElements { mode, count, kind: self.constant(2)?, offset: self.whole(3)? }
+                GlCall::DrawElements { mode, count, kind: self.constant(2)?, offset: self.whole(3)? }
             }
             _ => {
                 return Err(LineError {
@@ -328,10 +330,10 @@ impl Arguments<'_> {
     }
 
     /// A number, or a name that stands for one.
-    fn number(&self, at: usize) -> Result<Number, LineError> {
+    fn number(&self, at: usize) -> Result<IntArgument, LineError> {
         let word = self.word(at)?;
         match self.names.get(word.text) {
-            Some(Named::Number) => return Ok(Number::Variable(word.text.to_owned())),
+            Some(Named::Number) => return Ok(IntArgument::Variable(word.text.to_owned())),
             Some(other) => {
                 let message = format!("`{}` is {}, not a number", word.text, other.words());
                 return Err(LineError::at(word, message, "give the name that a call returned its number to"));
@@ -348,7 +350,7 @@ impl Arguments<'_> {
             };
             return Err(LineError::at(word, format!("there is no `{}` yet", shown(word.text)), help));
         }
-        Ok(Number::Literal(self.whole(at)?))
+        Ok(IntArgument::Literal(self.whole(at)?))
     }
 
     /// A constant, or a number in its place.

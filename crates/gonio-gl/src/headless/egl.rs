@@ -22,18 +22,18 @@ struct Egl {
 
 /// A current context, destroyed when this is dropped. The display stays initialised: EGL has one for
 /// the whole process, and terminating it would end the contexts of other threads.
-pub struct Platform {
+pub struct HeadlessPlatform {
     egl: Egl,
     display: types::EGLDisplay,
     context: types::EGLContext,
 }
 
-impl Platform {
+impl HeadlessPlatform {
     pub fn new(options: &HeadlessOptions) -> Result<Self, GlError> {
         let egl = Egl::load(options)?;
         let display = open_display(&egl)?;
         let context = create_context(&egl, display, options)?;
-        Ok(Platform { egl, display, context })
+        Ok(HeadlessPlatform { egl, display, context })
     }
 
     /// The functions of the context, which is current.
@@ -43,7 +43,7 @@ impl Platform {
     }
 }
 
-impl Drop for Platform {
+impl Drop for HeadlessPlatform {
     fn drop(&mut self) {
         let egl = &self.egl.functions;
         // SAFETY: the context is this display's, and is destroyed once. What cannot be given back at the end is the

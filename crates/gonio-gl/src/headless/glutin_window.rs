@@ -16,14 +16,14 @@ use winit::raw_window_handle::HasWindowHandle;
 use winit::window::{Window, WindowAttributes};
 
 /// A current context on a hidden window.
-pub struct Platform {
+pub struct HeadlessPlatform {
     context: PossiblyCurrentContext,
     _surface: Surface<WindowSurface>,
     _window: Window,
     _event_loop: EventLoop<()>,
 }
 
-impl Platform {
+impl HeadlessPlatform {
     pub fn new(options: &HeadlessOptions) -> Result<Self, GlError> {
         let failed = |what: &str, why: &dyn std::fmt::Display| GlError::new(format!("no OpenGL: {what} ({why})"));
         let event_loop = EventLoop::new().map_err(|e| failed("no connection to the desktop", &e))?;
@@ -52,7 +52,7 @@ impl Platform {
         let surface = unsafe { display.create_window_surface(&config, &surface_attributes) }
             .map_err(|e| failed("the hidden window cannot be drawn to", &e))?;
         let context = context.make_current(&surface).map_err(|e| failed("the context cannot be made current", &e))?;
-        Ok(Platform { context, _surface: surface, _window: window, _event_loop: event_loop })
+        Ok(HeadlessPlatform { context, _surface: surface, _window: window, _event_loop: event_loop })
     }
 
     /// The functions of the context, which is current.

@@ -6,9 +6,9 @@ mod egl;
 mod glutin_window;
 
 #[cfg(all(unix, not(target_os = "macos")))]
-use egl::Platform;
+use egl::HeadlessPlatform;
 #[cfg(any(windows, target_os = "macos"))]
-use glutin_window::Platform;
+use glutin_window::HeadlessPlatform;
 
 use crate::{Gl, GlError, Remedy};
 use std::path::PathBuf;
@@ -41,7 +41,7 @@ impl HeadlessContext {
 
     /// A context with options.
     pub fn with_options(options: &HeadlessOptions) -> Result<Self, GlError> {
-        let platform = Platform::new(options)?;
+        let platform = HeadlessPlatform::new(options)?;
         let gl = Gl::keeping_alive(Arc::new(platform.functions()), platform);
         let (major, minor) = gl.version();
         let wanted = if options.es { (3, 0) } else { MINIMUM_VERSION };

@@ -109,7 +109,7 @@ pub struct DrawRecord {
     /// Debug groups around it, the outermost first.
     pub groups: Vec<String>,
     /// The subject of the draw, if the caller named it.
-    pub subject: Option<Subject>,
+    pub subject: Option<DrawSubject>,
     /// Its program, an index into [`FrameRecord::programs`]; `None` where none was in use.
     pub program: Option<usize>,
     /// `triangles`, `lines`, ...
@@ -157,7 +157,7 @@ impl DrawRecord {
 
 /// The subject of a draw.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Subject {
+pub struct DrawSubject {
     /// The object's name.
     pub object: String,
     /// The part's name; may be empty.
@@ -166,9 +166,9 @@ pub struct Subject {
     pub material: String,
 }
 
-impl std::fmt::Display for Subject {
+impl std::fmt::Display for DrawSubject {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Subject { object, part, material } = self;
+        let DrawSubject { object, part, material } = self;
         f.write_str(object)?;
         if !part.is_empty() && part != object {
             write!(f, " {part}")?;
@@ -258,13 +258,13 @@ pub struct UniformValue {
     /// Whether it was set since its program was linked.
     pub sent: bool,
     /// Its numbers; those of an array one after the other, matrices column by column.
-    pub value: Numbers,
+    pub value: UniformNumbers,
 }
 
 /// Numbers of a uniform.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Numbers {
+pub enum UniformNumbers {
     /// `float`, vectors and matrices.
     Float(Vec<f32>),
     /// `int` and vectors of it.
@@ -275,14 +275,14 @@ pub enum Numbers {
     Bool(Vec<bool>),
 }
 
-impl Numbers {
+impl UniformNumbers {
     /// The number of values.
     pub fn len(&self) -> usize {
         match self {
-            Numbers::Float(v) => v.len(),
-            Numbers::Int(v) => v.len(),
-            Numbers::Uint(v) => v.len(),
-            Numbers::Bool(v) => v.len(),
+            UniformNumbers::Float(v) => v.len(),
+            UniformNumbers::Int(v) => v.len(),
+            UniformNumbers::Uint(v) => v.len(),
+            UniformNumbers::Bool(v) => v.len(),
         }
     }
 
@@ -294,16 +294,16 @@ impl Numbers {
     /// Whether all are 0 or false: what OpenGL gives a uniform that was never set.
     pub fn is_zero(&self) -> bool {
         match self {
-            Numbers::Float(v) => v.iter().all(|v| *v == 0.0),
-            Numbers::Int(v) => v.iter().all(|v| *v == 0),
-            Numbers::Uint(v) => v.iter().all(|v| *v == 0),
-            Numbers::Bool(v) => v.iter().all(|v| !v),
+            UniformNumbers::Float(v) => v.iter().all(|v| *v == 0.0),
+            UniformNumbers::Int(v) => v.iter().all(|v| *v == 0),
+            UniformNumbers::Uint(v) => v.iter().all(|v| *v == 0),
+            UniformNumbers::Bool(v) => v.iter().all(|v| !v),
         }
     }
 
     /// The floats, where they are.
     pub fn floats(&self) -> Option<&[f32]> {
-        if let Numbers::Float(v) = self { Some(v) } else { None }
+        if let UniformNumbers::Float(v) = self { Some(v) } else { None }
     }
 }
 
@@ -330,7 +330,7 @@ pub struct SamplerRecord {
     /// Ids of textures of other kinds that are bound to the unit.
     pub others: Vec<u32>,
     /// The subject of the earlier draw that bound the texture, if it is not this one.
-    pub bound_for: Option<Subject>,
+    pub bound_for: Option<DrawSubject>,
 }
 
 /// A texture's parameters at a draw: they are the texture's state, and may be others at the next draw.
@@ -453,7 +453,7 @@ pub struct TextureRecord {
     /// Its levels, the largest first.
     pub levels: Vec<LevelRecord>,
     /// How its texels encode their values.
-    pub content: Content,
+    pub content: TexelEncoding,
     /// A small picture of it, where one was asked for.
     #[serde(skip)]
     pub thumbnail: Option<Thumbnail>,
@@ -475,7 +475,7 @@ pub struct LevelRecord {
 /// How the texels of a texture encode their values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Content {
+pub enum TexelEncoding {
     /// Directly.
     #[default]
     Plain,

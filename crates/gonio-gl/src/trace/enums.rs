@@ -115,7 +115,7 @@ names! {
 
 /// The scalar type of a uniform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scalar {
+pub enum GlslScalar {
     /// `float`
     Float,
     /// `int`
@@ -127,29 +127,29 @@ pub enum Scalar {
 }
 
 /// Returns the scalar type and the number of scalars of a GLSL type; `None` for samplers and unknown types.
-pub fn layout(code: u32) -> Option<(Scalar, usize)> {
+pub fn layout(code: u32) -> Option<(GlslScalar, usize)> {
     Some(match code {
-        glow::FLOAT => (Scalar::Float, 1),
-        glow::FLOAT_VEC2 => (Scalar::Float, 2),
-        glow::FLOAT_VEC3 => (Scalar::Float, 3),
-        glow::FLOAT_VEC4 | glow::FLOAT_MAT2 => (Scalar::Float, 4),
-        glow::FLOAT_MAT2x3 | glow::FLOAT_MAT3x2 => (Scalar::Float, 6),
-        glow::FLOAT_MAT2x4 | glow::FLOAT_MAT4x2 => (Scalar::Float, 8),
-        glow::FLOAT_MAT3 => (Scalar::Float, 9),
-        glow::FLOAT_MAT3x4 | glow::FLOAT_MAT4x3 => (Scalar::Float, 12),
-        glow::FLOAT_MAT4 => (Scalar::Float, 16),
-        glow::INT => (Scalar::Int, 1),
-        glow::INT_VEC2 => (Scalar::Int, 2),
-        glow::INT_VEC3 => (Scalar::Int, 3),
-        glow::INT_VEC4 => (Scalar::Int, 4),
-        glow::UNSIGNED_INT => (Scalar::Uint, 1),
-        glow::UNSIGNED_INT_VEC2 => (Scalar::Uint, 2),
-        glow::UNSIGNED_INT_VEC3 => (Scalar::Uint, 3),
-        glow::UNSIGNED_INT_VEC4 => (Scalar::Uint, 4),
-        glow::BOOL => (Scalar::Bool, 1),
-        glow::BOOL_VEC2 => (Scalar::Bool, 2),
-        glow::BOOL_VEC3 => (Scalar::Bool, 3),
-        glow::BOOL_VEC4 => (Scalar::Bool, 4),
+        glow::FLOAT => (GlslScalar::Float, 1),
+        glow::FLOAT_VEC2 => (GlslScalar::Float, 2),
+        glow::FLOAT_VEC3 => (GlslScalar::Float, 3),
+        glow::FLOAT_VEC4 | glow::FLOAT_MAT2 => (GlslScalar::Float, 4),
+        glow::FLOAT_MAT2x3 | glow::FLOAT_MAT3x2 => (GlslScalar::Float, 6),
+        glow::FLOAT_MAT2x4 | glow::FLOAT_MAT4x2 => (GlslScalar::Float, 8),
+        glow::FLOAT_MAT3 => (GlslScalar::Float, 9),
+        glow::FLOAT_MAT3x4 | glow::FLOAT_MAT4x3 => (GlslScalar::Float, 12),
+        glow::FLOAT_MAT4 => (GlslScalar::Float, 16),
+        glow::INT => (GlslScalar::Int, 1),
+        glow::INT_VEC2 => (GlslScalar::Int, 2),
+        glow::INT_VEC3 => (GlslScalar::Int, 3),
+        glow::INT_VEC4 => (GlslScalar::Int, 4),
+        glow::UNSIGNED_INT => (GlslScalar::Uint, 1),
+        glow::UNSIGNED_INT_VEC2 => (GlslScalar::Uint, 2),
+        glow::UNSIGNED_INT_VEC3 => (GlslScalar::Uint, 3),
+        glow::UNSIGNED_INT_VEC4 => (GlslScalar::Uint, 4),
+        glow::BOOL => (GlslScalar::Bool, 1),
+        glow::BOOL_VEC2 => (GlslScalar::Bool, 2),
+        glow::BOOL_VEC3 => (GlslScalar::Bool, 3),
+        glow::BOOL_VEC4 => (GlslScalar::Bool, 4),
         _ => return None,
     })
 }

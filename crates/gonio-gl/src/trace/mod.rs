@@ -7,22 +7,21 @@
 //!
 //! Nothing is recorded or queried while no recording runs.
 
-mod complete;
 pub(crate) mod data;
 pub mod enums;
 mod lint;
+pub(crate) mod object_state;
 mod program_reader;
 pub(crate) mod recorder;
 mod recording;
 mod snapshot;
 pub(crate) mod state;
-mod thumbnails;
 
 pub use data::{
     ArraySource, AttachmentRecord, AttributeDeclaration, AttributeRecord, AttributeSource, BindingRecord, BlendRecord,
-    ClearRecord, Content, DrawRecord, FrameRecord, LevelRecord, MOST_DRAWS, Numbers, PassRecord, ProgramRecord,
-    SamplerRecord, SamplingRecord, StateRecord, Subject, TargetRecord, TextureRecord, Thumbnail, UniformDeclaration,
-    UniformValue,
+    ClearRecord, DrawRecord, DrawSubject, FrameRecord, LevelRecord, MOST_DRAWS, PassRecord, ProgramRecord,
+    SamplerRecord, SamplingRecord, StateRecord, TargetRecord, TexelEncoding, TextureRecord, Thumbnail,
+    UniformDeclaration, UniformNumbers, UniformValue,
 };
 pub use lint::{Finding, Rule, Severity, lint};
 pub use recording::Recording;

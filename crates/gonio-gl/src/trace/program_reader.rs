@@ -1,12 +1,12 @@
 //! Reads the interface of a program and the values of its uniforms from OpenGL.
 
-use super::data::{AttributeDeclaration, Numbers, ProgramRecord, UniformDeclaration};
-use super::enums::{self, Scalar, TextureKind};
-use super::state::{ProgramState, base_name};
+use super::data::{AttributeDeclaration, ProgramRecord, UniformDeclaration, UniformNumbers};
+use super::enums::{self, GlslScalar, TextureKind};
+use super::object_state::{ProgramState, base_name};
 use crate::functions::Functions;
 
 /// A program's attributes and uniforms.
-pub struct Interface {
+pub struct ProgramInterface {
     /// Its place among the record's programs.
     pub index: usize,
     /// Location, name, type.
@@ -33,7 +33,7 @@ impl ActiveUniform {
 }
 
 /// Reads the interface of a linked program.
-pub fn interface(gl: &Functions, program: glow::Program, index: usize) -> Interface {
+pub fn interface(gl: &Functions, program: glow::Program, index: usize) -> ProgramInterface {
     let mut attributes = Vec::new();
     let mut uniforms = Vec::new();
     for index in 0..gl.get_active_attributes(program) {
@@ -59,11 +59,11 @@ pub fn interface(gl: &Functions, program: glow::Program, index: usize) -> Interf
     }
     attributes.sort_by_key(|attribute| attribute.location);
     uniforms.sort_by(|a, b| a.name.cmp(&b.name));
-    Interface { index, attributes, uniforms }
+    ProgramInterface { index, attributes, uniforms }
 }
 
 /// A program for the record.
-pub fn record(interface: &Interface, state: Option<&ProgramState>) -> ProgramRecord {
+pub fn record(interface: &ProgramInterface, state: Option<&ProgramState>) -> ProgramRecord {
     let uniform = |uniform: &ActiveUniform| UniformDeclaration {
         name: uniform.name.clone(),
         glsl_type: enums::glsl_type(uniform.code),
@@ -94,32 +94,32 @@ fn number(_: &glow::UniformLocation) -> Option<u32> {
 
 /// Reads the value of a uniform that is not a sampler. `sent` are the integers that were set last: glow does not read `bool`
 /// on the web.
-pub fn value(gl: &Functions, program: glow::Program, uniform: &ActiveUniform, sent: Option<&[i32]>) -> Numbers {
-    let Some((scalar, each)) = enums::layout(uniform.code) else { return Numbers::Float(Vec::new()) };
+pub fn value(gl: &Functions, program: glow::Program, uniform: &ActiveUniform, sent: Option<&[i32]>) -> UniformNumbers {
+    let Some((scalar, each)) = enums::layout(uniform.code) else { return UniformNumbers::Float(Vec::new()) };
     let count = each * uniform.locations.len();
     // Each element is read into room for exactly its numbers: more than that and glow panics on the web.
     match scalar {
-        Scalar::Float => {
+        GlslScalar::Float => {
             let mut numbers = vec![0.0; count];
             for (location, numbers) in uniform.locations.iter().zip(numbers.chunks_exact_mut(each)) {
                 gl.get_uniform_f32(program, location, numbers);
             }
-            Numbers::Float(numbers)
+            UniformNumbers::Float(numbers)
         }
-        Scalar::Int => Numbers::Int(whole_numbers(gl, program, uniform, each)),
-        Scalar::Uint => {
+        GlslScalar::Int => UniformNumbers::Int(whole_numbers(gl, program, uniform, each)),
+        GlslScalar::Uint => {
             let mut numbers = vec![0; count];
             for (location, numbers) in uniform.locations.iter().zip(numbers.chunks_exact_mut(each)) {
                 gl.get_uniform_u32(program, location, numbers);
             }
-            Numbers::Uint(numbers)
+            UniformNumbers::Uint(numbers)
         }
-        Scalar::Bool => {
+        GlslScalar::Bool => {
             let numbers = match cfg!(target_arch = "wasm32") {
                 true => sent.unwrap_or_default().to_vec(),
                 false => whole_numbers(gl, program, uniform, each),
             };
-            Numbers::Bool(numbers.into_iter().map(|number| number != 0).collect())
+            UniformNumbers::Bool(numbers.into_iter().map(|number| number != 0).collect())
         }
     }
 }

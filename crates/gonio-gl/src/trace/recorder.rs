@@ -4,16 +4,13 @@ use super::data::{
     AttachmentRecord, ClearRecord, FrameRecord, LevelRecord, MOST_DRAWS, PassRecord, TargetRecord, TextureRecord,
 };
 use super::enums::{self, TextureKind};
-use super::program_reader::Interface;
-use super::state::{Attached, State, TextureState};
+use super::object_state::{Attached, TextureState};
+use super::program_reader::ProgramInterface;
+use super::state::State;
 use crate::bounds::DrawCall;
-use crate::functions::Functions;
+use crate::functions::{FRAGMENT_SHADER_INVOCATIONS, Functions, VERTEX_SHADER_INVOCATIONS};
 use std::collections::HashMap;
 
-/// ARB_pipeline_statistics_query
-const VERTEX_SHADER_INVOCATIONS: u32 = 0x82F0;
-/// ARB_pipeline_statistics_query
-const FRAGMENT_SHADER_INVOCATIONS: u32 = 0x82F4;
 /// Errors that are fetched at once: a driver may keep several flags, and a lost context gives no end of them.
 const MOST_ERRORS: usize = 8;
 
@@ -23,7 +20,7 @@ pub struct Recorder {
     /// Open debug groups.
     pub groups: Vec<String>,
     /// Programs that have drawn.
-    pub(super) interfaces: HashMap<glow::Program, Interface>,
+    pub(super) interfaces: HashMap<glow::Program, ProgramInterface>,
     /// Whether the GPU can count.
     counts: bool,
     /// Whether a buffer's bytes can be read back.
@@ -211,7 +208,7 @@ fn target_record(state: &State) -> TargetRecord {
 /// A texture as it is now.
 pub(super) fn texture_record(texture: &TextureState) -> TextureRecord {
     let [width, height] = texture.levels.values().next().map_or([0; 2], |level| level.size);
-    let level = |(&level, state): (&u32, &super::state::LevelState)| LevelRecord {
+    let level = |(&level, state): (&u32, &super::object_state::LevelState)| LevelRecord {
         level,
         width: state.size[0],
         height: state.size[1],

@@ -1,14 +1,14 @@
-//! Everything that one draw call reads, at the moment of the call.
+//! Everything that one draw call reads, at the moment of the call, and whether its textures are complete.
 
-use super::complete::why_incomplete;
 use super::data::{
     ArraySource, AttributeRecord, AttributeSource, BindingRecord, BlendRecord, DrawRecord, SamplerRecord,
-    SamplingRecord, StateRecord, UniformValue,
+    SamplingRecord, StateRecord, TextureRecord, UniformValue,
 };
 use super::enums::{self, TextureKind};
-use super::program_reader::{self, ActiveUniform, Interface};
+use super::object_state::Binding;
+use super::program_reader::{self, ActiveUniform, ProgramInterface};
 use super::recorder::{Recorder, errors, texture_record};
-use super::state::{Binding, State};
+use super::state::State;
 use crate::bounds::DrawCall;
 use crate::functions::Functions;
 use std::rc::Rc;
@@ -79,7 +79,7 @@ impl Recorder {
         gl: &Functions,
         state: &State,
         program: glow::Program,
-        interface: &Interface,
+        interface: &ProgramInterface,
     ) -> Vec<SamplerRecord> {
         let mut samplers = Vec::new();
         for uniform in &interface.uniforms {
@@ -118,7 +118,7 @@ impl Recorder {
         samplers
     }
 
-    fn attributes(&self, gl: &Functions, state: &mut State, interface: &Interface) -> Vec<AttributeRecord> {
+    fn attributes(&self, gl: &Functions, state: &mut State, interface: &ProgramInterface) -> Vec<AttributeRecord> {
         let mut attributes = Vec::new();
         for declaration in &interface.attributes {
             let fed = state.array().attributes.get(&declaration.location).cloned().filter(|fed| fed.enabled);
@@ -172,7 +172,7 @@ fn index_bytes(index_type: u32) -> i32 {
     enums::component_bytes(index_type) as i32
 }
 
-fn values(gl: &Functions, state: &State, program: glow::Program, interface: &Interface) -> Vec<UniformValue> {
+fn values(gl: &Functions, state: &State, program: glow::Program, interface: &ProgramInterface) -> Vec<UniformValue> {
     let known = state.programs.get(&program);
     let value = |uniform: &ActiveUniform| {
         let sent = known.and_then(|program| program.sent.get(&uniform.name)).and_then(Option::as_deref);
@@ -222,4 +222,41 @@ fn fixed_functions(gl: &Functions) -> StateRecord {
         viewport: gl.get_rectangle(glow::VIEWPORT),
         scissor: gl.is_enabled(glow::SCISSOR_TEST).then(|| gl.get_rectangle(glow::SCISSOR_BOX)),
     }
+}
+
+/// Returns the first and the last level that are read.
+pub fn levels_read(texture: &TextureRecord, sampling: Option<&SamplingRecord>) -> [u32; 2] {
+    // A multisampled texture has one.
+    let Some(sampling) = sampling else { return [0, 0] };
+    let base = sampling.base_level;
+    if !sampling.min_filter.contains("mipmap") {
+        return [base, base];
+    }
+    let largest = texture.levels.iter().find(|level| level.level == base);
+    let side = largest.map_or(1, |level| level.width.max(level.height)).max(1);
+    [base, sampling.max_level.min(base + side.ilog2())]
+}
+
+/// Explains why a texture is incomplete, in which case it reads as black (OpenGL 3.3, section 3.8.14). That OpenGL ES need not
+/// filter float formats is not considered.
+pub fn why_incomplete(texture: &TextureRecord, sampling: Option<&SamplingRecord>) -> Option<String> {
+    let [first, last] = levels_read(texture, sampling);
+    let faces = if texture.kind == "cube" { 6 } else { 1 };
+    let find = |number: u32| texture.levels.iter().find(|level| level.level == number);
+    let Some(base) = find(first) else { return Some(format!("it has no level {first}")) };
+    for number in first..=last {
+        let Some(level) = find(number) else {
+            let has = texture.levels.len();
+            let plural = if has == 1 { "" } else { "s" };
+            return Some(format!("it has {has} level{plural} of {}", last - first + 1));
+        };
+        if level.faces < faces {
+            return Some(format!("it has {} of 6 faces", level.faces));
+        }
+        let [width, height] = [base.width, base.height].map(|side| (side >> (number - first)).max(1));
+        if [level.width, level.height] != [width, height] || base.width == 0 || base.height == 0 {
+            return Some(format!("level {number} is {} x {} and not {width} x {height}", level.width, level.height));
+        }
+    }
+    None
 }

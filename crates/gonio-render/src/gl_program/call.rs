@@ -1,6 +1,4 @@
-//! OpenGL calls as plain data, line by line.
-
-use super::constants::Constant;
+//! OpenGL calls as plain data, line by line, and the constants that they may use.
 
 /// A call and its line.
 #[derive(Clone, Debug, PartialEq)]
@@ -8,12 +6,12 @@ pub struct Step {
     /// From 1.
     pub line: u32,
     /// The call.
-    pub call: Call,
+    pub call: GlCall,
 }
 
 /// An integer: a literal, or the result of an earlier call.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Number {
+pub enum IntArgument {
     /// Written out.
     Literal(i32),
     /// The variable that a call returned. It is only a number, as in C++.
@@ -26,7 +24,7 @@ pub enum Selector {
     /// By its name.
     Constant(Constant),
     /// A number.
-    Number(Number),
+    Number(IntArgument),
 }
 
 /// A kind of object that `gen_...` creates and `delete_...` deletes.
@@ -72,14 +70,14 @@ pub struct Pointer {
 #[derive(Clone, Debug, PartialEq)]
 pub enum UniformArgument {
     /// `uniform_1i`
-    Whole(Number),
+    Whole(IntArgument),
     /// `uniform_1f` to `uniform_4f`: one to four numbers.
     Floats(Vec<f32>),
 }
 
 /// A call. Arguments are in OpenGL's order and in its units.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Call {
+pub enum GlCall {
     /// `float NAME[] = { ... }`
     Data {
         /// Its name.
@@ -122,16 +120,16 @@ pub enum Call {
         /// The kind of object.
         kind: ObjectKind,
         /// Its number.
-        object: Number,
+        object: IntArgument,
     },
     /// `glBindVertexArray`
-    BindVertexArray(Number),
+    BindVertexArray(IntArgument),
     /// `glBindBuffer`
     BindBuffer {
         /// `ARRAY_BUFFER` or `ELEMENT_ARRAY_BUFFER`.
         target: Constant,
         /// The buffer's number.
-        buffer: Number,
+        buffer: IntArgument,
     },
     /// `glBufferData`
     BufferData {
@@ -158,7 +156,7 @@ pub enum Call {
         /// `TEXTURE_2D`, `TEXTURE_CUBE_MAP`
         target: Constant,
         /// The texture's number.
-        texture: Number,
+        texture: IntArgument,
     },
     /// `glTexImage2D`
     TexImage2d {
@@ -186,7 +184,7 @@ pub enum Call {
         target: Constant,
     },
     /// `glUseProgram`
-    UseProgram(Number),
+    UseProgram(IntArgument),
     /// `glUniform...`, of the program in use.
     Uniform {
         /// By name; its location is looked up in the program that was created last.
@@ -229,51 +227,102 @@ pub enum Call {
     },
 }
 
-impl Call {
+impl GlCall {
     /// The name of the call in programs.
     pub fn word(&self) -> &'static str {
         match self {
-            Call::Data { .. } => "data",
-            Call::Indices { .. } => "indices",
-            Call::LoadImage { .. } => "load_image",
-            Call::CreateProgram { .. } => "create_program",
-            Call::Generate { kind: ObjectKind::Texture, .. } => "gen_texture",
-            Call::Generate { kind: ObjectKind::Buffer, .. } => "gen_buffer",
-            Call::Generate { kind: ObjectKind::VertexArray, .. } => "gen_vertex_array",
-            Call::Delete { kind: ObjectKind::Texture, .. } => "delete_texture",
-            Call::Delete { kind: ObjectKind::Buffer, .. } => "delete_buffer",
-            Call::Delete { kind: ObjectKind::VertexArray, .. } => "delete_vertex_array",
-            Call::BindVertexArray(_) => "bind_vertex_array",
-            Call::BindBuffer { .. } => "bind_buffer",
-            Call::BufferData { .. } => "buffer_data",
-            Call::VertexAttribPointer(_) => "vertex_attrib_pointer",
-            Call::SwitchAttribute { on: true, .. } => "enable_vertex_attrib_array",
-            Call::SwitchAttribute { on: false, .. } => "disable_vertex_attrib_array",
-            Call::ActiveTexture(_) => "active_texture",
-            Call::BindTexture { .. } => "bind_texture",
-            Call::TexImage2d { .. } => "tex_image_2d",
-            Call::TexParameter { .. } => "tex_parameter",
-            Call::GenerateMipmap { .. } => "generate_mipmap",
-            Call::UseProgram(_) => "use_program",
-            Call::Uniform { given: UniformArgument::Whole(_), .. } => "uniform_1i",
-            Call::Uniform { given: UniformArgument::Floats(numbers), .. } => match numbers.len() {
+            GlCall::Data { .. } => "data",
+            GlCall::Indices { .. } => "indices",
+            GlCall::LoadImage { .. } => "load_image",
+            GlCall::CreateProgram { .. } => "create_program",
+            GlCall::Generate { kind: ObjectKind::Texture, .. } => "gen_texture",
+            GlCall::Generate { kind: ObjectKind::Buffer, .. } => "gen_buffer",
+            GlCall::Generate { kind: ObjectKind::VertexArray, .. } => "gen_vertex_array",
+            GlCall::Delete { kind: ObjectKind::Texture, .. } => "delete_texture",
+            GlCall::Delete { kind: ObjectKind::Buffer, .. } => "delete_buffer",
+            GlCall::Delete { kind: ObjectKind::VertexArray, .. } => "delete_vertex_array",
+            GlCall::BindVertexArray(_) => "bind_vertex_array",
+            GlCall::BindBuffer { .. } => "bind_buffer",
+            GlCall::BufferData { .. } => "buffer_data",
+            GlCall::VertexAttribPointer(_) => "vertex_attrib_pointer",
+            GlCall::SwitchAttribute { on: true, .. } => "enable_vertex_attrib_array",
+            GlCall::SwitchAttribute { on: false, .. } => "disable_vertex_attrib_array",
+            GlCall::ActiveTexture(_) => "active_texture",
+            GlCall::BindTexture { .. } => "bind_texture",
+            GlCall::TexImage2d { .. } => "tex_image_2d",
+            GlCall::TexParameter { .. } => "tex_parameter",
+            GlCall::GenerateMipmap { .. } => "generate_mipmap",
+            GlCall::UseProgram(_) => "use_program",
+            GlCall::Uniform { given: UniformArgument::Whole(_), .. } => "uniform_1i",
+            GlCall::Uniform { given: UniformArgument::Floats(numbers), .. } => match numbers.len() {
                 0 | 1 => "uniform_1f",
                 2 => "uniform_2f",
                 3 => "uniform_3f",
                 _ => "uniform_4f",
             },
-            Call::Viewport(_) => "viewport",
-            Call::Switch { on: true, .. } => "enable",
-            Call::Switch { on: false, .. } => "disable",
-            Call::ClearColor(_) => "clear_color",
-            Call::Clear(_) => "clear",
-            Call::DrawArrays { .. } => "draw_arrays",
-            Call::DrawElements { .. } => "draw_elements",
+            GlCall::Viewport(_) => "viewport",
+            GlCall::Switch { on: true, .. } => "enable",
+            GlCall::Switch { on: false, .. } => "disable",
+            GlCall::ClearColor(_) => "clear_color",
+            GlCall::Clear(_) => "clear",
+            GlCall::DrawArrays { .. } => "draw_arrays",
+            GlCall::DrawElements { .. } => "draw_elements",
         }
     }
 
     /// Returns whether the call draws.
     pub fn draws(&self) -> bool {
-        matches!(self, Call::DrawArrays { .. } | Call::DrawElements { .. })
+        matches!(self, GlCall::DrawArrays { .. } | GlCall::DrawElements { .. })
+    }
+}
+
+/// One of OpenGL's constants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Constant {
+    /// Without `GL_`.
+    pub name: &'static str,
+    /// OpenGL's number.
+    pub value: u32,
+}
+
+macro_rules! constants {
+    ($($name:ident)+) => {
+        /// All of them. Whether OpenGL takes one in a certain place is for OpenGL to say.
+        pub const CONSTANTS: &[Constant] = &[$(Constant { name: stringify!($name), value: glow::$name }),+];
+    };
+}
+
+constants! {
+    TEXTURE_2D TEXTURE_CUBE_MAP TEXTURE_2D_ARRAY TEXTURE_3D
+    TEXTURE_CUBE_MAP_POSITIVE_X TEXTURE_CUBE_MAP_NEGATIVE_X TEXTURE_CUBE_MAP_POSITIVE_Y
+    TEXTURE_CUBE_MAP_NEGATIVE_Y TEXTURE_CUBE_MAP_POSITIVE_Z TEXTURE_CUBE_MAP_NEGATIVE_Z
+    TEXTURE0 TEXTURE1 TEXTURE2 TEXTURE3 TEXTURE4 TEXTURE5 TEXTURE6 TEXTURE7
+    TEXTURE8 TEXTURE9 TEXTURE10 TEXTURE11 TEXTURE12 TEXTURE13 TEXTURE14 TEXTURE15
+    TEXTURE_MIN_FILTER TEXTURE_MAG_FILTER TEXTURE_WRAP_S TEXTURE_WRAP_T TEXTURE_WRAP_R
+    TEXTURE_BASE_LEVEL TEXTURE_MAX_LEVEL
+    NEAREST LINEAR NEAREST_MIPMAP_NEAREST LINEAR_MIPMAP_NEAREST NEAREST_MIPMAP_LINEAR LINEAR_MIPMAP_LINEAR
+    REPEAT MIRRORED_REPEAT CLAMP_TO_EDGE CLAMP_TO_BORDER
+    R8 RG8 RGB8 RGBA8 SRGB8 SRGB8_ALPHA8 RED RG RGB RGBA
+    ARRAY_BUFFER ELEMENT_ARRAY_BUFFER STATIC_DRAW DYNAMIC_DRAW STREAM_DRAW
+    BYTE UNSIGNED_BYTE SHORT UNSIGNED_SHORT INT UNSIGNED_INT HALF_FLOAT FLOAT DOUBLE
+    POINTS LINES LINE_LOOP LINE_STRIP TRIANGLES TRIANGLE_STRIP TRIANGLE_FAN
+    DEPTH_TEST CULL_FACE BLEND SCISSOR_TEST STENCIL_TEST
+    COLOR_BUFFER_BIT DEPTH_BUFFER_BIT STENCIL_BUFFER_BIT
+}
+
+/// The constant of a name.
+pub fn constant(name: &str) -> Option<Constant> {
+    CONSTANTS.iter().copied().find(|constant| constant.name == name)
+}
+
+/// `TEXTURE0` and so on, by its number.
+pub fn texture_unit(unit: u32) -> Option<Constant> {
+    CONSTANTS.iter().copied().find(|constant| constant.value == glow::TEXTURE0 + unit)
+}
+
+impl Constant {
+    /// The unit, where it is one of `TEXTURE0` to `TEXTURE15`.
+    pub fn unit(self) -> Option<u32> {
+        (glow::TEXTURE0..=glow::TEXTURE15).contains(&self.value).then(|| self.value - glow::TEXTURE0)
     }
 }

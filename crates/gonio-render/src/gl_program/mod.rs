@@ -5,19 +5,17 @@
 //! program that is alone in its context (1, 2, 3, ...), and no number reaches an object of somebody else.
 
 mod call;
-mod constants;
 mod errors;
 mod files;
-mod guard;
-mod program;
 mod run;
 mod state;
 
-pub use call::{Call, Number, ObjectKind, Pointer, Selector, Step, UniformArgument};
-pub use constants::{CONSTANTS, Constant, constant, texture_unit};
-pub use errors::CallError;
+pub use call::{
+    CONSTANTS, Constant, GlCall, IntArgument, ObjectKind, Pointer, Selector, Step, UniformArgument, constant,
+    texture_unit,
+};
+pub use errors::{CallError, MOST_VERTICES};
 pub use files::{GlProgramFiles, GlProgramImage, MOST_TEXELS};
-pub use guard::MOST_VERTICES;
 
 use crate::user_program::BrokenProgram;
 use gonio_gl::SavedState;
@@ -172,7 +170,7 @@ fn merge(record: &mut FrameRecord, runner: &Runner<'_>, steps: &[Step]) -> Vec<C
                 line,
                 call: call.word(),
                 code: code.clone(),
-                why: errors::why(call, code),
+                why: errors::explain(call, code),
             }));
         }
         let own = std::mem::take(&mut draw.errors);

@@ -1,12 +1,9 @@
 //! Executes a program call by call.
 
-use super::call::{Call, Number, ObjectKind, Pointer, Selector, Step, UniformArgument};
-use super::constants::Constant;
-use super::errors::{CallError, why};
+use super::call::{Constant, GlCall, IntArgument, ObjectKind, Pointer, Selector, Step, UniformArgument};
+use super::errors::{self, CallError, CallRefusal, DrawRequest, explain};
 use super::files::GlProgramFiles;
-use super::guard::{self, DrawRequest, Refusal};
-use super::program::LinkedShaders;
-use super::state::{AttributePointer, BufferWithBytes, ExecutionState};
+use super::state::{AttributePointer, BufferWithBytes, ExecutionState, LinkedShaders};
 use super::{GlProgramFailure, MOST_BUFFER_BYTES, MOST_TEXEL_BYTES};
 use gonio_gl::objects::{Buffer, TextureObject, VertexArray};
 use gonio_gl::trace::enums;
@@ -26,7 +23,7 @@ pub struct Runner<'a> {
 }
 
 /// OpenGL refuses it, or gonio does.
-type Refused = Result<(), Refusal>;
+type Refused = Result<(), CallRefusal>;
 
 const NO_VERTEX_ARRAY: &str = "no vertex array is bound; call bind_vertex_array first";
 
@@ -39,18 +36,18 @@ impl<'a> Runner<'a> {
     /// Executes one call, or notes why it is refused.
     pub fn step(&mut self, step: &Step) -> Result<(), GlProgramFailure> {
         match &step.call {
-            Call::Data { name, numbers } => {
+            GlCall::Data { name, numbers } => {
                 self.state.data.insert(name.clone(), Rc::new(bytemuck::cast_slice(numbers).to_vec()));
             }
-            Call::Indices { name, numbers } => {
+            GlCall::Indices { name, numbers } => {
                 self.state.data.insert(name.clone(), Rc::new(bytemuck::cast_slice(numbers).to_vec()));
             }
-            Call::LoadImage { name, file } => {
+            GlCall::LoadImage { name, file } => {
                 self.files.image(file).ok_or_else(|| GlProgramFailure::missing(step, file))?;
                 self.state.images.insert(name.clone(), file.clone());
             }
-            Call::CreateProgram { name, vertex, fragment } => self.create_program(step, name, vertex, fragment)?,
-            Call::Generate { name, kind } => self.generate(name, *kind)?,
+            GlCall::CreateProgram { name, vertex, fragment } => self.create_program(step, name, vertex, fragment)?,
+            GlCall::Generate { name, kind } => self.generate(name, *kind)?,
             call if call.draws() => self.draw(step),
             call => {
                 if let Err(refusal) = self.plain(call) {
@@ -61,7 +58,7 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    fn note(&mut self, step: &Step, refusal: Refusal) {
+    fn note(&mut self, step: &Step, refusal: CallRefusal) {
         let code = refusal.code.to_owned();
         self.errors.push(CallError { line: step.line, call: step.call.word(), code, why: refusal.why });
     }
@@ -119,38 +116,38 @@ impl<'a> Runner<'a> {
 
     /// Makes a call, and gives OpenGL's error if it refuses it. The [`Gl`] is apart, so a call that was refused is not in
     /// the record.
-    fn attempt(&self, call: &Call, make: impl FnOnce(&Gl)) -> Refused {
+    fn attempt(&self, call: &GlCall, make: impl FnOnce(&Gl)) -> Refused {
         make(&self.gl);
         match self.gl.get_error() {
             glow::NO_ERROR => Ok(()),
             error => {
                 let code = error_name(error);
-                Err(Refusal::new(code, why(call, code)))
+                Err(CallRefusal::new(code, explain(call, code)))
             }
         }
     }
 
     /// A call that neither makes an object nor draws.
-    fn plain(&mut self, call: &Call) -> Refused {
+    fn plain(&mut self, call: &GlCall) -> Refused {
         match call {
-            Call::Delete { kind, object } => self.delete(*kind, object),
-            Call::BindVertexArray(array) => self.bind_vertex_array(array),
-            Call::BindBuffer { target, buffer } => self.bind_buffer(call, *target, buffer),
-            Call::BufferData { target, data, usage } => self.buffer_data(call, *target, data, *usage),
-            Call::VertexAttribPointer(pointer) => self.pointer(call, pointer),
-            Call::SwitchAttribute { attribute, on } => self.switch_attribute(attribute, *on),
-            Call::ActiveTexture(selector) => self.active_texture(call, selector),
-            Call::BindTexture { target, texture } => self.bind_texture(call, *target, texture),
-            Call::TexImage2d { target, level, format, image } => self.image(call, *target, *level, *format, image),
-            Call::TexParameter { target, parameter, value } => self.parameter(call, *target, *parameter, value),
-            Call::GenerateMipmap { target } => self.mipmap(call, *target),
-            Call::UseProgram(program) => self.use_program(program),
-            Call::Uniform { uniform, given } => self.uniform(call, uniform, given),
+            GlCall::Delete { kind, object } => self.delete(*kind, object),
+            GlCall::BindVertexArray(array) => self.bind_vertex_array(array),
+            GlCall::BindBuffer { target, buffer } => self.bind_buffer(call, *target, buffer),
+            GlCall::BufferData { target, data, usage } => self.buffer_data(call, *target, data, *usage),
+            GlCall::VertexAttribPointer(pointer) => self.pointer(call, pointer),
+            GlCall::SwitchAttribute { attribute, on } => self.switch_attribute(attribute, *on),
+            GlCall::ActiveTexture(selector) => self.active_texture(call, selector),
+            GlCall::BindTexture { target, texture } => self.bind_texture(call, *target, texture),
+            GlCall::TexImage2d { target, level, format, image } => self.image(call, *target, *level, *format, image),
+            GlCall::TexParameter { target, parameter, value } => self.parameter(call, *target, *parameter, value),
+            GlCall::GenerateMipmap { target } => self.mipmap(call, *target),
+            GlCall::UseProgram(program) => self.use_program(program),
+            GlCall::Uniform { uniform, given } => self.uniform(call, uniform, given),
             _ => self.fixed_function(call),
         }
     }
 
-    fn delete(&mut self, kind: ObjectKind, object: &Number) -> Refused {
+    fn delete(&mut self, kind: ObjectKind, object: &IntArgument) -> Refused {
         // As in OpenGL: 0, and numbers of nothing, are passed over in silence.
         let number = self.state.value(object);
         match kind {
@@ -169,22 +166,22 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    fn bind_vertex_array(&mut self, array: &Number) -> Refused {
+    fn bind_vertex_array(&mut self, array: &IntArgument) -> Refused {
         let number = self.state.value(array);
         let object = self.state.arrays.get(number);
         if number != 0 && object.is_none() {
-            return Err(Refusal::new("INVALID_OPERATION", format!("no vertex array has the number {number}")));
+            return Err(CallRefusal::new("INVALID_OPERATION", format!("no vertex array has the number {number}")));
         }
         self.gl.bind_vertex_array(object.map(VertexArray::handle));
         self.state.array = number;
         Ok(())
     }
 
-    fn bind_buffer(&mut self, call: &Call, target: Constant, buffer: &Number) -> Refused {
+    fn bind_buffer(&mut self, call: &GlCall, target: Constant, buffer: &IntArgument) -> Refused {
         let number = self.state.value(buffer);
         let found = self.state.buffers.get(number).cloned();
         if number != 0 && found.is_none() {
-            return Err(Refusal::new("INVALID_OPERATION", format!("no buffer has the number {number}")));
+            return Err(CallRefusal::new("INVALID_OPERATION", format!("no buffer has the number {number}")));
         }
         let handle = found.as_ref().map(|buffer| buffer.borrow().object.handle());
         self.attempt(call, |gl| gl.bind_buffer(target.value, handle))?;
@@ -196,20 +193,20 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    fn buffer_data(&mut self, call: &Call, target: Constant, data: &str, usage: Constant) -> Refused {
+    fn buffer_data(&mut self, call: &GlCall, target: Constant, data: &str, usage: Constant) -> Refused {
         let bytes = self.state.data.get(data).cloned().unwrap_or_default();
         let buffer = match target.value {
             glow::ARRAY_BUFFER => self.state.array_buffer.and_then(|number| self.state.buffers.get(number)).cloned(),
             glow::ELEMENT_ARRAY_BUFFER => self.state.view().indices.clone(),
-            _ => return Err(Refusal::new("INVALID_ENUM", why(call, "INVALID_ENUM"))),
+            _ => return Err(CallRefusal::new("INVALID_ENUM", explain(call, "INVALID_ENUM"))),
         };
         let Some(buffer) = buffer else {
-            return Err(Refusal::new("INVALID_OPERATION", format!("no buffer is bound to {}", target.name)));
+            return Err(CallRefusal::new("INVALID_OPERATION", format!("no buffer is bound to {}", target.name)));
         };
         self.state.buffer_bytes += bytes.len();
         if self.state.buffer_bytes > MOST_BUFFER_BYTES {
             let most = MOST_BUFFER_BYTES >> 20;
-            return Err(Refusal::new("OUT_OF_MEMORY", format!("a program may have at most {most} MB of buffers")));
+            return Err(CallRefusal::new("OUT_OF_MEMORY", format!("a program may have at most {most} MB of buffers")));
         }
         self.attempt(call, |gl| gl.buffer_data(target.value, &bytes, usage.value))?;
         buffer.borrow_mut().bytes = bytes;
@@ -217,31 +214,31 @@ impl<'a> Runner<'a> {
     }
 
     /// An attribute's location in the program that was created last.
-    fn location(&self, attribute: &str) -> Result<u32, Refusal> {
+    fn location(&self, attribute: &str) -> Result<u32, CallRefusal> {
         if self.state.array == 0 {
-            return Err(Refusal::new("INVALID_OPERATION", NO_VERTEX_ARRAY));
+            return Err(CallRefusal::new("INVALID_OPERATION", NO_VERTEX_ARRAY));
         }
         match self.state.created.as_ref().map(|program| program.attribute(attribute)) {
             Some(Some(location)) => Ok(location),
-            Some(None) => Err(Refusal::new(
+            Some(None) => Err(CallRefusal::new(
                 "INVALID_VALUE",
                 format!("the program has no active attribute `{attribute}`, so its location is -1"),
             )),
-            None => Err(Refusal::new(
+            None => Err(CallRefusal::new(
                 "INVALID_VALUE",
                 format!("no program has been created yet, so `{attribute}` has no location"),
             )),
         }
     }
 
-    fn pointer(&mut self, call: &Call, pointer: &Pointer) -> Refused {
+    fn pointer(&mut self, call: &GlCall, pointer: &Pointer) -> Refused {
         let location = self.location(&pointer.attribute)?;
         let buffer = self.state.array_buffer.and_then(|number| self.state.buffers.get(number)).cloned();
         if pointer.offset < 0 {
-            return Err(Refusal::new("INVALID_VALUE", "the offset cannot be negative"));
+            return Err(CallRefusal::new("INVALID_VALUE", "the offset cannot be negative"));
         }
         if buffer.is_none() && pointer.offset != 0 {
-            return Err(Refusal::new(
+            return Err(CallRefusal::new(
                 "INVALID_OPERATION",
                 "an offset needs a buffer, but none is bound to ARRAY_BUFFER",
             ));
@@ -270,7 +267,7 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    fn active_texture(&mut self, call: &Call, selector: &Selector) -> Refused {
+    fn active_texture(&mut self, call: &GlCall, selector: &Selector) -> Refused {
         let value = match selector {
             Selector::Constant(constant) => constant.value,
             Selector::Number(number) => self.state.value(number) as u32,
@@ -280,11 +277,11 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    fn bind_texture(&mut self, call: &Call, target: Constant, texture: &Number) -> Refused {
+    fn bind_texture(&mut self, call: &GlCall, target: Constant, texture: &IntArgument) -> Refused {
         let number = self.state.value(texture);
         let handle = self.state.textures.get(number).map(TextureObject::handle);
         if number != 0 && handle.is_none() {
-            return Err(Refusal::new("INVALID_OPERATION", format!("no texture has the number {number}")));
+            return Err(CallRefusal::new("INVALID_OPERATION", format!("no texture has the number {number}")));
         }
         self.attempt(call, |gl| gl.bind_texture(target.value, handle))?;
         self.state.bound.insert((self.state.unit, target.value), number);
@@ -301,21 +298,21 @@ impl<'a> Runner<'a> {
             return Ok(());
         }
         let what = if place == glow::TEXTURE_2D { "TEXTURE_2D" } else { "TEXTURE_CUBE_MAP" };
-        Err(Refusal::new(
+        Err(CallRefusal::new(
             "INVALID_OPERATION",
             format!("no texture is bound to {what} of the active unit, {}", self.state.unit),
         ))
     }
 
-    fn image(&mut self, call: &Call, target: Constant, level: i32, format: Constant, image: &str) -> Refused {
+    fn image(&mut self, call: &GlCall, target: Constant, level: i32, format: Constant, image: &str) -> Refused {
         self.something_bound(target)?;
         let image = self.state.images.get(image).and_then(|file| self.files.image(file));
-        let Some(image) = image else { return Err(Refusal::new("INVALID_VALUE", "there is no such image")) };
+        let Some(image) = image else { return Err(CallRefusal::new("INVALID_VALUE", "there is no such image")) };
         let [width, height] = image.size();
         self.state.texel_bytes += width as usize * height as usize * 4;
         if self.state.texel_bytes > MOST_TEXEL_BYTES {
             let most = MOST_TEXEL_BYTES >> 20;
-            return Err(Refusal::new("OUT_OF_MEMORY", format!("a program may have at most {most} MB of texels")));
+            return Err(CallRefusal::new("OUT_OF_MEMORY", format!("a program may have at most {most} MB of texels")));
         }
         let (channels, transfer) = match format.value {
             glow::R8 | glow::RED => (1, glow::RED),
@@ -334,7 +331,7 @@ impl<'a> Runner<'a> {
         self.attempt(call, |gl| gl.tex_image_2d(target.value, level, format, size, Texels::u8(transfer, &texels)))
     }
 
-    fn parameter(&mut self, call: &Call, target: Constant, parameter: Constant, value: &Selector) -> Refused {
+    fn parameter(&mut self, call: &GlCall, target: Constant, parameter: Constant, value: &Selector) -> Refused {
         self.something_bound(target)?;
         let value = match value {
             Selector::Constant(constant) => constant.value as i32,
@@ -343,25 +340,25 @@ impl<'a> Runner<'a> {
         self.attempt(call, |gl| gl.tex_parameter_i32(target.value, parameter.value, value))
     }
 
-    fn mipmap(&mut self, call: &Call, target: Constant) -> Refused {
+    fn mipmap(&mut self, call: &GlCall, target: Constant) -> Refused {
         self.something_bound(target)?;
         self.attempt(call, |gl| gl.generate_mipmap(target.value))
     }
 
-    fn use_program(&mut self, program: &Number) -> Refused {
+    fn use_program(&mut self, program: &IntArgument) -> Refused {
         let number = self.state.value(program);
         let found = self.state.programs.get(number).cloned();
         if number != 0 && found.is_none() {
-            return Err(Refusal::new("INVALID_VALUE", format!("no program has the number {number}")));
+            return Err(CallRefusal::new("INVALID_VALUE", format!("no program has the number {number}")));
         }
         self.gl.use_program(found.as_ref().map(|program| program.handle));
         self.state.used = found;
         Ok(())
     }
 
-    fn uniform(&mut self, call: &Call, uniform: &str, given: &UniformArgument) -> Refused {
+    fn uniform(&mut self, call: &GlCall, uniform: &str, given: &UniformArgument) -> Refused {
         let Some(used) = self.state.used.clone() else {
-            return Err(Refusal::new("INVALID_OPERATION", "no program is in use"));
+            return Err(CallRefusal::new("INVALID_OPERATION", "no program is in use"));
         };
         // A uniform that the program does not need has the location -1, which OpenGL passes over in silence.
         let known = self.state.created.as_ref().is_some_and(|created| created.uniform(uniform).is_some());
@@ -370,7 +367,7 @@ impl<'a> Runner<'a> {
         }
         let Some(location) = used.uniform(uniform) else {
             let why = "the location belongs to the program that was created last, but another one is in use";
-            return Err(Refusal::new("INVALID_OPERATION", why));
+            return Err(CallRefusal::new("INVALID_OPERATION", why));
         };
         let at = Some(&location);
         match given {
@@ -390,15 +387,15 @@ impl<'a> Runner<'a> {
         }
     }
 
-    fn fixed_function(&mut self, call: &Call) -> Refused {
+    fn fixed_function(&mut self, call: &GlCall) -> Refused {
         self.attempt(call, |gl| match call {
-            Call::Viewport([x, y, width, height]) => gl.viewport(*x, *y, *width, *height),
-            Call::Switch { what, on: true } => gl.enable(what.value),
-            Call::Switch { what, on: false } => gl.disable(what.value),
-            Call::ClearColor([r, g, b, a]) => gl.clear_color(*r, *g, *b, *a),
+            GlCall::Viewport([x, y, width, height]) => gl.viewport(*x, *y, *width, *height),
+            GlCall::Switch { what, on: true } => gl.enable(what.value),
+            GlCall::Switch { what, on: false } => gl.disable(what.value),
+            GlCall::ClearColor([r, g, b, a]) => gl.clear_color(*r, *g, *b, *a),
             _ => {}
         })?;
-        if let Call::Clear(bits) = call {
+        if let GlCall::Clear(bits) = call {
             let mask = bits.iter().fold(0, |mask, bit| mask | bit.value);
             self.attempt(call, |gl| gl.clear(mask))?;
         }
@@ -407,17 +404,17 @@ impl<'a> Runner<'a> {
 
     fn draw(&mut self, step: &Step) {
         let request = match &step.call {
-            Call::DrawArrays { mode, first, count } => {
+            GlCall::DrawArrays { mode, first, count } => {
                 DrawRequest { mode: mode.value, first: *first, count: *count, index_type: None }
             }
-            Call::DrawElements { mode, count, kind, offset } => {
+            GlCall::DrawElements { mode, count, kind, offset } => {
                 DrawRequest { mode: mode.value, first: *offset, count: *count, index_type: Some(kind.value) }
             }
             _ => return,
         };
         self.draws.push((step.line, self.errors.len()));
         let gl = self.gl.clone();
-        match guard::check(&mut self.state, &request) {
+        match errors::check_draw(&mut self.state, &request) {
             Err(refusal) => {
                 gl.refused_draw(request.mode, request.first.max(0), request.count.max(0), request.index_type);
                 self.note(step, refusal);

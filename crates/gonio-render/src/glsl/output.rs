@@ -1,9 +1,11 @@
-//! The programs that turn the linear picture into the numbers that are shown.
+//! Programs over a whole picture: from linear light to the numbers that are shown, differences, and the finished picture.
 
 use super::{COLOR, bit, constants, define};
 use gonio_gl::Dialect;
 use gonio_gl::target::SamplesOf;
 use gonio_light::color::{ColorEncoding, ToneMap};
+use gonio_scene::difference::{HEAT, SIGNED};
+use std::fmt::Write;
 
 const DISPLAY_LIGHT: &str = include_str!("../../shaders/display_light.glsl");
 pub(super) const OUTPUT_VERT: &str = include_str!("../../shaders/output.vert");
@@ -79,4 +81,44 @@ pub(super) fn tone_map_define(tone_map: ToneMap) -> &'static str {
         ToneMap::Aces => "TONE_MAP_ACES",
         ToneMap::Agx => "TONE_MAP_AGX",
     }
+}
+
+const DIFFERENCE_FRAG: &str = include_str!("../../shaders/difference.frag");
+
+/// Vertex and fragment shader; the scales' colours are generated from those of `gonio-scene`.
+pub fn difference_sources(dialect: Dialect) -> [String; 2] {
+    let header = dialect.header();
+    let scales = [scale("HEAT", &HEAT), scale("SIGNED", &SIGNED)].concat();
+    [[header, OUTPUT_VERT].concat(), [header, &scales, DIFFERENCE_FRAG].concat()]
+}
+
+fn scale(name: &str, colors: &[[f64; 3]]) -> String {
+    let count = colors.len();
+    let mut text = format!("#define {name}_COUNT {count}\nconst vec3 {name}[{count}] = vec3[{count}](");
+    for (i, [r, g, b]) in colors.iter().enumerate() {
+        let comma = if i + 1 < count { ", " } else { ");\n" };
+        // Writing to a String cannot fail.
+        let _ = write!(text, "vec3({r:.1}, {g:.1}, {b:.1}){comma}");
+    }
+    text
+}
+
+/// Vertex and fragment shader: a triangle over the whole viewport, the texture's first row at the top.
+pub fn presentation_sources(dialect: Dialect) -> [String; 2] {
+    let header = dialect.header();
+    let vertex = "out vec2 place;
+void main() {
+    vec2 corner = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
+    place = vec2(corner.x, 1.0 - corner.y);
+    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
+}
+";
+    let fragment = "uniform sampler2D picture;
+in vec2 place;
+out vec4 frag_color;
+void main() {
+    frag_color = texture(picture, place);
+}
+";
+    [format!("{header}{vertex}"), format!("{header}{fragment}")]
 }

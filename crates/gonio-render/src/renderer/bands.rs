@@ -10,8 +10,8 @@ use super::output::{Band, DisplaySettings};
 use crate::scene_on_gpu::GpuScene;
 use gonio_gl::GlError;
 use gonio_gl::objects::DebugGroup;
-use gonio_gl::statistics::{GpuStatistics, StatisticsQueries};
-use gonio_gl::target::{OutputTarget, Precision};
+use gonio_gl::objects::{GpuStatistics, StatisticsQueries};
+use gonio_gl::target::{ColorPrecision, OutputTarget};
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{Frame, ViewSpec};
 
@@ -47,7 +47,7 @@ impl Renderer {
         let mut notes = Vec::new();
         let (width, height) = (frame.width as i32, frame.height as i32);
         let band_rows = rows_of_a_band(scene.triangle_count, frame);
-        let target = self.target_for(scene, frame, band_rows, Precision::Half, 1, &mut notes)?;
+        let target = self.target_for(scene, frame, band_rows, ColorPrecision::Half, 1, &mut notes)?;
         let output = OutputTarget::new(gl, [width, height], false)?;
         let look = DisplaySettings::new(view, frame);
         let mut statistics = GpuStatistics::default();
@@ -86,7 +86,7 @@ fn rows_of_a_band(triangles: usize, frame: &Frame) -> i32 {
 #[cfg(test)]
 mod tests {
     use crate::Renderer;
-    use gonio_gl::target::Precision;
+    use gonio_gl::target::ColorPrecision;
     use gonio_scene::files::Disk;
     use std::path::Path;
 
@@ -102,7 +102,8 @@ mod tests {
         let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
         let rows = super::rows_of_a_band(uploaded.triangle_count, &frame);
         assert!(rows < 621 && 621 % rows != 0, "bands of {rows} rows would test little");
-        let whole = renderer.render_at(&uploaded, &frame, None, Precision::Half).unwrap_or_else(|why| panic!("{why}"));
+        let whole =
+            renderer.render_at(&uploaded, &frame, None, ColorPrecision::Half).unwrap_or_else(|why| panic!("{why}"));
         let banded = renderer.render8(&uploaded, &frame, None).unwrap_or_else(|why| panic!("{why}"));
         let whole8 = whole.encoded8().unwrap_or_else(|why| panic!("{why}"));
         assert_eq!(whole8.rgba.len(), banded.picture.rgba.len());

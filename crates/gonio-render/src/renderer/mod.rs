@@ -2,47 +2,36 @@
 //! front, samples resolved, and on demand the picture's numbers.
 
 mod bands;
-#[cfg(feature = "bench")]
-mod bare;
-mod difference;
 mod output;
-mod overlays;
 mod paint;
 mod pass;
-mod pixel;
 mod record;
-mod sampling;
 mod shared;
 mod special;
 mod surroundings;
-mod targets;
-mod user_program;
 
 pub use bands::RenderedPicture;
-pub use difference::DifferenceScale;
 pub use output::RenderedFrame;
-pub use paint::Painted;
+pub use paint::{DifferenceScale, Painted};
 
 use crate::glsl::texture_unit;
-use crate::gpu_cache::GpuCache;
 use crate::light_table::LightTable;
-use crate::scene_on_gpu::{GpuObject, GpuScene, Run};
+use crate::scene_on_gpu::{GpuCache, GpuObject, GpuScene, Run};
 use crate::textures;
 use gonio_gl::Dialect;
 use gonio_gl::DriverInfo;
+use gonio_gl::objects::StatisticsQueries;
 use gonio_gl::objects::{DebugGroup, TextureObject, VertexArray};
-use gonio_gl::statistics::StatisticsQueries;
-use gonio_gl::target::{Precision, Sampling, Target};
+use gonio_gl::target::{ColorPrecision, Sampling, Target};
 use gonio_gl::{Gl, GlError, Remedy};
 use gonio_scene::{Frame, Scene, ViewSpec};
 use output::DisplaySettings;
 use pass::{Draw, Pass};
-use shared::Shared;
+use shared::{PANES, Shared, Targets};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 use surroundings::BoundEnvironment;
-use targets::{PANES, Targets};
 
 /// Draws scenes with one OpenGL context.
 pub struct Renderer {
@@ -98,7 +87,7 @@ impl Renderer {
         frame: &Frame,
         view: Option<ViewSpec>,
     ) -> Result<RenderedFrame, GlError> {
-        self.render_at(scene, frame, view, Precision::Full)
+        self.render_at(scene, frame, view, ColorPrecision::Full)
     }
 
     pub(crate) fn render_at(
@@ -106,7 +95,7 @@ impl Renderer {
         scene: &GpuScene,
         frame: &Frame,
         view: Option<ViewSpec>,
-        precision: Precision,
+        precision: ColorPrecision,
     ) -> Result<RenderedFrame, GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
@@ -131,7 +120,7 @@ impl Renderer {
         scene: &GpuScene,
         frame: &Frame,
         rows: i32,
-        precision: Precision,
+        precision: ColorPrecision,
         panes: usize,
         notes: &mut Vec<String>,
     ) -> Result<Rc<Target>, GlError> {
@@ -150,7 +139,7 @@ impl Renderer {
         if samples < frame.samples {
             notes.push(format!("{samples} samples per pixel instead of {}: the driver has no more", frame.samples));
         }
-        let sampling = sampling::choose(info, scene.triangle_count, frame, samples as i32);
+        let sampling = shared::choose_sampling(info, scene.triangle_count, frame, samples as i32);
         let size = [frame.width as i32, rows];
         if let Some(target) = self.targets.find(size, sampling, precision) {
             return Ok(target);

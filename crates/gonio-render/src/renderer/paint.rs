@@ -1,17 +1,18 @@
-//! A frame for a window: onto a display texture, with nothing to wait for, and with the window's own state left as it was.
+//! Pictures for a window: frames, difference maps and students' programs, drawn onto display textures. Nothing waits
+//! for the GPU, and the window's own state is restored.
 
 use super::output::{Band, DisplaySettings};
 use super::{PANES, RenderedPicture, Renderer};
-use crate::display_options::DisplayOptions;
-use crate::display_texture::DisplayTexture;
+use crate::display::{DisplayOptions, DisplayTexture};
+use crate::glsl::{Display, difference_sources};
 use crate::scene_on_gpu::GpuScene;
-use gonio_gl::GlError;
-use gonio_gl::SavedState;
-use gonio_gl::objects::DebugGroup;
-use gonio_gl::statistics::{GpuStatistics, StatisticsQueries};
-use gonio_gl::target::Precision;
+use gonio_gl::objects::{DebugGroup, GpuStatistics, StatisticsQueries};
+use gonio_gl::program::Program;
+use gonio_gl::target::{ColorPrecision, Sampling, Target};
+use gonio_gl::{Dialect, GlError, SavedState};
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{Frame, Picture, SpecialView, ViewSpec};
+use std::rc::Rc;
 
 /// The result of painting a frame.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -105,7 +106,7 @@ impl Renderer {
         // Counts have no samples.
         let samples = if special == Some(SpecialView::Overdraw) { 1 } else { frame.samples };
         let sampled = Frame { samples, ..frame.clone() };
-        let target = self.target_for(scene, &sampled, height, Precision::Half, PANES, &mut notes)?;
+        let target = self.target_for(scene, &sampled, height, ColorPrecision::Half, PANES, &mut notes)?;
         canvas.fit([frame.width, frame.height])?;
         let as_it_is = special == Some(SpecialView::UvChecker);
         let look =
@@ -133,5 +134,136 @@ impl Renderer {
             draw_calls += shared.draw_overlays(show.overlays, scene, &mut self.cache, frame, canvas)?;
         }
         Ok(Painted { notes, draw_calls, statistics })
+    }
+}
+
+/// The colours of a difference.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DifferenceScale {
+    /// The 8-bit steps that get the scale's last colour, above 0.
+    pub full_scale: f64,
+    /// The second minus the first, in [`gonio_scene::difference::signed`]'s colours; otherwise the size of the difference
+    /// alone, in [`gonio_scene::difference::heat`]'s.
+    pub signed: bool,
+}
+
+impl Renderer {
+    /// Draws onto `map`, which takes the size of the first, where two display textures of one size differ: of each pixel the
+    /// channel (red, green or blue, as displayed) that differs most. Waits for nothing and leaves the window's state as
+    /// [`Renderer::paint`] does. Textures of different sizes are an error.
+    pub fn paint_difference(
+        &mut self,
+        first: &DisplayTexture,
+        second: &DisplayTexture,
+        scale: DifferenceScale,
+        map: &mut DisplayTexture,
+    ) -> Result<(), GlError> {
+        if first.size() != second.size() {
+            return Err(GlError::new("pictures of different sizes cannot be compared"));
+        }
+        let shared = self.shared.clone();
+        let gl = &shared.gl;
+        let _state = SavedState::save(gl);
+        let _group = DebugGroup::new(gl, "difference");
+        map.fit(first.size())?;
+        let known = shared.difference.borrow().clone();
+        let program = match known {
+            Some(program) => program,
+            None => {
+                let [vertex, fragment] = difference_sources(gl.dialect());
+                let program = Rc::new(Program::new(gl, "difference", &vertex, &fragment, &[])?);
+                *shared.difference.borrow_mut() = Some(program.clone());
+                program
+            }
+        };
+        program.bind();
+        program.set_i32("first", 0);
+        program.set_i32("second", 1);
+        program.set_f32("full_scale", scale.full_scale.max(1e-3) as f32);
+        program.set_i32("is_signed", i32::from(scale.signed));
+        map.output().bind(gl);
+        gl.disable(glow::DEPTH_TEST);
+        gl.disable(glow::BLEND);
+        gl.disable(glow::CULL_FACE);
+        gl.disable(glow::SCISSOR_TEST);
+        for (unit, canvas) in [(1, second), (0, first)] {
+            gl.active_texture(glow::TEXTURE0 + unit);
+            gl.bind_texture(glow::TEXTURE_2D, Some(canvas.texture()));
+        }
+        gl.bind_vertex_array(Some(shared.no_attributes.handle()));
+        gl.draw_arrays(glow::TRIANGLES, 0, 3);
+        gl.bind_vertex_array(None);
+        Ok(())
+    }
+}
+
+/// Samples per pixel, where the driver has them.
+const SAMPLES: u32 = 4;
+/// Pictures of one window that are drawn in turn: a student's and the reference.
+const PICTURES: usize = 2;
+
+impl Renderer {
+    /// Draws what `draw` draws, programs of [`crate::user_program`], onto the display texture, which takes `size`. Colours are
+    /// shown unchanged, 0 to 1, without any encoding; alpha is ignored. `background` is the colour where nothing is drawn.
+    ///
+    /// The viewport is a square in the picture's middle, as wide as the longer side: its matrices are those of a square
+    /// picture, of which the window shows a part. There is a depth buffer, with a test that lets the farthest plane pass too,
+    /// as a sky needs; nothing is culled.
+    ///
+    /// Waits for nothing and leaves the window's state as [`Renderer::paint`] does.
+    pub fn paint_user_program(
+        &mut self,
+        canvas: &mut DisplayTexture,
+        size: [u32; 2],
+        background: [f32; 3],
+        draw: impl FnOnce(),
+    ) -> Result<(), GlError> {
+        let shared = self.shared.clone();
+        let gl = &shared.gl;
+        let _state = SavedState::save(gl);
+        let _group = DebugGroup::new(gl, "user program");
+        let most = shared.info.max_size;
+        let size = size.map(|side| side.clamp(1, most) as i32);
+        let target = self.user_program_target(size)?;
+        canvas.fit(size.map(|side| side as u32))?;
+        shared.output_program_for(&target, Display::Affine)?;
+        target.begin(gl, 0, size[1]);
+        let side = size[0].max(size[1]);
+        let [r, g, b] = background;
+        gl.clear_color(r, g, b, 1.0);
+        gl.clear(glow::COLOR_BUFFER_BIT);
+        gl.viewport((size[0] - side) / 2, (size[1] - side) / 2, side, side);
+        gl.color_mask(true, true, true, false);
+        gl.disable(glow::BLEND);
+        gl.disable(glow::CULL_FACE);
+        gl.enable(glow::DEPTH_TEST);
+        gl.depth_func(glow::LEQUAL);
+        draw();
+        gl.color_mask(true, true, true, true);
+        target.resolve(gl);
+        let whole = Band { picture_height: size[1], first_row: 0, rows: size[1] };
+        shared.output_into(canvas.output(), &target, whole, &DisplaySettings::of_numbers(), Display::Affine)
+    }
+
+    fn user_program_target(&mut self, size: [i32; 2]) -> Result<Rc<Target>, GlError> {
+        let samples = Sampling::Multi(SAMPLES.min(self.shared.info.max_samples).max(1) as i32);
+        for sampling in [samples, Sampling::Multi(1)] {
+            if let Some(target) = self.targets.find(size, sampling, ColorPrecision::Half) {
+                return Ok(target);
+            }
+        }
+        self.targets.make_room(PICTURES);
+        let shared = &self.shared;
+        let make = |sampling| Target::new(&shared.gl, shared.info.dialect, size, sampling, ColorPrecision::Half);
+        let target = Rc::new(match make(samples) {
+            // Drivers of the web do not say how many samples they have of which format.
+            Err(_) if shared.info.dialect == Dialect::Es300 => {
+                shared.forget_errors();
+                make(Sampling::Multi(1))?
+            }
+            made => made?,
+        });
+        self.targets.keep(target.clone());
+        Ok(target)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::shared::Shared;
 use super::surroundings::BoundEnvironment;
-use crate::geometry::Geometry;
+use crate::geometry::MeshOnGpu;
 use crate::glsl::{
     LightLoops, MapSet, Reflectance, SceneKey, SurroundingsKey, TEXTURE_UNITS, quantity_number, texture_unit,
 };
@@ -13,7 +13,7 @@ use glam::{DMat4, DVec3};
 use gonio_gl::GlError;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
-use gonio_gl::trace::Subject;
+use gonio_gl::trace::DrawSubject;
 use gonio_light::light::ambient_color;
 use gonio_light::{Convention, Quantity};
 use gonio_mesh::AmbientRule;
@@ -57,7 +57,7 @@ impl<'a> Pass<'a> {
         let material = &self.scene.materials[draw.run.material];
         let _group =
             DebugGroup::new(gl, &format!("{} {} [{}]", object.object.name, draw.run.name, material.material.name));
-        let _drawing = gl.drawing(|| Subject {
+        let _drawing = gl.drawing(|| DrawSubject {
             object: object.object.name.clone(),
             part: draw.run.name.clone(),
             material: material.material.name.clone(),
@@ -82,7 +82,7 @@ impl<'a> Pass<'a> {
         Ok(())
     }
 
-    fn geometry(&self, object: &GpuObject) -> Result<&'a Geometry, GlError> {
+    fn geometry(&self, object: &GpuObject) -> Result<&'a MeshOnGpu, GlError> {
         let scene = self.scene;
         let geometries = &scene.geometries[object.object.mesh];
         let geometry = if wants_unshared(object.object.shading) { &geometries.unshared } else { &geometries.shared };
@@ -91,7 +91,7 @@ impl<'a> Pass<'a> {
         })
     }
 
-    fn key(&self, object: &GpuObject, geometry: &Geometry, material: &SceneMaterial) -> SceneKey {
+    fn key(&self, object: &GpuObject, geometry: &MeshOnGpu, material: &SceneMaterial) -> SceneKey {
         let equation = &self.frame.equation;
         let maps = &material.maps;
         let others = [&maps.specular, &maps.emitted, &maps.shininess, &maps.opacity];
@@ -236,5 +236,45 @@ impl<'a> Pass<'a> {
         // Sampling is the texture's state, and a texture may serve two materials: set at each use.
         textures::set_sampling(gl, self.frame.texture_filter, map.wrap, self.shared.info.anisotropy);
         program.set_mat3x2(transform, &map.uv_matrix());
+    }
+}
+
+/// The barest loop that draws a scene, which the frame benchmark compares with `Renderer::render`.
+#[cfg(feature = "bench")]
+impl super::Renderer {
+    /// Draws the frame of the last `render` again, `frames` times, and waits for each: clear, one call for the one run of
+    /// the one object, resolve. Program, uniforms, textures and target are as `render` left them; nothing is looked up,
+    /// set, counted or labelled.
+    ///
+    /// Only for benchmarks: `scene` must be the scene that was drawn last, of one opaque object of one run.
+    pub fn bare_loop(&mut self, scene: &GpuScene, frames: usize) -> Result<(), GlError> {
+        let wrong = || GlError::new("the bare loop draws one opaque object of one material that was rendered before");
+        let gl = &self.shared.gl;
+        let target = self.targets.last().ok_or_else(wrong)?;
+        let [object] = scene.objects.as_slice() else { return Err(wrong()) };
+        let [run] = object.opaque.as_slice() else { return Err(wrong()) };
+        if !object.transparent.is_empty() {
+            return Err(wrong());
+        }
+        let geometries = scene.geometries.get(object.object.mesh).ok_or_else(wrong)?;
+        let geometry = if wants_unshared(object.object.shading) { &geometries.unshared } else { &geometries.shared };
+        geometry.as_ref().ok_or_else(wrong)?.bind(gl);
+        let first = run.first_triangle * 3 * size_of::<u32>();
+        let count = run.triangle_count * 3;
+        if object.object.closed {
+            gl.enable(glow::CULL_FACE);
+            gl.cull_face(glow::BACK);
+        }
+        gl.front_face(if object.mirrored { glow::CW } else { glow::CCW });
+        for _ in 0..frames {
+            target.begin(gl, 0, target.size[1]);
+            gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32);
+            target.resolve(gl);
+            gl.finish();
+        }
+        gl.disable(glow::CULL_FACE);
+        gl.front_face(glow::CCW);
+        gl.bind_vertex_array(None);
+        self.shared.check_error("the bare loop")
     }
 }

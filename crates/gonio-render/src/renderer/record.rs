@@ -7,7 +7,7 @@ use crate::scene_on_gpu::GpuScene;
 use gonio_gl::GlError;
 use gonio_gl::SavedState;
 use gonio_gl::objects::DebugGroup;
-use gonio_gl::target::{OutputTarget, Precision};
+use gonio_gl::target::{ColorPrecision, OutputTarget};
 use gonio_gl::trace::{FrameRecord, Recording};
 use gonio_scene::{Frame, ViewSpec};
 
@@ -50,7 +50,7 @@ impl Renderer {
         let gl = &shared.gl;
         let recording = Recording::begin(gl)?;
         let mut notes = Vec::new();
-        let target = self.target_for(scene, frame, frame.height as i32, Precision::Half, PANES, &mut notes)?;
+        let target = self.target_for(scene, frame, frame.height as i32, ColorPrecision::Half, PANES, &mut notes)?;
         {
             let _group = DebugGroup::new(gl, "scene");
             self.draw_scene(scene, frame, view, &target, 0)?;

@@ -1,9 +1,12 @@
-//! The state that all parts of the renderer share: the context, the driver's limits and the linked programs.
+//! The state that all parts of the renderer share: the context, the driver's limits, the linked programs, and the
+//! targets that are kept between frames.
 
 use crate::glsl::{ATTRIBUTES, OutputKey, SceneKey, SpecialProgram};
 use gonio_gl::objects::VertexArray;
 use gonio_gl::program::Program;
+use gonio_gl::target::{ColorPrecision, Sampling, Target};
 use gonio_gl::{DriverInfo, Gl, GlError};
+use gonio_scene::Frame;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -55,6 +58,127 @@ impl Shared {
                 "the driver ran out of memory while {doing}; a smaller picture or model may work"
             ))),
             code => Err(GlError::new(format!("OpenGL reported error {code:#06x} while {doing}"))),
+        }
+    }
+}
+
+/// Most panes of a window that are drawn in turn.
+pub(super) const PANES: usize = 4;
+
+/// Targets, the one that was used last in front, each with the number of its last use.
+#[derive(Default)]
+pub(crate) struct Targets {
+    kept: Vec<(Rc<Target>, u64)>,
+    uses: u64,
+}
+
+impl Targets {
+    /// One that fits and that no finished frame holds, which must not be drawn over.
+    pub fn find(&mut self, size: [i32; 2], sampling: Sampling, precision: ColorPrecision) -> Option<Rc<Target>> {
+        let fits = |target: &Rc<Target>| {
+            target.size == size
+                && target.sampling == sampling
+                && target.precision == precision
+                && Rc::strong_count(target) == 1
+        };
+        let index = self.kept.iter().position(|(target, _)| fits(target))?;
+        let (target, _) = self.kept.remove(index);
+        self.keep(target.clone());
+        Some(target)
+    }
+
+    /// Makes room for another: of `most` panes that are drawn in turn, each has used its own lately; what has not been
+    /// used for as long is of a size that nobody has any more.
+    pub fn make_room(&mut self, most: usize) {
+        let uses = self.uses;
+        self.kept.retain(|(_, last)| last + most as u64 > uses + 1);
+    }
+
+    /// Keeps one that was made.
+    pub fn keep(&mut self, target: Rc<Target>) {
+        self.uses += 1;
+        self.kept.insert(0, (target, self.uses));
+    }
+
+    /// The target that was used last.
+    #[cfg(any(test, feature = "bench"))]
+    pub fn last(&self) -> Option<&Rc<Target>> {
+        self.kept.first().map(|(target, _)| target)
+    }
+
+    /// The number of targets.
+    #[cfg(test)]
+    pub fn count(&self) -> usize {
+        self.kept.len()
+    }
+}
+
+/// Pixels of a picture for each triangle up to which triangles count as fine: from there on down a grid of samples was
+/// measured to take less time on llvmpipe than samples of the driver.
+const PIXELS_PER_TRIANGLE: usize = 3;
+
+/// Chooses how the samples of a frame are drawn.
+///
+/// Where triangles are not much larger than pixels, nearly every sample is shaded anyway, and software drivers spend
+/// more on keeping the samples of a pixel apart than on shading: there a finer picture, averaged, is the same for less.
+pub(super) fn choose_sampling(info: &DriverInfo, triangles: usize, frame: &Frame, samples: i32) -> Sampling {
+    let pixels = frame.width as usize * frame.height as usize;
+    let is_fine = triangles.saturating_mul(PIXELS_PER_TRIANGLE) >= pixels;
+    let fits = |side: i32| u64::from(frame.width.max(frame.height)) * side as u64 <= u64::from(info.max_size);
+    match (2..=4).find(|side| side * side == samples) {
+        Some(side) if is_fine && info.is_software() && fits(side) => Sampling::Grid(side),
+        _ => Sampling::Multi(samples),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Renderer;
+    use gonio_scene::files::Disk;
+    use gonio_scene::{Picture, Scene};
+    use std::path::Path;
+
+    /// Suzanne's 968 triangles on 40 x 30 pixels: fine ones; `finer` times as wide and high.
+    fn scene(samples: u32, finer: u32) -> Scene {
+        let text = format!(
+            "[picture]\nwidth = {}\nheight = {}\nsamples = {samples}\n[[object]]\nmodel = \"builtin:suzanne\"\n",
+            40 * finer,
+            30 * finer
+        );
+        let scene = gonio_scene::toml_file::read(&text).unwrap_or_else(|why| panic!("{why}"));
+        gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"))
+    }
+
+    fn linear(renderer: &mut Renderer, scene: &Scene) -> Picture {
+        let uploaded = renderer.upload(scene).unwrap_or_else(|why| panic!("{why}"));
+        let drawn = renderer.render(&uploaded, &scene.frame(0.0), None);
+        drawn.and_then(|drawn| drawn.linear()).unwrap_or_else(|why| panic!("{why}"))
+    }
+
+    /// Four samples of fine triangles are the four pixels of a picture twice as large: in OpenGL, in OpenGL ES, and
+    /// whatever comes before it.
+    #[test]
+    fn fine_triangles_are_a_finer_picture_averaged() {
+        for es in [false, true] {
+            let context = crate::tests::context(es);
+            let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}"));
+            assert!(renderer.info().is_software(), "{}", renderer.info().renderer);
+            let finer = linear(&mut renderer, &scene(1, 2));
+            let picture = linear(&mut renderer, &scene(4, 1));
+            assert_eq!((picture.width, picture.height), (40, 30));
+            let (mut differs, mut covered) = (0.0_f32, 0);
+            for (i, pixel) in picture.pixels.iter().enumerate() {
+                let (x, y) = (2 * (i % 40), 2 * (i / 40));
+                let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| finer.pixels[(y + dy) * 80 + x + dx]);
+                for channel in 0..3 {
+                    let mean = four.iter().map(|texel| texel[channel]).sum::<f32>() / 4.0;
+                    differs = differs.max((mean - pixel[channel]).abs());
+                }
+                covered += usize::from(four.iter().any(|texel| *texel != four[0]));
+            }
+            // The background is a gradient in steps of rows, so half a step of it may part them.
+            assert!(differs < 2e-3, "{differs}");
+            assert!(covered > 200, "{covered} pixels are not of one colour");
         }
     }
 }

@@ -1,6 +1,5 @@
 //! Tests that need a context: on whatever driver there is, Mesa's llvmpipe in CI.
 
-mod conversion;
 mod environment;
 mod overlays;
 mod paint;

@@ -2,7 +2,7 @@
 
 use super::paint::{loaded, renderer};
 use crate::DisplayTexture;
-use crate::display_options::{DisplayOptions, View};
+use crate::display::{DisplayOptions, View};
 use crate::glsl::OVERDRAW_SCALE;
 use crate::renderer::Renderer;
 use glam::{DVec3, DVec4};

@@ -1,11 +1,11 @@
 //! What a window relies on: the right picture on a display texture, its own state left alone, nothing made twice.
 
 use super::context;
-use crate::display_options::{DisplayOptions, View};
+use crate::display::{DisplayOptions, View};
 use crate::renderer::Renderer;
 use crate::{DisplayTexture, Presenter};
 use gonio_gl::Gl;
-use gonio_gl::target::Precision;
+use gonio_gl::target::ColorPrecision;
 use gonio_light::Quantity;
 use gonio_scene::edit::{Edited, apply};
 use gonio_scene::files::Disk;
@@ -46,7 +46,7 @@ fn a_canvas_shows_what_a_file_would_hold() {
             let painted = painted.unwrap_or_else(|why| panic!("{why}"));
             assert_eq!((canvas.size(), painted.notes.len()), ([90, 70], 0), "{:?}", painted.notes);
             assert_eq!((painted.draw_calls, painted.statistics), (1, None));
-            let drawn = renderer.render_at(&uploaded, &frame, view, Precision::Half);
+            let drawn = renderer.render_at(&uploaded, &frame, view, ColorPrecision::Half);
             let wanted = drawn.and_then(|d| d.encoded8()).unwrap_or_else(|why| panic!("{why}"));
             assert!(canvas.read8() == wanted.rgba, "not one bit differs: es {es}, {view:?}");
         }

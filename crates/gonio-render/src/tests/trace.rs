@@ -4,7 +4,7 @@ use crate::Renderer;
 use glam::DVec3;
 use gonio_environment::Cubemap;
 use gonio_gl::headless::HeadlessContext;
-use gonio_gl::trace::{AttributeSource, Content, FrameRecord, Recording, Severity, Thumbnail, lint};
+use gonio_gl::trace::{AttributeSource, FrameRecord, Recording, Severity, TexelEncoding, Thumbnail, lint};
 use gonio_light::Quantity;
 use gonio_scene::files::Disk;
 use gonio_scene::settings::EnvironmentSettings;
@@ -205,7 +205,7 @@ fn thumbnails_show_the_textures() {
         for texture in &scene.textures {
             let (found, thumbnail) = find(&texture.name);
             assert!(thumbnail.width.max(thumbnail.height) <= Thumbnail::MOST);
-            let is_data = found.content == Content::SignedHalves;
+            let is_data = found.content == TexelEncoding::SignedHalves;
             assert_eq!(is_data, texture.color_space == gonio_scene::ColorSpace::Data, "{}", texture.name);
             // Upper left quarter, right way up: the mean of its texels.
             let mean = |rgba: &[u8], width: u32, height: u32| {

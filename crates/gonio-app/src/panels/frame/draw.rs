@@ -6,7 +6,7 @@ use crate::session::RecordedFrame;
 use crate::theme::colors;
 use egui::load::SizedTexture;
 use egui::{CollapsingHeader, Grid, Image, Label, RichText, ScrollArea, TextStyle, Ui, vec2};
-use gonio_gl::trace::{AttributeSource, DrawRecord, Numbers, SamplerRecord, TextureRecord, UniformValue};
+use gonio_gl::trace::{AttributeSource, DrawRecord, SamplerRecord, TextureRecord, UniformNumbers, UniformValue};
 
 /// A thumbnail's side, points.
 const THUMBNAIL: f32 = 44.0;
@@ -139,7 +139,7 @@ fn rows(uniform: &UniformValue) -> Vec<String> {
         _ => format!("{v:>10.2e}"),
     };
     match &uniform.value {
-        Numbers::Float(values) => {
+        UniformNumbers::Float(values) => {
             let sides: Vec<usize> = kind
                 .strip_prefix("mat")
                 .into_iter()
@@ -154,9 +154,9 @@ fn rows(uniform: &UniformValue) -> Vec<String> {
             let each = kind.strip_prefix("vec").and_then(|n| n.parse().ok()).unwrap_or(1);
             values.chunks(each).map(|element| element.iter().copied().map(number).collect()).collect()
         }
-        Numbers::Int(values) => vec![values.iter().map(|v| format!("{v:>10}")).collect()],
-        Numbers::Uint(values) => vec![values.iter().map(|v| format!("{v:>10}")).collect()],
-        Numbers::Bool(values) => vec![values.iter().map(|v| format!("{v:>10}")).collect()],
+        UniformNumbers::Int(values) => vec![values.iter().map(|v| format!("{v:>10}")).collect()],
+        UniformNumbers::Uint(values) => vec![values.iter().map(|v| format!("{v:>10}")).collect()],
+        UniformNumbers::Bool(values) => vec![values.iter().map(|v| format!("{v:>10}")).collect()],
     }
 }
 

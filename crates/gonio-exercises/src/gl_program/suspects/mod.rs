@@ -5,7 +5,7 @@ mod picture;
 mod textures;
 mod vertices;
 
-use gonio_render::gl_program::{Call, CallError, Constant, GlProgramRun, ObjectKind, Step, constant};
+use gonio_render::gl_program::{CallError, Constant, GlCall, GlProgramRun, ObjectKind, Step, constant};
 
 /// A mistake that is suspected.
 #[derive(Clone, Debug)]
@@ -69,24 +69,24 @@ impl<'a> Case<'a> {
     /// What holds the numbers of all objects of a kind.
     fn objects(&self, kind: ObjectKind) -> Vec<&'a str> {
         let name = |step: &'a Step| match &step.call {
-            Call::Generate { name, kind: made } if *made == kind => Some(name.as_str()),
+            GlCall::Generate { name, kind: made } if *made == kind => Some(name.as_str()),
             _ => None,
         };
         self.steps.iter().filter_map(name).collect()
     }
 
     /// The first call of some sort.
-    fn first(&self, is: impl Fn(&Call) -> bool) -> Option<usize> {
+    fn first(&self, is: impl Fn(&GlCall) -> bool) -> Option<usize> {
         self.steps.iter().position(|step| is(&step.call))
     }
 
     /// The last call of some sort before the draw.
-    fn last(&self, is: impl Fn(&Call) -> bool) -> Option<usize> {
+    fn last(&self, is: impl Fn(&GlCall) -> bool) -> Option<usize> {
         self.before().rev().find(|(_, step)| is(&step.call)).map(|(at, _)| at)
     }
 
     /// The program with another call in a place.
-    fn replaced(&self, at: usize, call: Call) -> Vec<Step> {
+    fn replaced(&self, at: usize, call: GlCall) -> Vec<Step> {
         let mut steps = self.steps.to_vec();
         if let Some(step) = steps.get_mut(at) {
             step.call = call;
@@ -104,7 +104,7 @@ impl<'a> Case<'a> {
     }
 
     /// The program with calls put in before the one that is in a place.
-    fn inserted(&self, at: usize, calls: impl IntoIterator<Item = Call>) -> Vec<Step> {
+    fn inserted(&self, at: usize, calls: impl IntoIterator<Item = GlCall>) -> Vec<Step> {
         let mut steps = self.steps.to_vec();
         let at = at.min(steps.len());
         let line = self.line(at.saturating_sub(1));
@@ -124,7 +124,7 @@ impl<'a> Case<'a> {
     }
 
     /// The program with every call changed that `change` changes; `None` where it changes none. With the first of them.
-    fn changed(&self, mut change: impl FnMut(usize, &mut Call) -> bool) -> Option<(usize, Vec<Step>)> {
+    fn changed(&self, mut change: impl FnMut(usize, &mut GlCall) -> bool) -> Option<(usize, Vec<Step>)> {
         let mut steps = self.steps.to_vec();
         let mut first = None;
         for (at, step) in steps.iter_mut().enumerate() {

@@ -1,7 +1,7 @@
 //! Programs, draws, and what else makes the picture: where it is drawn, on which ground, after which tests.
 
 use super::{Case, Suspect, known};
-use gonio_render::gl_program::{Call, Number};
+use gonio_render::gl_program::{GlCall, IntArgument};
 
 /// Adds what may be wrong with the picture.
 pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
@@ -19,29 +19,29 @@ fn program(case: &Case<'_>, found: &mut Vec<Suspect>) {
         .iter()
         .enumerate()
         .filter_map(
-            |(at, step)| if let Call::CreateProgram { name, .. } = &step.call { Some((at, name)) } else { None },
+            |(at, step)| if let GlCall::CreateProgram { name, .. } = &step.call { Some((at, name)) } else { None },
         )
         .collect();
     let Some(&(made, name)) = created.last() else { return };
-    let right = Number::Variable(name.clone());
-    let uses: Vec<(usize, &Number)> = case
+    let right = IntArgument::Variable(name.clone());
+    let uses: Vec<(usize, &IntArgument)> = case
         .steps
         .iter()
         .enumerate()
-        .filter_map(|(at, step)| if let Call::UseProgram(number) = &step.call { Some((at, number)) } else { None })
+        .filter_map(|(at, step)| if let GlCall::UseProgram(number) = &step.call { Some((at, number)) } else { None })
         .collect();
     if uses.is_empty() {
-        let corrected = case.inserted(made + 1, [Call::UseProgram(right.clone())]);
+        let corrected = case.inserted(made + 1, [GlCall::UseProgram(right.clone())]);
         let said = format!("`{name}` is created but never used");
         let fix = format!("write `use_program {name}` before the uniforms and the draw");
         found.push(case.suspect("program-not-used", made, said, fix, corrected));
     }
     for (at, number) in uses {
-        if *number == Number::Literal(0) {
+        if *number == IntArgument::Literal(0) {
             let said = "0 unbinds the program, and the draw that follows has none";
             found.push(case.suspect("program-switched-off", at, said, "remove it", case.without(at)));
         } else if *number != right {
-            let corrected = case.replaced(at, Call::UseProgram(right.clone()));
+            let corrected = case.replaced(at, GlCall::UseProgram(right.clone()));
             let said = format!("this is not the number of `{name}`");
             found.push(case.suspect(
                 "program-number-wrong",
@@ -56,7 +56,7 @@ fn program(case: &Case<'_>, found: &mut Vec<Suspect>) {
 
 fn viewport(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
-        let Call::Viewport([x, y, width, height]) = step.call else { continue };
+        let GlCall::Viewport([x, y, width, height]) = step.call else { continue };
         let said = format!("the picture is drawn into {width} x {height} pixels from ({x}, {y}) on");
         let fix = "give it 0 0 and the picture's width and height, or leave it out";
         found.push(case.suspect("viewport-wrong", at, said, fix, case.without(at)));
@@ -65,8 +65,8 @@ fn viewport(case: &Case<'_>, found: &mut Vec<Suspect>) {
 
 fn clears(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let color = known("COLOR_BUFFER_BIT");
-    let clears_color = |call: &Call| matches!(call, Call::Clear(bits) if bits.contains(&color));
-    let first_draw = case.first(Call::draws).unwrap_or(case.steps.len());
+    let clears_color = |call: &GlCall| matches!(call, GlCall::Clear(bits) if bits.contains(&color));
+    let first_draw = case.first(GlCall::draws).unwrap_or(case.steps.len());
     let clears: Vec<usize> = (0..case.steps.len()).filter(|at| clears_color(&case.steps[*at].call)).collect();
     for &at in clears.iter().filter(|at| **at > first_draw) {
         let said = format!("this clears what line {} has drawn", case.line(first_draw));
@@ -75,7 +75,7 @@ fn clears(case: &Case<'_>, found: &mut Vec<Suspect>) {
     }
     if clears.is_empty() {
         let said = "the picture keeps what was there before";
-        let corrected = case.inserted(first_draw, [Call::Clear(vec![color])]);
+        let corrected = case.inserted(first_draw, [GlCall::Clear(vec![color])]);
         let fix = "write `clear COLOR_BUFFER_BIT` before it";
         found.push(case.suspect("clear-missing", first_draw, said, fix, corrected));
     }
@@ -83,15 +83,15 @@ fn clears(case: &Case<'_>, found: &mut Vec<Suspect>) {
 
 fn clear_color(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let right = case.reference.iter().find_map(|step| match step.call {
-        Call::ClearColor(color) => Some(color),
+        GlCall::ClearColor(color) => Some(color),
         _ => None,
     });
     let Some(right) = right else { return };
-    let Some(clear) = case.first(|call| matches!(call, Call::Clear(_))) else { return };
+    let Some(clear) = case.first(|call| matches!(call, GlCall::Clear(_))) else { return };
     let [r, g, b, a] = right;
     let fix = format!("write `clear_color {r} {g} {b} {a}`");
-    let Some(at) = case.first(|call| matches!(call, Call::ClearColor(_))) else {
-        let corrected = case.inserted(clear, [Call::ClearColor(right)]);
+    let Some(at) = case.first(|call| matches!(call, GlCall::ClearColor(_))) else {
+        let corrected = case.inserted(clear, [GlCall::ClearColor(right)]);
         let said = "no clear_color comes before this, so the ground is black";
         found.push(case.suspect("clear-color-wrong", clear, said, fix, corrected));
         return;
@@ -101,9 +101,9 @@ fn clear_color(case: &Case<'_>, found: &mut Vec<Suspect>) {
         found.push(case.suspect("clear-color-late", at, said, "write it before clear", case.moved(at, clear)));
     }
     for (at, step) in case.before() {
-        if matches!(step.call, Call::ClearColor(color) if color != right) {
+        if matches!(step.call, GlCall::ClearColor(color) if color != right) {
             let said = "the ground is not the exercise's dark grey-blue";
-            let corrected = case.replaced(at, Call::ClearColor(right));
+            let corrected = case.replaced(at, GlCall::ClearColor(right));
             found.push(case.suspect("clear-color-wrong", at, said, fix.clone(), corrected));
         }
     }
@@ -111,7 +111,7 @@ fn clear_color(case: &Case<'_>, found: &mut Vec<Suspect>) {
 
 fn switches(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
-        let Call::Switch { what, on: true } = &step.call else { continue };
+        let GlCall::Switch { what, on: true } = &step.call else { continue };
         if what.name == "CULL_FACE" {
             let said = "the triangle's corners go clockwise, and CULL_FACE leaves such triangles out";
             found.push(case.suspect("culled", at, said, "remove it", case.without(at)));
@@ -121,7 +121,7 @@ fn switches(case: &Case<'_>, found: &mut Vec<Suspect>) {
 
 fn draws(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let right = case.reference.iter().find(|step| step.call.draws()).map(|step| step.call.clone());
-    let Some(right @ Call::DrawArrays { mode, first, count }) = right else { return };
+    let Some(right @ GlCall::DrawArrays { mode, first, count }) = right else { return };
     let Some(step) = case.steps.get(case.draw) else {
         let corrected = case.inserted(case.steps.len(), [right]);
         let at = case.steps.len();
@@ -129,34 +129,34 @@ fn draws(case: &Case<'_>, found: &mut Vec<Suspect>) {
         found.push(case.suspect("draw-missing", at, "no call draws anything", fix, corrected));
         return;
     };
-    let mut told = |id: &'static str, call: Call, said: String, fix: String| {
+    let mut told = |id: &'static str, call: GlCall, said: String, fix: String| {
         found.push(case.suspect(id, case.draw, said, fix, case.replaced(case.draw, call)));
     };
     match step.call.clone() {
-        Call::DrawArrays { mode: mine, first: from, count: many } => {
+        GlCall::DrawArrays { mode: mine, first: from, count: many } => {
             if many != count {
-                let call = Call::DrawArrays { mode: mine, first: from, count };
+                let call = GlCall::DrawArrays { mode: mine, first: from, count };
                 let said = format!("{many} vertices are drawn, and there are {count}");
                 told("draw-count-wrong", call, said, format!("write {count}"));
             }
             if from != first {
-                let call = Call::DrawArrays { mode: mine, first, count: many };
+                let call = GlCall::DrawArrays { mode: mine, first, count: many };
                 told("draw-first-wrong", call, format!("the draw begins at vertex {from}"), format!("write {first}"));
             }
             if mine != mode {
-                let call = Call::DrawArrays { mode, first: from, count: many };
+                let call = GlCall::DrawArrays { mode, first: from, count: many };
                 let said = format!("{} joins the corners in another way than {}", mine.name, mode.name);
                 told("draw-mode-wrong", call, said, format!("write {}", mode.name));
             }
         }
-        Call::DrawElements { mode: mine, count: many, kind, offset } => {
+        GlCall::DrawElements { mode: mine, count: many, kind, offset } => {
             if many != count {
-                let call = Call::DrawElements { mode: mine, count, kind, offset };
+                let call = GlCall::DrawElements { mode: mine, count, kind, offset };
                 let said = format!("{many} indices are drawn, and there are {count}");
                 told("draw-count-wrong", call, said, format!("write {count}"));
             }
             if mine != mode {
-                let call = Call::DrawElements { mode, count: many, kind, offset };
+                let call = GlCall::DrawElements { mode, count: many, kind, offset };
                 let said = format!("{} joins the corners in another way than {}", mine.name, mode.name);
                 told("draw-mode-wrong", call, said, format!("write {}", mode.name));
             }

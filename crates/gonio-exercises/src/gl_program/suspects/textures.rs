@@ -1,7 +1,9 @@
 //! Samplers and their units, and textures: bound, filled, filtered, and there when they are read.
 
 use super::{Case, Suspect, known};
-use gonio_render::gl_program::{Call, Constant, Number, ObjectKind, Selector, Step, UniformArgument, texture_unit};
+use gonio_render::gl_program::{
+    Constant, GlCall, IntArgument, ObjectKind, Selector, Step, UniformArgument, texture_unit,
+};
 use std::collections::BTreeSet;
 
 /// Adds what may be wrong with textures.
@@ -24,7 +26,7 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
         .iter()
         .enumerate()
         .filter_map(|(at, step)| match &step.call {
-            Call::Uniform { uniform, given } => Some((at, uniform.as_str(), given)),
+            GlCall::Uniform { uniform, given } => Some((at, uniform.as_str(), given)),
             _ => None,
         })
         .collect();
@@ -42,7 +44,7 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
             before_use(case, at, uniform, found);
         }
         match given {
-            UniformArgument::Whole(Number::Variable(name)) if textures.contains(&name.as_str()) => {
+            UniformArgument::Whole(IntArgument::Variable(name)) if textures.contains(&name.as_str()) => {
                 for &unit in &units {
                     let said =
                         format!("`{uniform}` is set to `{name}`, the name of a texture, which is bound to unit {unit}");
@@ -67,11 +69,11 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for &(at, uniform, given) in &sets {
         let UniformArgument::Whole(number) = given else { continue };
         let value = match number {
-            Number::Literal(value) => value.to_string(),
-            Number::Variable(name) if textures.contains(&name.as_str()) => continue,
-            Number::Variable(name) => format!("`{name}`"),
+            IntArgument::Literal(value) => value.to_string(),
+            IntArgument::Variable(name) if textures.contains(&name.as_str()) => continue,
+            IntArgument::Variable(name) => format!("`{name}`"),
         };
-        for &unit in units.iter().filter(|unit| *number != Number::Literal(**unit as i32)) {
+        for &unit in units.iter().filter(|unit| *number != IntArgument::Literal(**unit as i32)) {
             if samplers.iter().any(|sampler| sampler == uniform) {
                 let said = format!("`{uniform}` reads unit {value}, and the texture is bound to unit {unit}");
                 let fix = format!("write `uniform_1i {uniform} {unit}`, or bind the texture to unit {value}");
@@ -91,7 +93,7 @@ fn samplers(case: &Case<'_>) -> Vec<String> {
         return samplers.map(|uniform| uniform.name.clone()).collect();
     }
     let reference = case.reference.iter().filter_map(|step| match &step.call {
-        Call::Uniform { uniform, given: UniformArgument::Whole(_) } => Some(uniform.clone()),
+        GlCall::Uniform { uniform, given: UniformArgument::Whole(_) } => Some(uniform.clone()),
         _ => None,
     });
     reference.collect()
@@ -100,20 +102,20 @@ fn samplers(case: &Case<'_>) -> Vec<String> {
 /// Units that are ever made active, and 0, which is from the start.
 fn units(case: &Case<'_>) -> BTreeSet<u32> {
     let active = case.steps.iter().filter_map(|step| match &step.call {
-        Call::ActiveTexture(Selector::Constant(constant)) => constant.unit(),
+        GlCall::ActiveTexture(Selector::Constant(constant)) => constant.unit(),
         _ => None,
     });
     active.chain([0]).collect()
 }
 
-fn set(uniform: &str, unit: u32) -> Call {
-    Call::Uniform { uniform: uniform.to_owned(), given: UniformArgument::Whole(Number::Literal(unit as i32)) }
+fn set(uniform: &str, unit: u32) -> GlCall {
+    GlCall::Uniform { uniform: uniform.to_owned(), given: UniformArgument::Whole(IntArgument::Literal(unit as i32)) }
 }
 
 fn unknown_name(case: &Case<'_>, at: usize, given: &UniformArgument, samplers: &[String], found: &mut Vec<Suspect>) {
-    let Some(Call::Uniform { uniform, .. }) = case.steps.get(at).map(|step| &step.call) else { return };
+    let Some(GlCall::Uniform { uniform, .. }) = case.steps.get(at).map(|step| &step.call) else { return };
     for sampler in samplers {
-        let call = Call::Uniform { uniform: sampler.clone(), given: given.clone() };
+        let call = GlCall::Uniform { uniform: sampler.clone(), given: given.clone() };
         let said = format!("the program has no uniform `{uniform}`; its sampler is `{sampler}`");
         let fix = format!("write `{sampler}`");
         found.push(case.suspect("uniform-name-wrong", at, said, fix, case.replaced(at, call)));
@@ -122,7 +124,8 @@ fn unknown_name(case: &Case<'_>, at: usize, given: &UniformArgument, samplers: &
 
 fn before_use(case: &Case<'_>, at: usize, uniform: &str, found: &mut Vec<Suspect>) {
     let later = case.before().skip(at + 1);
-    let mut uses = later.filter(|(_, step)| matches!(&step.call, Call::UseProgram(p) if *p != Number::Literal(0)));
+    let mut uses =
+        later.filter(|(_, step)| matches!(&step.call, GlCall::UseProgram(p) if *p != IntArgument::Literal(0)));
     let Some((used, step)) = uses.next() else { return };
     let said = format!("no program is in use here: use_program comes in line {}, and `{uniform}` stays 0", step.line);
     let fix = format!("write it after use_program in line {}", step.line);
@@ -131,9 +134,9 @@ fn before_use(case: &Case<'_>, at: usize, uniform: &str, found: &mut Vec<Suspect
 
 /// The unit is made active when the texture is bound already, and nothing is bound after that.
 fn active_after_bind(case: &Case<'_>, found: &mut Vec<Suspect>) {
-    let Some(bind) = case.last(|call| matches!(call, Call::BindTexture { .. })) else { return };
+    let Some(bind) = case.last(|call| matches!(call, GlCall::BindTexture { .. })) else { return };
     for (at, step) in case.before().skip(bind + 1) {
-        let Call::ActiveTexture(Selector::Constant(unit)) = &step.call else { continue };
+        let GlCall::ActiveTexture(Selector::Constant(unit)) = &step.call else { continue };
         let said =
             format!("{} is made active when the texture is bound already, in line {}", unit.name, case.line(bind));
         let fix = format!("write it before bind_texture in line {}", case.line(bind));
@@ -143,23 +146,23 @@ fn active_after_bind(case: &Case<'_>, found: &mut Vec<Suspect>) {
 
 fn active_number(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
-        let Call::ActiveTexture(Selector::Number(number)) = &step.call else { continue };
+        let GlCall::ActiveTexture(Selector::Number(number)) = &step.call else { continue };
         let unit = match number {
-            Number::Literal(value) => u32::try_from(*value).unwrap_or(0),
-            Number::Variable(_) => 0,
+            IntArgument::Literal(value) => u32::try_from(*value).unwrap_or(0),
+            IntArgument::Variable(_) => 0,
         };
         let unit = texture_unit(unit).unwrap_or(known("TEXTURE0"));
         let said = format!("a plain number is not a unit, and OpenGL rejects it; {} is one", unit.name);
-        let corrected = case.replaced(at, Call::ActiveTexture(Selector::Constant(unit)));
+        let corrected = case.replaced(at, GlCall::ActiveTexture(Selector::Constant(unit)));
         found.push(case.suspect("active-texture-number", at, said, format!("write {}", unit.name), corrected));
     }
 }
 
 fn never_set(case: &Case<'_>, samplers: &[String], units: &BTreeSet<u32>, found: &mut Vec<Suspect>) {
     let is_set = |sampler: &String| {
-        case.steps.iter().any(|step| matches!(&step.call, Call::Uniform { uniform, .. } if uniform == sampler))
+        case.steps.iter().any(|step| matches!(&step.call, GlCall::Uniform { uniform, .. } if uniform == sampler))
     };
-    let used = case.last(|call| matches!(call, Call::UseProgram(_))).unwrap_or(case.draw);
+    let used = case.last(|call| matches!(call, GlCall::UseProgram(_))).unwrap_or(case.draw);
     for sampler in samplers.iter().filter(|sampler| !is_set(sampler)) {
         for &unit in units.iter().filter(|unit| **unit != 0) {
             let said = format!("`{sampler}` is never set and reads unit 0, and the texture is bound to unit {unit}");
@@ -173,7 +176,7 @@ fn never_set(case: &Case<'_>, samplers: &[String], units: &BTreeSet<u32>, found:
 /// Also buffers and vertex arrays.
 fn deleted(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
-        let Call::Delete { kind, .. } = &step.call else { continue };
+        let GlCall::Delete { kind, .. } = &step.call else { continue };
         let (id, what) = match kind {
             ObjectKind::Texture => ("texture-deleted", "texture"),
             ObjectKind::Buffer => ("buffer-deleted", "buffer"),
@@ -185,12 +188,12 @@ fn deleted(case: &Case<'_>, found: &mut Vec<Suspect>) {
 }
 
 /// The target of a call for textures.
-fn target_of(call: &mut Call) -> Option<&mut Constant> {
+fn target_of(call: &mut GlCall) -> Option<&mut Constant> {
     match call {
-        Call::BindTexture { target, .. }
-        | Call::TexImage2d { target, .. }
-        | Call::TexParameter { target, .. }
-        | Call::GenerateMipmap { target } => Some(target),
+        GlCall::BindTexture { target, .. }
+        | GlCall::TexImage2d { target, .. }
+        | GlCall::TexParameter { target, .. }
+        | GlCall::GenerateMipmap { target } => Some(target),
         _ => None,
     }
 }
@@ -198,7 +201,7 @@ fn target_of(call: &mut Call) -> Option<&mut Constant> {
 /// Everything that is meant for another kind of texture, and each such call alone.
 fn targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let flat = known("TEXTURE_2D");
-    let is_other = |call: &Call| target_of(&mut call.clone()).is_some_and(|target| *target != flat);
+    let is_other = |call: &GlCall| target_of(&mut call.clone()).is_some_and(|target| *target != flat);
     let others: Vec<usize> = (0..case.steps.len()).filter(|at| is_other(&case.steps[*at].call)).collect();
     let turn = |only: Option<usize>| {
         case.changed(|at, call| {
@@ -226,16 +229,18 @@ fn targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
 fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let textures = case.objects(ObjectKind::Texture);
     let binds: Vec<usize> =
-        case.before().filter(|(_, step)| matches!(step.call, Call::BindTexture { .. })).map(|(at, _)| at).collect();
-    let for_texture =
-        |call: &Call| matches!(call, Call::TexImage2d { .. } | Call::TexParameter { .. } | Call::GenerateMipmap { .. });
+        case.before().filter(|(_, step)| matches!(step.call, GlCall::BindTexture { .. })).map(|(at, _)| at).collect();
+    let for_texture = |call: &GlCall| {
+        matches!(call, GlCall::TexImage2d { .. } | GlCall::TexParameter { .. } | GlCall::GenerateMipmap { .. })
+    };
     let first_for = case.first(for_texture);
     if binds.is_empty() {
         for name in &textures {
-            let call = Call::BindTexture { target: known("TEXTURE_2D"), texture: Number::Variable((*name).to_owned()) };
+            let call =
+                GlCall::BindTexture { target: known("TEXTURE_2D"), texture: IntArgument::Variable((*name).to_owned()) };
             let place = first_for.unwrap_or(case.draw);
             let line =
-                case.first(|call| matches!(call, Call::Generate { name: made, .. } if made == name)).unwrap_or(0);
+                case.first(|call| matches!(call, GlCall::Generate { name: made, .. } if made == name)).unwrap_or(0);
             let fix = format!("write `bind_texture TEXTURE_2D {name}` before the texture's other calls");
             let said = format!("the texture `{name}` is never bound");
             found.push(case.suspect("texture-not-bound", line, said, fix, case.inserted(place, [call])));
@@ -250,14 +255,14 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
         found.push(case.suspect("texture-bound-late", bind, said, fix, case.moved(bind, first)));
     }
     for &at in &binds {
-        let Call::BindTexture { target, texture } = &case.steps[at].call else { continue };
-        if *texture == Number::Literal(0) {
+        let GlCall::BindTexture { target, texture } = &case.steps[at].call else { continue };
+        if *texture == IntArgument::Literal(0) {
             let said = "0 unbinds the texture, and the draw reads an empty unit";
             found.push(case.suspect("texture-unbound", at, said, "remove it", case.without(at)));
             continue;
         }
         if binds.len() > 1 && binds.first() != Some(&at) {
-            let free = Call::ActiveTexture(Selector::Constant(known("TEXTURE15")));
+            let free = GlCall::ActiveTexture(Selector::Constant(known("TEXTURE15")));
             let said = "this texture takes the place of the one that is to be drawn, for the same unit is active";
             let fix = "call active_texture with another unit before it";
             found.push(case.suspect("other-texture-bound", at, said, fix, case.inserted(at, [free])));
@@ -265,8 +270,8 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
             found.push(case.suspect("other-texture-bound", at, said, fix, case.without(at)));
         }
         for name in &textures {
-            if *texture != Number::Variable((*name).to_owned()) {
-                let call = Call::BindTexture { target: *target, texture: Number::Variable((*name).to_owned()) };
+            if *texture != IntArgument::Variable((*name).to_owned()) {
+                let call = GlCall::BindTexture { target: *target, texture: IntArgument::Variable((*name).to_owned()) };
                 let said = format!("`{name}` is to be drawn, and something else is bound here");
                 let fix = format!("write `bind_texture {} {name}`", target.name);
                 found.push(case.suspect("other-texture-bound", at, said, fix, case.replaced(at, call)));
@@ -277,7 +282,7 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
 
 fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
-        let Call::TexParameter { target, parameter, value } = &step.call else { continue };
+        let GlCall::TexParameter { target, parameter, value } = &step.call else { continue };
         let Selector::Constant(set) = value else {
             if parameter.name.ends_with("LEVEL") {
                 let said =
@@ -288,14 +293,14 @@ fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
         };
         if case.refused(at).is_some() && parameter.name == "TEXTURE_MAG_FILTER" && set.name.contains("MIPMAP") {
             let parameter = known("TEXTURE_MIN_FILTER");
-            let call = Call::TexParameter { target: *target, parameter, value: value.clone() };
+            let call = GlCall::TexParameter { target: *target, parameter, value: value.clone() };
             let said =
                 format!("OpenGL rejects {} for TEXTURE_MAG_FILTER, and TEXTURE_MIN_FILTER stays what it was", set.name);
             found.push(case.suspect("filter-refused", at, said, "write TEXTURE_MIN_FILTER", case.replaced(at, call)));
         }
         if case.refused(at).is_some() && parameter.name == "TEXTURE_MIN_FILTER" {
             let value = Selector::Constant(known("LINEAR"));
-            let call = Call::TexParameter { target: *target, parameter: *parameter, value };
+            let call = GlCall::TexParameter { target: *target, parameter: *parameter, value };
             let said = format!("OpenGL rejects {}, and TEXTURE_MIN_FILTER stays what it was", set.name);
             found.push(case.suspect("filter-refused", at, said, "write LINEAR", case.replaced(at, call)));
         }
@@ -303,11 +308,11 @@ fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
 }
 
 fn mipmaps(case: &Case<'_>, found: &mut Vec<Suspect>) {
-    let Some(image) = case.last(|call| matches!(call, Call::TexImage2d { .. })) else { return };
-    let Some(made) = case.first(|call| matches!(call, Call::GenerateMipmap { .. })) else {
-        let is_filter = |call: &Call| matches!(call, Call::TexParameter { parameter, .. } if parameter.name == "TEXTURE_MIN_FILTER");
+    let Some(image) = case.last(|call| matches!(call, GlCall::TexImage2d { .. })) else { return };
+    let Some(made) = case.first(|call| matches!(call, GlCall::GenerateMipmap { .. })) else {
+        let is_filter = |call: &GlCall| matches!(call, GlCall::TexParameter { parameter, .. } if parameter.name == "TEXTURE_MIN_FILTER");
         let set = case.before().find(|(at, step)| is_filter(&step.call) && case.refused(*at).is_none());
-        let corrected = case.inserted(image + 1, [Call::GenerateMipmap { target: known("TEXTURE_2D") }]);
+        let corrected = case.inserted(image + 1, [GlCall::GenerateMipmap { target: known("TEXTURE_2D") }]);
         found.push(match set {
             Some((_, step)) => case.suspect(
                 "mipmaps-missing",
@@ -340,22 +345,23 @@ fn mipmaps(case: &Case<'_>, found: &mut Vec<Suspect>) {
 fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let mut any = false;
     for (at, step) in case.steps.iter().enumerate() {
-        let Call::TexImage2d { target, level, format, image } = &step.call else { continue };
+        let GlCall::TexImage2d { target, level, format, image } = &step.call else { continue };
         any = true;
         if !["RGB8", "RGBA8", "RGB", "RGBA"].contains(&format.name) {
-            let call = Call::TexImage2d { target: *target, level: *level, format: known("RGB8"), image: image.clone() };
+            let call =
+                GlCall::TexImage2d { target: *target, level: *level, format: known("RGB8"), image: image.clone() };
             let said = format!("the format {} keeps other colours than the image has", format.name);
             found.push(case.suspect("internal-format-wrong", at, said, "write RGB8", case.replaced(at, call)));
         }
         if *level != 0 {
-            let call = Call::TexImage2d { target: *target, level: 0, format: *format, image: image.clone() };
+            let call = GlCall::TexImage2d { target: *target, level: 0, format: *format, image: image.clone() };
             let said = format!("the image is given to level {level}, and level 0 stays empty");
             found.push(case.suspect("image-level-wrong", at, said, "write level 0", case.replaced(at, call)));
         }
     }
     let loads = |steps: &[Step]| {
         let load = |step: &Step| match &step.call {
-            Call::LoadImage { name, file } => Some((name.clone(), file.clone())),
+            GlCall::LoadImage { name, file } => Some((name.clone(), file.clone())),
             _ => None,
         };
         steps.iter().filter_map(load).collect::<Vec<_>>()
@@ -364,17 +370,17 @@ fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let right = loads(case.reference).into_iter().next();
     let right = right.filter(|(_, right)| !loads(case.steps).iter().any(|(_, file)| file == right));
     for (at, step) in case.steps.iter().enumerate() {
-        let (Call::LoadImage { name, file }, Some((_, right))) = (&step.call, &right) else { continue };
+        let (GlCall::LoadImage { name, file }, Some((_, right))) = (&step.call, &right) else { continue };
         if file != right {
-            let call = Call::LoadImage { name: name.clone(), file: right.clone() };
+            let call = GlCall::LoadImage { name: name.clone(), file: right.clone() };
             let said = format!("`{file}` is loaded, and the exercise's image is `{right}`");
             found.push(case.suspect("image-wrong", at, said, format!("write `{right}`"), case.replaced(at, call)));
         }
     }
     if let (false, Some((image, _))) = (any, loads(case.steps).into_iter().next()) {
-        let bind = case.last(|call| matches!(call, Call::BindTexture { .. })).unwrap_or(0);
+        let bind = case.last(|call| matches!(call, GlCall::BindTexture { .. })).unwrap_or(0);
         let call =
-            Call::TexImage2d { target: known("TEXTURE_2D"), level: 0, format: known("RGB8"), image: image.clone() };
+            GlCall::TexImage2d { target: known("TEXTURE_2D"), level: 0, format: known("RGB8"), image: image.clone() };
         let fix = format!("write `tex_image_2d TEXTURE_2D 0 RGB8 {image}` after it");
         let corrected = case.inserted(bind + 1, [call]);
         found.push(case.suspect("image-missing", bind, "this texture never gets an image", fix, corrected));

@@ -1,7 +1,7 @@
 //! Attributes, and the arrays and buffers that feed them.
 
 use super::{Case, Suspect, known};
-use gonio_render::gl_program::{Call, Constant, Number, ObjectKind, Pointer, Step};
+use gonio_render::gl_program::{Constant, GlCall, IntArgument, ObjectKind, Pointer, Step};
 
 /// Adds what may be wrong with vertices.
 pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
@@ -16,16 +16,16 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
 }
 
 /// What is kept in the vertex array that is bound.
-fn for_array(call: &Call) -> bool {
+fn for_array(call: &GlCall) -> bool {
     match call {
-        Call::VertexAttribPointer(_) | Call::SwitchAttribute { .. } => true,
-        Call::BindBuffer { target, .. } => target.name == "ELEMENT_ARRAY_BUFFER",
+        GlCall::VertexAttribPointer(_) | GlCall::SwitchAttribute { .. } => true,
+        GlCall::BindBuffer { target, .. } => target.name == "ELEMENT_ARRAY_BUFFER",
         _ => false,
     }
 }
 
-fn binds_array(call: &Call) -> bool {
-    matches!(call, Call::BindVertexArray(_))
+fn binds_array(call: &GlCall) -> bool {
+    matches!(call, GlCall::BindVertexArray(_))
 }
 
 fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
@@ -34,17 +34,18 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let Some(bind) = case.first(binds_array) else {
         let name = arrays.first().copied();
         let array = name.unwrap_or("array").to_owned();
-        let bound = Call::BindVertexArray(Number::Variable(array.clone()));
+        let bound = GlCall::BindVertexArray(IntArgument::Variable(array.clone()));
         found.push(match name {
             Some(name) => {
-                let made = case.first(|call| matches!(call, Call::Generate { name: n, .. } if n == name)).unwrap_or(0);
+                let made =
+                    case.first(|call| matches!(call, GlCall::Generate { name: n, .. } if n == name)).unwrap_or(0);
                 let fix = format!("write `bind_vertex_array {name}` after it");
                 let said = format!("`{name}` is created but never bound");
                 let corrected = case.inserted(first_for.max(made + 1), [bound]);
                 case.suspect("vertex-array-not-bound", made, said, fix, corrected)
             }
             None => {
-                let made = Call::Generate { name: array, kind: ObjectKind::VertexArray };
+                let made = GlCall::Generate { name: array, kind: ObjectKind::VertexArray };
                 let fix = "write `array = gen_vertex_array` and `bind_vertex_array array` before it";
                 let said = "no vertex array is bound to store this setting";
                 case.suspect("vertex-array-missing", first_for, said, fix, case.inserted(first_for, [made, bound]))
@@ -54,7 +55,7 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
     };
     if first_for < bind {
         // With what makes it, where that comes late too.
-        let made = case.first(|call| matches!(call, Call::Generate { kind: ObjectKind::VertexArray, .. }));
+        let made = case.first(|call| matches!(call, GlCall::Generate { kind: ObjectKind::VertexArray, .. }));
         let mut corrected = case.moved(bind, first_for);
         if let Some(made) = made.filter(|made| *made > first_for) {
             let step = corrected.remove(made + 1);
@@ -65,20 +66,20 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
         found.push(case.suspect("vertex-array-bound-late", bind, said, fix, corrected));
     }
     let Some(last) = case.last(binds_array) else { return };
-    let Call::BindVertexArray(bound) = &case.steps[last].call else { return };
-    if *bound == Number::Literal(0) {
+    let GlCall::BindVertexArray(bound) = &case.steps[last].call else { return };
+    if *bound == IntArgument::Literal(0) {
         let said = format!("0 unbinds the vertex array before the draw in line {}", case.line(case.draw));
         let fix = "bind the vertex array again before the draw, or leave this out";
         found.push(case.suspect("vertex-array-unbound", last, said, fix, case.without(last)));
     }
-    for name in arrays.iter().filter(|name| *bound != Number::Variable((**name).to_owned())) {
-        let call = Call::BindVertexArray(Number::Variable((*name).to_owned()));
+    for name in arrays.iter().filter(|name| *bound != IntArgument::Variable((**name).to_owned())) {
+        let call = GlCall::BindVertexArray(IntArgument::Variable((*name).to_owned()));
         let said = format!("the attributes were described in `{name}`, and another vertex array is bound at the draw");
         let fix = format!("write `bind_vertex_array {name}`");
         found.push(case.suspect("other-vertex-array", last, said, fix, case.replaced(last, call)));
     }
     for (at, step) in case.before() {
-        if at != last && matches!(&step.call, Call::BindVertexArray(Number::Literal(0))) {
+        if at != last && matches!(&step.call, GlCall::BindVertexArray(IntArgument::Literal(0))) {
             let said = "0 unbinds the vertex array, and what follows is meant for it";
             found.push(case.suspect("vertex-array-unbound", at, said, "remove it", case.without(at)));
         }
@@ -87,10 +88,10 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
 
 fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let vertices = known("ARRAY_BUFFER");
-    let is_vertices = |call: &Call| matches!(call, Call::BindBuffer { target, .. } if *target == vertices);
-    let for_buffer = |call: &Call| match call {
-        Call::VertexAttribPointer(_) => true,
-        Call::BufferData { target, .. } => *target == vertices,
+    let is_vertices = |call: &GlCall| matches!(call, GlCall::BindBuffer { target, .. } if *target == vertices);
+    let for_buffer = |call: &GlCall| match call {
+        GlCall::VertexAttribPointer(_) => true,
+        GlCall::BufferData { target, .. } => *target == vertices,
         _ => false,
     };
     let first_for = case.first(for_buffer).unwrap_or(case.draw);
@@ -99,8 +100,8 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
         None => {
             for buffer in case.objects(ObjectKind::Buffer) {
                 let made =
-                    case.first(|call| matches!(call, Call::Generate { name, .. } if name == buffer)).unwrap_or(0);
-                let call = Call::BindBuffer { target: vertices, buffer: Number::Variable(buffer.to_owned()) };
+                    case.first(|call| matches!(call, GlCall::Generate { name, .. } if name == buffer)).unwrap_or(0);
+                let call = GlCall::BindBuffer { target: vertices, buffer: IntArgument::Variable(buffer.to_owned()) };
                 let fix = format!("write `bind_buffer ARRAY_BUFFER {buffer}` after it");
                 let said = format!("`{buffer}` is created but never bound to ARRAY_BUFFER");
                 let corrected = case.inserted(first_for.max(made + 1), [call]);
@@ -108,7 +109,7 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
             }
         }
         Some(bind) if first_for < bind => {
-            let made = case.first(|call| matches!(call, Call::Generate { kind: ObjectKind::Buffer, .. }));
+            let made = case.first(|call| matches!(call, GlCall::Generate { kind: ObjectKind::Buffer, .. }));
             let place = made.map_or(first_for, |made| (made + 1).min(first_for));
             let said = format!("line {} is meant for this buffer, and comes before it is bound", case.line(first_for));
             let fix = format!("write it before line {}", case.line(first_for));
@@ -117,7 +118,7 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
         Some(_) => {}
     }
     for (at, step) in case.before() {
-        let Call::BindBuffer { target, buffer: Number::Literal(0) } = &step.call else { continue };
+        let GlCall::BindBuffer { target, buffer: IntArgument::Literal(0) } = &step.call else { continue };
         let said = format!("0 unbinds the buffer of {}, and what follows refers to none", target.name);
         let id = if *target == vertices { "buffer-unbound" } else { "index-buffer-not-bound" };
         found.push(case.suspect(id, at, said, "remove it", case.without(at)));
@@ -129,19 +130,20 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
 fn buffer_targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
         let mut call = step.call.clone();
-        if matches!(call, Call::BindBuffer { buffer: Number::Literal(0), .. }) {
+        if matches!(call, GlCall::BindBuffer { buffer: IntArgument::Literal(0), .. }) {
             continue;
         }
-        let (Call::BindBuffer { target, .. } | Call::BufferData { target, .. }) = &mut call else { continue };
+        let (GlCall::BindBuffer { target, .. } | GlCall::BufferData { target, .. }) = &mut call else { continue };
         let was = *target;
         *target = known(if was.name == "ARRAY_BUFFER" { "ELEMENT_ARRAY_BUFFER" } else { "ARRAY_BUFFER" });
         let now = *target;
-        let buffer = |call: &Call| if let Call::BindBuffer { buffer, .. } = call { Some(buffer.clone()) } else { None };
+        let buffer =
+            |call: &GlCall| if let GlCall::BindBuffer { buffer, .. } = call { Some(buffer.clone()) } else { None };
         // The buffer's other calls with it: bind_buffer and the buffer_data that follows.
         let mut corrected = case.replaced(at, call.clone());
         if buffer(&call).is_some()
             && let Some(next) = corrected.get_mut(at + 1)
-            && let Call::BufferData { target, .. } = &mut next.call
+            && let GlCall::BufferData { target, .. } = &mut next.call
             && *target == was
         {
             *target = now;
@@ -152,17 +154,17 @@ fn buffer_targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
 }
 
 fn filled(case: &Case<'_>, found: &mut Vec<Suspect>) {
-    if case.first(|call| matches!(call, Call::BufferData { .. })).is_some() {
+    if case.first(|call| matches!(call, GlCall::BufferData { .. })).is_some() {
         return;
     }
-    let Some(bind) = case.first(|call| matches!(call, Call::BindBuffer { .. })) else { return };
+    let Some(bind) = case.first(|call| matches!(call, GlCall::BindBuffer { .. })) else { return };
     let data = case.steps.iter().find_map(|step| match &step.call {
-        Call::Data { name, .. } => Some(name.clone()),
+        GlCall::Data { name, .. } => Some(name.clone()),
         _ => None,
     });
     let Some(data) = data else { return };
     let fix = format!("write `buffer_data ARRAY_BUFFER {data} STATIC_DRAW` after it");
-    let call = Call::BufferData { target: known("ARRAY_BUFFER"), data, usage: known("STATIC_DRAW") };
+    let call = GlCall::BufferData { target: known("ARRAY_BUFFER"), data, usage: known("STATIC_DRAW") };
     let corrected = case.inserted(bind + 1, [call]);
     found.push(case.suspect("buffer-empty", bind, "this buffer never gets any bytes", fix, corrected));
 }
@@ -170,7 +172,7 @@ fn filled(case: &Case<'_>, found: &mut Vec<Suspect>) {
 /// What the reference says of each attribute.
 fn reference(case: &Case<'_>) -> Vec<Pointer> {
     let pointer =
-        |call: &Call| if let Call::VertexAttribPointer(pointer) = call { Some(pointer.clone()) } else { None };
+        |call: &GlCall| if let GlCall::VertexAttribPointer(pointer) = call { Some(pointer.clone()) } else { None };
     case.reference.iter().filter_map(|step| pointer(&step.call)).collect()
 }
 
@@ -194,13 +196,13 @@ fn fields(case: &Case<'_>, found: &mut Vec<Suspect>) {
     ];
     for (id, change, words) in fields {
         let changed = case.changed(|_, call| match call {
-            Call::VertexAttribPointer(mine) => {
+            GlCall::VertexAttribPointer(mine) => {
                 right.iter().find(|right| right.attribute == mine.attribute).is_some_and(|right| change(mine, right))
             }
             _ => false,
         });
         let Some((at, corrected)) = changed else { continue };
-        let (Call::VertexAttribPointer(was), Call::VertexAttribPointer(is)) =
+        let (GlCall::VertexAttribPointer(was), GlCall::VertexAttribPointer(is)) =
             (&case.steps[at].call, &corrected[at].call)
         else {
             continue;
@@ -211,14 +213,14 @@ fn fields(case: &Case<'_>, found: &mut Vec<Suspect>) {
 }
 
 fn is_switched(case: &Case<'_>, attribute: &str, wanted: bool) -> Option<usize> {
-    case.first(|call| matches!(call, Call::SwitchAttribute { attribute: a, on } if a == attribute && *on == wanted))
+    case.first(|call| matches!(call, GlCall::SwitchAttribute { attribute: a, on } if a == attribute && *on == wanted))
 }
 
 fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let mut all = Vec::new();
     for right in reference(case) {
         let name = &right.attribute;
-        let described = case.last(|call| matches!(call, Call::VertexAttribPointer(p) if p.attribute == *name));
+        let described = case.last(|call| matches!(call, GlCall::VertexAttribPointer(p) if p.attribute == *name));
         if let (Some(at), None) = (described, is_switched(case, name, true)) {
             all.push((at, name.clone()));
         }
@@ -226,7 +228,8 @@ fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
     if let Some((first, name)) = all.first().cloned() {
         let mut corrected = case.steps.to_vec();
         for (at, name) in all.iter().rev() {
-            let step = Step { line: case.line(*at), call: Call::SwitchAttribute { attribute: name.clone(), on: true } };
+            let step =
+                Step { line: case.line(*at), call: GlCall::SwitchAttribute { attribute: name.clone(), on: true } };
             corrected.insert(at + 1, step);
         }
         let names = all.iter().map(|(_, name)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
@@ -235,7 +238,7 @@ fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
         found.push(case.suspect("attribute-not-enabled", first, said, fix, corrected));
     }
     for (at, step) in case.before() {
-        if let Call::SwitchAttribute { attribute, on: false } = &step.call {
+        if let GlCall::SwitchAttribute { attribute, on: false } = &step.call {
             let said = format!("`{attribute}` is disabled before the draw in line {}", case.line(case.draw));
             found.push(case.suspect("attribute-disabled", at, said, "remove it", case.without(at)));
         }
@@ -245,21 +248,21 @@ fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
 fn described(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for right in reference(case) {
         let name = right.attribute.clone();
-        if case.first(|call| matches!(call, Call::VertexAttribPointer(p) if p.attribute == name)).is_some() {
+        if case.first(|call| matches!(call, GlCall::VertexAttribPointer(p) if p.attribute == name)).is_some() {
             continue;
         }
         let place = case
-            .last(|call| matches!(call, Call::VertexAttribPointer(_)))
-            .or(case.last(|call| matches!(call, Call::BufferData { .. })))
+            .last(|call| matches!(call, GlCall::VertexAttribPointer(_)))
+            .or(case.last(|call| matches!(call, GlCall::BufferData { .. })))
             .unwrap_or(0);
         let enabled = is_switched(case, &name, true);
         let fix = format!(
             "write `vertex_attrib_pointer {name} {} FLOAT FALSE {} {}`",
             right.size, right.stride, right.offset
         );
-        let mut calls = vec![Call::VertexAttribPointer(right)];
+        let mut calls = vec![GlCall::VertexAttribPointer(right)];
         if enabled.is_none() {
-            calls.push(Call::SwitchAttribute { attribute: name.clone(), on: true });
+            calls.push(GlCall::SwitchAttribute { attribute: name.clone(), on: true });
         }
         let said = format!("no vertex_attrib_pointer says where `{name}` is");
         let corrected = case.inserted(place + 1, calls);
@@ -268,19 +271,19 @@ fn described(case: &Case<'_>, found: &mut Vec<Suspect>) {
 }
 
 /// The attribute that a call is about.
-fn name_of(call: &Call) -> Option<&String> {
+fn name_of(call: &GlCall) -> Option<&String> {
     match call {
-        Call::VertexAttribPointer(pointer) => Some(&pointer.attribute),
-        Call::SwitchAttribute { attribute, .. } => Some(attribute),
+        GlCall::VertexAttribPointer(pointer) => Some(&pointer.attribute),
+        GlCall::SwitchAttribute { attribute, .. } => Some(attribute),
         _ => None,
     }
 }
 
 /// The same, to be changed.
-fn name_of_mut(call: &mut Call) -> Option<&mut String> {
+fn name_of_mut(call: &mut GlCall) -> Option<&mut String> {
     match call {
-        Call::VertexAttribPointer(pointer) => Some(&mut pointer.attribute),
-        Call::SwitchAttribute { attribute, .. } => Some(attribute),
+        GlCall::VertexAttribPointer(pointer) => Some(&mut pointer.attribute),
+        GlCall::SwitchAttribute { attribute, .. } => Some(attribute),
         _ => None,
     }
 }
@@ -334,16 +337,16 @@ fn repeated_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
 fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let lists = |steps: &[Step]| {
         let list = |step: &Step| match &step.call {
-            Call::Data { name, numbers } => Some((name.clone(), numbers.clone())),
+            GlCall::Data { name, numbers } => Some((name.clone(), numbers.clone())),
             _ => None,
         };
         steps.iter().filter_map(list).collect::<Vec<_>>()
     };
     let mine = lists(case.steps);
     for (at, step) in case.before() {
-        if let Call::BufferData { target, data, usage } = &step.call {
+        if let GlCall::BufferData { target, data, usage } = &step.call {
             for (other, _) in mine.iter().filter(|(name, _)| name != data) {
-                let call = Call::BufferData { target: *target, data: other.clone(), usage: *usage };
+                let call = GlCall::BufferData { target: *target, data: other.clone(), usage: *usage };
                 let said = format!("the buffer is filled with `{data}`, and the corners are in `{other}`");
                 found.push(case.suspect("other-data", at, said, format!("write `{other}`"), case.replaced(at, call)));
             }
@@ -351,9 +354,9 @@ fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
     }
     if let Some((_, right)) = lists(case.reference).into_iter().next() {
         for (at, step) in case.before() {
-            let Call::Data { name, numbers } = &step.call else { continue };
+            let GlCall::Data { name, numbers } = &step.call else { continue };
             if *numbers != right {
-                let call = Call::Data { name: name.clone(), numbers: right.clone() };
+                let call = GlCall::Data { name: name.clone(), numbers: right.clone() };
                 let said = format!("`{name}` does not hold the exercise's numbers");
                 let corrected = case.replaced(at, call);
                 found.push(case.suspect("data-changed", at, said, "restore the original numbers", corrected));
@@ -364,12 +367,12 @@ fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
 }
 
 fn indices(case: &Case<'_>, found: &mut Vec<Suspect>) {
-    let Some(Call::DrawElements { mode, count, kind, offset }) = case.steps.get(case.draw).map(|step| &step.call)
+    let Some(GlCall::DrawElements { mode, count, kind, offset }) = case.steps.get(case.draw).map(|step| &step.call)
     else {
         return;
     };
     let draw = |kind: Constant, offset: i32| {
-        case.replaced(case.draw, Call::DrawElements { mode: *mode, count: *count, kind, offset })
+        case.replaced(case.draw, GlCall::DrawElements { mode: *mode, count: *count, kind, offset })
     };
     let whole = known("UNSIGNED_INT");
     if *kind != whole {
@@ -381,10 +384,10 @@ fn indices(case: &Case<'_>, found: &mut Vec<Suspect>) {
         found.push(case.suspect("index-offset-wrong", case.draw, said, "write 0", draw(*kind, 0)));
     }
     for (at, step) in case.before() {
-        let Call::Indices { name, numbers } = &step.call else { continue };
+        let GlCall::Indices { name, numbers } = &step.call else { continue };
         if numbers.iter().all(|index| *index > 0) {
             let from_zero = numbers.iter().map(|index| index - 1).collect();
-            let call = Call::Indices { name: name.clone(), numbers: from_zero };
+            let call = GlCall::Indices { name: name.clone(), numbers: from_zero };
             let said = format!("the indices in `{name}` begin with 1, and the first corner has 0");
             let corrected = case.replaced(at, call);
             found.push(case.suspect("indices-from-one", at, said, "subtract 1 from each", corrected));
@@ -395,13 +398,15 @@ fn indices(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if sorted == [0, 1, 2] {
             continue;
         }
-        let call = Call::Indices { name: name.clone(), numbers: vec![0, 1, 2] };
+        let call = GlCall::Indices { name: name.clone(), numbers: vec![0, 1, 2] };
         let said = format!("`{name}` names other corners than 0, 1 and 2");
         found.push(case.suspect("indices-changed", at, said, "write 0 1 2", case.replaced(at, call)));
     }
     for buffer in case.objects(ObjectKind::Buffer) {
-        let call =
-            Call::BindBuffer { target: known("ELEMENT_ARRAY_BUFFER"), buffer: Number::Variable(buffer.to_owned()) };
+        let call = GlCall::BindBuffer {
+            target: known("ELEMENT_ARRAY_BUFFER"),
+            buffer: IntArgument::Variable(buffer.to_owned()),
+        };
         let said = "no ELEMENT_ARRAY_BUFFER, or another one, is bound in the vertex array that is drawn";
         let fix = format!("write `bind_buffer ELEMENT_ARRAY_BUFFER {buffer}` after bind_vertex_array");
         let corrected = case.inserted(case.draw, [call]);

@@ -2,7 +2,7 @@
 
 use super::{REFERENCE, changed};
 use crate::gl_program::{GlProgram, GlProgramError};
-use gonio_render::gl_program::{Call, Number, ObjectKind, Selector, UniformArgument};
+use gonio_render::gl_program::{GlCall, IntArgument, ObjectKind, Selector, UniformArgument};
 
 fn errors(text: &str) -> Vec<GlProgramError> {
     GlProgram::parse(text, "mine.txt").err().unwrap_or_else(|| panic!("this was read:\n{text}"))
@@ -21,10 +21,10 @@ fn the_reference_is_read_call_by_call() {
     let program = GlProgram::parse(REFERENCE, "mine.txt").unwrap_or_else(|e| panic!("{e:?}"));
     assert_eq!(program.steps.len(), 29);
     assert_eq!(program.steps[0].line, 5);
-    let Call::Data { name, numbers } = &program.steps[0].call else { panic!("{:?}", program.steps[0]) };
+    let GlCall::Data { name, numbers } = &program.steps[0].call else { panic!("{:?}", program.steps[0]) };
     assert_eq!((name.as_str(), numbers.len(), numbers[3], numbers[23]), ("corners", 24, 1.0, 1.0));
-    assert_eq!(program.steps[2].call, Call::Generate { name: "array".into(), kind: ObjectKind::VertexArray });
-    assert_eq!(program.steps[3].call, Call::BindVertexArray(Number::Variable("array".into())));
+    assert_eq!(program.steps[2].call, GlCall::Generate { name: "array".into(), kind: ObjectKind::VertexArray });
+    assert_eq!(program.steps[3].call, GlCall::BindVertexArray(IntArgument::Variable("array".into())));
     let draw = program.steps.last().unwrap_or_else(|| panic!("a call"));
     assert_eq!((draw.line, draw.call.word()), (45, "draw_arrays"));
     assert_eq!(program.quoted(45), Some("draw_arrays TRIANGLES 0 3"));
@@ -70,12 +70,15 @@ fn every_call_of_the_table_is_read() {
         ]
     );
     let calls: Vec<_> = program.steps.iter().map(|step| &step.call).collect();
-    assert_eq!(calls[0], &Call::Data { name: "d".into(), numbers: vec![1.0, -20.0, 0.5] });
-    assert_eq!(calls[1], &Call::Indices { name: "i".into(), numbers: vec![0, 1] });
-    assert_eq!(calls[4], &Call::Uniform { uniform: "s".into(), given: UniformArgument::Whole(Number::Literal(3)) });
-    assert_eq!(calls[9], &Call::Viewport([0, 0, -5, 256]), "OpenGL is to refuse it, not the reader");
-    assert_eq!(calls[12], &Call::ActiveTexture(Selector::Number(Number::Variable("t".into()))));
-    let Call::Clear(bits) = calls[16] else { panic!("{:?}", calls[16]) };
+    assert_eq!(calls[0], &GlCall::Data { name: "d".into(), numbers: vec![1.0, -20.0, 0.5] });
+    assert_eq!(calls[1], &GlCall::Indices { name: "i".into(), numbers: vec![0, 1] });
+    assert_eq!(
+        calls[4],
+        &GlCall::Uniform { uniform: "s".into(), given: UniformArgument::Whole(IntArgument::Literal(3)) }
+    );
+    assert_eq!(calls[9], &GlCall::Viewport([0, 0, -5, 256]), "OpenGL is to refuse it, not the reader");
+    assert_eq!(calls[12], &GlCall::ActiveTexture(Selector::Number(IntArgument::Variable("t".into()))));
+    let GlCall::Clear(bits) = calls[16] else { panic!("{:?}", calls[16]) };
     assert_eq!(bits.len(), 2);
 }
 

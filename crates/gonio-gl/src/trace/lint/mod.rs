@@ -3,9 +3,8 @@
 //! A rule finds what OpenGL draws without an error although it is hardly intended. For each sampler, and for each draw, the
 //! cause is reported, and not what follows from it.
 
+mod inputs;
 mod samplers;
-mod uniforms;
-mod vertices;
 
 use super::data::{DrawRecord, FrameRecord};
 use serde::Serialize;
@@ -136,8 +135,8 @@ pub fn lint(record: &FrameRecord) -> Vec<Finding> {
 fn issues_of_draw(record: &FrameRecord, draw: &DrawRecord) -> Vec<Issue> {
     let mut issues = Vec::new();
     samplers::check(record, draw, &mut issues);
-    uniforms::check(draw, &mut issues);
-    vertices::check(draw, &mut issues);
+    inputs::check_uniforms(draw, &mut issues);
+    inputs::check_attributes(draw, &mut issues);
     let is_explained = issues.iter().any(|issue| issue.severity == Severity::Error);
     if !draw.errors.is_empty() && !is_explained {
         issues.push(Issue::error(

@@ -1,7 +1,7 @@
 //! Samplers, units and textures.
 
-use super::super::complete::levels_read;
 use super::super::data::{DrawRecord, FrameRecord, SamplerRecord, TextureRecord};
+use super::super::snapshot::levels_read;
 use super::{Issue, Rule};
 
 /// Checks every sampler of a draw.

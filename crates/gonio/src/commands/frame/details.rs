@@ -3,7 +3,7 @@
 use super::text::{self, aligned, counted, numbers, table};
 use crate::terminal::TerminalPage;
 use gonio_gl::trace::{
-    AttributeRecord, AttributeSource, DrawRecord, Finding, FrameRecord, Numbers, ProgramRecord, SamplerRecord,
+    AttributeRecord, AttributeSource, DrawRecord, Finding, FrameRecord, ProgramRecord, SamplerRecord, UniformNumbers,
     UniformValue,
 };
 use gonio_light::is_noise;
@@ -110,7 +110,7 @@ fn rows(uniform: &UniformValue) -> Vec<String> {
     let kind = uniform.glsl_type.as_str();
     match &uniform.value {
         value if value.is_empty() => vec!["unknown".to_owned()],
-        Numbers::Float(values) => {
+        UniformNumbers::Float(values) => {
             if let Some([columns, rows]) = matrix(kind) {
                 // OpenGL stores columns; people read rows.
                 return (0..rows)
@@ -120,9 +120,9 @@ fn rows(uniform: &UniformValue) -> Vec<String> {
             let each = kind.strip_prefix("vec").and_then(|n| n.parse().ok()).unwrap_or(1);
             values.chunks(each).map(joined).collect()
         }
-        Numbers::Int(values) => vec![values.iter().map(|v| format!("{v:>12}")).collect()],
-        Numbers::Uint(values) => vec![values.iter().map(|v| format!("{v:>12}")).collect()],
-        Numbers::Bool(values) => vec![values.iter().map(|v| format!("{v:>12}")).collect()],
+        UniformNumbers::Int(values) => vec![values.iter().map(|v| format!("{v:>12}")).collect()],
+        UniformNumbers::Uint(values) => vec![values.iter().map(|v| format!("{v:>12}")).collect()],
+        UniformNumbers::Bool(values) => vec![values.iter().map(|v| format!("{v:>12}")).collect()],
     }
 }
 

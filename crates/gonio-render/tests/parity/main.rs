@@ -6,10 +6,11 @@
 //! And of all pixels, edges included, 99.5 % are within 1/255 as 8-bit colours.
 #![allow(clippy::unwrap_used)]
 
-mod common;
+mod bench;
+mod environment;
 mod textured_model;
 
-use common::{Bench, scene_from};
+use bench::{Bench, scene_from};
 use gonio_mesh::Wrap;
 use gonio_reference::ReferenceScene;
 use gonio_scene::{Scene, ViewSpec};

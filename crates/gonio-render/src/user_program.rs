@@ -1,9 +1,19 @@
-//! A program with whatever attributes and uniforms it has.
+//! Programs with any attributes and uniforms, drawn into float targets: students' shaders and their references.
+//!
+//! The names and types of attributes and uniforms are those that OpenGL reports after linking. The caller decides which
+//! stream of a mesh feeds which attribute, and sets every uniform.
 
+use gonio_gl::objects::{Buffer, TextureObject, VertexArray};
+use gonio_gl::target::{ColorPrecision, Sampling, Target};
 use gonio_gl::trace::enums;
-use gonio_gl::{Gl, GlError};
+use gonio_gl::{Dialect, Gl, GlError, Texels};
 use std::cell::RefCell;
 use std::fmt;
+
+/// Whether a context speaks OpenGL ES (WebGL2 is one of those), whose shaders begin with `#version 300 es`.
+pub fn is_embedded(gl: &gonio_gl::Gl) -> bool {
+    gl.is_embedded()
+}
 
 /// The logs of the driver for a pair of shaders that is not a program; at least one of them is present.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -154,7 +164,7 @@ impl UserProgram {
     }
 
     /// Locations of all attributes.
-    pub(super) fn locations(&self) -> impl Iterator<Item = u32> {
+    fn locations(&self) -> impl Iterator<Item = u32> {
         self.attributes.iter().map(|(_, location)| *location)
     }
 
@@ -216,5 +226,208 @@ impl UserProgram {
 impl Drop for UserProgram {
     fn drop(&mut self) {
         self.gl.delete_program(self.handle);
+    }
+}
+
+/// Numbers for each vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stream<'a> {
+    /// For debuggers.
+    pub name: &'a str,
+    /// A vertex' numbers, 1 to 4.
+    pub components: usize,
+    /// All vertices' numbers.
+    pub numbers: &'a [f32],
+}
+
+/// Triangles on the GPU.
+pub struct StreamMesh {
+    gl: Gl,
+    array: VertexArray,
+    streams: Vec<(i32, Buffer)>,
+    _indices: Buffer,
+    count: i32,
+}
+
+impl StreamMesh {
+    /// Every index must be below the number of vertices of every stream; those that are not are an error.
+    pub fn new(gl: &Gl, streams: &[Stream<'_>], indices: &[u32], name: &str) -> Result<Self, GlError> {
+        let array = VertexArray::bound(gl, name)?;
+        let last = indices.iter().copied().max().unwrap_or(0) as usize;
+        let mut buffers = Vec::new();
+        for stream in streams {
+            if !(1..=4).contains(&stream.components) || (last + 1) * stream.components > stream.numbers.len() {
+                return Err(GlError::new(format!("{name}: the stream `{}` has too few vertices", stream.name)));
+            }
+            let bytes: &[u8] = bytemuck::cast_slice(stream.numbers);
+            let label = format!("{name}: {}", stream.name);
+            let buffer = Buffer::with_bytes(gl, glow::ARRAY_BUFFER, bytes, glow::STATIC_DRAW, &label)?;
+            buffers.push((stream.components as i32, buffer));
+        }
+        let bytes: &[u8] = bytemuck::cast_slice(indices);
+        let indices_buffer = Buffer::with_bytes(gl, glow::ELEMENT_ARRAY_BUFFER, bytes, glow::STATIC_DRAW, name)?;
+        gl.bind_vertex_array(None);
+        let count = indices.len() as i32;
+        Ok(StreamMesh { gl: gl.clone(), array, streams: buffers, _indices: indices_buffer, count })
+    }
+
+    /// Draws it with the bound program: attributes by location, each with the number of its stream; those that are not named
+    /// read (0, 0, 0, 1).
+    pub fn draw(&self, program: &UserProgram, feed: &[(u32, usize)]) {
+        let gl = &self.gl;
+        gl.bind_vertex_array(Some(self.array.handle()));
+        for location in program.locations() {
+            gl.disable_vertex_attrib_array(location);
+            gl.vertex_attrib_4_f32(location, 0.0, 0.0, 0.0, 1.0);
+        }
+        for &(location, stream) in feed {
+            let Some((components, buffer)) = self.streams.get(stream) else { continue };
+            gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer.handle()));
+            gl.enable_vertex_attrib_array(location);
+            gl.vertex_attrib_pointer_f32(location, *components, glow::FLOAT, false, 0, 0);
+        }
+        gl.draw_elements(glow::TRIANGLES, self.count, glow::UNSIGNED_INT, 0);
+        gl.bind_vertex_array(None);
+    }
+}
+
+/// A texture of float texels, filtered linearly, without smaller copies.
+pub struct FloatTexture {
+    gl: Gl,
+    object: TextureObject,
+    target: u32,
+}
+
+impl FloatTexture {
+    /// A 2-D texture that repeats; rows from the bottom.
+    pub fn flat(gl: &Gl, size: [usize; 2], rgba: &[[f32; 4]], name: &str) -> Result<Self, GlError> {
+        let object = TextureObject::bound(gl, name)?;
+        fill(gl, glow::TEXTURE_2D, size, rgba, name)?;
+        finish(gl, glow::TEXTURE_2D, glow::REPEAT);
+        Ok(FloatTexture { gl: gl.clone(), object, target: glow::TEXTURE_2D })
+    }
+
+    /// A panorama: repeated along its rows, held at its first and its last one. The first row lies at t = 0.
+    pub fn panorama(gl: &Gl, size: [usize; 2], rgba: &[[f32; 4]], name: &str) -> Result<Self, GlError> {
+        let panorama = Self::flat(gl, size, rgba, name)?;
+        gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE as i32);
+        Ok(panorama)
+    }
+
+    /// A cubemap: six faces +X -X +Y -Y +Z -Z in OpenGL's layout, each with the rows from t = 0.
+    pub fn cube(gl: &Gl, side: usize, faces: &[Vec<[f32; 4]>; 6], name: &str) -> Result<Self, GlError> {
+        let object = TextureObject::cube(gl, name)?;
+        for (target, face) in (glow::TEXTURE_CUBE_MAP_POSITIVE_X..).zip(faces) {
+            fill(gl, target, [side, side], face, name)?;
+        }
+        finish(gl, glow::TEXTURE_CUBE_MAP, glow::CLAMP_TO_EDGE);
+        Ok(FloatTexture { gl: gl.clone(), object, target: glow::TEXTURE_CUBE_MAP })
+    }
+
+    /// Binds it to a unit.
+    pub fn bind(&self, unit: u32) {
+        self.gl.active_texture(glow::TEXTURE0 + unit.min(15));
+        self.gl.bind_texture(self.target, Some(self.object.handle()));
+    }
+}
+
+/// Half floats, which every driver filters.
+fn fill(gl: &Gl, target: u32, [w, h]: [usize; 2], rgba: &[[f32; 4]], name: &str) -> Result<(), GlError> {
+    if rgba.len() != w * h {
+        return Err(GlError::new(format!("{name}: {} texels are not {w} x {h}", rgba.len())));
+    }
+    gl.tex_image_2d(target, 0, glow::RGBA16F, [w as i32, h as i32], Texels::f32(glow::RGBA, rgba.as_flattened()));
+    Ok(())
+}
+
+fn finish(gl: &Gl, target: u32, wrap: u32) {
+    let parameters = [
+        (glow::TEXTURE_MIN_FILTER, glow::LINEAR),
+        (glow::TEXTURE_MAG_FILTER, glow::LINEAR),
+        (glow::TEXTURE_WRAP_S, wrap),
+        (glow::TEXTURE_WRAP_T, wrap),
+    ];
+    for (parameter, value) in parameters {
+        gl.tex_parameter_i32(target, parameter, value as i32);
+    }
+}
+
+/// The value of a pixel that nothing was drawn to: no light is that negative.
+pub const NOT_DRAWN: [f32; 4] = [-31_337.0; 4];
+
+/// Square tiles side by side, each with a depth buffer; 32-bit floats, one sample a pixel.
+pub struct TileTarget {
+    gl: Gl,
+    target: Target,
+    side: i32,
+    columns: i32,
+    count: usize,
+}
+
+impl TileTarget {
+    /// `count` tiles of `side` pixels. What does not fit the driver's largest texture is an error.
+    pub fn new(gl: &Gl, side: u32, count: usize) -> Result<Self, GlError> {
+        let columns = (count as f64).sqrt().ceil().max(1.0) as i32;
+        let rows = (count as i32 + columns - 1) / columns;
+        let size = [columns * side as i32, rows.max(1) * side as i32];
+        let dialect = if gl.is_embedded() { Dialect::Es300 } else { Dialect::Core330 };
+        let target = Target::new(gl, dialect, size, Sampling::Multi(1), ColorPrecision::Full)?;
+        Ok(TileTarget { gl: gl.clone(), target, side: side as i32, columns, count })
+    }
+
+    /// Pixels along a tile's side.
+    pub fn side(&self) -> usize {
+        self.side as usize
+    }
+
+    /// Empties all tiles: [`NOT_DRAWN`], depth 1.
+    pub fn begin(&self) {
+        let gl = &self.gl;
+        self.target.begin(gl, 0, self.target.size[1]);
+        let [r, g, b, a] = NOT_DRAWN;
+        gl.clear_color(r, g, b, a);
+        gl.clear(glow::COLOR_BUFFER_BIT | glow::DEPTH_BUFFER_BIT);
+        gl.disable(glow::BLEND);
+        gl.disable(glow::CULL_FACE);
+        gl.disable(glow::STENCIL_TEST);
+        gl.enable(glow::DEPTH_TEST);
+        // At the far plane too, as a skybox needs.
+        gl.depth_func(glow::LEQUAL);
+    }
+
+    /// Later draws go into this tile alone. False where there is none of that number.
+    pub fn select(&self, tile: usize) -> bool {
+        if tile >= self.count {
+            return false;
+        }
+        let (x, y) = (tile as i32 % self.columns * self.side, tile as i32 / self.columns * self.side);
+        self.gl.viewport(x, y, self.side, self.side);
+        self.gl.enable(glow::SCISSOR_TEST);
+        self.gl.scissor(x, y, self.side, self.side);
+        true
+    }
+
+    /// The first tiles one after the other, each `side * side` pixels, the bottom row first. Waits for the GPU.
+    pub fn read(&self, count: usize) -> Vec<[f32; 4]> {
+        self.gl.disable(glow::SCISSOR_TEST);
+        let all = self.target.read_single(&self.gl);
+        let (side, width) = (self.side as usize, self.target.size[0] as usize);
+        let count = count.min(self.count);
+        let mut tiles = Vec::with_capacity(count * side * side);
+        for tile in 0..count {
+            let (column, row) = (tile % self.columns as usize, tile / self.columns as usize);
+            for y in 0..side {
+                let first = ((row * side + y) * width + column * side) * 4;
+                let line = all.get(first..first + side * 4).unwrap_or_default();
+                tiles.extend(line.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]));
+            }
+        }
+        tiles
+    }
+
+    /// The error that OpenGL has raised since the last call, if any.
+    pub fn error(&self) -> Option<GlError> {
+        let code = self.gl.get_error();
+        (code != glow::NO_ERROR).then(|| GlError::new(format!("OpenGL reported error {code:#06x} while drawing")))
     }
 }

@@ -1,7 +1,7 @@
 //! Each rule about samplers and textures, on a sequence of calls that does just that wrong.
 
-use super::lab::{CORNERS, both, only};
-use crate::trace::{Rule, Severity, Subject};
+use super::{CORNERS, both, only};
+use crate::trace::{DrawSubject, Rule, Severity};
 
 const ONE: &str = "uniform sampler2D picture;\nout vec4 c;\nvoid main() { c = texture(picture, vec2(0.5)); }\n";
 const TWO: &str = "uniform sampler2D first;\nuniform sampler2D second;\nout vec4 c;\n\
@@ -131,7 +131,7 @@ fn a_texture_left_over_from_another_material() {
         lab.texture(0, "wood");
         lab.program(CORNERS, ONE);
         lab.used().set_i32("picture", 0);
-        let subject = |object: &str, material: &str| Subject {
+        let subject = |object: &str, material: &str| DrawSubject {
             object: object.into(),
             part: String::new(),
             material: material.into(),

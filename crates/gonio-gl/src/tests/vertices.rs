@@ -1,7 +1,7 @@
 //! Each rule about uniforms, attributes and draws, on a sequence of calls that does just that wrong.
 
-use super::lab::{CORNERS, LIT, Lab, NORMALS, both, only};
-use crate::trace::{AttributeSource, Numbers, Rule, Severity};
+use super::{CORNERS, LIT, Lab, NORMALS, both, only};
+use crate::trace::{AttributeSource, Rule, Severity, UniformNumbers};
 use glam::{Mat3, Mat4, Vec3};
 
 const COLOR: &str = "uniform vec4 color;\nout vec4 c;\nvoid main() { c = color; }\n";
@@ -25,7 +25,7 @@ fn a_right_sequence_has_no_finding_and_says_what_fed_it() {
         let draw = &record.draws[0];
         assert_eq!((draw.count, draw.highest_vertex, draw.primitive.as_str()), (3, Some(2), "triangles"));
         let model = draw.uniforms.iter().find(|u| u.name == "model").unwrap_or_else(|| panic!("{:?}", draw.uniforms));
-        assert_eq!(model.value, Numbers::Float(scale.to_cols_array().to_vec()));
+        assert_eq!(model.value, UniformNumbers::Float(scale.to_cols_array().to_vec()));
         let AttributeSource::Array(normal) = &draw.attributes[1].source else { panic!("{:?}", draw.attributes) };
         assert_eq!((normal.offset, normal.stride, normal.buffer_bytes), (12, 24, 72));
         // llvmpipe counts in OpenGL, and has no extension for it in OpenGL ES.

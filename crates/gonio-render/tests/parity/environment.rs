@@ -1,14 +1,11 @@
-//! Environments on the GPU against the reference's: skies, mirrors, glass. Tolerances as in `parity.rs`.
+//! Environments on the GPU against the reference's: skies, mirrors, glass. Tolerances as in `main.rs`.
 //!
 //! The environment is smooth, up to 50 times as bright as white, and everywhere another colour: a driver moves corners by
 //! up to 1/256 of a pixel, and on a curved mirror that is some hundredths of a texel, which only counts where a texel
 //! differs much from the next. Hard edges have a test and a tolerance of their own.
-#![allow(clippy::unwrap_used)]
 
-mod common;
-mod textured_model;
-
-use common::{Bench, HEIGHT, WIDTH, scene_from};
+use crate::bench::{Bench, HEIGHT, WIDTH, scene_from};
+use crate::textured_model;
 use glam::DVec3;
 use gonio_environment::Cubemap;
 use gonio_light::Quantity;

@@ -1,5 +1,0 @@
-//! Records of wrong sequences of calls.
-
-mod lab;
-mod samplers;
-mod vertices;
