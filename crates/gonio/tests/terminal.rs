@@ -4,8 +4,7 @@
 
 mod common;
 
-use common::visible::{EVIL, evil_line, faults};
-use common::{Lab, Run};
+use common::{EVIL, Lab, Run, evil_line, faults};
 
 /// The forms in which the hostile text can be read: ours, JSON's, and that of libraries that quote a word.
 const READABLE: &[&str] = &["\\x1b[2K", "\\u001b[2K", "\\u001B[2K", "\\u{1b}[2K", "\\x1b [ 2K"];

@@ -1,7 +1,7 @@
 //! Texts that imitate a verdict.
 
 use crate::case::{Answer, Case, Fill};
-use crate::visible::{EVIL, evil_line};
+use crate::common::{EVIL, evil_line};
 
 pub fn cases() -> Vec<Case> {
     let answer = Answer::wrong("ex04");

@@ -1,8 +1,10 @@
-//! Entries that are not text, not files, or too large.
+//! Entries that are not text, not files, or too large, in folders and zip archives.
 
 use crate::case::{Answer, Case, Fill};
-use crate::zip;
+use flate2::write::DeflateEncoder;
+use flate2::{Compression, Crc};
 use std::ffi::OsString;
+use std::io::Write;
 use std::os::unix::ffi::OsStringExt;
 
 pub fn cases() -> Vec<Case> {
@@ -120,23 +122,63 @@ fn zips(vertex: &[u8], fragment: &[u8]) -> Vec<Case> {
     let pair = [("a.vert".to_owned(), vertex.to_vec()), ("a.frag".to_owned(), fragment.to_vec())];
     let zeros = vec![0; 30 << 20];
     let bomb: Vec<(String, Vec<u8>)> = (0..40).map(|i| (format!("b{i}.frag"), zeros.clone())).collect();
-    let nested = (0..6).fold(zip::pack(&pair), |inner, i| zip::pack(&[(format!("z{i}.zip"), inner)]));
-    let named = |name: &str| zip::pack(&[(name.to_owned(), fragment.to_vec()), ("a.vert".to_owned(), vertex.to_vec())]);
-    let whole = zip::pack(&pair);
+    let nested = (0..6).fold(pack(&pair), |inner, i| pack(&[(format!("z{i}.zip"), inner)]));
+    let named = |name: &str| pack(&[(name.to_owned(), fragment.to_vec()), ("a.vert".to_owned(), vertex.to_vec())]);
+    let whole = pack(&pair);
     vec![
         case("a zip", whole.clone()),
-        case("a zip bomb", zip::pack(&bomb)),
+        case("a zip bomb", pack(&bomb)),
         case("a zip within zips", nested),
         case("a zip with a way out", named("../../../../tmp/gonio-hostile.frag")),
         case("a zip with a path from the root", named("/tmp/gonio-hostile.frag")),
-        case("a zip with a hostile name", named(&format!("a{}.frag", crate::visible::EVIL))),
-        case("a zip with the same name twice", zip::pack(&[pair[0].clone(), pair[0].clone(), pair[1].clone()])),
+        case("a zip with a hostile name", named(&format!("a{}.frag", crate::common::EVIL))),
+        case("a zip with the same name twice", pack(&[pair[0].clone(), pair[0].clone(), pair[1].clone()])),
         case(
             "a zip of 3000 files",
-            zip::pack(&(0..3000).map(|i| (format!("x{i}.frag"), b"x".to_vec())).collect::<Vec<_>>()),
+            pack(&(0..3000).map(|i| (format!("x{i}.frag"), b"x".to_vec())).collect::<Vec<_>>()),
         ),
         case("half a zip", whole[..whole.len() / 2].to_vec()),
-        case("a zip that lies about its sizes", zip::with_sizes(&whole, u32::MAX - 1)),
-        case("an empty zip", zip::pack(&[])),
+        case("a zip that lies about its sizes", with_sizes(&whole, u32::MAX - 1)),
+        case("an empty zip", pack(&[])),
     ]
+}
+
+/// A zip of these files, deflated.
+fn pack(files: &[(String, Vec<u8>)]) -> Vec<u8> {
+    let (mut zip, mut directory) = (Vec::new(), Vec::new());
+    for (name, content) in files {
+        let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
+        encoder.write_all(content).unwrap();
+        let packed = encoder.finish().unwrap();
+        let mut sum = Crc::new();
+        sum.update(content);
+        let offset = zip.len() as u32;
+        // Version, flags (names are UTF-8), method, time, date; then sums and sizes, and the lengths of name and extra.
+        let mut fields: Vec<u8> = [20_u16, 0x800, 8, 0, 0x21].into_iter().flat_map(u16::to_le_bytes).collect();
+        for number in [sum.sum(), packed.len() as u32, content.len() as u32] {
+            fields.extend(number.to_le_bytes());
+        }
+        fields.extend([name.len() as u16, 0].into_iter().flat_map(u16::to_le_bytes));
+        zip.extend([b"PK\x03\x04", fields.as_slice(), name.as_bytes(), &packed].concat());
+        directory.extend(
+            [b"PK\x01\x02\x14\x00", fields.as_slice(), &[0; 10], &offset.to_le_bytes(), name.as_bytes()].concat(),
+        );
+    }
+    let (count, start) = (files.len() as u16, zip.len() as u32);
+    zip.extend_from_slice(&directory);
+    zip.extend(b"PK\x05\x06\0\0\0\0");
+    zip.extend([count, count].into_iter().flat_map(u16::to_le_bytes));
+    zip.extend([directory.len() as u32, start].into_iter().flat_map(u32::to_le_bytes));
+    zip.extend([0, 0]);
+    zip
+}
+
+/// The same archive with other sizes of the files in its directory.
+fn with_sizes(zip: &[u8], size: u32) -> Vec<u8> {
+    let mut zip = zip.to_vec();
+    let starts: Vec<usize> = (0..zip.len()).filter(|&at| zip[at..].starts_with(b"PK\x01\x02")).collect();
+    for start in starts {
+        zip[start + 24..start + 28].copy_from_slice(&size.to_le_bytes());
+    }
+    zip
 }

@@ -4,15 +4,12 @@
 #![cfg(target_os = "linux")]
 
 mod case;
+#[path = "../common/mod.rs"]
+mod common;
 mod forging;
 mod intake;
-mod memory;
+mod resources;
 mod runner;
-mod stack;
-mod time;
-#[path = "../common/visible.rs"]
-mod visible;
-mod zip;
 
 use case::Case;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -55,17 +52,17 @@ fn held(cases: &[Case], at_least: usize) {
 
 #[test]
 fn nesting_uses_up_no_stack() {
-    held(&stack::cases(), 30);
+    held(&resources::stack(), 30);
 }
 
 #[test]
 fn no_text_asks_for_too_much_memory() {
-    held(&memory::cases(), 30);
+    held(&resources::memory(), 30);
 }
 
 #[test]
 fn what_never_ends_is_ended() {
-    held(&time::cases(), 15);
+    held(&resources::time(), 15);
 }
 
 #[test]

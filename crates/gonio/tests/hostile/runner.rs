@@ -1,7 +1,7 @@
 //! Running a case as a user would, and checking exit code, output, memory and leftovers.
 
 use crate::case::{Case, Fill};
-use crate::visible::faults;
+use crate::common::faults;
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::os::unix::ffi::OsStrExt;

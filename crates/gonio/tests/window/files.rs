@@ -1,4 +1,4 @@
-//! Opening, reading again, saving.
+//! Opening files, reading them again, saving them, and refusing them.
 
 use crate::driven::{Window, asset};
 use std::path::Path;
@@ -101,4 +101,26 @@ fn options_of_render_are_laid_over_the_scene() {
     assert_eq!(scene["object"][0]["shading"], "flat");
     assert_eq!(scene["environment"]["image"], "debug");
     assert_eq!(scene["picture"]["exposure"], 1.5);
+}
+
+#[test]
+fn a_file_that_cannot_be_opened_leaves_everything_as_it_was() {
+    let mut window = Window::open(1024, 640, &["builtin:cube"]);
+    let before = window.state();
+    window.write("bad.obj", "this is no model\n");
+    for (path, words) in [("none.obj", "there is no such file"), ("bad.obj", "bad.obj")] {
+        window.key("ctrl+o");
+        window.find("path");
+        window.type_text(path);
+        window.key("Return");
+        let state = window.wait(path, |s| s["error"].as_str().is_some_and(|e| e.contains(words)));
+        assert_eq!(state["title"], before["title"]);
+        assert_eq!(state["scene"], before["scene"]);
+    }
+    // They stay until they are read.
+    let state = window.rest();
+    assert_eq!(state["messages"].as_array().unwrap().len(), 2);
+    let id = state["messages"][0]["id"].as_u64().unwrap();
+    window.click(&format!("dismiss-{id}"));
+    window.wait("one message less", |s| s["messages"].as_array().unwrap().len() == 1);
 }

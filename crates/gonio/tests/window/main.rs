@@ -2,12 +2,11 @@
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod basics;
 mod driven;
 mod exercise;
 mod files;
-mod habits;
 mod pointer;
-mod refused;
 mod survival;
 // The benches' own.
 #[path = "../../../../benches/src/screen.rs"]

@@ -10,7 +10,6 @@ mod mistakes;
 mod open;
 mod score;
 mod text;
-mod trial;
 
 use crate::error::{CliError, CommandOutcome};
 use crate::options::GeneralOptions;
@@ -47,7 +46,7 @@ pub enum LabCommand {
     #[command(hide = true)]
     CheckWorker(GeneralOptions),
     #[command(hide = true)]
-    Trial(trial::TrialArgs),
+    Trial(child_process::TrialArgs),
 }
 
 impl LabCommand {
@@ -81,7 +80,7 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<CommandOutcome, 
         LabCommand::Mistakes(args) => mistakes::run(args, reporter),
         LabCommand::Score(args) => score::run(args, reporter),
         LabCommand::CheckWorker(_) => child_process::check_worker(),
-        LabCommand::Trial(args) => trial::run(args, reporter),
+        LabCommand::Trial(args) => child_process::run_trial(args, reporter),
     }
 }
 

@@ -2,9 +2,8 @@
 
 mod animation;
 mod plan;
-mod report;
 
-use crate::backend::{self, Backend, Counts, Opened, Shot};
+use crate::backend::{self, Backend, BackendReport, Counts, Opened, Shot};
 use crate::capture;
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
@@ -13,15 +12,18 @@ use crate::options::{BackendChoice, BackendOptions, GeneralOptions, SceneOptions
 use crate::output::{OutputFiles, OutputPath};
 use crate::report::{Reporter, Times};
 use animation::{AnimationFile, Frames};
-use plan::{PictureFormat, PicturePlan, PicturePlanRequest};
-
 use clap::{ArgAction, Args};
 use gonio_image::ImageError;
 use gonio_image::encode::exr::{self, Layer};
 use gonio_image::encode::png::{self, ColorTag};
 use gonio_light::color::ColorEncoding;
+use gonio_mesh::Diagnostic;
 use gonio_render::{DisplayOptions, View};
+use gonio_scene::scene_file::Shading;
 use gonio_scene::{DisplayMap, Frame, Overlay, Overlays, Picture, Scene, ViewSpec};
+use plan::{PictureFormat, PicturePlan, PicturePlanRequest};
+use serde::Serialize;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -208,7 +210,7 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
     times.add("total", start.elapsed());
     reporter.verbose_times(&times);
     if reporter.json() {
-        reporter.report(&report::Report::new(args, &scene, &backend, &times, &written))?;
+        reporter.report(&Report::new(args, &scene, &backend, &times, &written))?;
     }
     // The process ends next, and the system frees buffers and contexts faster.
     std::mem::forget(backend);
@@ -347,4 +349,76 @@ fn encode_layers(pictures: &[(String, Picture)]) -> Result<Vec<u8>, ImageError> 
     let layers: Vec<Layer<'_>> =
         pictures.iter().map(|(name, picture)| Layer { name, pixels: &picture.pixels }).collect();
     exr::encode_layers(size, &layers)
+}
+
+/// The report. Times are in milliseconds, sizes in pixels.
+#[derive(Serialize)]
+struct Report<'a> {
+    command: &'static str,
+    inputs: &'a [String],
+    outputs: Vec<String>,
+    backend: BackendReport,
+    width: u32,
+    height: u32,
+    samples: u32,
+    frames: u32,
+    shading: Vec<Shading>,
+    debug: Option<String>,
+    views: Vec<String>,
+    scene: SceneCounts,
+    drawn: Counts,
+    times_ms: serde_json::Value,
+    warnings: &'a [Diagnostic],
+    notes: &'a [String],
+}
+
+/// The size of a scene.
+#[derive(Serialize)]
+struct SceneCounts {
+    objects: usize,
+    triangles: usize,
+    vertices: usize,
+    materials: usize,
+    textures: usize,
+    lights: usize,
+}
+
+impl SceneCounts {
+    /// Counts a mesh once for each object that shows it.
+    fn count(scene: &Scene) -> Self {
+        let meshes = || scene.objects.iter().filter_map(|o| scene.meshes.get(o.mesh));
+        SceneCounts {
+            objects: scene.objects.len(),
+            triangles: meshes().map(|m| m.triangle_count()).sum(),
+            vertices: meshes().map(|m| m.positions.len()).sum(),
+            materials: scene.materials.len(),
+            textures: scene.textures.len(),
+            lights: scene.settings.lights.len(),
+        }
+    }
+}
+
+impl<'a> Report<'a> {
+    fn new(args: &'a RenderArgs, scene: &'a Scene, backend: &Backend, times: &Times, written: &'a Written) -> Self {
+        let picture = &scene.settings.picture;
+        let shading: BTreeSet<Shading> = scene.objects.iter().map(|o| o.shading).collect();
+        Report {
+            command: "render",
+            inputs: &args.inputs,
+            outputs: written.files.iter().map(|p| p.display().to_string()).collect(),
+            backend: backend.report(),
+            width: picture.width,
+            height: picture.height,
+            samples: picture.samples,
+            frames: args.frames.unwrap_or(1),
+            shading: shading.into_iter().collect(),
+            debug: args.debug.map(|v| v.to_string()),
+            views: args.views.iter().map(ToString::to_string).collect(),
+            scene: SceneCounts::count(scene),
+            drawn: written.counts,
+            times_ms: times.to_json(),
+            warnings: &scene.diagnostics,
+            notes: &written.notes,
+        }
+    }
 }

@@ -1,6 +1,6 @@
-//! Undo, light and dark, small windows, and doing nothing.
+//! Undo, light and dark, small windows, idling, and no display at all.
 
-use crate::driven::Window;
+use crate::driven::{Window, without_display};
 use serde_json::Value;
 
 #[test]
@@ -72,4 +72,25 @@ fn doing_nothing_costs_nothing() {
     // The watcher of files looks at two of them twice a second; two hundredths are what the system's clock can tell.
     let used = window.cpu_seconds() - cpu;
     assert!(used <= 0.02, "{used} s of processor time in 3 s");
+}
+
+#[test]
+fn without_a_display_it_says_so() {
+    let (code, words) = without_display(&["view"], None);
+    assert_eq!(code, 2);
+    assert!(words.contains("there is no display") && words.contains("gonio render"), "{words}");
+    assert_eq!(words.lines().count(), 1, "{words}");
+
+    let (code, words) = without_display(&["view"], Some(":987654"));
+    assert_eq!(code, 2);
+    assert!(words.contains("the display cannot be reached") && words.contains("DISPLAY"), "{words}");
+    assert_eq!(words.lines().count(), 1, "{words}");
+}
+
+#[test]
+fn alone_without_a_display_it_prints_its_help() {
+    let (code, words) = without_display(&[], None);
+    assert_eq!(code, 2);
+    assert!(words.contains("Usage: gonio") && words.contains("\n  render "), "{words}");
+    assert!(words.contains("there is no display for the window"), "{words}");
 }
