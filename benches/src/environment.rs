@@ -4,7 +4,7 @@
 //! gonio and OpenCV are measured twice, with and without AVX2. All numbers are CPU seconds of one thread.
 
 use crate::measure::{self, Cost};
-use crate::{Places, peers, table};
+use crate::{Places, peers};
 use gonio_environment::convert::{Conversion, EnvironmentRef, Filter};
 use gonio_environment::{Cubemap, Panorama, SimdLevel, builtin};
 use gonio_image::encode::png::{self, Depth};
@@ -274,14 +274,17 @@ impl Rows {
             let times = format!("{:.1} x", s / ours);
             vec![(*name).to_owned(), format!("{:.0} ms", s * 1e3), format!("{:.1}", MEGAPIXELS / s), times]
         }));
-        table::print("panorama 4096 x 2048 to six faces of 1024 x 1024, bilinear, in memory, one thread each", &lines);
+        measure::print_table(
+            "panorama 4096 x 2048 to six faces of 1024 x 1024, bilinear, in memory, one thread each",
+            &lines,
+        );
         let processes: Vec<(&str, Cost)> =
             self.processes.iter().map(|(name, all)| (name.as_str(), measure::median_cost(all))).collect();
         let mut lines = vec![["", "wall", "CPU"].map(String::from).to_vec()];
         lines.extend(processes.iter().map(|(name, cost)| {
             vec![(*name).to_owned(), format!("{:.3} s", cost.wall_s), format!("{:.3} s", cost.cpu_s)]
         }));
-        table::print("the same as a whole process, PNG to six PNG", &lines);
+        measure::print_table("the same as a whole process, PNG to six PNG", &lines);
         let cpu = |name: &str| processes.iter().find(|(known, _)| *known == name).map_or(0.0, |(_, c)| c.cpu_s);
         let whole = cpu("ffmpeg") / cpu("gonio environment convert");
         let mut held = true;
@@ -289,19 +292,20 @@ impl Rows {
             for depth in DEPTHS {
                 for (way, bar) in WAYS {
                     let name = opencv_at(level, depth, way);
-                    held &= table::bar(&format!("against {name}"), of(&name) / of(&gonio_at(level)), " x", bar, false);
+                    held &=
+                        measure::bar(&format!("against {name}"), of(&name) / of(&gonio_at(level)), " x", bar, false);
                 }
             }
         }
-        held &= table::bar("against v360", of("ffmpeg v360, conversion") / ours, " x", 12.0, false);
-        held &= table::bar("whole process against ffmpeg, CPU", whole, " x", 2.0, false);
+        held &= measure::bar("against v360", of("ffmpeg v360, conversion") / ours, " x", 12.0, false);
+        held &= measure::bar("whole process against ffmpeg, CPU", whole, " x", 2.0, false);
         let value = json!({
             "conversion_cpu_s": seconds.iter().map(|(n, s)| json!({ "name": n, "cpu_s": s })).collect::<Vec<_>>(),
             "process": processes.iter().map(|(n, c)| json!({ "name": n, "wall_s": c.wall_s, "cpu_s": c.cpu_s }))
                 .collect::<Vec<_>>(),
             "held": held,
         });
-        table::write_json(&places.out, "environment", &value)?;
+        measure::write_json(&places.out, "environment", &value)?;
         Ok(held)
     }
 }

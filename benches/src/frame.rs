@@ -2,7 +2,7 @@
 //! buffers, program, target and culling, and nothing else.
 
 use crate::measure::{self, Cost};
-use crate::{Places, models, table};
+use crate::{Places, models};
 use gonio_gl::HeadlessContext;
 use gonio_render::Renderer;
 use gonio_scene::files::Disk;
@@ -56,7 +56,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
         vec![name.to_owned(), format!("{:.1}", 1e3 * cost.wall_s), format!("{:.1}", 1e3 * cost.cpu_s)]
     };
     let heading = ["", "wall ms", "CPU ms"].map(String::from).to_vec();
-    table::print(
+    measure::print_table(
         &format!(
             "frame: {TRIANGLES} triangles, {}x{}, {} samples, back faces {}; {}; medians of {TURNS} turns of {FRAMES} frames",
             frame.width,
@@ -67,7 +67,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
         ),
         &[heading, row("gonio-gl", our_median), row("bare loop", bare_median)],
     );
-    let mut held = table::bar("CPU time against the bare loop", ratio, " x", BAR, true);
+    let mut held = measure::bar("CPU time against the bare loop", ratio, " x", BAR, true);
     if !culled {
         println!("  MISSED the sphere was not recognised as closed, so its back faces are drawn");
         held = false;
@@ -82,7 +82,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
         "cpu_ratio": ratio,
         "bar_held": held,
     });
-    table::write_json(&places.out, "frame", &result)?;
+    measure::write_json(&places.out, "frame", &result)?;
     Ok(held)
 }
 

@@ -5,16 +5,13 @@
 
 mod environment;
 mod frame;
-mod lights;
 mod measure;
 mod models;
 mod obj;
-mod obj_models;
 mod obj_readers;
 mod peers;
 mod render;
 mod screen;
-mod table;
 mod window;
 mod window_process;
 
@@ -36,7 +33,7 @@ const BENCHES: &[(&str, Bench)] = &[
     ("render", render::run),
     ("render-large", render::run_large),
     ("frame", frame::run),
-    ("lights", lights::run),
+    ("lights", render::run_lights),
     ("obj", obj::run),
     ("environment", environment::run),
     ("window", window::run),

@@ -1,8 +1,8 @@
 //! Reads OBJ files and compares CPU time, wall time and memory with other readers, and with merely finding line ends.
 
-use crate::obj_models::{NGON_TRIANGLES, ngon_sphere, uv_sphere};
+use crate::models::{NGON_TRIANGLES, ngon_sphere, uv_sphere};
 use crate::obj_readers::{self as readers, Reader, Reading};
-use crate::{Places, measure, models, table};
+use crate::{Places, measure, models};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::process::Command;
@@ -56,7 +56,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
         results.push(result);
     }
     absent.iter().for_each(|line| println!("  {line}"));
-    table::write_json(&places.out, "obj", &json!({"cases": results, "absent": absent, "bars_held": held}))?;
+    measure::write_json(&places.out, "obj", &json!({"cases": results, "absent": absent, "bars_held": held}))?;
     Ok(held)
 }
 
@@ -135,20 +135,20 @@ fn print(title: &str, medians: &[(&str, Reading)], file_size: u64) {
             if reading.triangles == 0 { String::new() } else { reading.triangles.to_string() },
         ]);
     }
-    table::print(title, &rows);
+    measure::print_table(title, &rows);
 }
 
 /// The first four are gonio on one thread and on two, counting line ends, tobj.
 fn judge(case: &Case, medians: &[(&str, Reading)]) -> bool {
     let [one, two, newlines, tobj] = [0, 1, 2, 3].map(|i| medians[i].1);
-    let mut held = table::bar("one thread, CPU against tobj", tobj.cpu_s / one.cpu_s, " x", TOBJ_CPU_BAR, false);
+    let mut held = measure::bar("one thread, CPU against tobj", tobj.cpu_s / one.cpu_s, " x", TOBJ_CPU_BAR, false);
     held &=
-        table::bar("one thread, CPU against finding line ends", one.cpu_s / newlines.cpu_s, " x", NEWLINES_BAR, true);
-    held &= table::bar("two threads, wall against tobj", tobj.wall_s / two.wall_s, " x", TOBJ_WALL_BAR, false);
+        measure::bar("one thread, CPU against finding line ends", one.cpu_s / newlines.cpu_s, " x", NEWLINES_BAR, true);
+    held &= measure::bar("two threads, wall against tobj", tobj.wall_s / two.wall_s, " x", TOBJ_WALL_BAR, false);
     for (reading, threads) in [(one, "one thread"), (two, "two threads")] {
         let buffers = reading.vertices * 8 * 4 + reading.triangles * 3 * 4;
         let beyond = reading.peak_bytes as f64 / buffers as f64;
-        held &= table::bar(&format!("{threads}, memory over final buffers"), beyond, " x", MEMORY_BAR, true);
+        held &= measure::bar(&format!("{threads}, memory over final buffers"), beyond, " x", MEMORY_BAR, true);
         if reading.triangles != case.triangles {
             println!("  MISSED {threads}: {} of {} triangles are there", reading.triangles, case.triangles);
             held = false;

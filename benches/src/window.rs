@@ -3,7 +3,7 @@
 
 use crate::screen::Screen;
 use crate::window_process::{self, ALL_SAMPLES, AS_SHIPPED, FRAMES, TURNS};
-use crate::{Places, models, table};
+use crate::{Places, measure, models};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -32,7 +32,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
         held &= told(way, &result)?;
         results.push(json!({ "way": way, "measured": result }));
     }
-    table::write_json(&places.out, "window", &json!({ "bar_held": held, "ways": results }))?;
+    measure::write_json(&places.out, "window", &json!({ "bar_held": held, "ways": results }))?;
     Ok(held)
 }
 
@@ -78,7 +78,7 @@ fn told(way: &str, result: &Value) -> Result<bool, String> {
     for key in ["wall", "cpu", "submit"] {
         bare.push(cell("bare", key)?);
     }
-    table::print(
+    measure::print_table(
         &format!(
             "window, {way}: a light dragged over {TRIANGLES} triangles, window {}x{}, picture {}x{}, {} samples; {}; medians \
              of {TURNS} turns of {FRAMES} frames",
@@ -92,5 +92,5 @@ fn told(way: &str, result: &Value) -> Result<bool, String> {
         &[words(&["", "wall ms", "CPU ms", "application", "painting", "swap and rest"]), window, bare],
     );
     println!("  CPU time against the bare renderer: {:.3} x", number(&result["cpu_ratio"])?);
-    Ok(table::bar("frame time against the bare renderer", number(&result["wall_ratio"])?, " x", BAR, true))
+    Ok(measure::bar("frame time against the bare renderer", number(&result["wall_ratio"])?, " x", BAR, true))
 }

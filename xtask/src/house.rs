@@ -1,8 +1,7 @@
 //! Figures about the code base, each with its limit: `cargo xtask house` prints them.
 
-use crate::checks::source::Source;
-use crate::checks::tree::TextFile;
-use crate::checks::{cycles, length, words};
+use crate::checks::source::{Source, TextFile};
+use crate::checks::{cycles, text, words};
 use crate::process;
 use crate::report::Findings;
 use std::path::Path;
@@ -86,9 +85,9 @@ pub fn check_words(files: &[TextFile]) -> Findings {
 
 /// The longest source file; long ones are listed, and files that are too long fail.
 pub fn check_length(files: &[TextFile]) -> Findings {
-    let (long, too_long) = length::check(files);
+    let (long, too_long) = text::check_length(files);
     let mut findings = Findings::of_complaints(&too_long);
-    if let Some((path, lines)) = length::longest(files) {
+    if let Some((path, lines)) = text::longest(files) {
         findings.remark = format!("longest: {path}, {lines} lines");
     }
     findings.details = [findings.details, long.join("\n")].join("\n").trim().to_owned();

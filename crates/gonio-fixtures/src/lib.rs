@@ -45,7 +45,7 @@
 
 mod parse;
 
-pub use parse::{FixtureError, Problem};
+pub use parse::{FixtureError, FixtureProblem};
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -78,8 +78,8 @@ impl FixtureCase {
     pub fn text(&self, path: &str) -> Result<&str, FixtureError> {
         let error = |line, problem| FixtureError { table: self.name.clone(), line, problem };
         let file = self.files.iter().find(|file| file.path == path);
-        let file = file.ok_or_else(|| error(None, Problem::Missing(path.to_owned())))?;
-        str::from_utf8(&file.bytes).map_err(|_| error(Some(file.line), Problem::NotUtf8))
+        let file = file.ok_or_else(|| error(None, FixtureProblem::Missing(path.to_owned())))?;
+        str::from_utf8(&file.bytes).map_err(|_| error(Some(file.line), FixtureProblem::NotUtf8))
     }
 }
 
@@ -110,7 +110,7 @@ impl FixtureTable {
         match std::fs::read(path) {
             Ok(bytes) => FixtureTable::parse(&name, &bytes),
             Err(error) => {
-                Err(FixtureError { table: name, line: None, problem: Problem::Unreadable(error.to_string()) })
+                Err(FixtureError { table: name, line: None, problem: FixtureProblem::Unreadable(error.to_string()) })
             }
         }
     }
@@ -140,7 +140,7 @@ impl FixtureTable {
         let mut cases: Vec<FixtureCase> = Vec::new();
         for file in &self.files {
             let (name, path) =
-                file.path.split_once('/').ok_or_else(|| self.error(file.line, Problem::OutsideOfCases))?;
+                file.path.split_once('/').ok_or_else(|| self.error(file.line, FixtureProblem::OutsideOfCases))?;
             let within = FixtureFile { path: path.to_owned(), ..file.clone() };
             match cases.iter_mut().find(|case| case.name == name) {
                 Some(case) => case.files.push(within),
@@ -156,11 +156,11 @@ impl FixtureTable {
         let mut cases = Vec::new();
         for file in &self.files {
             if let Some(of) = file.path.strip_suffix(".expected") {
-                self.get(of).ok_or_else(|| self.error(file.line, Problem::NothingExpectedOf(of.to_owned())))?;
+                self.get(of).ok_or_else(|| self.error(file.line, FixtureProblem::NothingExpectedOf(of.to_owned())))?;
             } else if file.path.rsplit_once('.').is_some_and(|(_, ending)| ending == extension) {
                 let path = format!("{}.expected", file.path);
-                let expected = self.get(&path).ok_or_else(|| self.error(file.line, Problem::Missing(path)))?;
-                let expected = str::from_utf8(expected).map_err(|_| self.error(file.line, Problem::NotUtf8))?;
+                let expected = self.get(&path).ok_or_else(|| self.error(file.line, FixtureProblem::Missing(path)))?;
+                let expected = str::from_utf8(expected).map_err(|_| self.error(file.line, FixtureProblem::NotUtf8))?;
                 let expected =
                     expected.lines().filter(|line| !line.is_empty()).map(|line| format!("{line}\n")).collect();
                 cases.push(ExpectedCase { name: file.path.clone(), bytes: file.bytes.clone(), expected });
@@ -182,7 +182,7 @@ impl FixtureTable {
         Ok(())
     }
 
-    fn error(&self, line: usize, problem: Problem) -> FixtureError {
+    fn error(&self, line: usize, problem: FixtureProblem) -> FixtureError {
         FixtureError { table: self.name.clone(), line: Some(line), problem }
     }
 }
@@ -193,7 +193,7 @@ pub fn tables_below(folder: &Path) -> Result<Vec<(PathBuf, FixtureTable)>, Fixtu
     let unreadable = |path: &Path, error: &io::Error| FixtureError {
         table: path.display().to_string(),
         line: None,
-        problem: Problem::Unreadable(error.to_string()),
+        problem: FixtureProblem::Unreadable(error.to_string()),
     };
     let mut tables = Vec::new();
     let mut folders = vec![folder.to_owned()];

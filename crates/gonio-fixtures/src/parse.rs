@@ -11,12 +11,12 @@ pub struct FixtureError {
     /// The line in it, from 1, if the problem has one.
     pub line: Option<usize>,
     /// What is wrong.
-    pub problem: Problem,
+    pub problem: FixtureProblem,
 }
 
 /// What is wrong with a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Problem {
+pub enum FixtureProblem {
     /// The file system's message.
     Unreadable(String),
     /// Bytes that are not UTF-8.
@@ -62,40 +62,40 @@ impl fmt::Display for FixtureError {
     }
 }
 
-impl fmt::Display for Problem {
+impl fmt::Display for FixtureProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Problem::Unreadable(error) => write!(f, "cannot read the table: {error}"),
-            Problem::NotUtf8 => f.write_str("not valid UTF-8: write the bytes as `\\xNN` in a file that is [escaped]"),
-            Problem::CarriageReturn => {
+            FixtureProblem::Unreadable(error) => write!(f, "cannot read the table: {error}"),
+            FixtureProblem::NotUtf8 => f.write_str("not valid UTF-8: write the bytes as `\\xNN` in a file that is [escaped]"),
+            FixtureProblem::CarriageReturn => {
                 f.write_str("a carriage return: flag the file with [crlf], or write `\\r` in a file that is [escaped]")
             }
-            Problem::NoNewlineAtEnd => f.write_str("the table must end with a line feed; [no-newline] describes a file without"),
-            Problem::NoFiles => f.write_str("no file: a header is `-- PATH --`"),
-            Problem::MalformedHeader => f.write_str(
+            FixtureProblem::NoNewlineAtEnd => f.write_str("the table must end with a line feed; [no-newline] describes a file without"),
+            FixtureProblem::NoFiles => f.write_str("no file: a header is `-- PATH --`"),
+            FixtureProblem::MalformedHeader => f.write_str(
                 "malformed header: expected `-- PATH --` or `-- PATH [FLAGS] --`; a line of a file that begins with `-- ` is \
                  written as `\\x2d- ` in a file that is [escaped]",
             ),
-            Problem::InvalidPath(path) => {
+            FixtureProblem::InvalidPath(path) => {
                 write!(f, "invalid path `{path}`: expected a relative one, with `/` between its parts and without `..`")
             }
-            Problem::DuplicatePath(line) => write!(f, "the file of line {line} has the same path"),
-            Problem::UnknownFlag(flag) => {
+            FixtureProblem::DuplicatePath(line) => write!(f, "the file of line {line} has the same path"),
+            FixtureProblem::UnknownFlag(flag) => {
                 write!(f, "unknown flag `{flag}`: expected crlf, no-newline, escaped, utf-16le, utf-16be or hex")
             }
-            Problem::FlagsExclude(a, b) => write!(f, "the flags {a} and {b} exclude each other"),
-            Problem::NoLineToEnd => f.write_str("[no-newline] on a file without lines"),
-            Problem::InvalidEscape => f.write_str("invalid escape: expected `\\\\`, `\\t`, `\\r`, `\\n`, `\\xNN` or `\\u{N}`"),
-            Problem::InvalidHex => f.write_str("invalid byte: expected two hexadecimal digits"),
-            Problem::OutsideOfCases => f.write_str("a file outside of the folders of the cases"),
-            Problem::Missing(path) => write!(f, "`{path}` is missing"),
-            Problem::NothingExpectedOf(path) => write!(f, "the expectation of a missing file, `{path}`"),
+            FixtureProblem::FlagsExclude(a, b) => write!(f, "the flags {a} and {b} exclude each other"),
+            FixtureProblem::NoLineToEnd => f.write_str("[no-newline] on a file without lines"),
+            FixtureProblem::InvalidEscape => f.write_str("invalid escape: expected `\\\\`, `\\t`, `\\r`, `\\n`, `\\xNN` or `\\u{N}`"),
+            FixtureProblem::InvalidHex => f.write_str("invalid byte: expected two hexadecimal digits"),
+            FixtureProblem::OutsideOfCases => f.write_str("a file outside of the folders of the cases"),
+            FixtureProblem::Missing(path) => write!(f, "`{path}` is missing"),
+            FixtureProblem::NothingExpectedOf(path) => write!(f, "the expectation of a missing file, `{path}`"),
         }
     }
 }
 
 /// A problem and its line; 0 where it has none.
-type Result<T> = std::result::Result<T, (usize, Problem)>;
+type Result<T> = std::result::Result<T, (usize, FixtureProblem)>;
 
 #[derive(Default)]
 struct Flags {
@@ -110,38 +110,39 @@ struct Flags {
 pub(crate) fn files(table: &[u8]) -> Result<Vec<FixtureFile>> {
     let text = str::from_utf8(table).map_err(|error| {
         let before = &table[..error.valid_up_to()];
-        (1 + before.iter().filter(|byte| **byte == b'\n').count(), Problem::NotUtf8)
+        (1 + before.iter().filter(|byte| **byte == b'\n').count(), FixtureProblem::NotUtf8)
     })?;
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     if let Some(index) = lines.iter().position(|line| line.contains('\r')) {
-        return Err((index + 1, Problem::CarriageReturn));
+        return Err((index + 1, FixtureProblem::CarriageReturn));
     }
     if lines.last().is_some_and(|line| !line.ends_with('\n')) {
-        return Err((lines.len(), Problem::NoNewlineAtEnd));
+        return Err((lines.len(), FixtureProblem::NoNewlineAtEnd));
     }
     let mut headers = Vec::new();
     for (index, line) in lines.iter().enumerate().filter(|(_, line)| line.starts_with("-- ")) {
         headers.push((index, header(line.trim_end_matches('\n')).map_err(|problem| (index + 1, problem))?));
     }
     if headers.is_empty() {
-        return Err((0, Problem::NoFiles));
+        return Err((0, FixtureProblem::NoFiles));
     }
     let ends: Vec<usize> = headers.iter().skip(1).map(|(index, _)| *index).chain([lines.len()]).collect();
     let mut files: Vec<FixtureFile> = Vec::new();
     for ((index, (path, flags)), end) in headers.into_iter().zip(ends) {
         let line = index + 1;
         if let Some(earlier) = files.iter().find(|file| file.path == path) {
-            return Err((line, Problem::DuplicatePath(earlier.line)));
+            return Err((line, FixtureProblem::DuplicatePath(earlier.line)));
         }
         files.push(FixtureFile { path: path.to_owned(), bytes: content(&lines[line..end], &flags, line)?, line });
     }
     Ok(files)
 }
 
-fn header(line: &str) -> std::result::Result<(&str, Flags), Problem> {
-    let inner = line.strip_prefix("-- ").and_then(|rest| rest.strip_suffix(" --")).ok_or(Problem::MalformedHeader)?;
+fn header(line: &str) -> std::result::Result<(&str, Flags), FixtureProblem> {
+    let inner =
+        line.strip_prefix("-- ").and_then(|rest| rest.strip_suffix(" --")).ok_or(FixtureProblem::MalformedHeader)?;
     let (path, words) = match inner.strip_suffix(']') {
-        Some(inner) => inner.rsplit_once(" [").ok_or(Problem::MalformedHeader)?,
+        Some(inner) => inner.rsplit_once(" [").ok_or(FixtureProblem::MalformedHeader)?,
         None => (inner, ""),
     };
     let is_portable = |part: &str| {
@@ -150,7 +151,7 @@ fn header(line: &str) -> std::result::Result<(&str, Flags), Problem> {
             && part.trim() == part
     };
     if !path.split('/').all(is_portable) {
-        return Err(Problem::InvalidPath(path.to_owned()));
+        return Err(FixtureProblem::InvalidPath(path.to_owned()));
     }
     let mut flags = Flags::default();
     for word in words.split(',').map(str::trim).filter(|_| inner.ends_with(']')) {
@@ -161,7 +162,7 @@ fn header(line: &str) -> std::result::Result<(&str, Flags), Problem> {
             "utf-16le" => flags.utf_16 = Some(u16::to_le_bytes),
             "utf-16be" => flags.utf_16 = Some(u16::to_be_bytes),
             "hex" => flags.hex = true,
-            other => return Err(Problem::UnknownFlag(other.to_owned())),
+            other => return Err(FixtureProblem::UnknownFlag(other.to_owned())),
         }
     }
     for (is_set, flag) in [
@@ -171,7 +172,7 @@ fn header(line: &str) -> std::result::Result<(&str, Flags), Problem> {
         (flags.utf_16.is_some(), "utf-16"),
     ] {
         if flags.hex && is_set {
-            return Err(Problem::FlagsExclude("hex", flag));
+            return Err(FixtureProblem::FlagsExclude("hex", flag));
         }
     }
     Ok((path, flags))
@@ -180,18 +181,18 @@ fn header(line: &str) -> std::result::Result<(&str, Flags), Problem> {
 /// The bytes of a file from its lines, the first of which is the one after line `header`.
 fn content(lines: &[&str], flags: &Flags, header: usize) -> Result<Vec<u8>> {
     if flags.no_newline && lines.is_empty() {
-        return Err((header, Problem::NoLineToEnd));
+        return Err((header, FixtureProblem::NoLineToEnd));
     }
     let mut bytes = Vec::new();
     for (index, line) in lines.iter().enumerate() {
         let number = header + 1 + index;
         let text = line.trim_end_matches('\n');
         if flags.hex {
-            hex(text, &mut bytes).ok_or((number, Problem::InvalidHex))?;
+            hex(text, &mut bytes).ok_or((number, FixtureProblem::InvalidHex))?;
             continue;
         }
         if flags.escaped {
-            unescape(text, &mut bytes).ok_or((number, Problem::InvalidEscape))?;
+            unescape(text, &mut bytes).ok_or((number, FixtureProblem::InvalidEscape))?;
         } else {
             bytes.extend(text.as_bytes());
         }
@@ -201,7 +202,7 @@ fn content(lines: &[&str], flags: &Flags, header: usize) -> Result<Vec<u8>> {
     }
     match flags.utf_16 {
         Some(encode) => {
-            let text = str::from_utf8(&bytes).map_err(|_| (header, Problem::NotUtf8))?;
+            let text = str::from_utf8(&bytes).map_err(|_| (header, FixtureProblem::NotUtf8))?;
             Ok(text.encode_utf16().flat_map(encode).collect())
         }
         None => Ok(bytes),

@@ -40,7 +40,7 @@ pub struct DrawnExhibit<'a> {
     /// Milliseconds from the first draw call to the picture in memory, or for the conversion of an environment.
     pub ms: f64,
     /// Difference between GPU and CPU; `None` if the CPU drew the picture, or if nothing was drawn.
-    pub difference: Option<Difference>,
+    pub difference: Option<BackendDifference>,
     /// The command that makes the picture again.
     pub command: String,
 }
@@ -84,7 +84,7 @@ pub struct DrawCounts {
 
 /// The difference of two pictures of 8 bits; a pixel counts with its most different channel.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Difference {
+pub struct BackendDifference {
     /// Largest difference, in steps of 1/255.
     pub max: u8,
     /// Mean over all channels, in steps of 1/255.
@@ -93,7 +93,7 @@ pub struct Difference {
     pub within_one: f64,
 }
 
-impl Difference {
+impl BackendDifference {
     /// Compares two pictures of the same size; alpha is ignored.
     pub fn between(a: &EncodedPicture<u8>, b: &EncodedPicture<u8>) -> Self {
         let (mut max, mut sum, mut within) = (0, 0u64, 0usize);
@@ -106,7 +106,7 @@ impl Difference {
             within += usize::from(worst <= 1);
         }
         let count = pixels().count().max(1) as f64;
-        Difference { max, mean: sum as f64 / (3.0 * count), within_one: within as f64 / count }
+        BackendDifference { max, mean: sum as f64 / (3.0 * count), within_one: within as f64 / count }
     }
 }
 
@@ -136,7 +136,7 @@ impl EnvironmentCache {
 }
 
 /// A finished picture.
-pub struct Drawn {
+pub struct DrawnPicture {
     /// The picture as displayed.
     pub picture: EncodedPicture<u8>,
     /// Vertices, fragments and draw calls.
@@ -179,7 +179,7 @@ impl<'a> PreparedScene<'a> {
     /// # Errors
     ///
     /// An error of OpenGL.
-    pub fn draw(&mut self, frame: &Frame, view: Option<ViewSpec>) -> Result<Drawn, GlError> {
+    pub fn draw(&mut self, frame: &Frame, view: Option<ViewSpec>) -> Result<DrawnPicture, GlError> {
         match self {
             PreparedScene::OpenGl { renderer, scene } => {
                 let drawn = renderer.render8(scene, frame, view)?;
@@ -189,14 +189,14 @@ impl<'a> PreparedScene<'a> {
                     fragments: statistics.fragments,
                     draw_calls: Some(statistics.draw_calls),
                 };
-                Ok(Drawn { picture: drawn.picture, counts, notes: drawn.notes })
+                Ok(DrawnPicture { picture: drawn.picture, counts, notes: drawn.notes })
             }
             PreparedScene::Cpu(scene) => {
                 let drawn = scene.render(frame, view, &|_| ());
                 let counts =
                     DrawCounts { vertices: Some(drawn.vertices), fragments: Some(drawn.fragments), draw_calls: None };
                 let picture = drawn.picture.encode8(&DisplayMap::for_view(view, frame));
-                Ok(Drawn { picture, counts, notes: Vec::new() })
+                Ok(DrawnPicture { picture, counts, notes: Vec::new() })
             }
         }
     }
@@ -212,7 +212,7 @@ impl<'a> PreparedScene<'a> {
         loaded: &Scene,
         frame: &Frame,
         view: Option<ViewSpec>,
-    ) -> Result<Option<Difference>, GlError> {
+    ) -> Result<Option<BackendDifference>, GlError> {
         if let PreparedScene::Cpu(_) = self {
             return Ok(None);
         }
@@ -221,7 +221,7 @@ impl<'a> PreparedScene<'a> {
         let frame = Frame { width, height, samples: 1, ..frame.clone() };
         let by_gpu = self.draw(&frame, view)?.picture;
         let by_cpu = PreparedScene::on_cpu(loaded).draw(&frame, view)?.picture;
-        Ok(Some(Difference::between(&by_gpu, &by_cpu)))
+        Ok(Some(BackendDifference::between(&by_gpu, &by_cpu)))
     }
 }
 
@@ -244,9 +244,9 @@ mod tests {
         let picture = |rgba: [u8; 8]| EncodedPicture { width: 2, height: 1, rgba: rgba.to_vec() };
         let a = picture([10, 20, 30, 255, 0, 0, 0, 255]);
         let b = picture([10, 21, 30, 0, 0, 0, 5, 255]);
-        let d = Difference::between(&a, &b);
+        let d = BackendDifference::between(&a, &b);
         assert_eq!((d.max, d.mean, d.within_one), (5, 1.0, 0.5));
-        assert_eq!(Difference::between(&a, &a), Difference { max: 0, mean: 0.0, within_one: 1.0 });
+        assert_eq!(BackendDifference::between(&a, &a), BackendDifference { max: 0, mean: 0.0, within_one: 1.0 });
     }
 
     #[test]

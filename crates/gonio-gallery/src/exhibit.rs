@@ -1,7 +1,8 @@
-//! Sections of rows of exhibits. Nothing here depends on how they are drawn.
+//! Sections of rows of exhibits, and the scenes that exhibits start from. Nothing here depends on how they are drawn.
 
+use crate::GalleryError;
 use crate::environment_picture::EnvironmentPicture;
-use gonio_scene::{SceneFile, ViewSpec};
+use gonio_scene::{SceneFile, ViewSpec, toml_file};
 
 /// A chapter of the gallery. Its texts may use the markup of [`crate::markup`].
 pub struct Section {
@@ -18,7 +19,7 @@ pub struct Section {
 }
 
 /// The source of a picture.
-pub enum Subject {
+pub enum ExhibitSubject {
     /// A scene, complete but for the size of its picture, which the row decides.
     Scene(Box<SceneFile>),
     /// An environment laid out on the plane: a conversion on the CPU, without a scene.
@@ -38,7 +39,7 @@ pub struct Exhibit {
     /// One or two sentences on what to look at.
     pub look: String,
     /// The source of the picture.
-    pub subject: Subject,
+    pub subject: ExhibitSubject,
     /// A debug view in place of a scene's picture.
     pub view: Option<ViewSpec>,
     /// Seconds; moves the lights that move.
@@ -56,15 +57,15 @@ pub struct Exhibit {
 impl Exhibit {
     /// Creates a square picture of `scene`.
     pub fn new(name: impl Into<String>, caption: impl Into<String>, scene: SceneFile) -> Self {
-        Self::with_subject(name.into(), caption.into(), Subject::Scene(Box::new(scene)))
+        Self::with_subject(name.into(), caption.into(), ExhibitSubject::Scene(Box::new(scene)))
     }
 
     /// Creates a picture of an environment with the aspect of its form.
     pub fn environment(name: impl Into<String>, caption: impl Into<String>, picture: EnvironmentPicture) -> Self {
-        Self::with_subject(name.into(), caption.into(), Subject::Environment(picture)).aspect(picture.aspect())
+        Self::with_subject(name.into(), caption.into(), ExhibitSubject::Environment(picture)).aspect(picture.aspect())
     }
 
-    fn with_subject(name: String, caption: String, subject: Subject) -> Self {
+    fn with_subject(name: String, caption: String, subject: ExhibitSubject) -> Self {
         Exhibit {
             name,
             caption,
@@ -128,5 +129,53 @@ impl Exhibit {
     pub fn with_counts(mut self) -> Self {
         self.counts_as_remark = true;
         self
+    }
+}
+
+/// A scene that exhibits start from. It names built-in models and environments only.
+#[derive(Clone, Copy, Debug)]
+pub enum BaseScene {
+    /// The still life by night.
+    StillLife,
+    /// A portrait.
+    Suzanne,
+    /// One sphere.
+    Sphere,
+    /// A smooth sphere in the room.
+    RoomSphere,
+    /// Suzanne in the room.
+    RoomSuzanne,
+}
+
+impl BaseScene {
+    /// All base scenes.
+    pub const ALL: [BaseScene; 5] =
+        [BaseScene::StillLife, BaseScene::Suzanne, BaseScene::Sphere, BaseScene::RoomSphere, BaseScene::RoomSuzanne];
+
+    /// Reads the scene.
+    ///
+    /// # Errors
+    ///
+    /// A fault in the built-in text.
+    pub fn scene(self) -> Result<SceneFile, GalleryError> {
+        let text = match self {
+            BaseScene::StillLife => include_str!("base_scenes/still_life.toml"),
+            BaseScene::Suzanne => include_str!("base_scenes/suzanne.toml"),
+            BaseScene::Sphere => include_str!("base_scenes/sphere.toml"),
+            BaseScene::RoomSphere => include_str!("base_scenes/room_sphere.toml"),
+            BaseScene::RoomSuzanne => include_str!("base_scenes/room_suzanne.toml"),
+        };
+        Ok(toml_file::read(text)?)
+    }
+
+    /// Reads the scene and changes it.
+    ///
+    /// # Errors
+    ///
+    /// A fault in the built-in text.
+    pub fn with(self, change: impl FnOnce(&mut SceneFile)) -> Result<SceneFile, GalleryError> {
+        let mut scene = self.scene()?;
+        change(&mut scene);
+        Ok(scene)
     }
 }

@@ -4,21 +4,78 @@
 //! function here prints or opens a file of its own; models and environments are built in, so that a web page can show
 //! the gallery too. A new technique adds a file in `sections`.
 
-mod base_scene;
 pub mod contact_sheet;
 pub mod drawing;
 pub mod environment_picture;
-mod error;
 pub mod exhibit;
 pub mod markup;
 pub mod page;
 pub mod rgb_image;
 pub mod sections;
-pub mod sheet_layout;
 mod typesetter;
 
-pub use base_scene::BaseScene;
-pub use error::GalleryError;
-pub use exhibit::{Exhibit, Section, Subject};
+pub use contact_sheet::{Placement, SheetLayout};
+pub use exhibit::{BaseScene, Exhibit, ExhibitSubject, Section};
 pub use rgb_image::RgbImage;
-pub use sheet_layout::{Placement, SheetLayout};
+
+use gonio_environment::EnvironmentError;
+use gonio_gl::GlError;
+use gonio_image::ImageError;
+use gonio_mesh::ReadError;
+use std::fmt;
+
+/// Describes why a picture of the gallery could not be made.
+#[derive(Clone, Debug)]
+pub enum GalleryError {
+    /// A scene could not be read or loaded.
+    Scene(ReadError),
+    /// An environment could not be converted.
+    Environment(EnvironmentError),
+    /// A picture could not be encoded or decoded.
+    Image(ImageError),
+    /// OpenGL failed.
+    OpenGl(GlError),
+    /// A built-in font cannot be read.
+    Font(&'static str),
+    /// A step gave another result than it should: one sentence.
+    Incomplete(String),
+}
+
+impl fmt::Display for GalleryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            GalleryError::Scene(error) => error.fmt(f),
+            GalleryError::Environment(error) => error.fmt(f),
+            GalleryError::Image(error) => error.fmt(f),
+            GalleryError::OpenGl(error) => f.write_str(&error.message),
+            GalleryError::Font(name) => write!(f, "the built-in font {name} cannot be read"),
+            GalleryError::Incomplete(message) => f.write_str(message),
+        }
+    }
+}
+
+impl std::error::Error for GalleryError {}
+
+impl From<ReadError> for GalleryError {
+    fn from(error: ReadError) -> Self {
+        GalleryError::Scene(error)
+    }
+}
+
+impl From<EnvironmentError> for GalleryError {
+    fn from(error: EnvironmentError) -> Self {
+        GalleryError::Environment(error)
+    }
+}
+
+impl From<ImageError> for GalleryError {
+    fn from(error: ImageError) -> Self {
+        GalleryError::Image(error)
+    }
+}
+
+impl From<GlError> for GalleryError {
+    fn from(error: GlError) -> Self {
+        GalleryError::OpenGl(error)
+    }
+}

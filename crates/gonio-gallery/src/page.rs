@@ -1,7 +1,7 @@
 //! The web page of the gallery: one HTML file with its style in it, no scripts, no network.
 
 use crate::drawing::{DrawnExhibit, grouped};
-use crate::exhibit::{Section, Subject};
+use crate::exhibit::{ExhibitSubject, Section};
 use crate::markup::{self, escape, html, mathml};
 
 const STYLE: &str = include_str!("page.css");
@@ -82,7 +82,7 @@ fn figure(drawn: &DrawnExhibit<'_>) -> String {
 /// The numbers of a picture: differences, times, counts.
 fn facts(drawn: &DrawnExhibit<'_>, name: &str) -> String {
     let size = format!("{:.1} ms at {} × {}", drawn.ms, drawn.width, drawn.height);
-    if let Subject::Environment(_) = drawn.exhibit.subject {
+    if let ExhibitSubject::Environment(_) = drawn.exhibit.subject {
         return format!("<dt>converted in</dt><dd>{size}</dd>\n");
     }
     let difference = match &drawn.difference {

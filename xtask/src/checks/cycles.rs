@@ -5,8 +5,7 @@
 //! the code, such as `crate::a::b`. A module's use of its own submodules is not counted, because they are parts of it; their
 //! use of it and of each other is. Tests are left out.
 
-use super::source::Source;
-use super::tree::TextFile;
+use super::source::{Source, TextFile};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// More files than this in a cycle fail the check. Two may depend on each other: a module and its helper.

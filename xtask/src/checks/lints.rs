@@ -3,8 +3,7 @@
 //! The compiler and clippy find `unsafe` code, output, and calls that read the environment (`[workspace.lints]` and
 //! `clippy.toml`). What they cannot find is code that switches them off in a new place.
 
-use super::source::{Source, find_words};
-use super::tree::TextFile;
+use super::source::{Source, TextFile, find_words};
 
 /// The files that may use `unsafe`.
 pub const UNSAFE_CODE: &[&str] = &[

@@ -3,10 +3,7 @@
 
 pub mod cycles;
 pub mod dependencies;
-pub mod examples;
-pub mod length;
 pub mod lints;
-pub mod paths;
 pub mod source;
-pub mod tree;
+pub mod text;
 pub mod words;

@@ -1,7 +1,6 @@
 //! One meaning per word: a type's name is declared once.
 
-use super::source::Source;
-use super::tree::TextFile;
+use super::source::{Source, TextFile};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Terms of the glossary that exactly one type of the workspace may have as its name, private types included.

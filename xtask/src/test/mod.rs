@@ -2,7 +2,7 @@
 
 mod cargo_output;
 
-use crate::checks::{dependencies, examples, lints, paths, tree};
+use crate::checks::{dependencies, lints, source, text};
 use crate::report::{Findings, Report};
 use crate::web::{Build, browser};
 use crate::{house as figures, licenses, process, root, score, setup};
@@ -113,7 +113,7 @@ fn house(report: &mut Report, root: &Path) {
             Err(error) => Findings::fail(error),
         }
     });
-    let files = match tree::text_files(root) {
+    let files = match source::text_files(root) {
         Ok(files) => files,
         Err(error) => {
             report.step("files of the repository", || Findings::fail(error));
@@ -130,9 +130,9 @@ fn house(report: &mut Report, root: &Path) {
     report.step("import cycles", || figures::check_cycles(&files));
     report.step("length of files", || figures::check_length(&files));
     report.step("one meaning per word", || figures::check_words(&files));
-    report.step("examples are tests", || Findings::of_complaints(&examples::check(&files)));
+    report.step("examples are tests", || Findings::of_complaints(&text::check_examples(&files)));
     report.step("third-party notices", || licenses::step(root));
-    report.step("no machine's paths", || Findings::of_complaints(&paths::check(&files)));
+    report.step("no machine's paths", || Findings::of_complaints(&text::check_paths(&files)));
 }
 
 /// Runs a cargo command that passes or fails as a whole.

@@ -10,11 +10,12 @@
 //! ```
 
 pub mod browser;
-mod npm;
 mod sizes;
 mod split;
 
-use crate::{process, root, setup};
+use crate::process;
+use crate::root;
+use crate::setup;
 use sizes::Sizes;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -67,7 +68,7 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
     if !toolchain.remark.is_empty() {
         say(&toolchain.remark);
     }
-    npm::install(&web, say)?;
+    install_packages(&web, say)?;
     say("building gonio-web for wasm32");
     let profile = if build == Build::Shipped { "web" } else { "web-dev" };
     let target = "wasm32-unknown-unknown";
@@ -158,4 +159,19 @@ const WASM_OPT: &[&str] = &["-O3", "--one-caller-inline-max-function-size", "20"
 fn checked(command: &mut Command) -> Result<(), String> {
     let outcome = process::run(command);
     if outcome.success { Ok(()) } else { Err(outcome.text) }
+}
+
+/// Runs `npm ci` in `web/` unless the packages of the lock file are installed.
+fn install_packages(web: &Path, say: &mut dyn FnMut(&str)) -> Result<(), String> {
+    let lock = web.join("package-lock.json");
+    let wanted = std::fs::read(&lock).map_err(|e| format!("cannot read {}: {e}", lock.display()))?;
+    // Written last, so an interrupted installation is repeated.
+    let stamp = web.join("node_modules/.gonio-installed");
+    if std::fs::read(&stamp).is_ok_and(|installed| installed == wanted) {
+        return Ok(());
+    }
+    say("installing Node packages (npm ci)");
+    // None of the packages needs its install script.
+    checked(Command::new("npm").current_dir(web).args(["ci", "--ignore-scripts", "--no-fund", "--no-audit"]))?;
+    std::fs::write(&stamp, wanted).map_err(|e| format!("cannot write {}: {e}", stamp.display()))
 }

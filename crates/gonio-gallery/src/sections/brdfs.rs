@@ -1,8 +1,7 @@
 //! The BRDFs of Appendix 6 on the donut.
 
 use crate::GalleryError;
-use crate::base_scene::BaseScene;
-use crate::exhibit::{Exhibit, Section};
+use crate::exhibit::{BaseScene, Exhibit, Section};
 use gonio_light::Convention;
 use gonio_light::brdf::BrdfKind;
 use gonio_scene::color_value::Color;

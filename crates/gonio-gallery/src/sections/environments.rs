@@ -1,8 +1,7 @@
 //! Skyboxes, mirrors, and light from everywhere.
 
 use crate::GalleryError;
-use crate::base_scene::BaseScene;
-use crate::exhibit::{Exhibit, Section};
+use crate::exhibit::{BaseScene, Exhibit, Section};
 use gonio_light::Fresnel;
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::{LightSourceKind, LightSpec, SceneFile};

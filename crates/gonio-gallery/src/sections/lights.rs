@@ -1,8 +1,7 @@
 //! Kinds of light, attenuation, and a light that moves.
 
 use crate::GalleryError;
-use crate::base_scene::BaseScene;
-use crate::exhibit::{Exhibit, Section};
+use crate::exhibit::{BaseScene, Exhibit, Section};
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::{LightSourceKind, LightSpec, MotionKind, MotionSpec, SceneFile};
 use std::f64::consts::TAU;

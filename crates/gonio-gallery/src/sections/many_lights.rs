@@ -1,8 +1,7 @@
 //! Hundreds of small lights in one pass.
 
 use crate::GalleryError;
-use crate::base_scene::BaseScene;
-use crate::exhibit::{Exhibit, Section};
+use crate::exhibit::{BaseScene, Exhibit, Section};
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::{LightSourceKind, LightSpec};
 use std::f64::consts::{PI, TAU};

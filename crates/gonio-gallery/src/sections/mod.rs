@@ -3,7 +3,6 @@
 mod brdfs;
 mod cubemaps;
 mod environments;
-mod hero;
 mod lights;
 mod many_lights;
 mod refraction;
@@ -11,7 +10,6 @@ mod shading;
 mod specular;
 mod terms;
 mod textures;
-mod triangles;
 mod views;
 
 use crate::GalleryError;
@@ -21,14 +19,14 @@ type Maker = fn() -> Result<Section, GalleryError>;
 
 /// In the order of the sheet.
 const SECTIONS: [Maker; 13] = [
-    hero::section,
+    terms::whole_section,
     shading::section,
     terms::section,
     lights::section,
     specular::section,
     brdfs::section,
     views::section,
-    triangles::section,
+    shading::cost_section,
     textures::section,
     environments::section,
     refraction::section,
@@ -49,8 +47,8 @@ pub fn all() -> Result<Vec<Section>, GalleryError> {
 mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
-    use crate::base_scene::BaseScene;
-    use crate::exhibit::Subject;
+    use crate::exhibit::BaseScene;
+    use crate::exhibit::ExhibitSubject;
     use std::collections::HashSet;
     use std::path::Path;
 
@@ -67,7 +65,7 @@ mod tests {
             assert!(!exhibit.caption.is_empty() && !exhibit.equation.is_empty(), "{name}");
             assert!(exhibit.look.ends_with('.'), "{name}: {}", exhibit.look);
             assert_eq!(exhibit.remark.is_empty(), exhibit.counts_as_remark, "{name}");
-            let Subject::Scene(scene) = &exhibit.subject else { continue };
+            let ExhibitSubject::Scene(scene) = &exhibit.subject else { continue };
             // Works in any folder: nothing but built-in files.
             let files = gonio_scene::files::BuiltinOnly;
             let loaded = gonio_scene::load::load((**scene).clone(), Path::new(""), &files).unwrap();

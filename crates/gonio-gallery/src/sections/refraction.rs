@@ -1,8 +1,7 @@
 //! Water, ice, glass, diamond: the lab's refraction, and beyond it.
 
 use crate::GalleryError;
-use crate::base_scene::BaseScene;
-use crate::exhibit::{Exhibit, Section};
+use crate::exhibit::{BaseScene, Exhibit, Section};
 use gonio_light::optics::Medium;
 use gonio_light::{Fresnel, Surfaces};
 use gonio_scene::color_value::Color;

@@ -1,8 +1,7 @@
 //! The specular term: which one, which convention, how shiny.
 
 use crate::GalleryError;
-use crate::base_scene::BaseScene;
-use crate::exhibit::{Exhibit, Section};
+use crate::exhibit::{BaseScene, Exhibit, Section};
 use gonio_light::{Convention, Specular};
 use gonio_scene::scene_file::{EquationSpec, SceneFile};
 use std::f64::consts::PI;

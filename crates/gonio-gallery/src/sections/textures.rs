@@ -1,8 +1,7 @@
 //! Textures and their filters; tone maps.
 
 use crate::GalleryError;
-use crate::base_scene::BaseScene;
-use crate::exhibit::{Exhibit, Section};
+use crate::exhibit::{BaseScene, Exhibit, Section};
 use gonio_light::color::ToneMap;
 use gonio_scene::TextureFilter;
 use gonio_scene::color_value::Color;

@@ -1,8 +1,7 @@
 //! Debug views: the vectors and scalars of the equation as colours.
 
 use crate::GalleryError;
-use crate::base_scene::BaseScene;
-use crate::exhibit::{Exhibit, Section};
+use crate::exhibit::{BaseScene, Exhibit, Section};
 use gonio_light::Quantity;
 use gonio_scene::{SceneFile, ViewSpec};
 

@@ -11,7 +11,7 @@ use gonio_gallery::drawing::{
 };
 use gonio_gallery::environment_picture::{EnvironmentPicture, PictureForm};
 use gonio_gallery::rgb_image::reduced;
-use gonio_gallery::{Exhibit, Placement, Section, SheetLayout, Subject};
+use gonio_gallery::{Exhibit, ExhibitSubject, Placement, Section, SheetLayout};
 use gonio_image::encode::png;
 use gonio_light::color::ToneMap;
 use gonio_scene::{Scene, SceneFile};
@@ -51,8 +51,10 @@ pub fn all<'a>(
         };
         let width = (f64::from(placement.width) * scale) as u32;
         drawn.push(match &exhibit.subject {
-            Subject::Environment(picture) => convert(folder, (section, exhibit), *picture, width, placement, times)?,
-            Subject::Scene(scene) => {
+            ExhibitSubject::Environment(picture) => {
+                convert(folder, (section, exhibit), *picture, width, placement, times)?
+            }
+            ExhibitSubject::Scene(scene) => {
                 let mut scene = (**scene).clone();
                 scene.picture.width = width;
                 scene.picture.height = (f64::from(placement.height) * scale) as u32;

@@ -13,8 +13,8 @@ use crate::output::{OutputFiles, atomic};
 use crate::report::{Reporter, Times};
 use clap::Args;
 use draw::DrawnTour;
-use gonio_gallery::drawing::{Difference, DrawCounts};
-use gonio_gallery::{Section, SheetLayout, Subject, contact_sheet, page, sections};
+use gonio_gallery::drawing::{BackendDifference, DrawCounts};
+use gonio_gallery::{ExhibitSubject, Section, SheetLayout, contact_sheet, page, sections};
 use gonio_image::encode::png::{self, ColorTag};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -168,7 +168,7 @@ struct PictureReport<'a> {
     height: u32,
     draw_ms: f64,
     drawn: DrawCounts,
-    gpu_against_cpu: Option<Difference>,
+    gpu_against_cpu: Option<BackendDifference>,
 }
 
 impl<'a> Report<'a> {
@@ -186,8 +186,8 @@ impl<'a> Report<'a> {
             section: sections.get(drawn.section).map_or("", |s| s.id),
             file: folder.picture(&drawn.exhibit.name).display().to_string(),
             scene: match drawn.exhibit.subject {
-                Subject::Scene(_) => Some(folder.scene(&drawn.exhibit.name).display().to_string()),
-                Subject::Environment(_) => None,
+                ExhibitSubject::Scene(_) => Some(folder.scene(&drawn.exhibit.name).display().to_string()),
+                ExhibitSubject::Environment(_) => None,
             },
             command: &drawn.command,
             view: drawn.exhibit.view.map(|v| v.to_string()),
