@@ -1,4 +1,4 @@
-//! From a student's files to a verdict, for every kind of exercise.
+//! Checks a student's files, for every kind of exercise.
 
 use crate::buffers::{self, Expected};
 use crate::cubemap;
@@ -12,10 +12,10 @@ use gonio_gl::{Gl, GlError};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The picture of the right answer that an exercise is begun with.
+/// Name of the picture of the right answer, which is one of the start files.
 pub const GOAL: &str = "goal.png";
 
-/// Checks submissions, one after the other, in one context. What it compiles is kept.
+/// Checks submissions, one after the other, in one context. Compiled programs are kept.
 pub struct Checker {
     shaders: ShaderChecker,
     images: BTreeMap<String, Arc<GlProgramImage>>,
@@ -27,15 +27,17 @@ impl Checker {
         Checker { shaders: ShaderChecker::new(gl), images: BTreeMap::new() }
     }
 
-    /// Gives an image that GL programs may name: PNG, JPEG, BMP, TGA or GIF. Wanted on the web, where the program carries
-    /// none. An error says why it cannot be read.
+    /// Adds an image that GL programs may use: PNG, JPEG, BMP, TGA or GIF. Needed on the web, where no images are built in.
+    ///
+    /// # Errors
+    /// The reason why the image cannot be read.
     pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
-        let image = GlProgramImage::decode(name, bytes).map_err(|why| format!("{name}: {why}"))?;
+        let image = GlProgramImage::decode(name, bytes).map_err(|error| format!("{name}: {error}"))?;
         self.images.insert(name.to_owned(), Arc::new(image));
         Ok(())
     }
 
-    /// Returns the files that GL programs may name.
+    /// Returns the files that GL programs may use.
     fn host_files(&self) -> GlProgramFiles {
         let mut files = gl_program::exercise_files();
         files.images.extend(self.images.clone());
@@ -43,7 +45,10 @@ impl Checker {
     }
 }
 
-/// Checks a student's files. Errors are the driver's; everything that is wrong with the files is a verdict.
+/// Checks a student's files. Everything that is wrong with the files is a verdict.
+///
+/// # Errors
+/// Errors of the driver.
 pub fn check(
     checker: &mut Checker,
     exercise: &Exercise,
@@ -60,7 +65,7 @@ pub fn check(
         }
         ExerciseKind::Shaders | ExerciseKind::Faces => {}
     }
-    // What was handed out beside the shaders is nobody's answer.
+    // Files that were handed out with the shaders are not an answer.
     let handed_out = |name: &str| {
         let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
         name == GOAL || [".md", ".svg"].iter().any(|end| name.ends_with(end)) && exercise.file(name).is_some()
@@ -75,10 +80,10 @@ pub fn check(
     gonio_check::check(&mut checker.shaders, &shader_exercise, files, options)
 }
 
-/// Whether there are pictures among the files beside what was handed out, so that they are the answer.
+/// Whether the answer is pictures: whether there are other pictures than those handed out.
 fn answers_with_pictures(exercise: &Exercise, files: &[SourceFile]) -> bool {
     let pictures = files.iter().filter(|file| cubemap::is_picture(file) && !is_given_picture(exercise, file)).count();
-    // One that lies beside shaders is a texture or a screenshot.
+    // A single picture beside shaders is a texture or a screenshot.
     pictures > 1 || pictures > 0 && files.iter().all(|file| cubemap::is_picture(file) || file.name.ends_with(".md"))
 }
 
@@ -87,7 +92,7 @@ fn is_given_picture(exercise: &Exercise, file: &SourceFile) -> bool {
     exercise.pictures().any(|(_, bytes)| file.bytes == bytes)
 }
 
-/// What ends a list of files that could be the answer.
+/// The files with one of these endings; if there is none, a file that is alone.
 fn answers<'a>(files: &'a [SourceFile], endings: &[&str]) -> Vec<&'a SourceFile> {
     let fits = |name: &str| {
         let name = name.to_ascii_lowercase();
@@ -97,7 +102,7 @@ fn answers<'a>(files: &'a [SourceFile], endings: &[&str]) -> Vec<&'a SourceFile>
     if fitting.is_empty() && files.len() == 1 { files.iter().collect() } else { fitting }
 }
 
-/// A vertex buffer against what the exercise's model holds.
+/// Checks a vertex buffer against the exercise's models.
 fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     let answers = answers(&files, &buffers::ENDINGS);
     let [answer] = answers.as_slice() else {
@@ -153,12 +158,12 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     verdict
 }
 
-/// A GL program, carried out; `given` are the files that it may name.
+/// Checks a GL program by running it; `usable` are the files that it may use.
 fn host_program(
     gl: &Gl,
     exercise: &Exercise,
     files: Vec<SourceFile>,
-    given: &GlProgramFiles,
+    usable: &GlProgramFiles,
 ) -> Result<Verdict, GlError> {
     let answers = answers(&files, &[".txt"]);
     let [answer] = answers.as_slice() else {
@@ -168,7 +173,7 @@ fn host_program(
         };
         return Ok(Verdict::new(&exercise.id, Outcome::Unsure, summary));
     };
-    let found = gl_program::check_bytes(gl, &answer.bytes, &answer.name, given)?;
+    let found = gl_program::check_bytes(gl, &answer.bytes, &answer.name, usable)?;
     let outcome = found.verdict;
     let mut verdict = Verdict::new(&exercise.id, outcome, found.summary.clone());
     verdict.score = if outcome == Outcome::Correct { 1.0 } else { found.share_right.min(0.95) };

@@ -1,9 +1,9 @@
 //! The submissions in a folder, a zip or a list of files: one, or those of a whole class.
 //!
-//! Decides from names and from what each entry holds; reads nothing itself. The entries are those of one level: what
-//! lies deeper in a folder or an archive belongs to the submission that the folder or archive is.
+//! The decision depends on names and on the content of each entry; nothing is read here. The entries are those of one level:
+//! everything inside a folder or an archive belongs to one submission.
 //!
-//! Flat downloads, in which a learning platform puts every file of every student side by side, are told by their names:
+//! Flat downloads, in which a learning platform puts the files of all students side by side, are recognised by their names:
 //!
 //! | platform | name |
 //! |---|---|
@@ -24,23 +24,23 @@ pub struct ClassEntry {
     pub is_container: bool,
 }
 
-/// The submissions among entries.
+/// How entries are divided into submissions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ClassLayout {
     /// All entries are one submission.
     One,
-    /// The one container among them holds everything; its own entries decide.
+    /// The only container among them contains everything; its own entries decide.
     Within(usize),
     /// Several submissions.
     Many(Many),
 }
 
-/// Several submissions, and entries that belong to none.
+/// Several submissions, and the entries that belong to none.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Many {
-    /// In order of their labels, which differ from one another also where capitals do not count.
+    /// In order of their labels, which differ even if case is ignored.
     pub submissions: Vec<Group>,
-    /// Indices of entries that belong to no submission, each with the reason in a few words.
+    /// Indices of the entries that belong to no submission, each with the reason.
     pub skipped: Vec<(usize, &'static str)>,
 }
 
@@ -49,13 +49,13 @@ pub struct Many {
 pub struct Group {
     /// The name of its folder or archive, or the student's in a flat download.
     pub label: String,
-    /// Its entries, with the name that each has within the submission.
+    /// Its entries, each with its name within the submission.
     pub members: Vec<(usize, String)>,
 }
 
-/// The layout of these entries. `answers` tells of a file, by its index, whether it could be part of an answer to the
-/// exercise (a shader, a buffer, a GL program), and of a container whether it holds a whole answer; it is asked only
-/// where names do not decide.
+/// The layout of these entries. `answers` returns whether the file with an index could be part of an answer to the exercise
+/// (a shader, a buffer, a GL program), or whether a container contains a whole answer; it is called only if names do not
+/// decide.
 pub fn layout(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> ClassLayout {
     if let Some(many) = flat_download(entries, answers) {
         return ClassLayout::Many(many);
@@ -72,7 +72,7 @@ pub fn layout(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> ClassL
     }
 }
 
-/// Each entry as a submission of its own (those of a flat download together), whatever [`layout`] makes of them.
+/// Each entry as a submission of its own (the files of a flat download grouped by student), regardless of [`layout`].
 pub fn each(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> Many {
     flat_download(entries, answers).unwrap_or_else(|| {
         let is_submission = |at: &usize| {
@@ -84,11 +84,11 @@ pub fn each(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> Many {
     })
 }
 
-/// Folders that a project may give its stages, whatever their names.
+/// Maximum number of folders with any names that may be the stages of one project.
 const MOST_STAGE_FOLDERS: usize = 3;
 
-/// Whether several containers are the parts of one student's project. Beside loose answers (`main.cpp` with shaders in
-/// its strings) they are, unless two of them answer the exercise by themselves and are not named like parts.
+/// Whether several containers are parts of one student's project. Beside loose answers (`main.cpp` with shaders in string
+/// literals) they are, unless two of them answer the exercise by themselves and are not named like parts.
 fn is_one_project(
     entries: &[ClassEntry],
     containers: &[usize],
@@ -140,7 +140,7 @@ pub fn is_noise(name: &str) -> bool {
     NAMES.contains(&name) || name.starts_with("._") || name.starts_with(".~lock.") || name.starts_with("~$")
 }
 
-/// `anna.zip` becomes `anna` where nothing else is called so.
+/// Shortens `anna.zip` to `anna` if nothing else has that name.
 fn shorten_labels(groups: &mut [Group]) {
     let taken: BTreeMap<String, usize> = groups.iter().fold(BTreeMap::new(), |mut count, group| {
         *count.entry(without_archive_ending(&group.label).to_lowercase()).or_default() += 1;
@@ -162,7 +162,7 @@ fn without_archive_ending(name: &str) -> &str {
     }
 }
 
-/// Sorts, and numbers labels that a file system without capitals could not tell apart.
+/// Sorts the groups, and numbers labels that differ only in case, which some file systems ignore.
 fn distinguish(groups: &mut [Group]) {
     groups.sort_by(|a, b| a.label.cmp(&b.label));
     let mut taken: BTreeSet<String> = BTreeSet::new();
@@ -176,7 +176,7 @@ fn distinguish(groups: &mut [Group]) {
     }
 }
 
-/// The submissions of a flat download, if a name says that it is one.
+/// The submissions of a flat download; `None` if no name looks like one.
 fn flat_download(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> Option<Many> {
     if !entries.iter().any(|entry| flat_name(&entry.name).is_some()) {
         return None;
@@ -207,7 +207,7 @@ fn flat_download(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> Opt
     if !flat_files.clone().any(|(at, _)| flat_name(&entries[*at].name).is_some()) {
         return None;
     }
-    // Canvas has nothing but numbers: files that only look so are believed where all of them do.
+    // Names of Canvas contain only numbers as a clue: they count only if all answers look like that.
     let only_canvas = flat_files.clone().all(|(at, _)| flat_name(&entries[*at].name).is_none_or(|flat| flat.is_weak));
     if only_canvas && many.skipped.iter().any(|(at, _)| !is_noise(&entries[*at].name) && answers(*at)) {
         return None;
@@ -224,17 +224,17 @@ fn flat_download(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> Opt
     Some(many)
 }
 
-/// The files of each attempt of a student, by its time; one attempt, without a time, where the platform keeps only the last.
+/// The files of each attempt of a student, by its time. Platforms that keep only the last attempt name no time.
 type Attempts = BTreeMap<String, Vec<(usize, String)>>;
 
 /// The parts of a name in a flat download.
 struct FlatName {
     student: String,
-    /// A time that sorts as text; empty where the platform names none.
+    /// A time that sorts as text; empty if the platform names none.
     attempt: String,
     /// The student's own name for the file; empty for a folder of files.
     file: String,
-    /// Other files may be called so by accident.
+    /// Whether other files may have such names by accident.
     is_weak: bool,
 }
 
@@ -308,7 +308,7 @@ fn is_number(word: &str) -> bool {
     !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// Whether a folder's name is that of a part of a project (`shaders`, `ex04`, `glfw-3.3`), rather than a student's.
+/// Whether a folder is named like a part of a project (`shaders`, `ex04`, `glfw-3.3`) rather than like a student.
 pub fn is_part_of_a_project(name: &str) -> bool {
     const WORDS: &str = "shader shaders glsl hlsl vertex fragment vert frag vs fs src source sources include includes inc lib libs \
         library libraries external externals extern third 3 rd party thirdparty dep deps dependencies vendor build \
@@ -330,7 +330,7 @@ pub fn is_part_of_a_project(name: &str) -> bool {
 mod tests {
     use super::*;
 
-    /// Entries by their names: `anna/` a folder with an answer, `docs/-` one without, `a.vert` an answer, `a.txt` none.
+    /// Entries by name: `anna/` is a folder with an answer, `docs/-` one without, `a.vert` an answer, `a.txt` not.
     fn entries(names: &[&str]) -> Vec<ClassEntry> {
         let entry = |name: &&str| {
             let folder = name.strip_suffix('-').unwrap_or(name).strip_suffix('/');
@@ -379,7 +379,7 @@ mod tests {
             &["list.txt"],
             &[],
             &["a.vert", "old.zip"],
-            // Neither holds a whole answer.
+            // Neither contains a whole answer.
             &["upper/-", "lower/-"],
         ] {
             assert_eq!(layout_of(names), ClassLayout::One, "{names:?}");
@@ -387,7 +387,7 @@ mod tests {
     }
 
     #[test]
-    fn a_single_folder_or_archive_is_looked_into() {
+    fn a_single_folder_or_archive_is_opened() {
         for (names, at) in [
             (&["anna/"][..], 0),
             (&["anna.zip"], 0),
@@ -400,22 +400,22 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_for_each_student_is_a_class_whatever_lies_beside() {
+    fn a_folder_for_each_student_is_a_class_despite_other_files() {
         assert_eq!(labels(&["anna/", "ben/"]), ["anna", "ben"]);
         assert_eq!(labels(&["anna/", "ben.zip", "cyd/-", "dan/-"]), ["anna", "ben", "cyd", "dan"]);
         let names = ["anna/", "ben/", "list.txt", ".DS_Store", "__MACOSX/", "solution.vert", "_dan/", ".eve/"];
         assert_eq!(labels(&names), [".eve", "_dan", "anna", "ben"]);
         assert_eq!(skipped(&names), ["list.txt", ".DS_Store", "__MACOSX/", "solution.vert"]);
-        // Numbers of students are names, not parts of a project.
+        // Student numbers are names, not parts of a project.
         assert_eq!(labels(&["1203344/", "1203345/"]), ["1203344", "1203345"]);
         assert_eq!(labels(&["anna/-", "ben/-", "cyd/-", "dan/-"]).len(), 4);
-        // A student who is called like a part of a project, among others.
+        // A student whose name is that of a part of a project.
         assert_eq!(labels(&["anna/", "ben/", "lib/"]), ["anna", "ben", "lib"]);
         assert_eq!(labels(&["Anna Doe_123_assignsubmission_file/", "Ben_124_assignsubmission_file/"]).len(), 2);
     }
 
     #[test]
-    fn labels_differ_where_file_systems_know_no_capitals() {
+    fn labels_differ_even_if_case_is_ignored() {
         assert_eq!(labels(&["anna/", "anna.zip", "ben.zip"]), ["anna", "anna.zip", "ben"]);
         assert_eq!(labels(&["Anna/", "anna/", "ben/"]), ["Anna", "anna (2)", "ben"]);
     }
@@ -453,7 +453,7 @@ mod tests {
     }
 
     #[test]
-    fn of_several_attempts_the_last_counts_and_the_others_are_listed() {
+    fn only_the_last_attempt_counts_and_the_others_are_listed() {
         let names = [
             "Ex 7_anna_attempt_2026-11-20-18-04-11_a.vert",
             "Ex 7_anna_attempt_2026-11-21-09-00-00_a.vert",
@@ -468,14 +468,14 @@ mod tests {
     }
 
     #[test]
-    fn files_that_only_look_like_a_download_are_not_torn_apart() {
+    fn files_that_only_look_like_a_download_are_not_separated() {
         for names in [&["phong_1_2_v.vert", "phong_1_2_f.frag"][..], &["light_2024_100_a.vert", "other.frag"]] {
             assert_eq!(layout_of(names), ClassLayout::One, "{names:?}");
         }
     }
 
     #[test]
-    fn each_entry_can_be_asked_for_by_itself() {
+    fn each_entry_can_be_a_submission() {
         let names = ["ex03/", "ex04/", "a.cpp", "list.txt"];
         let found = each(&entries(&names), &|at| is_answer(names[at]));
         assert_eq!(

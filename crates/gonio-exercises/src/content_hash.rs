@@ -1,7 +1,7 @@
-//! A number for some bytes.
+//! A stable hash of bytes.
 
-/// The same for the same pieces, on every machine and with every compiler; it knows where a piece ends (FNV-1a, 64 bits,
-/// over each piece's length and bytes: Fowler, Noll, Vo, draft-eastlake-fnv).
+/// A hash of pieces of bytes that is the same on every machine and with every compiler, and depends on where each piece ends
+/// (FNV-1a, 64 bits, over each piece's length and bytes: Fowler, Noll, Vo, draft-eastlake-fnv).
 pub fn content_hash<'a>(pieces: impl Iterator<Item = &'a [u8]>) -> u64 {
     let mut sum: u64 = 0xcbf2_9ce4_8422_2325;
     let mut take = |bytes: &[u8]| {
@@ -21,11 +21,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_hash_knows_where_a_piece_ends_and_stays_what_it_was() {
+    fn a_hash_depends_on_where_a_piece_ends() {
         let of = |pieces: &[&str]| content_hash(pieces.iter().map(|piece| piece.as_bytes()));
         assert_ne!(of(&["ab", "c"]), of(&["a", "bc"]));
         assert_ne!(of(&["ab"]), of(&["ab", ""]));
-        // FNV-1a of no byte is its offset basis: section 5.
+        // FNV-1a of no bytes is its offset basis: section 5.
         assert_eq!(of(&[]), 0xcbf2_9ce4_8422_2325);
     }
 }

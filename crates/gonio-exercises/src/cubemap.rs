@@ -1,8 +1,8 @@
-//! A cubemap as six pictures: whether each face is what it should be, and what is wrong with it.
+//! Checks a cubemap that is handed in as six pictures.
 //!
-//! The pictures are compared with gonio's own, drawn from the same panorama. A mistake with all of them at once (the panorama
-//! upside down, a wrong angle) is a hypothesis of the catalogue, as in other exercises. A mistake with one (rotated, mirrored, in
-//! another's place) is found face by face: each is compared with all six in all eight orientations.
+//! The pictures are compared with gonio's own, drawn from the same panorama. A mistake in all of them (the panorama
+//! upside down, a wrong angle) is a hypothesis of the catalogue, as in other exercises. A mistake in one (rotated, mirrored,
+//! swapped) is found face by face: each is compared with all six faces in all eight orientations.
 
 use crate::exercise::Exercise;
 use gonio_check::ShaderChecker;
@@ -17,10 +17,10 @@ use gonio_gl::GlError;
 use gonio_image::decode::{DecodedContent, FileFormat, decode};
 use gonio_image::{DecodeLimits, Image};
 
-/// Pixels along a face that pictures are held against: fine enough for the lines of a panorama of usual size.
+/// Side of the reference's faces in pixels: fine enough for the details of a panorama of usual size.
 const FINE: u32 = 128;
 
-/// Checks six pictures, in as many files or in one.
+/// Checks six faces, in six files or in one.
 pub fn check(
     checker: &mut ShaderChecker,
     exercise: &Exercise,
@@ -47,9 +47,9 @@ pub fn check(
     Ok((verdict, Some(evidence)))
 }
 
-/// Faces smaller than this cannot be told apart.
+/// Smallest side in pixels at which faces can be distinguished.
 const LEAST: u32 = 32;
-/// More pictures than this are no six faces.
+/// Maximum number of pictures in a submission.
 const MOST: usize = 40;
 
 /// Whether a file is a picture, by its first bytes.
@@ -59,16 +59,19 @@ pub fn is_picture(file: &SourceFile) -> bool {
 
 /// The faces and the panorama of a submission.
 pub struct SubmittedFaces {
-    /// In OpenGL's order, each square and of one size, as the files have them.
+    /// In OpenGL's order; all are square and of the same size.
     faces: [Image; 6],
-    /// What they were made from.
+    /// The panorama that they show.
     pub panorama: Panorama,
-    /// Warnings, a sentence each.
+    /// Warnings, one sentence each.
     pub warnings: Vec<String>,
 }
 
 impl SubmittedFaces {
-    /// Reads them; what is missing is said in a sentence.
+    /// Reads the faces.
+    ///
+    /// # Errors
+    /// The first problem, in one sentence.
     pub fn read(exercise: &Exercise, files: &[SourceFile]) -> Result<Self, String> {
         let pictures: Vec<&SourceFile> = files.iter().filter(|file| is_picture(file)).collect();
         if pictures.len() > MOST {
@@ -80,7 +83,7 @@ impl SubmittedFaces {
                 decode(&file.name, &file.bytes, &DecodeLimits::default()).map_err(|error| error.to_string())?;
             match decoded.shape {
                 DecodedContent::Picture(image) => read.push((file.name.as_str(), image)),
-                DecodedContent::Faces(_) => return Err(format!("{}: hand the six faces in as PNG or JPEG", file.name)),
+                DecodedContent::Faces(_) => return Err(format!("{}: hand in the six faces as PNG or JPEG", file.name)),
             }
         }
         let mut warnings = Vec::new();
@@ -100,7 +103,7 @@ impl SubmittedFaces {
         let size = faces[0].width;
         if let Some(other) = faces.iter().find(|face| face.width != face.height || face.width != size) {
             return Err(format!(
-                "the faces must be square and of one size; one has {} x {} pixels, another {} x {}",
+                "the faces must be square and of the same size; one has {} x {} pixels, another {} x {}",
                 faces[0].width, faces[0].height, other.width, other.height
             ));
         }
@@ -110,7 +113,7 @@ impl SubmittedFaces {
         let natural = panorama.width / 4;
         if size * 2 < natural {
             warnings.push(format!(
-                "the faces have {size} x {size} pixels: much of what the panorama shows is lost; {natural} x \
+                "the faces have {size} x {size} pixels: much of the panorama's detail is lost; {natural} x \
                  {natural} would keep it"
             ));
         }
@@ -124,7 +127,7 @@ impl SubmittedFaces {
         Tiles { side: self.faces[0].width as usize, faces: self.faces.each_ref().map(face) }.smaller(side)
     }
 
-    /// How sharp they are against a reference of [`FINE`] pixels, 1 for as sharp.
+    /// Sharpness relative to a reference of [`FINE`] pixels: 1 if they are as sharp.
     pub fn sharpness(&self, reference: &Tiles) -> f64 {
         let side = self.faces[0].width.clamp(LEAST, FINE) as usize;
         let possible = reference.smaller(side).encoded().sharpness();
@@ -148,7 +151,7 @@ fn given(exercise: &Exercise) -> Result<Image, String> {
     }
 }
 
-/// A cross or a strip.
+/// Reads a cross or a strip.
 fn in_one(name: &str, image: &Image, warnings: &mut Vec<String>) -> Result<[Image; 6], String> {
     let arrangement = arrange::recognise(image.width, image.height).arrangement;
     if matches!(arrangement, Arrangement::Equirectangular | Arrangement::Faces) {
@@ -163,7 +166,7 @@ fn in_one(name: &str, image: &Image, warnings: &mut Vec<String>) -> Result<[Imag
     Ok(arranged.cubemap.faces(Layout::OpenGl))
 }
 
-/// Six files, by their names.
+/// Assigns six files to faces by their names.
 fn in_six(files: &[(&str, Image)], warnings: &mut Vec<String>) -> Result<[Image; 6], String> {
     let known: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
     let assigned = names::assign(&known).map_err(|error| error.to_string())?;

@@ -1,4 +1,4 @@
-//! The exercises: their texts, what one starts from, and the references. All of it is part of the program.
+//! The exercises: texts, start files and references, all of them built into the program.
 
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -21,30 +21,30 @@ pub enum ExerciseKind {
 /// The inputs of an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 pub struct Inputs {
-    /// By name.
+    /// Attributes by name.
     #[serde(default)]
     pub attributes: BTreeMap<String, InputVariable>,
-    /// By OpenGL's name.
+    /// Uniforms by OpenGL's name.
     #[serde(default)]
     pub uniforms: BTreeMap<String, InputVariable>,
 }
 
-/// An attribute or a uniform that is given.
+/// A given attribute or uniform.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 pub struct InputVariable {
     /// The GLSL type.
     #[serde(rename = "type")]
     pub glsl_type: String,
-    /// With its space and unit.
+    /// Its meaning, with space and unit.
     pub meaning: String,
-    /// The lab's.
+    /// Its value in the lab.
     pub value: String,
 }
 
 /// Details to look for in the picture.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 pub struct LookFor {
-    /// A sentence.
+    /// The detail, in one sentence.
     pub text: String,
 }
 
@@ -68,19 +68,19 @@ struct Declaration {
 /// An exercise.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Exercise {
-    /// `ex04`.
+    /// The id, for example `ex04`.
     pub id: String,
     /// Its folder in `exercises/`.
     pub folder: &'static str,
     /// The title.
     pub title: String,
-    /// A sentence.
+    /// The task in one sentence.
     pub summary: String,
     /// The kind of answer.
     pub kind: ExerciseKind,
     /// The section of the lecture that teaches it.
     pub lecture_section: String,
-    /// Exercises that should be done before.
+    /// Ids of the exercises that should be done before.
     pub builds_on: Vec<String>,
     /// Details to look for in the picture.
     pub look_for: Vec<LookFor>,
@@ -100,11 +100,11 @@ impl Exercise {
         self.files.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
     }
 
-    /// The start files: all files that do not give the answer away. Names include folders.
+    /// The start files: all files except the reference and `exercise.toml`. Names include folders.
     pub fn start_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
-        let given_away =
+        let is_answer =
             |name: &str| name.split('/').any(|part| part.starts_with("reference")) || name == "exercise.toml";
-        self.files.iter().copied().filter(move |(name, _)| !given_away(name))
+        self.files.iter().copied().filter(move |(name, _)| !is_answer(name))
     }
 
     /// Returns the start pictures, by name.
@@ -126,7 +126,7 @@ pub fn all() -> &'static [Exercise] {
     &ALL
 }
 
-/// Finds an exercise by `ex04`, `4`, `04`, `EX4`, its folder's name or `s1`.
+/// Finds an exercise by its id, number or folder: `ex04`, `4`, `04`, `EX4`, `s1`.
 pub fn find(word: &str) -> Option<&'static Exercise> {
     let word = word.to_ascii_lowercase();
     let number = word.trim_start_matches("ex").trim_start_matches('0');
@@ -178,7 +178,7 @@ const FOLDERS: &[Folder] = &[
     folder!("s1-panorama-to-cubemap": "exercise.toml" "faces.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
 ];
 
-/// Pictures: the folder, the name, the file.
+/// Pictures: folder, name and bytes.
 const PICTURES: &[(&str, &str, &[u8])] = &[(
     "s1-panorama-to-cubemap",
     "panorama.png",
@@ -191,7 +191,7 @@ mod tests {
     use std::path::Path;
 
     #[test]
-    fn every_folder_is_an_exercise_and_every_file_of_it_is_carried() {
+    fn every_folder_is_an_exercise_and_all_its_files_are_built_in() {
         let top = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../exercises");
         let mut folders: Vec<String> = std::fs::read_dir(&top)
             .unwrap()
@@ -200,8 +200,8 @@ mod tests {
             .map(|entry| entry.file_name().into_string().unwrap())
             .collect();
         folders.sort();
-        let carried: Vec<&str> = FOLDERS.iter().map(|(folder, _)| *folder).collect();
-        assert_eq!(folders, carried);
+        let built_in: Vec<&str> = FOLDERS.iter().map(|(folder, _)| *folder).collect();
+        assert_eq!(folders, built_in);
         for (folder, files) in FOLDERS {
             let exercise = read(folder, files).unwrap();
             assert!(exercise.text().len() > 1000, "{folder}");
@@ -226,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn the_answer_is_not_among_what_one_starts_from() {
+    fn start_files_do_not_contain_the_answer() {
         for exercise in all() {
             for (name, _) in exercise.start_files() {
                 assert!(!name.contains("reference"), "{}: {name}", exercise.id);

@@ -1,4 +1,4 @@
-//! Measures the checker: each mistake of the catalogue is made in the exercise's model, submitted and looked for.
+//! Measures the checker: makes each mistake of the catalogue in the exercise's model solution, and checks the result.
 
 use crate::check::{Checker, check};
 use crate::exercise::Exercise;
@@ -13,22 +13,22 @@ use serde::{Deserialize, Serialize};
 /// Counts of mistakes by how they were named.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct MistakeCounts {
-    /// Handed in, and to be seen in some scene.
+    /// Mistakes that are visible in some scene.
     pub visible: usize,
-    /// Named right, alone or among names that no picture tells apart.
+    /// Mistakes that were named, alone or among alternatives with the same picture.
     pub named: usize,
-    /// Called wrong without any name.
+    /// Submissions that were called wrong, without a mistake being named.
     pub unnamed: usize,
-    /// Given another name: what was made, and what was said.
+    /// Mistakes that were given another name: the mistakes made, and those named.
     pub misnamed: Vec<(String, String)>,
-    /// Not to be seen in this exercise: called right, and rightly so.
+    /// Mistakes that are invisible in this exercise, and called right.
     pub invisible: usize,
-    /// Pairs of which one hides the other, and alone explains the whole picture.
+    /// Pairs in which one mistake hides the other, and explains the whole picture alone.
     pub hidden: usize,
 }
 
 impl MistakeCounts {
-    /// The share named right, of those that can be seen: 1 of none.
+    /// The share of visible mistakes that were named; 1 if none is visible.
     pub fn share(&self) -> f64 {
         if self.visible == 0 { 1.0 } else { self.named as f64 / self.visible as f64 }
     }
@@ -38,7 +38,7 @@ impl MistakeCounts {
             self.invisible += 1;
             return;
         }
-        // Under its own name, or under one that no picture tells from it.
+        // Named by its id, or by an alternative with the same picture.
         let is_made = |found: &gonio_check::verdict::FoundMistake| {
             made.iter().any(|id| found.id == *id || found.or.iter().any(|or| or == id))
         };
@@ -48,32 +48,32 @@ impl MistakeCounts {
             return;
         }
         self.visible += 1;
-        let is_said =
+        let is_named =
             |id: &&str| verdict.mistakes.iter().any(|found| found.id == **id || found.or.iter().any(|or| or == *id));
-        let said: Vec<&str> = verdict.mistakes.iter().map(|found| found.id.as_str()).collect();
-        if made.iter().all(is_said) && said.len() == made.len() {
+        let named: Vec<&str> = verdict.mistakes.iter().map(|found| found.id.as_str()).collect();
+        if made.iter().all(is_named) && named.len() == made.len() {
             self.named += 1;
-        } else if said.is_empty() {
+        } else if named.is_empty() {
             self.unnamed += 1;
         } else {
-            self.misnamed.push((made.join(" and "), said.join(" and ")));
+            self.misnamed.push((made.join(" and "), named.join(" and ")));
         }
     }
 }
 
-/// An exercise's measure.
+/// The measurement of an exercise.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Score {
-    /// The exercise's word.
+    /// The exercise's id.
     pub exercise: String,
-    /// Mistakes by themselves.
+    /// Single mistakes.
     pub single: MistakeCounts,
-    /// Two at once.
+    /// Pairs of mistakes.
     pub pairs: MistakeCounts,
 }
 
-/// Makes every mistake of the catalogue that an exercise's model can have, every way to make it, and `pairs` pairs of them spread
-/// evenly over all.
+/// Makes every variant of every mistake of the catalogue in an exercise's model solution, and `pairs` pairs of them, spread
+/// evenly over all pairs, and checks each.
 pub fn measure(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Result<Score, GlError> {
     let mut score = Score { exercise: exercise.id.clone(), ..Score::default() };
     let Some(task) = Task::find(&exercise.id) else { return Ok(score) };
@@ -87,7 +87,7 @@ pub fn measure(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Resu
     };
     let ids =
         |h: &Hypothesis| -> Vec<&str> { h.mistakes.iter().map(|&m| hypotheses.mistakes[m].id.as_str()).collect() };
-    // Those that show by themselves: nothing else can be one of two.
+    // Mistakes that are visible alone: only these can be part of a pair.
     let mut shown: Vec<(&Hypothesis, Option<Evidence>)> = Vec::new();
     for single in &singles {
         let (verdict, evidence) = hand_in(single)?;
@@ -111,7 +111,7 @@ pub fn measure(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Resu
     Ok(score)
 }
 
-/// Whether one of two mistakes draws the same by itself: then no picture tells that there are two.
+/// Whether one of two mistakes draws the same picture alone, so that no picture shows that there are two.
 fn is_same_picture(both: &Option<Evidence>, alone: &Option<Evidence>) -> bool {
     let (Some(both), Some(alone)) = (both, alone) else { return false };
     Comparison::new(&both.seen, &alone.seen, both.scenes.len()).is_same()

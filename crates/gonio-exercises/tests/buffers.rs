@@ -1,4 +1,4 @@
-//! Vertex buffers in every format and order, and everything that is none.
+//! Vertex buffers in every format and order, and files that are not vertex buffers.
 
 use gonio_check::verdict::Outcome;
 use gonio_exercises::buffers::{Attributes, Expected, MOST_BYTES, Vertex, choose, compare, names, read_buffer};
@@ -28,7 +28,7 @@ fn a_right_buffer_is_right_in_every_format_and_order() {
     assert!(tried > 400, "only {tried}");
 }
 
-/// What the start files and references in Python and C++ wrote.
+/// The output of the start files and references in Python and C++.
 #[test]
 fn the_exercises_own_programs_are_judged_rightly() {
     let models = models();
@@ -39,7 +39,7 @@ fn the_exercises_own_programs_are_judged_rightly() {
         let buffer = read_buffer(&name, &bytes).expect("a buffer");
         let (chosen, expected) = choose(&models, &format!("{stem}.csv"), &buffer).expect("a model");
         assert_eq!(*chosen, format!("{stem}.obj"));
-        // Without the name's help.
+        // Without the help of the name.
         let (chosen, _) = choose(&models, "buffer.csv", &buffer).expect("a model");
         assert_eq!(*chosen, format!("{stem}.obj"), "{name} by its numbers");
         let verdict = compare(expected, &buffer);
@@ -57,7 +57,7 @@ fn the_exercises_own_programs_are_judged_rightly() {
     }
 }
 
-/// A quad's other diagonal, a pentagon's other fans: the same surface.
+/// The other diagonal of a quad and the other fans of a pentagon give the same surface.
 #[test]
 fn convex_polygons_may_be_cut_in_any_way() {
     let (_, house) = models().into_iter().find(|(name, _)| name == "house.obj").expect("the house");
@@ -97,7 +97,7 @@ fn few_digits_are_right_with_a_warning() {
     }
 }
 
-/// A column that the model has and the buffer has not is a mistake, and hides no other.
+/// A column that the model has and the buffer lacks is a mistake, and does not hide others.
 #[test]
 fn missing_columns_are_named_beside_other_mistakes() {
     let (_, cube) = models().into_iter().find(|(name, _)| name == "cube.obj").expect("the cube");
@@ -115,7 +115,7 @@ fn missing_columns_are_named_beside_other_mistakes() {
     assert_eq!(without(&turned, true, false), ["normals-missing", "winding-reversed"]);
 }
 
-/// v from the top is right for whoever does not flip his pictures: never wrong by itself.
+/// v from the top is right if images are not flipped: it is never wrong by itself.
 #[test]
 fn a_flipped_v_is_a_peculiarity() {
     for (name, expected) in models().iter().filter(|(_, expected)| expected.attributes().tex_coords) {
@@ -144,29 +144,29 @@ fn the_example_shows_the_line_of_the_model() {
     let first_face = text.lines().position(|line| line.starts_with("f ")).expect("a face");
     assert_eq!(example.line, Some(first_face as u64 + 1));
     assert_eq!(Some(example.line_text.as_str()), text.lines().nth(first_face));
-    let given = example.given.expect("what was given");
-    let expected = example.expected.expect("what was expected");
+    let given = example.given.expect("the given triangle");
+    let expected = example.expected.expect("the expected triangle");
     assert_eq!([given[1], given[0], given[2]], expected);
 }
 
 #[test]
 fn another_models_buffer_is_unsure() {
     let models = models();
-    let find = |wanted: &str| &models.iter().find(|(name, _)| name == wanted).expect("a model").1;
+    let find = |wanted_name: &str| &models.iter().find(|(name, _)| name == wanted_name).expect("a model").1;
     let vertices: Vec<Vertex> = find("gem.obj").vertices().collect();
     let buffer = read_buffer("x.csv", &csv(&vertices, find("gem.obj").attributes(), ",", true)).expect("a buffer");
     let verdict = compare(find("cube.obj"), &buffer);
     assert_eq!((verdict.verdict, verdict.mistakes.len()), (Outcome::Unsure, 0));
     assert_eq!(choose(&models, "mine.csv", &buffer).expect("a model").0, "gem.obj");
-    // What the student says it is comes first.
+    // The name that the student gives comes first.
     assert_eq!(choose(&models, "out/Cube.csv", &buffer).expect("a model").0, "cube.obj");
     assert!(choose(&[], "cube.csv", &buffer).is_none());
 }
 
 #[test]
-fn the_list_of_mistakes_is_whole() {
+fn the_list_of_mistakes_is_complete() {
     let ids: BTreeSet<&str> = names().map(|mistake| mistake.id).collect();
-    assert_eq!(ids.len(), names().count(), "an id is there twice");
+    assert_eq!(ids.len(), names().count(), "an id occurs twice");
     for mistake in names() {
         assert!(mistake.id.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-'), "{}", mistake.id);
         assert!(!mistake.name.ends_with('.') && mistake.explanation.ends_with('.'), "{}", mistake.id);
@@ -184,10 +184,10 @@ type Bad = (&'static str, &'static [u8], Option<u64>, Option<u64>, &'static str)
 const BAD: &[Bad] = &[
     ("a.csv", b"", None, None, "empty"),
     ("a.csv", b"\n# nothing\n\n", None, None, "no rows"),
-    ("a.csv", b"x,y,z\n", None, None, "header and no rows"),
+    ("a.csv", b"x,y,z\n", None, None, "header but no rows"),
     ("a.csv", b"x,y,z\n1,2,3\n1,two,3\n", Some(3), Some(3), "`two` is not a number"),
     ("a.csv", b"1,2,3\n4,,6\n", Some(2), Some(3), "missing"),
-    ("a.csv", b"1,2,3\n4,5\n", Some(2), None, "2 numbers, the first one 3"),
+    ("a.csv", b"1,2,3\n4,5\n", Some(2), None, "2 numbers, but the first one has 3"),
     ("a.csv", b"1,2,3,4\n", Some(1), None, "4 numbers"),
     ("a.csv", b"x,y,u,v\n1,2,3,4\n", Some(1), None, "no column z"),
     ("a.csv", b"x,y,z,u\n1,2,3,4\n", Some(1), None, "no column v"),
@@ -206,8 +206,8 @@ const BAD: &[Bad] = &[
     ("a.json", b"[[1,2,3],[4,5]]", None, None, "row 2 has 2 numbers"),
     ("a.json", b"[[1,2,3,4]]", None, None, "a row has 4 numbers"),
     ("a.json", b"[[1,2,3],\"x\"]", None, None, "row 2"),
-    ("a.json", b"{\"colour\": 3}", None, None, "expected is"),
-    ("a.json", b"7", None, None, "expected is"),
+    ("a.json", b"{\"colour\": 3}", None, None, "expected a list"),
+    ("a.json", b"7", None, None, "expected a list"),
     ("a.json", b"[{\"x\":1,\"y\":2}]", None, None, "no number `z`"),
     ("a.json", b"[{\"position\":[1,2]}]", None, None, "2 numbers instead of 3"),
     ("a.json", b"{\"positions\":[[0,0,0]],\"normals\":[]}", None, None, "1 positions and 0 normals"),
@@ -217,7 +217,7 @@ const BAD: &[Bad] = &[
 ];
 
 #[test]
-fn errors_say_what_and_where() {
+fn errors_state_the_cause_and_the_place() {
     for (name, bytes, line, column, part) in BAD {
         let text = String::from_utf8_lossy(bytes);
         let Err(error) = read_buffer(name, bytes) else { panic!("{name} {text:?} was read") };
@@ -236,7 +236,7 @@ fn too_large_files_are_refused_before_they_are_read() {
     assert!(read_buffer("a.json", &deep).expect_err("too deep").message.contains("recursion"));
 }
 
-/// Every format cut off anywhere and with bytes changed: an error or a verdict.
+/// Every format, truncated and with changed bytes, gives an error or a verdict.
 #[test]
 fn broken_files_never_panic() {
     let models = models();
@@ -266,7 +266,7 @@ fn broken_files_never_panic() {
     assert!(errors > 5000 && verdicts > 3000, "{errors} errors, {verdicts} verdicts");
 }
 
-/// Numbers at the ends of what floats hold, in a buffer and in a model.
+/// Numbers at the limits of floats, in a buffer and in a model.
 #[test]
 fn extreme_numbers_are_compared() {
     let models = models();
@@ -316,7 +316,7 @@ fn random(state: &mut u64, below: usize) -> usize {
     (*state >> 33) as usize % below
 }
 
-/// The triangles in another order, each starting at another corner.
+/// The triangles in random order, each starting at a random corner.
 fn shuffled(vertices: &[Vertex], seed: u64) -> Vec<Vertex> {
     let mut state = seed;
     let mut triangles: Vec<[Vertex; 3]> = vertices.as_chunks::<3>().0.to_vec();
@@ -327,7 +327,7 @@ fn shuffled(vertices: &[Vertex], seed: u64) -> Vec<Vertex> {
     triangles.concat()
 }
 
-/// x y z, u v, nx ny nz, as far as there are.
+/// x y z, u v, nx ny nz, as far as they exist.
 fn row(vertex: &Vertex, has: Attributes) -> Vec<f32> {
     let mut row = vertex.position.to_vec();
     if has.tex_coords {
@@ -354,7 +354,7 @@ fn csv(vertices: &[Vertex], has: Attributes, separator: &str, header: bool) -> V
     text.into_bytes()
 }
 
-/// A file; `!` in the format's name says that a warning belongs to it.
+/// A file; `!` in the format's name means that reading it gives a warning.
 struct Format {
     name: &'static str,
     file: String,

@@ -1,4 +1,4 @@
-//! Six pictures of a panorama's faces, right and wrong, as files are handed in.
+//! Submissions of six pictures of a panorama's faces, right and wrong.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use gonio_check::CheckOptions;
@@ -44,7 +44,7 @@ fn files(faces: &[Image; 6], names: [&str; 6]) -> Vec<SourceFile> {
 
 const NAMES: [&str; 6] = ["posx.png", "negx.png", "posy.png", "negy.png", "posz.png", "negz.png"];
 
-/// Each pixel of a picture from another place of it.
+/// A picture whose pixels come from other places of an image.
 fn from_elsewhere(image: &Image, place: impl Fn(u32, u32) -> (u32, u32)) -> Image {
     let mut other = image.clone();
     for y in 0..image.height {
@@ -69,7 +69,7 @@ struct TestLab {
 
 impl TestLab {
     fn new() -> Self {
-        let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+        let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
         TestLab { checker: Checker::new(context.gl()), _context: context }
     }
 
@@ -116,7 +116,7 @@ fn right_faces_are_right_under_every_name_filter_and_size() {
 }
 
 #[test]
-fn each_face_that_lies_wrong_is_named() {
+fn each_face_with_a_wrong_orientation_is_named() {
     let mut lab = TestLab::new();
     let last = SIDE - 1;
     let left = |image: &Image| from_elsewhere(image, |x, y| (last - y, x));
@@ -141,7 +141,7 @@ fn each_face_that_lies_wrong_is_named() {
 }
 
 #[test]
-fn what_is_wrong_with_all_faces_is_one_mistake() {
+fn a_mistake_in_all_faces_is_one_mistake() {
     let mut lab = TestLab::new();
     let last = SIDE - 1;
     let photographic = converted(&panorama(), SIDE, Filter::Bilinear).faces(Layout::Photographic);
@@ -171,7 +171,7 @@ fn what_is_wrong_with_all_faces_is_one_mistake() {
 }
 
 #[test]
-fn another_panorama_is_taken_where_one_lies_beside_the_faces() {
+fn a_panorama_beside_the_faces_is_used() {
     let mut lab = TestLab::new();
     let other = Panorama::from_function(256, 128, |d| {
         0.5 + 0.4 * glam::DVec3::new((3.0 * d.x).sin(), (4.0 * d.y + d.x).cos(), d.z)
@@ -184,7 +184,7 @@ fn another_panorama_is_taken_where_one_lies_beside_the_faces() {
 }
 
 #[test]
-fn what_cannot_be_judged_is_said() {
+fn reasons_for_no_verdict_are_reported() {
     let mut lab = TestLab::new();
     let mut five = files(&faces(), NAMES);
     five.remove(2);
@@ -193,7 +193,7 @@ fn what_cannot_be_judged_is_said() {
     let mut odd = files(&faces(), NAMES);
     odd[5] = file("negz.png", &converted(&panorama(), 64, Filter::Area).faces(Layout::OpenGl)[5]);
     let tiny = files(&converted(&panorama(), 16, Filter::Area).faces(Layout::OpenGl), NAMES);
-    for (what, files, said) in [
+    for (what, files, reason) in [
         ("five faces", five, "posy"),
         ("a broken file", broken, "negy.png"),
         ("two sizes", odd, "64 x 64"),
@@ -201,6 +201,6 @@ fn what_cannot_be_judged_is_said() {
     ] {
         let verdict = lab.check(files);
         assert_eq!(verdict.verdict, Outcome::Unsure, "{what}: {}", verdict.summary);
-        assert!(verdict.summary.contains(said), "{what}: {}", verdict.summary);
+        assert!(verdict.summary.contains(reason), "{what}: {}", verdict.summary);
     }
 }

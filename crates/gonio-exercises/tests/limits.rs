@@ -1,4 +1,4 @@
-//! What is too large or too deep for a driver is a verdict with its line; the driver is not asked.
+//! Shaders that are too large or too deep for a driver give a verdict with a line, and never reach the driver.
 #![allow(clippy::unwrap_used)]
 
 #[path = "../../gonio-glsl/tests/hostile/mod.rs"]
@@ -17,8 +17,8 @@ fn files(pair: &hostile::Pair) -> Vec<SourceFile> {
 }
 
 #[test]
-fn what_is_too_large_is_a_verdict_and_no_crash() {
-    let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+fn shaders_that_are_too_large_give_a_verdict_and_no_crash() {
+    let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
     let mut checker = Checker::new(context.gl());
     let exercise = exercise::find("ex04").unwrap();
     let mut refused = 0;
@@ -28,7 +28,7 @@ fn what_is_too_large_is_a_verdict_and_no_crash() {
         assert_eq!(verdict.verdict, Outcome::DoesNotCompile, "{}: {}", pair.name, verdict.summary);
         assert!(verdict.messages[0].line.is_some_and(|line| line > 1), "{}: {:?}", pair.name, verdict.messages[0]);
         assert!(verdict.summary.starts_with("a.") && verdict.summary.lines().count() == 1, "{}", verdict.summary);
-        // A live preview does not give it to the driver either.
+        // A live preview does not pass it to the driver either.
         let source = SubmittedPair::gather(exercise, files(pair)).unwrap();
         assert!(source.compile(context.gl()).is_err_and(|notes| !notes.is_empty()), "{}", pair.name);
         refused += 1;
@@ -37,7 +37,7 @@ fn what_is_too_large_is_a_verdict_and_no_crash() {
 }
 
 #[test]
-fn what_is_deep_and_within_the_limits_is_judged_on_a_thread_of_its_own() {
+fn deep_shaders_within_the_limits_are_checked_on_a_thread_of_their_own() {
     let names = [
         "a sum of 240 terms",
         "240 brackets",
@@ -48,8 +48,8 @@ fn what_is_deep_and_within_the_limits_is_judged_on_a_thread_of_its_own() {
         "240 swizzles",
         "200 functions that call each other",
     ];
-    // This thread has 2 MiB, as threads have by default.
-    let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+    // This thread has a stack of 2 MiB, the default of threads.
+    let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
     let mut checker = Checker::new(context.gl());
     let exercise = exercise::find("ex04").unwrap();
     for name in names {

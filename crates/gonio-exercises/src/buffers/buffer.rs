@@ -6,15 +6,15 @@ use std::fmt;
 /// A vertex of a triangle list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Vertex {
-    /// In the model's space and unit.
+    /// Position in model space, in the model's unit.
     pub position: [f32; 3],
-    /// u to the right, v up; zero where there is none.
+    /// u to the right, v up; zero if the model has none.
     pub tex_coord: [f32; 2],
-    /// Of unit length; zero if absent.
+    /// Unit normal; zero if absent.
     pub normal: [f32; 3],
 }
 
-/// Which attributes beside the position there are.
+/// The attributes that exist besides the position.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Attributes {
     /// Texture coordinates.
@@ -24,7 +24,7 @@ pub struct Attributes {
 }
 
 impl Attributes {
-    /// From 0 to 3, another one for each.
+    /// A number from 0 to 3, different for each combination.
     pub(super) fn number(self) -> usize {
         usize::from(self.tex_coords) + 2 * usize::from(self.normals)
     }
@@ -34,46 +34,46 @@ impl Attributes {
     }
 }
 
-/// Unit length, or zero where there is none; what is not finite stays.
+/// The vector at unit length. Vectors of length 0 and vectors that are not finite stay unchanged.
 pub(super) fn unit(normal: [f32; 3]) -> [f32; 3] {
     let wide = normal.map(f64::from);
     let length = wide.iter().map(|x| x * x).sum::<f64>().sqrt();
     if length.is_finite() && length > 1e-12 { wide.map(|x| (x / length) as f32) } else { normal }
 }
 
-/// A vertex buffer as it was read. What columns without names mean is decided when it is compared with a model.
+/// A vertex buffer as it was read. The meaning of columns without names is decided when it is compared with a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Buffer {
     pub(super) data: Data,
-    /// What was survived, a sentence each.
+    /// Oddities in the file, one sentence each.
     pub warnings: Vec<String>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Data {
-    /// The file says what its columns are. Three vertices a triangle.
+    /// The file names its columns. Three vertices per triangle.
     Named { vertices: Vec<Vertex>, has: Attributes },
-    /// So many numbers a row, without names.
+    /// Rows of `width` numbers, without names.
     Rows { values: Vec<f32>, width: usize },
     /// Bytes without rows.
     Raw { bytes: Vec<u8>, stride: Option<usize> },
 }
 
-/// One way of taking a buffer's columns.
+/// One interpretation of a buffer's columns.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Reading {
     pub(super) vertices: Vec<Vertex>,
     pub(super) has: Attributes,
-    /// What is unusual about it.
+    /// A warning if this interpretation is unusual.
     pub(super) remark: Option<&'static str>,
 }
 
-/// Columns without names: how many there are, and what they hold.
+/// A meaning of columns without names.
 struct Layout {
     width: usize,
-    /// Where it starts.
+    /// First column of the texture coordinate.
     tex_coord: Option<usize>,
-    /// Where it starts.
+    /// First column of the normal.
     normal: Option<usize>,
     remark: Option<&'static str>,
 }
@@ -95,7 +95,7 @@ const LAYOUTS: [Layout; 5] = [
 pub(super) const WIDTHS: [usize; 4] = [3, 5, 6, 8];
 
 impl Buffer {
-    /// Every way of taking the columns, the documented one first; never empty.
+    /// All interpretations of the columns, the documented one first; never empty.
     pub(super) fn readings(&self) -> Vec<Reading> {
         match &self.data {
             Data::Named { vertices, has } => {
@@ -119,7 +119,7 @@ fn by_width(values: &[f32], width: usize, remark: Option<&'static str>) -> Vec<R
         .collect()
 }
 
-/// As 32-bit floats, then as 64-bit ones: what NumPy and JavaScript's arrays hold unless told.
+/// Interpretations as 32-bit floats, then as 64-bit floats, which are the default of NumPy and JavaScript.
 fn readings_of_bytes(bytes: &[u8], stride: Option<usize>) -> Vec<Reading> {
     const DOUBLES: &str = "the numbers are 64-bit floats; expected 32-bit ones (float, np.float32, Float32Array)";
     let singles: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
@@ -145,24 +145,24 @@ fn vertex(row: &[f32], tex_coord: Option<usize>, normal: Option<usize>) -> Verte
     }
 }
 
-/// Why a file is no vertex buffer: one sentence, and where in the file.
+/// The reason why a file is not a vertex buffer, and the place in the file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BufferError {
-    /// The error and the remedy.
+    /// The error and how to fix it, in one sentence.
     pub message: String,
-    /// From 1; none where the whole file is meant, or where it has no lines.
+    /// Line, from 1; `None` if the error concerns the whole file, or if the file has no lines.
     pub line: Option<u64>,
-    /// In bytes, from 1.
+    /// Column in bytes, from 1.
     pub column: Option<u64>,
 }
 
 impl BufferError {
-    /// About the whole file.
+    /// An error about the whole file.
     pub fn new(message: impl Into<String>) -> Self {
         BufferError { message: message.into(), line: None, column: None }
     }
 
-    /// The same at a line, and perhaps a column.
+    /// The same error at a line and, if known, a column.
     pub fn at(mut self, line: u64, column: Option<u64>) -> Self {
         self.line = Some(line);
         self.column = column;

@@ -1,4 +1,4 @@
-//! A student's buffer against a model: the same, and if not, why.
+//! Compares a student's buffer with a model, and explains the difference.
 
 use super::buffer::{Attributes, Buffer, Reading, Vertex};
 use super::expected::{Expected, Hypothesis};
@@ -9,25 +9,25 @@ use super::same::{self, Left};
 use gonio_check::verdict::Outcome;
 use serde::Serialize;
 
-/// What a mistake must explain to be named: triangles in both buffers by those in either. Below it, nothing is said but
-/// that the buffer is wrong. Set by the exercise.
+/// The share that a mistake must explain to be named: triangles in both buffers divided by those in either. The exercise
+/// sets it.
 const ENOUGH: f64 = 0.95;
 
-/// How far numbers of too few digits may be off, in the parts of [`super::keys::TOLERANCE`].
+/// Tolerance for numbers with too few digits, relative like [`super::keys::TOLERANCE`].
 const FEW_DIGITS: f64 = 5e-3;
 
-/// All that is said of a buffer.
+/// The result of comparing a buffer with a model.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BufferFindings {
-    /// In a word.
+    /// The outcome.
     pub verdict: Outcome,
-    /// Mistakes that together explain the difference; empty where none of the known ones does.
+    /// Mistakes that together explain the difference; empty if no known ones do.
     pub mistakes: Vec<BufferMistake>,
     /// Other explanations that fit exactly as well on this model, each as the ids of its mistakes.
     pub alternatives: Vec<Vec<&'static str>>,
-    /// Peculiarities that are no mistakes, a sentence each.
+    /// Peculiarities that are not mistakes, one sentence each.
     pub warnings: Vec<String>,
-    /// The difference, where there is one.
+    /// A triangle that differs, if there is one.
     pub example: Option<Example>,
     /// The shares of the buffer that are right.
     pub shares: Shares,
@@ -36,11 +36,11 @@ pub struct BufferFindings {
 /// A mistake in a buffer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BufferMistake {
-    /// Stable, in kebab-case: one of [`super::names`].
+    /// Stable id, in kebab-case: one of [`super::names`].
     pub id: &'static str,
     /// The title.
     pub name: &'static str,
-    /// What the program does, and the consequence.
+    /// The behaviour of the program, and the consequence.
     pub explanation: &'static str,
     /// The change that fixes it.
     pub how_to_fix: &'static str,
@@ -50,35 +50,35 @@ pub struct BufferMistake {
     pub example: Option<Example>,
 }
 
-/// A triangle as the student has it and as it should be.
+/// A triangle of the student's buffer, and the expected one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Example {
-    /// The vertices' first row in the buffer, from 1; none where the triangle is missing.
+    /// Row of the first vertex in the buffer, from 1; `None` if the triangle is missing.
     pub row: Option<u64>,
-    /// As in the buffer.
+    /// The vertices in the buffer.
     pub given: Option<[Vertex; 3]>,
-    /// As it should be; none where none of the model's triangles belongs to it.
+    /// The expected vertices; `None` if none of the model's triangles corresponds to it.
     pub expected: Option<[Vertex; 3]>,
     /// The line of the model with the face, from 1.
     pub line: Option<u64>,
-    /// That line.
+    /// The text of that line.
     pub line_text: String,
 }
 
-/// How much of a buffer is right, as triangles in both by the triangles of the larger one.
+/// The shares of a buffer that are right: matching triangles divided by the triangles of the larger buffer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Shares {
-    /// Triangles of the model.
+    /// Number of triangles of the model.
     pub triangles_expected: u64,
-    /// Triangles of the buffer.
+    /// Number of triangles of the buffer.
     pub triangles_given: u64,
-    /// Everything compared.
+    /// All compared attributes.
     pub all: f64,
     /// Positions alone.
     pub positions: f64,
-    /// Texture coordinates alone; none where the model or the buffer has none.
+    /// Texture coordinates alone; `None` if the model or the buffer has none.
     pub tex_coords: Option<f64>,
-    /// Normals alone; none where the model or the buffer has none.
+    /// Normals alone; `None` if the model or the buffer has none.
     pub normals: Option<f64>,
 }
 
@@ -91,15 +91,15 @@ pub fn compare(expected: &Expected, buffer: &Buffer) -> BufferFindings {
     comparison.verdict()
 }
 
-/// Which of several models a buffer is of: the one whose file name it has, else the one whose numbers it has; none of
-/// none. Each model is its file's name and what is expected of it.
+/// The model that a buffer belongs to: the one with the same file name, otherwise the most similar one; `None` if there are
+/// no models. Each model is its file name and its expected buffer.
 pub fn choose<'a>(models: &'a [(String, Expected)], name: &str, buffer: &Buffer) -> Option<&'a (String, Expected)> {
     let stem = |name: &str| {
         let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
         name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_ascii_lowercase()
     };
-    let wanted = stem(name);
-    models.iter().find(|(name, _)| stem(name) == wanted).or_else(|| {
+    let stem_of_buffer = stem(name);
+    models.iter().find(|(name, _)| stem(name) == stem_of_buffer).or_else(|| {
         let likeness = |expected: &Expected| {
             let reading = likely_reading(expected, buffer);
             let [all, positions] = [true, false].map(|all| {
@@ -118,15 +118,15 @@ fn known(expected: &Expected, reading: &Reading) -> f64 {
     expected.keys.share_known(&reading.vertices, expected.has.and(reading.has))
 }
 
-/// Of several ways to take the columns the one that is most like the model; the first of equals.
+/// The interpretation of the columns that is most similar to the model; the first if several are.
 fn likely_reading(expected: &Expected, buffer: &Buffer) -> Reading {
     let score = |reading: &Reading| {
         let compared = expected.has.and(reading.has);
         let given = SubmittedTriangles::new(&triangles_of(reading), &expected.keys, compared);
         let right = share_of(&expected_keys(expected, compared), &given);
         let has_all_rows = reading.vertices.len() == 3 * expected.triangles.len();
-        // Right triangles decide. In a wrong buffer the numbers do, then how many rows there are and whether the
-        // columns are those that the model has.
+        // Matching triangles decide. In a wrong buffer the numbers do, then the number of rows and whether the columns are
+        // those of the model.
         let pairs = [(expected.has.tex_coords, reading.has.tex_coords), (expected.has.normals, reading.has.normals)];
         let others = pairs.iter().filter(|(expected, has)| expected != has).count();
         4.0 * right + known(expected, reading) + if has_all_rows { 0.05 } else { 0.0 } - 0.01 * others as f64
@@ -161,7 +161,7 @@ struct Comparison<'a> {
     compared: Attributes,
     triangles: Vec<[Vertex; 3]>,
     given: SubmittedTriangles,
-    /// Columns that the model has and the buffer has not.
+    /// Mistakes for columns that the model has and the buffer lacks.
     lacking: Vec<&'static Mistake>,
     warnings: Vec<String>,
     shares: Shares,
@@ -192,7 +192,7 @@ impl<'a> Comparison<'a> {
     }
 
     fn shares(&self) -> Shares {
-        // One attribute at a time, the positions blanked out by giving all vertices the same.
+        // One attribute at a time: all vertices get the same position.
         let alone = |keep: fn(&Vertex) -> Vertex, compared: Attributes| {
             let blank = |corners: &[Vertex; 3]| corners.map(|vertex| keep(&vertex));
             let given: Vec<[Vertex; 3]> = self.triangles.iter().map(blank).collect();
@@ -224,7 +224,7 @@ impl<'a> Comparison<'a> {
         }
         let coarse = same::loosely(self.expected, &self.triangles, left.clone(), self.compared, FEW_DIGITS);
         if coarse.is_nothing() {
-            let warning = "numbers are rounded to few digits: right, but write at least six (std::setprecision, %.6f)";
+            let warning = "numbers are rounded to few digits: the buffer is right, but write at least six digits (std::setprecision, %.6f)";
             self.warnings.push(warning.to_owned());
             return self.only_lacking();
         }
@@ -234,10 +234,10 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// Everything that can be compared is right.
+    /// Findings if everything that can be compared is right.
     fn only_lacking(self) -> BufferFindings {
         let verdict = if self.lacking.is_empty() { Outcome::Correct } else { Outcome::Wrong };
-        let mistakes = self.lacking.iter().map(|mistake| in_words(mistake, 1.0, None)).collect();
+        let mistakes = self.lacking.iter().map(|mistake| buffer_mistake(mistake, 1.0, None)).collect();
         BufferFindings {
             verdict,
             mistakes,
@@ -248,7 +248,7 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// The best explanations: all that fit equally well, of the fewest mistakes.
+    /// The best explanations: those with the fewest mistakes, all that fit equally well.
     fn best(&self) -> Option<Best<'a>> {
         let singles = self.best_of(&self.expected.wrong_buffers(self.compared).singles);
         if singles.as_ref().is_some_and(|best| best.fit.share >= 1.0 && best.fit.open == 0) {
@@ -258,7 +258,7 @@ impl<'a> Comparison<'a> {
         match (singles, pairs) {
             (Some(singles), Some(pairs))
                 if pairs.fit.share > singles.fit.share + 1e-9
-                    // What is known to the last number comes before what leaves some open.
+                    // An explanation without unknown values comes before one with some.
                     || (pairs.fit.share >= 1.0 && pairs.fit.open == 0) =>
             {
                 Some(pairs)
@@ -287,7 +287,7 @@ impl<'a> Comparison<'a> {
     }
 
     fn explained(self, mut best: Best<'a>, left: &Left) -> BufferFindings {
-        // Equally good: likely mistakes first, which is their order in the table.
+        // Equally good explanations: likely mistakes first, which is the order of the table.
         best.hypotheses.sort_by(|a, b| a.wrong.mistakes.cmp(&b.wrong.mistakes));
         let named = best.hypotheses[0];
         let base = self.shares.all;
@@ -295,12 +295,12 @@ impl<'a> Comparison<'a> {
         let example = self.example(left, Some(named));
         let mut warnings = self.warnings;
         let mut mistakes: Vec<BufferMistake> =
-            self.lacking.iter().map(|mistake| in_words(mistake, 1.0, None)).collect();
+            self.lacking.iter().map(|mistake| buffer_mistake(mistake, 1.0, None)).collect();
         for mistake in named.wrong.mistakes.iter().filter_map(|number| MISTAKES.get(*number)) {
             if mistake.is_harmless {
                 warnings.push(format!("{}: {}", mistake.words.name, mistake.words.explanation));
             } else {
-                mistakes.push(in_words(mistake, share, example.clone()));
+                mistakes.push(buffer_mistake(mistake, share, example.clone()));
             }
         }
         let mut alternatives: Vec<Vec<&'static str>> = Vec::new();
@@ -316,16 +316,18 @@ impl<'a> Comparison<'a> {
 
     fn unexplained(mut self, left: &Left) -> BufferFindings {
         let vertices: Vec<Vertex> = self.triangles.iter().flatten().copied().collect();
-        // Half of the positions' numbers are nowhere in the file.
+        // More than half of the positions' numbers are not in the file.
         let is_foreign = self.expected.keys.share_known(&vertices, Attributes::default()) < 0.5;
         if is_foreign {
-            self.warnings
-                .push("most of its numbers are not in the model's file: is it the buffer of another model?".to_owned());
+            self.warnings.push(
+                "most of the buffer's numbers are not in the model's file: is it the buffer of another model?"
+                    .to_owned(),
+            );
         }
         let example = self.example(left, None);
         BufferFindings {
             verdict: if is_foreign { Outcome::Unsure } else { Outcome::Wrong },
-            mistakes: self.lacking.iter().map(|mistake| in_words(mistake, 1.0, None)).collect(),
+            mistakes: self.lacking.iter().map(|mistake| buffer_mistake(mistake, 1.0, None)).collect(),
             alternatives: Vec::new(),
             warnings: self.warnings,
             example,
@@ -333,7 +335,7 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// The first of the student's triangles that is not the model's; where there is none, the first one missing.
+    /// The first of the student's triangles without a match; if there is none, the first missing one.
     fn example(&self, left: &Left, named: Option<&Hypothesis>) -> Option<Example> {
         let line_of = |face: Option<usize>| face.and_then(|face| self.expected.source.faces.get(face)).map(|f| f.line);
         let text_of =
@@ -358,7 +360,7 @@ impl<'a> Comparison<'a> {
             };
             made.iter().find(same)?.face
         });
-        // Of that face the triangle that is missing; else the one in the same place, if there are as many.
+        // The missing triangle of that face; otherwise the one in the same place, if the counts are equal.
         let of_face = |face: usize| {
             let missing = left.expected.iter().map(|place| &faces[*place]);
             missing.chain(faces).find(|triangle| triangle.face == Some(face))
@@ -381,7 +383,7 @@ struct Best<'a> {
     hypotheses: Vec<&'a Hypothesis>,
 }
 
-fn in_words(mistake: &Mistake, share_explained: f64, example: Option<Example>) -> BufferMistake {
+fn buffer_mistake(mistake: &Mistake, share_explained: f64, example: Option<Example>) -> BufferMistake {
     let words = mistake.words;
     BufferMistake {
         id: words.id,

@@ -1,11 +1,11 @@
-//! Polygons: how a right reader cuts one, and whether a student's triangles cover one.
+//! Triangulation of polygons: how a correct reader cuts one, and whether a student's triangles cover one.
 
 use glam::DVec3;
 use gonio_mesh::{Limits, NoSidecars};
 use std::collections::HashMap;
 use std::fmt::Write;
 
-/// A polygon's triangles as gonio-mesh cuts them (corners counted from 0), and whether it is convex, so that any
+/// A polygon's triangles as gonio-mesh cuts them (corners counted from 0), and whether the polygon is convex, so that every
 /// triangulation of it draws the same. Fewer than three corners have no triangles.
 pub(super) fn polygon(corners: &[[f32; 3]]) -> (Vec<[usize; 3]>, bool) {
     if corners.len() < 3 {
@@ -15,7 +15,7 @@ pub(super) fn polygon(corners: &[[f32; 3]]) -> (Vec<[usize; 3]>, bool) {
     if is_convex(corners) {
         return (fan(), true);
     }
-    // The same library that reads the model, asked about a model of this polygon alone.
+    // The library that reads the model cuts a model with this polygon alone.
     let mut text = String::new();
     let mut face = String::from("f");
     for (number, [x, y, z]) in (1..).zip(corners) {
@@ -44,7 +44,7 @@ fn area_vector(corners: &[[f32; 3]]) -> DVec3 {
     (0..corners.len()).map(|i| relative(i).cross(relative(i + 1))).sum()
 }
 
-/// Every corner turns the same way; a polygon of one round is meant, as models have them.
+/// Whether every corner turns the same way. Polygons that go around more than once do not occur in models.
 fn is_convex(corners: &[[f32; 3]]) -> bool {
     let n = corners.len();
     let normal = area_vector(corners);
@@ -75,7 +75,7 @@ pub(super) fn covers(corners: &[[f32; 3]], triangles: &[[usize; 3]]) -> bool {
     });
     let sides = (0..n).all(|i| count(i, (i + 1) % n) == 1);
     let normal = area_vector(corners);
-    // Corners on a straight line make triangles without area: rounding may turn them over.
+    // Corners on a straight line make triangles without area, which rounding may turn over.
     let slack = -1e-6 * normal.length_squared();
     let is_upright = triangles.iter().all(|triangle| {
         let [a, b, c] = triangle.map(|i| wide(corners[i]));

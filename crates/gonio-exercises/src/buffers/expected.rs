@@ -1,4 +1,4 @@
-//! The buffers that right and wrong readers make of a model.
+//! The buffers that correct and wrong readers make of a model.
 
 use super::buffer::{Attributes, Vertex, unit};
 use super::fit::Triangles;
@@ -9,24 +9,24 @@ use super::reader::{Reader, Triangle};
 use gonio_mesh::{Limits, Mesh, NoSidecars, ReadError};
 use std::sync::OnceLock;
 
-/// A model's vertex buffer as gonio-mesh reads it, with all that is needed to compare others with it.
+/// A model's vertex buffer as gonio-mesh reads it, with everything that comparisons need.
 pub struct Expected {
     pub(super) source: ObjLines,
     pub(super) triangles: Vec<ExpectedTriangle>,
     pub(super) has: Attributes,
     pub(super) keys: Keys,
-    /// By [`Attributes::number`] of what is compared.
+    /// Indexed by [`Attributes::number`] of the compared attributes.
     wrong_buffers: [OnceLock<WrongBuffers>; 4],
 }
 
-/// A triangle, and the face that it belongs to where that is known.
+/// A triangle, and the face that it belongs to, if known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ExpectedTriangle {
     pub(super) vertices: [Vertex; 3],
     pub(super) face: Option<usize>,
 }
 
-/// The wrong readers' buffers.
+/// The buffers of the wrong readers.
 pub(super) struct WrongBuffers {
     pub(super) singles: Vec<Hypothesis>,
     pairs: OnceLock<Vec<Hypothesis>>,
@@ -38,7 +38,7 @@ pub(super) struct Hypothesis {
     pub(super) made: Triangles,
 }
 
-/// Triangles up to which all pairs of mistakes are kept: some thousands of times as many keys.
+/// Maximum number of triangles for which all pairs of mistakes are kept: there are thousands of pairs.
 const MOST_FOR_PAIRS: usize = 3000;
 
 impl Expected {
@@ -50,24 +50,23 @@ impl Expected {
         let has = Attributes { tex_coords: !mesh.tex_coords.is_empty(), normals: !mesh.normals.is_empty() };
         let keys = Keys::new(&source);
         let of_mesh = triangles_of(&mesh);
-        // The same triangles, with their faces. Where a file is written in a way that only gonio-mesh understands, its
-        // word counts.
+        // The same triangles with their faces, unless the file is written in a way that only gonio-mesh understands.
         let followed: Vec<ExpectedTriangle> = Reader::default().read(&source).iter().filter_map(closed).collect();
         let triangles = if is_same(&of_mesh, &followed, &keys, has) { followed } else { of_mesh };
         Ok(Expected { source, triangles, has, keys, wrong_buffers: Default::default() })
     }
 
-    /// How many triangles the model has.
+    /// Number of triangles of the model.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// Which attributes the model has.
+    /// Attributes of the model.
     pub fn attributes(&self) -> Attributes {
         self.has
     }
 
-    /// The vertices of the right buffer, three a triangle.
+    /// The vertices of the correct buffer, three per triangle.
     pub fn vertices(&self) -> impl Iterator<Item = Vertex> {
         self.triangles.iter().flat_map(|triangle| triangle.vertices)
     }
@@ -79,7 +78,7 @@ impl Expected {
         })
     }
 
-    /// Two mistakes at once; none for a large model, where trying them all would take too long.
+    /// All pairs of mistakes; empty for a large model, where trying them all would take too long.
     pub(super) fn pairs(&self, compared: Attributes) -> &[Hypothesis] {
         let make = || {
             if self.triangles.len() > MOST_FOR_PAIRS {
@@ -106,7 +105,7 @@ fn triangles_of(mesh: &Mesh) -> Vec<ExpectedTriangle> {
     (0..mesh.triangle_count()).map(triangle).collect()
 }
 
-/// A triangle of a right reader, unless an index leads nowhere.
+/// A triangle of a correct reader; `None` if an index is out of range.
 fn closed(made: &Triangle) -> Option<ExpectedTriangle> {
     let vertex = |i: usize| {
         let corner = made.corners[i];

@@ -1,4 +1,4 @@
-//! Measures how well the buffer of a wrong reader fits the student's.
+//! Measures how well the buffer of a wrong reader matches the student's.
 
 use super::buffer::{Attributes, Vertex};
 use super::keys::{CornerKeys, Keys, join, mix, triangle};
@@ -8,26 +8,26 @@ use super::reader::{Corner, Reader, Triangle};
 /// A reader's triangles as keys.
 #[derive(Clone, Debug)]
 pub(super) struct Triangles {
-    /// Rising.
+    /// Keys in ascending order.
     pub(super) keys: Vec<u64>,
-    /// Those with corners of which anything may have come.
+    /// Triangles with corners whose values are unknown.
     pub(super) open: Vec<[CornerKeys; 3]>,
-    /// Equal for equal sets of triangles.
+    /// A hash that is equal for equal sets of triangles.
     pub(super) print: u64,
 }
 
-/// What a program may find behind the end of a list.
+/// The values that a program may read beyond the end of a list.
 #[derive(Clone, Copy)]
 enum Behind {
     Zeros,
     NotANumber,
-    /// It checks, and leaves the triangle out.
+    /// The program checks indices, and leaves the triangle out.
     Nothing,
 }
 
 impl Triangles {
-    /// What may come of a reader: first the triangles with all that may be there behind the ends of lists left open;
-    /// if there are such, also what usually is there.
+    /// The possible results of a reader: first with unknown values for everything read beyond the end of a list; if there is
+    /// any, also with the values that usually are there.
     pub(super) fn read(reader: &Reader, source: &ObjLines, keys: &Keys, compared: Attributes) -> Vec<Self> {
         let made = reader.read(source);
         let open = Self::new(&made, keys, compared, None);
@@ -73,7 +73,7 @@ pub(super) fn corner_keys(made: &Triangle, keys: &Keys, compared: Attributes) ->
     made.corners.map(|corner| keys.corner(&corner, compared))
 }
 
-/// A triangle's key; none where a corner is open.
+/// A triangle's key; `None` if a value of a corner is unknown.
 pub(super) fn closed_key(corners: &[CornerKeys; 3]) -> Option<u64> {
     let [a, b, c] = corners.map(|[p, t, n]| Some(join([p?, t?, n?])));
     Some(triangle([a?, b?, c?]))
@@ -86,7 +86,7 @@ fn print(keys: &[u64]) -> u64 {
 /// The student's triangles.
 pub(super) struct SubmittedTriangles {
     pub(super) corners: Vec<[[u64; 3]; 3]>,
-    /// Keys, rising, with the triangles' numbers.
+    /// Keys in ascending order, with the triangles' numbers.
     pub(super) keys: Vec<(u64, usize)>,
     pub(super) print: u64,
 }
@@ -103,19 +103,19 @@ impl SubmittedTriangles {
     }
 }
 
-/// How well they fit.
+/// The quality of a match.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Fit {
-    /// Triangles in both, by those in either: 1 if they are the same.
+    /// Number of triangles in both, divided by the number in either: 1 if they are the same.
     pub(super) share: f64,
-    /// Of those in both, how many were open.
+    /// Number of matched triangles with unknown values.
     pub(super) open: usize,
 }
 
-/// Products of open triangles and left ones that are tried.
+/// Maximum number of combinations of open triangles and unmatched triangles that are tried.
 const MOST_TRIALS: usize = 4_000_000;
 
-/// Compares a reader's triangles with the student's; none where they cannot reach `least`.
+/// Compares a reader's triangles with the student's; `None` if the share is below `least`.
 pub(super) fn fit(made: &Triangles, given: &SubmittedTriangles, least: f64) -> Option<Fit> {
     let (most, fewest) = (made.keys.len() + made.open.len(), given.keys.len());
     let bound = most.min(fewest) as f64 / made.keys.len().max(fewest).max(1) as f64;
@@ -136,13 +136,13 @@ pub(super) fn fit(made: &Triangles, given: &SubmittedTriangles, least: f64) -> O
     }
     let both = matched + open;
     let either = given.keys.len() + made.keys.len() - matched;
-    // Half of all that could speak for it must do so, beside what anything agrees with.
+    // At least half of all values must be known: unknown values agree with anything.
     let is_enough = 2 * (9 * matched + known) >= 9 * given.keys.len();
     let share = if is_enough { both as f64 / either.max(1) as f64 } else { 0.0 };
     (share >= least).then_some(Fit { share, open })
 }
 
-/// How many keys are in both; calls `left` with the student's others.
+/// Number of keys in both; calls `left` with each of the student's others.
 pub(super) fn matches(made: &[u64], given: &[(u64, usize)], mut left: impl FnMut(usize)) -> usize {
     let (mut made, mut matched) = (made.iter().peekable(), 0);
     for (key, number) in given {
@@ -156,7 +156,7 @@ pub(super) fn matches(made: &[u64], given: &[(u64, usize)], mut left: impl FnMut
     matched
 }
 
-/// Whether all that is known of an open triangle is so in another; half of it must be known.
+/// Whether all known values of an open triangle agree with another; more than half must be known.
 fn is_like(open: &[CornerKeys; 3], given: &[[u64; 3]; 3]) -> bool {
     let agrees = |(open, given): (&CornerKeys, &[u64; 3])| {
         open.iter().zip(given).all(|(open, given)| open.is_none_or(|open| open == *given))
@@ -164,7 +164,7 @@ fn is_like(open: &[CornerKeys; 3], given: &[[u64; 3]; 3]) -> bool {
     known_in(open) >= 5 && (0..3).any(|turn| (0..3).all(|i| agrees((&open[i], &given[(i + turn) % 3]))))
 }
 
-/// Of nine: the positions, texture coordinates and normals of three corners.
+/// Number of known values, at most nine: positions, texture coordinates and normals of three corners.
 fn known_in(open: &[CornerKeys; 3]) -> usize {
     open.iter().flatten().flatten().count()
 }

@@ -3,14 +3,15 @@
 use super::buffer::{Buffer, BufferError, Data, WIDTHS};
 use super::{json, table};
 
-/// Most bytes of a file.
+/// Maximum size of a file, in bytes.
 pub const MOST_BYTES: usize = 100 << 20;
 
-/// Reads a vertex buffer: CSV (or semicolons, tabs, blanks), JSON or raw little-endian floats, by the file's ending, or
-/// by its content where that says nothing. The ending `.raw8` (`6`, `5`, `3`) states the floats of a vertex.
+/// Reads a vertex buffer: CSV (or semicolons, tabs, spaces), JSON or raw little-endian floats. The file's ending decides the
+/// format, or its content if the ending is unknown. The endings `.raw8`, `.raw6`, `.raw5` and `.raw3` state the number of
+/// floats per vertex.
 pub fn read_buffer(name: &str, bytes: &[u8]) -> Result<Buffer, BufferError> {
     if bytes.len() > MOST_BYTES {
-        let message = format!("the file has {} MB; at most {} are read", bytes.len() >> 20, MOST_BYTES >> 20);
+        let message = format!("the file has {} MB; at most {} MB are read", bytes.len() >> 20, MOST_BYTES >> 20);
         return Err(BufferError::new(message));
     }
     if bytes.is_empty() {
@@ -33,17 +34,17 @@ pub fn read_buffer(name: &str, bytes: &[u8]) -> Result<Buffer, BufferError> {
     }
 }
 
-/// Bytes that are looked at to tell text from numbers.
+/// Number of bytes that are examined to distinguish text from numbers.
 const ENOUGH: usize = 4096;
 
-/// Whether a file starts like text: no control characters but line ends and tabs.
+/// Whether a file starts like text: without control characters except line ends and tabs.
 fn looks_like_text(bytes: &[u8]) -> bool {
     let start = &bytes[..bytes.len().min(ENOUGH)];
     start.iter().all(|byte| matches!(byte, b'\t' | b'\n' | b'\r' | 0x0C | 0x20..=0x7E | 0x80..))
         && start.iter().filter(|byte| byte.is_ascii()).count() * 2 >= start.len()
 }
 
-/// Takes bytes for floats, `stride` of them a vertex where the name says so.
+/// Reads bytes as floats. `stride` is the number of floats per vertex, if the file's ending states it.
 fn read_raw(bytes: &[u8], stride: Option<usize>) -> Result<Buffer, BufferError> {
     if !bytes.len().is_multiple_of(4) {
         let message = format!(

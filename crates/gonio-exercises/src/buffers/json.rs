@@ -4,17 +4,17 @@ use super::buffer::{Attributes, Buffer, BufferError, Data, Vertex, WIDTHS, unit}
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use std::fmt;
 
-/// Most bytes: a tree of JSON takes ten times the memory of its text.
+/// Maximum size in bytes: a tree of JSON takes ten times the memory of its text.
 const MOST_BYTES: usize = 32 << 20;
 
-const SHAPES: &str = "expected is a list of rows, a list of objects, {\"positions\", \"tex_coords\", \"normals\"} or \
+const SHAPES: &str = "expected a list of rows, a list of objects, {\"positions\", \"tex_coords\", \"normals\"} or \
                       {\"vertices\", \"indices\"}";
 
 /// Reads JSON.
 pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
     if bytes.len() > MOST_BYTES {
         let message = format!(
-            "the file has {} MB; at most {} of JSON are read: write raw floats instead",
+            "the file has {} MB; at most {} MB of JSON are read: write raw floats instead",
             bytes.len() >> 20,
             MOST_BYTES >> 20
         );
@@ -55,13 +55,13 @@ fn contains_nan(bytes: &[u8]) -> bool {
     bytes.windows(3).any(|window| window.eq_ignore_ascii_case(b"nan"))
 }
 
-/// JSON, with lists of numbers kept small.
+/// A JSON value; lists of numbers are stored compactly.
 enum Tree {
-    /// Of numbers (null is NaN, as JavaScript writes it) alone, or empty.
+    /// A list of numbers only (null is NaN, as JavaScript writes it), or an empty list.
     Numbers(Vec<f32>),
     List(Vec<Tree>),
     Object(Vec<(String, Tree)>),
-    /// Nothing that a buffer is made of, or a number by itself.
+    /// A number by itself, or a value that no buffer contains.
     Other(Option<f32>),
 }
 
@@ -117,7 +117,7 @@ impl<'de> Deserialize<'de> for Tree {
     }
 }
 
-/// A list of numbers without rows is like raw floats.
+/// Treats a list of numbers without rows like raw floats.
 fn flat(values: Vec<f32>) -> Result<Data, BufferError> {
     if !WIDTHS.iter().any(|width| values.len().is_multiple_of(*width)) {
         let message = format!("the list has {} numbers, which is not a multiple of 3, 5, 6 or 8", values.len());
@@ -126,7 +126,7 @@ fn flat(values: Vec<f32>) -> Result<Data, BufferError> {
     Ok(Data::Raw { bytes: values.iter().flat_map(|value| value.to_le_bytes()).collect(), stride: None })
 }
 
-/// Rows of numbers, or an object for each vertex.
+/// Reads rows of numbers, or one object per vertex.
 fn list(rows: Vec<Tree>) -> Result<Data, BufferError> {
     if matches!(rows.first(), Some(Tree::Object(_))) {
         return objects(rows);
@@ -139,7 +139,7 @@ fn list(rows: Vec<Tree>) -> Result<Data, BufferError> {
         };
         let first = *width.get_or_insert(row.len());
         if row.len() != first {
-            let message = format!("row {number} has {} numbers, the first one {first}", row.len());
+            let message = format!("row {number} has {} numbers, but the first one has {first}", row.len());
             return Err(BufferError::new(message));
         }
         values.extend(row);
@@ -175,7 +175,7 @@ fn objects(rows: Vec<Tree>) -> Result<Data, BufferError> {
         let (vertex, has) =
             one_object(&fields).map_err(|message| BufferError::new(format!("vertex {number}: {message}")))?;
         if *all.get_or_insert(has) != has {
-            let message = format!("vertex {number} has other attributes than the first one");
+            let message = format!("vertex {number} does not have the same attributes as the first one");
             return Err(BufferError::new(message));
         }
         vertices.push(vertex);
@@ -183,7 +183,7 @@ fn objects(rows: Vec<Tree>) -> Result<Data, BufferError> {
     Ok(Data::Named { vertices, has: all.unwrap_or_default() })
 }
 
-/// `{"x": 1, ...}` or `{"position": [1, 2, 3], ...}`, or a mixture of both.
+/// Reads `{"x": 1, ...}` or `{"position": [1, 2, 3], ...}`, or a mixture of both.
 fn one_object(fields: &[(String, Tree)]) -> Result<(Vertex, Attributes), String> {
     const NAMES: [&str; 8] = ["x", "y", "z", "u", "v", "nx", "ny", "nz"];
     let mut all = [None; 8];
@@ -231,7 +231,7 @@ fn one_object(fields: &[(String, Tree)]) -> Result<(Vertex, Attributes), String>
     Ok((Vertex { position: [x, y, z], tex_coord: [u, v], normal: unit([nx, ny, nz]) }, has))
 }
 
-/// A list for each attribute, or vertices; with indices or without.
+/// Reads a list for each attribute, or a list of vertices; with or without indices.
 fn object(fields: Vec<(String, Tree)>, warnings: &mut Vec<String>) -> Result<Data, BufferError> {
     let (mut positions, mut tex_coords, mut normals, mut indices, mut vertices) = (None, None, None, None, None);
     for (key, value) in fields {
@@ -245,7 +245,7 @@ fn object(fields: Vec<(String, Tree)>, warnings: &mut Vec<String>) -> Result<Dat
             _ => warnings.push(format!("`{}` is unknown and was ignored", key.chars().take(30).collect::<String>())),
         }
     }
-    // `{"vertices": positions, "normals": ...}` is the habit of some.
+    // Some programs write `{"vertices": positions, "normals": ...}`.
     if positions.is_none()
         && (tex_coords.is_some() || normals.is_some())
         && let Some(tree) = vertices.take()
@@ -280,8 +280,8 @@ fn named(
     for (name, count) in [("texture coordinates", tex_coords.len()), ("normals", normals.len())] {
         if count != positions.len() {
             let message = format!(
-                "there are {} positions and {count} {name}: each vertex of the buffer needs one of each, as the \
-                 faces join them",
+                "there are {} positions and {count} {name}: each vertex of the buffer needs one of each, combined as the \
+                 faces define",
                 positions.len()
             );
             return Err(BufferError::new(message));
@@ -319,17 +319,17 @@ fn whole_numbers(tree: Tree) -> Result<Vec<usize>, BufferError> {
     let whole = |(number, value): (usize, &f32)| {
         let is_whole = value.fract() == 0.0 && *value >= 0.0 && *value < 16_777_216.0;
         is_whole.then_some(*value as usize).ok_or_else(|| {
-            BufferError::new(format!("index {number} is {value}; indices here are whole numbers from 0 to 16777215"))
+            BufferError::new(format!("index {number} is {value}; expected an integer from 0 to 16777215"))
         })
     };
     (1..).zip(&values).map(whole).collect()
 }
 
-/// The vertices that the indices name, three a triangle.
+/// The vertices that the indices refer to, three per triangle.
 fn apply(data: Data, indices: &[usize]) -> Result<Data, BufferError> {
     let missing = |index: usize, count: usize| {
-        let hint = if index == count { ": they count from 0 here" } else { "" };
-        BufferError::new(format!("an index is {index}, but there are {count} vertices{hint}"))
+        let hint = if index == count { ": indices count from 0 here" } else { "" };
+        BufferError::new(format!("index {index} is out of range: there are {count} vertices{hint}"))
     };
     match data {
         Data::Named { vertices, has } => {

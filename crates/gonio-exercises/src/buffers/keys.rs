@@ -1,20 +1,20 @@
-//! Vertices and triangles as numbers that are equal where the vertices are equal within the tolerance, so that buffers
-//! can be compared as sets, whatever their order.
+//! Keys of vertices and triangles, which are equal if the vertices are equal within the tolerance. Buffers can then be
+//! compared as sets, in any order.
 
 use super::buffer::{Attributes, Vertex, unit};
 use super::obj_lines::ObjLines;
 use super::reader::Corner;
 
-/// How far numbers may lie apart, in parts of the model's largest coordinate (of 1 for texture coordinates and normals):
-/// what printing six digits leaves of a number, ten times over. Set by the exercise.
+/// Tolerance, relative to the model's largest coordinate (to 1 for texture coordinates and normals): ten times the rounding
+/// of six printed digits. The exercise sets it.
 pub(super) const TOLERANCE: f64 = 1e-5;
 
-/// Positions, texture coordinates and normals of a corner; none where anything will do.
+/// Keys of a corner's position, texture coordinate and normal; `None` if the value is unknown.
 pub(super) type CornerKeys = [Option<u64>; 3];
 
-/// Numbers that a reader may make of a file, each with a key; numbers closer than the tolerance share one.
+/// Numbers that a reader may make of a file, each with a key; numbers within the tolerance share a key.
 struct Values {
-    /// Rising.
+    /// Numbers in ascending order, with their keys.
     known: Vec<(f64, u64)>,
     tolerance: f64,
 }
@@ -53,7 +53,7 @@ impl Values {
         }
         match self.nearest(value) {
             Some((_, key)) => key,
-            // Numbers that no reader makes: a key of their own, far from the others.
+            // Numbers that no reader makes get keys of their own, far from the others.
             None => (1 << 62) ^ ((value / self.tolerance).round() as i64 as u64),
         }
     }
@@ -64,7 +64,7 @@ pub(super) struct Keys {
     positions: Values,
     tex_coords: Values,
     normals: Values,
-    /// The largest coordinate, at least the smallest one that is no zero.
+    /// The largest absolute coordinate; 1 if all are zero.
     pub(super) scale: f64,
 }
 
@@ -121,9 +121,9 @@ impl Keys {
         ]
     }
 
-    /// The share of numbers that some reader may have made of the file: how much a buffer looks like one of it.
+    /// The share of numbers that some reader may have made of the file.
     pub(super) fn share_known(&self, vertices: &[Vertex], compared: Attributes) -> f64 {
-        // Enough to tell one way of taking the columns from another.
+        // Enough to distinguish the interpretations of the columns.
         const MOST: usize = 20_000;
         let (mut known, mut all) = (0u64, 0u64);
         let mut count = |values: &Values, numbers: &[f32]| {
@@ -151,12 +151,12 @@ pub(super) fn mix(mut bits: u64) -> u64 {
     bits ^ (bits >> 31)
 }
 
-/// One number of several, in their order.
+/// Combines several keys into one, which depends on their order.
 pub(super) fn join<const N: usize>(keys: [u64; N]) -> u64 {
     keys.iter().fold(N as u64, |all, key| mix(all ^ mix(*key)))
 }
 
-/// One number for a triangle, whichever corner it starts with; another one for the same triangle turned over.
+/// The key of a triangle, independent of the corner it starts with; the triangle turned over has a different key.
 pub(super) fn triangle(corners: [u64; 3]) -> u64 {
     let [a, b, c] = corners;
     join([[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap_or(corners))

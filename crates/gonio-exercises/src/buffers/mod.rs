@@ -1,8 +1,8 @@
-//! Exercise 02: the vertex buffer that a student's own OBJ reader wrote, against what gonio-mesh reads.
+//! Exercise 02: compares the vertex buffer of a student's OBJ reader with what gonio-mesh reads.
 //!
-//! A buffer comes in whichever format ([`read_buffer`]) and order. It is compared with the model's triangles as a set;
-//! where it differs, it is held against the buffers of readers that make one known mistake, then of readers that make
-//! two ([`compare`]). A mistake is named only if its reader makes the student's buffer.
+//! A buffer may have any known format ([`read_buffer`]) and order. It is compared with the model's triangles as a set. If it
+//! differs, it is compared with the buffers of readers that make one known mistake, then of readers that make two
+//! ([`compare`]). A mistake is named only if its reader produces the student's buffer.
 
 mod buffer;
 mod compare;
@@ -26,5 +26,5 @@ pub use expected::Expected;
 pub use formats::{MOST_BYTES, read_buffer};
 pub use mistakes::{MistakeName, names};
 
-/// Endings of buffers among other files; raw floats have no beginning by which they could be known.
+/// Endings by which buffers are recognised among other files: raw floats have no signature.
 pub const ENDINGS: [&str; 6] = [".csv", ".json", ".bin", ".raw", ".f32", ".tsv"];

@@ -1,23 +1,23 @@
-//! An OBJ file as its lines say it, before anything is followed: what right and wrong readers start from.
+//! The lines of an OBJ file, before any index is resolved: the input of correct and wrong readers.
 
 use super::cut;
 
-/// `v`, `vt` and `vn` indices of a corner as written; none where the slot is empty.
+/// `v`, `vt` and `vn` indices of a corner as written; `None` if the slot is empty.
 pub(super) type Slots = [Option<i64>; 3];
 
 /// A face as written.
 #[derive(Clone, Debug)]
 pub(super) struct Face {
-    /// From 1.
+    /// Line, from 1.
     pub(super) line: u64,
     pub(super) corners: Vec<Slots>,
-    /// How many `v`, `vt` and `vn` stand before it.
+    /// Number of `v`, `vt` and `vn` lines before it.
     pub(super) before: [usize; 3],
-    /// Which object it belongs to.
+    /// Number of the object that it belongs to.
     pub(super) object: usize,
-    /// Its triangles as a right reader cuts them, as corners counted from 0.
+    /// Its triangles as a correct reader cuts them, with corners counted from 0.
     pub(super) cut: Vec<[usize; 3]>,
-    /// Whether every triangulation of it is as good as any other.
+    /// Whether it is convex, so that all triangulations are equivalent.
     pub(super) is_convex: bool,
 }
 
@@ -26,20 +26,20 @@ pub(super) struct Face {
 pub(super) struct ObjLines {
     pub(super) positions: Vec<[f32; 3]>,
     pub(super) tex_coords: Vec<[f32; 2]>,
-    /// As written: of any length.
+    /// Normals as written, of any length.
     pub(super) normals: Vec<[f32; 3]>,
     pub(super) faces: Vec<Face>,
-    /// For each object how many `v`, `vt` and `vn` stand before it.
+    /// For each object, the number of `v`, `vt` and `vn` lines before it.
     pub(super) objects: Vec<[usize; 3]>,
-    /// The lines with faces, and their text.
+    /// The numbers and texts of lines with faces.
     pub(super) lines: Vec<(u64, String)>,
 }
 
-/// Letters of a line that are kept.
+/// Maximum number of characters of a line that are kept.
 const MOST_LETTERS: usize = 200;
 
 impl ObjLines {
-    /// Reads what is understood; the rest is skipped, for [`gonio_mesh::obj::read`] judges the file.
+    /// Reads known lines and skips the rest: [`gonio_mesh::obj::read`] has validated the file.
     pub(super) fn parse(bytes: &[u8]) -> Self {
         let text = String::from_utf8_lossy(bytes);
         let mut source = ObjLines::default();
@@ -92,13 +92,13 @@ impl ObjLines {
         }
     }
 
-    /// A line with a face.
+    /// The text of a line with a face.
     pub(super) fn line(&self, number: u64) -> Option<&str> {
         let place = self.lines.binary_search_by_key(&number, |(line, _)| *line).ok()?;
         Some(&self.lines[place].1)
     }
 
-    /// How many of each attribute stand before an object's first line.
+    /// Number of lines of each attribute before an object's first line.
     pub(super) fn start_of(&self, object: usize) -> [usize; 3] {
         object.checked_sub(1).and_then(|place| self.objects.get(place)).copied().unwrap_or_default()
     }

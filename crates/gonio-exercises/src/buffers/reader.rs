@@ -1,12 +1,12 @@
-//! A reader of OBJ files with switches: each switch is a mistake that students make. With none set it reads rightly.
+//! A reader of OBJ files with switches: each switch is a mistake that students make. With none set it reads correctly.
 
 use super::buffer::unit;
 use super::obj_lines::{Face, ObjLines, Slots};
 
-/// How to read. The default is right.
+/// The switches of a reader. The default reads correctly.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Reader {
-    /// For `v`, `vt`, `vn`: the index is used without taking 1 away.
+    /// For `v`, `vt`, `vn`: the index is used without subtracting 1.
     pub(super) from_zero: [bool; 3],
     pub(super) slots: SlotUse,
     pub(super) flip_v: bool,
@@ -15,21 +15,21 @@ pub(super) struct Reader {
     pub(super) negative: Negative,
     pub(super) tex_coord: From,
     pub(super) normal: From,
-    /// Every position has one texture coordinate and one normal: of the first or last corner that uses it.
+    /// Every position has one texture coordinate and one normal: those of the first or last corner that uses it.
     pub(super) unsplit: Option<Which>,
     pub(super) order: Order,
     pub(super) axes: Axes,
     pub(super) turned_over: bool,
     pub(super) objects: Option<Which>,
-    /// The first `v`, `vt`, `vn` and `f`.
+    /// Skips the first `v`, `vt`, `vn` and `f`.
     pub(super) skips_first: bool,
     pub(super) loses_last_face: bool,
     /// Indices count from the object's own first `v`, `vt`, `vn`.
     pub(super) anew: bool,
     pub(super) numbers: Numbers,
-    /// Faces whose corners are not all of the form `v/vt/vn`.
+    /// Loses faces whose corners are not all of the form `v/vt/vn`.
     pub(super) loses_partial: bool,
-    /// Where a polygon may be cut in several right ways: not as gonio-mesh does.
+    /// Cuts convex polygons along other diagonals than gonio-mesh.
     pub(super) other_diagonals: bool,
 }
 
@@ -39,7 +39,7 @@ pub(super) enum SlotUse {
     Right,
     /// `v/vn/vt`.
     Swapped,
-    /// An empty slot is passed over: `v//vn` is taken for `v/vt`.
+    /// An empty slot is skipped: `v//vn` is read as `v/vt`.
     EmptyPassedOver,
 }
 
@@ -47,16 +47,16 @@ pub(super) enum SlotUse {
 pub(super) enum Polygons {
     #[default]
     Right,
-    /// Around the first corner, though it is concave.
+    /// A fan around the first corner, even if the polygon is concave.
     Fan,
     FirstTriangle,
-    /// All that is no triangle.
+    /// Loses everything except triangles.
     Lost,
-    /// All corners of the file in one row, three at a time.
+    /// All corners of the file form one list, and every three are a triangle.
     Stream,
-    /// The first four corners of larger ones.
+    /// Only the first four corners of larger polygons.
     FirstQuad,
-    /// More than four corners.
+    /// Loses polygons with more than four corners.
     LargeLost,
 }
 
@@ -67,7 +67,7 @@ pub(super) enum Negative {
     /// The sign is lost.
     Positive,
     FacesLost,
-    /// Counted from the end of the whole file.
+    /// Counts from the end of the whole file.
     FromEnd,
     /// `list[index - 1]` in a language whose lists count negative numbers from the end.
     OneTooFar,
@@ -77,11 +77,11 @@ pub(super) enum Negative {
 pub(super) enum From {
     #[default]
     Own,
-    /// The position's index.
+    /// By the index of the position.
     Position,
-    /// The face's first corner.
+    /// From the face's first corner.
     FirstCorner,
-    /// Computed from the triangle (normals alone).
+    /// Computed from the triangle (only for normals).
     Geometry,
     Constant([f32; 3]),
 }
@@ -96,9 +96,9 @@ pub(super) enum Which {
 pub(super) enum Order {
     #[default]
     Right,
-    /// `v`, `vt`, `vn` side by side as they stand in the file.
+    /// `v`, `vt`, `vn` combined in the order of the file.
     FacesIgnored,
-    /// Each different corner once.
+    /// Each distinct corner once.
     EachOnce,
 }
 
@@ -120,7 +120,7 @@ pub(super) enum Numbers {
     StoppedAtPoint,
 }
 
-/// A corner as a reader makes it; none where it reads behind the end of a list: anything may come of that.
+/// A corner as a reader produces it; `None` for a value that is read beyond the end of a list, which may be anything.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Corner {
     pub(super) position: Option<[f32; 3]>,
@@ -128,25 +128,25 @@ pub(super) struct Corner {
     pub(super) normal: Option<[f32; 3]>,
 }
 
-/// A triangle as a reader makes it.
+/// A triangle as a reader produces it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triangle {
     pub(super) corners: [Corner; 3],
-    /// Its place in [`ObjLines::faces`]; none where faces were not followed.
+    /// Its index in [`ObjLines::faces`]; `None` if the reader ignores faces.
     pub(super) face: Option<usize>,
 }
 
-/// What a slot leads to.
+/// The target of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum AttributeSlot {
     Empty,
-    /// Behind a list's end.
+    /// Beyond the end of a list.
     Nowhere,
     At(usize),
 }
 
 impl Reader {
-    /// The triangles that this reader makes of a file.
+    /// The triangles that this reader produces from a file.
     pub(super) fn read(&self, source: &ObjLines) -> Vec<Triangle> {
         if self.order == Order::FacesIgnored {
             return self.faces_ignored(source);
@@ -331,7 +331,7 @@ impl Reader {
     }
 }
 
-/// The value; zero where the slot is empty.
+/// The value of a slot: zero if it is empty, `None` if it is out of range.
 fn follow<const N: usize>(target: AttributeSlot, values: &[[f32; N]]) -> Option<[f32; N]> {
     match target {
         AttributeSlot::Empty => Some([0.0; N]),
@@ -340,7 +340,7 @@ fn follow<const N: usize>(target: AttributeSlot, values: &[[f32; N]]) -> Option<
     }
 }
 
-/// Gives each position the other two of one corner.
+/// Gives each position the texture coordinate and normal of one of its corners.
 fn unsplit(faces: &mut [(usize, Vec<[AttributeSlot; 3]>)], positions: usize, which: Which) {
     let mut kept: Vec<Option<[AttributeSlot; 3]>> = vec![None; positions];
     for corner in faces.iter().flat_map(|(_, corners)| corners) {

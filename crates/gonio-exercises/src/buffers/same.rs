@@ -1,4 +1,4 @@
-//! What is left of two buffers when all that is the same is taken away: equal triangles, polygons cut in another way,
+//! The differences that remain between two buffers after matching equal triangles, polygons that are cut differently, and
 //! numbers that differ by rounding.
 
 use super::buffer::{Attributes, Vertex};
@@ -8,7 +8,7 @@ use super::fit::SubmittedTriangles;
 use super::keys::{TOLERANCE, join, triangle};
 use std::collections::{HashMap, HashSet};
 
-/// Triangles that found no partner, by their numbers.
+/// Triangles without a match, by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Left {
     pub(super) expected: Vec<usize>,
@@ -21,7 +21,7 @@ impl Left {
     }
 }
 
-/// Compares exactly, up to the tolerance and the way in which polygons are cut.
+/// Compares exactly, apart from the tolerance and the way in which polygons are cut.
 pub(super) fn left(
     expected: &Expected,
     triangles: &[[Vertex; 3]],
@@ -54,12 +54,12 @@ fn unequal(expected: &Expected, given: &SubmittedTriangles, compared: Attributes
     left
 }
 
-/// Takes away polygons that the student cut into other triangles, which cover them as well.
+/// Removes polygons that the student cut into different triangles that cover them as well.
 fn other_cuts(expected: &Expected, given: &SubmittedTriangles, left: Left, compared: Attributes) -> Left {
     struct Polygon {
         positions: Vec<[f32; 3]>,
         corners: HashMap<u64, usize>,
-        /// Of the expected ones, those that are left.
+        /// Expected triangles without a match.
         missing: Vec<usize>,
         cut: Vec<[usize; 3]>,
         given: Vec<usize>,
@@ -78,7 +78,7 @@ fn other_cuts(expected: &Expected, given: &SubmittedTriangles, left: Left, compa
             polygons.entry(face).or_insert_with(empty).missing.push(*number);
         }
     }
-    // Corners, and the triangles that are there as expected.
+    // Collects the corners, and the triangles that match.
     let is_left: HashSet<usize> = left.expected.iter().copied().collect();
     let mut place_in_face: HashMap<usize, usize> = HashMap::new();
     for (number, triangle) in expected.triangles.iter().enumerate() {
@@ -130,7 +130,7 @@ fn other_cuts(expected: &Expected, given: &SubmittedTriangles, left: Left, compa
     }
 }
 
-/// Takes away pairs whose numbers lie within `tolerance`, in parts of the model's size (of 1 beside positions).
+/// Removes pairs whose numbers differ by at most `tolerance`, relative to the model's size (to 1 except for positions).
 pub(super) fn loosely(
     expected: &Expected,
     triangles: &[[Vertex; 3]],

@@ -1,18 +1,18 @@
-//! Vertex buffers as text: a row a vertex, separated by commas, semicolons, tabs or blanks.
+//! Vertex buffers as text: one row per vertex, with columns separated by commas, semicolons, tabs or spaces.
 
 use super::buffer::{Attributes, Buffer, BufferError, Data, Vertex, WIDTHS, unit};
 
-/// x y z, u v, nx ny nz: the columns' numbers here.
+/// Number of known columns: x y z, u v, nx ny nz.
 const COLUMNS: usize = 8;
 
-/// Reads a table. Rows that are empty or start with `#` do not count.
+/// Reads a table. Rows that are empty or start with `#` are skipped.
 pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
     let text = decode(bytes)?;
     let mut lines = text.lines().enumerate().map(|(i, line)| Line { number: i as u64 + 1, text: line });
     let mut next =
         || lines.by_ref().find(|line| !line.text.trim().is_empty() && !line.text.trim_start().starts_with('#'));
     let Some(first) = next() else {
-        return Err(BufferError::new("the file holds no rows"));
+        return Err(BufferError::new("the file has no rows"));
     };
     let separator = Separator::detect(first.text);
     let mut parser = Parser { separator, decimal_commas: 0, not_finite: 0, values: Vec::new() };
@@ -26,10 +26,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
         parser.row(&line, Some(width))?;
     }
     if parser.values.is_empty() {
-        return Err(BufferError::new("the file holds a header and no rows"));
+        return Err(BufferError::new("the file has a header but no rows"));
     }
     if parser.decimal_commas > 0 {
-        warnings.push("numbers have a decimal comma here: write a point, which every program reads".to_owned());
+        warnings.push("the numbers have decimal commas: write decimal points, which every program reads".to_owned());
     }
     if parser.not_finite > 0 {
         warnings.push(format!("{} of the numbers are NaN or infinite", parser.not_finite));
@@ -51,11 +51,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
 
 fn decode(bytes: &[u8]) -> Result<&str, BufferError> {
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
-        return Err(BufferError::new("this is text in UTF-16 (PowerShell's `>` writes it): save it as UTF-8"));
+        return Err(BufferError::new("the file is UTF-16 text (PowerShell's `>` writes it): save it as UTF-8"));
     }
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     if let Some(at) = bytes.iter().position(|byte| *byte == 0) {
-        let message = "this is binary: name raw floats `.raw`, so that they are read as such";
+        let message = "the file is binary: use the ending `.raw` for raw floats";
         return Err(at_byte(bytes, at, message));
     }
     std::str::from_utf8(bytes).map_err(|error| at_byte(bytes, error.valid_up_to(), "the file is not UTF-8 text"))
@@ -85,7 +85,7 @@ impl Separator {
         found.map_or(Separator::Blanks, Separator::Character)
     }
 
-    /// The cells with their columns in bytes, from 1. One separator at the end of a line adds no cell.
+    /// The cells, each with its column in bytes, from 1. A separator at the end of a line adds no cell.
     fn cells(self, line: &str) -> Vec<(u64, &str)> {
         let mut cells = Vec::new();
         let mut start = 0;
@@ -116,7 +116,7 @@ struct Parser {
 }
 
 impl Parser {
-    /// Takes a row; how many numbers it has.
+    /// Reads a row, and returns the number of its cells.
     fn row(&mut self, line: &Line<'_>, width: Option<usize>) -> Result<usize, BufferError> {
         let cells = self.separator.cells(line.text);
         for (column, cell) in &cells {
@@ -131,11 +131,11 @@ impl Parser {
         }
         if let Some(width) = width.filter(|width| *width != cells.len()) {
             let comma = if self.separator == Separator::Character(',') {
-                " (do the numbers have a decimal comma? Write a point.)"
+                " (do the numbers have decimal commas? Write decimal points.)"
             } else {
                 ""
             };
-            let message = format!("this row has {} numbers, the first one {width}{comma}", cells.len());
+            let message = format!("this row has {} numbers, but the first one has {width}{comma}", cells.len());
             return Err(BufferError::new(message).at(line.number, None));
         }
         Ok(cells.len())
@@ -156,7 +156,7 @@ impl Parser {
     }
 }
 
-/// A number as any language prints it: `1.0f` and Microsoft's `-nan(ind)` too.
+/// Parses a number as any language prints it, including `1.0f` and Microsoft's `-nan(ind)`.
 fn parse(cell: &str) -> Option<f32> {
     let lower = cell.to_ascii_lowercase();
     match lower.as_str() {
@@ -171,18 +171,18 @@ fn shortened(cell: &str) -> String {
 }
 
 struct Header {
-    /// For each column of the file which of x y z u v nx ny nz it is.
+    /// For each column of the file, its index among x y z u v nx ny nz; `None` if it is unknown.
     columns: Vec<Option<usize>>,
 }
 
 impl Header {
-    /// The header, if the first line is one: a cell that is no number.
+    /// The header, if the first line is one: if a cell of it is not a number.
     fn parse(line: &Line<'_>, separator: Separator, warnings: &mut Vec<String>) -> Result<Option<Self>, BufferError> {
         let cells = separator.cells(line.text);
         let is_number = |cell: &str| {
             parse(cell.trim_matches('"')).is_some() || parse(&cell.trim_matches('"').replace(',', ".")).is_some()
         };
-        // A letter, for `(1` or `{0.5` is a row in a format that is not read.
+        // The cell must start with a letter: `(1` or `{0.5` is a row in an unknown format.
         if !cells.iter().any(|(_, cell)| !is_number(cell) && cell.trim_matches('"').starts_with(char::is_alphabetic)) {
             return Ok(None);
         }
@@ -204,7 +204,7 @@ impl Header {
             let missing = group.clone().find(|column| !has(*column));
             if let Some(missing) = missing.filter(|_| group.start == 0 || group.clone().any(has)) {
                 let name = NAMES[missing];
-                let message = format!("the header names no column {name}: the names are x y z, u v, nx ny nz");
+                let message = format!("the header has no column {name}: the names are x y z, u v, nx ny nz");
                 return Err(BufferError::new(message).at(line.number, None));
             }
         }
@@ -227,7 +227,7 @@ impl Header {
     }
 }
 
-/// Which column a name means, in the spellings that programs use.
+/// The column that a name stands for, in the spellings that programs use.
 fn column(name: &str) -> Option<usize> {
     let plain: String = name.chars().filter(|c| c.is_alphanumeric()).collect::<String>().to_ascii_lowercase();
     let of = |stem: &str, ends: &[&str]| {
@@ -238,7 +238,7 @@ fn column(name: &str) -> Option<usize> {
         };
         ends.iter().position(|end| stems.iter().any(|stem| plain == format!("{stem}{end}")))
     };
-    // `v` alone is the texture coordinate, `vx` a position.
+    // `v` alone is a texture coordinate, `vx` a position.
     of("tex", &["u", "v"])
         .or_else(|| of("tex", &["s", "t"]).filter(|_| plain.len() != 2 || !plain.starts_with('v')))
         .map(|place| 3 + place)

@@ -1,4 +1,4 @@
-//! Every wrong reader on every model: is it named?
+//! Every wrong reader, applied to every model, must be named.
 
 use super::buffer::Data;
 use super::fit::{Triangles, fit};
@@ -28,7 +28,7 @@ pub(crate) fn models() -> Vec<(String, Expected)> {
     models
 }
 
-/// What a reader's program writes; `behind` stands where it reads behind the end of a list.
+/// The output of a reader; `behind` replaces values that it reads beyond the end of a list.
 fn written(reader: &Reader, expected: &Expected, behind: f32) -> Vec<Vertex> {
     let vertex = |corner: Corner| Vertex {
         position: corner.position.unwrap_or([behind; 3]),
@@ -42,17 +42,18 @@ fn named(vertices: Vec<Vertex>) -> Buffer {
     Buffer { data: Data::Named { vertices, has: ALL }, warnings: Vec::new() }
 }
 
-/// Whether the mistakes are what is named, or one of what cannot be told from it.
+/// Whether the verdict names the mistakes, or an indistinguishable alternative.
 fn is_named(wrong: &WrongReader, verdict: &BufferFindings) -> bool {
-    let wanted: BTreeSet<&str> = wrong.mistakes.iter().map(|number| MISTAKES[*number].words.id).collect();
+    let expected_ids: BTreeSet<&str> = wrong.mistakes.iter().map(|number| MISTAKES[*number].words.id).collect();
     let mut found: BTreeSet<&str> = verdict.mistakes.iter().map(|mistake| mistake.id).collect();
     if verdict.warnings.iter().any(|warning| warning.starts_with("v is 1 - v")) {
         found.insert("v-flipped");
     }
-    found == wanted || verdict.alternatives.iter().any(|ids| ids.iter().copied().collect::<BTreeSet<_>>() == wanted)
+    found == expected_ids
+        || verdict.alternatives.iter().any(|ids| ids.iter().copied().collect::<BTreeSet<_>>() == expected_ids)
 }
 
-/// Whether a buffer shows anything: it differs from the right one.
+/// Whether a buffer differs from the right one.
 fn shows(vertices: &[Vertex], expected: &Expected) -> bool {
     let verdict = compare(expected, &named(vertices.to_vec()));
     verdict.verdict != Outcome::Correct || verdict.warnings.iter().any(|warning| warning.starts_with("v is 1 - v"))
@@ -93,7 +94,7 @@ fn each_single_mistake_is_named_on_every_model_that_shows_it() {
     }
 }
 
-/// The issue asks for 85 %.
+/// The goal is 85 %.
 #[test]
 fn pairs_of_mistakes_are_named() {
     let (mut right, mut tried) = (0, 0);
@@ -103,7 +104,7 @@ fn pairs_of_mistakes_are_named() {
         let prints: BTreeSet<u64> =
             expected.wrong_buffers(expected.has).singles.iter().map(|single| single.made.print).collect();
         for (number, pair) in expected.pairs(expected.has).iter().enumerate() {
-            // A pair of which one mistake hides the other is the other alone.
+            // If one mistake of a pair hides the other, the buffer is that of a single mistake.
             if prints.contains(&pair.made.print) || pair.made.print == right_print || pair.made.keys.len() < 2 {
                 continue;
             }
@@ -126,9 +127,9 @@ fn pairs_of_mistakes_are_named() {
     assert!(share >= 0.95, "{right} of {tried} are named ({share}):\n{some:#?}");
 }
 
-/// Mistakes that the bank does not know: wrong, and no name for them.
+/// Unknown mistakes: wrong, without a name.
 #[test]
-fn what_no_mistake_explains_is_wrong_without_a_name() {
+fn unexplained_buffers_are_wrong_without_a_name() {
     type Change = fn(&mut Vertex);
     let changes: [(&str, Change); 6] = [
         ("normals negated", |vertex| vertex.normal = vertex.normal.map(|x| -x)),
@@ -173,9 +174,9 @@ fn a_fit_is_one_only_for_the_same_triangles() {
     assert!(fit(&right, &given(&vertices), 0.0).expect("a fit").share < 1.0);
 }
 
-/// Half of the triangles turned over: a mistake that explains half of a buffer is not named.
+/// With half of the triangles turned over, a mistake explains half of the buffer, and is not named.
 #[test]
-fn what_explains_too_little_is_not_named() {
+fn mistakes_that_explain_too_little_are_not_named() {
     for (name, expected) in models() {
         let mut vertices = written(&Reader::default(), &expected, 0.0);
         vertices.as_chunks_mut::<3>().0.iter_mut().step_by(2).for_each(|triangle| triangle.swap(1, 2));
@@ -184,7 +185,7 @@ fn what_explains_too_little_is_not_named() {
     }
 }
 
-/// A hexagon whose sides are all there, with a triangle in the middle that joins none of the others.
+/// A hexagon with all its sides, and a triangle in the middle that shares no edge with the others.
 #[test]
 fn triangles_that_only_touch_do_not_cover_a_polygon() {
     let corner = |i: usize| (60.0 * i as f32).to_radians();

@@ -1,7 +1,7 @@
-//! Judges a GL program: right, or wrong and why.
+//! Checks a GL program: right, or wrong with the mistakes that explain it.
 //!
-//! A mistake is named only where the picture is right without it: each suspicion comes with the corrected program, and that
-//! is carried out. Where no single one does, they are tried one after the other, the most telling first.
+//! A mistake is named only if the picture is right without it: each suspect comes with the corrected program, which is
+//! executed. If no single correction makes the picture right, combinations are tried, the most promising first.
 
 use super::compare::{ENOUGH, Judge};
 use super::findings::{GlProgramFindings, GlProgramMistake, GlProgramWarning, errors, warnings};
@@ -20,19 +20,20 @@ use std::sync::Arc;
 const START_VERTEX: &str = include_str!("../../../../exercises/ex11-texture-unit/start.vert");
 const START_FRAGMENT: &str = include_str!("../../../../exercises/ex11-texture-unit/start.frag");
 const REFERENCE: &str = include_str!("../../../../exercises/ex11-texture-unit/host/reference.txt");
-/// Most mistakes that are looked for in one program.
+/// Maximum number of mistakes that are searched for in one program.
 const MOST_MISTAKES: usize = 3;
-/// Most pictures that are drawn for one program.
+/// Maximum number of pictures that are drawn for one program.
 const MOST_PICTURES: usize = 180;
-/// So many suspicions of each round are followed further.
+/// Number of suspects of each round that are followed further.
 const FOLLOWED: usize = 4;
-/// A share of pixels that is no progress.
+/// An increase of the share of right pixels that does not count as progress.
 const LITTLE: f64 = 1e-4;
 
-/// Judges a GL program's text. `files` are the shaders and images that it may name; the reference reads the same ones,
-/// `start.vert`, `start.frag` and `checker.png` among them.
+/// Checks a GL program's text. `files` are the shaders and images that it may use; the reference reads the same files, such
+/// as `start.vert`, `start.frag` and `checker.png`.
 ///
-/// An error where OpenGL itself fails, or one of these is not there.
+/// # Errors
+/// OpenGL fails, or one of these files is missing.
 pub fn check(gl: &Gl, text: &str, file_name: &str, files: &GlProgramFiles) -> Result<GlProgramFindings, GlError> {
     match GlProgram::parse(text, file_name) {
         Ok(program) => check_program(gl, &program, files),
@@ -40,7 +41,7 @@ pub fn check(gl: &Gl, text: &str, file_name: &str, files: &GlProgramFiles) -> Re
     }
 }
 
-/// Judges a file's bytes.
+/// Checks a file's bytes.
 pub fn check_bytes(
     gl: &Gl,
     bytes: &[u8],
@@ -57,11 +58,11 @@ pub fn check_bytes(
 pub fn reference() -> Result<GlProgram, GlError> {
     GlProgram::parse(REFERENCE, "reference.txt").map_err(|errors| {
         let first = errors.first().map_or(String::new(), ToString::to_string);
-        GlError::new(format!("the exercise's own program cannot be read: {first}"))
+        GlError::new(format!("cannot read the exercise's own program: {first}"))
     })
 }
 
-/// The exercise's shaders, and the images that gonio carries: none on the web, where they are fetched.
+/// The exercise's shaders, and the images that are part of gonio: none on the web, where they are fetched.
 pub fn exercise_files() -> GlProgramFiles {
     let mut files = GlProgramFiles::default();
     files.shaders.insert("start.vert".to_owned(), START_VERTEX.to_owned());
@@ -74,11 +75,11 @@ pub fn exercise_files() -> GlProgramFiles {
     files
 }
 
-/// What the first line of the exercise's shaders is in OpenGL ES, which WebGL2 speaks.
+/// The first line of the exercise's shaders in OpenGL ES, which WebGL2 uses.
 const ES_VERSION: &str = "#version 300 es";
 
 /// The same files for the context that draws: in OpenGL ES, `#version 330 core` becomes `#version 300 es`, and the line
-/// after it begins with the precisions that OpenGL ES wants. Lines keep their numbers.
+/// after it begins with the precisions that OpenGL ES needs. Lines keep their numbers.
 pub fn for_context<'a>(gl: &Gl, files: &'a GlProgramFiles) -> Cow<'a, GlProgramFiles> {
     if !is_embedded(gl) {
         return Cow::Borrowed(files);
@@ -101,7 +102,7 @@ fn embedded(source: &str) -> String {
     }
 }
 
-/// Judges a GL program that was read.
+/// Checks a GL program that was read.
 pub fn check_program(gl: &Gl, program: &GlProgram, files: &GlProgramFiles) -> Result<GlProgramFindings, GlError> {
     let reference = reference()?;
     let files = &*for_context(gl, files);
@@ -136,7 +137,7 @@ pub fn check_program(gl: &Gl, program: &GlProgram, files: &GlProgramFiles) -> Re
 
 fn mistake(program: &GlProgram, suspect: &Suspect) -> Option<GlProgramMistake> {
     let quoted = program.quoted(suspect.line).unwrap_or_default();
-    Some(GlProgramMistake::new(name_of(suspect.id)?, &suspect.said, &suspect.fix, suspect.line, quoted))
+    Some(GlProgramMistake::new(name_of(suspect.id)?, &suspect.message, &suspect.fix, suspect.line, quoted))
 }
 
 fn summary(right: bool, mistakes: &[GlProgramMistake], run: &GlProgramRun, warnings: &[GlProgramWarning]) -> String {
@@ -147,44 +148,44 @@ fn summary(right: bool, mistakes: &[GlProgramMistake], run: &GlProgramRun, warni
             many => format!("the picture is right, and there are {many} warnings"),
         };
     }
-    let told: Vec<String> = mistakes.iter().map(|m| format!("line {}: {}", m.line, m.name)).collect();
-    match (told.is_empty(), run.errors.first()) {
-        (false, _) => told.join("; "),
+    let named: Vec<String> = mistakes.iter().map(|m| format!("line {}: {}", m.line, m.name)).collect();
+    match (named.is_empty(), run.errors.first()) {
+        (false, _) => named.join("; "),
         (true, Some(error)) => {
-            format!("the picture is wrong, and no known mistake explains it; OpenGL refused a call: {error}")
+            format!("the picture is wrong, and no known mistake explains it; OpenGL rejected a call: {error}")
         }
         (true, None) => "the picture is wrong, and no known mistake explains it".to_owned(),
     }
 }
 
-/// A program on the way to being right.
+/// A partly corrected program.
 struct Attempt {
     corrected: Vec<Suspect>,
     steps: Vec<Step>,
     run: GlProgramRun,
-    /// Calls that are refused, and findings that cannot be meant.
+    /// Rejected calls, and findings that cannot be intended.
     complaints: BTreeSet<String>,
-    /// How many complaints the last fix has ended; others may have come to light.
+    /// Number of complaints that the last fix has ended; it may have revealed others.
     ended: usize,
     share: f64,
 }
 
 impl Attempt {
     fn new(corrected: Vec<Suspect>, steps: Vec<Step>, run: GlProgramRun, share: f64) -> Self {
-        let cannot_be = run.findings.iter().filter(|finding| finding.severity == Severity::Error);
+        let errors = run.findings.iter().filter(|finding| finding.severity == Severity::Error);
         let refused = run.errors.iter().map(|error| format!("{} {}", error.line, error.call));
-        let complaints = cannot_be.map(|finding| finding.rule.name().to_owned()).chain(refused).collect();
+        let complaints = errors.map(|finding| finding.rule.name().to_owned()).chain(refused).collect();
         Attempt { corrected, steps, run, complaints, ended: 0, share }
     }
 
-    /// Whether it has come nearer. One mistake may hide another: that a complaint gives way to another one counts.
-    fn is_nearer_than(&mut self, before: &Attempt) -> bool {
+    /// Whether it is closer to the solution. One mistake may hide another: replacing a complaint by another one counts.
+    fn is_closer_than(&mut self, before: &Attempt) -> bool {
         self.ended = before.complaints.difference(&self.complaints).count();
         self.ended > 0 || self.share > before.share + LITTLE
     }
 }
 
-/// Mistakes that together make the picture what it is; none where nothing explains it.
+/// Mistakes that together explain the picture; empty if nothing explains it.
 fn search(judge: &mut Judge<'_>, steps: &[Step], run: &GlProgramRun, share: f64) -> Result<Vec<Suspect>, GlError> {
     let mut round = vec![Attempt::new(Vec::new(), steps.to_vec(), run.clone(), share)];
     for _ in 0..MOST_MISTAKES {
@@ -210,7 +211,7 @@ fn search(judge: &mut Judge<'_>, steps: &[Step], run: &GlProgramRun, share: f64)
                 if share >= ENOUGH {
                     return Ok(attempt.corrected);
                 }
-                if attempt.is_nearer_than(before) {
+                if attempt.is_closer_than(before) {
                     next.push(attempt);
                 }
             }
@@ -224,7 +225,7 @@ fn search(judge: &mut Judge<'_>, steps: &[Step], run: &GlProgramRun, share: f64)
     Ok(Vec::new())
 }
 
-/// The most promising ones, each state once.
+/// The most promising attempts, each state at most twice.
 fn distinct(attempts: Vec<Attempt>) -> Vec<Attempt> {
     let mut seen: BTreeMap<(BTreeSet<String>, u64), usize> = BTreeMap::new();
     let mut kept: Vec<Attempt> = Vec::new();

@@ -1,4 +1,4 @@
-//! The student's picture against the reference's.
+//! Compares the student's picture with the reference's.
 
 use super::suspects::Case;
 use gonio_gl::GlError;
@@ -8,41 +8,41 @@ use gonio_render::gl_program::{
 };
 use std::collections::HashMap;
 
-/// Pixels along each side of the pictures that are compared: enough for the smaller levels of the texture to be read.
+/// Pixels along each side of the compared pictures: enough for the smaller levels of the texture to be read.
 pub const SIDE: u32 = 256;
-/// Two pixels are the same within one step of 8 bits, and a hair for the rounding of that: the exercise's own tolerance.
+/// Tolerance per channel: one step of 8 bits, and a margin for its rounding. The exercise sets it.
 const STEP: f32 = 1.01 / 255.0;
-/// So many of all pixels must be the same: the exercise's own tolerance.
+/// The share of pixels that must be equal. The exercise sets it.
 pub const ENOUGH: f64 = 0.99;
 
 /// Runs programs and compares them with the reference.
 pub struct Judge<'a> {
     gl: &'a gonio_gl::Gl,
     files: &'a GlProgramFiles,
-    /// The program that is right.
+    /// The right program.
     pub reference: &'a [Step],
-    /// Its pictures, by how the texture is sampled.
+    /// Its pictures, by the sampling of the texture.
     pictures: HashMap<[String; 4], Vec<[f32; 4]>>,
-    /// How many pictures were drawn.
+    /// Number of pictures drawn.
     pub drawn: usize,
 }
 
 impl<'a> Judge<'a> {
-    /// Has drawn nothing yet.
+    /// Creates a judge that has drawn nothing yet.
     pub fn new(gl: &'a gonio_gl::Gl, files: &'a GlProgramFiles, reference: &'a [Step]) -> Self {
         Judge { gl, files, reference, pictures: HashMap::new(), drawn: 0 }
     }
 
-    /// Carries a program out.
+    /// Executes a program.
     pub fn run(&mut self, steps: &[Step], thumbnails: bool) -> Result<GlProgramRun, GlProgramFailure> {
         self.drawn += 1;
         run(self.gl, steps, self.files, GlProgramOptions { size: [SIDE; 2], float: false, thumbnails })
     }
 
-    /// The share of a picture's pixels that are as they should be.
+    /// The share of a picture's pixels that are right.
     ///
-    /// The exercise does not ask for a certain filter or wrap: the picture is held against the reference with the same
-    /// ones.
+    /// The exercise does not prescribe a filter or wrap mode: the picture is also compared with the reference that uses the
+    /// same ones.
     pub fn share_right(&mut self, run: &GlProgramRun) -> Result<f64, GlError> {
         let sampling = run.record.draws.last().and_then(|draw| draw.samplers.first());
         let sampling = sampling.and_then(|sampler| sampler.sampling.as_ref());
@@ -59,7 +59,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// The reference's picture, with its own sampling or with another.
+    /// The reference's picture, with its own sampling or another one.
     pub fn picture(&mut self, sampling: Option<&SamplingRecord>) -> Result<&[[f32; 4]], GlError> {
         let key = sampling.map_or_else(Default::default, |s| {
             [s.min_filter.clone(), s.mag_filter.clone(), s.wrap[0].clone(), s.wrap[1].clone()]
@@ -68,14 +68,14 @@ impl<'a> Judge<'a> {
             let steps = sampled(self.reference, &key);
             let run = self.run(&steps, false).map_err(|failure| match failure {
                 GlProgramFailure::Driver(error) => error,
-                other => GlError::new(format!("the exercise's own program cannot be drawn: {other}")),
+                other => GlError::new(format!("cannot draw the exercise's own program: {other}")),
             })?;
             self.pictures.insert(key.clone(), run.pixels);
         }
         Ok(self.pictures.get(&key).map(Vec::as_slice).unwrap_or_default())
     }
 
-    /// Returns every suspected mistake.
+    /// The case to search for mistakes.
     pub fn case<'b>(&'b self, steps: &'b [Step], run: &'b GlProgramRun) -> Case<'b>
     where
         'a: 'b,
@@ -84,7 +84,7 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The reference with other filters and wraps; empty words change nothing.
+/// The reference with other filters and wrap modes; empty words change nothing.
 fn sampled(reference: &[Step], words: &[String; 4]) -> Vec<Step> {
     let parameters = ["TEXTURE_MIN_FILTER", "TEXTURE_MAG_FILTER", "TEXTURE_WRAP_S", "TEXTURE_WRAP_T"];
     let mut steps = reference.to_vec();
@@ -98,12 +98,12 @@ fn sampled(reference: &[Step], words: &[String; 4]) -> Vec<Step> {
     steps
 }
 
-/// A constant by the words that records have for it: `linear mipmap linear`.
+/// The constant for the words that records use: `linear mipmap linear`.
 fn by_words(words: &str) -> Option<Constant> {
     constant(&words.to_uppercase().replace(' ', "_"))
 }
 
-/// The share of pixels that are the same. Alpha is not seen in a window.
+/// The share of equal pixels. Alpha is not visible in a window, and is ignored.
 fn share(mine: &[[f32; 4]], right: &[[f32; 4]]) -> f64 {
     if mine.len() != right.len() || mine.is_empty() {
         return 0.0;

@@ -12,7 +12,7 @@ use serde::Serialize;
 /// A mistake: with it fixed, the picture is right.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct GlProgramMistake {
-    /// Its word, one of `names`.
+    /// Its id, one of [`super::names`].
     pub id: String,
     /// The mistake in half a sentence.
     pub name: String,
@@ -22,19 +22,19 @@ pub struct GlProgramMistake {
     pub looks_like: String,
     /// The exact text to write.
     pub fix: String,
-    /// The line that is wrong; where a call is missing, the one after which it is.
+    /// The wrong line; if a call is missing, the line after which it belongs.
     pub line: u32,
-    /// The line itself.
+    /// The text of the line.
     pub quoted: String,
 }
 
-/// Right, but worth knowing.
+/// A remark about something that is right, but worth knowing.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct GlProgramWarning {
-    /// Its line, where it has one.
+    /// Its line, if it concerns one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u32>,
-    /// A sentence without its end.
+    /// A sentence without its full stop.
     pub text: String,
 }
 
@@ -45,24 +45,24 @@ pub struct GlProgramFindings {
     pub file: String,
     /// The outcome of a check.
     pub verdict: Outcome,
-    /// In one sentence.
+    /// The result in one sentence.
     pub summary: String,
-    /// The mistakes that together explain the picture; empty if nothing does.
+    /// The mistakes that together explain the picture; empty if none do.
     pub mistakes: Vec<GlProgramMistake>,
     /// The findings about the frame, as the frame panel shows them.
     pub findings: Vec<Finding>,
-    /// Why it does not compile.
+    /// Errors in the text or in the shaders.
     pub errors: Vec<GlProgramError>,
-    /// Calls that OpenGL refused.
+    /// Calls that OpenGL rejected.
     pub refused: Vec<CallError>,
-    /// Right, but worth knowing.
+    /// Remarks about what is right, but worth knowing.
     pub warnings: Vec<GlProgramWarning>,
-    /// The share of pixels that are as they should be, 0 to 1.
+    /// The share of right pixels, from 0 to 1.
     pub share_right: f64,
     /// The result of running the program: the picture, and the trace for the frame panel.
     #[serde(skip)]
     pub run: Option<GlProgramRun>,
-    /// The picture that it should be, of the same size and order.
+    /// The reference's picture, with the same size and order.
     #[serde(skip)]
     pub reference: Vec<[f32; 4]>,
 }
@@ -90,11 +90,11 @@ impl GlProgramFindings {
 }
 
 impl GlProgramMistake {
-    pub(super) fn new(words: &GlProgramMistakeName, said: &str, fix: &str, line: u32, quoted: &str) -> Self {
+    pub(super) fn new(words: &GlProgramMistakeName, message: &str, fix: &str, line: u32, quoted: &str) -> Self {
         GlProgramMistake {
             id: words.id.to_owned(),
             name: words.name.to_owned(),
-            explanation: format!("{said}. {}", words.explanation),
+            explanation: format!("{message}. {}", words.explanation),
             looks_like: words.looks_like.to_owned(),
             fix: fix.to_owned(),
             line,
@@ -103,7 +103,7 @@ impl GlProgramMistake {
     }
 }
 
-/// Errors of a failure.
+/// The errors that a failure to run a program means, at a line of the program or of a shader.
 pub fn errors(failure: &GlProgramFailure, program: &GlProgram, files: &GlProgramFiles) -> Vec<GlProgramError> {
     let own = |line: u32, message: String, help: String| GlProgramError {
         file: program.file.clone(),
@@ -117,9 +117,9 @@ pub fn errors(failure: &GlProgramFailure, program: &GlProgram, files: &GlProgram
             let known: Vec<&str> = files.shaders.keys().chain(files.images.keys()).map(String::as_str).collect();
             let help = match nearest(file, known.iter().copied()) {
                 Some(known) => format!("did you mean `{known}`?"),
-                None => format!("there are {}", known.join(", ")),
+                None => format!("the files are {}", known.join(", ")),
             };
-            vec![own(*line, format!("there is no file `{}`", shown(file)), help)]
+            vec![own(*line, format!("unknown file `{}`", shown(file)), help)]
         }
         GlProgramFailure::Shaders { line, vertex, fragment, broken } => {
             let mut errors = Vec::new();
@@ -128,11 +128,14 @@ pub fn errors(failure: &GlProgramFailure, program: &GlProgram, files: &GlProgram
             }
             if let Some(log) = &broken.link_log {
                 let message = format!("`{vertex}` and `{fragment}` do not link: {}", log.trim());
-                errors.push(own(*line, message, "names and types of what one gives the other must agree".to_owned()));
+                errors.push(own(*line, message, "the outputs of the vertex shader and the inputs of the fragment shader must have the same names and types".to_owned()));
             }
             if errors.is_empty() {
-                let why = broken.driver.clone().unwrap_or_else(|| "OpenGL made no program of the shaders".to_owned());
-                errors.push(own(*line, why, String::new()));
+                let message = broken
+                    .driver
+                    .clone()
+                    .unwrap_or_else(|| "OpenGL could not create a program from the shaders".to_owned());
+                errors.push(own(*line, message, String::new()));
             }
             errors
         }
@@ -152,14 +155,14 @@ fn of_log(file: &str, log: &str) -> Vec<GlProgramError> {
         }
     }
     if errors.is_empty() {
-        let message = format!("it does not compile: {}", log.trim());
+        let message = format!("the shader does not compile: {}", log.trim());
         errors.push(GlProgramError { file: file.to_owned(), line: 1, column: 1, message, help: String::new() });
     }
     errors
 }
 
 /// Line, column and message of `0:12(5): error: ...` (Mesa), `0(12) : error ...` (NVIDIA), `ERROR: 0:12: ...` (others).
-/// The line is 0 where there is none.
+/// The line is 0 if there is none.
 fn place(text: &str) -> (u32, u32, &str) {
     let rest = text.strip_prefix("ERROR: ").unwrap_or(text);
     let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
@@ -178,11 +181,11 @@ fn number(text: &str) -> (u32, &str) {
     (text[..end].parse().unwrap_or(0), &text[end..])
 }
 
-/// Warnings about a program; about one whose picture is wrong only what has nothing to do with that.
+/// Warnings about a program that runs here, but may not elsewhere. If the picture is wrong, only warnings unrelated to that.
 pub fn warnings(program: &GlProgram, run: &GlProgramRun, right: bool) -> Vec<GlProgramWarning> {
     let mut warnings = Vec::new();
     if right {
-        // Refused calls are told below, at their own lines.
+        // Rejected calls are reported below, at their own lines.
         for finding in run.findings.iter().filter(|finding| finding.rule != Rule::OpenGlError) {
             let line = run.draw_lines.get(finding.draw).copied();
             let text = match finding.severity {
@@ -202,7 +205,7 @@ pub fn warnings(program: &GlProgram, run: &GlProgramRun, right: bool) -> Vec<GlP
     warnings
 }
 
-/// A program draws many frames: in the second one, the depths of the first are still there.
+/// A real program draws many frames: in the second one, the depths of the first are still there.
 fn depth_never_cleared(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>) {
     let on = program
         .steps
@@ -213,25 +216,26 @@ fn depth_never_cleared(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>
         .iter()
         .any(|step| matches!(&step.call, GlCall::Clear(bits) if bits.iter().any(|bit| bit.name == "DEPTH_BUFFER_BIT")));
     if let (Some(step), false) = (on, cleared) {
-        let text = "DEPTH_TEST is on and no call clears DEPTH_BUFFER_BIT: a second frame would stay empty".to_owned();
+        let text =
+            "DEPTH_TEST is enabled, but no call clears DEPTH_BUFFER_BIT: a second frame would stay empty".to_owned();
         warnings.push(GlProgramWarning { line: Some(step.line), text });
     }
 }
 
-/// OpenGL passes over them without a word.
+/// OpenGL ignores them without an error.
 fn unknown_uniforms(program: &GlProgram, run: &GlProgramRun, warnings: &mut Vec<GlProgramWarning>) {
     let Some(drawn) = run.record.draws.last().and_then(|draw| run.record.program_of(draw)) else { return };
     for step in &program.steps {
         let GlCall::Uniform { uniform, .. } = &step.call else { continue };
         let bare = uniform.strip_suffix("[0]").unwrap_or(uniform);
         if !drawn.uniforms.iter().any(|known| known.name == bare) {
-            let text = format!("the program needs no uniform `{uniform}`, and OpenGL says nothing");
+            let text = format!("the program has no uniform `{uniform}`, and OpenGL reports no error");
             warnings.push(GlProgramWarning { line: Some(step.line), text });
         }
     }
 }
 
-/// One does not see it where the coordinates end with the triangle.
+/// The edges are not visible if the coordinates end with the triangle.
 fn dark_edges(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>) {
     for step in &program.steps {
         let GlCall::TexParameter { value: Selector::Constant(value), .. } = &step.call else { continue };

@@ -1,6 +1,6 @@
-//! GL programs: OpenGL calls as a short text, read, really carried out, and judged.
+//! GL programs: OpenGL calls as a short text, which is read, executed and checked.
 //!
-//! [`GlProgram::parse`] reads one, `gonio_render::gl_program::run` carries it out, and [`check()`] says what is wrong with it.
+//! [`GlProgram::parse`] reads one, `gonio_render::gl_program::run` executes it, and [`check()`] finds its mistakes.
 
 mod check;
 mod compare;

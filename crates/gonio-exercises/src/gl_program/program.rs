@@ -6,38 +6,38 @@ use serde::Serialize;
 use std::collections::HashMap;
 use std::fmt;
 
-/// Most calls of a GL program.
+/// Maximum number of calls of a GL program.
 pub const MOST_CALLS: usize = 1000;
-/// Most bytes of its text.
+/// Maximum size of its text, in bytes.
 pub const MOST_TEXT_BYTES: usize = 4 << 20;
-/// Most bytes that one list of numbers fills.
+/// Maximum size of a list of numbers, in bytes.
 pub const MOST_DATA_BYTES: usize = 1 << 20;
-/// Most errors that are told at once.
+/// Maximum number of errors that are reported at once.
 pub const MOST_ERRORS: usize = 50;
 
-/// A GL program, read.
+/// A GL program that was read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GlProgram {
     /// The file's name.
     pub file: String,
     /// Its calls, in order.
     pub steps: Vec<Step>,
-    /// Its lines, to be quoted.
+    /// Its lines, for quoting.
     lines: Vec<String>,
 }
 
-/// Something that is no GL program.
+/// An error in the text of a GL program.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct GlProgramError {
     /// The file's name.
     pub file: String,
-    /// From 1.
+    /// Line, from 1.
     pub line: u32,
-    /// From 1, in characters.
+    /// Column in characters, from 1.
     pub column: u32,
     /// The error, a sentence without its full stop.
     pub message: String,
-    /// The remedy; may be empty.
+    /// How to fix it; may be empty.
     pub help: String,
 }
 
@@ -51,14 +51,17 @@ impl fmt::Display for GlProgramError {
 impl std::error::Error for GlProgramError {}
 
 impl GlProgram {
-    /// Reads a text. All errors that it has, up to [`MOST_ERRORS`]; never an empty list.
+    /// Reads a text.
+    ///
+    /// # Errors
+    /// All errors in the text, up to [`MOST_ERRORS`]; never an empty list.
     pub fn parse(text: &str, file_name: &str) -> Result<Self, Vec<GlProgramError>> {
         let error = |message: String, help: &str| {
             vec![GlProgramError { file: file_name.to_owned(), line: 1, column: 1, message, help: help.to_owned() }]
         };
         if text.len() > MOST_TEXT_BYTES {
             let most = MOST_TEXT_BYTES >> 20;
-            return Err(error(format!("the text has {} bytes", text.len()), &format!("{most} MB is the most")));
+            return Err(error(format!("the text has {} bytes", text.len()), &format!("at most {most} MB are read")));
         }
         if text.contains('\0') {
             return Err(error("the file is not text".to_owned(), "hand in the GL program as text"));
@@ -70,12 +73,12 @@ impl GlProgram {
 
     /// Reads a file's bytes.
     pub fn parse_bytes(bytes: &[u8], file_name: &str) -> Result<Self, Vec<GlProgramError>> {
-        // A byte order mark is no mistake of the student's.
+        // A byte order mark is not a mistake.
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
         match std::str::from_utf8(bytes) {
             Ok(text) => Self::parse(text, file_name),
-            Err(why) => {
-                let line = bytes[..why.valid_up_to()].iter().filter(|byte| **byte == b'\n').count() as u32 + 1;
+            Err(error) => {
+                let line = bytes[..error.valid_up_to()].iter().filter(|byte| **byte == b'\n').count() as u32 + 1;
                 Err(vec![GlProgramError {
                     file: file_name.to_owned(),
                     line,
@@ -87,7 +90,7 @@ impl GlProgram {
         }
     }
 
-    /// A line of the text, from 1, without blanks around it.
+    /// A line of the text, from 1, without leading and trailing spaces.
     pub fn quoted(&self, line: u32) -> Option<&str> {
         self.lines.get((line as usize).checked_sub(1)?).map(|line| line.trim())
     }
@@ -118,15 +121,15 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
         let code = content.split('#').next().unwrap_or_default();
         let words = split(code);
         let Some(&first) = words.first() else { continue };
-        let mut problem = |problem: LineError| {
-            let LineError { column, message, help } = problem;
+        let mut report = |error: LineError| {
+            let LineError { column, message, help } = error;
             errors.push(GlProgramError { file: file.to_owned(), line, column, message, help });
         };
         if let Some(mut open) = list.take() {
             if first.text == "end" && words.len() == 1 {
                 let (name, line) = (open.name.clone(), open.line);
                 if open.too_long {
-                    // It was told where it happened.
+                    // The error was already reported.
                 } else if open.whole {
                     steps.push(Step { line, call: GlCall::Indices { name: open.name, numbers: open.indices } });
                 } else {
@@ -135,17 +138,20 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
                 names.insert(name, Named::Data);
                 continue;
             }
-            // A forgotten `end` would make every later line wrong; the first one tells it.
+            // A missing `end` would make every later line wrong; it is reported at the first one.
             if WORDS.contains(&first.text) || words.get(1).is_some_and(|word| word.text == "=") {
-                problem(LineError::at(
+                report(LineError::at(
                     first,
-                    format!("the list `{}`, begun in line {}, has no end before this call", open.name, open.line),
+                    format!(
+                        "the list `{}`, which starts in line {}, has no end before this call",
+                        open.name, open.line
+                    ),
                     "write a line with `end` after its last number",
                 ));
                 names.insert(open.name, Named::Data);
             } else {
-                if let Err(why) = open.take(&words) {
-                    problem(why);
+                if let Err(error) = open.take(&words) {
+                    report(error);
                 }
                 list = Some(open);
                 continue;
@@ -154,12 +160,12 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
         if let "data" | "indices" = first.text {
             match begin_list(&words, line, &names) {
                 Ok(begun) => list = Some(begun),
-                Err(why) => problem(why),
+                Err(error) => report(error),
             }
             continue;
         }
         if steps.len() >= MOST_CALLS {
-            problem(LineError::at(first, format!("there are more than {MOST_CALLS} calls"), "leave some out"));
+            report(LineError::at(first, format!("there are more than {MOST_CALLS} calls"), "leave some out"));
             break;
         }
         match signature::call(&words, &names) {
@@ -169,8 +175,8 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
                 }
                 steps.push(Step { line, call });
             }
-            Err(why) => {
-                // What it would have returned is known all the same, so that one error is not ten.
+            Err(error) => {
+                // The name is defined all the same, so that one error does not cause others.
                 if let [name, equals, ..] = words.as_slice()
                     && equals.text == "="
                     && is_name(name.text)
@@ -178,7 +184,7 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
                     let image = words.get(2).is_some_and(|word| word.text == "load_image");
                     names.insert(name.text.to_owned(), if image { Named::Image } else { Named::Number });
                 }
-                problem(why);
+                report(error);
             }
         }
     }
@@ -187,7 +193,7 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
     };
     if let Some(open) = list {
         at_end(
-            format!("the list `{}`, begun in line {}, has no end", open.name, open.line),
+            format!("the list `{}`, which starts in line {}, has no end", open.name, open.line),
             "write a line with `end` after its last number",
         );
     } else if steps.is_empty() {
@@ -197,7 +203,7 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
     if errors.is_empty() { Ok(steps) } else { Err(errors) }
 }
 
-/// Words between blanks, with their columns.
+/// The words of a line, with their columns.
 fn split(code: &str) -> Vec<Word<'_>> {
     let mut words = Vec::new();
     let mut start = None;
@@ -226,15 +232,19 @@ fn begin_list(words: &[Word<'_>], line: u32, names: &HashMap<String, Named>) -> 
     let [_, name] = words else {
         return Err(LineError::at(
             first,
-            format!("`{}` wants one name, and the numbers in the lines below", first.text),
+            format!("`{}` expects one name, and the numbers on the following lines", first.text),
             format!("for example `{} corners`", first.text),
         ));
     };
     if !is_name(name.text) || WORDS.contains(&name.text) {
-        return Err(LineError::at(*name, format!("`{}` cannot be a name", shown(name.text)), "take a word of letters"));
+        return Err(LineError::at(
+            *name,
+            format!("`{}` cannot be a name", shown(name.text)),
+            "choose a name that is not a call",
+        ));
     }
     if names.contains_key(name.text) {
-        return Err(LineError::at(*name, format!("there is a `{}` already", shown(name.text)), "take another name"));
+        return Err(LineError::at(*name, format!("`{}` already exists", shown(name.text)), "choose another name"));
     }
     let (name, whole) = (name.text.to_owned(), first.text == "indices");
     Ok(List { line, name, whole, floats: Vec::new(), indices: Vec::new(), too_long: false })
@@ -246,11 +256,11 @@ impl List {
             return Ok(());
         }
         for word in words {
-            // As it is copied from C++: `0.5f,`.
+            // Numbers may be copied from C++: `0.5f,`.
             let bare = word.text.trim_end_matches(',');
             if self.whole {
                 let number = bare.parse().map_err(|_| {
-                    let help = "write whole numbers from 0 on";
+                    let help = "write integers from 0";
                     LineError::at(*word, format!("`{}` is not an index", shown(word.text)), help)
                 })?;
                 self.indices.push(number);
@@ -258,7 +268,7 @@ impl List {
                 let bare = if bare.starts_with("0x") { bare } else { bare.trim_end_matches(['f', 'F']) };
                 let number = bare.parse().ok().filter(|number: &f32| number.is_finite());
                 let Some(number) = number else {
-                    let help = "write numbers such as 0.5, or `end` after the last one";
+                    let help = "write numbers such as 0.5, and `end` after the last one";
                     return Err(LineError::at(*word, format!("`{}` is not a number", shown(word.text)), help));
                 };
                 self.floats.push(number);
@@ -266,7 +276,7 @@ impl List {
             if (self.floats.len() + self.indices.len()) * 4 > MOST_DATA_BYTES {
                 self.too_long = true;
                 let message = format!("the list `{}` has more than {} numbers", self.name, MOST_DATA_BYTES / 4);
-                return Err(LineError::at(*word, message, "make it shorter: a buffer has at most 1 MB"));
+                return Err(LineError::at(*word, message, "make it shorter: a buffer may have at most 1 MB"));
             }
         }
         Ok(())

@@ -6,19 +6,19 @@ use gonio_render::gl_program::{
 };
 use std::collections::HashMap;
 
-/// What a name stands for.
+/// The kind of a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Named {
     /// A list of numbers.
     Data,
     /// An image.
     Image,
-    /// A number: what `gen_...` or `create_program` returned.
+    /// A number that `gen_...` or `create_program` returned.
     Number,
 }
 
 impl Named {
-    /// For people.
+    /// The kind in words.
     pub fn words(self) -> &'static str {
         match self {
             Named::Data => "a list of numbers",
@@ -28,51 +28,51 @@ impl Named {
     }
 }
 
-/// A word and where it stands.
+/// A word and its place.
 #[derive(Clone, Copy, Debug)]
 pub struct Word<'a> {
     /// The word.
     pub text: &'a str,
-    /// From 1.
+    /// Column, from 1.
     pub column: u32,
 }
 
-/// Why a line cannot be read.
+/// The reason why a line cannot be read.
 #[derive(Debug)]
 pub struct LineError {
-    /// From 1.
+    /// Column, from 1.
     pub column: u32,
-    /// A sentence without its end.
+    /// A sentence without its full stop.
     pub message: String,
-    /// The remedy; may be empty.
+    /// How to fix it; may be empty.
     pub help: String,
 }
 
 impl LineError {
-    /// At a word.
+    /// An error at a word.
     pub fn at(word: Word<'_>, message: impl Into<String>, help: impl Into<String>) -> Self {
         LineError { column: word.column, message: message.into(), help: help.into() }
     }
 }
 
-/// Longest words that messages repeat.
+/// Maximum number of characters of a word that messages repeat.
 const LONGEST: usize = 40;
 
-/// A word as messages repeat it.
+/// A word as messages quote it.
 pub fn shown(word: &str) -> String {
     let short: String = word.chars().take(LONGEST).collect();
     let safe: String = short.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
     if word.chars().count() > LONGEST { format!("{safe}...") } else { safe }
 }
 
-/// Whether a word can name something.
+/// Whether a word can be a name.
 pub fn is_name(word: &str) -> bool {
     let mut letters = word.chars();
     let first = letters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
     first && word.len() <= 64 && letters.all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
-/// Calls, and what they want.
+/// Calls and their parameters.
 const SIGNATURES: &[(&str, &[&str])] = &[
     ("load_image", &["FILE"]),
     ("create_program", &["VERT", "FRAG"]),
@@ -108,7 +108,7 @@ const SIGNATURES: &[(&str, &[&str])] = &[
     ("draw_elements", &["MODE", "COUNT", "TYPE", "OFFSET"]),
 ];
 
-/// All words that a line may begin with, but for names.
+/// All words that a line may begin with, except names.
 pub const WORDS: &[&str] = &{
     let mut words = [""; SIGNATURES.len() + 2];
     let mut i = 0;
@@ -121,17 +121,17 @@ pub const WORDS: &[&str] = &{
     words
 };
 
-/// Names that are known in a line.
+/// The names that are known in a line.
 type Names = HashMap<String, Named>;
-/// The call of a line, and the name that it gives.
+/// The call of a line, and the name that it defines.
 type Read = (GlCall, Option<(String, Named)>);
 
-/// Reads a line that begins no list.
+/// Reads a line that does not begin a list.
 pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
     let (returned, rest) = match words {
         [name, equals, rest @ ..] if equals.text == "=" => (Some(*name), rest),
         [name, ..] if name.text.contains('=') => {
-            return Err(LineError::at(*name, "blanks are missing around `=`", "write `name = call`"));
+            return Err(LineError::at(*name, "expected spaces around `=`", "write `name = call`"));
         }
         _ => (None, words),
     };
@@ -139,17 +139,17 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
         let end = words[words.len() - 1];
         return Err(LineError::at(end, "expected a call after `=`", "write `name = gen_texture` or the like"));
     };
-    let Some((_, wanted)) = SIGNATURES.iter().find(|(known, _)| *known == word.text) else {
+    let Some((_, expected)) = SIGNATURES.iter().find(|(known, _)| *known == word.text) else {
         return Err(no_call(word));
     };
-    // `clear` takes as many as there are.
-    let fits = if word.text == "clear" { !given.is_empty() } else { given.len() == wanted.len() };
+    // `clear` takes any number of arguments.
+    let fits = if word.text == "clear" { !given.is_empty() } else { given.len() == expected.len() };
     if !fits {
-        let plural = if wanted.len() == 1 { "" } else { "s" };
+        let plural = if expected.len() == 1 { "" } else { "s" };
         return Err(LineError::at(
-            given.get(wanted.len()).copied().unwrap_or(word),
-            format!("`{}` wants {} argument{plural}, and here are {}", word.text, wanted.len(), given.len()),
-            format!("write `{}`", [&[word.text], *wanted].concat().join(" ")),
+            given.get(expected.len()).copied().unwrap_or(word),
+            format!("`{}` expects {} argument{plural}, but got {}", word.text, expected.len(), given.len()),
+            format!("write `{}`", [&[word.text], *expected].concat().join(" ")),
         ));
     }
     let arguments = Arguments { given, names };
@@ -159,7 +159,7 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
             return Err(LineError::at(
                 name,
                 format!("`{}` cannot be a name", shown(name.text)),
-                "take a word of letters",
+                "choose a name that is not a call",
             ));
         }
         Some(name) if constant(name.text).is_some() => {
@@ -167,7 +167,7 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
         }
         Some(name) => match names.get(name.text) {
             Some(known @ (Named::Data | Named::Image)) => {
-                let message = format!("`{}` is {} already", name.text, known.words());
+                let message = format!("`{}` is already {}", name.text, known.words());
                 return Err(LineError::at(name, message, "take another name"));
             }
             _ => name.text.to_owned(),
@@ -183,17 +183,17 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
         (Some(named), Some(_)) => Ok((call, Some((name, named)))),
         (Some(_), None) => {
             let help = format!("write `name = {}`", word.text);
-            Err(LineError::at(word, format!("nothing keeps what `{}` returns", word.text), help))
+            Err(LineError::at(word, format!("the result of `{}` is not stored", word.text), help))
         }
         (None, Some(name)) => {
-            let message = format!("`{}` returns nothing that `{}` could keep", word.text, shown(name.text));
-            Err(LineError::at(name, message, format!("write `{}` alone", word.text)))
+            let message = format!("`{}` returns nothing that can be stored in `{}`", word.text, shown(name.text));
+            Err(LineError::at(name, message, format!("write `{}` without a name", word.text)))
         }
         (None, None) => Ok((call, None)),
     }
 }
 
-/// The words after a call's name, as many as it wants.
+/// The words after a call's name, in the expected number.
 struct Arguments<'a> {
     given: &'a [Word<'a>],
     names: &'a Names,
@@ -259,11 +259,7 @@ impl Arguments<'_> {
                 GlCall::DrawElements { mode, count, kind: self.constant(2)?, offset: self.whole(3)? }
             }
             _ => {
-                return Err(LineError {
-                    column: 1,
-                    message: format!("there is no call `{word}`"),
-                    help: String::new(),
-                });
+                return Err(LineError { column: 1, message: format!("unknown call `{word}`"), help: String::new() });
             }
         })
     }
@@ -273,7 +269,7 @@ impl Arguments<'_> {
         self.given.get(at).copied().ok_or_else(missing)
     }
 
-    /// A file's name: no path that leads elsewhere is ever opened, only looked for among the files that were given.
+    /// A file name. It is only looked up among the given files, and never opened as a path.
     fn file(&self, at: usize) -> Result<String, LineError> {
         let word = self.word(at)?;
         Ok(word.text.trim_matches('"').to_owned())
@@ -283,7 +279,7 @@ impl Arguments<'_> {
     fn variable(&self, at: usize) -> Result<String, LineError> {
         let word = self.word(at)?;
         let bare = word.text.trim_matches('"');
-        // GLSL's names, with members and elements.
+        // GLSL names, with members and elements.
         let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '[' | ']');
         if bare.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
             && bare.len() <= 128
@@ -291,8 +287,8 @@ impl Arguments<'_> {
         {
             return Ok(bare.to_owned());
         }
-        let help = "write the name that it has in the shader; its location is looked up";
-        Err(LineError::at(word, format!("`{}` names no variable of a shader", shown(word.text)), help))
+        let help = "write the name that it has in the shader; gonio looks up its location";
+        Err(LineError::at(word, format!("`{}` cannot be the name of a shader variable", shown(word.text)), help))
     }
 
     fn whole(&self, at: usize) -> Result<i32, LineError> {
@@ -301,9 +297,9 @@ impl Arguments<'_> {
             let big = word.text.parse::<i128>().is_ok();
             let message = match big {
                 true => format!("`{}` is too large", shown(word.text)),
-                false => format!("`{}` is not a whole number", shown(word.text)),
+                false => format!("`{}` is not an integer", shown(word.text)),
             };
-            LineError::at(word, message, "write a whole number such as 32")
+            LineError::at(word, message, "write an integer such as 32")
         })
     }
 
@@ -336,7 +332,7 @@ impl Arguments<'_> {
             Some(Named::Number) => return Ok(IntArgument::Variable(word.text.to_owned())),
             Some(other) => {
                 let message = format!("`{}` is {}, not a number", word.text, other.words());
-                return Err(LineError::at(word, message, "give the name that a call returned its number to"));
+                return Err(LineError::at(word, message, "use a name that stores the result of a call"));
             }
             None => {}
         }
@@ -346,9 +342,9 @@ impl Arguments<'_> {
             known.sort_unstable();
             let help = match nearest(word.text, known) {
                 Some(known) => format!("did you mean `{known}`?"),
-                None => format!("a line `{} = ...` must come before", shown(word.text)),
+                None => format!("a line `{} = ...` must come before this one", shown(word.text)),
             };
-            return Err(LineError::at(word, format!("there is no `{}` yet", shown(word.text)), help));
+            return Err(LineError::at(word, format!("`{}` is not defined yet", shown(word.text)), help));
         }
         Ok(IntArgument::Literal(self.whole(at)?))
     }
@@ -365,27 +361,28 @@ impl Arguments<'_> {
         Err(no_constant(word))
     }
 
-    fn named(&self, at: usize, wanted: Named, how: &str) -> Result<String, LineError> {
+    fn named(&self, at: usize, expected: Named, how: &str) -> Result<String, LineError> {
         let word = self.word(at)?;
         match self.names.get(word.text) {
-            Some(named) if *named == wanted => Ok(word.text.to_owned()),
+            Some(named) if *named == expected => Ok(word.text.to_owned()),
             Some(named) => {
-                let message = format!("`{}` is {}, not {}", word.text, named.words(), wanted.words());
-                Err(LineError::at(word, message, format!("make one with `{how}`")))
+                let message = format!("`{}` is {}, not {}", word.text, named.words(), expected.words());
+                Err(LineError::at(word, message, format!("create one with `{how}`")))
             }
             None => {
-                let mut known: Vec<&str> = self.names.iter().filter(|n| *n.1 == wanted).map(|n| n.0.as_str()).collect();
+                let mut known: Vec<&str> =
+                    self.names.iter().filter(|n| *n.1 == expected).map(|n| n.0.as_str()).collect();
                 known.sort_unstable();
                 let help = match nearest(word.text, known) {
                     Some(known) => format!("did you mean `{known}`?"),
-                    None => format!("make it before, with `{how}`"),
+                    None => format!("create it first, with `{how}`"),
                 };
-                Err(LineError::at(word, format!("there is no `{}` yet", shown(word.text)), help))
+                Err(LineError::at(word, format!("`{}` is not defined yet", shown(word.text)), help))
             }
         }
     }
 
-    /// Bits, joined by blanks or `|`.
+    /// Bits, separated by spaces or `|`.
     fn bits(&self) -> Result<Vec<Constant>, LineError> {
         let mut bits = Vec::new();
         for word in self.given {
@@ -400,25 +397,25 @@ impl Arguments<'_> {
 fn no_constant(word: Word<'_>) -> LineError {
     let bare = word.text.trim_start_matches("GL_").trim_end_matches([',', ')', ';']);
     let help = if bare != word.text && constant(bare).is_some() {
-        format!("write `{bare}`, without GL_, commas and brackets")
+        format!("write `{bare}`, without GL_, commas and parentheses")
     } else {
         match nearest(bare, CONSTANTS.iter().map(|constant| constant.name)) {
             Some(known) => format!("did you mean `{known}`?"),
-            None => "constants are written in capitals, without GL_".to_owned(),
+            None => "write constants in upper case, without GL_".to_owned(),
         }
     };
-    LineError::at(word, format!("there is no constant `{}`", shown(word.text)), help)
+    LineError::at(word, format!("unknown constant `{}`", shown(word.text)), help)
 }
 
-/// What to say of a word that is no call.
+/// The error for a word that is not a call.
 fn no_call(word: Word<'_>) -> LineError {
     let text = word.text;
     let bare = text.split('(').next().unwrap_or_default();
     let help = if bare.starts_with("gl") && bare.chars().nth(2).is_some_and(char::is_uppercase) {
         let snake = snake(&bare[2..]);
         match nearest(&snake, WORDS.iter().copied()) {
-            Some(known) => format!("write `{known}`, and its arguments without brackets and commas"),
-            None => "write calls without `gl`, in small letters, words joined by `_`".to_owned(),
+            Some(known) => format!("write `{known}`, with its arguments without parentheses and commas"),
+            None => "write calls without `gl`, in lower case, with `_` between words".to_owned(),
         }
     } else {
         match nearest(bare, WORDS.iter().copied()) {
@@ -426,7 +423,7 @@ fn no_call(word: Word<'_>) -> LineError {
             None => "text.md has a table of the calls".to_owned(),
         }
     };
-    LineError::at(word, format!("there is no call `{}`", shown(text)), help)
+    LineError::at(word, format!("unknown call `{}`", shown(text)), help)
 }
 
 /// `BindTexture` as `bind_texture`.

@@ -1,4 +1,4 @@
-//! Files that are given to an exercise while it is worked on: what each is for, and which others make way for it.
+//! Files that are added to an exercise: the use of each, and the files that it replaces.
 
 use crate::buffers;
 use crate::cubemap;
@@ -10,48 +10,48 @@ use gonio_mesh::Format;
 /// The use of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FileUse {
-    /// It holds a vertex shader.
+    /// Whether it contains a vertex shader.
     pub vertex: bool,
-    /// It holds a fragment shader.
+    /// Whether it contains a fragment shader.
     pub fragment: bool,
-    /// It says what names mean: `names.toml`.
+    /// Whether it is `names.toml`, which defines the roles of names.
     pub names: bool,
-    /// It is a vertex buffer.
+    /// Whether it is a vertex buffer.
     pub buffer: bool,
-    /// It is a GL program.
+    /// Whether it is a GL program.
     pub gl_program: bool,
-    /// It is a picture: a face, or several.
+    /// Whether it is a picture of one or several faces.
     pub picture: bool,
 }
 
 /// Files sorted by their use.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SortedFiles {
-    /// Those that the exercise can do something with, by their numbers among what was given, and what each is for.
+    /// Indices of the files that the exercise can use, each with its use.
     pub taken: Vec<(usize, FileUse)>,
-    /// Which files were ignored, and why, in one sentence. Always present if no file was taken.
+    /// The ignored files and the reason, in one sentence. Always present if no file was taken.
     pub aside: Option<String>,
 }
 
-/// Most files that a sentence names.
+/// Maximum number of files that a sentence lists.
 const MOST_NAMED: usize = 3;
 
-/// Whether a file is, by its content, something that the exercise can be answered with: a shader, a vertex buffer, a host
-/// program, a picture of a face.
+/// Whether a file could be an answer to the exercise, by its content: a shader, a vertex buffer, a GL program or a picture of
+/// a face.
 pub fn is_answer(exercise: &Exercise, file: &SourceFile) -> bool {
-    let Ok(Some(found)) = used(exercise, file) else { return false };
+    let Ok(Some(found)) = use_of(exercise, file) else { return false };
     match exercise.kind {
-        // Any text could be meant as one: it counts where most of it can be read.
+        // Any text could be meant as a GL program: it counts if most of its lines can be read.
         ExerciseKind::GlProgram => found.gl_program && is_gl_program(file),
         ExerciseKind::Buffers => found.buffer && buffers::read_buffer(&file.name, &file.bytes).is_ok(),
         ExerciseKind::Shaders | ExerciseKind::Faces => found.vertex || found.fragment || found.picture,
     }
 }
 
-/// Whether these files answer the exercise by themselves: both stages of a program, or one file of another kind.
+/// Whether these files are a whole answer: both stages of a program, or one file of another kind.
 pub fn is_complete(exercise: &Exercise, files: &[SourceFile]) -> bool {
     let of_files = files.iter().filter(|file| is_answer(exercise, file));
-    let all = of_files.filter_map(|file| used(exercise, file).ok()?).fold(FileUse::default(), FileUse::with);
+    let all = of_files.filter_map(|file| use_of(exercise, file).ok()?).fold(FileUse::default(), FileUse::with);
     all.vertex && all.fragment || all.buffer || all.gl_program || all.picture
 }
 
@@ -60,16 +60,15 @@ fn is_gl_program(file: &SourceFile) -> bool {
     GlProgram::parse_bytes(&file.bytes, &file.name).map_or_else(|errors| 2 * errors.len() < lines, |_| true)
 }
 
-/// Tells what these files are for. What is handed out with the exercise and is no answer is left aside without a word, as
-/// long as there is anything else.
+/// Sorts files by their use. Start files that cannot be an answer are ignored silently if there are other files.
 pub fn sort_files(exercise: &Exercise, files: &[SourceFile]) -> SortedFiles {
     let mut sorted = SortedFiles::default();
     let mut aside: Vec<(&str, String)> = Vec::new();
     for (index, file) in files.iter().enumerate() {
-        match used(exercise, file) {
+        match use_of(exercise, file) {
             Ok(Some(of_file)) => sorted.taken.push((index, of_file)),
             Ok(None) => {}
-            Err(why) => aside.push((base(&file.name), why)),
+            Err(reason) => aside.push((base(&file.name), reason)),
         }
     }
     sorted.aside = match aside.as_slice() {
@@ -77,7 +76,7 @@ pub fn sort_files(exercise: &Exercise, files: &[SourceFile]) -> SortedFiles {
             Some(format!("none of these files is an answer: {} reads {}", exercise.id, what_it_reads(exercise.kind)))
         }
         [] => None,
-        [(_, why)] => Some(why.clone()),
+        [(_, reason)] => Some(reason.clone()),
         several => {
             let named: Vec<&str> = several.iter().take(MOST_NAMED).map(|(name, _)| *name).collect();
             let more = match several.len().saturating_sub(MOST_NAMED) {
@@ -91,13 +90,13 @@ pub fn sort_files(exercise: &Exercise, files: &[SourceFile]) -> SortedFiles {
     sorted
 }
 
-/// Whether a file that is open makes way for these: they are for the same, or one is called the same.
+/// Whether new files replace an open one: they have the same use, or one has the same name.
 pub fn is_replaced(exercise: &Exercise, open: &SourceFile, taken: &[(&SourceFile, FileUse)], all: &[&str]) -> bool {
     if taken.iter().any(|(file, _)| base(&file.name) == base(&open.name)) {
         return true;
     }
-    let Ok(Some(old)) = used(exercise, open) else { return false };
-    // A face that is called as one of those that are open is that face, corrected; others are another answer.
+    let Ok(Some(old)) = use_of(exercise, open) else { return false };
+    // A picture with the name of an open face is a corrected face; other pictures are another answer.
     let is_open = |file: &SourceFile| all.iter().any(|name| base(name) == base(&file.name));
     let other_pictures = taken.iter().any(|(file, new)| new.picture && !is_open(file));
     let new = taken.iter().fold(FileUse::default(), |all, (_, new)| all.with(*new));
@@ -123,8 +122,11 @@ impl FileUse {
     }
 }
 
-/// Returns the use of one file; `None` for start files that cannot be an answer. An error is one sentence.
-fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, String> {
+/// Returns the use of one file; `None` for start files that cannot be an answer.
+///
+/// # Errors
+/// The reason why the exercise cannot use the file, in one sentence.
+fn use_of(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, String> {
     let name = base(&file.name);
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
     if is_handed_out(exercise, file) {
@@ -138,7 +140,7 @@ fn used(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, Strin
     let is_buffer = || buffers::ENDINGS.iter().any(|known| known.strip_prefix('.') == Some(ending.as_str()));
     let found = match exercise.kind {
         ExerciseKind::Buffers if is_buffer() => Some(FileUse { buffer: true, ..FileUse::default() }),
-        // The program that wrote it, in any language.
+        // The program that wrote the buffer, in any language.
         ExerciseKind::Buffers if is_text(file) => Some(FileUse::default()),
         ExerciseKind::GlProgram if ending == "txt" && is_text(file) => {
             Some(FileUse { gl_program: true, ..FileUse::default() })
@@ -175,7 +177,7 @@ fn what_it_reads(kind: ExerciseKind) -> &'static str {
     }
 }
 
-/// Whether it came with the exercise and cannot be an answer.
+/// Whether a file came with the exercise and cannot be an answer.
 fn is_handed_out(exercise: &Exercise, file: &SourceFile) -> bool {
     let name = base(&file.name);
     let is_paper = |name: &str| [".md", ".svg", ".obj"].iter().any(|end| name.ends_with(end));
@@ -208,10 +210,10 @@ mod tests {
         SourceFile::new(name, bytes.as_ref())
     }
 
-    /// The letters of what a file is for: v, f, n, b, h, p; `-` for text beside, nothing for a file that is handed out.
+    /// The use of a file as letters: v, f, n, b, h, p; `-` for other text, nothing for a file that was handed out.
     fn letters(exercise: &str, name: &str, bytes: impl AsRef<[u8]>) -> String {
         let exercise = exercise::find(exercise).unwrap();
-        match used(exercise, &file(name, bytes)) {
+        match use_of(exercise, &file(name, bytes)) {
             Ok(Some(FileUse::NOTHING)) => "-".into(),
             Ok(Some(u)) => [u.vertex, u.fragment, u.names, u.buffer, u.gl_program, u.picture]
                 .iter()
@@ -219,7 +221,7 @@ mod tests {
                 .filter_map(|(is, letter)| is.then_some(letter))
                 .collect(),
             Ok(None) => String::new(),
-            Err(why) => why,
+            Err(reason) => reason,
         }
     }
 
@@ -229,12 +231,12 @@ mod tests {
     }
 
     #[test]
-    fn the_kind_of_a_file_decides_what_it_is_for() {
+    fn the_kind_of_a_file_decides_its_use() {
         let cpp = format!("const char* v = R\"({VERTEX})\";\nconst char* f = R\"({FRAGMENT})\";\n");
-        for (exercise, name, bytes, wanted) in [
+        for (exercise, name, bytes, expected) in [
             ("ex04", "my light.txt", VERTEX.as_bytes(), "v"),
             ("ex04", "a/b/light", FRAGMENT.as_bytes(), "f"),
-            // It does not compile, and its name says what it is to be.
+            // It does not compile, but its name tells the stage.
             ("ex04", "light.frag", b"void", "f"),
             ("ex04", "main.cpp", cpp.as_bytes(), "vf"),
             ("ex04", "names.toml", b"[uniforms]\n", "n"),
@@ -249,13 +251,13 @@ mod tests {
             ("ex11", "mine.txt", b"glDrawArrays", "h"),
             ("ex11", "start.vert", VERTEX.as_bytes(), ""),
         ] {
-            assert_eq!(letters(exercise, name, bytes), wanted, "{exercise}: {name}");
+            assert_eq!(letters(exercise, name, bytes), expected, "{exercise}: {name}");
         }
     }
 
     #[test]
-    fn what_is_nothing_for_the_exercise_is_one_sentence() {
-        for (exercise, name, bytes, wanted) in [
+    fn unusable_files_get_one_sentence() {
+        for (exercise, name, bytes, expected) in [
             ("ex04", "notes.txt", &b"to do"[..], "there is no shader in notes.txt: ex04 reads a vertex and"),
             ("ex04", "photo.png", PNG, "ex04 does not read photo.png"),
             ("ex04", "cow.obj", b"v 0 0 0", "cow.obj is a model: leave the exercises"),
@@ -266,8 +268,8 @@ mod tests {
             ("ex11", "mine.c", b"glDrawArrays", "ex11 does not read mine.c: it reads GL programs (.txt)"),
             ("s1", "movie.mp4", b"\0\0", "s1 does not read movie.mp4"),
         ] {
-            let said = letters(exercise, name, bytes);
-            assert!(said.starts_with(wanted), "{exercise}: {name}: {said}");
+            let found = letters(exercise, name, bytes);
+            assert!(found.starts_with(expected), "{exercise}: {name}: {found}");
         }
         let ex04 = exercise::find("ex04").unwrap();
         let many: Vec<SourceFile> = (0..5).map(|n| file(&format!("{n}.txt"), "words")).collect();
@@ -280,11 +282,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_for_the_same_makes_way_and_the_rest_stays() {
-        let left = |id: &str, open: &[SourceFile], given: &[SourceFile]| -> Vec<String> {
+    fn new_files_replace_open_ones_with_the_same_use() {
+        let left = |id: &str, open: &[SourceFile], new: &[SourceFile]| -> Vec<String> {
             let exercise = exercise::find(id).unwrap();
             let taken: Vec<(&SourceFile, FileUse)> =
-                sort_files(exercise, given).taken.iter().map(|(index, of)| (&given[*index], *of)).collect();
+                sort_files(exercise, new).taken.iter().map(|(index, of)| (&new[*index], *of)).collect();
             let all: Vec<&str> = open.iter().map(|file| file.name.as_str()).collect();
             let stays = |open: &&SourceFile| !is_replaced(exercise, open, &taken, &all);
             open.iter().filter(stays).map(|file| file.name.clone()).collect()
@@ -292,15 +294,15 @@ mod tests {
         let pair = [file("text.md", "#"), file("start.vert", VERTEX), file("start.frag", FRAGMENT)];
         assert_eq!(left("ex04", &pair, &[file("mine", FRAGMENT)]), ["text.md", "start.vert"]);
         assert_eq!(left("ex04", &pair, &[file("a", FRAGMENT), file("b", VERTEX)]), ["text.md"]);
-        assert_eq!(left("ex04", &pair, &[file("names.toml", "")]).len(), 3, "an empty one is refused");
+        assert_eq!(left("ex04", &pair, &[file("names.toml", "")]).len(), 3, "an empty one is rejected");
         assert_eq!(left("ex04", &pair, &[file("names.toml", "[uniforms]")]).len(), 3);
-        // Pictures and shaders are two ways to answer; a single face is that face, corrected.
+        // Pictures and shaders are two ways to answer; a single face replaces that face.
         assert_eq!(left("s1", &pair, &[file("posx.png", PNG)]), ["text.md"]);
         let faces = ["posx.png", "negx.png"].map(|name| file(name, PNG));
         assert_eq!(left("s1", &faces, &[file("new/posx.png", PNG)]), ["negx.png"]);
         assert_eq!(left("s1", &faces, &[file("cross.png", PNG)]), [""; 0]);
         assert_eq!(left("s1", &faces, &[file("a.frag", FRAGMENT)]), [""; 0]);
-        // One buffer is checked at a time; of GL programs there are many.
+        // Only one buffer is checked at a time, but many GL programs can be open.
         let buffers = [file("start/obj_reader.py", "print()"), file("cube.csv", "1")];
         assert_eq!(left("ex02", &buffers, &[file("gem.json", "[]")]), ["start/obj_reader.py"]);
         let programs = [file("host/one.txt", "gl"), file("host/two.txt", "gl")];

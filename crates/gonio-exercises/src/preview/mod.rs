@@ -1,5 +1,5 @@
-//! A pair of shaders as it runs in a window: read while it is being written, its variables given what they mean, drawn in
-//! the exercise's scene. What it draws is for the eye; verdicts are the checker's ([`gonio_check::check`]).
+//! Live previews of a pair of shaders in the exercise's scene, while the shaders are being written. Their variables get values
+//! by their roles. Previews are only for looking at; verdicts come from the checker ([`gonio_check::check`]).
 
 mod files;
 mod pair;
@@ -14,18 +14,21 @@ pub use scene::{Eye, PreviewObject, PreviewScene, PreviewShape, scenes};
 use crate::exercise::{Exercise, ExerciseKind};
 use gonio_check::submission::SourceFile;
 
-/// Whether the answer is a pair of shaders that can be drawn in a scene of ours.
+/// Whether the answer is a pair of shaders that can be drawn in a preview scene.
 pub fn is_drawn(exercise: &Exercise) -> bool {
     exercise.kind == ExerciseKind::Shaders && reference(exercise).is_ok()
 }
 
-/// The exercise's right answer. An error is one sentence.
+/// The exercise's right answer.
+///
+/// # Errors
+/// The exercise has no reference that is a pair of shaders.
 pub fn reference(exercise: &Exercise) -> Result<SubmittedPair, String> {
     let files = exercise.reference_files().map(|(name, text)| SourceFile::new(name, text)).collect();
     SubmittedPair::gather(exercise, files)
 }
 
-/// The pair that draws the sky behind what mirrors it.
+/// The pair that draws the sky behind reflecting and refracting objects.
 pub fn sky() -> Result<SubmittedPair, String> {
     let exercise = crate::exercise::find("ex08").ok_or("the exercise about skyboxes is missing")?;
     reference(exercise)

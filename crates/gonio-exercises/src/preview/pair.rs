@@ -1,4 +1,4 @@
-//! From files to a program, again and again while they are being written.
+//! Reads and compiles a pair of shaders while it is being written.
 
 use crate::exercise::Exercise;
 use gonio_check::compile::{self, ParsedStage};
@@ -13,7 +13,7 @@ use gonio_render::user_program::{UserProgram, is_embedded};
 /// The severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum NoteKind {
-    /// Other compilers may refuse it.
+    /// Other compilers may reject it.
     Warning,
     /// It does not compile.
     Error,
@@ -43,19 +43,22 @@ pub struct CompiledPair {
     pub bindings: Bindings,
     /// Constructs that other compilers may reject, by file and line.
     pub notes: Vec<Note>,
-    /// Guesses, corrections, ignored files, and unused names of `names.toml`: a sentence each.
+    /// Guesses, corrections, ignored files, and unused names of `names.toml`, one sentence each.
     pub warnings: Vec<String>,
 }
 
-/// Texts beyond this many bytes are no shaders that a person wrote.
+/// Longer texts, in bytes, were not written by hand.
 const LONG: usize = 200_000;
-/// Numbers beyond this are no sizes of arrays that a person wrote.
+/// Larger numbers are array sizes that nobody writes by hand.
 const LARGE: u64 = 4096;
-/// Macros beyond this many may be made to explode.
+/// A larger number of macros may expand exponentially.
 const MANY_MACROS: usize = 16;
 
 impl SubmittedPair {
-    /// Finds the pair. An error is one sentence.
+    /// Finds the pair.
+    ///
+    /// # Errors
+    /// The reason why there is none, in one sentence.
     pub fn gather(exercise: &Exercise, files: Vec<SourceFile>) -> Result<Self, String> {
         let is_text = |name: &str| [".md", ".svg", ".obj"].iter().any(|end| name.ends_with(end));
         let files = files.into_iter().filter(|file| !is_text(&file.name)).collect();
@@ -66,13 +69,16 @@ impl SubmittedPair {
         Ok(SubmittedPair { submission, names })
     }
 
-    /// Whether a driver that compiles or draws it here and now may never come back: there are loops, or what is large. Such
-    /// a pair is tried elsewhere first.
+    /// Whether a driver that compiles or draws the pair may hang: there are loops, or something is large. Such a pair is first
+    /// tried in another process.
     pub fn is_risky(&self) -> bool {
         [&self.submission.vertex.text, &self.submission.fragment.text].into_iter().any(|text| is_risky(text))
     }
 
-    /// Compiles. What is wrong comes back by file and line; there is at least one sentence then.
+    /// Compiles the pair.
+    ///
+    /// # Errors
+    /// Errors by file and line; never an empty list.
     pub fn compile(&self, gl: &Gl) -> Result<CompiledPair, Vec<Note>> {
         let target = if is_embedded(gl) { OutputVersion::Es300 } else { OutputVersion::Core330 };
         let vertex = ParsedStage::new(&self.submission.vertex, Stage::Vertex, target);
@@ -119,7 +125,7 @@ fn is_risky(text: &str) -> bool {
         let word = text.get(part.start as usize..part.end as usize).unwrap_or_default();
         match part.class {
             Class::Keyword => matches!(word, "for" | "while" | "do"),
-            // Loops of a macro's making, sizes of arrays, and macros of macros of macros.
+            // Loops in macros, and nested macros.
             Class::Directive => {
                 macros += usize::from(word == "define");
                 matches!(word, "for" | "while" | "do") || macros > MANY_MACROS
@@ -136,7 +142,7 @@ mod tests {
     use crate::exercise::{self, ExerciseKind};
 
     #[test]
-    fn what_may_never_end_is_told_beforehand() {
+    fn shaders_that_may_never_end_are_risky() {
         for (text, risky) in [
             ("void main() { }", false),
             ("#define N 4\nvoid main() { int a = 4096; float forward = 1e9; } // for ever", false),
@@ -152,9 +158,9 @@ mod tests {
     }
 
     #[test]
-    fn every_reference_of_shaders_is_a_pair_and_none_is_risky() {
+    fn every_reference_is_a_pair_and_none_is_risky() {
         for exercise in exercise::all().iter().filter(|exercise| exercise.kind == ExerciseKind::Shaders) {
-            let source = crate::preview::reference(exercise).unwrap_or_else(|why| panic!("{}: {why}", exercise.id));
+            let source = crate::preview::reference(exercise).unwrap_or_else(|error| panic!("{}: {error}", exercise.id));
             assert!(!source.is_risky(), "{}", exercise.id);
         }
     }

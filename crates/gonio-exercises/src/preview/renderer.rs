@@ -1,4 +1,4 @@
-//! Draws previews: meshes, the sky, a white texture.
+//! Draws previews, with meshes, the sky and a white texture on the GPU.
 
 use super::{CompiledPair, PreviewScene, PreviewShape};
 use gonio_check::roles::{Bound, Role, VariableKind};
@@ -13,9 +13,9 @@ use std::rc::Rc;
 /// The role and the value of an attribute or a uniform.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VariableValue {
-    /// OpenGL's name for it.
+    /// Its name in OpenGL.
     pub name: String,
-    /// As GLSL writes it.
+    /// The GLSL type.
     pub glsl_type: String,
     /// Its role and the evidence for it; `None` if unrecognised.
     pub role: Option<(String, String)>,
@@ -32,7 +32,7 @@ pub struct PreviewRenderer {
 }
 
 impl PreviewRenderer {
-    /// In this context, which is current.
+    /// Creates a renderer in this context, which must be current.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         Ok(PreviewRenderer {
             gl: gl.clone(),
@@ -42,7 +42,7 @@ impl PreviewRenderer {
         })
     }
 
-    /// Makes what a scene needs on the GPU, before anything is drawn of it.
+    /// Uploads the meshes of a scene, before it is drawn.
     pub fn prepare(&self, scene: &PreviewScene) -> Result<(), GlError> {
         scene
             .objects
@@ -69,7 +69,7 @@ impl PreviewRenderer {
         Ok(made)
     }
 
-    /// Draws a program onto what is bound: each shape as its test scene says. Shapes that were not prepared are left out.
+    /// Draws a program to the bound target, each shape with the values of its test scene. Unprepared shapes are left out.
     pub fn draw(&self, pair: &CompiledPair, objects: &[(PreviewShape, TestScene)]) {
         let feed: Vec<(u32, usize)> = of_kind(pair, VariableKind::Attribute)
             .filter_map(|b| Some((pair.program.attribute_location(&b.declared.name)?, stream_of(b.role)?)))
@@ -101,7 +101,7 @@ fn of_kind(pair: &CompiledPair, kind: VariableKind) -> impl Iterator<Item = &Bou
     pair.bindings.bound.iter().filter(move |bound| bound.declared.kind == kind)
 }
 
-/// A uniform's numbers.
+/// The numbers of a uniform.
 fn held(bound: &Bound, test_scene: &TestScene) -> Option<Vec<f32>> {
     let glsl_type = bound.declared.glsl_type.as_str();
     match unit(glsl_type) {
@@ -111,16 +111,16 @@ fn held(bound: &Bound, test_scene: &TestScene) -> Option<Vec<f32>> {
 }
 
 impl CompiledPair {
-    /// Whether there is an attribute that could be the position: without it nothing is seen.
+    /// Whether an attribute could be the position: without it, nothing is visible.
     pub fn has_position(&self) -> bool {
         self.bindings.bound.iter().any(|b| b.declared.kind == VariableKind::Attribute && b.role == Role::Position)
     }
 
-    /// Every attribute and uniform, what it was taken for and what it holds in a test scene.
+    /// Every attribute and uniform, with its role and its value in a test scene.
     pub fn variable_values(&self, test_scene: &TestScene) -> Vec<VariableValue> {
         let bound = self.bindings.bound.iter().map(|bound| {
             let value = match (bound.declared.kind, held(bound, test_scene)) {
-                (VariableKind::Attribute, _) if stream_of(bound.role).is_some() => "the mesh's".to_owned(),
+                (VariableKind::Attribute, _) if stream_of(bound.role).is_some() => "from the mesh".to_owned(),
                 (VariableKind::Attribute, _) => "0 0 0 1: not in the mesh".to_owned(),
                 (VariableKind::Uniform, None) => "0".to_owned(),
                 (VariableKind::Uniform, Some(values)) => written(&bound.declared.glsl_type, &values),
@@ -148,7 +148,7 @@ impl CompiledPair {
     }
 }
 
-/// Numbers as people read them: a matrix by its rows, a sampler by what it looks up.
+/// Numbers in readable form: a matrix by its rows, a sampler by the texture that it samples.
 fn written(glsl_type: &str, values: &[f32]) -> String {
     let number = |value: &f32| {
         let text = format!("{value:.3}");
@@ -184,7 +184,7 @@ mod tests {
     fn numbers_are_written_as_people_read_them() {
         assert_eq!(written("vec3", &[1.0, -0.0001, 0.25, 1.0]), "1  0  0.25");
         assert_eq!(written("float", &[32.0]), "32");
-        // By columns in memory, by rows on paper.
+        // Columns in memory, rows on paper.
         assert_eq!(written("mat2", &[1.0, 2.0, 3.0, 4.0]), "1  3\n2  4");
         assert_eq!(written("samplerCube", &[0.0]), "unit 0: gonio's sky");
     }
@@ -194,7 +194,7 @@ mod tests {
         use gonio_check::submission::SourceFile;
         let exercise = crate::exercise::find("ex09").unwrap();
         let reference = |name: &str| exercise.file(name).unwrap().to_owned();
-        // Nothing is known of the second sampler: were it to read unit 0, which the sky has, no draw would be valid.
+        // The second sampler is unknown: if it read unit 0, which has the sky, no draw would be valid.
         let fragment = reference("reference.frag")
             .replace("uniform vec3 u_view_pos;", "uniform sampler2D qqq; uniform vec3 u_view_pos;")
             .replace("void main() {", "void main() { vec4 leftover = texture(qqq, vec2(0.5)) - 1.0;")

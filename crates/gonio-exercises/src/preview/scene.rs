@@ -1,26 +1,26 @@
-//! The scenes that an exercise is looked at in: the lab's own, and one that shows what the lab's own hides.
+//! The preview scenes of an exercise: the lab's own, and one that shows mistakes that the lab's own hides.
 
 use crate::exercise::Exercise;
 use glam::{Mat4, Quat, Vec3};
 use gonio_check::search::Task;
 use gonio_check::testbench::{TestLight, TestMesh, TestScene, TestShape, mesh, scene::LAB_LIGHT};
 
-/// The mesh to draw.
+/// The shape of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PreviewShape {
-    /// A sphere of radius 1 whose triangles are a quarter of its height.
+    /// A sphere of radius 1 with triangles as high as a quarter of the sphere.
     ExtremelyCoarse,
-    /// One whose outline still has corners.
+    /// A sphere whose outline still has corners.
     Coarse,
-    /// One that looks round.
+    /// A sphere that looks round.
     Smooth,
-    /// Radii 0.7 and 0.3 around the y axis, smooth.
+    /// A smooth torus around the y axis, with radii 0.7 and 0.3.
     Torus,
-    /// From -1 to 1: a skybox.
+    /// A skybox from -1 to 1.
     Cube,
-    /// A small pyramid, its corners in five colours.
+    /// A small pyramid with corners in five colours.
     Pyramid,
-    /// The same within a globe of many colours.
+    /// The pyramid within a globe of many colours.
     Landmarks,
 }
 
@@ -58,13 +58,13 @@ impl PreviewShape {
 /// A camera, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Eye {
-    /// The camera.
+    /// Position of the camera.
     pub position: Vec3,
     /// The point that the camera looks at.
     pub target: Vec3,
-    /// Which way is up in the picture.
+    /// The direction that is up in the picture.
     pub up: Vec3,
-    /// Radians: what is seen along the picture's shorter side.
+    /// Field of view along the picture's shorter side, in radians.
     pub fov_rad: f32,
 }
 
@@ -73,34 +73,34 @@ pub struct Eye {
 pub struct PreviewObject {
     /// The mesh.
     pub shape: PreviewShape,
-    /// M.
+    /// The model matrix M.
     pub world_from_model: Mat4,
 }
 
-/// Objects, a light and where one looks from first.
+/// Objects, a light and the initial camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PreviewScene {
-    /// A word or two, for people.
+    /// A short name.
     pub name: &'static str,
-    /// What the scene shows, in a sentence.
+    /// The purpose of the scene, in one sentence.
     pub shows: &'static str,
     /// The objects.
     pub objects: Vec<PreviewObject>,
-    /// The light at time 0, without what it swings.
+    /// The light at time 0, without its swing.
     pub light: TestLight,
-    /// The lamp's place is moved by this times sin(now), as the lab's is in exercise 07.
+    /// The light moves by this vector times sin(now), as in the lab's exercise 07.
     pub swing: Vec3,
-    /// The first one.
+    /// The initial camera.
     pub eye: Eye,
-    /// Whether the sky is seen behind the objects.
+    /// Whether the sky is visible behind the objects.
     pub has_sky: bool,
-    /// Whether the camera stands still and turns its head, as under a sky.
+    /// Whether the camera turns in place, as under a sky, instead of moving around a target.
     pub looks_around: bool,
 }
 
 impl PreviewScene {
-    /// What a program is given for each object, seen from `eye` at `time` (seconds) in a picture of `width` by `height`
-    /// pixels. The matrices are those of a square picture, as wide as the longer side.
+    /// The test scene of each object, seen from `eye` at `time` (seconds) in a picture of `size` (width and height in pixels).
+    /// The matrices are those of a square picture whose side is the longer side.
     pub fn test_scenes(&self, eye: &Eye, time: f32, size: [u32; 2]) -> Vec<(PreviewShape, TestScene)> {
         let [width, height] = size.map(|side| side.max(1) as f32);
         let longer = (width / height).max(height / width);
@@ -126,7 +126,7 @@ impl PreviewScene {
     }
 }
 
-/// The lab's scene of an exercise first; at least one.
+/// The scenes of an exercise, the lab's first; at least one.
 pub fn scenes(exercise: &Exercise) -> Vec<PreviewScene> {
     match exercise.id.as_str() {
         "ex01" => vec![pyramid(), landmarks()],
@@ -161,26 +161,26 @@ fn scene(
     PreviewScene { name, shows, objects, light, swing: Vec3::ZERO, eye, has_sky: false, looks_around: false }
 }
 
-/// Exercise 01's: the camera stands before it and looks straight ahead.
+/// The scene of exercise 01: a camera in front of the pyramid that looks straight ahead.
 fn pyramid() -> PreviewScene {
     let objects = vec![PreviewObject { shape: PreviewShape::Pyramid, world_from_model: Mat4::IDENTITY }];
     let shows = "the lab's own: a pyramid at the origin";
     scene("the lab's", shows, objects, LAB_LIGHT, eye([0.0, 0.0, 2.0], [0.0; 3], LAB_FOV_DEG))
 }
 
-/// What a pyramid at the origin and a camera that does not turn hide.
+/// Shows mistakes that a pyramid at the origin and a camera that does not turn hide.
 fn landmarks() -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 25f32.to_radians(), 40f32.to_radians(), 15f32.to_radians());
     let model = Mat4::from_scale_rotation_translation(Vec3::new(0.8, 1.1, 0.6), turn, Vec3::new(0.3, -0.2, -0.4));
     let objects = vec![PreviewObject { shape: PreviewShape::Landmarks, world_from_model: model }];
-    let shows = "the pyramid turned and moved within a globe of many colours, seen by a camera that is turned too";
+    let shows = "the pyramid turned and moved within a globe of many colours, seen by a camera that is turned as well";
     scene("turned", shows, objects, LAB_LIGHT, eye([1.1, 0.7, 1.0], [0.2, -0.1, -0.4], LAB_FOV_DEG))
 }
 
-/// What the lab's 45 radians come to, degrees.
+/// The lab's field of view in degrees: 45 radians.
 const LAB_FOV_DEG: f32 = 58.3;
 
-/// Exercise 07's.
+/// The scene of exercise 07.
 fn one_sphere(light: TestLight) -> PreviewScene {
     let model = Mat4::from_translation(Vec3::new(0.0, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
     let objects = vec![PreviewObject { shape: PreviewShape::Smooth, world_from_model: model }];
@@ -189,7 +189,7 @@ fn one_sphere(light: TestLight) -> PreviewScene {
     PreviewScene { swing: Vec3::new(0.0, 0.0, 2.0), ..scene("the lab's", shows, objects, light, eye) }
 }
 
-/// That of exercises 03 to 06.
+/// The scene of exercises 03 to 06.
 fn three_spheres(light: TestLight) -> PreviewScene {
     let object = |shape, x: f32| {
         let model = Mat4::from_translation(Vec3::new(x, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
@@ -204,14 +204,15 @@ fn three_spheres(light: TestLight) -> PreviewScene {
     scene("the lab's", shows, objects, light, eye([0.0, 0.35, 2.2], [0.0, 0.0, -2.0], 52.0))
 }
 
-/// What a model that is scaled evenly and not turned hides.
+/// Shows mistakes that a model with uniform scale and no rotation hides.
 fn stretched(light: TestLight) -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 50f32.to_radians(), 35f32.to_radians(), 20f32.to_radians());
     let scale = Vec3::new(0.6, 1.2, 0.3);
     let model = Mat4::from_scale_rotation_translation(scale, turn, Vec3::new(0.4, -0.3, -0.6));
     let objects = vec![PreviewObject { shape: PreviewShape::Torus, world_from_model: model }];
     let light = TestLight { position: Vec3::new(1.6, 2.2, 1.2), ..light };
-    let shows = "a ring that is stretched, turned and moved: normals by M, and matrices in the wrong order, show here";
+    let shows =
+        "a ring that is stretched, turned and moved: it shows normals multiplied by M, and matrices in the wrong order";
     scene("stretched", shows, objects, light, eye([1.9, 1.1, 2.0], [0.4, -0.3, -0.6], 34.0))
 }
 
@@ -230,10 +231,10 @@ fn mirrored(shape: PreviewShape) -> PreviewScene {
     PreviewScene { has_sky: true, ..scene(name, shows, objects, LAB_LIGHT, eye([0.0, 0.6, 3.6], [0.0; 3], 46.0)) }
 }
 
-/// From within a cube.
+/// The sky, seen from inside a cube.
 fn sky() -> PreviewScene {
     let objects = vec![PreviewObject { shape: PreviewShape::Cube, world_from_model: Mat4::IDENTITY }];
-    let shows = "the sky, from a camera that stands away from the origin: a sky that comes nearer with it is wrong";
+    let shows = "the sky, seen by a camera away from the origin: a sky that comes nearer is wrong";
     let eye = eye([0.3, 0.2, 0.4], [0.3, 0.3, -1.0], 68.0);
     PreviewScene { looks_around: true, ..scene("the sky", shows, objects, LAB_LIGHT, eye) }
 }
@@ -244,7 +245,7 @@ mod tests {
     use crate::exercise;
 
     #[test]
-    fn a_picture_of_any_shape_shows_all_that_a_square_one_does() {
+    fn a_picture_of_any_aspect_ratio_shows_all_that_a_square_one_does() {
         let exercise = exercise::find("ex04").unwrap();
         let scene = &scenes(exercise)[0];
         let seen = |size| {

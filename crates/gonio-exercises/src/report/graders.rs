@@ -7,11 +7,11 @@ use serde_json::{Value, json};
 
 /// The content of Gradescope's `results.json`.
 ///
-/// Used: `score`, which is the verdict's share of `max_score` (not below 0; no number is 0), and stands above the tests' sum;
-/// `output` as `text`, so that nothing in it is taken for markup; `test_output_format`; `visibility` and `stdout_visibility`;
+/// Used: `score`, which is the verdict's share of `max_score` (at least 0; NaN counts as 0) and overrides the tests' sum;
+/// `output` as `text`, so that nothing in it is read as markup; `test_output_format`; `visibility` and `stdout_visibility`;
 /// `tests` with `name`, `status`, `score`, `max_score`, `output` and `visibility`: the verdict, the terms and the scenes. The
-/// scenes share `max_score` out evenly; without scenes it belongs to the verdict. Terms have a status and no points, and those
-/// that cannot be looked at alone not even that.
+/// scenes share `max_score` evenly; without scenes it belongs to the verdict. Terms have a status but no points; terms that
+/// cannot be tested alone have no status either.
 pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
     let max_score = if max_score.is_finite() { max_score.max(0.0) } else { 0.0 };
     let points = |share: f64| {
@@ -47,7 +47,7 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
     }
     json!({
         "score": points(verdict.score),
-        "output": told(verdict),
+        "output": text_output(verdict),
         "output_format": "text",
         "test_output_format": "text",
         "visibility": "visible",
@@ -60,15 +60,15 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
 /// The result that a combinator template grader of Moodle's CodeRunner returns.
 ///
 /// Used: `fraction`; `prologuehtml`, the verdict, the mistakes and the compiler's messages; `testresults`, whose first row names
-/// the columns (`iscorrect` is shown as tick or cross), with a row a term and a scene; `columnformats`, all `%s`, so that the
-/// page escapes the cells; `epiloguehtml`, peculiarities and warnings. Not `got`: it belongs to graders of single tests, and CodeRunner
-/// refuses a combinator's answer that has any other field.
+/// the columns (`iscorrect` is shown as tick or cross), with one row per term and scene; `columnformats`, all `%s`, so that the
+/// page escapes the cells; `epiloguehtml`, peculiarities and warnings. Not used: `got`, which belongs to graders of single
+/// tests. CodeRunner rejects a combinator's answer with any other field.
 pub fn code_runner(verdict: &Verdict) -> String {
     let row = |right: bool, name: String, result: String| json!([u8::from(right), name, result]);
     let mut results = vec![json!(["iscorrect", "Test", "Result"])];
     results.push(row(verdict.verdict == Outcome::Correct, "verdict".to_owned(), line(&verdict.summary)));
     for term in &verdict.terms {
-        // A row has a tick or a cross: a term that was not looked at has neither.
+        // A row has a tick or a cross: a term that was not tested has neither.
         if let Some(right) = is_right(term.state) {
             results.push(row(right, format!("{} term", line(&term.term)), term_words(term.state).to_owned()));
         }
@@ -127,34 +127,34 @@ fn whole(verdict: &Verdict) -> Value {
     })
 }
 
-/// All that a student should read, as plain text.
-fn told(verdict: &Verdict) -> String {
-    let mut told = vec![format!("{}: {}", words(verdict.verdict), plain(&verdict.summary))];
+/// Everything that a student should read, as plain text.
+fn text_output(verdict: &Verdict) -> String {
+    let mut lines = vec![format!("{}: {}", words(verdict.verdict), plain(&verdict.summary))];
     for mistake in &verdict.mistakes {
-        told.push(String::new());
-        told.push(format!("{} [{}]", line(&mistake.name), line(&mistake.id)));
+        lines.push(String::new());
+        lines.push(format!("{} [{}]", line(&mistake.name), line(&mistake.id)));
         if let Some(place) = place(mistake.file.as_deref(), mistake.line) {
-            told.push(format!("  where: {place}"));
+            lines.push(format!("  where: {place}"));
         }
         if let Some(quoted) = &mistake.quoted {
-            told.push(format!("    {}", line(quoted)));
+            lines.push(format!("    {}", line(quoted)));
         }
-        told.push(format!("  it explains {} of the difference", percent(mistake.share_explained)));
-        told.push(format!("  what it looks like: {}", line(&mistake.looks_like)));
-        told.push(format!("  how to fix it: {}", line(&mistake.fix)));
-        told.push(format!("  in the lecture: {}", line(&mistake.lecture_section)));
+        lines.push(format!("  it explains {} of the difference", percent(mistake.share_explained)));
+        lines.push(format!("  what it looks like: {}", line(&mistake.looks_like)));
+        lines.push(format!("  how to fix it: {}", line(&mistake.fix)));
+        lines.push(format!("  in the lecture: {}", line(&mistake.lecture_section)));
     }
     for message in &verdict.messages {
-        told.push(String::new());
+        lines.push(String::new());
         let place = place(Some(&message.file), message.line).unwrap_or_default();
-        told.push(format!("{place}: {}", line(&message.text)));
-        told.extend(message.quoted.as_deref().map(|quoted| format!("    {}", line(quoted))));
-        told.extend(message.explanation.as_deref().map(|explanation| format!("  {}", line(explanation))));
+        lines.push(format!("{place}: {}", line(&message.text)));
+        lines.extend(message.quoted.as_deref().map(|quoted| format!("    {}", line(quoted))));
+        lines.extend(message.explanation.as_deref().map(|explanation| format!("  {}", line(explanation))));
     }
     if !verdict.peculiarities.is_empty() || !verdict.warnings.is_empty() {
-        told.push(String::new());
+        lines.push(String::new());
     }
-    told.extend(verdict.peculiarities.iter().map(|known| format!("right, by another method: {}", line(&known.name))));
-    told.extend(verdict.warnings.iter().map(|warning| format!("warning: {}", line(warning))));
-    told.join("\n")
+    lines.extend(verdict.peculiarities.iter().map(|known| format!("right, by another method: {}", line(&known.name))));
+    lines.extend(verdict.warnings.iter().map(|warning| format!("warning: {}", line(warning))));
+    lines.join("\n")
 }

@@ -1,4 +1,4 @@
-//! The frame that pages stand in, and the parts of a verdict that pages and graders show alike.
+//! The HTML frame of pages, and the parts of a verdict that pages and graders share.
 
 use super::text::{count, escaped, escaped_line, line, percent, word, words};
 use crate::content_hash;
@@ -7,16 +7,16 @@ use gonio_check::verdict::{
 };
 use std::fmt::Write as _;
 
-/// Of a list that a student's file makes as long as it likes, no more is shown.
+/// Maximum number of shown items of a list whose length depends on a student's file.
 const MOST_SHOWN: usize = 40;
 
-/// Characters of a compiler's message that are shown at once.
-const LONGEST_SAID: usize = 200;
+/// Maximum number of characters of a compiler's message that are shown without unfolding.
+const LONGEST_MESSAGE: usize = 200;
 
-/// A next best explanation that explains less than this helps nobody.
+/// Minimum share that the next best explanation must explain to be shown.
 const WORTH_A_WORD: f64 = 0.25;
 
-/// A whole page. `title` is plain text, `body` HTML. The page loads nothing and runs nothing, and says so to the browser.
+/// A whole page. `title` is plain text, `body` HTML. The page loads and runs nothing; its content security policy forbids it.
 pub fn document(title: &str, body: &str) -> String {
     let style = include_str!("style.css");
     format!(
@@ -29,12 +29,12 @@ pub fn document(title: &str, body: &str) -> String {
     )
 }
 
-/// Bytes of a page's name, apart from its ending. File systems allow 255, and other names are made from this one.
+/// Maximum size of a page's name in bytes, without its ending. File systems allow 255, and other names are derived from it.
 const MAX_NAME_BYTES: usize = 120;
 
-/// The file that a submission's page is to be called, `NAME.html`: the label with what file systems and addresses have other
-/// uses for written as `~` and its number in hexadecimal. Long names are cut and end with a hash of the label, so that
-/// different labels have different names. `index` is left free for the overview.
+/// The file name of a submission's page, `NAME.html`: the label, with characters that are special in file systems or addresses
+/// written as `~`, their number in hexadecimal, and `~`. Long names are truncated and end with a hash of the label, so that
+/// different labels have different names. `index` is reserved for the overview.
 pub fn page_name(label: &str) -> String {
     let mut name = String::new();
     for (at, c) in label.chars().enumerate() {
@@ -61,7 +61,7 @@ pub fn page_name(label: &str) -> String {
     name
 }
 
-/// Names that mean something else: the overview's, and those of devices on Windows.
+/// Whether a name is reserved: that of the overview, or of a device on Windows.
 fn is_reserved(name: &str) -> bool {
     let stem = name.split('.').next().unwrap_or_default().trim_end().to_ascii_lowercase();
     let is_port = |port: &str| stem.strip_prefix(port).is_some_and(|rest| rest.len() == 1 && rest != "0");
@@ -71,7 +71,7 @@ fn is_reserved(name: &str) -> bool {
         || is_port("lpt")
 }
 
-/// The address of a submission's page from a page beside it.
+/// The relative address of a submission's page.
 pub fn page_address(label: &str) -> String {
     let mut address = String::from("./");
     for byte in page_name(label).bytes() {
@@ -85,7 +85,7 @@ pub fn page_address(label: &str) -> String {
     address
 }
 
-/// A sign beside a word that says the same.
+/// An icon beside a word with the same meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Icon {
     /// A tick.
@@ -101,7 +101,7 @@ pub enum Icon {
 }
 
 impl Icon {
-    /// That of a verdict.
+    /// The icon of an outcome.
     pub fn for_outcome(outcome: Outcome) -> Icon {
         match outcome {
             Outcome::Correct => Icon::Right,
@@ -111,7 +111,7 @@ impl Icon {
         }
     }
 
-    /// As SVG, in the colour of the text around it.
+    /// The icon as SVG, in the colour of the surrounding text.
     pub fn svg(self) -> String {
         let path = match self {
             Icon::Right => "<circle cx='10' cy='10' r='9'/><path class='k' d='M5.8 10.4l2.9 2.9 5.6-6.4'/>",
@@ -127,7 +127,7 @@ impl Icon {
     }
 }
 
-/// A text of ours with `code` in it.
+/// A text of gonio as HTML, with `code` marked up.
 pub fn prose(text: &str) -> String {
     let mut prose = String::new();
     for (index, part) in line(text).split('`').enumerate() {
@@ -142,7 +142,7 @@ pub fn prose(text: &str) -> String {
     prose
 }
 
-/// A list that is not longer than people read, and how much more there is.
+/// The first items of a list, and the number of the others.
 pub fn shown<T>(all: &[T], each: impl Fn(&T) -> String, more: impl Fn(usize) -> String) -> String {
     let mut shown: String = all.iter().take(MOST_SHOWN).map(each).collect();
     if all.len() > MOST_SHOWN {
@@ -151,7 +151,7 @@ pub fn shown<T>(all: &[T], each: impl Fn(&T) -> String, more: impl Fn(usize) -> 
     shown
 }
 
-/// A line of source under its file and number, which stand in an element `tag`.
+/// A line of source, below its file and line number in an element `tag`.
 pub fn quote(tag: &str, file: Option<&str>, number: Option<u32>, column: Option<u32>, quoted: Option<&str>) -> String {
     let Some(file) = file else { return String::new() };
     let mut place = format!("<span class=\"file\">{}</span>", escaped_line(file));
@@ -169,7 +169,7 @@ pub fn quote(tag: &str, file: Option<&str>, number: Option<u32>, column: Option<
     format!("<div class=\"quote\"><{tag} class=\"place\">{place}</{tag}>{code}</div>\n")
 }
 
-/// The word for it all, in colour, sign and words. A sign is drawn by this page's style: without it, it is no sign.
+/// The verdict, in colour, with icon and words. The icon needs this page's style.
 pub fn verdict_html(verdict: &Verdict, with_icon: bool) -> String {
     let right = verdict.scenes.iter().filter(|scene| scene.right).count();
     let mut facts = Vec::new();
@@ -193,7 +193,7 @@ fn capital(text: &str) -> String {
     characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
-/// Half a sentence as a whole one.
+/// A phrase as a sentence, with a capital letter and a full stop.
 fn sentence(text: &str) -> String {
     let text = capital(&line(text));
     let end = if text.is_empty() || text.ends_with(['.', '!', '?', '…', ':', ')']) { "" } else { "." };
@@ -253,7 +253,7 @@ fn mistake_html(mistake: &FoundMistake, together: bool) -> String {
     html
 }
 
-/// The next best explanation, or the best where none was good enough to be given.
+/// The next best explanation, or the best one if none was good enough.
 fn nearest_html(verdict: &Verdict) -> String {
     let Some(next) = verdict.runner_up.as_ref().filter(|next| next.share_explained >= WORTH_A_WORD) else {
         return String::new();
@@ -281,38 +281,38 @@ pub fn messages_html(verdict: &Verdict) -> String {
     format!("<section class=\"messages\">\n<h2>Compiler messages</h2>\n{messages}</section>\n")
 }
 
-/// The explanation, where there is one, above the compiler's own words: these are seldom written for students.
+/// The explanation, if there is one, above the original message of the compiler, which is seldom written for students.
 fn message_html(message: &CompilerMessage) -> String {
     let place = quote("h3", Some(&message.file), message.line, message.column, message.quoted.as_deref());
-    let said = line(&message.text);
-    // Drivers list every function of a name.
-    let is_long = said.chars().count() > LONGEST_SAID;
+    let text = line(&message.text);
+    // Drivers list every overload of a function.
+    let is_long = text.chars().count() > LONGEST_MESSAGE;
     match &message.explanation {
         Some(explanation) if is_long => format!(
-            "<article>\n{place}<p>{}</p>\n<div class=\"said\"><details><summary>Original message</summary>\
+            "<article>\n{place}<p>{}</p>\n<div class=\"original\"><details><summary>Original message</summary>\
              <pre>{}</pre></details></div>\n</article>\n",
             prose(explanation),
-            escaped(&said)
+            escaped(&text)
         ),
         Some(explanation) => format!(
-            "<article>\n{place}<p>{}</p>\n<div class=\"said\"><p>Original message</p><pre>{}</pre></div>\n</article>\n",
+            "<article>\n{place}<p>{}</p>\n<div class=\"original\"><p>Original message</p><pre>{}</pre></div>\n</article>\n",
             prose(explanation),
-            escaped(&said)
+            escaped(&text)
         ),
         None if is_long => {
-            let start: String = said.chars().take(LONGEST_SAID).collect();
+            let start: String = text.chars().take(LONGEST_MESSAGE).collect();
             format!(
-                "<article>\n{place}<p>{}…</p>\n<div class=\"said\"><details><summary>All of it</summary>\
+                "<article>\n{place}<p>{}…</p>\n<div class=\"original\"><details><summary>Whole message</summary>\
                  <pre>{}</pre></details></div>\n</article>\n",
                 escaped(&start),
-                escaped(&said)
+                escaped(&text)
             )
         }
-        None => format!("<article>\n{place}<p>{}</p>\n</article>\n", escaped(&said)),
+        None => format!("<article>\n{place}<p>{}</p>\n</article>\n", escaped(&text)),
     }
 }
 
-/// What was tried with the program alone; nothing of what could not be tried.
+/// The results of the tests of self-consistency; those that do not apply are left out.
 fn properties_html(verdict: &Verdict) -> String {
     let tried: Vec<&PropertyVerdict> =
         verdict.properties.iter().filter(|property| property.state != PropertyState::NotApplicable).collect();
@@ -333,7 +333,7 @@ fn properties_html(verdict: &Verdict) -> String {
     format!("<section>\n<h2>Self-consistency</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n")
 }
 
-/// What holds without any reference, what is right in another way, and what may go wrong elsewhere.
+/// Self-consistency, peculiarities and warnings.
 pub fn notes_html(verdict: &Verdict) -> String {
     let mut html = properties_html(verdict);
     let more = |more: usize| format!("<li>And {more} more.</li>\n");

@@ -1,16 +1,16 @@
-//! JUnit XML: what build servers read.
+//! JUnit XML, which build servers read.
 
 use super::text::{escaped, escaped_line, line, percent, place, word};
 use gonio_check::verdict::{FoundMistake, Outcome, TermState, Verdict};
 use std::fmt::Write as _;
 
-/// JUnit XML: a suite for each exercise and submission; in it a case for the whole, one a term and one a scene.
+/// JUnit XML: a suite for each exercise and submission, with a case for the verdict, one for each term and one for each scene.
 ///
 /// Used: `testsuites` and `testsuite` with `name`, `tests`, `failures`, `errors` and `skipped`; `testcase` with `classname`,
 /// `name` and, where the mistake's place is known, `file` and `line`; in it `failure` (wrong), `error` (it does not compile, or
-/// could not be judged) or `skipped` (a term that cannot be looked at alone), each with `message`; `system-out` for
-/// peculiarities and warnings. `verdicts` are labels and what was said; what is wrong with a term or a scene is a failure of its
-/// own, so a suite can have more failures than there are mistakes.
+/// could not be judged) or `skipped` (a term that cannot be tested alone), each with `message`; `system-out` for
+/// peculiarities and warnings. `verdicts` are labels with their verdicts. A wrong term or scene is a failure
+/// of its own, so a suite can have more failures than there are mistakes.
 pub fn junit(verdicts: &[(String, Verdict)]) -> String {
     let mut all = Counts::default();
     let mut suites = String::new();
@@ -47,7 +47,7 @@ impl Counts {
     }
 }
 
-/// How a case ended; the text is escaped already.
+/// The result of a case, with text that is already escaped.
 enum End {
     Passed,
     Failure(String),
@@ -109,21 +109,21 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
         };
         case(&format!("scene: {}", escaped_line(&scene.scene)), "", end);
     }
-    let said: Vec<String> = verdict
+    let output: Vec<String> = verdict
         .peculiarities
         .iter()
         .map(|peculiarity| format!("right, by another method: {}", escaped_line(&peculiarity.name)))
         .chain(verdict.warnings.iter().map(|warning| format!("warning: {}", escaped_line(warning))))
         .collect();
-    let said = match said.is_empty() {
+    let output = match output.is_empty() {
         true => String::new(),
-        false => format!("    <system-out>{}</system-out>\n", said.join("\n")),
+        false => format!("    <system-out>{}</system-out>\n", output.join("\n")),
     };
-    let suite = format!("  <testsuite name=\"{suite_name}\" {}>\n{cases}{said}  </testsuite>\n", counts.attributes());
+    let suite = format!("  <testsuite name=\"{suite_name}\" {}>\n{cases}{output}  </testsuite>\n", counts.attributes());
     (suite, counts)
 }
 
-/// Where the first mistake, or the first message of the compiler, stands.
+/// The place of the first mistake, or of the first message of the compiler.
 fn place_attributes(verdict: &Verdict) -> String {
     let of_mistake = verdict.mistakes.iter().find_map(|mistake| Some((mistake.file.as_deref()?, mistake.line)));
     let of_message = verdict.messages.first().map(|message| (message.file.as_str(), message.line));

@@ -1,7 +1,7 @@
 //! Reports on verdicts for people and machines: test reports, graders' results, tables, pages, pictures.
 //!
-//! All of it is text or bytes made of data: nothing is written anywhere. What students wrote (names, lines of source,
-//! messages) is taken for hostile: see `text`.
+//! The functions return text or bytes, and write no files. Everything that students wrote (names, lines of source, messages)
+//! is treated as hostile: see `text`.
 
 mod graders;
 mod html;

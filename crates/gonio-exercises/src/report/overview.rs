@@ -1,4 +1,4 @@
-//! A batch on one page, for the teacher.
+//! The overview page of a batch, for the teacher.
 
 use super::html::{Icon, document, page_address};
 use super::table::Row;
@@ -7,10 +7,10 @@ use gonio_check::verdict::Outcome;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-/// A page of a batch in one HTML file that loads nothing and runs nothing: how many of each verdict, which mistakes how
-/// often, similar submissions, and all submissions by name, with links to their pages ([`super::page_name`]) beside this one.
-/// `similar` are pairs of labels and how much of the two is the same, as from [`super::similar_pairs`]; `skipped` is a line for
-/// each entry that belongs to no submission.
+/// The overview of a batch as one HTML file that loads and runs nothing: the number of each verdict and mistake, similar
+/// submissions, and all submissions by name, with links to their pages ([`super::page_name`]) in the same folder. `similar` are
+/// pairs of labels with their similarity, as from [`super::similar_pairs`]; `skipped` has a line for each entry that belongs to
+/// no submission.
 pub fn overview(title: &str, rows: &[Row], similar: &[(String, String, f64)], skipped: &[String]) -> String {
     let mut rows: Vec<&Row> = rows.iter().collect();
     rows.sort_by(|a, b| by_name(&a.submission, &b.submission).then_with(|| a.exercise.cmp(&b.exercise)));
@@ -28,7 +28,7 @@ pub fn overview(title: &str, rows: &[Row], similar: &[(String, String, f64)], sk
     document(title, &body)
 }
 
-/// Capitals do not count, and numbers count as numbers: `group 9` comes before `group 10`.
+/// Compares names without case, and with numbers by value: `group 9` comes before `group 10`.
 fn by_name(a: &str, b: &str) -> std::cmp::Ordering {
     let key = |name: &str| {
         let mut key: Vec<(String, u64)> = Vec::new();
@@ -61,7 +61,7 @@ fn verdicts(rows: &[&Row]) -> String {
     for outcome in [Outcome::Correct, Outcome::Wrong, Outcome::DoesNotCompile, Outcome::Unsure] {
         let number = rows.iter().filter(|row| row.verdict == outcome).count();
         let share = number as f64 / rows.len().max(1) as f64;
-        // A bar of no length has a least width otherwise.
+        // The style gives every bar a minimum width.
         let bar = if number > 0 { bar(share) } else { "<span class=\"track\"></span>".to_owned() };
         let _ = writeln!(
             html,
@@ -78,7 +78,7 @@ fn verdicts(rows: &[&Row]) -> String {
 }
 
 fn mistakes(rows: &[&Row]) -> String {
-    // A submission counts once a mistake.
+    // A submission counts once per mistake.
     let mut known: BTreeMap<&str, (&str, BTreeSet<&str>)> = BTreeMap::new();
     for row in rows {
         for mistake in &row.mistakes {
@@ -131,9 +131,9 @@ fn pairs(similar: &[(String, String, f64)], rows: &[&Row]) -> String {
         let _ = writeln!(html, "<tr>{}{}<td class=\"share\">{}</td></tr>", cell(a), cell(b), percent(*share));
     }
     html.push_str(
-        "</tbody>\n</table>\n<p class=\"hint\">The share of the two that is the same, ignoring layout, comments, \
+        "</tbody>\n</table>\n<p class=\"hint\">The share of both that is the same, ignoring layout, comments, \
          names and the start files. It is a reason to look, not a proof: short right answers are \
-         alike.</p>\n</section>\n",
+         similar.</p>\n</section>\n",
     );
     html
 }
@@ -174,7 +174,7 @@ fn not_checked(skipped: &[String]) -> String {
     format!("<section>\n<h2>Not checked</h2>\n<ul class=\"notes\">\n{items}</ul>\n</section>\n")
 }
 
-/// What there is to say of a submission in a cell.
+/// The mistakes, summary and warnings of a submission, for a cell.
 fn what(row: &Row) -> String {
     let place = |place: &Option<String>| {
         place

@@ -1,4 +1,4 @@
-//! One submission's page.
+//! The page of a submission.
 
 use super::html::{Icon, document, messages_html, mistakes_html, notes_html, shown, verdict_html};
 use super::picture::{PictureKind, Pictures, heat};
@@ -8,15 +8,15 @@ use gonio_check::testbench::TILE;
 use gonio_check::verdict::{BoundVariable, Outcome, SceneVerdict, TermState, TermVerdict, Verdict};
 use std::fmt::Write as _;
 
-/// CSS pixels along a side of a picture: a whole multiple, so that all its pixels are squares of one size.
+/// Side of a picture in CSS pixels: an integer multiple, so that all its pixels are squares of the same size.
 const SHOWN: u32 = 4 * TILE;
 
-/// A page for a student, in one HTML file that loads nothing and runs nothing: the verdict, each mistake with its place and how to
-/// fix it, the compiler's messages, terms, scenes with pictures where there is evidence, peculiarities, warnings, and what
-/// was bound to what. `label` is the submission's name. It is light or dark as the reader's system is, and fits a phone.
+/// A page for a student, as one HTML file that loads and runs nothing: the verdict, each mistake with its place and fix, the
+/// compiler's messages, terms, scenes with pictures if there is evidence, peculiarities, warnings, and the roles of variables.
+/// `label` is the submission's name. The page follows the light or dark theme of the system, and fits a phone.
 ///
-/// Pictures are linear light encoded as sRGB; pixels are enlarged unsmoothed; what is no number is magenta; where nothing is
-/// drawn a checkered ground shows. Differences are colours on one scale for the whole page.
+/// Pictures are linear light encoded as sRGB; pixels are enlarged without smoothing; NaN is magenta; a chequered background
+/// shows where nothing is drawn. Differences are colours on one scale for the whole page.
 pub fn page(label: &str, verdict: &Verdict, evidence: Option<&Evidence>) -> String {
     let exercise = crate::exercise::find(&verdict.exercise);
     let title = exercise.map_or_else(String::new, |exercise| format!(" · {}", escaped_line(&exercise.title)));
@@ -101,7 +101,7 @@ fn caption(kind: PictureKind, verdict: &Verdict) -> &'static str {
     }
 }
 
-/// Roles stand beside the elements, because a narrow page lays the cells out otherwise and browsers then forget that it is a table.
+/// Elements have explicit roles: on narrow pages the cells are laid out differently, and browsers no longer expose a table.
 fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures<'_>>) -> String {
     let kinds = pictures.map(Pictures::kinds).unwrap_or_default();
     let mut html = String::from(
@@ -212,7 +212,7 @@ fn bound(bound: &[BoundVariable]) -> String {
         )
     };
     let rows = shown(bound, each, |more| format!("<tr><td colspan=\"3\">And {more} more.</td></tr>\n"));
-    let (open, said) = match unknown {
+    let (open, remark) = match unknown {
         0 => ("", String::new()),
         some => (" open", format!(", {some} unrecognised")),
     };
@@ -221,7 +221,7 @@ fn bound(bound: &[BoundVariable]) -> String {
         _ => "<p class=\"hint\">A file <code>names.toml</code> beside the shaders can assign their roles.</p>\n",
     };
     format!(
-        "<section class=\"bound\">\n<h2>Variables and their roles</h2>\n<details{open}>\n<summary>{}{said}</summary>\n\
+        "<section class=\"bound\">\n<h2>Variables and their roles</h2>\n<details{open}>\n<summary>{}{remark}</summary>\n\
          <table>\n<thead><tr><th scope=\"col\">Name</th><th scope=\"col\">Type</th><th scope=\"col\">Role</th></tr></thead>\n\
          <tbody>\n{rows}</tbody>\n</table>\n{hint}</details>\n</section>\n",
         count(bound.len(), "variable", "variables")

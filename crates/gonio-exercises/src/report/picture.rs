@@ -1,32 +1,32 @@
-//! Pictures of test scenes as bytes that screens show, and as PNG.
+//! Pictures of test scenes in 8 bits per channel, as PNG, and as contact sheets.
 
 use gonio_check::search::{Evidence, PIXEL_TOLERANCE, pixel_difference};
 use gonio_check::testbench::{Atlas, TILE};
 use gonio_check::verdict::{Outcome, Verdict};
 
-/// A pixel that holds no number.
+/// The colour of a pixel that is NaN.
 pub const NAN_COLOUR: [u8; 4] = [255, 0, 255, 255];
 
-/// A picture: rows from the top, RGBA.
+/// A picture in RGBA, with the top row first.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReportPicture {
-    /// Pixels in a row.
+    /// Width in pixels.
     pub width: u32,
-    /// Rows.
+    /// Height in pixels.
     pub height: u32,
-    /// `width * height`.
+    /// `width * height` pixels.
     pub pixels: Vec<[u8; 4]>,
 }
 
-/// Linear light, 0 to 1, as the 8 bits of a screen (IEC 61966-2-1).
+/// Encodes linear light from 0 to 1 as 8-bit sRGB (IEC 61966-2-1).
 fn srgb(linear: f32) -> u8 {
     let linear = linear.clamp(0.0, 1.0);
     let encoded = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
     (encoded * 255.0).round() as u8
 }
 
-/// What is drawn at a pixel: opaque, [`NAN_COLOUR`] where a channel is no number, nothing where nothing is drawn. A student's
-/// alpha is ignored: the lab does not blend.
+/// A pixel as it is shown: opaque, [`NAN_COLOUR`] if a channel is NaN, transparent if nothing is drawn. A student's alpha is
+/// ignored, because the lab does not blend.
 fn shown(pixel: &[f32; 4]) -> [u8; 4] {
     match pixel {
         pixel if !Atlas::is_drawn(pixel) => [0; 4],
@@ -35,12 +35,12 @@ fn shown(pixel: &[f32; 4]) -> [u8; 4] {
     }
 }
 
-/// Colours of differences from 0 to 1: from near black over violet and orange to a pale yellow. Their brightness rises evenly, so that
-/// they can be told apart without colours too.
+/// Colours of differences from 0 to 1: from almost black through violet and orange to pale yellow. Their brightness increases
+/// evenly, so that they can be distinguished without colour vision.
 const HEAT: [[f32; 3]; 5] =
     [[14.0, 11.0, 32.0], [88.0, 26.0, 110.0], [188.0, 55.0, 84.0], [246.0, 138.0, 44.0], [252.0, 248.0, 176.0]];
 
-/// The colour of a difference; 1 and above are the brightest.
+/// The colour of a difference; 1 and above have the brightest colour.
 pub fn heat(share: f32) -> [u8; 3] {
     let at = if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) } * (HEAT.len() - 1) as f32;
     let below = (at.floor() as usize).min(HEAT.len() - 2);
@@ -49,14 +49,14 @@ pub fn heat(share: f32) -> [u8; 3] {
     [mix(0).round() as u8, mix(1).round() as u8, mix(2).round() as u8]
 }
 
-/// One of the rows of a sheet of pictures.
+/// A kind of picture, which is a row of a contact sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureKind {
-    /// The student's.
+    /// The student's picture.
     Yours,
-    /// The right answer's.
+    /// The picture of the reference.
     Reference,
-    /// How far apart these two are.
+    /// The difference between these two.
     Difference,
     /// The picture that the named mistakes predict.
     Predicted,
@@ -65,18 +65,18 @@ pub enum PictureKind {
 /// The pictures of a verdict.
 pub struct Pictures<'a> {
     evidence: &'a Evidence,
-    /// The scenes' words and the tiles they lie in.
+    /// The scenes' names and tiles.
     scenes: Vec<(String, usize)>,
-    /// The difference from which on [`heat`] is brightest.
+    /// The smallest difference that gets the brightest colour of [`heat`].
     pub full: f32,
-    /// Whether what was predicted is of interest: a mistake that was named, or a right answer's own way.
+    /// Whether the prediction is shown: that of named mistakes, or of a right answer's own method.
     has_prediction: bool,
 }
 
 impl<'a> Pictures<'a> {
-    /// Those of all scenes that the verdict names and the evidence holds.
+    /// The pictures of all scenes in both the verdict and the evidence.
     pub fn new(evidence: &'a Evidence, verdict: &Verdict) -> Self {
-        // The scenes of a verdict are in the sheet's order; those with one term alone come after the ones that have words.
+        // The scenes of a verdict are in the order of the atlas; those with one term alone come after the named ones.
         let tile = |(index, word): (usize, &String)| {
             evidence.scenes.iter().position(|known| known == word).or((index >= evidence.scenes.len()).then_some(index))
         };
@@ -88,28 +88,28 @@ impl<'a> Pictures<'a> {
         }
         scenes.retain(|(_, tile)| !evidence.seen.tile(*tile).is_empty() && !evidence.reference.tile(*tile).is_empty());
         let full = full(evidence, &scenes);
-        let says_so = !verdict.mistakes.is_empty() || verdict.verdict == Outcome::Correct;
-        Pictures { evidence, scenes, full, has_prediction: says_so && evidence.predicted.is_some() }
+        let is_explained = !verdict.mistakes.is_empty() || verdict.verdict == Outcome::Correct;
+        Pictures { evidence, scenes, full, has_prediction: is_explained && evidence.predicted.is_some() }
     }
 
-    /// How many scenes there are.
+    /// Number of scenes.
     pub fn count(&self) -> usize {
         self.scenes.len()
     }
 
-    /// Which rows there are: a prediction is shown where it bears a name, for a guess is none.
+    /// The kinds of pictures that are shown. A prediction is left out if no mistake was named.
     pub fn kinds(&self) -> Vec<PictureKind> {
         let mut kinds = vec![PictureKind::Yours, PictureKind::Reference, PictureKind::Difference];
         kinds.extend(self.has_prediction.then_some(PictureKind::Predicted));
         kinds
     }
 
-    /// The one of that number, from 0.
+    /// The picture of a scene by its number, from 0.
     pub fn nth(&self, scene: usize, kind: PictureKind) -> Option<ReportPicture> {
         self.picture(self.scenes.get(scene)?.1, kind)
     }
 
-    /// The one of that word.
+    /// The picture of a scene by its name.
     pub fn find(&self, scene: &str, kind: PictureKind) -> Option<ReportPicture> {
         let (_, tile) = self.scenes.iter().find(|(word, _)| word == scene)?;
         self.picture(*tile, kind)
@@ -152,8 +152,8 @@ fn is_nan(pixel: &[f32; 4]) -> bool {
     Atlas::is_drawn(pixel) && pixel.iter().take(3).any(|channel| channel.is_nan())
 }
 
-/// The scale of the differences, the same in all scenes: a half, a quarter and so on, as small as leaves no more than one in
-/// twenty of the differing pixels beyond it.
+/// The scale of the differences, the same in all scenes: the smallest power of 1/2 that at most one in twenty of the differing
+/// pixels exceeds.
 fn full(evidence: &Evidence, scenes: &[(String, usize)]) -> f32 {
     let both = |tile: usize| evidence.seen.tile(tile).iter().zip(evidence.reference.tile(tile));
     let mut differences: Vec<f32> = scenes
@@ -172,7 +172,7 @@ fn full(evidence: &Evidence, scenes: &[(String, usize)]) -> f32 {
 }
 
 impl ReportPicture {
-    /// As a file.
+    /// The picture as a PNG file.
     pub fn png(&self) -> Vec<u8> {
         let bytes: Vec<u8> = self.pixels.iter().flatten().copied().collect();
         let mut file = Vec::new();
@@ -180,20 +180,20 @@ impl ReportPicture {
         encoder.set_color(png::ColorType::Rgba);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_compression(png::Compression::High);
-        // Memory takes all that is written; a picture of the wrong size, which is not made here, would leave an empty file.
+        // Writing to memory cannot fail; only a picture of the wrong size would give an empty file.
         match encoder.write_header().and_then(|mut writer| writer.write_image_data(&bytes)) {
             Ok(()) => file,
             Err(_) => Vec::new(),
         }
     }
 
-    /// As the address of an `img`.
+    /// The picture as the address of an `img`.
     pub fn data_uri(&self) -> String {
         format!("data:image/png;base64,{}", base64(&self.png()))
     }
 }
 
-/// RFC 4648, section 4.
+/// Base 64 as in RFC 4648, section 4.
 fn base64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
@@ -208,17 +208,17 @@ fn base64(bytes: &[u8]) -> String {
     text
 }
 
-/// A pixel of a test scene is a square of so many.
+/// Factor by which a contact sheet enlarges the pixels of a test scene.
 const ENLARGED: usize = 3;
-/// Between two pictures, and around them all.
+/// Pixels between two pictures, and around all of them.
 const GAP: usize = 6;
-/// Behind everything, and where nothing is drawn.
+/// The background colour, which also shows where nothing is drawn.
 const BACKGROUND: [u8; 4] = [46, 48, 54, 255];
 
-/// A PNG with a column a scene and the rows yours, reference, difference and, where a mistake is named, what that draws (of a right answer: what the
-/// reference draws in its own way).
-/// Differences are colours from near black (none) to pale yellow, on the scale that the page of the same verdict states;
-/// what is no number is magenta. Empty where there is nothing to show.
+/// A contact sheet as PNG: a column for each scene, with the rows yours, reference, difference and, if a mistake is named, the
+/// picture that it predicts (for a right answer: the reference with the answer's own method). Differences are colours from
+/// almost black (none) to pale yellow, on the scale that the page of the same verdict states; NaN is magenta. Empty if there is
+/// nothing to show.
 pub fn contact_sheet(evidence: &Evidence, verdict: &Verdict) -> Vec<u8> {
     let pictures = Pictures::new(evidence, verdict);
     let kinds = pictures.kinds();
@@ -256,7 +256,7 @@ mod tests {
     use gonio_render::user_program::NOT_DRAWN;
 
     #[test]
-    fn base64_is_that_of_the_rfc() {
+    fn base64_matches_the_examples_of_the_rfc() {
         for (text, expected) in
             [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("fooba", "Zm9vYmE=")]
         {
@@ -328,7 +328,7 @@ mod tests {
     }
 
     #[test]
-    fn too_few_pixels_are_no_picture() {
+    fn too_few_pixels_give_no_picture() {
         let mut evidence = evidence(0.2);
         evidence.seen.pixels.truncate(7);
         assert_eq!(Pictures::new(&evidence, &Verdict::new("ex04", Outcome::Wrong, "")).count(), 0);

@@ -1,32 +1,32 @@
-//! How alike two submissions are: winnowed k-grams of tokens (S. Schleimer, D. Wilkerson, A. Aiken, "Winnowing: local
+//! Similarity of submissions: winnowed k-grams of tokens (S. Schleimer, D. Wilkerson, A. Aiken, "Winnowing: local
 //! algorithms for document fingerprinting", SIGMOD 2003).
 //!
-//! Comments and layout are no tokens. Names do not count: within each k-gram they are numbered in the order of their first
-//! occurrence, so that a declaration put in front changes nothing behind it. Numbers count by their value. What the GL program
-//! prescribes (uniforms, attributes, varyings, structs) and what the exercise hands out is left out.
+//! Comments and layout are ignored. Names do not count: within each k-gram they are numbered in the order of their first
+//! occurrence, so that an inserted declaration does not affect later k-grams. Numbers count by value. Declarations that the
+//! host program prescribes (uniforms, attributes, varyings, structs) and the start files of the exercise are left out.
 
 use gonio_glsl::{Item, Parsed, Span, TokenPlace, TokenRange};
 use std::collections::BTreeSet;
 
-/// Tokens in a gram: about a statement. Shorter ones are common to all programs.
+/// Number of tokens in a gram: about a statement. Shorter grams are common to all programs.
 const GRAM: usize = 12;
-/// Grams in a window, of which one is kept: whatever is the same over `GRAM + WINDOW - 1` tokens is found.
+/// Number of grams in a window, of which one is kept: equal sequences of `GRAM + WINDOW - 1` tokens are found.
 const WINDOW: usize = 4;
-/// What is longer than this is cut off: no shader that people write is.
+/// Longer sources, in bytes, are truncated: nobody writes such shaders by hand.
 const MOST_BYTES: usize = 256 << 10;
-/// With fewer grams than this there is nothing to compare: a few lines are the same by themselves.
+/// Minimum number of grams for a comparison: a few lines are often the same by chance.
 const FEWEST: usize = 12;
 
-/// What is kept of a submission.
+/// The fingerprint of a submission.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Fingerprint {
     grams: BTreeSet<u64>,
 }
 
 impl Fingerprint {
-    /// Of a submission's shaders; `known` are those that the exercise hands out, which do not count.
+    /// Creates the fingerprint of a submission's shaders; `known` are the start files, which do not count.
     pub fn new(sources: &[&str], known: &[&str]) -> Self {
-        // All of what is known, not a choice of it: another text around it would make another choice.
+        // All grams of the known texts are left out: winnowing would select others in another context.
         let known: BTreeSet<u64> = known.iter().flat_map(|source| grams(source)).collect();
         let mut kept = BTreeSet::new();
         for source in sources {
@@ -35,7 +35,7 @@ impl Fingerprint {
         Fingerprint { grams: kept }
     }
 
-    /// How much of the two is the same, 0 to 1: `2 |A and B| / (|A| + |B|)`. 0 where there is nothing of their own in one.
+    /// The share of both that is the same, from 0 to 1: `2 |A and B| / (|A| + |B|)`; 0 if one of them is empty.
     pub fn share(&self, other: &Self) -> f64 {
         let all = self.grams.len() + other.grams.len();
         let both = self.grams.intersection(&other.grams).count();
@@ -43,12 +43,12 @@ impl Fingerprint {
     }
 }
 
-/// How alike two submissions' shaders are, 0 to 1, without `known`, which the exercise hands out: see [`Fingerprint::share`].
+/// The similarity of two submissions' shaders, from 0 to 1, without `known`, the start files: see [`Fingerprint::share`].
 pub fn similarity(a: &[&str], b: &[&str], known: &[&str]) -> f64 {
     Fingerprint::new(a, known).share(&Fingerprint::new(b, known))
 }
 
-/// All pairs that are alike to a share of `least` and more, the most alike first. Submissions of a few lines are left out.
+/// All pairs with a similarity of at least `least`, the most similar first. Submissions of a few lines are left out.
 pub fn similar_pairs(submissions: &[(String, Fingerprint)], least: f64) -> Vec<(String, String, f64)> {
     let long: Vec<_> = submissions.iter().filter(|(_, fingerprint)| fingerprint.grams.len() >= FEWEST).collect();
     let mut pairs = Vec::new();
@@ -64,7 +64,7 @@ pub fn similar_pairs(submissions: &[(String, Fingerprint)], least: f64) -> Vec<(
     pairs
 }
 
-/// Words that mean the same in every shader; every other is a name that someone chose.
+/// Words with a fixed meaning; all others are names that someone chose.
 const WORDS: &str = " \
     void bool int uint float double vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 bvec2 bvec3 bvec4 mat2 mat3 mat4 \
     mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4 sampler2D samplerCube struct const in out inout \
@@ -74,7 +74,7 @@ const WORDS: &str = " \
     normalize faceforward reflect refract transpose inverse determinant outerProduct texture texture2D textureCube \
     textureLod any all not lessThan greaterThan equal isnan isinf dFdx dFdy fwidth ";
 
-/// A token as it counts.
+/// A token for comparison.
 #[derive(Clone, PartialEq)]
 enum Word {
     /// A name that someone chose.
@@ -100,7 +100,7 @@ fn word(text: &str, after_dot: bool) -> Word {
     }
 }
 
-/// The tokens of what a student decides.
+/// The tokens of everything that is not prescribed.
 fn words(parsed: &Parsed) -> Vec<Word> {
     let mut own = vec![true; parsed.tokens.len()];
     for item in &parsed.unit.items {
@@ -145,7 +145,7 @@ fn mixed(mut hash: u64, bytes: &[u8]) -> u64 {
     hash
 }
 
-/// The numbers of all grams, in their order.
+/// The hashes of all grams, in order.
 fn grams(source: &str) -> Vec<u64> {
     let mut most = source.len().min(MOST_BYTES);
     while !source.is_char_boundary(most) {
@@ -174,12 +174,12 @@ fn gram(words: &[Word]) -> u64 {
         };
         hash = mixed(hash, &[0]);
     }
-    // FNV's low bits are weak, and the least is what is kept.
+    // The low bits of FNV are weak, but the smallest hash is kept.
     hash = (hash ^ (hash >> 32)).wrapping_mul(0xd6e8_feb8_6659_fd93);
     hash ^ (hash >> 32)
 }
 
-/// Of each window the least gram.
+/// The smallest gram of each window.
 fn winnowed(grams: &[u64]) -> impl Iterator<Item = u64> {
     grams.windows(WINDOW.min(grams.len()).max(1)).filter_map(|window| window.iter().min().copied())
 }
@@ -217,7 +217,7 @@ uniform vec3 lampe;   out vec4 couleur; in vec3 normale;
     }
 
     #[test]
-    fn what_the_exercise_hands_out_does_not_count() {
+    fn start_files_do_not_count() {
         let more = ONE.replace("c = vec4", "strength = sqrt(strength) * 0.5 + floor(strength * 8.0) / 8.0; c = vec4");
         assert_eq!(similarity(&[ONE], &[ONE], &[ONE]), 0.0);
         assert!(similarity(&[ONE], &[&more], &[]) > 0.7);
@@ -254,15 +254,15 @@ uniform vec3 lampe;   out vec4 couleur; in vec3 normale;
     }
 
     #[test]
-    fn independent_right_answers_are_not_alike() {
+    fn independent_right_answers_are_not_similar() {
         let exercise = crate::exercise::find("ex07").unwrap();
         let known: Vec<&str> = exercise.start_files().map(|(_, text)| text).collect();
         let all: Vec<(String, Fingerprint)> =
             corpus().into_iter().map(|(name, sources)| (name, Fingerprint::new(&texts(&sources), &known))).collect();
         let pairs = similar_pairs(&all, 0.0);
         assert_eq!(pairs.len(), all.len() * (all.len() - 1) / 2);
-        // From 0.85 on a batch calls two alike. All of these were written by few authors: some are the same thoughts in another
-        // dialect, or with one thing more.
+        // A batch reports pairs from 0.85. All of these have few authors: some are the same solution in another dialect, or
+        // with one addition.
         let above = |least: f64| -> Vec<_> { pairs.iter().filter(|(.., share)| *share > least).collect() };
         assert!(above(0.85).is_empty(), "{:?}", above(0.85));
         assert!(above(0.55).len() * 50 <= pairs.len(), "{:?}", above(0.55));

@@ -1,4 +1,4 @@
-//! Many submissions in a table.
+//! A batch as a table.
 
 use super::text::{is_hidden, line, place, plain, unit, word};
 use gonio_check::verdict::{Outcome, Verdict};
@@ -7,23 +7,23 @@ use serde::{Deserialize, Serialize};
 /// A submission in a batch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
-    /// Its label: the folder's name.
+    /// Its label, which is the folder's name.
     pub submission: String,
-    /// The exercise's word.
+    /// The exercise's id.
     pub exercise: String,
     /// The outcome of a check.
     pub verdict: Outcome,
-    /// In one sentence.
+    /// The result in one sentence.
     pub summary: String,
-    /// 0 to 1.
+    /// The score, from 0 to 1.
     pub score: f64,
-    /// The error.
+    /// The mistakes.
     pub mistakes: Vec<RowMistake>,
-    /// Where to look first, `file:line`: at the first mistake that has a place, or at the compiler's first message.
+    /// The place to look first, `file:line`: of the first mistake that has a place, or of the compiler's first message.
     pub place: Option<String>,
     /// Problems that may occur on other drivers.
     pub warnings: Vec<String>,
-    /// The duration of the check.
+    /// The duration of the check, in seconds.
     pub seconds: f64,
 }
 
@@ -36,12 +36,12 @@ pub struct RowMistake {
     pub name: String,
     /// The share of the difference that it explains, 0 to 1.
     pub share_explained: f64,
-    /// `file:line`, or `file` alone, where it was found.
+    /// Its place, `file:line` or `file`, if it was found.
     pub place: Option<String>,
 }
 
 impl Row {
-    /// The verdict on a submission and the time that the check took.
+    /// The row of a submission.
     pub fn new(label: &str, verdict: &Verdict, seconds: f64) -> Self {
         let mistake = |mistake: &gonio_check::verdict::FoundMistake| RowMistake {
             id: mistake.id.clone(),
@@ -72,12 +72,12 @@ const COLUMNS: [&str; 9] =
     ["submission", "exercise", "verdict", "score", "mistakes", "shares", "places", "warnings", "seconds"];
 
 /// A table for spreadsheets: RFC 4180 (cells with commas, quotes or line breaks in quotes, quotes doubled, lines end with CR
-/// LF), UTF-8, a head line.
+/// LF), UTF-8, with a header.
 ///
-/// `mistakes`, `shares` and `places` have as many words as there are mistakes, in the same order; a place that was not found is
-/// `?`, and blanks within one are `_`. Without mistakes `places` is that of the compiler's first message, if there is one.
-/// Warnings are separated by `; `. A text that begins with `=`, `+`, `-`, `@`, a tab or a line
-/// break would be run by a spreadsheet as a formula: an apostrophe is put in front of it.
+/// `mistakes`, `shares` and `places` have one word per mistake, in the same order; an unknown place is `?`, and spaces in a
+/// place are `_`. Without mistakes, `places` is that of the compiler's first message, if there is one. Warnings are separated
+/// by `; `. Spreadsheets run a text that begins with `=`, `+`, `-`, `@`, a tab or a line break as a formula: an apostrophe is
+/// put in front of it.
 pub fn csv(rows: &[Row]) -> String {
     let mut table = COLUMNS.join(",");
     table.push_str("\r\n");
@@ -106,7 +106,7 @@ pub fn csv(rows: &[Row]) -> String {
 
 /// A text as a cell.
 fn cell(text: &str) -> String {
-    // A spreadsheet looks past blanks, and past what takes no place.
+    // A spreadsheet skips spaces and characters without width.
     let begins = text.trim_start_matches(|c: char| c == ' ' || (is_hidden(c) && !matches!(c, '\t' | '\r' | '\n')));
     let is_formula = begins.starts_with(['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠']);
     let text = plain(text);

@@ -1,4 +1,4 @@
-//! Hostile names and sources in every format, each read back by a reader of its own.
+//! Hostile names and sources in every format, each read back by an independent reader.
 #![allow(clippy::unwrap_used)]
 
 use super::*;
@@ -11,10 +11,10 @@ use gonio_check::verdict::{
 use gonio_render::user_program::NOT_DRAWN;
 use serde_json::Value;
 
-/// All that has ever ended a quotation too early.
+/// Everything that may end a quotation too early.
 const EVIL: &str = "</script><script>alert('1')</script>\"'&amp;<!--]]>\0\u{1b}[2J\u{202e}txt\u{2066}\u{200f}\u{feff}\u{ffff}\r\n=1+1`;\\";
 
-/// A verdict with [`EVIL`] wherever a student's file or the driver has a say.
+/// A verdict with [`EVIL`] in every text that comes from a student's file or the driver.
 fn evil(outcome: Outcome) -> Verdict {
     let evil = || EVIL.to_owned();
     let mut verdict = Verdict::new("ex04", outcome, EVIL);
@@ -68,7 +68,7 @@ fn evidence() -> Evidence {
     Evidence { seen: Atlas { pixels: seen }, predicted: Some(reference.clone()), reference, scenes }
 }
 
-/// What can be told apart in markup.
+/// The content of a markup file.
 #[derive(Debug, Default)]
 struct Markup {
     /// Elements in order, with their attributes.
@@ -77,7 +77,7 @@ struct Markup {
     text: String,
 }
 
-/// Reads XML, and of HTML what is written like it: elements that are empty by definition need no end.
+/// Reads XML, and HTML that is written like it: elements in `empty` need no end tag.
 fn read_markup(source: &str, empty: &[&str]) -> Markup {
     assert!(
         source
@@ -93,7 +93,7 @@ fn read_markup(source: &str, empty: &[&str]) -> Markup {
         let (tag, after) = rest[start + 1..].split_once('>').expect("a tag that does not end");
         rest = after;
         if tag.starts_with(['?', '!']) {
-            assert!(markup.elements.is_empty(), "only in the beginning: {tag}");
+            assert!(markup.elements.is_empty(), "only allowed at the beginning: {tag}");
         } else if let Some(name) = tag.strip_prefix('/') {
             assert_eq!(open.pop().as_deref(), Some(name));
         } else {
@@ -140,7 +140,7 @@ fn resolved(text: &str) -> String {
     let mut parts = text.split('&');
     let mut resolved = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        let (name, after) = part.split_once(';').expect("an & that is none of ours");
+        let (name, after) = part.split_once(';').expect("an & without a known entity");
         resolved.push(match name {
             "amp" => '&',
             "lt" => '<',
@@ -178,7 +178,7 @@ fn nothing_invisible(text: &str) {
     assert!(hidden.is_empty(), "{hidden:?}");
 }
 
-/// Quoted cells may hold anything, the others no comma, quote or line break.
+/// Reads CSV. Quoted cells may contain anything, the others no comma, quote or line break.
 fn read_csv(table: &str) -> Vec<Vec<String>> {
     let (mut rows, mut row, mut cell, mut quoted) = (Vec::new(), Vec::new(), String::new(), false);
     let mut characters = table.chars().peekable();
@@ -187,7 +187,7 @@ fn read_csv(table: &str) -> Vec<Vec<String>> {
             (true, '"') if characters.peek() == Some(&'"') => cell.extend(characters.next()),
             (true, '"') => {
                 quoted = false;
-                assert!(matches!(characters.peek(), Some(',' | '\r')), "something behind a quotation");
+                assert!(matches!(characters.peek(), Some(',' | '\r')), "text after a quotation");
             }
             (true, c) => cell.push(c),
             (false, '"') => {
@@ -213,14 +213,14 @@ fn read_csv(table: &str) -> Vec<Vec<String>> {
 const OUTCOMES: [Outcome; 4] = [Outcome::Correct, Outcome::Wrong, Outcome::DoesNotCompile, Outcome::Unsure];
 
 #[test]
-fn junit_counts_what_it_holds() {
+fn junit_counts_its_cases() {
     let verdicts: Vec<(String, Verdict)> =
         OUTCOMES.into_iter().map(|outcome| (EVIL.to_owned(), evil(outcome))).collect();
     let xml = junit(&verdicts);
     nothing_invisible(&xml);
     let markup = read_markup(&xml, &[]);
-    let count = |wanted: &str| markup.elements.iter().filter(|(name, _)| name == wanted).count();
-    // In each: the whole, three terms, three scenes. Wrong are a term and two scenes, and the whole once.
+    let count = |expected: &str| markup.elements.iter().filter(|(name, _)| name == expected).count();
+    // Each has the verdict, three terms and three scenes. One term and two scenes are wrong, and the verdict once.
     assert_eq!((count("testsuite"), count("testcase")), (4, 28));
     assert_eq!((count("failure"), count("error"), count("skipped")), (13, 2, 4));
     let (name, attributes) = &markup.elements[0];
@@ -293,7 +293,7 @@ fn code_runner_gets_only_fields_that_it_knows() {
         let results = json["testresults"].as_array().unwrap();
         let columns = json["columnformats"].as_array().unwrap().len();
         assert!(results.iter().all(|row| row.as_array().unwrap().len() == columns));
-        // The head, the whole, two terms that could be looked at, three scenes.
+        // The header, the verdict, two terms that could be tested, three scenes.
         assert_eq!(results.len(), 7);
         assert_eq!(results[0][0], "iscorrect");
         assert_eq!(results[1][0], u8::from(outcome == Outcome::Correct));
@@ -310,7 +310,7 @@ fn evil_row() -> Row {
 }
 
 #[test]
-fn a_table_holds_a_line_a_submission() {
+fn a_table_has_a_line_per_submission() {
     let mut second = evil(Outcome::DoesNotCompile);
     second.mistakes.clear();
     second.messages[0].file = "a b.frag".to_owned();
@@ -348,7 +348,7 @@ fn no_cell_is_a_formula() {
 }
 
 #[test]
-fn a_page_says_all_and_runs_nothing() {
+fn a_page_shows_everything_and_runs_nothing() {
     let evidence = evidence();
     for outcome in OUTCOMES {
         let verdict = evil(outcome);
@@ -371,7 +371,7 @@ fn a_page_says_all_and_runs_nothing() {
 }
 
 #[test]
-fn a_page_of_a_right_answer_has_no_word_of_mistakes() {
+fn a_page_of_a_right_answer_mentions_no_mistakes() {
     let mut verdict = Verdict::new("ex04", Outcome::Correct, "right in every scene");
     verdict.terms = vec![TermVerdict { term: "diffuse".into(), state: TermState::Right }];
     let markup = read_page(&page("ada", &verdict, None));
@@ -385,7 +385,7 @@ fn a_page_of_a_right_answer_has_no_word_of_mistakes() {
 }
 
 #[test]
-fn a_file_as_long_as_it_likes_makes_no_long_page() {
+fn a_long_file_does_not_make_a_long_page() {
     let mut verdict = evil(Outcome::DoesNotCompile);
     let message =
         CompilerMessage { text: "x".repeat(1 << 16), quoted: Some("y".repeat(1 << 16)), ..verdict.messages[0].clone() };
@@ -418,7 +418,7 @@ fn an_overview_counts_sorts_and_links() {
     assert_eq!(links[2..4], ["./group%209.html", "./Group%2010.html"]);
     assert_eq!((links[4], links[6], links[7]), ("./~.html", "./group%209.html", "./Group%2010.html"));
     assert!(markup.text.contains("96 %") && markup.text.contains("70 %"));
-    // Two of four are wrong, and both make the mistake: its bar is full, theirs is half.
+    // Two of four are wrong, and both make the mistake: its bar is full, that of the verdict is half.
     let widths: Vec<&str> = markup
         .elements
         .iter()

@@ -1,10 +1,10 @@
-//! Text for formats that would read more into it than a student's file says: escaping, and nothing invisible.
+//! Text for formats with markup: escaping, and visible forms of hidden characters.
 
 use gonio_check::verdict::Outcome;
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
-/// Whether a character moves the cursor, reorders or hides text, or takes no place of its own: control characters (C0, C1,
+/// Whether a character moves the cursor, reorders or hides text, or has no width: control characters (C0, C1,
 /// delete), line and paragraph separators, Unicode's `Default_Ignorable_Code_Point` (marks of direction, joiners, fillers,
 /// variation selectors, tags) and noncharacters. Newline and tab are among them.
 pub fn is_hidden(c: char) -> bool {
@@ -21,7 +21,7 @@ pub fn is_hidden(c: char) -> bool {
 }
 
 /// The text with every hidden character as an escape: `\n`, `\x1b`, `\u{202e}`. The escapes are for reading and cannot be
-/// turned back: a backslash of the text stays as it is.
+/// reversed: a backslash in the text is unchanged.
 pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.chars().any(is_hidden) {
         return Cow::Borrowed(text);
@@ -31,7 +31,7 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(visible)
 }
 
-/// Appends a character, or its escape where it is hidden.
+/// Appends a character, or its escape if it is hidden.
 pub fn push_visible(text: &mut String, c: char) {
     // Writing into a String cannot fail.
     let _ = match c {
@@ -47,11 +47,11 @@ pub fn push_visible(text: &mut String, c: char) {
     };
 }
 
-/// More than this of one text is not shown.
+/// Maximum number of characters of a text that are shown.
 const MOST_CHARACTERS: usize = 2000;
 
-/// The text with hidden characters as escapes (`\x1b`, `\u{202e}`). Line breaks become `\n` and stay, and so do tabs. What is
-/// too long is cut off.
+/// The text with hidden characters as escapes (`\x1b`, `\u{202e}`). Line breaks become `\n`; they and tabs are kept. Long texts
+/// are truncated.
 pub fn plain(text: &str) -> String {
     let mut plain = String::with_capacity(text.len().min(MOST_CHARACTERS));
     let mut characters = text.chars().peekable();
@@ -73,12 +73,12 @@ pub fn plain(text: &str) -> String {
     plain
 }
 
-/// The same on one line.
+/// The result of [`plain`] on one line.
 pub fn line(text: &str) -> String {
     plain(text).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// For the text and the attributes of XML and HTML alike.
+/// Escapes text for the content and the attributes of XML and HTML.
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in plain(text).chars() {
@@ -94,12 +94,12 @@ pub fn escaped(text: &str) -> String {
     escaped
 }
 
-/// The same on one line, which attributes of XML are.
+/// The result of [`escaped`] on one line, for attributes of XML.
 pub fn escaped_line(text: &str) -> String {
     escaped(&line(text))
 }
 
-/// A share of 1 in percent: what is not the whole is never called 100 %.
+/// A share in percent. Only the whole is 100 %.
 pub fn percent(share: f64) -> String {
     if !share.is_finite() {
         return "? %".to_owned();
@@ -109,17 +109,17 @@ pub fn percent(share: f64) -> String {
     if tenths.fract() == 0.0 { format!("{tenths:.0} %") } else { format!("{tenths:.1} %") }
 }
 
-/// So many of so many, in percent.
+/// `number` of `all` in percent.
 pub fn percent_of(number: usize, all: usize) -> String {
     format!("{:.0} %", 100.0 * number as f64 / all.max(1) as f64)
 }
 
-/// A number between 0 and 1 for machines: no number is 0, and six decimals are enough.
+/// A number between 0 and 1 with six decimals, for machines; NaN and infinity are 0.
 pub fn unit(number: f64) -> f64 {
     if number.is_finite() { (number.clamp(0.0, 1.0) * 1e6).round() / 1e6 } else { 0.0 }
 }
 
-/// For people: `does not compile`.
+/// The outcome in words: `does not compile`.
 pub fn words(outcome: Outcome) -> &'static str {
     match outcome {
         Outcome::Correct => "correct",
@@ -129,7 +129,7 @@ pub fn words(outcome: Outcome) -> &'static str {
     }
 }
 
-/// For machines, as in the JSON of a verdict: `does-not-compile`.
+/// The outcome for machines, as in the JSON of a verdict: `does-not-compile`.
 pub fn word(outcome: Outcome) -> &'static str {
     match outcome {
         Outcome::Correct => "correct",
@@ -139,12 +139,12 @@ pub fn word(outcome: Outcome) -> &'static str {
     }
 }
 
-/// `1 scene`, `2 scenes`.
+/// A number with its noun: `1 scene`, `2 scenes`.
 pub fn count(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 
-/// `lit.frag:14`, as far as it is known.
+/// A place such as `lit.frag:14`, as far as it is known.
 pub fn place(file: Option<&str>, line_number: Option<u32>) -> Option<String> {
     let file = line(file?);
     Some(match line_number {
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_stands_for_a_hidden_character_can_be_read() {
+    fn escapes_of_hidden_characters_are_visible() {
         for c in (0..=u32::from(char::MAX)).filter_map(char::from_u32) {
             let text = c.to_string();
             let shown = visible(&text);
@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_invisible_is_left() {
+    fn no_hidden_character_is_left() {
         assert_eq!(plain("a\0b\u{1b}[31m\u{7f}\u{85}"), r"a\x00b\x1b[31m\x7f\u{85}");
         assert_eq!(plain("x\u{202e}y\u{2066}\u{200b}\u{feff}"), r"x\u{202e}y\u{2066}\u{200b}\u{feff}");
         assert_eq!(plain("one\r\ntwo\rthree\tfour"), "one\ntwo\nthree\tfour");
@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_long_is_cut_off() {
+    fn long_texts_are_truncated() {
         let long = "é".repeat(MOST_CHARACTERS + 1);
         assert_eq!(plain(&long).chars().count(), MOST_CHARACTERS + 1);
         assert!(plain(&long).ends_with("é…"));
@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn a_part_is_never_called_the_whole() {
+    fn only_the_whole_is_100_percent() {
         assert_eq!(percent(0.997), "99.7 %");
         assert_eq!(percent(0.99999), "99.9 %");
         assert_eq!(percent(2.0 / 3.0), "66.7 %");

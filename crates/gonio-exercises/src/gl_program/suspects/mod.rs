@@ -1,5 +1,5 @@
-//! What may be wrong with a GL program, and what it would be without that: each suspicion comes with the program as it
-//! would be corrected. Whether it is the mistake is told by carrying that out.
+//! Suspected mistakes of a GL program. Each suspect comes with the corrected program; executing that shows whether it is the
+//! mistake.
 
 mod picture;
 mod textures;
@@ -7,41 +7,41 @@ mod vertices;
 
 use gonio_render::gl_program::{CallError, Constant, GlCall, GlProgramRun, ObjectKind, Step, constant};
 
-/// A mistake that is suspected.
+/// A suspected mistake.
 #[derive(Clone, Debug)]
 pub struct Suspect {
-    /// Its word, one of `names`.
+    /// Its id, one of [`super::names`].
     pub id: &'static str,
-    /// The line that is wrong; where a call is missing, the line after which it is.
+    /// The wrong line; if a call is missing, the line after which it belongs.
     pub line: u32,
     /// The exact error there.
-    pub said: String,
+    pub message: String,
     /// The exact text to write.
     pub fix: String,
     /// The program with the mistake fixed.
     pub corrected: Vec<Step>,
 }
 
-/// A program that draws the wrong picture, and what is known of it.
+/// A program that draws the wrong picture, with its run and the reference.
 pub struct Case<'a> {
     /// Its calls.
     pub steps: &'a [Step],
-    /// What came of them.
+    /// The result of running them.
     pub run: &'a GlProgramRun,
-    /// The program that is right.
+    /// The right program.
     pub reference: &'a [Step],
-    /// The place of the last draw call; where there is none, the end.
+    /// Index of the last draw call; the number of calls if there is none.
     pub draw: usize,
 }
 
 impl<'a> Case<'a> {
-    /// Takes note of where it draws.
+    /// Creates a case, and finds its last draw call.
     pub fn new(steps: &'a [Step], run: &'a GlProgramRun, reference: &'a [Step]) -> Self {
         let draw = steps.iter().rposition(|step| step.call.draws()).unwrap_or(steps.len());
         Case { steps, run, reference, draw }
     }
 
-    /// All suspicions: those that fit one case only come first.
+    /// All suspects, the most specific ones first.
     pub fn suspects(&self) -> Vec<Suspect> {
         let mut found = Vec::new();
         textures::suspect(self, &mut found);
@@ -50,23 +50,23 @@ impl<'a> Case<'a> {
         found
     }
 
-    /// Calls before the last draw, with their places.
+    /// Calls before the last draw, with their indices.
     fn before(&self) -> impl DoubleEndedIterator<Item = (usize, &'a Step)> {
         self.steps.iter().enumerate().take(self.draw)
     }
 
-    /// The line of a call; of the end, the last one.
+    /// The line of a call; the last line if there is no such call.
     fn line(&self, at: usize) -> u32 {
         self.steps.get(at).or(self.steps.last()).map_or(1, |step| step.line)
     }
 
-    /// Why a call was refused, where it was.
+    /// The error of a rejected call.
     fn refused(&self, at: usize) -> Option<&CallError> {
         let step = self.steps.get(at)?;
         self.run.errors.iter().find(|error| error.line == step.line && error.call == step.call.word())
     }
 
-    /// What holds the numbers of all objects of a kind.
+    /// The names of all objects of a kind.
     fn objects(&self, kind: ObjectKind) -> Vec<&'a str> {
         let name = |step: &'a Step| match &step.call {
             GlCall::Generate { name, kind: made } if *made == kind => Some(name.as_str()),
@@ -75,17 +75,17 @@ impl<'a> Case<'a> {
         self.steps.iter().filter_map(name).collect()
     }
 
-    /// The first call of some sort.
+    /// The first call that satisfies a condition.
     fn first(&self, is: impl Fn(&GlCall) -> bool) -> Option<usize> {
         self.steps.iter().position(|step| is(&step.call))
     }
 
-    /// The last call of some sort before the draw.
+    /// The last call before the draw that satisfies a condition.
     fn last(&self, is: impl Fn(&GlCall) -> bool) -> Option<usize> {
         self.before().rev().find(|(_, step)| is(&step.call)).map(|(at, _)| at)
     }
 
-    /// The program with another call in a place.
+    /// The program with a call replaced.
     fn replaced(&self, at: usize, call: GlCall) -> Vec<Step> {
         let mut steps = self.steps.to_vec();
         if let Some(step) = steps.get_mut(at) {
@@ -103,7 +103,7 @@ impl<'a> Case<'a> {
         steps
     }
 
-    /// The program with calls put in before the one that is in a place.
+    /// The program with calls inserted before the one at an index.
     fn inserted(&self, at: usize, calls: impl IntoIterator<Item = GlCall>) -> Vec<Step> {
         let mut steps = self.steps.to_vec();
         let at = at.min(steps.len());
@@ -112,7 +112,7 @@ impl<'a> Case<'a> {
         steps
     }
 
-    /// The program with a call moved before the one that is in a place.
+    /// The program with a call moved before the one at an index.
     fn moved(&self, from: usize, to: usize) -> Vec<Step> {
         let mut steps = self.steps.to_vec();
         if from < steps.len() {
@@ -123,7 +123,7 @@ impl<'a> Case<'a> {
         steps
     }
 
-    /// The program with every call changed that `change` changes; `None` where it changes none. With the first of them.
+    /// The program with `change` applied to every call, and the index of the first changed call; `None` if none changes.
     fn changed(&self, mut change: impl FnMut(usize, &mut GlCall) -> bool) -> Option<(usize, Vec<Step>)> {
         let mut steps = self.steps.to_vec();
         let mut first = None;
@@ -135,20 +135,20 @@ impl<'a> Case<'a> {
         first.map(|at| (at, steps))
     }
 
-    /// A suspicion at a call.
+    /// A suspect at a call.
     fn suspect(
         &self,
         id: &'static str,
         at: usize,
-        said: impl Into<String>,
+        message: impl Into<String>,
         fix: impl Into<String>,
         corrected: Vec<Step>,
     ) -> Suspect {
-        Suspect { id, line: self.line(at), said: said.into(), fix: fix.into(), corrected }
+        Suspect { id, line: self.line(at), message: message.into(), fix: fix.into(), corrected }
     }
 }
 
-/// A constant that is known to be there.
+/// A constant that is known to exist.
 fn known(name: &'static str) -> Constant {
     constant(name).unwrap_or(Constant { name, value: 0 })
 }

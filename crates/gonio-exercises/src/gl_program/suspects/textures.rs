@@ -6,7 +6,7 @@ use gonio_render::gl_program::{
 };
 use std::collections::BTreeSet;
 
-/// Adds what may be wrong with textures.
+/// Adds the suspects about samplers, units and textures.
 pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
     samplers_and_units(case, found);
     deleted(case, found);
@@ -36,9 +36,9 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
             continue;
         }
         if at > case.draw {
-            let said = format!("the draw in line {} has already read `{uniform}`", case.line(case.draw));
+            let message = format!("the draw in line {} has already read `{uniform}`", case.line(case.draw));
             let corrected = case.moved(at, case.draw);
-            found.push(case.suspect("uniform-after-draw", at, said, "write it before the draw", corrected));
+            found.push(case.suspect("uniform-after-draw", at, message, "write it before the draw", corrected));
         }
         if case.refused(at).is_some_and(|error| error.code == "INVALID_OPERATION") {
             before_use(case, at, uniform, found);
@@ -46,19 +46,19 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
         match given {
             UniformArgument::Whole(IntArgument::Variable(name)) if textures.contains(&name.as_str()) => {
                 for &unit in &units {
-                    let said =
+                    let message =
                         format!("`{uniform}` is set to `{name}`, the name of a texture, which is bound to unit {unit}");
                     let fix = format!("write `uniform_1i {uniform} {unit}`");
                     let corrected = case.replaced(at, set(uniform, unit));
-                    found.push(case.suspect("texture-name-as-unit", at, said, fix, corrected));
+                    found.push(case.suspect("texture-name-as-unit", at, message, fix, corrected));
                 }
             }
             UniformArgument::Floats(_) => {
                 for &unit in &units {
                     let fix = format!("write `uniform_1i {uniform} {unit}`");
-                    let said = format!("`{uniform}` is a sampler, and a sampler is an integer");
+                    let message = format!("`{uniform}` is a sampler, and a sampler is an integer");
                     let corrected = case.replaced(at, set(uniform, unit));
-                    found.push(case.suspect("uniform-type-wrong", at, said, fix, corrected));
+                    found.push(case.suspect("uniform-type-wrong", at, message, fix, corrected));
                 }
             }
             UniformArgument::Whole(_) => {}
@@ -75,17 +75,17 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
         };
         for &unit in units.iter().filter(|unit| *number != IntArgument::Literal(**unit as i32)) {
             if samplers.iter().any(|sampler| sampler == uniform) {
-                let said = format!("`{uniform}` reads unit {value}, and the texture is bound to unit {unit}");
+                let message = format!("`{uniform}` reads unit {value}, but the texture is bound to unit {unit}");
                 let fix = format!("write `uniform_1i {uniform} {unit}`, or bind the texture to unit {value}");
                 let corrected = case.replaced(at, set(uniform, unit));
-                found.push(case.suspect("unbound-unit", at, said, fix, corrected));
+                found.push(case.suspect("unbound-unit", at, message, fix, corrected));
             }
         }
     }
     never_set(case, &samplers, &units, found);
 }
 
-/// Names of samplers that the drawing program needs; where nothing drew, the reference's.
+/// Names of the samplers of the program that draws; those of the reference if nothing was drawn.
 fn samplers(case: &Case<'_>) -> Vec<String> {
     let drawn = case.run.record.draws.last().and_then(|draw| case.run.record.program_of(draw));
     if let Some(program) = drawn {
@@ -99,7 +99,7 @@ fn samplers(case: &Case<'_>) -> Vec<String> {
     reference.collect()
 }
 
-/// Units that are ever made active, and 0, which is from the start.
+/// Units that are made active, and 0, which is active from the start.
 fn units(case: &Case<'_>) -> BTreeSet<u32> {
     let active = case.steps.iter().filter_map(|step| match &step.call {
         GlCall::ActiveTexture(Selector::Constant(constant)) => constant.unit(),
@@ -116,9 +116,9 @@ fn unknown_name(case: &Case<'_>, at: usize, given: &UniformArgument, samplers: &
     let Some(GlCall::Uniform { uniform, .. }) = case.steps.get(at).map(|step| &step.call) else { return };
     for sampler in samplers {
         let call = GlCall::Uniform { uniform: sampler.clone(), given: given.clone() };
-        let said = format!("the program has no uniform `{uniform}`; its sampler is `{sampler}`");
+        let message = format!("the program has no uniform `{uniform}`; its sampler is `{sampler}`");
         let fix = format!("write `{sampler}`");
-        found.push(case.suspect("uniform-name-wrong", at, said, fix, case.replaced(at, call)));
+        found.push(case.suspect("uniform-name-wrong", at, message, fix, case.replaced(at, call)));
     }
 }
 
@@ -127,20 +127,21 @@ fn before_use(case: &Case<'_>, at: usize, uniform: &str, found: &mut Vec<Suspect
     let mut uses =
         later.filter(|(_, step)| matches!(&step.call, GlCall::UseProgram(p) if *p != IntArgument::Literal(0)));
     let Some((used, step)) = uses.next() else { return };
-    let said = format!("no program is in use here: use_program comes in line {}, and `{uniform}` stays 0", step.line);
+    let message =
+        format!("no program is in use here: use_program comes in line {}, and `{uniform}` stays 0", step.line);
     let fix = format!("write it after use_program in line {}", step.line);
-    found.push(case.suspect("uniform-before-use-program", at, said, fix, case.moved(at, used + 1)));
+    found.push(case.suspect("uniform-before-use-program", at, message, fix, case.moved(at, used + 1)));
 }
 
-/// The unit is made active when the texture is bound already, and nothing is bound after that.
+/// The unit is made active only after the texture was bound, and nothing is bound after that.
 fn active_after_bind(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let Some(bind) = case.last(|call| matches!(call, GlCall::BindTexture { .. })) else { return };
     for (at, step) in case.before().skip(bind + 1) {
         let GlCall::ActiveTexture(Selector::Constant(unit)) = &step.call else { continue };
-        let said =
-            format!("{} is made active when the texture is bound already, in line {}", unit.name, case.line(bind));
+        let message =
+            format!("{} is made active only after the texture was bound, in line {}", unit.name, case.line(bind));
         let fix = format!("write it before bind_texture in line {}", case.line(bind));
-        found.push(case.suspect("active-texture-after-bind", at, said, fix, case.moved(at, bind)));
+        found.push(case.suspect("active-texture-after-bind", at, message, fix, case.moved(at, bind)));
     }
 }
 
@@ -152,9 +153,10 @@ fn active_number(case: &Case<'_>, found: &mut Vec<Suspect>) {
             IntArgument::Variable(_) => 0,
         };
         let unit = texture_unit(unit).unwrap_or(known("TEXTURE0"));
-        let said = format!("a plain number is not a unit, and OpenGL rejects it; {} is one", unit.name);
+        let message =
+            format!("a plain number is not a unit, and OpenGL rejects it: write a unit such as {}", unit.name);
         let corrected = case.replaced(at, GlCall::ActiveTexture(Selector::Constant(unit)));
-        found.push(case.suspect("active-texture-number", at, said, format!("write {}", unit.name), corrected));
+        found.push(case.suspect("active-texture-number", at, message, format!("write {}", unit.name), corrected));
     }
 }
 
@@ -165,15 +167,15 @@ fn never_set(case: &Case<'_>, samplers: &[String], units: &BTreeSet<u32>, found:
     let used = case.last(|call| matches!(call, GlCall::UseProgram(_))).unwrap_or(case.draw);
     for sampler in samplers.iter().filter(|sampler| !is_set(sampler)) {
         for &unit in units.iter().filter(|unit| **unit != 0) {
-            let said = format!("`{sampler}` is never set and reads unit 0, and the texture is bound to unit {unit}");
+            let message = format!("`{sampler}` is never set and reads unit 0, but the texture is bound to unit {unit}");
             let fix = format!("write `uniform_1i {sampler} {unit}` after use_program");
             let corrected = case.inserted(case.draw, [set(sampler, unit)]);
-            found.push(case.suspect("sampler-never-set", used, said, fix, corrected));
+            found.push(case.suspect("sampler-never-set", used, message, fix, corrected));
         }
     }
 }
 
-/// Also buffers and vertex arrays.
+/// Deleted textures, buffers and vertex arrays.
 fn deleted(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
         let GlCall::Delete { kind, .. } = &step.call else { continue };
@@ -182,8 +184,8 @@ fn deleted(case: &Case<'_>, found: &mut Vec<Suspect>) {
             ObjectKind::Buffer => ("buffer-deleted", "buffer"),
             ObjectKind::VertexArray => ("vertex-array-deleted", "vertex array"),
         };
-        let said = format!("the {what} is deleted before the draw in line {}", case.line(case.draw));
-        found.push(case.suspect(id, at, said, "delete it after the draw", case.without(at)));
+        let message = format!("the {what} is deleted before the draw in line {}", case.line(case.draw));
+        found.push(case.suspect(id, at, message, "delete it after the draw", case.without(at)));
     }
 }
 
@@ -198,7 +200,7 @@ fn target_of(call: &mut GlCall) -> Option<&mut Constant> {
     }
 }
 
-/// Everything that is meant for another kind of texture, and each such call alone.
+/// All calls with the target of another kind of texture together, and each such call alone.
 fn targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let flat = known("TEXTURE_2D");
     let is_other = |call: &GlCall| target_of(&mut call.clone()).is_some_and(|target| *target != flat);
@@ -217,12 +219,12 @@ fn targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for only in std::iter::once(None).chain(alone.into_iter().map(Some)) {
         let Some((at, corrected)) = turn(only) else { continue };
         let written = target_of(&mut case.steps[at].call.clone()).map_or("", |target| target.name);
-        let said = format!("{written} is the target of another kind of texture: the sampler2D reads TEXTURE_2D");
+        let message = format!("{written} is the target of another kind of texture: the sampler2D reads TEXTURE_2D");
         let fix = match only {
             None if others.len() > 1 => "write TEXTURE_2D in this line and in all others for this texture",
             _ => "write TEXTURE_2D",
         };
-        found.push(case.suspect("wrong-target", at, said, fix, corrected));
+        found.push(case.suspect("wrong-target", at, message, fix, corrected));
     }
 }
 
@@ -242,39 +244,39 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let line =
                 case.first(|call| matches!(call, GlCall::Generate { name: made, .. } if made == name)).unwrap_or(0);
             let fix = format!("write `bind_texture TEXTURE_2D {name}` before the texture's other calls");
-            let said = format!("the texture `{name}` is never bound");
-            found.push(case.suspect("texture-not-bound", line, said, fix, case.inserted(place, [call])));
+            let message = format!("the texture `{name}` is never bound");
+            found.push(case.suspect("texture-not-bound", line, message, fix, case.inserted(place, [call])));
         }
     }
     if let (Some(&bind), Some(first)) = (binds.first(), first_for)
         && first < bind
     {
-        let said =
-            format!("the call in line {} is meant for this texture, and comes before it is bound", case.line(first));
+        let message =
+            format!("the call in line {} is meant for this texture, but comes before it is bound", case.line(first));
         let fix = format!("write it before line {}", case.line(first));
-        found.push(case.suspect("texture-bound-late", bind, said, fix, case.moved(bind, first)));
+        found.push(case.suspect("texture-bound-late", bind, message, fix, case.moved(bind, first)));
     }
     for &at in &binds {
         let GlCall::BindTexture { target, texture } = &case.steps[at].call else { continue };
         if *texture == IntArgument::Literal(0) {
-            let said = "0 unbinds the texture, and the draw reads an empty unit";
-            found.push(case.suspect("texture-unbound", at, said, "remove it", case.without(at)));
+            let message = "0 unbinds the texture, so the draw reads an empty unit";
+            found.push(case.suspect("texture-unbound", at, message, "remove it", case.without(at)));
             continue;
         }
         if binds.len() > 1 && binds.first() != Some(&at) {
             let free = GlCall::ActiveTexture(Selector::Constant(known("TEXTURE15")));
-            let said = "this texture takes the place of the one that is to be drawn, for the same unit is active";
+            let message = "this texture replaces the one to draw, because the same unit is active";
             let fix = "call active_texture with another unit before it";
-            found.push(case.suspect("other-texture-bound", at, said, fix, case.inserted(at, [free])));
+            found.push(case.suspect("other-texture-bound", at, message, fix, case.inserted(at, [free])));
             let fix = "remove it";
-            found.push(case.suspect("other-texture-bound", at, said, fix, case.without(at)));
+            found.push(case.suspect("other-texture-bound", at, message, fix, case.without(at)));
         }
         for name in &textures {
             if *texture != IntArgument::Variable((*name).to_owned()) {
                 let call = GlCall::BindTexture { target: *target, texture: IntArgument::Variable((*name).to_owned()) };
-                let said = format!("`{name}` is to be drawn, and something else is bound here");
+                let message = format!("`{name}` should be drawn, but something else is bound here");
                 let fix = format!("write `bind_texture {} {name}`", target.name);
-                found.push(case.suspect("other-texture-bound", at, said, fix, case.replaced(at, call)));
+                found.push(case.suspect("other-texture-bound", at, message, fix, case.replaced(at, call)));
             }
         }
     }
@@ -285,24 +287,29 @@ fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let GlCall::TexParameter { target, parameter, value } = &step.call else { continue };
         let Selector::Constant(set) = value else {
             if parameter.name.ends_with("LEVEL") {
-                let said =
-                    format!("with this {} the levels that are there are not the ones that are read", parameter.name);
-                found.push(case.suspect("level-range-wrong", at, said, "remove it", case.without(at)));
+                let message = format!("with this {}, levels are read that do not exist", parameter.name);
+                found.push(case.suspect("level-range-wrong", at, message, "remove it", case.without(at)));
             }
             continue;
         };
         if case.refused(at).is_some() && parameter.name == "TEXTURE_MAG_FILTER" && set.name.contains("MIPMAP") {
             let parameter = known("TEXTURE_MIN_FILTER");
             let call = GlCall::TexParameter { target: *target, parameter, value: value.clone() };
-            let said =
-                format!("OpenGL rejects {} for TEXTURE_MAG_FILTER, and TEXTURE_MIN_FILTER stays what it was", set.name);
-            found.push(case.suspect("filter-refused", at, said, "write TEXTURE_MIN_FILTER", case.replaced(at, call)));
+            let message =
+                format!("OpenGL rejects {} for TEXTURE_MAG_FILTER, and TEXTURE_MIN_FILTER is unchanged", set.name);
+            found.push(case.suspect(
+                "filter-refused",
+                at,
+                message,
+                "write TEXTURE_MIN_FILTER",
+                case.replaced(at, call),
+            ));
         }
         if case.refused(at).is_some() && parameter.name == "TEXTURE_MIN_FILTER" {
             let value = Selector::Constant(known("LINEAR"));
             let call = GlCall::TexParameter { target: *target, parameter: *parameter, value };
-            let said = format!("OpenGL rejects {}, and TEXTURE_MIN_FILTER stays what it was", set.name);
-            found.push(case.suspect("filter-refused", at, said, "write LINEAR", case.replaced(at, call)));
+            let message = format!("OpenGL rejects {}, and TEXTURE_MIN_FILTER is unchanged", set.name);
+            found.push(case.suspect("filter-refused", at, message, "write LINEAR", case.replaced(at, call)));
         }
     }
 }
@@ -317,14 +324,14 @@ fn mipmaps(case: &Case<'_>, found: &mut Vec<Suspect>) {
             Some((_, step)) => case.suspect(
                 "mipmaps-missing",
                 image,
-                format!("the filter set in line {} needs mipmaps, and this image has none", step.line),
-                "write `generate_mipmap TEXTURE_2D` after it, or take the filter LINEAR",
+                format!("the filter set in line {} needs mipmaps, but this image has none", step.line),
+                "write `generate_mipmap TEXTURE_2D` after it, or use the filter LINEAR",
                 corrected,
             ),
             None => case.suspect(
                 "filter-never-set",
                 image,
-                "TEXTURE_MIN_FILTER is never set, so it needs mipmaps, and this image has none",
+                "TEXTURE_MIN_FILTER is never set; its default needs mipmaps, and this image has none",
                 "write `tex_parameter TEXTURE_2D TEXTURE_MIN_FILTER LINEAR`, or `generate_mipmap TEXTURE_2D` after it",
                 corrected,
             ),
@@ -332,13 +339,13 @@ fn mipmaps(case: &Case<'_>, found: &mut Vec<Suspect>) {
         return;
     };
     if made < image {
-        let said = format!("the image comes only in line {}", case.line(image));
+        let message = format!("the image comes only in line {}", case.line(image));
         let fix = format!("write it after line {}", case.line(image));
-        found.push(case.suspect("mipmaps-before-image", made, said, fix, case.moved(made, image + 1)));
+        found.push(case.suspect("mipmaps-before-image", made, message, fix, case.moved(made, image + 1)));
     } else if made > image + 1 {
-        let said = format!("what is bound here is not the texture that got its image in line {}", case.line(image));
+        let message = format!("the texture bound here is not the one that got its image in line {}", case.line(image));
         let fix = format!("write it right after line {}", case.line(image));
-        found.push(case.suspect("mipmaps-misplaced", made, said, fix, case.moved(made, image + 1)));
+        found.push(case.suspect("mipmaps-misplaced", made, message, fix, case.moved(made, image + 1)));
     }
 }
 
@@ -350,13 +357,13 @@ fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if !["RGB8", "RGBA8", "RGB", "RGBA"].contains(&format.name) {
             let call =
                 GlCall::TexImage2d { target: *target, level: *level, format: known("RGB8"), image: image.clone() };
-            let said = format!("the format {} keeps other colours than the image has", format.name);
-            found.push(case.suspect("internal-format-wrong", at, said, "write RGB8", case.replaced(at, call)));
+            let message = format!("the format {} does not keep the colours of the image", format.name);
+            found.push(case.suspect("internal-format-wrong", at, message, "write RGB8", case.replaced(at, call)));
         }
         if *level != 0 {
             let call = GlCall::TexImage2d { target: *target, level: 0, format: *format, image: image.clone() };
-            let said = format!("the image is given to level {level}, and level 0 stays empty");
-            found.push(case.suspect("image-level-wrong", at, said, "write level 0", case.replaced(at, call)));
+            let message = format!("the image is passed to level {level}, and level 0 stays empty");
+            found.push(case.suspect("image-level-wrong", at, message, "write level 0", case.replaced(at, call)));
         }
     }
     let loads = |steps: &[Step]| {
@@ -366,15 +373,15 @@ fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
         };
         steps.iter().filter_map(load).collect::<Vec<_>>()
     };
-    // Where the right image is loaded too, the mistake is which of the textures is read.
+    // If the right image is loaded too, the mistake is that the wrong texture is read.
     let right = loads(case.reference).into_iter().next();
     let right = right.filter(|(_, right)| !loads(case.steps).iter().any(|(_, file)| file == right));
     for (at, step) in case.steps.iter().enumerate() {
         let (GlCall::LoadImage { name, file }, Some((_, right))) = (&step.call, &right) else { continue };
         if file != right {
             let call = GlCall::LoadImage { name: name.clone(), file: right.clone() };
-            let said = format!("`{file}` is loaded, and the exercise's image is `{right}`");
-            found.push(case.suspect("image-wrong", at, said, format!("write `{right}`"), case.replaced(at, call)));
+            let message = format!("`{file}` is loaded, but the exercise's image is `{right}`");
+            found.push(case.suspect("image-wrong", at, message, format!("write `{right}`"), case.replaced(at, call)));
         }
     }
     if let (false, Some((image, _))) = (any, loads(case.steps).into_iter().next()) {

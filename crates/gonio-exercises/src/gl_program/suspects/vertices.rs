@@ -1,9 +1,9 @@
-//! Attributes, and the arrays and buffers that feed them.
+//! Attributes, and the vertex arrays and buffers that provide them.
 
 use super::{Case, Suspect, known};
-use gonio_render::gl_program::{Constant, GlCall, IntArgument, ObjectKind, Pointer, Step};
+use gonio_render::gl_program::{GlCall, IntArgument, ObjectKind, Pointer, Step};
 
-/// Adds what may be wrong with vertices.
+/// Adds the suspects about vertex arrays, buffers and attributes.
 pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
     vertex_arrays(case, found);
     buffers(case, found);
@@ -15,7 +15,7 @@ pub fn suspect(case: &Case<'_>, found: &mut Vec<Suspect>) {
     numbers(case, found);
 }
 
-/// What is kept in the vertex array that is bound.
+/// Whether a call changes the bound vertex array.
 fn for_array(call: &GlCall) -> bool {
     match call {
         GlCall::VertexAttribPointer(_) | GlCall::SwitchAttribute { .. } => true,
@@ -40,48 +40,50 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 let made =
                     case.first(|call| matches!(call, GlCall::Generate { name: n, .. } if n == name)).unwrap_or(0);
                 let fix = format!("write `bind_vertex_array {name}` after it");
-                let said = format!("`{name}` is created but never bound");
+                let message = format!("`{name}` is created but never bound");
                 let corrected = case.inserted(first_for.max(made + 1), [bound]);
-                case.suspect("vertex-array-not-bound", made, said, fix, corrected)
+                case.suspect("vertex-array-not-bound", made, message, fix, corrected)
             }
             None => {
                 let made = GlCall::Generate { name: array, kind: ObjectKind::VertexArray };
                 let fix = "write `array = gen_vertex_array` and `bind_vertex_array array` before it";
-                let said = "no vertex array is bound to store this setting";
-                case.suspect("vertex-array-missing", first_for, said, fix, case.inserted(first_for, [made, bound]))
+                let message = "no vertex array is bound to store this setting";
+                case.suspect("vertex-array-missing", first_for, message, fix, case.inserted(first_for, [made, bound]))
             }
         });
         return;
     };
     if first_for < bind {
-        // With what makes it, where that comes late too.
+        // Moves the call that creates it as well, if that comes too late too.
         let made = case.first(|call| matches!(call, GlCall::Generate { kind: ObjectKind::VertexArray, .. }));
         let mut corrected = case.moved(bind, first_for);
         if let Some(made) = made.filter(|made| *made > first_for) {
             let step = corrected.remove(made + 1);
             corrected.insert(first_for, step);
         }
-        let said = format!("line {} is meant for this vertex array, and comes before it", case.line(first_for));
+        let message =
+            format!("line {} is meant for this vertex array, but comes before it is bound", case.line(first_for));
         let fix = format!("write it before line {}", case.line(first_for));
-        found.push(case.suspect("vertex-array-bound-late", bind, said, fix, corrected));
+        found.push(case.suspect("vertex-array-bound-late", bind, message, fix, corrected));
     }
     let Some(last) = case.last(binds_array) else { return };
     let GlCall::BindVertexArray(bound) = &case.steps[last].call else { return };
     if *bound == IntArgument::Literal(0) {
-        let said = format!("0 unbinds the vertex array before the draw in line {}", case.line(case.draw));
-        let fix = "bind the vertex array again before the draw, or leave this out";
-        found.push(case.suspect("vertex-array-unbound", last, said, fix, case.without(last)));
+        let message = format!("0 unbinds the vertex array before the draw in line {}", case.line(case.draw));
+        let fix = "bind the vertex array again before the draw, or remove this call";
+        found.push(case.suspect("vertex-array-unbound", last, message, fix, case.without(last)));
     }
     for name in arrays.iter().filter(|name| *bound != IntArgument::Variable((**name).to_owned())) {
         let call = GlCall::BindVertexArray(IntArgument::Variable((*name).to_owned()));
-        let said = format!("the attributes were described in `{name}`, and another vertex array is bound at the draw");
+        let message =
+            format!("the attributes were described in `{name}`, but another vertex array is bound at the draw");
         let fix = format!("write `bind_vertex_array {name}`");
-        found.push(case.suspect("other-vertex-array", last, said, fix, case.replaced(last, call)));
+        found.push(case.suspect("other-vertex-array", last, message, fix, case.replaced(last, call)));
     }
     for (at, step) in case.before() {
         if at != last && matches!(&step.call, GlCall::BindVertexArray(IntArgument::Literal(0))) {
-            let said = "0 unbinds the vertex array, and what follows is meant for it";
-            found.push(case.suspect("vertex-array-unbound", at, said, "remove it", case.without(at)));
+            let message = "0 unbinds the vertex array, but the calls that follow are meant for it";
+            found.push(case.suspect("vertex-array-unbound", at, message, "remove it", case.without(at)));
         }
     }
 }
@@ -103,30 +105,31 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
                     case.first(|call| matches!(call, GlCall::Generate { name, .. } if name == buffer)).unwrap_or(0);
                 let call = GlCall::BindBuffer { target: vertices, buffer: IntArgument::Variable(buffer.to_owned()) };
                 let fix = format!("write `bind_buffer ARRAY_BUFFER {buffer}` after it");
-                let said = format!("`{buffer}` is created but never bound to ARRAY_BUFFER");
+                let message = format!("`{buffer}` is created but never bound to ARRAY_BUFFER");
                 let corrected = case.inserted(first_for.max(made + 1), [call]);
-                found.push(case.suspect("buffer-not-bound", made, said, fix, corrected));
+                found.push(case.suspect("buffer-not-bound", made, message, fix, corrected));
             }
         }
         Some(bind) if first_for < bind => {
             let made = case.first(|call| matches!(call, GlCall::Generate { kind: ObjectKind::Buffer, .. }));
             let place = made.map_or(first_for, |made| (made + 1).min(first_for));
-            let said = format!("line {} is meant for this buffer, and comes before it is bound", case.line(first_for));
+            let message =
+                format!("line {} is meant for this buffer, but comes before it is bound", case.line(first_for));
             let fix = format!("write it before line {}", case.line(first_for));
-            found.push(case.suspect("buffer-bound-late", bind, said, fix, case.moved(bind, place)));
+            found.push(case.suspect("buffer-bound-late", bind, message, fix, case.moved(bind, place)));
         }
         Some(_) => {}
     }
     for (at, step) in case.before() {
         let GlCall::BindBuffer { target, buffer: IntArgument::Literal(0) } = &step.call else { continue };
-        let said = format!("0 unbinds the buffer of {}, and what follows refers to none", target.name);
+        let message = format!("0 unbinds the buffer from {}, so the calls that follow have none", target.name);
         let id = if *target == vertices { "buffer-unbound" } else { "index-buffer-not-bound" };
-        found.push(case.suspect(id, at, said, "remove it", case.without(at)));
+        found.push(case.suspect(id, at, message, "remove it", case.without(at)));
     }
     filled(case, found);
 }
 
-/// Vertices bound as indices, and the other way round.
+/// Vertices bound as indices, and vice versa.
 fn buffer_targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
         let mut call = step.call.clone();
@@ -139,7 +142,7 @@ fn buffer_targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let now = *target;
         let buffer =
             |call: &GlCall| if let GlCall::BindBuffer { buffer, .. } = call { Some(buffer.clone()) } else { None };
-        // The buffer's other calls with it: bind_buffer and the buffer_data that follows.
+        // Corrects the buffer_data that follows bind_buffer as well.
         let mut corrected = case.replaced(at, call.clone());
         if buffer(&call).is_some()
             && let Some(next) = corrected.get_mut(at + 1)
@@ -148,8 +151,8 @@ fn buffer_targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
         {
             *target = now;
         }
-        let said = format!("{} is not what this buffer is read from", was.name);
-        found.push(case.suspect("buffer-target-wrong", at, said, format!("write {}", now.name), corrected));
+        let message = format!("this buffer is not read from {}", was.name);
+        found.push(case.suspect("buffer-target-wrong", at, message, format!("write {}", now.name), corrected));
     }
 }
 
@@ -169,7 +172,7 @@ fn filled(case: &Case<'_>, found: &mut Vec<Suspect>) {
     found.push(case.suspect("buffer-empty", bind, "this buffer never gets any bytes", fix, corrected));
 }
 
-/// What the reference says of each attribute.
+/// The reference's description of each attribute.
 fn reference(case: &Case<'_>) -> Vec<Pointer> {
     let pointer =
         |call: &GlCall| if let GlCall::VertexAttribPointer(pointer) = call { Some(pointer.clone()) } else { None };
@@ -177,7 +180,7 @@ fn reference(case: &Case<'_>) -> Vec<Pointer> {
 }
 
 type Change = fn(&mut Pointer, &Pointer) -> bool;
-/// A mistake's word, how it is corrected, and the field in words.
+/// A mistake's id, its correction, and the field in words.
 type Field = (&'static str, Change, fn(&Pointer) -> String);
 
 fn changes<T: PartialEq>(mine: &mut T, right: T) -> bool {
@@ -207,13 +210,13 @@ fn fields(case: &Case<'_>, found: &mut Vec<Suspect>) {
         else {
             continue;
         };
-        let said = format!("`{}` has {}, and the data wants {}", was.attribute, words(was), words(is));
-        found.push(case.suspect(id, at, said, format!("write {}", words(is)), corrected));
+        let message = format!("`{}` has {}, but the data needs {}", was.attribute, words(was), words(is));
+        found.push(case.suspect(id, at, message, format!("write {}", words(is)), corrected));
     }
 }
 
-fn is_switched(case: &Case<'_>, attribute: &str, wanted: bool) -> Option<usize> {
-    case.first(|call| matches!(call, GlCall::SwitchAttribute { attribute: a, on } if a == attribute && *on == wanted))
+fn is_switched(case: &Case<'_>, attribute: &str, enabled: bool) -> Option<usize> {
+    case.first(|call| matches!(call, GlCall::SwitchAttribute { attribute: a, on } if a == attribute && *on == enabled))
 }
 
 fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
@@ -233,14 +236,14 @@ fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
             corrected.insert(at + 1, step);
         }
         let names = all.iter().map(|(_, name)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-        let said = format!("{names}: described here, never enabled");
+        let message = format!("{names}: described here, but never enabled");
         let fix = format!("write `enable_vertex_attrib_array {name}` after it");
-        found.push(case.suspect("attribute-not-enabled", first, said, fix, corrected));
+        found.push(case.suspect("attribute-not-enabled", first, message, fix, corrected));
     }
     for (at, step) in case.before() {
         if let GlCall::SwitchAttribute { attribute, on: false } = &step.call {
-            let said = format!("`{attribute}` is disabled before the draw in line {}", case.line(case.draw));
-            found.push(case.suspect("attribute-disabled", at, said, "remove it", case.without(at)));
+            let message = format!("`{attribute}` is disabled before the draw in line {}", case.line(case.draw));
+            found.push(case.suspect("attribute-disabled", at, message, "remove it", case.without(at)));
         }
     }
 }
@@ -264,13 +267,13 @@ fn described(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if enabled.is_none() {
             calls.push(GlCall::SwitchAttribute { attribute: name.clone(), on: true });
         }
-        let said = format!("no vertex_attrib_pointer says where `{name}` is");
+        let message = format!("no vertex_attrib_pointer says where `{name}` is");
         let corrected = case.inserted(place + 1, calls);
-        found.push(case.suspect("attribute-not-described", enabled.unwrap_or(place), said, fix, corrected));
+        found.push(case.suspect("attribute-not-described", enabled.unwrap_or(place), message, fix, corrected));
     }
 }
 
-/// The attribute that a call is about.
+/// The attribute of a call.
 fn name_of(call: &GlCall) -> Option<&String> {
     match call {
         GlCall::VertexAttribPointer(pointer) => Some(&pointer.attribute),
@@ -279,7 +282,7 @@ fn name_of(call: &GlCall) -> Option<&String> {
     }
 }
 
-/// The same, to be changed.
+/// The attribute of a call, for changing it.
 fn name_of_mut(call: &mut GlCall) -> Option<&mut String> {
     match call {
         GlCall::VertexAttribPointer(pointer) => Some(&mut pointer.attribute),
@@ -288,13 +291,13 @@ fn name_of_mut(call: &mut GlCall) -> Option<&mut String> {
     }
 }
 
-/// Attributes of the reference, and those that the program names.
+/// The attributes of the reference, and those of the program.
 fn all_names(case: &Case<'_>) -> [Vec<String>; 2] {
     let right = reference(case).into_iter().map(|pointer| pointer.attribute).collect();
     [right, case.steps.iter().filter_map(|step| name_of(&step.call).cloned()).collect()]
 }
 
-/// Names that no attribute has.
+/// Names that are not attributes.
 fn unknown_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let [right, named] = all_names(case);
     let mut unknown: Vec<&String> = named.iter().filter(|name| !right.contains(name)).collect();
@@ -309,14 +312,14 @@ fn unknown_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 None => false,
             });
             if let Some((at, corrected)) = changed {
-                let said = format!("the program has no attribute `{wrong}`, and `{meant}` gets nothing");
-                found.push(case.suspect("attribute-name-wrong", at, said, format!("write `{meant}`"), corrected));
+                let message = format!("the program has no attribute `{wrong}`, and `{meant}` gets no data");
+                found.push(case.suspect("attribute-name-wrong", at, message, format!("write `{meant}`"), corrected));
             }
         }
     }
 }
 
-/// A name that has a call already, in place of one that has none.
+/// A name that is used twice instead of one that is never used.
 fn repeated_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let [right, named] = all_names(case);
     for (at, step) in case.before() {
@@ -326,14 +329,14 @@ fn repeated_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
             if let Some(name) = name_of_mut(&mut call) {
                 meant.clone_into(name);
             }
-            let said = format!("`{name}` is used here, and `{meant}` is never described");
+            let message = format!("`{name}` is used here, but `{meant}` is never described");
             let corrected = case.replaced(at, call);
-            found.push(case.suspect("attribute-name-wrong", at, said, format!("write `{meant}`"), corrected));
+            found.push(case.suspect("attribute-name-wrong", at, message, format!("write `{meant}`"), corrected));
         }
     }
 }
 
-/// The numbers in buffers, and those that count them.
+/// The data in buffers.
 fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let lists = |steps: &[Step]| {
         let list = |step: &Step| match &step.call {
@@ -347,8 +350,14 @@ fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if let GlCall::BufferData { target, data, usage } = &step.call {
             for (other, _) in mine.iter().filter(|(name, _)| name != data) {
                 let call = GlCall::BufferData { target: *target, data: other.clone(), usage: *usage };
-                let said = format!("the buffer is filled with `{data}`, and the corners are in `{other}`");
-                found.push(case.suspect("other-data", at, said, format!("write `{other}`"), case.replaced(at, call)));
+                let message = format!("the buffer is filled with `{data}`, but the corners are in `{other}`");
+                found.push(case.suspect(
+                    "other-data",
+                    at,
+                    message,
+                    format!("write `{other}`"),
+                    case.replaced(at, call),
+                ));
             }
         }
     }
@@ -357,59 +366,10 @@ fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let GlCall::Data { name, numbers } = &step.call else { continue };
             if *numbers != right {
                 let call = GlCall::Data { name: name.clone(), numbers: right.clone() };
-                let said = format!("`{name}` does not hold the exercise's numbers");
+                let message = format!("`{name}` does not contain the exercise's numbers");
                 let corrected = case.replaced(at, call);
-                found.push(case.suspect("data-changed", at, said, "restore the original numbers", corrected));
+                found.push(case.suspect("data-changed", at, message, "restore the original numbers", corrected));
             }
         }
-    }
-    indices(case, found);
-}
-
-fn indices(case: &Case<'_>, found: &mut Vec<Suspect>) {
-    let Some(GlCall::DrawElements { mode, count, kind, offset }) = case.steps.get(case.draw).map(|step| &step.call)
-    else {
-        return;
-    };
-    let draw = |kind: Constant, offset: i32| {
-        case.replaced(case.draw, GlCall::DrawElements { mode: *mode, count: *count, kind, offset })
-    };
-    let whole = known("UNSIGNED_INT");
-    if *kind != whole {
-        let said = format!("the index buffer holds UNSIGNED_INT, and is read as {}", kind.name);
-        found.push(case.suspect("index-type-wrong", case.draw, said, "write UNSIGNED_INT", draw(whole, *offset)));
-    }
-    if *offset != 0 {
-        let said = format!("the draw begins at byte {offset} of the index buffer");
-        found.push(case.suspect("index-offset-wrong", case.draw, said, "write 0", draw(*kind, 0)));
-    }
-    for (at, step) in case.before() {
-        let GlCall::Indices { name, numbers } = &step.call else { continue };
-        if numbers.iter().all(|index| *index > 0) {
-            let from_zero = numbers.iter().map(|index| index - 1).collect();
-            let call = GlCall::Indices { name: name.clone(), numbers: from_zero };
-            let said = format!("the indices in `{name}` begin with 1, and the first corner has 0");
-            let corrected = case.replaced(at, call);
-            found.push(case.suspect("indices-from-one", at, said, "subtract 1 from each", corrected));
-        }
-        let mut sorted = numbers.clone();
-        sorted.sort_unstable();
-        // The same corners in another order are no mistake by themselves.
-        if sorted == [0, 1, 2] {
-            continue;
-        }
-        let call = GlCall::Indices { name: name.clone(), numbers: vec![0, 1, 2] };
-        let said = format!("`{name}` names other corners than 0, 1 and 2");
-        found.push(case.suspect("indices-changed", at, said, "write 0 1 2", case.replaced(at, call)));
-    }
-    for buffer in case.objects(ObjectKind::Buffer) {
-        let call = GlCall::BindBuffer {
-            target: known("ELEMENT_ARRAY_BUFFER"),
-            buffer: IntArgument::Variable(buffer.to_owned()),
-        };
-        let said = "no ELEMENT_ARRAY_BUFFER, or another one, is bound in the vertex array that is drawn";
-        let fix = format!("write `bind_buffer ELEMENT_ARRAY_BUFFER {buffer}` after bind_vertex_array");
-        let corrected = case.inserted(case.draw, [call]);
-        found.push(case.suspect("index-buffer-not-bound", case.draw, said, fix, corrected));
     }
 }

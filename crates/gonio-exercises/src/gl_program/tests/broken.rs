@@ -1,6 +1,6 @@
-//! Each mistake in a program of its own, named with its line; and a few together.
+//! Each mistake in a program of its own, named with its line; and several mistakes together.
 
-use super::{changed, context, host_programs, judged, told};
+use super::{assert_mistakes, changed, context, host_programs, judged};
 use gonio_check::verdict::Outcome;
 
 const IMAGE: &str = "tex_image_2d TEXTURE_2D 0 RGB8 pixels\n";
@@ -14,7 +14,7 @@ const AT_DRAW: &str = "uniform_1i ourTexture 0\nbind_vertex_array array\n";
 fn samplers_and_units() {
     let context = context();
     let unit_1 = [("active_texture TEXTURE0", "active_texture TEXTURE1")];
-    told(
+    assert_mistakes(
         &context,
         &changed(&[
             unit_1[0],
@@ -24,21 +24,29 @@ fn samplers_and_units() {
         ]),
         &[("texture-name-as-unit", "# its name")],
     );
-    told(&context, &changed(&unit_1), &[("unbound-unit", "uniform_1i")]);
-    told(&context, &changed(&[unit_1[0], (SET, "")]), &[("sampler-never-set", "use_program")]);
-    told(
+    assert_mistakes(&context, &changed(&unit_1), &[("unbound-unit", "uniform_1i")]);
+    assert_mistakes(&context, &changed(&[unit_1[0], (SET, "")]), &[("sampler-never-set", "use_program")]);
+    assert_mistakes(
         &context,
         &changed(&[unit_1[0], (SET, ""), (IMAGE, "uniform_1i ourTexture 1\ntex_image_2d TEXTURE_2D 0 RGB8 pixels\n")]),
         &[("uniform-before-use-program", "uniform_1i")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[unit_1[0], (SET, ""), (DRAW, "draw_arrays TRIANGLES 0 3\nuniform_1i ourTexture 1\n")]),
         &[("uniform-after-draw", "uniform_1i")],
     );
-    told(&context, &changed(&[unit_1[0], (SET, "uniform_1i texture1 1\n")]), &[("uniform-name-wrong", "uniform_1i")]);
-    told(&context, &changed(&[unit_1[0], (SET, "uniform_1f ourTexture 1\n")]), &[("uniform-type-wrong", "uniform_1f")]);
-    told(
+    assert_mistakes(
+        &context,
+        &changed(&[unit_1[0], (SET, "uniform_1i texture1 1\n")]),
+        &[("uniform-name-wrong", "uniform_1i")],
+    );
+    assert_mistakes(
+        &context,
+        &changed(&[unit_1[0], (SET, "uniform_1f ourTexture 1\n")]),
+        &[("uniform-type-wrong", "uniform_1f")],
+    );
+    assert_mistakes(
         &context,
         &changed(&[
             ("active_texture TEXTURE0\n", ""),
@@ -47,7 +55,7 @@ fn samplers_and_units() {
         ]),
         &[("active-texture-after-bind", "active_texture")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[("active_texture TEXTURE0", "active_texture 1"), (SET, "uniform_1i ourTexture 1\n")]),
         &[("active-texture-number", "active_texture")],
@@ -57,10 +65,10 @@ fn samplers_and_units() {
 #[test]
 fn textures_that_lack_something() {
     let context = context();
-    told(&context, &changed(&[(MIPMAP, "")]), &[("mipmaps-missing", "tex_image_2d")]);
+    assert_mistakes(&context, &changed(&[(MIPMAP, "")]), &[("mipmaps-missing", "tex_image_2d")]);
     let filter = "tex_parameter TEXTURE_2D TEXTURE_MIN_FILTER LINEAR_MIPMAP_LINEAR\n";
-    told(&context, &changed(&[(MIPMAP, ""), (filter, "")]), &[("filter-never-set", "tex_image_2d")]);
-    told(
+    assert_mistakes(&context, &changed(&[(MIPMAP, ""), (filter, "")]), &[("filter-never-set", "tex_image_2d")]);
+    assert_mistakes(
         &context,
         &changed(&[
             (MIPMAP, ""),
@@ -71,22 +79,26 @@ fn textures_that_lack_something() {
         &[("filter-never-set", "# there")],
     );
     let before = [(MIPMAP, ""), (IMAGE, "generate_mipmap TEXTURE_2D\ntex_image_2d TEXTURE_2D 0 RGB8 pixels\n")];
-    told(&context, &changed(&before), &[("mipmaps-before-image", "generate_mipmap")]);
+    assert_mistakes(&context, &changed(&before), &[("mipmaps-before-image", "generate_mipmap")]);
     let elsewhere = [(MIPMAP, "active_texture TEXTURE3\ngenerate_mipmap TEXTURE_2D\n")];
-    told(&context, &changed(&elsewhere), &[("mipmaps-misplaced", "generate_mipmap")]);
-    told(&context, &changed(&[(MIPMAP, "generate_mipmap TEXTURE_CUBE_MAP\n")]), &[("wrong-target", "CUBE_MAP")]);
-    told(&context, &changed(&[(IMAGE, "")]), &[("image-missing", "bind_texture")]);
-    told(
+    assert_mistakes(&context, &changed(&elsewhere), &[("mipmaps-misplaced", "generate_mipmap")]);
+    assert_mistakes(
+        &context,
+        &changed(&[(MIPMAP, "generate_mipmap TEXTURE_CUBE_MAP\n")]),
+        &[("wrong-target", "CUBE_MAP")],
+    );
+    assert_mistakes(&context, &changed(&[(IMAGE, "")]), &[("image-missing", "bind_texture")]);
+    assert_mistakes(
         &context,
         &changed(&[(IMAGE, "tex_image_2d TEXTURE_2D 1 RGB8 pixels\n")]),
         &[("image-level-wrong", "tex_image_2d")],
     );
     for format in ["R8", "SRGB8"] {
         let text = changed(&[("0 RGB8 pixels", &format!("0 {format} pixels"))]);
-        told(&context, &text, &[("internal-format-wrong", "tex_image_2d")]);
+        assert_mistakes(&context, &text, &[("internal-format-wrong", "tex_image_2d")]);
     }
-    told(&context, &changed(&[("checker.png", "planks.png")]), &[("image-wrong", "load_image")]);
-    told(
+    assert_mistakes(&context, &changed(&[("checker.png", "planks.png")]), &[("image-wrong", "load_image")]);
+    assert_mistakes(
         &context,
         &changed(&[(IMAGE, "tex_image_2d TEXTURE_2D 0 RGB8 pixels\ntex_parameter TEXTURE_2D TEXTURE_BASE_LEVEL 20\n")]),
         &[("level-range-wrong", "BASE_LEVEL")],
@@ -96,7 +108,7 @@ fn textures_that_lack_something() {
 #[test]
 fn filters() {
     let context = context();
-    told(
+    assert_mistakes(
         &context,
         &changed(&[(MIPMAP, ""), ("TEXTURE_MIN_FILTER LINEAR_MIPMAP_LINEAR", "TEXTURE_MIN_FILTER REPEAT")]),
         &[("filter-refused", "TEXTURE_MIN_FILTER REPEAT")],
@@ -106,27 +118,31 @@ fn filters() {
 #[test]
 fn textures_that_are_not_bound() {
     let context = context();
-    told(&context, &changed(&[(BIND, "")]), &[("texture-not-bound", "gen_texture")]);
-    told(
+    assert_mistakes(&context, &changed(&[(BIND, "")]), &[("texture-not-bound", "gen_texture")]);
+    assert_mistakes(
         &context,
         &changed(&[(BIND, ""), (MIPMAP, "generate_mipmap TEXTURE_2D\nbind_texture TEXTURE_2D texture\n")]),
         &[("texture-bound-late", "bind_texture")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[(SET, "uniform_1i ourTexture 0\nbind_texture TEXTURE_2D 0\n")]),
         &[("texture-unbound", "bind_texture TEXTURE_2D 0")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[(SET, "uniform_1i ourTexture 0\ndelete_texture texture\n")]),
         &[("texture-deleted", "delete_texture")],
     );
-    // The second texture was meant for unit 1, which nobody made active.
+    // The second texture was meant for unit 1, which is never made active.
     let second = "generate_mipmap TEXTURE_2D\nplanks = load_image planks.png\nwood = gen_texture\n\
         bind_texture TEXTURE_2D wood\ntex_image_2d TEXTURE_2D 0 RGB8 planks\ngenerate_mipmap TEXTURE_2D\n";
-    told(&context, &changed(&[(MIPMAP, second)]), &[("other-texture-bound", "bind_texture TEXTURE_2D wood")]);
-    told(
+    assert_mistakes(
+        &context,
+        &changed(&[(MIPMAP, second)]),
+        &[("other-texture-bound", "bind_texture TEXTURE_2D wood")],
+    );
+    assert_mistakes(
         &context,
         &changed(&[(BIND, "bind_texture TEXTURE_CUBE_MAP texture\n")]),
         &[("wrong-target", "TEXTURE_CUBE_MAP")],
@@ -151,17 +167,17 @@ fn attributes() {
     ] {
         let text = changed(&[(old, new)]);
         let at = if id == "attribute-not-enabled" { "vertex_attrib_pointer color" } else { new };
-        told(&context, &text, &[(id, at)]);
+        assert_mistakes(&context, &text, &[(id, at)]);
     }
     let none = [
         ("enable_vertex_attrib_array position\n", ""),
         ("enable_vertex_attrib_array color\n", ""),
         ("enable_vertex_attrib_array tex_coord\n", ""),
     ];
-    told(&context, &changed(&none), &[("attribute-not-enabled", "vertex_attrib_pointer position")]);
+    assert_mistakes(&context, &changed(&none), &[("attribute-not-enabled", "vertex_attrib_pointer position")]);
     let off = (AT_DRAW, "uniform_1i ourTexture 0\nbind_vertex_array array\ndisable_vertex_attrib_array color\n");
-    told(&context, &changed(&[off]), &[("attribute-disabled", "disable_vertex")]);
-    told(
+    assert_mistakes(&context, &changed(&[off]), &[("attribute-disabled", "disable_vertex")]);
+    assert_mistakes(
         &context,
         &changed(&[("vertex_attrib_pointer color 3 FLOAT FALSE 32 12\n", "")]),
         &[("attribute-not-described", "enable_vertex_attrib_array color")],
@@ -172,35 +188,39 @@ fn attributes() {
 fn vertex_arrays_and_buffers() {
     let context = context();
     let first_bind = ("bind_vertex_array array\nbuffer", "buffer");
-    told(&context, &changed(&[first_bind]), &[("vertex-array-bound-late", "bind_vertex_array")]);
+    assert_mistakes(&context, &changed(&[first_bind]), &[("vertex-array-bound-late", "bind_vertex_array")]);
     let none = [first_bind, ("\nbind_vertex_array array\n", "\n")];
-    told(&context, &changed(&none), &[("vertex-array-not-bound", "gen_vertex_array")]);
+    assert_mistakes(&context, &changed(&none), &[("vertex-array-not-bound", "gen_vertex_array")]);
     let missing = [none[0], none[1], ("array = gen_vertex_array\n", "")];
-    told(&context, &changed(&missing), &[("vertex-array-missing", "vertex_attrib_pointer position")]);
-    told(
+    assert_mistakes(&context, &changed(&missing), &[("vertex-array-missing", "vertex_attrib_pointer position")]);
+    assert_mistakes(
         &context,
         &changed(&[(AT_DRAW, "uniform_1i ourTexture 0\nbind_vertex_array 0\n")]),
         &[("vertex-array-unbound", "bind_vertex_array 0")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[(AT_DRAW, "uniform_1i ourTexture 0\nempty = gen_vertex_array\nbind_vertex_array empty\n")]),
         &[("other-vertex-array", "bind_vertex_array empty")],
     );
-    told(&context, &changed(&[("bind_buffer ARRAY_BUFFER buffer\n", "")]), &[("buffer-not-bound", "gen_buffer")]);
+    assert_mistakes(
+        &context,
+        &changed(&[("bind_buffer ARRAY_BUFFER buffer\n", "")]),
+        &[("buffer-not-bound", "gen_buffer")],
+    );
     let data = "bind_buffer ARRAY_BUFFER buffer\nbuffer_data ARRAY_BUFFER corners STATIC_DRAW\n";
-    told(
+    assert_mistakes(
         &context,
         &changed(&[(data, "buffer_data ARRAY_BUFFER corners STATIC_DRAW\nbind_buffer ARRAY_BUFFER buffer\n")]),
         &[("buffer-bound-late", "bind_buffer")],
     );
     let unbound = "buffer_data ARRAY_BUFFER corners STATIC_DRAW\nbind_buffer ARRAY_BUFFER 0\n";
-    told(
+    assert_mistakes(
         &context,
         &changed(&[("buffer_data ARRAY_BUFFER corners STATIC_DRAW\n", unbound)]),
         &[("buffer-unbound", "bind_buffer ARRAY_BUFFER 0")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[
             ("bind_buffer ARRAY", "bind_buffer ELEMENT_ARRAY"),
@@ -208,24 +228,28 @@ fn vertex_arrays_and_buffers() {
         ]),
         &[("buffer-target-wrong", "bind_buffer")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[("buffer_data ARRAY_BUFFER corners STATIC_DRAW\n", "")]),
         &[("buffer-empty", "bind_buffer")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[(AT_DRAW, "uniform_1i ourTexture 0\nbind_vertex_array array\ndelete_buffer buffer\n")]),
         &[("buffer-deleted", "delete_buffer")],
     );
-    told(&context, &changed(&[("-0.6  -0.6   0.0  ", "-0.6  -0.9   0.0  ")]), &[("data-changed", "data corners")]);
+    assert_mistakes(
+        &context,
+        &changed(&[("-0.6  -0.6   0.0  ", "-0.6  -0.9   0.0  ")]),
+        &[("data-changed", "data corners")],
+    );
     let list = format!("data other\n{}\nend\nprogram = create_program", "0.5 ".repeat(24));
-    told(
+    assert_mistakes(
         &context,
         &changed(&[("program = create_program", &list), ("ARRAY_BUFFER corners", "ARRAY_BUFFER other")]),
         &[("other-data", "buffer_data")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[(DRAW, "delete_vertex_array array\ndraw_arrays TRIANGLES 0 3\n")]),
         &[("vertex-array-deleted", "delete_vertex_array")],
@@ -248,8 +272,8 @@ fn indexed(numbers: &str, draw: &str) -> String {
 fn indices() {
     let context = context();
     let draw = "draw_elements TRIANGLES 3 UNSIGNED_INT 0";
-    told(&context, &indexed("1 2 3", draw), &[("indices-from-one", "indices order")]);
-    told(&context, &indexed("0 1 1", draw), &[("indices-changed", "indices order")]);
+    assert_mistakes(&context, &indexed("1 2 3", draw), &[("indices-from-one", "indices order")]);
+    assert_mistakes(&context, &indexed("0 1 1", draw), &[("indices-changed", "indices order")]);
     for (wrong, id) in [
         ("draw_elements TRIANGLES 3 UNSIGNED_SHORT 0", "index-type-wrong"),
         ("draw_elements TRIANGLES 3 FLOAT 0", "index-type-wrong"),
@@ -257,24 +281,32 @@ fn indices() {
         ("draw_elements TRIANGLES 1 UNSIGNED_INT 0", "draw-count-wrong"),
         ("draw_elements POINTS 3 UNSIGNED_INT 0", "draw-mode-wrong"),
     ] {
-        told(&context, &indexed("0 1 2", wrong), &[(id, "draw_elements")]);
+        assert_mistakes(&context, &indexed("0 1 2", wrong), &[(id, "draw_elements")]);
     }
     let unbound = indexed("0 1 2", &format!("bind_buffer ELEMENT_ARRAY_BUFFER 0\n{draw}"));
-    told(&context, &unbound, &[("index-buffer-not-bound", "ELEMENT_ARRAY_BUFFER 0")]);
-    told(&context, &indexed("0 2 1", &format!("enable CULL_FACE\n{draw}")), &[("culled", "enable CULL_FACE")]);
+    assert_mistakes(&context, &unbound, &[("index-buffer-not-bound", "ELEMENT_ARRAY_BUFFER 0")]);
+    assert_mistakes(
+        &context,
+        &indexed("0 2 1", &format!("enable CULL_FACE\n{draw}")),
+        &[("culled", "enable CULL_FACE")],
+    );
 }
 
 #[test]
-fn programs_draws_and_the_ground() {
+fn programs_draws_and_the_background() {
     let context = context();
-    told(&context, &changed(&[("use_program program\n", "")]), &[("program-not-used", "create_program")]);
-    told(
+    assert_mistakes(&context, &changed(&[("use_program program\n", "")]), &[("program-not-used", "create_program")]);
+    assert_mistakes(
         &context,
         &changed(&[(SET, "uniform_1i ourTexture 0\nuse_program 0\n")]),
         &[("program-switched-off", "use_program 0")],
     );
-    told(&context, &changed(&[("use_program program", "use_program 1")]), &[("program-number-wrong", "use_program")]);
-    told(
+    assert_mistakes(
+        &context,
+        &changed(&[("use_program program", "use_program 1")]),
+        &[("program-number-wrong", "use_program")],
+    );
+    assert_mistakes(
         &context,
         &changed(&[(DRAW, ""), (AT_DRAW, "uniform_1i ourTexture 0\nbind_vertex_array array # last\n")]),
         &[("draw-missing", "# last")],
@@ -285,25 +317,25 @@ fn programs_draws_and_the_ground() {
         ("draw_arrays TRIANGLES 1 3", "draw-first-wrong"),
         ("draw_arrays POINTS 0 3", "draw-mode-wrong"),
     ] {
-        told(&context, &changed(&[("draw_arrays TRIANGLES 0 3", draw)]), &[(id, draw)]);
+        assert_mistakes(&context, &changed(&[("draw_arrays TRIANGLES 0 3", draw)]), &[(id, draw)]);
     }
     let early = "array = gen_vertex_array\ndraw_arrays TRIANGLES 0 3\n";
-    told(
+    assert_mistakes(
         &context,
         &changed(&[(DRAW, ""), ("array = gen_vertex_array\n", early)]),
         &[("draw-too-early", "draw_arrays")],
     );
     for viewport in ["0 0 0 0", "0 0 128 128", "256 0 256 256"] {
         let text = changed(&[("clear COLOR_BUFFER_BIT\n", &format!("clear COLOR_BUFFER_BIT\nviewport {viewport}\n"))]);
-        told(&context, &text, &[("viewport-wrong", "viewport")]);
+        assert_mistakes(&context, &text, &[("viewport-wrong", "viewport")]);
     }
-    told(
+    assert_mistakes(
         &context,
         &changed(&[("clear COLOR_BUFFER_BIT\n", ""), (DRAW, "draw_arrays TRIANGLES 0 3\nclear COLOR_BUFFER_BIT\n")]),
         &[("clear-after-draw", "clear COLOR_BUFFER_BIT")],
     );
-    told(&context, &changed(&[("clear COLOR_BUFFER_BIT\n", "")]), &[("clear-missing", "draw_arrays")]);
-    told(
+    assert_mistakes(&context, &changed(&[("clear COLOR_BUFFER_BIT\n", "")]), &[("clear-missing", "draw_arrays")]);
+    assert_mistakes(
         &context,
         &changed(&[
             ("clear_color 0.2 0.25 0.3 1.0\n", ""),
@@ -311,18 +343,18 @@ fn programs_draws_and_the_ground() {
         ]),
         &[("clear-color-late", "clear_color")],
     );
-    told(&context, &changed(&[("0.2 0.25 0.3 1.0", "1 0 0 1")]), &[("clear-color-wrong", "clear_color")]);
+    assert_mistakes(&context, &changed(&[("0.2 0.25 0.3 1.0", "1 0 0 1")]), &[("clear-color-wrong", "clear_color")]);
 }
 
 #[test]
 fn several_mistakes_in_one_program() {
     let context = context();
-    told(
+    assert_mistakes(
         &context,
         &changed(&[(MIPMAP, ""), (SET, "uniform_1i ourTexture texture\n")]),
         &[("mipmaps-missing", "tex_image_2d"), ("texture-name-as-unit", "uniform_1i")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[
             ("tex_coord 2 FLOAT FALSE 32 24", "tex_coord 2 FLOAT FALSE 32 12"),
@@ -330,7 +362,7 @@ fn several_mistakes_in_one_program() {
         ]),
         &[("offset-wrong", "tex_coord 2"), ("unbound-unit", "uniform_1i")],
     );
-    told(
+    assert_mistakes(
         &context,
         &changed(&[("enable_vertex_attrib_array position\n", ""), (SET, "uniform_1i ourTexture 5\n"), (MIPMAP, "")]),
         &[
@@ -342,7 +374,7 @@ fn several_mistakes_in_one_program() {
 }
 
 #[test]
-fn what_nothing_explains_gets_no_name() {
+fn unexplained_pictures_get_no_name() {
     // Another shape altogether, drawn twice.
     let context = context();
     let text = changed(&[
@@ -380,8 +412,8 @@ fn each_program_of_the_exercise_has_the_mistake_that_its_name_says() {
         assert_eq!(name, file);
         let verdict = judged(&context, &text);
         assert_eq!(verdict.verdict, Outcome::Wrong, "{name}");
-        let told: Vec<_> = verdict.mistakes.iter().map(|m| (m.id.as_str(), m.line)).collect();
-        assert_eq!(told, [(name, line)], "{name}: {}", verdict.summary);
+        let found: Vec<_> = verdict.mistakes.iter().map(|m| (m.id.as_str(), m.line)).collect();
+        assert_eq!(found, [(name, line)], "{name}: {}", verdict.summary);
         assert!(!verdict.findings.is_empty(), "{name}: the frame panel shows nothing");
         assert_eq!(text.lines().nth(line as usize - 1), Some(verdict.mistakes[0].quoted.as_str()));
     }

@@ -1,4 +1,4 @@
-//! What OpenGL really does with the calls: pictures, errors, records, and what is left behind.
+//! The effects of the calls in OpenGL: pictures, errors, records, and the state afterwards.
 
 use super::{REFERENCE, changed, context, host_programs, judged};
 use crate::gl_program::{GlProgram, GlProgramOptions, GlProgramRun, exercise_files, for_context, run};
@@ -21,7 +21,7 @@ fn middle(run: &GlProgramRun) -> [f32; 4] {
 }
 
 #[test]
-fn the_picture_has_the_ground_outside_and_the_texture_inside() {
+fn the_picture_has_the_background_outside_and_the_texture_inside() {
     let context = context();
     for float in [false, true] {
         let run = drawn(context.gl(), REFERENCE, GlProgramOptions { float, ..OPTIONS });
@@ -34,9 +34,9 @@ fn the_picture_has_the_ground_outside_and_the_texture_inside() {
 }
 
 #[test]
-fn a_texture_s_name_really_reads_the_unit_of_that_number() {
+fn a_texture_name_as_unit_reads_the_unit_of_that_number() {
     let context = context();
-    // The second texture has the name 2, and unit 2 has the first one.
+    // The second texture has the name 2, and the first one is bound to unit 2.
     let planks = "texture = gen_texture\nother = load_image planks.png\nwood = gen_texture\nactive_texture TEXTURE2\n\
         bind_texture TEXTURE_2D texture\nactive_texture TEXTURE0\n";
     let text =
@@ -44,21 +44,21 @@ fn a_texture_s_name_really_reads_the_unit_of_that_number() {
     let named = drawn(context.gl(), &text, OPTIONS);
     assert_eq!(middle(&named), middle(&drawn(context.gl(), REFERENCE, OPTIONS)));
     assert_eq!(named.record.draws[0].samplers[0].sent, Some(2));
-    // Where nothing is bound it is black.
+    // A unit without a texture reads as black.
     let black = drawn(context.gl(), &changed(&[("ourTexture 0", "ourTexture texture")]), OPTIONS);
     assert_eq!(middle(&black), [0.0, 0.0, 0.0, 1.0]);
     assert_eq!(black.findings.iter().map(|f| f.rule).collect::<Vec<_>>(), [Rule::TextureNameAsUnit]);
 }
 
 #[test]
-fn refused_calls_have_their_line_and_are_not_in_the_record() {
+fn rejected_calls_have_their_line_and_are_not_in_the_record() {
     let context = context();
     let bind = "bind_texture TEXTURE_2D texture\nbind_texture TEXTURE_CUBE_MAP texture\ntex_parameter TEXTURE_CUBE_MAP \
         TEXTURE_WRAP_S REPEAT\nenable TEXTURE_2D\n";
     let run = drawn(context.gl(), &changed(&[("bind_texture TEXTURE_2D texture\n", bind)]), OPTIONS);
-    let told: Vec<_> = run.errors.iter().map(|e| (e.line, e.call, e.code.as_str())).collect();
+    let errors: Vec<_> = run.errors.iter().map(|e| (e.line, e.call, e.code.as_str())).collect();
     assert_eq!(
-        told,
+        errors,
         [
             (32, "bind_texture", "INVALID_OPERATION"),
             (33, "tex_parameter", "INVALID_OPERATION"),
@@ -69,22 +69,22 @@ fn refused_calls_have_their_line_and_are_not_in_the_record() {
     let units: Vec<_> = run.record.draws[0].units.iter().map(|u| (u.unit, u.kind.as_str(), u.texture)).collect();
     assert_eq!(units, [(0, "2D", Some(1))]);
     assert_eq!(run.record.draws[0].errors, ["INVALID_OPERATION", "INVALID_OPERATION", "INVALID_ENUM"]);
-    // The errors of the calls before a draw explain it, where nothing else does.
+    // The errors of the calls before a draw explain it if nothing else does.
     assert_eq!(run.findings.iter().map(|f| f.rule).collect::<Vec<_>>(), [Rule::OpenGlError]);
 }
 
 #[test]
-fn a_draw_that_is_refused_is_in_the_record_with_all_that_it_would_have_read() {
+fn a_rejected_draw_is_in_the_record_with_all_that_it_would_have_read() {
     let context = context();
     let run = drawn(context.gl(), &changed(&[("TRIANGLES 0 3", "TRIANGLES 0 4")]), OPTIONS);
     assert_eq!(run.errors.iter().map(|e| (e.line, e.code.as_str())).collect::<Vec<_>>(), [(45, "UNDEFINED")]);
     assert_eq!(run.findings.iter().map(|f| f.rule).collect::<Vec<_>>(), [Rule::BeyondBuffer; 3]);
     assert_eq!(run.record.draws[0].count, 4);
-    assert_eq!(middle(&run), run.pixels[0], "nothing but the ground");
+    assert_eq!(middle(&run), run.pixels[0], "only the background");
 }
 
 #[test]
-fn an_attribute_that_nobody_reads_may_reach_beyond_its_buffer() {
+fn an_unused_attribute_may_reach_beyond_its_buffer() {
     let context = context();
     let mut files = exercise_files();
     let plain = "#version 330 core\nin vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }\n";
@@ -102,7 +102,7 @@ fn an_attribute_that_nobody_reads_may_reach_beyond_its_buffer() {
 }
 
 #[test]
-fn what_else_is_in_the_context_changes_nothing_and_nothing_is_left() {
+fn other_objects_in_the_context_change_nothing_and_none_are_left() {
     let context = context();
     let gl = context.gl();
     let alone = drawn(gl, REFERENCE, OPTIONS);
@@ -123,7 +123,7 @@ fn what_else_is_in_the_context_changes_nothing_and_nothing_is_left() {
 #[test]
 fn the_same_verdicts_in_opengl_es() {
     let es = HeadlessContext::with_options(&HeadlessOptions { es: true, ..Default::default() });
-    let es = es.unwrap_or_else(|why| panic!("{why}"));
+    let es = es.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(judged(&es, REFERENCE).verdict, Outcome::Correct);
     let srgb = changed(&[("0 RGB8 pixels", "0 SRGB8 pixels")]);
     assert_eq!(judged(&es, &srgb).mistakes[0].id, "internal-format-wrong");

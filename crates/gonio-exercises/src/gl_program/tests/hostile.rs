@@ -1,4 +1,4 @@
-//! Texts that want to do harm: each ends in an error or a verdict, soon, and the context draws on as before.
+//! Hostile texts: each soon gives an error or a verdict, and the context still works.
 
 use super::{REFERENCE, changed, context, judged};
 use crate::gl_program::{GlProgram, MOST_CALLS, MOST_ERRORS, check_bytes, exercise_files};
@@ -8,7 +8,7 @@ use std::fmt::Write;
 const DRAW: &str = "draw_arrays TRIANGLES 0 3\n";
 
 #[test]
-fn what_is_no_text() {
+fn files_that_are_not_text() {
     let context = context();
     let files = exercise_files();
     let noise: Vec<u8> = (0..100_000_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
@@ -25,9 +25,9 @@ fn what_is_no_text() {
 }
 
 #[test]
-fn what_is_too_much() {
+fn texts_that_are_too_large() {
     let message = |text: &str| {
-        let errors = GlProgram::parse(text, "x").err().unwrap_or_else(|| panic!("this was read"));
+        let errors = GlProgram::parse(text, "x").err().unwrap_or_else(|| panic!("expected an error"));
         assert!(errors.len() <= MOST_ERRORS);
         errors[0].message.clone()
     };
@@ -38,7 +38,7 @@ fn what_is_too_much() {
     assert!(message(&endless).contains("more than 262144 numbers"), "{}", message(&endless));
     let full = format!("data d\n{}\nend\nclear COLOR_BUFFER_BIT", "1 ".repeat(262_144));
     assert!(GlProgram::parse(&full, "x").is_ok(), "1 MB is allowed");
-    // A word of a megabyte is not repeated in messages.
+    // Messages do not repeat a word of a megabyte.
     let long = message(&"a".repeat(1 << 20));
     assert!(long.len() < 200, "{} bytes", long.len());
     let long = message(&format!("clear {}", "É".repeat(1 << 20)));
@@ -46,19 +46,19 @@ fn what_is_too_much() {
     assert_eq!(GlProgram::parse(&"nonsense\n".repeat(100_000), "x").err().map(|e| e.len()), Some(MOST_ERRORS));
 }
 
-/// Runs it, and the reference after it: that must draw as ever.
+/// Runs a text, then the reference, which must still draw correctly.
 fn survives(text: &str, refused: &str) {
     let context = context();
     let verdict = judged(&context, text);
-    let told: Vec<String> = verdict.refused.iter().map(ToString::to_string).collect();
-    assert!(told.iter().any(|error| error.contains(refused)), "{refused}: {told:#?}\n{}", verdict.summary);
+    let errors: Vec<String> = verdict.refused.iter().map(ToString::to_string).collect();
+    assert!(errors.iter().any(|error| error.contains(refused)), "{refused}: {errors:#?}\n{}", verdict.summary);
     let after = judged(&context, REFERENCE);
     assert_eq!((after.verdict, after.share_right), (Outcome::Correct, 1.0), "after\n{text}");
     assert!(after.warnings.is_empty() && after.refused.is_empty(), "{:?}", after.refused);
 }
 
 #[test]
-fn draws_beyond_what_there_is() {
+fn draws_beyond_the_buffer() {
     for draw in [
         "draw_arrays TRIANGLES 0 4",
         "draw_arrays TRIANGLES 2147483647 2147483647",
@@ -73,7 +73,7 @@ fn draws_beyond_what_there_is() {
     survives(&changed(&[("position 3 FLOAT FALSE 32 0", "position 3 FLOAT FALSE 32 -4")]), "INVALID_VALUE");
     survives(&changed(&[("position 3 FLOAT FALSE 32 0", "position 3 FLOAT FALSE -32 0")]), "INVALID_VALUE");
     survives(&changed(&[("position 3 FLOAT FALSE 32 0", "position 99 FLOAT FALSE 32 0")]), "INVALID_VALUE");
-    // No attribute is read: nothing but a limit of ours stops it.
+    // No attribute is read: only gonio's own limit stops it.
     let none = [
         ("enable_vertex_attrib_array position\n", ""),
         ("enable_vertex_attrib_array color\n", ""),
@@ -84,7 +84,7 @@ fn draws_beyond_what_there_is() {
 }
 
 #[test]
-fn indices_beyond_what_there_is() {
+fn indices_beyond_the_buffer() {
     let indexed = |numbers: &str, draw: &str| {
         let list = format!("program = create_program start.vert start.frag\nindices order\n{numbers}\nend\n");
         let bound = "elements = gen_buffer\nbind_buffer ELEMENT_ARRAY_BUFFER elements\n\
@@ -101,7 +101,7 @@ fn indices_beyond_what_there_is() {
 }
 
 #[test]
-fn numbers_that_are_no_objects() {
+fn numbers_without_an_object() {
     survives(
         &changed(&[("bind_texture TEXTURE_2D texture", "bind_texture TEXTURE_2D 2")]),
         "no texture has the number 2",
@@ -152,16 +152,16 @@ fn a_program_that_fills_the_memory() {
 }
 
 #[test]
-fn files_that_are_not_there_and_shaders_that_are_none() {
+fn missing_files_and_broken_shaders() {
     let context = context();
     for (old, new, help) in [
         ("start.frag", "strat.frag", "did you mean `start.frag`?"),
-        ("checker.png", "../../../etc/passwd", "there are"),
+        ("checker.png", "../../../etc/passwd", "the files are"),
         ("start.vert start.frag", "checker.png start.frag", "did you mean"),
     ] {
         let verdict = judged(&context, &changed(&[(old, new)]));
         assert_eq!(verdict.verdict, Outcome::DoesNotCompile, "{new}");
-        assert!(verdict.errors[0].message.contains("there is no file"), "{:?}", verdict.errors);
+        assert!(verdict.errors[0].message.contains("unknown file"), "{:?}", verdict.errors);
         assert!(verdict.errors[0].help.contains(help), "{:?}", verdict.errors);
     }
     let mut files = exercise_files();

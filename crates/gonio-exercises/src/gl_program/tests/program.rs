@@ -1,4 +1,4 @@
-//! The reader: what it takes, and what it says of what it does not.
+//! Reading GL programs: accepted texts, and the errors of others.
 
 use super::{REFERENCE, changed};
 use crate::gl_program::{GlProgram, GlProgramError};
@@ -76,44 +76,54 @@ fn every_call_of_the_table_is_read() {
         calls[4],
         &GlCall::Uniform { uniform: "s".into(), given: UniformArgument::Whole(IntArgument::Literal(3)) }
     );
-    assert_eq!(calls[9], &GlCall::Viewport([0, 0, -5, 256]), "OpenGL is to refuse it, not the reader");
+    assert_eq!(calls[9], &GlCall::Viewport([0, 0, -5, 256]), "OpenGL must reject it, not the reader");
     assert_eq!(calls[12], &GlCall::ActiveTexture(Selector::Number(IntArgument::Variable("t".into()))));
     let GlCall::Clear(bits) = calls[16] else { panic!("{:?}", calls[16]) };
     assert_eq!(bits.len(), 2);
 }
 
 #[test]
-fn errors_have_a_place_and_say_what_to_do() {
+fn errors_have_a_place_and_a_remedy() {
     let cases = [
-        ("x = gen_texure", 5, "there is no call `gen_texure`", "did you mean `gen_texture`?"),
-        ("x = gen_texture\nbind_texture TEXTURE_2D y", 25, "there is no `y` yet", "did you mean `x`?"),
+        ("x = gen_texure", 5, "unknown call `gen_texure`", "did you mean `gen_texture`?"),
+        ("x = gen_texture\nbind_texture TEXTURE_2D y", 25, "`y` is not defined yet", "did you mean `x`?"),
         (
             "x = gen_texture\nbind_texture TEXTURE_2D",
             1,
-            "`bind_texture` wants 2 arguments, and here are 1",
+            "`bind_texture` expects 2 arguments, but got 1",
             "TARGET TEXTURE",
         ),
-        ("x = gen_texture 3", 17, "`gen_texture` wants 0 arguments, and here are 1", "write `gen_texture`"),
-        ("bind_texture TEXTURE2D 0", 14, "there is no constant `TEXTURE2D`", "did you mean `TEXTURE_2D`?"),
-        ("bind_texture GL_TEXTURE_2D 0", 14, "there is no constant", "write `TEXTURE_2D`, without GL_"),
-        ("glBindTexture(GL_TEXTURE_2D, 0);", 1, "there is no call", "write `bind_texture`"),
-        ("gen_texture", 1, "nothing keeps what `gen_texture` returns", "write `name = gen_texture`"),
-        ("x = clear COLOR_BUFFER_BIT", 1, "`clear` returns nothing that `x` could keep", "write `clear` alone"),
-        ("x=gen_texture", 1, "blanks are missing around `=`", "name = call"),
-        ("viewport 0 0 1.5 2", 14, "`1.5` is not a whole number", "write a whole number"),
+        ("x = gen_texture 3", 17, "`gen_texture` expects 0 arguments, but got 1", "write `gen_texture`"),
+        ("bind_texture TEXTURE2D 0", 14, "unknown constant `TEXTURE2D`", "did you mean `TEXTURE_2D`?"),
+        ("bind_texture GL_TEXTURE_2D 0", 14, "unknown constant", "write `TEXTURE_2D`, without GL_"),
+        ("glBindTexture(GL_TEXTURE_2D, 0);", 1, "unknown call", "write `bind_texture`"),
+        ("gen_texture", 1, "the result of `gen_texture` is not stored", "write `name = gen_texture`"),
+        (
+            "x = clear COLOR_BUFFER_BIT",
+            1,
+            "`clear` returns nothing that can be stored in `x`",
+            "write `clear` without a name",
+        ),
+        ("x=gen_texture", 1, "expected spaces around `=`", "name = call"),
+        ("viewport 0 0 1.5 2", 14, "`1.5` is not an integer", "write an integer"),
         ("viewport 0 0 99999999999 2", 14, "`99999999999` is too large", ""),
         ("clear_color nan 0 0 0", 13, "`nan` is not a number", ""),
         ("clear_color 1e99 0 0 0", 13, "`1e99` is not a number", ""),
         ("data d\n1 2 inf\nend\nclear COLOR_BUFFER_BIT", 5, "`inf` is not a number", ""),
-        ("indices d\n1 -2\nend\nclear COLOR_BUFFER_BIT", 3, "`-2` is not an index", "from 0 on"),
-        ("data d\n1 2\nclear COLOR_BUFFER_BIT", 1, "the list `d`, begun in line 1, has no end", "`end`"),
-        ("data d\n1 2", 1, "the list `d`, begun in line 1, has no end", "`end`"),
+        ("indices d\n1 -2\nend\nclear COLOR_BUFFER_BIT", 3, "`-2` is not an index", "from 0"),
+        ("data d\n1 2\nclear COLOR_BUFFER_BIT", 1, "the list `d`, which starts in line 1, has no end", "`end`"),
+        ("data d\n1 2", 1, "the list `d`, which starts in line 1, has no end", "`end`"),
         ("data clear\n1\nend", 6, "`clear` cannot be a name", ""),
-        ("data d\n1\nend\ndata d\n2\nend", 6, "there is a `d` already", "another name"),
+        ("data d\n1\nend\ndata d\n2\nend", 6, "`d` already exists", "another name"),
         ("data d\n1\nend\nuse_program d", 13, "`d` is a list of numbers, not a number", ""),
-        ("buffer_data ARRAY_BUFFER c STATIC_DRAW", 26, "there is no `c` yet", "data NAME ... end"),
+        ("buffer_data ARRAY_BUFFER c STATIC_DRAW", 26, "`c` is not defined yet", "data NAME ... end"),
         ("vertex_attrib_pointer p 3 FLOAT false 0 0", 33, "`false` is neither TRUE nor FALSE", "write FALSE"),
-        ("enable_vertex_attrib_array 0", 28, "`0` names no variable of a shader", "the name that it has in the shader"),
+        (
+            "enable_vertex_attrib_array 0",
+            28,
+            "`0` cannot be the name of a shader variable",
+            "the name that it has in the shader",
+        ),
         ("", 1, "the program has no calls", ""),
         ("# nothing\n\n", 1, "the program has no calls", ""),
     ];
@@ -127,13 +137,13 @@ fn errors_have_a_place_and_say_what_to_do() {
 }
 
 #[test]
-fn one_error_does_not_bring_others() {
-    // What a broken line would have returned is used in seven more.
+fn one_error_does_not_cause_others() {
+    // The result of the broken line is used in seven more lines.
     let (line, column, message, _) = error(&changed(&[("texture = gen_texture", "texture = gen_textures now")]));
     assert_eq!((line, column), (29, 11), "{message}");
     // Two errors in two lines are two.
     let two = changed(&[("clear_color", "clear_colour"), ("TRIANGLES", "TRIANGLE")]);
     let all = errors(&two);
     assert_eq!(all.iter().map(|e| e.line).collect::<Vec<_>>(), [40, 45], "{all:#?}");
-    assert_eq!(all[1].to_string(), "mine.txt:45:13: there is no constant `TRIANGLE`; did you mean `TRIANGLES`?");
+    assert_eq!(all[1].to_string(), "mine.txt:45:13: unknown constant `TRIANGLE`; did you mean `TRIANGLES`?");
 }

@@ -1,4 +1,4 @@
-//! Programs that do it in another way, and are as right: none may fail.
+//! Programs that are right in another way: none may fail.
 
 use super::{REFERENCE, changed, context, judged};
 use gonio_check::verdict::Outcome;
@@ -10,7 +10,7 @@ const DRAW: &str = "draw_arrays TRIANGLES 0 3\n";
 const SET: &str = "uniform_1i ourTexture 0\n";
 const MIN: &str = "TEXTURE_MIN_FILTER LINEAR_MIPMAP_LINEAR";
 
-/// Right, with so many warnings.
+/// Asserts that a text is right, with this number of warnings.
 fn right(context: &HeadlessContext, text: &str, warnings: usize) {
     let verdict = judged(context, text);
     assert_eq!(verdict.verdict, Outcome::Correct, "{text}\n{}: {:#?}", verdict.summary, verdict.mistakes);
@@ -19,12 +19,12 @@ fn right(context: &HeadlessContext, text: &str, warnings: usize) {
 }
 
 #[test]
-fn the_reference_is_right_and_has_nothing_to_complain_of() {
+fn the_reference_is_right_without_findings() {
     let verdict = judged(&context(), REFERENCE);
     assert_eq!(verdict.verdict, Outcome::Correct);
     assert_eq!((verdict.share_right, verdict.warnings.len(), verdict.findings.len()), (1.0, 0, 0));
     assert!(verdict.refused.is_empty() && verdict.mistakes.is_empty() && verdict.errors.is_empty());
-    let run = verdict.run.unwrap_or_else(|| panic!("a picture"));
+    let run = verdict.run.unwrap_or_else(|| panic!("expected a picture"));
     let texture = run.record.texture(1).unwrap_or_else(|| panic!("{:?}", run.record.textures));
     assert_eq!((texture.name.as_str(), texture.width, texture.levels.len()), ("texture", 512, 10));
     assert!(texture.thumbnail.is_some(), "for the frame panel");
@@ -47,9 +47,9 @@ fn other_units() {
     right(&context, &changed(&[("active_texture TEXTURE0\n", "")]), 0);
     // Another unit is active at the draw.
     right(&context, &changed(&[(SET, "uniform_1i ourTexture 0\nactive_texture TEXTURE7\n")]), 0);
-    // Set twice, the last one counts.
+    // Set twice: the last value counts.
     right(&context, &changed(&[(SET, "uniform_1i ourTexture 5\nuniform_1i ourTexture 0\n")]), 0);
-    // Bound to several.
+    // Bound to several units.
     let twice = "generate_mipmap TEXTURE_2D\nactive_texture TEXTURE4\nbind_texture TEXTURE_2D texture\n";
     right(&context, &changed(&[(MIPMAP, twice), (SET, "uniform_1i ourTexture 4\n")]), 0);
 }
@@ -115,9 +115,9 @@ fn other_filters_wraps_and_formats() {
     for format in ["RGBA8", "RGB", "RGBA"] {
         right(&context, &changed(&[("0 RGB8 pixels", &format!("0 {format} pixels"))]), 0);
     }
-    // Hardly seen here, and dark elsewhere.
+    // Hardly visible here, but dark elsewhere.
     right(&context, &changed(&[("TEXTURE_WRAP_S REPEAT", "TEXTURE_WRAP_S CLAMP_TO_BORDER")]), 1);
-    // One level is enough where no other may be read.
+    // One level is enough if no other may be read.
     let one = "tex_image_2d TEXTURE_2D 0 RGB8 pixels\ntex_parameter TEXTURE_2D TEXTURE_MAX_LEVEL 0\n";
     right(&context, &changed(&[(IMAGE, one), (MIPMAP, ""), (MIN, "TEXTURE_MIN_FILTER LINEAR")]), 0);
 }
@@ -155,7 +155,7 @@ fn other_vertices() {
         ("bind_vertex_array array\nbuffer = gen_buffer", bound),
     ];
     right(&context, &changed(&indexed), 0);
-    // The same triangle as a strip, and its z left away: it is 0 all the same.
+    // The same triangle as a strip, and without z, which is then 0.
     right(&context, &changed(&[("draw_arrays TRIANGLES", "draw_arrays TRIANGLE_STRIP")]), 0);
     right(&context, &changed(&[("position 3 FLOAT FALSE 32 0", "position 2 FLOAT FALSE 32 0")]), 0);
     // Bound once is enough.
@@ -163,7 +163,7 @@ fn other_vertices() {
 }
 
 #[test]
-fn more_than_is_asked_for() {
+fn more_than_the_exercise_asks_for() {
     let context = context();
     let second = "generate_mipmap TEXTURE_2D\nplanks = load_image planks.png\nwood = gen_texture\nactive_texture TEXTURE5\n\
         bind_texture TEXTURE_2D wood\ntex_image_2d TEXTURE_2D 0 RGB8 planks\ngenerate_mipmap TEXTURE_2D\n";
@@ -177,10 +177,10 @@ fn more_than_is_asked_for() {
     // Another program besides.
     let two = "other = create_program start.vert start.frag\nprogram = create_program start.vert start.frag\n";
     right(&context, &changed(&[("program = create_program start.vert start.frag\n", two)]), 0);
-    // Refused, and without consequence: it is told, not counted.
+    // Rejected calls without consequences are reported, but do not count.
     right(&context, &changed(&[(DRAW, "enable TEXTURE_2D\ndraw_arrays TRIANGLES 0 3\n")]), 1);
     right(&context, &changed(&[(DRAW, "uniform_1f now 0.5\ndraw_arrays TRIANGLES 0 3\n")]), 1);
-    // Written otherwise.
+    // Written in another layout.
     let loose = changed(&[(SET, "   uniform_1i\tourTexture   0 # the unit\n")]).replace('\n', "\r\n");
     right(&context, &loose, 0);
 }
