@@ -82,14 +82,14 @@ fn write(class: &Path, kind: &[u8], name: &[u8], content: Vec<u8>) {
     if name.components().next().is_none() || name.components().any(|part| !matches!(part, Component::Normal(_))) {
         return;
     }
-    // Never through a link, which may lead anywhere, nor into a pipe, which nobody reads.
+    // Never write through a link, which may lead anywhere, or into a pipe without a reader.
     let path = class.join(name);
     let above = path.ancestors().skip(1).take_while(|above| above.starts_with(class));
     let is_in_the_way = |above: &Path| std::fs::symlink_metadata(above).is_ok_and(|there| !there.is_dir());
     if std::fs::symlink_metadata(&path).is_ok() || above.into_iter().any(is_in_the_way) {
         return;
     }
-    // An entry that the file system refuses is left out.
+    // Entries that the file system rejects are skipped.
     let _ = path.parent().map(std::fs::create_dir_all);
     let _ = match kind {
         b"link" => {

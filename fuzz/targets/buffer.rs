@@ -1,4 +1,4 @@
-//! A vertex buffer as a student's program writes it: CSV, JSON or raw floats, held against the cube.
+//! A vertex buffer as a student's program writes it: CSV, JSON or raw floats, compared with the cube.
 
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! GLSL, parsed, checked and translated for both targets. Every span lies within the text.
+//! GLSL, parsed, checked and translated for both targets. Every span is within the text.
 
 #![no_main]
 

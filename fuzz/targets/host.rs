@@ -1,4 +1,4 @@
-//! A host program's calls as text. They are read, not carried out: that is OpenGL's part, with guards of its own.
+//! A host program's calls as text. They are parsed but not executed.
 
 #![no_main]
 

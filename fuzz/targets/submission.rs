@@ -1,4 +1,4 @@
-//! What a student hands in, a file of any kind: gathered into a pair, its names and lines found.
+//! A student's submission of any content: gathered into a pair, with its names and lines.
 
 #![no_main]
 
@@ -14,22 +14,22 @@ use libfuzzer_sys::fuzz_target;
 const MODELS: [ModelSolution; 5] = [ModelSolution::Gouraud, ModelSolution::Phong, ModelSolution::Reflection, ModelSolution::Refraction, ModelSolution::Skybox];
 
 fuzz_target!(|data: &[u8]| {
-    // A zero divides two files; without one both are the same, so that a shader by itself is a pair too. The length says as
-    // what they are handed in.
+    // A zero byte separates two files; without one both are the same, so that a single shader is a pair too. The length chooses
+    // their names.
     let end = data.iter().position(|byte| *byte == 0);
     let (first, second) = end.map_or((data, data), |end| (&data[..end], &data[end + 1..]));
     let names = [["a.vert", "a.frag"], ["main.cpp", "b.txt"], ["both.glsl", "names.toml"], ["x", "y"]][data.len() % 4];
     let files = vec![SourceFile::new(names[0], first), SourceFile::new(names[1], second)];
     let Ok(submission) = Submission::gather(files) else { return };
-    let given = submission.names.as_deref().map(NamesFile::parse).transpose();
-    let Ok(given) = given.map(Option::unwrap_or_default) else { return };
+    let names_file = submission.names.as_deref().map(NamesFile::parse).transpose();
+    let Ok(names_file) = names_file.map(Option::unwrap_or_default) else { return };
     let mut vertex = parse(&submission.vertex.text);
     let mut fragment = parse(&submission.fragment.text);
     let checked = [check(&mut vertex, Stage::Vertex), check(&mut fragment, Stage::Fragment)];
     let source = Analysis::new(
         &Shader { parsed: &vertex, checked: &checked[0] },
         &Shader { parsed: &fragment, checked: &checked[1] },
-        &given,
+        &names_file,
     );
     let _ = source.constants();
     let _ = source.in_source_only();

@@ -16,7 +16,7 @@ const TITLE_COLORS: TextColors = TextColors { plain: [255, 190, 110], ..BRIGHT }
 /// Radius of the pictures' corners at full size.
 const RADIUS: f64 = 9.0;
 
-/// Puts the pictures and their texts together. `foot` is the text at the lower edge, `command` makes the sheet again.
+/// Puts the pictures and their texts together. `foot` is the text at the lower edge, `command` the command that makes the sheet.
 ///
 /// # Errors
 ///
@@ -44,7 +44,7 @@ pub fn compose(
     write(&mut image, left, 184.0 * scale, Align::Left, tagline, 32.0, content, SOFT);
     let whole = sections.first().map_or("", |s| s.equation);
     write(&mut image, right, 112.0 * scale, Align::Right, whole, 44.0, 0.66 * content, BRIGHT);
-    let legend = "ambient + emitted + for every light: diffuse and specular, times its light and its attenuation";
+    let legend = "ambient + emitted + for every light: diffuse and specular, times its light and attenuation";
     write(&mut image, right, 184.0 * scale, Align::Right, legend, 27.0, 0.6 * content, SOFT);
 
     for (section, &baseline) in sections.iter().zip(&layout.headings) {

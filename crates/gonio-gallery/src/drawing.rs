@@ -16,7 +16,7 @@ use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
 
-/// How much larger OpenGL draws a picture than it appears on the sheet.
+/// Size of a picture drawn by OpenGL, as a multiple of its size on the sheet.
 pub const OPEN_GL_SCALE: f64 = 1.75;
 /// The same for the CPU, which takes longer.
 pub const CPU_SCALE: f64 = 1.0;
@@ -141,7 +141,7 @@ pub struct DrawnPicture {
     pub picture: EncodedPicture<u8>,
     /// Vertices, fragments and draw calls.
     pub counts: DrawCounts,
-    /// Notes on what the driver could not do as asked, for example fewer samples.
+    /// Notes about requests that the driver could not meet, for example fewer samples.
     pub notes: Vec<String>,
 }
 
@@ -225,7 +225,7 @@ impl<'a> PreparedScene<'a> {
     }
 }
 
-/// Returns how a PNG of a view states its colour space.
+/// Returns the colour tag of a view's PNG.
 pub fn color_tag(view: Option<ViewSpec>, frame: &Frame) -> ColorTag {
     match DisplayMap::for_view(view, frame) {
         DisplayMap::Light(transform) if transform.encoding == ColorEncoding::Srgb => ColorTag::Srgb,

@@ -17,11 +17,11 @@ use std::path::Path;
 pub struct EnvironmentPicture {
     /// The environment.
     pub from: Builtin,
-    /// How it is laid out.
+    /// The layout on the plane.
     pub form: PictureForm,
 }
 
-/// How an environment is laid out on the plane.
+/// The layout of an environment on the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureForm {
     /// An equirectangular picture, twice as wide as high.

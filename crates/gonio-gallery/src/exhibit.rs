@@ -6,7 +6,7 @@ use gonio_scene::{SceneFile, ViewSpec, toml_file};
 
 /// A chapter of the gallery. Its texts may use the markup of [`crate::markup`].
 pub struct Section {
-    /// For links, reports and file names: lower case letters.
+    /// Lower case letters for links, reports and file names.
     pub id: &'static str,
     /// The heading; empty for the pictures at the very top.
     pub title: &'static str,
@@ -28,7 +28,7 @@ pub enum ExhibitSubject {
 
 /// One picture.
 pub struct Exhibit {
-    /// Names its files, without an extension; unique in the gallery.
+    /// Unique name of its files, without an extension.
     pub name: String,
     /// A few words below the picture.
     pub caption: String,
@@ -36,13 +36,13 @@ pub struct Exhibit {
     pub remark: String,
     /// The equation with the terms at work: `!{..}` is emphasised, `~{..}` is switched off.
     pub equation: String,
-    /// One or two sentences on what to look at.
+    /// One or two sentences that explain the picture.
     pub look: String,
     /// The source of the picture.
     pub subject: ExhibitSubject,
     /// A debug view in place of a scene's picture.
     pub view: Option<ViewSpec>,
-    /// Seconds; moves the lights that move.
+    /// Time in seconds, for lights that move.
     pub time: f64,
     /// Width over height.
     pub aspect: f64,
@@ -88,7 +88,7 @@ impl Exhibit {
         self
     }
 
-    /// Sets the equation and the sentences on what to look at.
+    /// Sets the equation and the sentences that explain the picture.
     pub fn about(mut self, equation: impl Into<String>, look: impl Into<String>) -> Self {
         self.equation = equation.into();
         self.look = look.into();

@@ -1,6 +1,6 @@
 //! The gallery of `gonio tour`: every technique on several models.
 //!
-//! [`sections`] holds the exhibits, [`drawing`] draws one, [`contact_sheet`] and [`page`] put the pictures together. No
+//! [`sections`] defines the exhibits, [`drawing`] draws one, [`contact_sheet`] and [`page`] put the pictures together. No
 //! function here prints or opens a file of its own; models and environments are built in, so that a web page can show
 //! the gallery too. A new technique adds a file in `sections`.
 

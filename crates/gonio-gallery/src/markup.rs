@@ -1,15 +1,15 @@
 //! A small markup for formulas in captions and equations: MathML and HTML for the page, text runs for the sheet.
 //!
 //! `_x`, `_{..}` is a subscript; `^x`, `^{..}` a superscript; `\f{a}{b}` a fraction; `!{..}` stressed; `~{..}` faded;
-//! `{..}` a group. All other text stands for itself, and no text is an error.
+//! `{..}` a group. All other text is literal, and no text is an error.
 
-/// How strongly a part of a formula stands out.
+/// The emphasis of a part of a formula.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Emphasis {
     /// Plain text.
     #[default]
     Plain,
-    /// A term at work.
+    /// An active term.
     Stressed,
     /// A term that is switched off.
     Faded,
@@ -33,7 +33,7 @@ pub struct TextRun {
     pub size: f32,
     /// Upwards, relative to the line's size.
     pub rise: f32,
-    /// How it stands out.
+    /// The emphasis.
     pub emphasis: Emphasis,
 }
 

@@ -17,8 +17,8 @@ pub fn write(sections: &[Section], drawn: &[DrawnExhibit<'_>], drawn_by: &str) -
          <title>gonio: a tour of the light equation</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n\
          <h1>gonio</h1>\n<p>The light lab: every technique on several models.</p>\n\
          <div class=\"formula\">{}</div>\n\
-         <p>{} pictures, {}. Under each: the equation with the terms in play, what to look at, and the command that \
-         makes it again. All on <a href=\"sheet.png\">one sheet</a>.</p>\n<nav>\n",
+         <p>{} pictures, {}. Under each: the equation with its active terms, an explanation, and the command that \
+         draws it again. All are on <a href=\"sheet.png\">one sheet</a>.</p>\n<nav>\n",
         mathml(whole),
         drawn.len(),
         escape(drawn_by),
@@ -50,8 +50,8 @@ pub fn write(sections: &[Section], drawn: &[DrawnExhibit<'_>], drawn_by: &str) -
         page += "</section>\n";
     }
     page += &format!(
-        "</main>\n<footer>Made by <code>gonio tour</code> {}. Differences are those of a small picture with one sample \
-         for each pixel, in steps of 1/255; filters of textures are the driver's own, so mipmapped and anisotropic \
+        "</main>\n<footer>Made by <code>gonio tour</code> {}. Differences are measured in a small picture with one \
+         sample per pixel, in steps of 1/255. Drivers filter textures differently, so mipmapped and anisotropic \
          pictures differ most. Milliseconds are from the first draw call to the picture in memory.</footer>\n\
          </body>\n</html>\n",
         env!("CARGO_PKG_VERSION")

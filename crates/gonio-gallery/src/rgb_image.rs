@@ -47,7 +47,7 @@ impl RgbImage {
         let (w, h) = (picture.width as f32, picture.height as f32);
         for (row, line) in (0u32..).zip(picture.rgb.chunks_exact(picture.width.max(1) as usize)) {
             for (column, &color) in (0u32..).zip(line) {
-                // How far into the square of a corner, from that corner's centre.
+                // The distance from the centre of the corner's arc.
                 let into = |at: f32, side: f32| (radius - at).max(at - (side - radius)).max(0.0);
                 let distance = into(column as f32 + 0.5, w).hypot(into(row as f32 + 0.5, h));
                 self.blend((x + column).into(), (y + row).into(), color, radius + 0.5 - distance);
@@ -97,7 +97,7 @@ pub fn reduced(picture: &EncodedPicture<u8>, width: u32, height: u32, behind: Rg
     image
 }
 
-/// For each of `to` pixels in a row, which of `from` pixels it covers, and with which shares.
+/// For each of `to` pixels in a row, the `from` pixels that it covers, with their shares.
 fn spans(from: usize, to: usize) -> Vec<Vec<(usize, f32)>> {
     let step = from as f64 / to.max(1) as f64;
     (0..to)

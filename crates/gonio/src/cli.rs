@@ -15,7 +15,7 @@ macro_rules! overview {
 Pictures:
   render       Draw a model or a scene: one picture, debug views or an animation
   tour         Draw every technique on several models: a contact sheet and a web page
-  serve        Serve the lab as a web page to this machine
+  serve        Serve gonio as a web page on this machine
 
 Window:
   view         Open the gonio window; also the default without a command
@@ -24,7 +24,7 @@ Models:
   convert      Convert a model to OBJ with MTL, PLY or GLB
 
 Environments:
-  environment  Convert panoramas and cubemaps into one another; check their orientation
+  environment  Convert between panoramas and cubemaps; check their orientation
 
 Laboratory:
   lab          Exercises, students' shaders, and a checker that names the mistake
@@ -40,7 +40,7 @@ About gonio:
   help         Print the help of a command
   completions  Print a completion script for a shell
   man          Print or write the manual pages
-  licenses     Print the licences of gonio and of everything in it"
+  licenses     Print the licences of gonio and its dependencies"
     };
 }
 
@@ -77,7 +77,7 @@ pub enum Command {
     Probe(Box<commands::probe::ProbeArgs>),
     Frame(Box<commands::frame::FrameArgs>),
     Convert(commands::convert::ConvertArgs),
-    /// Convert panoramas and cubemaps into one another; check their orientation.
+    /// Convert between panoramas and cubemaps; check their orientation.
     #[command(subcommand)]
     Environment(commands::environment::EnvironmentCommand),
     Diff(commands::diff::DiffArgs),
@@ -180,7 +180,7 @@ fn with_help_options(command: clap::Command, is_first: bool) -> clap::Command {
         help.help("Print a summary; --help explains everything").long_help("Print this help; -h prints a summary");
     let version = Arg::new("version").short('V').long("version").action(ArgAction::Version).help_heading(GENERAL);
     let version = version
-        .help("Print the version; --version tells more")
+        .help("Print the version; --version prints more")
         .long_help("Print the version; --version adds OpenGL and the web page")
         .hide(!is_first);
     let names: Vec<String> = command.get_subcommands().map(|command| command.get_name().to_owned()).collect();
@@ -212,7 +212,7 @@ mod tests {
     }
 
     fn help_of(words: &[&str]) -> String {
-        let Err(help) = parse(words) else { panic!("{words:?} runs") };
+        let Err(help) = parse(words) else { panic!("{words:?} was not a request for help") };
         assert_eq!(help.exit_code(), 0, "{words:?}: {help}");
         help.to_string()
     }
@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn every_command_has_examples_and_stands_in_the_overview() {
+    fn every_command_has_examples_and_is_in_the_overview() {
         let overview = command().render_long_help().to_string();
         for command in command().get_subcommands() {
             assert!(overview.contains(&format!("\n  {} ", command.get_name())), "{}", command.get_name());
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn every_option_stands_under_one_of_a_few_headings() {
+    fn every_option_has_one_of_a_few_headings() {
         const HEADINGS: [&str; 18] = [
             GENERAL,
             "Animation options",
@@ -270,20 +270,20 @@ mod tests {
     fn short_help_is_short_and_long_help_has_everything() {
         for (path, command) in every_command() {
             let words: Vec<&str> = path.split(' ').collect();
-            let ask = |flag| help_of(&[&words[..], &[flag]].concat());
-            let (short, long) = (ask("-h"), ask("--help"));
+            let help = |flag| help_of(&[&words[..], &[flag]].concat());
+            let (short, long) = (help("-h"), help("--help"));
             assert!(short.len() < long.len(), "{path}");
             assert!(!short.contains("Examples:"), "{path}");
             let has_examples = command.get_after_long_help().is_some_and(|text| text.to_string().contains("Examples:"));
             assert_eq!(long.contains("Examples:"), has_examples, "{path}");
-            // `help` before the command is the same as `--help` behind it.
-            let asked = [&words[..1], &["help"], &words[1..]].concat();
-            assert_eq!(help_of(&asked), long, "{path}");
+            // `gonio help COMMAND` prints the same as `gonio COMMAND --help`.
+            let with_help = [&words[..1], &["help"], &words[1..]].concat();
+            assert_eq!(help_of(&with_help), long, "{path}");
         }
         assert!(help_of(&["gonio", "help"]).contains("Examples:") && !help_of(&["gonio", "-h"]).contains("Examples:"));
     }
 
-    /// A line of the source that ends within a sentence would be wrapped there and once more at the terminal's width.
+    /// A line break within a sentence of the source would remain in the help, which wraps again at the terminal's width.
     #[test]
     fn help_is_wrapped_once() {
         for (path, command) in every_command() {

@@ -113,7 +113,7 @@ pub fn hint(cause: Option<Cause>) -> &'static str {
         Some(Cause::MemoryLimit) => "; --max-memory raises the limit",
         Some(Cause::Sandbox) => "; without --sandbox it is read",
         Some(Cause::EnvironmentAsModel) => " with --environment",
-        Some(Cause::NoEnvironment) => "; --environment gives it one",
+        Some(Cause::NoEnvironment) => "; add one with --environment",
         Some(Cause::GuessedLayout) => " with --environment-layout",
         Some(Cause::CoarseEnvironment) => " with --environment-size",
     }

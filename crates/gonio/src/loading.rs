@@ -18,7 +18,7 @@ pub fn load_scene(inputs: &[String], options: &SceneOptions, reporter: &Reporter
 }
 
 /// Loads the scene on a second thread while `meanwhile` runs on this one: creating an OpenGL context takes longer than reading
-/// most models, and must stay on its thread.
+/// most models, and the context must stay on its thread.
 pub fn load_scene_while<T>(
     inputs: &[String],
     options: &SceneOptions,

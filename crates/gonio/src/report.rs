@@ -28,7 +28,7 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Prints the help for `gonio` without a command where no window can open, and returns the exit code: that of a missing command.
 pub fn print_help_without_display(command: &mut clap::Command) -> i32 {
     let help = command.render_help();
-    // There is nobody to tell about a closed stderr.
+    // A closed stderr cannot be reported.
     let _ = writeln!(anstream::stderr(), "{}", help.ansi());
     Reporter::new(&GeneralOptions::default())
         .note("there is no display for the window; `gonio render` draws pictures without one");
@@ -40,7 +40,7 @@ pub fn print_help_without_display(command: &mut clap::Command) -> i32 {
 /// Messages quote the arguments, so these are parsed once more with hidden characters as escapes.
 /// `parse` is the parser that rejected them.
 pub fn print_usage_error(error: &clap::Error, parse: impl Fn(Vec<String>) -> Option<clap::Error>) -> i32 {
-    // There is nobody to tell about a closed stream.
+    // A closed stream cannot be reported.
     if !error.use_stderr() {
         let _ = error.print();
         return error.exit_code();
@@ -70,12 +70,12 @@ pub fn print_panic(panic: &std::panic::PanicHookInfo<'_>) {
     let _ = write!(anstream::stderr(), "{}", page.for_terminal());
 }
 
-/// Stdout for another process of gonio, which reads bytes that no person sees.
+/// Stdout for bytes that another process of gonio reads.
 pub fn output_for_gonio() -> impl Write {
     io::stdout().lock()
 }
 
-/// Writes a command's result to stdout as it is.
+/// Writes bytes to stdout unchanged.
 pub fn write_stdout(bytes: &[u8]) -> Result<(), CliError> {
     let mut out = io::stdout().lock();
     out.write_all(bytes).and_then(|()| out.flush()).map_err(stdout_error)
@@ -148,7 +148,7 @@ impl Reporter {
         }
     }
 
-    /// A source of files that reports each file it reads with `--verbose`.
+    /// Wraps a source of files so that each file it reads is reported with `--verbose`.
     pub fn reporting_reads<S>(&self, source: S) -> ReportedReads<S> {
         ReportedReads { source, is_verbose: self.verbose }
     }
@@ -176,7 +176,7 @@ impl Reporter {
                 _ => page.line(format_args!("  {line}")),
             }
         }
-        // There is nobody to tell about a closed stderr.
+        // A closed stderr cannot be reported.
         let _ = write!(anstream::stderr(), "{}", page.for_terminal());
     }
 

@@ -281,7 +281,7 @@ fn options_that_are_wrong() {
         let name = option.split('=').next().unwrap();
         render(&[&["--environment", "sky"], &given[..]].concat()).refused(&[name, piece]);
     }
-    render(&["--environment-blur", "0.5"]).refused(&["the environment needs `image`", "--environment gives it one"]);
+    render(&["--environment-blur", "0.5"]).refused(&["the environment needs `image`", "add one with --environment"]);
     render(&["--environment", "sky", "--environment-background", "skyy"]).refused(&["skyy", "did you mean `sky`"]);
     render(&["--material", "glas"]).refused(&["--material", "did you mean `glass`"]);
     let convert = |args: &[&str]| lab.run(&[&["environment", "convert", "sky", "out"], args].concat());

@@ -371,7 +371,7 @@ fn where_no_object_is_visible_the_sky_is() {
     // The upper left of the debug cubemap ahead; it hides the background.
     let args = ["probe", &cube, "--at", "0,0", "--backend", "cpu", "--environment", "debug", "--background", "0,0,0"];
     let run = lab.run(&args).good();
-    assert!(run.text().contains("none is visible there, only the environment"), "{}", run.text());
+    assert!(run.text().contains("none, only the environment is visible"), "{}", run.text());
     let json = lab.run(&[&args[..], &["--json"]].concat()).good().json();
     let sky = numbers(&json["reference"]);
     assert!(json["hit"] == false && sky[..3] != [0.0; 3] && sky[3] == 1.0, "{sky:?}");

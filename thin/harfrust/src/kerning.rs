@@ -5,50 +5,51 @@ use skrifa::raw::types::Tag;
 use skrifa::raw::{FontRef, TableProvider};
 use skrifa::{GlyphId, GlyphId16};
 
-/// The kerning of a font. Whatever of it cannot be read counts as 0: text is legible without.
+/// The kerning of a font. Tables that cannot be read count as 0: text is legible without kerning.
 pub struct Kerning<'a> {
     lookups: Option<PositionLookupList<'a>>,
-    /// Which of the lookups are kerning, in the order in which they apply.
-    wanted: Vec<u16>,
+    /// Indices of the lookups that are kerning, in the order in which they apply.
+    kern_lookups: Vec<u16>,
 }
 
 impl<'a> Kerning<'a> {
-    /// Of a font; empty if it has none.
+    /// Reads the kerning of a font; empty if it has none.
     pub fn of(font: &FontRef<'a>) -> Self {
-        let Ok(table) = font.gpos() else { return Kerning { lookups: None, wanted: Vec::new() } };
-        let mut wanted = Vec::new();
+        let Ok(table) = font.gpos() else { return Kerning { lookups: None, kern_lookups: Vec::new() } };
+        let mut kern_lookups = Vec::new();
         if let Ok(features) = table.feature_list() {
             let data = features.offset_data();
             for record in features.feature_records().iter().filter(|record| record.feature_tag() == Tag::new(b"kern")) {
                 if let Ok(feature) = record.feature(data) {
-                    wanted.extend(feature.lookup_list_indices().iter().map(|index| index.get()));
+                    kern_lookups.extend(feature.lookup_list_indices().iter().map(|index| index.get()));
                 }
             }
         }
-        // Scripts and languages name the same lookups again.
-        wanted.sort_unstable();
-        wanted.dedup();
-        Kerning { lookups: table.lookup_list().ok(), wanted }
+        // Scripts and languages repeat the same lookups.
+        kern_lookups.sort_unstable();
+        kern_lookups.dedup();
+        Kerning { lookups: table.lookup_list().ok(), kern_lookups }
     }
 
-    /// What is added to the advance of `left` before `right`, in units of the font.
+    /// The amount added to the advance of `left` before `right`, in font units.
     pub fn between(&self, left: GlyphId, right: GlyphId) -> i32 {
         let (Ok(left), Ok(right)) = (GlyphId16::try_from(left), GlyphId16::try_from(right)) else { return 0 };
-        let Some(lookups) = self.lookups.as_ref().filter(|_| !self.wanted.is_empty()).map(|list| list.lookups()) else {
+        let Some(lookups) = self.lookups.as_ref().filter(|_| !self.kern_lookups.is_empty()).map(|list| list.lookups())
+        else {
             return 0;
         };
         let of_lookup = |index: &u16| {
             let Ok(PositionSubtables::Pair(subtables)) = lookups.get(usize::from(*index)).ok()?.subtables() else {
                 return None;
             };
-            // The first of its subtables that knows the pair.
+            // The first subtable that contains the pair counts.
             subtables.iter().find_map(|pairs| in_pairs(&pairs.ok()?, left, right))
         };
-        self.wanted.iter().filter_map(of_lookup).map(i32::from).sum()
+        self.kern_lookups.iter().filter_map(of_lookup).map(i32::from).sum()
     }
 }
 
-/// `None`: this subtable does not know the pair, and the next is asked.
+/// The value of a pair; `None` if this subtable does not contain it.
 fn in_pairs(pairs: &PairPos<'_>, left: GlyphId16, right: GlyphId16) -> Option<i16> {
     match pairs {
         PairPos::Format1(pairs) => {

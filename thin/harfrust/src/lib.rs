@@ -1,8 +1,7 @@
-//! A glyph and an advance for each character: as much of the crate `harfrust` as egui uses, for it stands in its place.
+//! A glyph and an advance for each character: a replacement of the crate `harfrust` with the part of it that egui uses.
 //!
-//! Characters become glyphs by the font's character map, one each and from left to right; glyphs have the font's
-//! advances, and pairs of them its kerning (`kerning`). A font's ligatures, marks and rules for scripts are left
-//! out: the fonts of gonio have none.
+//! The font's character map gives one glyph per character, from left to right, with the font's advances and kerning
+//! (`kerning`). Ligatures, marks and rules for scripts are left out: gonio's fonts have none.
 
 mod kerning;
 
@@ -11,60 +10,60 @@ use skrifa::instance::{Location, LocationRef, Size};
 use skrifa::raw::types::Tag;
 use skrifa::{FontRef, GlyphId, MetadataProvider};
 
-/// An axis of a variable font, and where on it.
+/// An axis of a variable font and a value on it.
 #[derive(Clone, Copy, Debug)]
 pub struct Variation {
     /// The axis.
     pub tag: Tag,
-    /// In the axis's own units.
+    /// The value, in the axis's own units.
     pub value: f32,
 }
 
-/// A place on the axes of a variable font.
+/// A value for each axis of a variable font.
 pub struct ShaperInstance(Location);
 
 impl ShaperInstance {
-    /// The place with these values; axes that are not named are at their defaults.
+    /// An instance with these values; other axes have their defaults.
     pub fn from_variations(font: &FontRef<'_>, variations: impl IntoIterator<Item = Variation>) -> Self {
         ShaperInstance(font.axes().location(variations.into_iter().map(|axis| (axis.tag, axis.value))))
     }
 }
 
-/// What is known of a font beforehand: nothing.
+/// Data prepared for a font: nothing here.
 #[derive(Clone, Copy, Debug)]
 pub struct ShaperData;
 
 impl ShaperData {
-    /// For this font.
+    /// Prepares the data of this font.
     pub fn new(_: &FontRef<'_>) -> Self {
         ShaperData
     }
 
-    /// A shaper of this font.
+    /// Begins a shaper for this font.
     pub fn shaper<'a>(&self, font: &'a FontRef<'a>) -> Shaper<'a> {
         Shaper { font, location: LocationRef::default() }
     }
 }
 
-/// Makes glyphs of text.
+/// Converts text to glyphs.
 pub struct Shaper<'a> {
     font: &'a FontRef<'a>,
     location: LocationRef<'a>,
 }
 
-/// How to shape: there is but one way.
+/// Settings of shaping, of which there are none.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ShapeOptions;
 
 impl ShapeOptions {
-    /// That way.
+    /// The default settings.
     pub fn new() -> Self {
         ShapeOptions
     }
 }
 
 impl<'a> Shaper<'a> {
-    /// At a place on a variable font's axes.
+    /// Sets the values on a variable font's axes.
     pub fn instance(self, instance: Option<&'a ShaperInstance>) -> Self {
         Shaper { location: instance.map_or_else(LocationRef::default, |place| (&place.0).into()), ..self }
     }
@@ -74,7 +73,7 @@ impl<'a> Shaper<'a> {
         self
     }
 
-    /// A glyph for each character; glyph 0 where the font has none for it.
+    /// Returns a glyph for each character; glyph 0 where the font has none.
     pub fn shape(&self, mut buffer: UnicodeBuffer, _: ShapeOptions) -> GlyphBuffer {
         let (characters, metrics) = (self.font.charmap(), self.font.glyph_metrics(Size::unscaled(), self.location));
         let kerning = Kerning::of(self.font);
@@ -87,7 +86,7 @@ impl<'a> Shaper<'a> {
                 last.x_advance += kerning.between(before, glyph);
             }
             before = Some(glyph);
-            // Texts are far below 4 GB; so long a one would only lose its clusters.
+            // Texts are far shorter than 4 GB; a longer one would only lose its clusters.
             let cluster = u32::try_from(cluster).unwrap_or(u32::MAX);
             buffer.infos.push(GlyphInfo { glyph_id: glyph.to_u32(), cluster });
             let advance = metrics.advance_width(glyph).unwrap_or(0.0);
@@ -97,17 +96,17 @@ impl<'a> Shaper<'a> {
     }
 }
 
-/// Where in a paragraph a text stands. It changes nothing here.
+/// The position of a text in its paragraph. It has no effect here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BufferFlags;
 
 impl BufferFlags {
-    /// At its beginning.
+    /// The paragraph begins with the text.
     pub const BEGINNING_OF_TEXT: BufferFlags = BufferFlags;
-    /// At its end.
+    /// The paragraph ends with the text.
     pub const END_OF_TEXT: BufferFlags = BufferFlags;
 
-    /// Neither.
+    /// No position.
     pub fn empty() -> Self {
         BufferFlags
     }
@@ -117,7 +116,7 @@ impl std::ops::BitOrAssign for BufferFlags {
     fn bitor_assign(&mut self, _: Self) {}
 }
 
-/// Text to be shaped. Its memory is used again from text to text.
+/// Text to shape. Its memory is reused from text to text.
 #[derive(Debug, Default)]
 pub struct UnicodeBuffer {
     text: String,
@@ -126,40 +125,40 @@ pub struct UnicodeBuffer {
 }
 
 impl UnicodeBuffer {
-    /// Empty.
+    /// An empty buffer.
     pub fn new() -> Self {
         UnicodeBuffer::default()
     }
 
-    /// See [`BufferFlags`].
+    /// Sets the position in the paragraph.
     pub fn set_flags(&mut self, _: BufferFlags) {}
 
-    /// Adds text.
+    /// Appends text.
     pub fn push_str(&mut self, text: &str) {
         self.text.push_str(text);
     }
 
-    /// Script and direction: there is but one.
+    /// Does nothing: there is one script and one direction.
     pub fn guess_segment_properties(&mut self) {}
 }
 
-/// A glyph, and where in the text it comes from.
+/// A glyph and the place of its character in the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GlyphInfo {
-    /// Its number in the font.
+    /// The glyph's index in the font.
     pub glyph_id: u32,
     /// The byte of the text at which its character begins.
     pub cluster: u32,
 }
 
-/// How far a glyph moves the pen, and how far it stands from the pen; in units of the font.
+/// The advance of a glyph and its offset from the pen, in font units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GlyphPosition {
-    /// To the right, with the kerning towards the next.
+    /// Horizontal advance, with the kerning towards the next glyph.
     pub x_advance: i32,
-    /// To the right.
+    /// Horizontal offset, to the right.
     pub x_offset: i32,
-    /// Upwards.
+    /// Vertical offset, upwards.
     pub y_offset: i32,
 }
 
@@ -173,12 +172,12 @@ impl GlyphBuffer {
         &self.0.infos
     }
 
-    /// One for each glyph.
+    /// The positions of the glyphs.
     pub fn glyph_positions(&self) -> &[GlyphPosition] {
         &self.0.positions
     }
 
-    /// The memory, for the next text.
+    /// Returns the memory for the next text.
     pub fn clear(self) -> UnicodeBuffer {
         let mut buffer = self.0;
         buffer.text.clear();

@@ -28,11 +28,11 @@ fn pairs_are_kerned_and_others_are_not() {
     let (a, v, h) = (advances("A")[0], advances("V")[0], advances("H")[0]);
     assert!(a > 0 && v > 0 && h > 0);
     assert_eq!(advances("HH"), [h, h]);
-    // A and V lean into one another, by about a twentieth of their width; the last glyph's advance is its own.
+    // A and V are kerned by about a twentieth of their width; the last glyph keeps its advance.
     let pair = advances("AV");
     assert!(pair[0] < a && pair[0] > a * 8 / 10, "{} of {a}", pair[0]);
     assert_eq!(pair[1], v);
-    // To the left as to the right, for both letters are upright mirror images of themselves.
+    // The same in both orders, because both letters are symmetric.
     assert_eq!(a - pair[0], v - advances("VA")[0]);
 }
 

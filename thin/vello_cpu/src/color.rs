@@ -1,4 +1,4 @@
-//! The one colour that there is.
+//! The only colour: white.
 
 use std::marker::PhantomData;
 
@@ -6,7 +6,7 @@ use std::marker::PhantomData;
 #[derive(Clone, Copy, Debug)]
 pub struct Srgb;
 
-/// A colour that hides what is behind it: white.
+/// An opaque colour: white.
 #[derive(Clone, Copy, Debug)]
 pub struct OpaqueColor<Space>(PhantomData<Space>);
 

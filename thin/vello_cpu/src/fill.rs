@@ -1,9 +1,9 @@
-//! The area of a polygon in each pixel, exactly.
+//! The exact area of a polygon in each pixel.
 //!
-//! An edge adds to each pixel the signed area between itself and the pixel's right side, and to all pixels right of
-//! it the height it spans there. With differences along each row kept instead of sums, an edge touches only the
-//! pixels it passes; one running sum per row gives the coverage (the accumulation buffer of Raph Levien's font-rs,
-//! 2016, written anew).
+//! An edge adds the signed area between itself and the right side to each pixel that it crosses, and its height to all
+//! pixels further right. Each row stores differences instead of sums, so an edge changes only the pixels that it crosses; a
+//! running sum along the row gives the coverage. This is the accumulation buffer of Raph Levien's font-rs (2016),
+//! reimplemented.
 
 use crate::kurbo::Point;
 
@@ -11,7 +11,7 @@ use crate::kurbo::Point;
 pub struct Coverage {
     width: usize,
     height: usize,
-    /// One more in each row than pixels: what lies right of the last.
+    /// One value more in each row than pixels, for the area right of the last pixel.
     differences: Vec<f32>,
 }
 
@@ -22,10 +22,10 @@ impl Coverage {
         Coverage { width, height, differences: vec![0.0; (width + 1) * height] }
     }
 
-    /// Adds an edge. What lies outside left or right counts as on that border; above and below it counts nothing.
+    /// Adds an edge. Parts left or right of the picture count as if on that border; parts above or below do not count.
     pub fn line(&mut self, from: Point, to: Point) {
         let (sign, (x0, y0), (x1, y1)) = if from.1 < to.1 { (1.0, from, to) } else { (-1.0, to, from) };
-        // Also for numbers that are none.
+        // Also true for NaN.
         if !(y1 - y0 > 0.0 && (x1 - x0).is_finite()) {
             return;
         }
@@ -51,12 +51,12 @@ impl Coverage {
     }
 }
 
-/// Adds the part of an edge that lies in one row, from x `a` to `b`, of the signed height `height`.
+/// Adds the part of an edge within one row, from x `a` to x `b`, with the signed height `height`.
 fn add(differences: &mut [f32], a: f64, b: f64, height: f64) {
     let (left, right) = (a.min(b), a.max(b));
     let mut before = 0.0;
     for (column, difference) in differences.iter_mut().enumerate().skip(left as usize) {
-        // Of the pixels up to this one's right side: how much of their last one lies right of the edge.
+        // The share right of the edge, of the pixels up to this one's right side.
         let share = mean_right_of(left, right, column as f64, (column + 1) as f64);
         *difference += (height * (share - before)) as f32;
         before = share;
@@ -66,7 +66,7 @@ fn add(differences: &mut [f32], a: f64, b: f64, height: f64) {
     }
 }
 
-/// The share of the pixel from `start` to `end` that lies right of an edge that runs evenly from `left` to `right`.
+/// The share of the pixels from `start` to `end` that is right of a straight edge from `left` to `right`.
 fn mean_right_of(left: f64, right: f64, start: f64, end: f64) -> f64 {
     if end >= right && start >= right {
         return 1.0;
@@ -95,13 +95,13 @@ mod tests {
         coverage.pixels().collect()
     }
 
-    /// Sums of f32 of a few terms.
+    /// The rounding error of sums of a few f32.
     const ROUNDING: f32 = 1e-5;
 
     #[track_caller]
-    fn assert_near(found: &[f32], wanted: &[f32]) {
-        assert_eq!(found.len(), wanted.len());
-        for (index, (a, b)) in found.iter().zip(wanted).enumerate() {
+    fn assert_near(found: &[f32], expected: &[f32]) {
+        assert_eq!(found.len(), expected.len());
+        for (index, (a, b)) in found.iter().zip(expected).enumerate() {
             assert!((a - b).abs() < ROUNDING, "pixel {index}: {a} instead of {b}: {found:?}");
         }
     }

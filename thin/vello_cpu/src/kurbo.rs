@@ -1,22 +1,22 @@
-//! Paths of lines and Bézier curves, under the names that the crate `kurbo` has for them. Lengths are in pixels.
+//! Paths of lines and Bézier curves, with the names of the crate `kurbo`. Lengths are in pixels.
 
-/// x and y.
+/// A point.
 pub type Point = (f64, f64);
 
-/// How far a chord may lie from its curve, in pixels: a twentieth changes a pixel's coverage by at most that much, and
+/// Largest distance of a chord from its curve, in pixels. A twentieth changes a pixel's coverage by at most that much, and
 /// a glyph's curves are seldom longer than ten pixels.
 const TOLERANCE: f64 = 0.05;
-/// More chords than any glyph's curve wants: a bound for those of broken fonts.
+/// Most chords of a curve: more than any glyph needs, as a limit for broken fonts.
 const MOST_CHORDS: f64 = 256.0;
 
-/// A shift. (Scaling and turning are done by whoever makes the path.)
+/// A translation. (Paths arrive scaled and rotated.)
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Affine {
     by: Point,
 }
 
 impl Affine {
-    /// Moves by so much.
+    /// Translates by a vector.
     pub fn translate(by: Point) -> Self {
         Affine { by }
     }
@@ -26,31 +26,31 @@ impl Affine {
     }
 }
 
-/// A rectangle along the axes.
+/// An axis-aligned rectangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rect {
-    /// Left.
+    /// Left edge.
     pub x0: f64,
-    /// Top.
+    /// Top edge.
     pub y0: f64,
-    /// Right.
+    /// Right edge.
     pub x1: f64,
-    /// Bottom.
+    /// Bottom edge.
     pub y1: f64,
 }
 
 impl Rect {
-    /// The smallest one of whole pixels around it.
+    /// The smallest rectangle of whole pixels that contains this one.
     pub fn expand(self) -> Rect {
         Rect { x0: self.x0.floor(), y0: self.y0.floor(), x1: self.x1.ceil(), y1: self.y1.ceil() }
     }
 
-    /// From left to right.
+    /// The width.
     pub fn width(&self) -> f64 {
         self.x1 - self.x0
     }
 
-    /// From top to bottom.
+    /// The height.
     pub fn height(&self) -> f64 {
         self.y1 - self.y0
     }
@@ -71,7 +71,7 @@ pub struct BezPath {
 }
 
 impl BezPath {
-    /// Empty.
+    /// An empty path.
     pub fn new() -> Self {
         BezPath::default()
     }
@@ -81,27 +81,27 @@ impl BezPath {
         self.steps.push(Step::Move(to));
     }
 
-    /// A straight line.
+    /// Adds a straight line.
     pub fn line_to(&mut self, to: Point) {
         self.steps.push(Step::Line(to));
     }
 
-    /// A curve of degree 2.
+    /// Adds a quadratic curve.
     pub fn quad_to(&mut self, control: Point, to: Point) {
         self.steps.push(Step::Quad(control, to));
     }
 
-    /// A curve of degree 3.
+    /// Adds a cubic curve.
     pub fn curve_to(&mut self, first: Point, second: Point, to: Point) {
         self.steps.push(Step::Cubic(first, second, to));
     }
 
-    /// Ends a contour where it began.
+    /// Closes a contour.
     pub fn close_path(&mut self) {
         self.steps.push(Step::Close);
     }
 
-    /// The rectangle around all points and control points: the curves lie within. Of an empty path: zero.
+    /// The bounding rectangle of all points and control points, which contains the curves; zero for an empty path.
     pub fn control_box(&self) -> Rect {
         let mut bounds: Option<Rect> = None;
         let mut add = |(x, y): Point| {
@@ -135,7 +135,7 @@ impl BezPath {
                     at = to;
                 }
                 Step::Quad(control, to) => {
-                    // The same curve with degree 3.
+                    // The same curve as a cubic.
                     let (c, to) = (transform.of(control), transform.of(to));
                     let (first, second) = (between(at, c, 2.0 / 3.0), between(to, c, 2.0 / 3.0));
                     chords(at, first, second, to, &mut line);
@@ -160,8 +160,8 @@ fn between(a: Point, b: Point, t: f64) -> Point {
     (a.0 + (b.0 - a.0) * t, a.1 + (b.1 - a.1) * t)
 }
 
-/// As many chords of equal parameter as keep within the tolerance: a chord over h of the parameter lies at most
-/// h^2 / 8 of the largest second derivative from its curve, and that is at most 6 times the second differences.
+/// The number of chords of equal parameter steps that keeps within the tolerance. The distance of a chord over a step h is
+/// at most h^2 / 8 times the largest second derivative, which is at most 6 times the second differences.
 fn chords(from: Point, first: Point, second: Point, to: Point, line: &mut impl FnMut(Point, Point)) {
     let bend = |a: Point, b: Point, c: Point| (a.0 - 2.0 * b.0 + c.0).hypot(a.1 - 2.0 * b.1 + c.1);
     let second_derivative = 6.0 * bend(from, first, second).max(bend(first, second, to));

@@ -1,7 +1,7 @@
-//! Fills the outlines of glyphs: as much of the crate `vello_cpu` as egui uses, for it stands in its place.
+//! Fills the outlines of glyphs: a replacement of the crate `vello_cpu` with the part of it that egui uses.
 //!
-//! One path, filled where its winding number is not zero, white over nothing. The coverage of a pixel is the exact
-//! area of the polygon in it (`fill`), the sum over the path's edges; where contours overlap it is held at 1.
+//! Paths are filled with white where their winding number is not zero. The coverage of a pixel is the exact area of the
+//! polygon in it (`fill`), a sum over the path's edges, clamped to 1 where contours overlap.
 
 pub mod color;
 mod fill;
@@ -10,32 +10,32 @@ pub mod kurbo;
 use fill::Coverage;
 use kurbo::{Affine, BezPath};
 
-/// What is drawn: at most one path after another, all in white.
+/// A drawing of white paths.
 pub struct RenderContext {
     coverage: Coverage,
     transform: Affine,
 }
 
 impl RenderContext {
-    /// A picture of `width` times `height` pixels, empty.
+    /// An empty drawing of `width` times `height` pixels.
     pub fn new(width: u16, height: u16) -> Self {
         RenderContext { coverage: Coverage::new(width, height), transform: Affine::default() }
     }
 
-    /// How paths are moved from now on.
+    /// Sets the translation of the paths that follow.
     pub fn set_transform(&mut self, transform: Affine) {
         self.transform = transform;
     }
 
-    /// There is but one paint: white.
+    /// Does nothing: the only paint is white.
     pub fn set_paint(&mut self, _: color::OpaqueColor<color::Srgb>) {}
 
-    /// Fills a path; those that are open are closed.
+    /// Fills a path; open contours are closed.
     pub fn fill_path(&mut self, path: &BezPath) {
         path.flatten(self.transform, |from, to| self.coverage.line(from, to));
     }
 
-    /// Writes the picture. Both are of one size, or the picture's rows beyond are left as they are.
+    /// Writes the picture, which has the size of the drawing; rows beyond it stay unchanged.
     pub fn render(&mut self, pixmap: &mut Pixmap, _: &mut Resources) {
         for (pixel, coverage) in pixmap.data.chunks_exact_mut(4).zip(self.coverage.pixels()) {
             pixel.fill((coverage * 255.0 + 0.5) as u8);
@@ -43,12 +43,12 @@ impl RenderContext {
     }
 }
 
-/// What a renderer keeps between pictures: nothing.
+/// Memory that a renderer keeps between pictures: none.
 #[derive(Debug, Default)]
 pub struct Resources;
 
 impl Resources {
-    /// Nothing.
+    /// Empty.
     pub fn new() -> Self {
         Resources
     }
@@ -60,12 +60,12 @@ pub struct Pixmap {
 }
 
 impl Pixmap {
-    /// Transparent.
+    /// A transparent picture.
     pub fn new(width: u16, height: u16) -> Self {
         Pixmap { data: vec![0; usize::from(width) * usize::from(height) * 4] }
     }
 
-    /// Row by row from the top.
+    /// The pixels, row by row from the top.
     pub fn data_as_u8_slice(&self) -> &[u8] {
         &self.data
     }

@@ -4,7 +4,7 @@
 use vello_cpu::kurbo::{Affine, BezPath};
 use vello_cpu::{Pixmap, RenderContext, Resources, color};
 
-/// The control points of a quarter of a circle lie so many radii from its ends.
+/// The distance of the control points of a quarter circle from its ends, in radii.
 const QUARTER: f64 = 0.552_284_749_8;
 
 fn circle(x: f64, y: f64, r: f64) -> BezPath {
@@ -45,7 +45,7 @@ fn a_circle_has_its_area_in_its_place() {
 
 #[test]
 fn a_curve_of_degree_two_and_an_open_contour_are_filled() {
-    // A parabola over 0 to 4 with its top at 2: area 2/3 of 4 times 2, the missing side drawn by the filling.
+    // A parabola from 0 to 4 with its top at 2: its area is 2/3 of 4 times 2. Filling closes the open side.
     let mut path = BezPath::new();
     path.move_to((0.0, 4.0));
     path.quad_to((2.0, 0.0), (4.0, 4.0));

@@ -1,6 +1,6 @@
 //! `gonio-web-bindgen MODULE.wasm FOLDER`: writes `gonio.js` and `gonio_bg.wasm` into the folder.
 //!
-//! What `wasm-bindgen --target web` would do, at the version that the lock file names. `cargo xtask web` runs it.
+//! The same as `wasm-bindgen --target web`, at the version of the lock file. `cargo xtask web` runs it.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -13,7 +13,7 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     let written = Bindgen::new().input_path(module).web(true).and_then(|bindgen| {
-        // Whoever loads the module says where it lies: its name has a hash in it.
+        // The page passes the module's address, because its name contains a hash.
         bindgen.out_name("gonio").typescript(false).omit_default_module_path(true).generate(folder)
     });
     match written {

@@ -1,14 +1,14 @@
-//! A module that notes which of its functions ran.
+//! Instruments a module to record which of its functions run.
 
 use crate::{own_functions, parse};
 use walrus::ir::{BinaryOp, Value};
 use walrus::{ConstExpr, FunctionKind, Module, ValType};
 
 /// Adds to a module:
-/// - `ran:functions`, a constant i32: how many functions of its own it has;
-/// - `ran:0`, `ran:1` and so on, i32 each: bit `b` of the `n`-th is set once the function `32 n + b` was entered.
+/// - `ran:functions`, a constant i32: the number of its own functions;
+/// - `ran:0`, `ran:1` and so on, i32 each: bit `b` of the `n`-th is set when function `32 n + b` is entered.
 ///
-/// Globals, not memory: which bytes a module leaves alone is known to its allocator only.
+/// These are globals because only the module's allocator knows which memory is free.
 pub fn instrument(bytes: &[u8]) -> Result<Vec<u8>, String> {
     let mut module = parse(bytes)?;
     let functions = own_functions(&module);

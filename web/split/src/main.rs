@@ -1,16 +1,16 @@
-//! Splits a WebAssembly module in two: what ran in a profile, and the rest, which may be loaded later.
+//! Splits a WebAssembly module in two: the functions that ran in a profile, and the rest, which may be loaded later.
 //!
 //! ```text
-//! gonio-web-split instrument MODULE OUT               OUT notes which functions ran (see `instrument`)
-//! gonio-web-split split MODULE PROFILE PRIMARY REST   PROFILE: what OUT has noted, `1` or `0` for each function
+//! gonio-web-split instrument MODULE OUT               OUT records which functions run (see `instrument`)
+//! gonio-web-split split MODULE PROFILE PRIMARY REST   PROFILE: OUT's record, `1` or `0` for each function
 //! ```
 //!
-//! PRIMARY is MODULE without the functions that did not run. Wherever one of them may be called, it goes through a slot
-//! of the function table. There stands at first a stub that calls the imported function `rest.load` and then calls
-//! through the slot again. Instantiating REST puts the functions themselves into the slots; REST has no state of its
-//! own: memory, table and globals are PRIMARY's, under exports that it adds for this.
+//! PRIMARY is MODULE without the functions that did not run. Calls of those go through slots of the function table. Each slot
+//! first contains a stub, which calls the imported function `rest.load` and then calls through the slot again. Instantiating
+//! REST puts the functions into the slots. REST has no state of its own: PRIMARY exports its memory, table and globals to it.
 //!
-//! binaryen's `wasm-split` does the same, but npm's binaryen has none, and calls JavaScript by a name for each function.
+//! binaryen's `wasm-split` does the same, but npm's binaryen does not contain it, and its stubs call JavaScript with a name for
+//! each function.
 
 mod instrument;
 mod plan;
@@ -20,9 +20,9 @@ mod rest;
 use std::process::ExitCode;
 use walrus::{FunctionId, Module, ModuleConfig};
 
-/// The module under which REST imports what PRIMARY exports.
+/// The name of the module from which REST imports PRIMARY's exports.
 const PRIMARY: &str = "primary";
-/// What PRIMARY imports: the module and the function in it. It returns when REST is instantiated, or throws.
+/// The import of PRIMARY: a module and its function, which returns when REST is instantiated, or throws.
 const LOAD: (&str, &str) = ("rest", "load");
 
 const USAGE: &str = "usage: gonio-web-split instrument MODULE OUT
@@ -55,16 +55,16 @@ fn files(module: &str, profile: &str, primary: &str, rest: &str) -> Result<(), S
     write(rest, &halves.rest)
 }
 
-/// What a module was split into.
+/// The halves of a module.
 struct Halves {
     primary: Vec<u8>,
     rest: Vec<u8>,
 }
 
-/// Splits. `ran`: a `1` for each function of the module's own that goes into the primary half, in the order of the
-/// file, and a `0` for each other.
+/// Splits a module. `ran` has a `1` for each of the module's own functions that goes into the primary half and a `0` for each
+/// other, in the order of the file.
 fn split(bytes: &[u8], ran: &str) -> Result<Halves, String> {
-    // Twice, for either half is made by taking away. The n-th function is the same in both.
+    // Read twice, because each half is made by removal. The n-th function is the same in both.
     let mut primary = parse(bytes)?;
     let mut rest = parse(bytes)?;
     let plan = plan::Plan::new(&primary, ran)?;
@@ -73,7 +73,7 @@ fn split(bytes: &[u8], ran: &str) -> Result<Halves, String> {
     Ok(Halves { primary: primary.emit_wasm(), rest: rest.emit_wasm() })
 }
 
-/// A module, with its names: wasm-opt puts what belongs together side by side by them, and takes them out.
+/// Reads a module with its names, by which wasm-opt groups related functions before it removes them.
 fn parse(bytes: &[u8]) -> Result<Module, String> {
     let mut config = ModuleConfig::new();
     config.generate_name_section(true).generate_producers_section(false);

@@ -1,4 +1,4 @@
-//! Which function goes where, and through which slots of the table the halves call each other.
+//! The plan of a split: the half of each function, and the slots of the table through which the halves call each other.
 
 use crate::own_functions;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -7,15 +7,15 @@ use walrus::{
     ConstExpr, DataId, ElementId, ElementItems, ElementKind, ExportItem, FunctionId, GlobalKind, Module, Table, TableId,
 };
 
-/// How a module is split. Functions are numbered as the module's own stand in the file, from 0.
+/// The plan of a split. The module's own functions are numbered from 0, in the order of the file.
 pub struct Plan {
-    /// Which functions go into the rest.
+    /// The functions that go into the rest.
     pub moved: Vec<bool>,
-    /// Every slot of the function table that holds a moved function, and that function.
+    /// Each slot of the function table that contains a moved function, and that function.
     pub slots: BTreeMap<u32, usize>,
-    /// The slot through which a moved function is called, where the primary half does call it.
+    /// The slot of each moved function that the primary half calls.
     pub slot_of: BTreeMap<usize, u32>,
-    /// How many slots the table has before, and after.
+    /// Number of slots of the table before and after.
     pub table_sizes: (u32, u32),
 }
 
@@ -25,19 +25,17 @@ impl Plan {
         let functions = own_functions(module);
         if ran.len() != functions.len() || ran.bytes().any(|byte| byte != b'0' && byte != b'1') {
             let (has, wants) = (ran.len(), functions.len());
-            return Err(format!(
-                "the profile has {has} characters; wanted is one of 0 and 1 for each of {wants} functions"
-            ));
+            return Err(format!("the profile has {has} characters; expected a 0 or 1 for each of {wants} functions"));
         }
         if module.tags.iter().next().is_some() {
-            return Err("the module throws exceptions; those are not split".to_owned());
+            return Err("the module throws exceptions, which are not supported".to_owned());
         }
         let number: HashMap<FunctionId, usize> = functions.iter().enumerate().map(|(n, id)| (*id, n)).collect();
         let bodies: Vec<Body> = functions.iter().map(|id| Body::of(module, *id)).collect();
 
         let mut moved: Vec<bool> = ran.bytes().map(|byte| byte == b'0').collect();
         for (n, body) in bodies.iter().enumerate() {
-            // Small ones would be replaced by stubs as large as they are.
+            // A stub would be as large as a small function.
             moved[n] &= !body.bound && body.size > SMALL;
         }
         for (n, id) in functions.iter().enumerate() {
@@ -83,7 +81,7 @@ impl Plan {
         Ok(Plan { moved, slots, slot_of, table_sizes: (size, end) })
     }
 
-    /// Makes room in the function table for the slots that were added.
+    /// Enlarges the function table for the added slots.
     pub fn resize(&self, table: &mut Table) {
         let (before, after) = self.table_sizes;
         table.initial = u64::from(after);
@@ -91,12 +89,12 @@ impl Plan {
     }
 }
 
-/// What runs or not by chance, in one visit as in another, by a part of its name: tables whose order follows from addresses,
-/// growing lists, digits of numbers that were measured. It stays, whether it ran in a visit or not.
+/// Parts of the names of functions that run or not by chance: hash tables ordered by addresses, growing lists, digits of measured
+/// numbers. These functions stay in the primary half, whether they ran or not.
 const BY_CHANCE: [&str; 5] =
     ["hashbrown::", "std::collections::hash", "std::path::", "alloc::raw_vec", "core::num::flt2dec"];
 
-/// In instructions: a stub has three and its parameters.
+/// Size in instructions: a stub has three, and one for each parameter.
 const SMALL: u64 = 3;
 
 /// The module's one table of functions.
@@ -105,15 +103,15 @@ pub fn function_table(module: &Module) -> Result<TableId, String> {
     table.ok_or_else(|| "the module has no table of functions".to_owned())
 }
 
-/// What a function has to do with others.
+/// The relations of a function to others.
 #[derive(Default)]
 struct Body {
     /// In instructions.
     size: u64,
     called: Vec<FunctionId>,
-    /// Functions whose reference it takes: they stay what they are.
+    /// Functions whose reference it takes, which are not replaced.
     referred: Vec<FunctionId>,
-    /// Whether it uses segments of data or elements, which only the half has in which they stand.
+    /// Whether it uses segments of data or elements, which exist in one half only.
     bound: bool,
 }
 
@@ -150,7 +148,7 @@ impl<'a> Visitor<'a> for Body {
     }
 }
 
-/// Functions that stand where no stub can take their place: as start, in a global, in a segment without a place.
+/// Functions that no stub can replace: the start function, and those in globals or in passive segments.
 fn held_elsewhere(module: &Module) -> Vec<FunctionId> {
     let globals = module.globals.iter().filter_map(|global| match global.kind {
         GlobalKind::Local(ConstExpr::RefFunc(id)) => Some(id),
@@ -161,7 +159,7 @@ fn held_elsewhere(module: &Module) -> Vec<FunctionId> {
     module.start.into_iter().chain(globals).chain(passive).collect()
 }
 
-/// The function of each place in a segment; places without one are `None`.
+/// The function of each entry of a segment; `None` for empty entries.
 fn functions(items: &ElementItems) -> Vec<Option<FunctionId>> {
     match items {
         ElementItems::Functions(ids) => ids.iter().copied().map(Some).collect(),

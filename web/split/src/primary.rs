@@ -1,4 +1,4 @@
-//! The half that comes first: without the moved functions, and with stubs in their slots.
+//! The primary half: without the moved functions, and with stubs in their slots.
 
 use crate::plan::{Plan, function_table};
 use crate::rest::Needed;
@@ -8,7 +8,7 @@ use walrus::ir::{CallIndirect, Const, Instr, InstrSeq, ReturnCallIndirect, Value
 use walrus::{ConstExpr, ElementItems, ElementKind, ExportItem, FunctionBuilder, FunctionId, FunctionKind};
 use walrus::{Module, TableId, TypeId, passes};
 
-/// Takes away the moved functions, and exports what the rest needs.
+/// Removes the moved functions and exports everything that the rest needs.
 pub fn reduce(module: &mut Module, plan: &Plan, needed: &Needed) -> Result<(), String> {
     let own = own_functions(module);
     let table = function_table(module)?;
@@ -36,12 +36,12 @@ pub fn reduce(module: &mut Module, plan: &Plan, needed: &Needed) -> Result<(), S
     passes::gc::run(module);
     let left: HashSet<FunctionId> = module.funcs.iter().map(|function| function.id()).collect();
     match own.iter().enumerate().find(|(n, id)| plan.moved[*n] && left.contains(id)) {
-        Some((n, _)) => Err(format!("function {n} was to be moved, and is still in use")),
+        Some((n, _)) => Err(format!("function {n} was moved, but is still in use")),
         None => Ok(()),
     }
 }
 
-/// Exports what the rest imports.
+/// Exports everything that the rest imports.
 fn export(module: &mut Module, needed: &Needed) -> Result<(), String> {
     let functions: Vec<_> = module.funcs.iter().map(|function| function.id()).collect();
     let tables: Vec<_> = module.tables.iter().map(|table| table.id()).collect();
@@ -53,14 +53,14 @@ fn export(module: &mut Module, needed: &Needed) -> Result<(), String> {
         .chain(needed.globals.iter().map(|(n, name)| (name, ExportItem::Global(globals[*n]))));
     for (name, item) in items {
         if module.exports.iter().any(|export| export.name == *name) {
-            return Err(format!("the module exports `{name}`, a name that is wanted for the halves' own use"));
+            return Err(format!("the module exports `{name}`, a name that the halves need for themselves"));
         }
         module.exports.add(name, item);
     }
     Ok(())
 }
 
-/// A function with the parameters and results of another, that calls through a slot; with `load`: calls that first.
+/// Makes a function with the parameters and results of another that calls through a slot; with `load`, it calls that first.
 fn stub(module: &mut Module, table: TableId, slot: u32, of: FunctionId, load: Option<FunctionId>) -> FunctionId {
     let ty = module.funcs.get(of).ty();
     let (parameters, results) = module.types.params_results(ty);
@@ -78,7 +78,7 @@ fn stub(module: &mut Module, table: TableId, slot: u32, of: FunctionId, load: Op
     builder.finish(arguments, &mut module.funcs)
 }
 
-/// Replaces the moved functions in the table by their stubs, and adds the slots that they need besides.
+/// Replaces the moved functions in the table with their stubs, and adds slots for the others.
 fn put_stubs(module: &mut Module, plan: &Plan, table: TableId, stubs: &BTreeMap<u32, FunctionId>) {
     for element in module.elements.iter_mut() {
         let ElementKind::Active { table: into, offset: ConstExpr::Value(Value::I32(offset)) } = element.kind else {
@@ -111,7 +111,7 @@ fn put_stubs(module: &mut Module, plan: &Plan, table: TableId, stubs: &BTreeMap<
     plan.resize(table);
 }
 
-/// Exports of moved functions call through the slot, so that they need no second look once the rest is there.
+/// Makes the exports of moved functions call through their slots, so that they stay valid when the rest is loaded.
 fn redirect_exports(module: &mut Module, table: TableId, targets: &HashMap<FunctionId, Target>) {
     let exports = module.exports.iter().filter_map(|export| match export.item {
         ExportItem::Function(id) => Some((export.id(), id, targets.get(&id)?.slot)),
@@ -122,13 +122,13 @@ fn redirect_exports(module: &mut Module, table: TableId, targets: &HashMap<Funct
     }
 }
 
-/// How a moved function is called.
+/// The call of a moved function.
 struct Target {
     slot: u32,
     ty: TypeId,
 }
 
-/// Calls of moved functions become calls through their slots.
+/// Replaces calls of moved functions with calls through their slots.
 struct Calls {
     table: TableId,
     targets: HashMap<FunctionId, Target>,

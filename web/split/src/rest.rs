@@ -1,4 +1,4 @@
-//! The half that comes later: the moved functions, everything else imported.
+//! The rest: the moved functions, with everything else imported.
 
 use crate::plan::{Plan, function_table};
 use crate::{PRIMARY, own_functions};
@@ -8,8 +8,8 @@ use walrus::{
 };
 use walrus::{Module, passes};
 
-/// What the rest imports, each with the name under which the primary half has to export it. They are numbered as in
-/// the module before it was split, each kind from 0, with what that module imports before what is its own.
+/// The imports of the rest, each with the name under which the primary half must export it. They are numbered as in the module
+/// before the split: each kind from 0, imports before the module's own.
 #[derive(Default)]
 pub struct Needed {
     pub functions: Vec<(usize, String)>,
@@ -18,7 +18,7 @@ pub struct Needed {
     pub globals: Vec<(usize, String)>,
 }
 
-/// Takes away what the primary half keeps.
+/// Removes everything that the primary half keeps.
 pub fn reduce(module: &mut Module, plan: &Plan) -> Result<Needed, String> {
     let own = own_functions(module);
     let functions: Vec<FunctionId> = module.funcs.iter().map(|function| function.id()).collect();
@@ -53,7 +53,7 @@ pub fn reduce(module: &mut Module, plan: &Plan) -> Result<Needed, String> {
     name_imports(module)
 }
 
-/// No state and no way in: both are the primary half's.
+/// Removes state and entry points, which belong to the primary half.
 fn clear(module: &mut Module) {
     module.start = None;
     for id in module.exports.iter().map(|export| export.id()).collect::<Vec<_>>() {
@@ -74,14 +74,14 @@ fn clear(module: &mut Module) {
     for id in module.elements.iter().map(|element| element.id()).collect::<Vec<_>>() {
         module.elements.delete(id);
     }
-    // What other tools say of the whole module; but without this one, wasm-opt reads it wrongly.
-    let said = module.customs.iter().filter(|(_, section)| section.name() != "target_features");
-    for id in said.map(|(id, _)| id).collect::<Vec<_>>() {
+    // Custom sections of other tools describe the whole module. Without `target_features`, wasm-opt misreads the module.
+    let custom_sections = module.customs.iter().filter(|(_, section)| section.name() != "target_features");
+    for id in custom_sections.map(|(id, _)| id).collect::<Vec<_>>() {
         module.customs.delete(id);
     }
 }
 
-/// Puts the moved functions over their stubs when the rest is instantiated.
+/// Replaces the stubs with the moved functions when the rest is instantiated.
 fn fill_slots(module: &mut Module, plan: &Plan, own: &[FunctionId]) -> Result<(), String> {
     let table = function_table(module)?;
     plan.resize(module.tables.get_mut(table));
@@ -100,7 +100,7 @@ fn fill_slots(module: &mut Module, plan: &Plan, own: &[FunctionId]) -> Result<()
     Ok(())
 }
 
-/// Gives the imports that are left short names, each its own.
+/// Gives each remaining import a short name of its own.
 fn name_imports(module: &mut Module) -> Result<Needed, String> {
     let mut needed = Needed::default();
     for (count, import) in module.imports.iter_mut().enumerate() {

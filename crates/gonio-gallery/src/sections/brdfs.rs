@@ -17,10 +17,10 @@ pub fn section() -> Result<Section, GalleryError> {
                 s.equation.brdf_normalised = true;
                 s.equation.lafortune = matrix.unwrap_or(s.equation.lafortune);
                 s.equation.emitted = false;
-                // The ember's own light would hide the lobes.
+                // The ember's light would hide the lobes.
                 s.lights.retain(|l| l.name != "ember");
                 for light in &mut s.lights {
-                    // Near the eye, so that even a lobe back to the light is seen.
+                    // Near the eye, so that a lobe back to the light is visible too.
                     if light.name == "key" {
                         (light.position, light.intensity) = (Some([1.1, 3.7, 4.6]), Some(3.4));
                         (light.constant, light.quadratic) = (Some(0.5), Some(0.06));
@@ -41,8 +41,8 @@ pub fn section() -> Result<Section, GalleryError> {
         id: "brdfs",
         title: "BRDFs of Appendix 6",
         equation: "L_o = E + Σ_i f(L_i, V) L_i att_i ⟨N·L_i⟩",
-        introduction: "A BRDF takes the place of both terms. All six are normalised, so they spread the same share of \
-                       light over different directions. g = 24, b = 0.22 (0.04 for the last, which comes back whole).",
+        introduction: "A BRDF replaces both terms. All six are normalised, so they distribute the same share of \
+                       light over different directions. g = 24, b = 0.22 (0.04 for the last, whose whole lobe returns to the eye).",
         rows: vec![vec![
             exhibit(
                 "brdf-lambert",
@@ -52,7 +52,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 "Lambert",
                 "a / π",
                 "f = !{\\f{a}{π}}",
-                "The same in all directions: no highlight at all.",
+                "The same in all directions: no highlight.",
             )?,
             exhibit(
                 "brdf-phong",
@@ -72,7 +72,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 "Blinn",
                 "a/π + b ⟨N·H⟩^c",
                 "f = \\f{a}{π} + b n(c) !{⟨N·H⟩^c}",
-                "A lobe about the normal: towards grazing it becomes narrow and high, as real surfaces' do.",
+                "A lobe about the normal: at grazing angles it becomes narrow and high, as on real surfaces.",
             )?,
             exhibit(
                 "brdf-ward",
@@ -92,8 +92,8 @@ pub fn section() -> Result<Section, GalleryError> {
                 "Lafortune",
                 "off-specular lobe",
                 "f = \\f{a}{π} + b !{⟨−w_i^T A w_o⟩^k},  A = diag(1, 1, −0.92)",
-                "With |A_z| smaller than |A_x| the lobe leans off the mirror direction: little where the donut faces the \
-                 lamp, more towards grazing.",
+                "With |A_z| smaller than |A_x| the lobe leans away from the mirror direction: a little where the donut faces \
+                 the lamp, more at grazing angles.",
             )?,
             exhibit(
                 "brdf-lafortune-retro",
@@ -103,8 +103,8 @@ pub fn section() -> Result<Section, GalleryError> {
                 "Lafortune, retro",
                 "back to the light, b = 0.04",
                 "f = \\f{a}{π} + b !{⟨w_i·w_o⟩^k},  A = diag(−1, −1, −1)",
-                "Light goes back to where it came from, as from a road sign or the full moon: with the \
-                 lamp near the eye all is bright up to its outline, whatever its normal.",
+                "Light returns to its source, as from a road sign or the full moon: with the lamp near \
+                 the eye, everything is bright up to its outline, whatever its normal.",
             )?,
         ]],
     })

@@ -5,15 +5,15 @@ use crate::environment_picture::{EnvironmentPicture, PictureForm};
 use crate::exhibit::{Exhibit, Section};
 use gonio_environment::{Arrangement, Builtin, Layout};
 
-/// Two rows: the room there and back, and the debug cubemap.
+/// Two rows: the room as faces and back, and the debug cubemap.
 pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "cubemaps",
         title: "Panorama to cubemap",
         equation: "u = \\f{1}{2} + \\f{atan(x / −z)}{2π},   v = \\f{acos y}{π}   →   (s, t) = \\f{(±d_1, ±d_2)}{|d_{max}|}",
         introduction: "One function of a direction, laid out in several ways. OpenGL's faces are left-handed: in a viewer \
-                       they are mirrored, and what is straight ahead, −Z, is at the end. Photographic faces look right, \
-                       and straight ahead is in the middle.",
+                       they are mirrored, and the face ahead, −Z, comes last. Photographic faces look right, and the \
+                       face ahead is in the middle.",
         rows: vec![room(), debug()],
     })
 }
@@ -24,31 +24,31 @@ fn room() -> Vec<Exhibit> {
     vec![
         Exhibit::environment("room-panorama", "a panorama", make(PictureForm::Panorama)).remark("built in: 512 × 256, −Z in the middle").about(
             "u = \\f{1}{2} + \\f{φ}{2π},   v = \\f{θ}{π}",
-            "Longitude to the right, latitude downwards: what is straight is bent, and the poles are stretched to whole \
+            "Longitude to the right, latitude downwards: straight lines are bent, and the poles are stretched to whole \
              rows.",
         ),
         Exhibit::environment("room-cross-opengl", "six faces, opengl", cross(Layout::OpenGl))
             .joined(Some("→"))
-            .remark("as texture(samplerCube, d) wants them")
+            .remark("as texture(samplerCube, d) expects them")
             .about(
                 "+X: (s, t) = \\f{(−z, −y)}{|x|}",
-                "The wall behind, +Z, is in the middle, and every face is the mirror image of what is seen. The rows and \
-                 columns are those of OpenGL's table, so that no shader has to turn anything.",
+                "The wall behind, +Z, is in the middle, and every face is mirrored. The rows and columns are those of OpenGL's \
+                 table, so that no shader has to rotate anything.",
             ),
         Exhibit::environment("room-cross-photographic", "the same, photographic", cross(Layout::Photographic))
             .joined(Some("="))
             .remark("as it looks from inside")
             .about(
                 "d → (x, y, !{−z})",
-                "As six photographs would be: the window straight ahead, the blue wall to the right. Most cubemaps that \
-                 are given away are like this.",
+                "As six photographs would be: the window straight ahead, the blue wall to the right. Most free cubemaps \
+                 are like this.",
             ),
         Exhibit::environment("room-panorama-back", "and back", make(PictureForm::PanoramaOfCubemap(128)))
             .joined(Some("→"))
             .remark("from faces of 128 × 128")
             .about(
                 "E(θ, φ) = cubemap(d(θ, φ))",
-                "Faces a quarter as wide as the panorama keep nearly all of it, and none of the twelve edges can be seen.",
+                "Faces a quarter as wide as the panorama keep nearly all of its detail, and none of the twelve edges is visible.",
             ),
     ]
 }
@@ -59,15 +59,15 @@ fn debug() -> Vec<Exhibit> {
     vec![
         Exhibit::environment("debug-panorama", "debug", make(PictureForm::Panorama)).remark("six faces as a panorama").about(
             "E(d) = cubemap(d)",
-            "−Z in the middle, +X to its right, +Z half on the left and half on the right; every word can be read.",
+            "−Z in the middle, +X to its right, +Z half on the left and half on the right; every word is legible.",
         ),
         Exhibit::environment("debug-cross-opengl", "opengl", faces(Arrangement::Cross, Layout::OpenGl))
             .joined(Some("→"))
-            .remark("mirrored, and right")
+            .remark("mirrored, as OpenGL expects")
             .about(
                 "texture(samplerCube, !{d})",
-                "A viewer shows OpenGL's faces as a mirror does. Seen from inside the cube, by the eye at its middle, the \
-                 writing is the right way round.",
+                "A viewer shows OpenGL's faces mirrored. Seen from the middle of the cube, the writing is the right way \
+                 round.",
             ),
         Exhibit::environment(
             "debug-cross-photographic",
@@ -78,7 +78,7 @@ fn debug() -> Vec<Exhibit> {
         .remark("legible, and posz is −Z")
         .about(
             "texture(samplerCube, !{(x, y, −z)})",
-            "The names say which file each face is in: posz is straight ahead here. Sampled as it is by OpenGL, the whole \
+            "The names say which file each face is in: posz is straight ahead here. Sampled unchanged by OpenGL, the whole \
              world would be mirrored.",
         ),
         Exhibit::environment(
@@ -87,10 +87,10 @@ fn debug() -> Vec<Exhibit> {
             faces(Arrangement::VerticalCross, Layout::Photographic),
         )
         .joined(Some("="))
-        .remark("the face behind is turned")
+        .remark("the face behind is rotated")
         .about(
             "negz: (s, t) → !{(−s, −t)}",
-            "As light probes have it: the face behind hangs at the bottom, turned by 180 degrees so that its edge goes on.",
+            "The format of light probes: the face behind is at the bottom, rotated by 180 degrees so that its edge matches.",
         ),
     ]
 }

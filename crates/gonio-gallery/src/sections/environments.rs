@@ -6,14 +6,14 @@ use gonio_light::Fresnel;
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::{LightSourceKind, LightSpec, SceneFile};
 
-/// Three rows: behind an object, in it, on it.
+/// Three rows: an environment behind objects, in mirrors, and as their light.
 pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "environments",
         title: "Environments",
         equation: "L = (1 − w) L_o + w E(R),   R = 2 (N·V) N − V",
-        introduction: "An environment gives a radiance E for every direction. It is seen behind the objects, in mirrors, \
-                       and it can be the only light there is. The three that are built in need no file: sky, room, debug.",
+        introduction: "An environment gives a radiance E for every direction. It is visible behind the objects and in \
+                       mirrors, and can be the only light. Three are built in: sky, room and debug.",
         rows: vec![skyboxes()?, mirrors()?, image_based()?],
     })
 }
@@ -37,8 +37,8 @@ fn skyboxes() -> Result<Vec<Exhibit>, GalleryError> {
         exhibit(
             "sky",
             "computed: Preetham's model, with a sun",
-            "A clear late morning after Preetham, Shirley and Smits. The lamp on the sphere is turned to where the sun \
-             stands; the box has no size, so it does not move when the eye does.",
+            "A clear late morning after Preetham, Shirley and Smits. The lamp on the sphere is in the direction of \
+             the sun; the sky is infinitely far away, so it does not move with the eye.",
             &|s| {
                 environment(s, "sky", [20.0, 0.0, 0.0]);
                 s.camera.position = Some([0.0, -0.25, 2.9]);
@@ -47,7 +47,7 @@ fn skyboxes() -> Result<Vec<Exhibit>, GalleryError> {
                 s.lights.truncate(1);
                 s.lights[0].color = Some(Color([0.6, 0.75, 1.0]));
                 s.lights[0].intensity = Some(0.6);
-                // Of a sun 40 degrees high, 130 degrees to the right of what is straight ahead before the turn.
+                // A sun 40 degrees high, 130 degrees to the right of the view ahead before the rotation.
                 let (azimuth, height) = (110_f64.to_radians(), 40_f64.to_radians());
                 let light_in_world = [-height.cos() * azimuth.sin(), -height.sin(), height.cos() * azimuth.cos()];
                 s.lights.push(LightSpec {
@@ -63,8 +63,8 @@ fn skyboxes() -> Result<Vec<Exhibit>, GalleryError> {
         exhibit(
             "room",
             "a panorama of 512 × 256, made into a cubemap",
-            "Far enough away to be seen alike from everywhere, and so soft here because it is small: 128 texels to 90 \
-             degrees.",
+            "Infinitely far away, so it looks the same from everywhere. It is soft here because it is small: 128 texels \
+             for 90 degrees.",
             &|s| {
                 environment(s, "room", [-6.0, 0.0, 0.0]);
                 s.camera.position = Some([0.0, 0.45, 2.9]);
@@ -74,8 +74,8 @@ fn skyboxes() -> Result<Vec<Exhibit>, GalleryError> {
         exhibit(
             "debug",
             "which way is which",
-            "Each face has its colour, its direction, its file's name and the axes that lie in it. What can be read is \
-             not mirrored.",
+            "Each face has its colour, its direction, its file's name and its axes. Legible text is not \
+             mirrored.",
             &|s| {
                 environment(s, "debug", [0.0; 3]);
                 s.camera.position = Some([0.0, 0.9, 2.6]);
@@ -94,12 +94,12 @@ fn mirrors() -> Result<Vec<Exhibit>, GalleryError> {
     Ok(vec![
         Exhibit::new("mirror-sphere", "a mirror", BaseScene::RoomSphere.with(mirror)?).remark("w = 1").about(
             MIRROR,
-            "Nearly the whole room, also what is behind the eye: at the outline even what is behind the sphere.",
+            "Nearly the whole room, including the part behind the eye, and at the outline even the part behind the sphere.",
         ),
-        Exhibit::new("mirror-suzanne", "Suzanne as one", BaseScene::RoomSuzanne.with(mirror)?).remark("w = 1").about(
+        Exhibit::new("mirror-suzanne", "Suzanne as a mirror", BaseScene::RoomSuzanne.with(mirror)?).remark("w = 1").about(
             MIRROR,
-            "Where she is nearly plane the room is large, where she is strongly curved it is small. She does not see \
-             herself: E depends on a direction only.",
+            "Flat parts show the room large, strongly curved parts show it small. She does not reflect herself: E depends \
+             on the direction only.",
         ),
         Exhibit::new(
             "mirror-debug",
@@ -114,16 +114,16 @@ fn mirrors() -> Result<Vec<Exhibit>, GalleryError> {
         .remark("+Z is behind the eye")
         .about(
             MIRROR,
-            "A mirror shows writing mirrored, and behind the sphere it is not: the proof that the environment itself is \
-             the right way round.",
+            "The mirror shows the writing mirrored; behind the sphere it is not, so the environment itself is the right \
+             way round.",
         ),
         Exhibit::new(
             "mirror-blended",
             "a third of a mirror",
             BaseScene::RoomSuzanne.with(|s| s.objects[0].material.reflectivity = Some(0.3))?,
         )
-        .remark("w = 0.3 from everywhere")
-        .about("L = (1 − !{0.3}) L_o + !{0.3} E(R)", "The lit surface and the mirror, mixed alike at every angle."),
+        .remark("w = 0.3 at every angle")
+        .about("L = (1 − !{0.3}) L_o + !{0.3} E(R)", "The lit surface and the mirror, mixed equally at every angle."),
         Exhibit::new(
             "mirror-lacquer",
             "lacquer",
@@ -136,7 +136,7 @@ fn mirrors() -> Result<Vec<Exhibit>, GalleryError> {
         .remark("w = F, index 1.5")
         .about(
             "L = (1 − !{F}) L_o + !{F} E(R)",
-            "Fresnel's factor as weight: 4 % where one looks straight at the red, a mirror at grazing angles.",
+            "The Fresnel factor as weight: 4 % at normal incidence, a mirror at grazing angles.",
         ),
     ])
 }
@@ -144,7 +144,7 @@ fn mirrors() -> Result<Vec<Exhibit>, GalleryError> {
 fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
     let lit_by_it_alone = |s: &mut SceneFile| {
         s.lights.clear();
-        // The window to the left, so that there is more light from one side than from the other.
+        // The window is on the left, so that one side gets more light than the other.
         environment(s, "room", [110.0, 0.0, 0.0]);
         s.environment.get_or_insert_default().light = Some(true);
     };
@@ -171,8 +171,8 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
             [0.0; 3],
             1.0,
             "\\f{k_d}{π} ∫ E … ≈ k_d Σ !{A_l E_{lm}} Y_{lm}(N)",
-            "No lamp. What falls on the surface from everywhere is so smooth that nine spherical harmonics hold it: red \
-             and green from the walls, white from the window and the ceiling.",
+            "No lamp. The light that reaches a matte surface varies so smoothly that nine spherical harmonics represent it: \
+             red and green from the walls, white from the window and the ceiling.",
         )?,
         suzanne(
             "ibl-rough",
@@ -182,8 +182,7 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
             metal,
             8.0,
             GLOSSY,
-            "A rough mirror sees a blurred room: cubemaps that were blurred beforehand, and a table of what the lobe \
-             lets through.",
+            "A rough mirror reflects a blurred room: prefiltered cubemaps, and a table of the lobe's share of the light.",
         )?,
         suzanne(
             "ibl-satin",
@@ -193,7 +192,7 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
             metal,
             80.0,
             GLOSSY,
-            "The smaller the lobe, the smaller the blur: a finer level of the same cubemaps.",
+            "A narrower lobe blurs less: a finer level of the same cubemaps.",
         )?,
         suzanne(
             "ibl-polished",
@@ -203,7 +202,7 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
             metal,
             800.0,
             GLOSSY,
-            "Nearly a mirror, and tinted by k_s as metals are.",
+            "Nearly a mirror, tinted by k_s like a metal.",
         )?,
         Exhibit::new(
             "ibl-still-life",
@@ -223,7 +222,7 @@ fn image_based() -> Result<Vec<Exhibit>, GalleryError> {
         .about(
             "L = !{E_g(−V)}",
             "The same blurred cubemaps behind the objects keep the eye on what is in front. There are no shadows: E does \
-             not know the objects.",
+             not depend on the objects.",
         ),
     ])
 }

@@ -16,8 +16,8 @@ pub fn section() -> Result<Section, GalleryError> {
         id: "lights",
         title: "Lights",
         equation: "L_i att_i spot_i,   att = 1 / (k_c + k_l d + k_q d^2)",
-        introduction: "Four kinds of light on the same still life, three laws of fading, and the light of the lab's \
-                       exercise 07 on its way.",
+        introduction: "Four kinds of light on the same still life, three kinds of attenuation, and the moving light \
+                       of the lab's exercise 07.",
         rows: vec![kinds()?, second],
     })
 }
@@ -48,7 +48,7 @@ fn kinds() -> Result<Vec<Exhibit>, GalleryError> {
                 ..LightSpec::default()
             },
             "L_o = !{A} = k_a L_a",
-            "No direction and no distance: every point gets the same.",
+            "No direction and no distance: every point gets the same light.",
         )?,
         exhibit(
             "light-directional",
@@ -62,7 +62,7 @@ fn kinds() -> Result<Vec<Exhibit>, GalleryError> {
                 ..LightSpec::default()
             },
             "L_i !{= const},  att = 1",
-            "A sun: equal planes are equally bright wherever they stand, and the floor is even to its edge.",
+            "Like the sun: planes of the same orientation are equally bright everywhere, so the floor is even up to its edge.",
         )?,
         exhibit(
             "light-point",
@@ -70,12 +70,12 @@ fn kinds() -> Result<Vec<Exhibit>, GalleryError> {
             "fades with d",
             point.clone(),
             "L_i = \\f{!{p} − x}{|p − x|},  att_i = \\f{1}{k_c + k_l d + k_q d^2}",
-            "A lamp above the donut: the direction to it differs from point to point, and far things get less.",
+            "A lamp above the donut: its direction differs from point to point, and distant objects get less light.",
         )?,
         exhibit(
             "light-spot",
             "spot",
-            "a point behind a cone",
+            "a point light within a cone",
             LightSpec {
                 kind: LightSourceKind::Spot,
                 position: Some([0.3, 5.2, 3.4]),
@@ -88,8 +88,8 @@ fn kinds() -> Result<Vec<Exhibit>, GalleryError> {
                 ..point
             },
             "spot_i = smoothstep(cos θ_{outer}, cos θ_{inner}, −L_i · axis)",
-            "Full light within the inner angle, none outside of the outer one, and a smooth step between them. There \
-             are no shadows in the equation: the cone goes through the donut.",
+            "Full light within the inner angle, none outside the outer one, and a smooth step between them. The \
+             equation has no shadows: the cone passes through the donut.",
         )?,
     ])
 }
@@ -121,10 +121,15 @@ fn attenuation() -> Result<Vec<Exhibit>, GalleryError> {
             "attenuation-none",
             "att = 1",
             0.0,
-            "Without attenuation the far corner of the floor is as bright as its angle lets it be.",
+            "Without attenuation the far corner of the floor is as bright as its angle allows.",
         )?,
-        exhibit("attenuation-some", "att = 1 / (1 + d^2/4)", 0.25, "The lamp has a place: what is near is bright.")?,
-        exhibit("attenuation-strong", "att = 1 / (1 + 2 d^2)", 2.0, "A candle: only its neighbours are seen.")?,
+        exhibit(
+            "attenuation-some",
+            "att = 1 / (1 + d^2/4)",
+            0.25,
+            "The lamp has a position: near surfaces are brighter.",
+        )?,
+        exhibit("attenuation-strong", "att = 1 / (1 + 2 d^2)", 2.0, "A candle: only its surroundings are visible.")?,
     ])
 }
 
@@ -160,13 +165,13 @@ fn motion() -> Result<Vec<Exhibit>, GalleryError> {
                 .at(time)
                 .about(
                     "p_i(t) = p_i + a !{sin(2π t / T)}",
-                    "The light swings along z as in exercise 07; the highlight and the shadow line follow it.",
+                    "The light swings along z as in exercise 07; the highlight and the terminator follow it.",
                 )
         })
         .collect())
 }
 
-/// A little ambient light and this one.
+/// A little ambient light and one other light.
 fn only(scene: &mut SceneFile, ambient: f64, light: LightSpec) {
     scene.lights.truncate(1);
     scene.lights[0].intensity = Some(ambient);

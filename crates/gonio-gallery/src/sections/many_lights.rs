@@ -6,9 +6,9 @@ use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::{LightSourceKind, LightSpec};
 use std::f64::consts::{PI, TAU};
 
-/// On the floor; a thousand work as well, and take as much longer.
+/// Lights on the floor. A thousand work too, and take five times as long.
 const CARPET: usize = 200;
-/// Around Suzanne.
+/// Lights around Suzanne.
 const RING: usize = 24;
 
 /// A carpet and a ring of lights.
@@ -17,7 +17,7 @@ pub fn section() -> Result<Section, GalleryError> {
         id: "many-lights",
         title: "Many lights",
         equation: "Σ_i,  i = 1 … 200",
-        introduction: "The sum has no limit of eight: the lights lie in a table that the shader walks through.",
+        introduction: "The sum is not limited to eight lights: the shader reads them from a table.",
         rows: vec![vec![carpet()?, ring()?]],
     })
 }
@@ -35,11 +35,11 @@ fn carpet() -> Result<Exhibit, GalleryError> {
     Ok(Exhibit::new("many-lights", format!("{CARPET} point lights in one pass"), scene)
         .aspect(1.9)
         .at_sheet_size()
-        .remark("a sunflower of lamps a hand above the floor, each fading with 1 / (0.35 + 14 d^2)")
+        .remark("a sunflower pattern of lamps just above the floor, attenuated by 1 / (0.35 + 14 d^2)")
         .about(
             "L_o = A + E + !{Σ_{i=1}^{200}} [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i !{att_i}",
-            "Every fragment sums all lights. Each pool of light on the floor is one of them; in the dark squares and on \
-             the crate each has its own small mirror image.",
+            "Every fragment sums all lights. Each pool of light on the floor belongs to one of them; the dark squares and \
+             the crate show a small highlight of each.",
         ))
 }
 
@@ -67,11 +67,11 @@ fn ring() -> Result<Exhibit, GalleryError> {
     })?;
     Ok(Exhibit::new("ring-of-lights", format!("{RING} lights in a ring"), scene)
         .at_sheet_size()
-        .remark("grey all over: every colour here is a light's")
+        .remark("grey material: every colour comes from a light")
         .about(
             "L_o = A + !{Σ_{i=1}^{24}} [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] !{L_i} att_i",
-            "A colour wheel of lamps around a grey head: what faces a lamp takes its colour, and where lamps mix the \
-             grey returns.",
+            "A colour wheel of lamps around a grey head: surfaces that face a lamp take its colour, and mixed \
+             lamps give grey again.",
         ))
 }
 
@@ -100,8 +100,8 @@ fn rainbow(hue: f64, saturation: f64) -> [f64; 3] {
     })
 }
 
-/// To three decimals: a scene file that a person likes to read.
+/// Rounds to three decimals, for a legible scene file.
 fn tidy(v: f64) -> f64 {
-    // A zero without sign prints better.
+    // No negative zero.
     (v * 1e3).round() / 1e3 + 0.0
 }

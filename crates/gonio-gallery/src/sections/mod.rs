@@ -66,7 +66,7 @@ mod tests {
             assert!(exhibit.look.ends_with('.'), "{name}: {}", exhibit.look);
             assert_eq!(exhibit.remark.is_empty(), exhibit.counts_as_remark, "{name}");
             let ExhibitSubject::Scene(scene) = &exhibit.subject else { continue };
-            // Works in any folder: nothing but built-in files.
+            // Only built-in files, so that it works in any folder.
             let files = gonio_scene::files::BuiltinOnly;
             let loaded = gonio_scene::load::load((**scene).clone(), Path::new(""), &files).unwrap();
             assert!(loaded.diagnostics.is_empty(), "{name}: {:?}", loaded.diagnostics);

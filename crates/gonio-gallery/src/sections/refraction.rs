@@ -1,4 +1,4 @@
-//! Water, ice, glass, diamond: the lab's refraction, and beyond it.
+//! Refraction: the lab's table of water, ice, glass and diamond, and further parameters.
 
 use crate::GalleryError;
 use crate::exhibit::{BaseScene, Exhibit, Section};
@@ -9,14 +9,14 @@ use gonio_scene::scene_file::{MaterialOverride, SceneFile};
 
 const SEED: &str = "T = (n N·V − √(1 − n^2 (1 − (N·V)^2))) N − n V";
 
-/// The table twice, then what counts beside the index.
+/// The table on two models, then the parameters other than the index.
 pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "refraction",
         title: "Refraction",
         equation: "L = F E(R) + (1 − F) E(T),   T = (n N·V − √(1 − n^2 (1 − (N·V)^2))) N − n V",
-        introduction: "n is the index outside over the one inside. As in the lab, the ray of sight is bent once, where it \
-                       enters; the last row follows it through the body.",
+        introduction: "n is the index outside divided by the index inside. As in the lab, the view ray is refracted once, \
+                       where it enters; the last row follows it through the body.",
         rows: vec![
             table(BaseScene::RoomSphere, "")?,
             table(BaseScene::RoomSuzanne, "-suzanne")?,
@@ -29,12 +29,12 @@ pub fn section() -> Result<Section, GalleryError> {
 /// The lab's table of indices.
 fn table(base: BaseScene, suffix: &str) -> Result<Vec<Exhibit>, GalleryError> {
     let look = |medium| match medium {
-        Medium::Air => "The index of what is around it: nothing is bent, nothing is reflected, nothing is seen.",
-        Medium::Water => "Straight through in the middle, bent more and more towards the outline, where F takes over.",
-        Medium::Ice => "Less than water by a sixtieth of the index: hardly to be told apart.",
-        Medium::Glass => "Window glass: what is seen through it is larger, and the rim mirrors.",
+        Medium::Air => "The index of its surroundings: no refraction, no reflection, invisible.",
+        Medium::Water => "Straight through in the middle, refracted more towards the outline, where F dominates.",
+        Medium::Ice => "An index a sixtieth smaller than that of water: hardly distinguishable.",
+        Medium::Glass => "Window glass: the room behind it is magnified, and the rim is a mirror.",
         Medium::Diamond => {
-            "Bent so strongly that a large part of the room fits in; 17 % is reflected where one looks straight at it."
+            "Refracted so strongly that a large part of the room is visible; 17 % is reflected at normal incidence."
         }
     };
     let exhibit = |&medium: &Medium| {
@@ -47,7 +47,7 @@ fn table(base: BaseScene, suffix: &str) -> Result<Vec<Exhibit>, GalleryError> {
     Medium::ALL.iter().map(exhibit).collect()
 }
 
-/// A picture of glass with something changed.
+/// A picture of glass with one change.
 fn glass(
     base: BaseScene,
     name: &str,
@@ -69,7 +69,7 @@ fn fresnel() -> Result<Vec<Exhibit>, GalleryError> {
             sphere,
             "fresnel-none",
             ("F = 0", "as in the lab"),
-            ("L = !{E(T)}", "All light goes through, at every angle: a lens without a surface."),
+            ("L = !{E(T)}", "All light is transmitted at every angle: a lens without reflection."),
             |m| m.fresnel = Some(Fresnel::None),
         )?,
         glass(
@@ -78,7 +78,7 @@ fn fresnel() -> Result<Vec<Exhibit>, GalleryError> {
             ("Schlick", "F_0 + (1 − F_0) (1 − cos θ)^5"),
             (
                 "F = F_0 + (1 − F_0)(1 − N·V)^5,   F_0 = \\f{(n − 1)^2}{(n + 1)^2} = !{0.043}",
-                "The window and the floor appear in the surface, and the rim becomes a mirror.",
+                "The window and the floor are reflected, and the rim becomes a mirror.",
             ),
             |m| m.fresnel = Some(Fresnel::Schlick),
         )?,
@@ -88,17 +88,17 @@ fn fresnel() -> Result<Vec<Exhibit>, GalleryError> {
             ("exact", "Fresnel's equations, unpolarised"),
             (
                 "F = \\f{1}{2} (\\f{n c_i − c_t}{n c_i + c_t})^2 + \\f{1}{2} (\\f{c_i − n c_t}{c_i + n c_t})^2",
-                "For glass Schlick's polynomial is within 0.04 of it; the most at 85 degrees, where it says 0.65.",
+                "For glass, Schlick's polynomial differs by at most 0.04, at 85 degrees, where it is 0.65.",
             ),
             |m| m.fresnel = Some(Fresnel::Exact),
         )?,
         glass(
             BaseScene::RoomSuzanne,
             "refraction-tint",
-            ("tinted", "what goes through is multiplied"),
+            ("tinted", "transmitted light is multiplied"),
             (
                 "L = F E(R) + (1 − F) !{tint} E(T)",
-                "Green glass: only what goes through is coloured, the mirror images at the rims keep their colours.",
+                "Green glass: only transmitted light is coloured; the reflections at the rim keep their colours.",
             ),
             |m| m.tint = Some(Color([0.4, 0.9, 0.6])),
         )?,
@@ -114,28 +114,28 @@ fn through() -> Result<Vec<Exhibit>, GalleryError> {
             ("in and out", "two surfaces: upside down"),
             (
                 "V → T_1 → !{T_2},   sin θ_c = \\f{1}{1.52}",
-                "The ray is bent where it goes in and where it comes out: a ball of glass is a strong lens, and shows the \
-                 room upside down.",
+                "The ray is refracted where it enters and where it leaves: a glass ball is a strong lens, and shows the room \
+                 upside down.",
             ),
             both,
         )?,
         glass(
             BaseScene::RoomSuzanne,
             "two-suzanne",
-            ("Suzanne in glass", "totally reflected inside of her"),
+            ("Suzanne in glass", "total internal reflection"),
             (
                 "V → T_1 → !{R → …} → T_2",
-                "Where a ray meets the far side at more than 41 degrees it is reflected totally and goes on inside.",
+                "Where a ray meets the far side at more than 41 degrees it is totally reflected and continues inside.",
             ),
             both,
         )?,
         glass(
             BaseScene::RoomSphere,
             "two-dispersion",
-            ("dispersion", "diamond, eight times its own"),
+            ("dispersion", "diamond, eight times its real dispersion"),
             (
                 "n_{red} = n − \\f{!{Δ}}{2},  n_{green} = n,  n_{blue} = n + \\f{!{Δ}}{2},   Δ = 0.2",
-                "Each channel has an index of its own: coloured edges wherever the room has edges. A real diamond's Δ is \
+                "Each channel has its own index: coloured fringes at the edges of the room. A real diamond's Δ is \
                  0.025.",
             ),
             |m| {
@@ -147,11 +147,11 @@ fn through() -> Result<Vec<Exhibit>, GalleryError> {
         glass(
             BaseScene::RoomSuzanne,
             "two-absorption",
-            ("absorption", "the longer the way, the darker"),
+            ("absorption", "darker with distance"),
             (
                 "E(T) !{e^{−a d}},   a = (2.4, 0.5, 0.9)",
-                "Beer and Lambert: red is lost first. Thin ears stay bright, the head is deep green; a tint would colour \
-                 both alike.",
+                "The Beer-Lambert law: red is absorbed first. The thin ears stay bright, the head is deep green; a tint would \
+                 colour both alike.",
             ),
             |m| {
                 both(m);
@@ -159,6 +159,6 @@ fn through() -> Result<Vec<Exhibit>, GalleryError> {
             },
         )?,
     ];
-    // Several rays for each sample: as dear as the rest of the section together.
+    // Several rays per sample cost as much as the rest of the section.
     Ok(row.into_iter().map(Exhibit::at_sheet_size).collect())
 }

@@ -26,7 +26,7 @@ pub fn section() -> Result<Section, GalleryError> {
             "N of the triangle",
             Shading::Flat,
             "!{N} = {(p_1 − p_0) × (p_2 − p_0)} / |…|",
-            "One normal for each triangle, L and V at every fragment: facets, and in them a little of the highlight.",
+            "One normal for each triangle, L and V at every fragment: facets, each with a part of the highlight.",
         )?,
         sphere(
             "flat-per-face",
@@ -42,7 +42,7 @@ pub fn section() -> Result<Section, GalleryError> {
             "at the vertices",
             Shading::Gouraud,
             "L_o = α !{L_o(p_0)} + β !{L_o(p_1)} + γ !{L_o(p_2)}",
-            "Light at the vertices, interpolated. Where a highlight falls between vertices it is dim and has corners.",
+            "Light at the vertices, interpolated. A highlight between vertices is dim and angular.",
         )?,
         sphere(
             "phong",
@@ -50,8 +50,8 @@ pub fn section() -> Result<Section, GalleryError> {
             "at every fragment",
             Shading::Phong,
             "!{N} = \\f{α N_0 + β N_1 + γ N_2}{|α N_0 + β N_1 + γ N_2|}",
-            "The normal is interpolated and made unit again, the equation holds at the fragment: a round highlight on \
-             the same 224 triangles. Only the outline betrays them.",
+            "The normal is interpolated and normalised, and the equation is evaluated at the fragment: a round highlight \
+             on the same 224 triangles. Only the outline reveals them.",
         )?,
     ];
     let mut row = spheres;
@@ -61,7 +61,7 @@ pub fn section() -> Result<Section, GalleryError> {
         "15 744 triangles",
         Shading::Flat,
         Normals::Flat,
-        "With many triangles flat shading comes near the truth in the diffuse term; the highlights still tell.",
+        "With many triangles, flat shading approximates the diffuse term well; the highlights still differ.",
     )?);
     row.push(suzanne(
         "suzanne-phong",
@@ -69,14 +69,14 @@ pub fn section() -> Result<Section, GalleryError> {
         "the same mesh",
         Shading::Phong,
         Normals::File,
-        "The same triangles, the normals of the file.",
+        "The same triangles with the normals of the file.",
     )?);
     Ok(Section {
         id: "shading",
         title: "Where the equation is evaluated",
         equation: "once for each triangle,  at the vertices,  at every fragment",
-        introduction: "The equation is the same in all six pictures. What differs is where N comes from, and where the \
-                       sum is made.",
+        introduction: "The equation is the same in all six pictures. They differ in the source of N and in the \
+                       points where the sum is evaluated.",
         rows: vec![row],
     })
 }
@@ -100,48 +100,48 @@ pub fn cost_section() -> Result<Section, GalleryError> {
         id: "triangles",
         title: "Triangles",
         equation: "triangles,   vertices and fragments lit",
-        introduction: "Gouraud shading pays for each vertex, Phong shading for each fragment. The counts below the \
-                       pictures come from whoever drew them.",
+        introduction: "Gouraud shading evaluates light at each vertex, Phong shading at each fragment. The renderer \
+                       reports the counts below the pictures.",
         rows: vec![vec![
             exhibit(
                 "triangles-coarse",
                 "sphere-coarse",
                 gouraud,
                 "224, Gouraud",
-                "The normals of the file are those of the faces: Gouraud shading is flat then.",
+                "The file has one normal per face, so Gouraud shading looks flat.",
             )?,
             exhibit(
                 "triangles-averaged",
                 "sphere-coarse-averaged",
                 gouraud,
                 "224, averaged normals",
-                "The same triangles with averaged normals: smooth, but the highlight has the corners of the mesh.",
+                "The same triangles with averaged normals: smooth, but the highlight has the shape of the mesh.",
             )?,
             exhibit(
                 "triangles-smooth",
                 "sphere-smooth",
                 gouraud,
                 "3 968, Gouraud",
-                "Enough vertices for the highlight. Light is still summed only at them.",
+                "Enough vertices for the highlight, although light is summed only there.",
             )?,
             exhibit(
                 "triangles-averaged-phong",
                 "sphere-coarse-averaged",
                 Shading::Phong,
                 "224, Phong",
-                "Few triangles and a normal for each fragment: all is right but the outline.",
+                "Few triangles with a normal for each fragment: everything but the outline is right.",
             )?,
             exhibit(
                 "triangles-smooth-phong",
                 "sphere-smooth",
                 Shading::Phong,
                 "3 968, Phong",
-                "Nothing left to see of the triangles.",
+                "The triangles are no longer visible.",
             )?,
             Exhibit::new("triangles-suzanne", "15 744, Phong", BaseScene::Suzanne.scene()?)
                 .aspect(1.3)
                 .with_counts()
-                .about("L_o(!{N}) at every fragment", "As many triangles as a small character in a game has."),
+                .about("L_o(!{N}) at every fragment", "About as many triangles as a small character in a game."),
         ]],
     })
 }

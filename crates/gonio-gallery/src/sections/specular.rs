@@ -1,4 +1,4 @@
-//! The specular term: which one, which convention, how shiny.
+//! The specular term: models, conventions and exponents.
 
 use crate::GalleryError;
 use crate::exhibit::{BaseScene, Exhibit, Section};
@@ -43,7 +43,7 @@ fn choices() -> Result<Vec<Exhibit>, GalleryError> {
             "only diff k_d ⟨N·L⟩",
             |e| e.specular = Specular::None,
             "L_o = A + Σ_i [ diff k_d ⟨N·L_i⟩ ~{+ k_s spec_i} ] L_i",
-            "Clay. The form is there, the material is not.",
+            "Clay: the shape is visible, the material is not.",
         )?,
         exhibit(
             "specular-phong",
@@ -59,7 +59,7 @@ fn choices() -> Result<Vec<Exhibit>, GalleryError> {
             "⟨N·H⟩^g",
             |e| e.specular = Specular::BlinnPhong,
             "spec_i = !{⟨N·H_i⟩^g}",
-            "Wider highlights, and long ones where light grazes: the cold rim reaches further around the head.",
+            "Wider highlights, and long ones at grazing angles: the cold rim reaches further around the head.",
         )?,
         exhibit(
             "specular-cosine",
@@ -67,7 +67,7 @@ fn choices() -> Result<Vec<Exhibit>, GalleryError> {
             "⟨N·H⟩^g ⟨N·L⟩",
             |e| e.cosine_weighted = Some(true),
             "k_s spec_i !{⟨N·L_i⟩}",
-            "The factor cos θ that the lab's specular term has lost: grazing highlights fade out instead of ending.",
+            "The factor cos θ that the lab's specular term omits: grazing highlights fade out instead of ending abruptly.",
         )?,
     ];
     let scene = BaseScene::Suzanne.with(|s| {
@@ -78,7 +78,7 @@ fn choices() -> Result<Vec<Exhibit>, GalleryError> {
     row.push(Exhibit::new("specular-physical", "physical", scene).remark("k_d / π, cosine-weighted").aspect(1.25).about(
         "L_o = A + Σ_i [ !{\\f{k_d}{π}} + k_s spec_i ] L_i !{⟨N·L_i⟩}",
         "The equation's own form: the albedo over π, every term times cos θ, the lights π times as strong so that the \
-         diffuse part stays the same. Its highlights are stronger against it.",
+         diffuse part stays the same. Its highlights are relatively stronger.",
     ));
     Ok(row)
 }
@@ -98,17 +98,17 @@ fn exponent(specular: Specular, word: &str, gamma: f64, equation: &str) -> Resul
         })
         .about(
             equation,
-            "The exponent narrows the highlight and leaves its height: a polished sphere sends back less light in all.",
+            "The exponent narrows the highlight without raising it: a polished sphere reflects less light in total.",
         ))
 }
 
-/// The face alone.
+/// Frames the face.
 fn closer(scene: &mut SceneFile) {
     scene.camera.fov_y = Some(22.0);
     scene.camera.target = Some([0.08, 0.09, 0.2]);
 }
 
-/// Lights as bright as before where the diffuse term has `1/pi`.
+/// Multiplies the lights by pi, because the diffuse term has `1/pi`.
 pub fn radiometric(scene: &mut SceneFile) {
     for light in &mut scene.lights {
         if light.kind != gonio_scene::scene_file::LightSourceKind::Ambient {

@@ -7,21 +7,21 @@ use gonio_scene::scene_file::LightSourceKind;
 
 const WHOLE: &str = "L_o = A + E + Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i spot_i";
 
-/// The still life and Suzanne.
+/// The still life and Suzanne, by the whole equation.
 pub fn whole_section() -> Result<Section, GalleryError> {
     let still_life = Exhibit::new("still-life", "A still life by the whole equation", BaseScene::StillLife.scene()?)
         .aspect(1.72)
-        .remark("a warm key, a cold rim, an ember that emits and lights what is around it")
+        .remark("a warm key light, a cold rim light, and an ember that emits light")
         .about(
             WHOLE,
-            "Four lights and an emitting body. The ember's E is the same from everywhere; the point light in its \
-             middle is what falls on the floor and the donut, and fades with att.",
+            "Four lights and an emitting body. The ember's E is the same from every direction; a point light in its \
+             middle lights the floor and the donut, and decreases with att.",
         );
     let suzanne = Exhibit::new("suzanne", "Suzanne in bronze", BaseScene::Suzanne.scene()?)
         .remark("15 744 triangles, a normal for every fragment")
         .about(
             WHOLE,
-            "Key, rim and kicker: three point lights that differ in colour show which part of the surface faces which.",
+            "Key, rim and kicker: three point lights of different colours show which way each part of the surface faces.",
         );
     Ok(Section { id: "whole", title: "", equation: WHOLE, introduction: "", rows: vec![vec![still_life, suzanne]] })
 }
@@ -51,7 +51,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 None,
                 [true, false, false, false],
                 "L_o = !{A} ~{+ E + Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i}",
-                "k_a times the ambient colour: no direction, so no form. Only colours and textures are seen.",
+                "k_a times the ambient colour: no direction, so no shape. Only colours and textures are visible.",
             )?,
             only(
                 "term-emitted",
@@ -60,7 +60,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 Some("+"),
                 [false, true, false, false],
                 "L_o = ~{A +} !{E} ~{+ Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i}",
-                "What a body sends out by itself. It lights nothing else: for that a light has to stand there.",
+                "The light that a body emits itself. It does not light other bodies; that takes a light source.",
             )?,
             only(
                 "term-diffuse",
@@ -69,7 +69,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 Some("+"),
                 [false, false, true, false],
                 "L_o = ~{A + E +} Σ_i [ !{diff k_d ⟨N·L_i⟩} ~{+ k_s spec_i} ] L_i att_i",
-                "Form appears: brightness follows the angle between N and L, and does not depend on the eye.",
+                "The shape appears: brightness follows the angle between N and L, and does not depend on the eye.",
             )?,
             only(
                 "term-specular",
@@ -78,7 +78,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 Some("+"),
                 [false, false, false, true],
                 "L_o = ~{A + E +} Σ_i [ ~{diff k_d ⟨N·L_i⟩ +} !{k_s spec_i} ] L_i att_i",
-                "Mirror images of the lights, as wide as the shininess allows. Move the eye and they move too.",
+                "Highlights: blurred reflections of the lights, narrower with higher shininess. They move with the eye.",
             )?,
             only(
                 "term-sum",
@@ -97,7 +97,7 @@ fn keep(scene: &mut SceneFile, [ambient, emitted, diffuse, specular]: [bool; 4])
     let equation = &mut scene.equation;
     (equation.ambient, equation.emitted) = (ambient, emitted);
     (equation.diffuse, equation.specular_term) = (diffuse, specular);
-    // Alone, the ambient term has to be bright enough to be looked at.
+    // Alone, the ambient term must be bright enough to be visible.
     for light in scene.lights.iter_mut().filter(|l| l.kind == LightSourceKind::Ambient) {
         light.intensity = Some(0.16);
     }

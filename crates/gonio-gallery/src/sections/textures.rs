@@ -13,8 +13,8 @@ pub fn section() -> Result<Section, GalleryError> {
         id: "textures",
         title: "Textures and tone",
         equation: "k_d(u, v),   from L_o to the screen",
-        introduction: "Colour textures are decoded before light is summed. On the way out come exposure, a tone map and \
-                       the sRGB curve: the second row shows the same light, two and a half stops too bright.",
+        introduction: "Colour textures are decoded before light is summed. Exposure, a tone map and the sRGB curve follow: \
+                       the second row shows the same light, overexposed by two and a half stops.",
         rows: vec![filters()?, tones()?],
     })
 }
@@ -49,28 +49,28 @@ fn filters() -> Result<Vec<Exhibit>, GalleryError> {
             .aspect(1.75)
             .about(
                 "k_d ~{texture(u, v)}",
-                "The floor and the crate have no colour of their own: their k_d is the texture's.",
+                "The floor and the crate have no colour of their own: their k_d comes from the texture.",
             ),
         exhibit(
             "texture-nearest",
             "nearest",
             "one texel for each sample",
             TextureFilter::Nearest,
-            "Staircases along the squares near the eye, and noise that would crawl in the distance.",
+            "Jagged edges near the eye, and noise in the distance, which would flicker in motion.",
         )?,
         exhibit(
             "texture-mipmap",
             "mipmaps",
-            "smaller copies far away",
+            "smaller copies in the distance",
             TextureFilter::Mipmap,
-            "Calm in the distance, but too soft where the floor is seen at a low angle.",
+            "No noise in the distance, but too blurred where the view grazes the floor.",
         )?,
         exhibit(
             "texture-anisotropic",
             "anisotropic",
-            "several along the slope",
+            "several samples along the slope",
             TextureFilter::Anisotropic,
-            "Sharp along the line of sight and calm across it.",
+            "Sharp along the view direction, without noise across it.",
         )?,
     ])
 }
@@ -94,28 +94,28 @@ fn tones() -> Result<Vec<Exhibit>, GalleryError> {
             "none",
             "clamped",
             "min(x, 1)",
-            "Whatever is above 1 is lost, channel by channel: the lit floor is a white hole.",
+            "Values above 1 are clipped per channel: the lit floor is plain white.",
         )?,
         exhibit(
             ToneMap::Reinhard,
             "Reinhard",
             "x / (1 + x)",
             "\\f{x}{1 + x}",
-            "Nothing is clipped, and nothing is quite white: low contrast.",
+            "Nothing is clipped, and nothing is fully white: low contrast.",
         )?,
         exhibit(
             ToneMap::Aces,
             "ACES",
             "a filmic curve",
             "\\f{x (2.51 x + 0.03)}{x (2.43 x + 0.59) + 0.14}",
-            "A shoulder for the highlights and a toe for the shadows; strong colours go to their primaries.",
+            "A shoulder for the highlights and a toe for the shadows; strong colours shift to primaries.",
         )?,
         exhibit(
             ToneMap::Agx,
             "AgX",
-            "a gentler one",
+            "a gentler curve",
             "sigmoid(log_2 x)",
-            "Bright colours turn towards white, as on film: the ember glows instead of being yellow.",
+            "Bright colours shift towards white, as on film: the ember glows instead of being yellow.",
         )?,
     ])
 }

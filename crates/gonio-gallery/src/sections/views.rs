@@ -13,42 +13,42 @@ pub fn section() -> Result<Section, GalleryError> {
             "N",
             "normal",
             "N",
-            "Red to the right, green up, blue towards +z: what faces the eye is light blue.",
+            "Red to the right, green up, blue towards +z: surfaces that face the eye are light blue.",
         ),
         (
             Quantity::Light,
             "L",
             "to the light",
             "L = \\f{p_i − x}{|p_i − x|}",
-            "Nearly one colour: the key is far away. Across the face the direction turns a little.",
+            "Nearly one colour, because the key light is far away; the direction changes a little across the face.",
         ),
         (
             Quantity::View,
             "V",
             "to the eye",
             "V = \\f{e − x}{|e − x|}",
-            "Nearly constant too; it would be exactly so in an orthographic picture.",
+            "Nearly constant too; in an orthographic picture it would be constant.",
         ),
         (
             Quantity::Reflection,
             "R",
             "L mirrored",
             "R = 2 (N·L) N − L",
-            "Turns twice as fast as N. Where it has the colour of V stands Phong's highlight.",
+            "Changes twice as fast as N. Phong's highlight is where it has the colour of V.",
         ),
         (
             Quantity::Half,
             "H",
             "between L and V",
             "H = \\f{L + V}{|L + V|}",
-            "Hardly changes: Blinn–Phong's highlight stands where N has this colour.",
+            "Hardly changes. Blinn–Phong's highlight is where N has this colour.",
         ),
         (
             Quantity::Refraction,
             "T",
             "V refracted",
             "T = (n N·V − √(1 − n^2 (1 − (N·V)^2))) N − n V",
-            "The view direction inside the material, index 1.45: an environment would be looked up along it.",
+            "The view direction inside the material, index 1.45: the environment is looked up along it.",
         ),
     ];
     let scalars: [(Quantity, &str, &str, &str, &str); 6] = [
@@ -57,30 +57,30 @@ pub fn section() -> Result<Section, GalleryError> {
             "UV",
             "texture coordinates",
             "(u, v)",
-            "u in red, v in green. The floor has one square for all of the texture.",
+            "u in red, v in green. The floor covers the texture once.",
         ),
         (
             Quantity::GeometricNormal,
             "N of the triangle",
             "geometric normal",
             "N_g = \\f{(p_1 − p_0) × (p_2 − p_0)}{|…|}",
-            "What flat shading sees; the donut shows its triangles.",
+            "The normal of flat shading; the donut shows its triangles.",
         ),
-        (Quantity::Position, "position", "world space", "x", "The box around the scene is the colour cube."),
+        (Quantity::Position, "position", "world space", "x", "The scene's bounding box is mapped to the colour cube."),
         (Quantity::Depth, "depth", "along the view", "(x − e) · front", "Dark is near."),
         (
             Quantity::Attenuation,
             "att",
             "of the key",
             "att_i = \\f{1}{k_c + k_l d + k_q d^2}",
-            "The key fades from the left to the right; 1 and more is white.",
+            "The key light decreases from left to right; 1 and more is white.",
         ),
         (
             Quantity::CosTheta,
             "cos θ",
             "⟨N·L⟩",
             "⟨N·L_i⟩",
-            "What the diffuse term is made of. Black is what the key does not reach.",
+            "The cosine of the diffuse term. Black surfaces face away from the key light.",
         ),
     ];
     let row =
@@ -99,9 +99,9 @@ pub fn section() -> Result<Section, GalleryError> {
         };
     Ok(Section {
         id: "views",
-        title: "What the equation sees",
+        title: "The quantities of the equation",
         equation: "N,  L,  V,  R,  H,  T,  uv,  N_g,  x,  d,  att,  cos θ",
-        introduction: "Every quantity can be looked at alone (gonio render --debug), and read as numbers at any pixel \
+        introduction: "Every quantity can be shown alone (gonio render --debug) and printed as numbers for any pixel \
                        (gonio probe). Directions are shown as (x + 1) / 2.",
         rows: vec![
             row(BaseScene::Suzanne, vectors, 1.2, |scene| scene.camera.fov_y = Some(27.0))?,

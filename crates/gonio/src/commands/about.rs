@@ -15,7 +15,7 @@ use std::io;
 /// The version and, where gonio was built from its repository, the commit and its date.
 pub const VERSION: &str = env!("GONIO_VERSION");
 
-/// Notices about everything in this program that others wrote, made by `cargo xtask licenses`.
+/// The notices of third parties, made by `cargo xtask licenses`.
 const THIRD_PARTY: &str = include_str!("../../THIRD-PARTY.txt");
 
 /// Print a completion script for a shell.
@@ -45,7 +45,7 @@ pub struct ManArgs {
     pub folder: Option<OutputPath>,
 }
 
-/// Print the licences of gonio and of everything in it.
+/// Print the licences of gonio and its dependencies.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 Examples:

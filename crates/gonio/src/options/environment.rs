@@ -6,11 +6,11 @@ use gonio_environment::Layout;
 use gonio_scene::SceneFile;
 use gonio_scene::scene_file::EnvironmentSpec;
 
-/// The options about a scene's environment.
+/// Options about the environment of a scene.
 #[derive(Args, Debug, Clone, Default)]
 #[command(next_help_heading = "Environment options")]
 pub struct EnvironmentOptions {
-    /// Surround the scene: debug, sky, room, or files.
+    /// Environment around the scene: debug, sky, room, or files.
     ///
     /// Files: a panorama, a cross, a strip, a .ktx2 or .dds cubemap, a folder of six faces, one of six faces, or a pattern
     /// such as "sky_*.png".
@@ -26,15 +26,15 @@ pub struct EnvironmentOptions {
     pub environment_size: Option<u32>,
     /// Rotate the environment, in degrees.
     ///
-    /// A positive yaw turns what is ahead to the left, a positive pitch upwards.
+    /// A positive yaw rotates the part ahead to the left, a positive pitch rotates it up.
     #[arg(long, value_name = "YAW,PITCH,ROLL", value_parser = values::angles, allow_hyphen_values = true)]
     pub environment_rotate: Option<[f64; 3]>,
     /// Multiply the environment's light.
     #[arg(long, value_name = "FACTOR", value_parser = values::not_negative, allow_negative_numbers = true)]
     pub environment_intensity: Option<f64>,
-    /// Let the environment light the objects; =false prevents it.
+    /// Light the objects with the environment; =false prevents it.
     ///
-    /// By default it does so if the scene has no lights.
+    /// By default the environment lights scenes that have no lights.
     #[arg(long, value_name = "BOOL", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     pub environment_light: Option<bool>,
     /// Show the environment behind the objects; =false hides it.

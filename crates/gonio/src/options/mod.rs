@@ -56,7 +56,7 @@ impl BackendChoice {
     }
 }
 
-/// Which renderer draws, and how.
+/// The renderer and its settings.
 #[derive(Args, Debug, Clone, Default)]
 #[command(next_help_heading = "Drawing options")]
 pub struct BackendOptions {

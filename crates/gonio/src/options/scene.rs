@@ -115,7 +115,7 @@ pub struct SceneOptions {
     /// Samples per pixel: 1, 2, 4, 8 or 16.
     #[arg(long, help_heading = "Picture options", value_name = "N", value_parser = values::samples)]
     pub samples: Option<u32>,
-    /// Encoding: sRGB, or the sum as it is, as the lab's programs write it.
+    /// Encoding of colours: sRGB, or none, as in the lab's programs.
     #[arg(long, help_heading = "Picture options", value_parser = values::named(ColorEncoding::ALL, ColorEncoding::name))]
     pub color: Option<ColorEncoding>,
     /// Tone mapping of light above 1.

@@ -34,10 +34,10 @@ Examples:
   gonio diff old.png new.png --tolerance 1 --max-differing 0.5
       At most 0.5 % of the pixels may differ by more than one 8-bit step.
 
-An 8-bit step is 1/255 of the encoded (sRGB) value; EXR is encoded first. Linear numbers are of decoded light. Alpha counts as a \
+An 8-bit step is 1/255 of the encoded (sRGB) value; EXR is encoded first. Linear numbers compare decoded light. Alpha counts as a \
 channel if a picture has any that is not 1; colours are premultiplied by it.
 
-Exit codes: 0 success, 1 a --max-... or --min-... is not met, 2 error.")]
+Exit codes: 0 success, 1 a --max-... or --min-... check failed, 2 error.")]
 pub struct DiffArgs {
     /// Picture: .png, .jpg or .exr; - is stdin.
     #[arg(value_name = "A")]
@@ -49,7 +49,7 @@ pub struct DiffArgs {
     /// Write the difference map; - is stdout.
     #[arg(long, short, help_heading = "Output options", value_name = "MAP.png")]
     pub output: Option<OutputPath>,
-    /// Difference, in 8-bit steps, of the map's brightest colour; by default the largest one.
+    /// Difference, in 8-bit steps, shown in the map's brightest colour; by default the largest difference.
     #[arg(long, help_heading = "Output options", value_name = "STEPS", value_parser = values::positive)]
     pub scale: Option<f64>,
     /// Leave out the scale below the map, which then has the size of the pictures.
@@ -74,19 +74,19 @@ pub struct DiffArgs {
     #[arg(long, help_heading = "Comparison options", value_name = "NAME")]
     pub layer: Option<String>,
 
-    /// Fail if any channel differs by more 8-bit steps.
+    /// Fail if any channel differs by more than this number of 8-bit steps.
     #[arg(long, help_heading = "Check options", value_name = "STEPS", value_parser = values::not_negative)]
     pub max_difference: Option<f64>,
-    /// Fail if the RMS is more 8-bit steps.
+    /// Fail if the RMS exceeds this number of 8-bit steps.
     #[arg(long, help_heading = "Check options", value_name = "STEPS", value_parser = values::not_negative)]
     pub max_rms: Option<f64>,
-    /// Fail if linear light differs by more, absolute or (above 1) relative.
+    /// Fail if linear light differs by more than this, absolute or (above 1) relative.
     #[arg(long, help_heading = "Check options", value_name = "X", value_parser = values::not_negative)]
     pub max_linear: Option<f64>,
-    /// Fail if a larger share of the pixels differs by more than the tolerance.
+    /// Fail if more than this percentage of the pixels differs by more than the tolerance.
     #[arg(long, help_heading = "Check options", value_name = "PERCENT", value_parser = values::not_negative)]
     pub max_differing: Option<f64>,
-    /// Fail if the SSIM is less.
+    /// Fail if the SSIM is below this.
     #[arg(long, help_heading = "Check options", value_name = "X", value_parser = values::number)]
     pub min_ssim: Option<f64>,
 

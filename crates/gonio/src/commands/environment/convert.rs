@@ -81,7 +81,7 @@ pub struct ConvertArgs {
     pub backend: BackendChoice,
     /// Rotate the environment, in degrees.
     ///
-    /// A positive yaw turns what is ahead to the left, a positive pitch upwards.
+    /// A positive yaw rotates the part ahead to the left, a positive pitch rotates it up.
     #[arg(long, help_heading = "Conversion options", value_name = "YAW,PITCH,ROLL", value_parser = values::angles,
           allow_hyphen_values = true)]
     pub rotate: Option<[f64; 3]>,

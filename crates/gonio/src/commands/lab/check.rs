@@ -50,7 +50,7 @@ pub struct CheckArgs {
     /// Number of submissions in the files, instead of deciding by names and contents.
     #[arg(long, value_name = "NUMBER", default_value = "auto", help_heading = "Check options")]
     pub submissions: Submissions,
-    /// Seconds that a check may take.
+    /// Time limit of a check, in seconds.
     #[arg(long, value_name = "SECONDS", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=86_400),
           help_heading = "Check options")]
     pub patience: u64,
@@ -94,13 +94,13 @@ impl CheckArgs {
 
     /// The options for files about a single submission.
     fn options_of_one(&self) -> impl Iterator<Item = &'static str> {
-        let asked = [
+        let options = [
             ("--page", self.page.is_some()),
             ("--sheet", self.sheet.is_some()),
             ("--gradescope", self.gradescope.is_some()),
             ("--code-runner", self.code_runner.is_some()),
         ];
-        asked.into_iter().filter(|(_, is_asked)| *is_asked).map(|(option, _)| option)
+        options.into_iter().filter(|(_, is_used)| *is_used).map(|(option, _)| option)
     }
 
     /// The request for a worker process, without a page and a sheet.
@@ -116,7 +116,7 @@ impl CheckArgs {
         }
     }
 
-    /// The time that a check may take.
+    /// The time limit of a check.
     pub fn patience(&self) -> Duration {
         Duration::from_secs(self.patience)
     }

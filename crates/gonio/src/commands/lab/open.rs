@@ -44,11 +44,11 @@ pub struct OpenArgs {
 /// Opens the window, and returns when it is closed.
 pub fn run(args: &OpenArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let exercise = exercise(&args.exercise)?;
-    let mut given = Vec::new();
+    let mut files = Vec::new();
     for path in &args.files {
-        given.extend(read(path)?);
+        files.extend(read(path)?);
     }
-    if given.is_empty() && !args.files.is_empty() {
+    if files.is_empty() && !args.files.is_empty() {
         let places: Vec<String> = args.files.iter().map(|path| path.display().to_string()).collect();
         return Err(CliError::new(format!(
             "there are no files in {}; `gonio lab start {} {}` begins the exercise there",
@@ -57,14 +57,14 @@ pub fn run(args: &OpenArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
             places.join(" ")
         )));
     }
-    for file in &given {
+    for file in &files {
         reporter.verbose(format_args!("read `{}`, {} bytes", file.name, file.bytes.len()));
     }
     let window = WindowOptions {
         size: args.size.map(|(width, height)| [width as f32, height as f32]),
         state: args.state.clone(),
         program: std::env::current_exe().ok(),
-        exercise: Some(Start { exercise: exercise.id.clone(), files: given }),
+        exercise: Some(Start { exercise: exercise.id.clone(), files }),
         ..WindowOptions::default()
     };
     desktop::run(window).map_err(CliError::new)?;
@@ -74,7 +74,7 @@ pub fn run(args: &OpenArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
 /// The files of a path: those of a folder by their names in it, those of a zip in memory.
 fn read(path: &Path) -> Result<Vec<ExerciseFile>, CliError> {
     let found = intake::read(std::slice::from_ref(&path.to_owned()))?;
-    let given = |file: gonio_check::submission::SourceFile| {
+    let exercise_file = |file: gonio_check::submission::SourceFile| {
         let place = if path.is_dir() { path.join(&file.name) } else { path.to_owned() };
         let is_itself = place.is_file() && (path.is_dir() || Path::new(&file.name) == path);
         let own = Path::new(&file.name).file_name().map(|name| name.to_string_lossy().into_owned());
@@ -82,5 +82,5 @@ fn read(path: &Path) -> Result<Vec<ExerciseFile>, CliError> {
         let absolute = || std::path::absolute(&place).unwrap_or_else(|_| place.clone());
         ExerciseFile { name, path: is_itself.then(absolute), bytes: file.bytes }
     };
-    Ok(found.into_iter().map(given).collect())
+    Ok(found.into_iter().map(exercise_file).collect())
 }

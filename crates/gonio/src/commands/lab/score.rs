@@ -39,7 +39,7 @@ pub struct ScoreArgs {
     /// Correct answers to look for false alarms in: FOLDER/EX/correct/NAME/.
     #[arg(long, value_name = "FOLDER", help_heading = "Check options")]
     pub corpus: Option<PathBuf>,
-    /// End when the calling process ends, which holds the other end of stdin.
+    /// End when the calling process ends and so closes stdin.
     #[arg(long, hide = true)]
     pub end_with_the_caller: bool,
     #[command(flatten)]

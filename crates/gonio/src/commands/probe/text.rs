@@ -32,7 +32,7 @@ impl<'a> ProbePage<'a> {
             None => {
                 let sky = self.frame.surroundings.is_some_and(|s| s.visible);
                 let behind = if sky { "the environment" } else { "the background" };
-                self.line("object", &format!("none is visible there, only {behind}"));
+                self.line("object", &format!("none, only {behind} is visible"));
             }
             Some(probe) => {
                 self.place(probe);
@@ -173,7 +173,7 @@ impl<'a> ProbePage<'a> {
         match (self.frame.equation.brdf.is_some(), self.frame.equation.convention) {
             (true, _) => "1/pi, from the BRDF",
             (false, Convention::Physical) => "1/pi, physical convention",
-            (false, Convention::Lab) => "lab's convention",
+            (false, Convention::Lab) => "lab convention",
         }
     }
 

@@ -32,7 +32,7 @@ use std::time::Instant;
 #[command(after_long_help = "\
 Examples:
   gonio render model.obj -o model.png
-      Framed, lit and shaded with pleasant defaults. Needs no display.
+      The default camera, lights and shading. Needs no display.
   gonio render model.obj --shading gouraud --specular phong --size 1920x1080 -o gouraud.png
   gonio render model.obj --light \"point position=2,3,4\" --light ambient -o lit.png
       Lights that replace the scene's.
@@ -43,7 +43,7 @@ Examples:
   gonio render scene.toml --views normal,diffuse,specular -o all.exr
       The picture and its terms as layers of one file; with .png, each in a file of its own.
   gonio render model.obj --frames 72 --orbit 360 -o turn.gif
-      A turn around the model. turn.png would write turn-0001.png and so on; --animated writes one animated PNG.
+      A full turn around the model. With turn.png the files are turn-0001.png and so on; --animated writes one animated PNG.
   gonio render model.obj -o - | imv -
       To stdout.
   gonio render model.obj -o model.png --capture model.rdc

@@ -20,12 +20,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-/// Serve the lab as a web page to this machine.
+/// Serve gonio as a web page on this machine.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 Examples:
   gonio serve
-      Prints the address to open in a browser. Ctrl-C ends it.
+      Prints the address to open in a browser; Ctrl-C stops the server.
   gonio serve --port 0
       On any free port.
   gonio serve --from dist
@@ -33,7 +33,7 @@ Examples:
 
 Only programs on this machine can connect (127.0.0.1), and only by the names localhost and 127.0.0.1.")]
 pub struct ServeArgs {
-    /// Port of 127.0.0.1; 0 is any free one.
+    /// Port on 127.0.0.1; 0 chooses a free one.
     #[arg(long, value_name = "N", default_value_t = 8317, help_heading = "Server options")]
     pub port: u16,
     /// Serve the page in this folder (built by `cargo xtask web`) instead of the embedded one.
@@ -48,7 +48,7 @@ pub fn has_embedded_page() -> bool {
     PageFiles::embedded().is_some()
 }
 
-/// More connections than a browser opens, and few enough for any machine.
+/// Limit of simultaneous connections: more than a browser opens, and few enough for any machine.
 const MOST_CONNECTIONS: usize = 64;
 
 /// Serves until the process is ended.
@@ -69,8 +69,7 @@ pub fn run(args: &ServeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
         )),
         _ => CliError::io(format_args!("port {} of 127.0.0.1 cannot be opened", args.port), &error),
     })?;
-    let port =
-        listener.local_addr().map_err(|error| CliError::io("cannot find out the number of the port", &error))?.port();
+    let port = listener.local_addr().map_err(|error| CliError::io("cannot determine the port", &error))?.port();
     let url = format!("http://127.0.0.1:{port}/");
     if reporter.json() {
         reporter.report(&serde_json::json!({ "command": "serve", "url": url, "port": port }))?;
@@ -89,7 +88,7 @@ fn accept(listener: &TcpListener, site: &Arc<Site>, reporter: &Reporter) {
         let stream = match stream {
             Ok(stream) => stream,
             Err(error) => {
-                // The other side has gone, or this process has too many open files, which passes.
+                // The client has gone, or this process has too many open files for the moment.
                 reporter.warning(format_args!("cannot accept a connection: {}", io_reason(&error)));
                 std::thread::sleep(Duration::from_millis(100));
                 continue;
@@ -108,7 +107,7 @@ fn accept(listener: &TcpListener, site: &Arc<Site>, reporter: &Reporter) {
     }
 }
 
-/// Counts an open connection as long as it lives.
+/// Counts an open connection until it is dropped.
 struct OpenConnection(Arc<AtomicUsize>);
 
 impl OpenConnection {
@@ -124,11 +123,11 @@ impl Drop for OpenConnection {
     }
 }
 
-/// Longer heads are rejected; no browser sends them.
+/// Size limit of a request's head; browsers send far less.
 const MOST_HEAD_BYTES: usize = 16 * 1024;
-/// The time a client has to send its request.
+/// Time limit for receiving a request.
 const REQUEST_TIMEOUT: Duration = Duration::from_secs(10);
-/// The time a client may pause while it receives the answer.
+/// Time limit for each write of a response.
 const STALL: Duration = Duration::from_secs(60);
 
 /// Serves one request, or answers that there are too many connections if `crowded`.

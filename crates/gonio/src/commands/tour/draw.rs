@@ -152,7 +152,7 @@ fn draw<'a>(
     })
 }
 
-/// Returns the command that draws a scene again, with the path of the tour as it was given.
+/// Returns the command that draws a scene again, with the tour's path as on the command line.
 fn render_command(args: &TourArgs, folder: &Folder, exhibit: &Exhibit) -> String {
     let quoted = |text: String| if text.contains(char::is_whitespace) { format!("\"{text}\"") } else { text };
     let scene = quoted(folder.scene(&exhibit.name).display().to_string());

@@ -100,7 +100,7 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         capture::prepare(target)?;
     }
     if args.output.is_none() && args.capture.is_none() && args.shown().is_none() && !reporter.json() {
-        return Err(CliError::new("nothing to do; `-o picture.png` writes the picture"));
+        return Err(CliError::new("no output was requested; `-o picture.png` writes the picture"));
     }
     child_process::end_with_the_caller();
     let submitted = match args.files.as_slice() {

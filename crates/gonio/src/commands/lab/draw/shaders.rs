@@ -27,7 +27,7 @@ struct Drawn {
     rgba: Vec<u8>,
     notes: Vec<Note>,
     warnings: Vec<String>,
-    given: Vec<VariableValue>,
+    variables: Vec<VariableValue>,
 }
 
 pub fn run(
@@ -54,16 +54,16 @@ pub fn run(
     }
     super::write_picture(args, size, drawn.rgba)?;
     if reporter.json() {
-        let given = |given: &VariableValue| {
-            let role = given.role.as_ref().map(|(role, _)| role);
-            json!({ "name": given.name, "type": given.glsl_type, "role": role, "value": given.value })
+        let variable = |variable: &VariableValue| {
+            let role = variable.role.as_ref().map(|(role, _)| role);
+            json!({ "name": variable.name, "type": variable.glsl_type, "role": role, "value": variable.value })
         };
         reporter.report(&json!({
             "command": "lab draw",
             "exercise": exercise.id,
             "scene": scene.name,
             "size": size,
-            "bound": drawn.given.iter().map(given).collect::<Vec<_>>(),
+            "bound": drawn.variables.iter().map(variable).collect::<Vec<_>>(),
             "warnings": drawn.notes.iter().map(note_text).chain(drawn.warnings.iter().cloned()).collect::<Vec<_>>(),
         }))?;
     }
@@ -142,11 +142,11 @@ fn draw(
     if let Some(recorder) = recorder {
         recorder.finish(gl)?;
     }
-    let given = bodies.first().map(|(_, situation)| pair.variable_values(situation)).unwrap_or_default();
+    let variables = bodies.first().map(|(_, test_scene)| pair.variable_values(test_scene)).unwrap_or_default();
     let CompiledPair { notes, warnings, .. } = pair;
     // The process ends next, and the system frees it faster.
     std::mem::forget((renderer, canvas, stage, sky, context));
-    Ok(Drawn { rgba, notes, warnings, given })
+    Ok(Drawn { rgba, notes, warnings, variables })
 }
 
 /// The errors of a compiler, one line each.

@@ -120,7 +120,7 @@ fn gather_some(members: &[(Tree, String)]) -> Result<GatheredFiles, CliError> {
     }
 }
 
-/// The name of a path in a submission: that of a file as it was given; none for a folder or an archive, whose files have their
+/// The name of a path in a submission: that of a file as on the command line; none for a folder or an archive, whose files have their
 /// names within it, unless there are several.
 fn root_name(path: &Path, tree: &Tree, count: usize) -> String {
     match tree.is_container() {

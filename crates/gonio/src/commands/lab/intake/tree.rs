@@ -201,7 +201,7 @@ fn folder_entries(folder: &Path) -> Result<Vec<Tree>, String> {
     Ok(names.iter().map(tree).collect())
 }
 
-/// Reads a regular file up to the limit, whatever its size is said to be; also a pipe from the command line.
+/// Reads a regular file up to the limit, whatever size its metadata states; also a pipe from the command line.
 fn read_bounded(path: &Path) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let file = File::open(path).map_err(|error| io_reason(&error))?;
@@ -256,7 +256,7 @@ fn sort(level: &mut [Tree]) {
     }
 }
 
-/// Whether it is what a shell makes of `<(...)`. Opening any other pipe could wait for ever for a writer.
+/// Whether a shell made it for `<(...)`. Opening any other pipe could wait for a writer for ever.
 fn is_open_already(path: &Path) -> bool {
     ["/dev/fd", "/dev/stdin", "/proc/self/fd"].iter().any(|place| path.starts_with(place))
 }
