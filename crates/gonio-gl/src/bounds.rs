@@ -65,7 +65,7 @@ impl Contents {
         known.get()
     }
 
-    /// Whether the indices of a range lie in the buffer and are all less than `end`.
+    /// Whether the indices of a range are in the buffer and all less than `end`.
     fn has_indices_below(&self, first: u64, count: u64, index_bytes: usize, end: u64) -> bool {
         let last = first.saturating_add(count.saturating_mul(index_bytes as u64));
         if last > self.bytes {
@@ -154,8 +154,8 @@ pub struct CheckedDraw {
 }
 
 impl CheckedDraw {
-    /// Checks a draw; `None` if it reads beyond a buffer. `array` is the vertex array that is bound, `limits` those of its enabled
-    /// arrays, and `indices` the contents of its index buffer.
+    /// Checks a draw; `None` if it reads beyond a buffer. `array` is the vertex array that is bound, `limits` those of its
+    /// enabled arrays, and `indices` the contents of its index buffer.
     pub fn new(
         call: DrawCall,
         array: Option<glow::VertexArray>,

@@ -12,8 +12,8 @@
 //! length first. Where the number of results depends on an argument (`glGet...`), or where OpenGL reads as much as other
 //! state says (texels, attributes, draws), the call is not in this table but in `functions.rs`, with a check.
 //!
-//! What remains is a context that is current. [`crate::Gl`] is not `Send`; whoever makes one promises the context: glow's
-//! own constructors, which are unsafe, or `headless`.
+//! The remaining condition is a current context. [`crate::Gl`] is not `Send`; its constructors get a context from glow's
+//! constructors, which are unsafe, or from `headless`, and both guarantee it.
 
 macro_rules! call_table {
     ($define:ident) => {

@@ -74,7 +74,7 @@ macro_rules! objects {
                     });
                 }
 
-                /// Gives an object another id in records.
+                /// Changes the id of an object in records.
                 pub fn $renumber(&self, handle: glow::$Handle, id: u32) {
                     self.with_state(|state| {
                         if let Some(object) = state.$table.get_mut(&$key(handle)) {
@@ -173,7 +173,7 @@ impl Gl {
     pub fn buffer_data(&self, target: u32, data: &[u8], usage: u32) {
         let functions = self.functions();
         let (array, buffer) = self.with_state(|state| (state.vertex_array, state.buffer_of(target)));
-        // Whoever else uses the context may have bound others.
+        // Other code that uses the context may have bound others.
         functions.bind_vertex_array(array);
         functions.bind_buffer(target, buffer);
         match self.error_of(|| functions.buffer_data_u8_slice(target, data, usage)) {

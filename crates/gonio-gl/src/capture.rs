@@ -15,8 +15,8 @@ mod platform {
     use renderdoc::{RenderDoc, V112};
     use std::path::{Path, PathBuf};
 
-    /// The environment variable that brings RenderDoc into a program, and what has to be in it, where
-    /// RenderDoc cannot be loaded when the program runs.
+    /// The environment variable that loads RenderDoc into a program, and its value, on systems where a running program
+    /// cannot load it.
     pub const PRELOAD: Option<(&str, &str)> =
         if cfg!(target_os = "linux") { Some(("LD_PRELOAD", "librenderdoc.so")) } else { None };
 
@@ -25,8 +25,7 @@ mod platform {
         RenderDoc::<V112>::new().is_ok()
     }
 
-    /// Loads RenderDoc into this process; an error that says how to install it where there is none. Where
-    /// [`PRELOAD`] is something, this is always an error.
+    /// Loads RenderDoc into this process. The error explains how to install it. Always an error if [`PRELOAD`] is `Some`.
     pub fn load() -> Result<(), GlError> {
         #[cfg(windows)]
         // SAFETY: loading a library runs its initialisers; RenderDoc is made to be loaded into any program.
@@ -38,7 +37,7 @@ mod platform {
         Err(missing())
     }
 
-    /// RenderDoc cannot be loaded, and what to do.
+    /// The error that RenderDoc cannot be loaded, with a remedy.
     pub fn missing() -> GlError {
         GlError::new(if cfg!(windows) {
             "a capture needs RenderDoc, and renderdoc.dll could not be loaded; install RenderDoc and put its folder into PATH"
@@ -54,8 +53,8 @@ mod platform {
     }
 
     impl Capture {
-        /// Takes hold of the loaded RenderDoc; before [`crate::HeadlessContext::new`], so that an error comes
-        /// early. Captures become files in `folder`, under names that RenderDoc chooses.
+        /// Connects to the loaded RenderDoc; call it before [`crate::HeadlessContext::new`], so that an error comes early.
+        /// Captures are written to `folder`, under names that RenderDoc chooses.
         pub fn new(folder: &Path) -> Result<Self, GlError> {
             // The crate would panic over others.
             if folder.to_str().is_none() {
@@ -64,22 +63,20 @@ mod platform {
                     folder.display()
                 )));
             }
-            let mut renderdoc = RenderDoc::<V112>::new().map_err(|why| {
-                GlError::new(format!("RenderDoc does not answer in this process ({why}), so no capture can be taken"))
+            let mut renderdoc = RenderDoc::<V112>::new().map_err(|error| {
+                GlError::new(format!("cannot take a capture: RenderDoc does not respond in this process ({error})"))
             })?;
             renderdoc.set_capture_file_path_template(folder.join("capture"));
             let captures_before = renderdoc.get_num_captures();
             Ok(Capture { renderdoc, captures_before })
         }
 
-        /// Begins the capture: everything that the context does from here on is in it; what its objects hold
-        /// by now is kept as well.
+        /// Begins the capture. It contains everything that the context does from now on, and the current contents of its objects.
         pub fn start(&mut self) {
             self.renderdoc.start_frame_capture(std::ptr::null::<std::ffi::c_void>(), std::ptr::null());
         }
 
-        /// Ends the capture of what this context did and tells which file it is in. Errors of OpenGL are to be
-        /// asked for before: its error flag is clear afterwards.
+        /// Ends the capture and returns its file. Fetch errors of OpenGL before: this clears the error flag.
         pub fn end(&mut self, gl: &Gl) -> Result<PathBuf, GlError> {
             self.renderdoc.end_frame_capture(std::ptr::null::<std::ffi::c_void>(), std::ptr::null());
             // For a preview RenderDoc reads a window's picture, and where there is no window that raises an
@@ -93,13 +90,13 @@ mod platform {
             let count = self.renderdoc.get_num_captures();
             if count <= self.captures_before {
                 return Err(GlError::new(
-                    "RenderDoc wrote no capture: either it has not seen this process's OpenGL context, or its folder is full",
+                    "RenderDoc did not write a capture: it did not intercept the OpenGL context of this process, or the disk is full",
                 ));
             }
             let (path, _) = self
                 .renderdoc
                 .get_capture(count - 1)
-                .ok_or_else(|| GlError::new("RenderDoc does not say where its capture is"))?;
+                .ok_or_else(|| GlError::new("RenderDoc did not report the path of its capture"))?;
             Ok(path)
         }
     }
@@ -110,10 +107,10 @@ mod platform {
     use crate::{Gl, GlError};
     use std::path::{Path, PathBuf};
 
-    /// Nothing can be preloaded; see `capture.rs` for the real one.
+    /// Nothing can be preloaded.
     pub const PRELOAD: Option<(&str, &str)> = None;
 
-    /// Never.
+    /// Always `false`.
     pub fn is_loaded() -> bool {
         false
     }
@@ -125,10 +122,10 @@ mod platform {
 
     /// RenderDoc does not run here.
     pub fn missing() -> GlError {
-        GlError::new("RenderDoc does not run on this system, so no capture can be taken; Linux and Windows have it")
+        GlError::new("cannot take a capture: RenderDoc does not run on this system, only on Linux and Windows")
     }
 
-    /// RenderDoc, which there is not here.
+    /// A capture, which cannot be made on this system.
     pub struct Capture(());
 
     impl Capture {
@@ -137,7 +134,7 @@ mod platform {
             Err(missing())
         }
 
-        /// Nothing: no value of this type can be made.
+        /// Does nothing: no value of this type can be made.
         pub fn start(&mut self) {}
 
         /// Always an error.

@@ -39,11 +39,11 @@ impl DriverInfo {
         let at_least_4_6 = !gl.is_embedded() && gl.version() >= (4, 6);
         #[cfg(not(target_arch = "wasm32"))]
         let samples = [glow::RGBA32F, glow::DEPTH_COMPONENT24].map(|format| gl.functions().get_most_samples(format));
-        // WebGL answers that question with all numbers of samples, which glow wants to fit into the slice. This is
-        // the limit of formats of bytes; a target of floats that has fewer is made with one.
+        // WebGL returns all numbers of samples, and glow requires that they fit into the slice. This is the limit of
+        // 8-bit formats; a float target that has fewer is made with one sample.
         #[cfg(target_arch = "wasm32")]
         let samples = [gl.get_parameter_i32(glow::MAX_SAMPLES)];
-        // Browsers give the renderer's own name only to those who ask for the unmasked one.
+        // Browsers return the actual name only for the unmasked parameter.
         let name = if gl.supports("WEBGL_debug_renderer_info") { UNMASKED_RENDERER_WEBGL } else { glow::RENDERER };
         // Multisampled textures have a limit of their own; OpenGL ES 3.0 has none of them.
         let textures = if gl.is_embedded() { i32::MAX } else { gl.get_parameter_i32(glow::MAX_COLOR_TEXTURE_SAMPLES) };
@@ -81,7 +81,7 @@ impl Dialect {
     pub fn header(self) -> &'static str {
         match self {
             Dialect::Core330 => "#version 330 core\n",
-            // Some drivers take mediump at its word (16 bits), with visible errors.
+            // Some drivers use 16 bits for mediump, with visible errors.
             Dialect::Es300 => {
                 "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
             }

@@ -15,7 +15,7 @@ pub const FRAGMENT_SHADER_INVOCATIONS: u32 = 0x82F4;
 /// The functions of a context that is current on this thread.
 pub struct Functions {
     pub(super) context: Arc<glow::Context>,
-    /// An error of ours, for calls that were not passed on to OpenGL; `GL_NO_ERROR` where there is none.
+    /// The error of a call that was not passed on to OpenGL; `GL_NO_ERROR` if there is none.
     pending: Cell<u32>,
 }
 
@@ -56,7 +56,7 @@ impl Functions {
         }
     }
 
-    /// Fetches and clears an error: ours first, then OpenGL's.
+    /// Fetches and clears an error, that of a call that was not passed on first.
     #[inline]
     pub fn get_error(&self) -> u32 {
         match self.pending.replace(glow::NO_ERROR) {
@@ -80,8 +80,8 @@ macro_rules! define_functions {
             $(
                 #[inline]
                 pub fn $name(&self, $($argument: $Type),*) $(-> $Result)? {
-                    // SAFETY: the head of `call_table.rs` says why for all of them: wrong arguments raise an error, and no
-                    // memory but that of strings, slices and results is touched.
+                    // SAFETY: wrong arguments raise an error, and no memory except that of strings, slices and results is
+                    // accessed; `call_table.rs` explains why.
                     unsafe { self.context.$name($($argument),*) }
                 }
             )*
@@ -123,11 +123,11 @@ impl<'a> Texels<'a> {
     /// Whether there are enough for a size.
     fn suffice(&self, size: [i32; 3]) -> bool {
         let Some(bytes) = self.bytes else { return true };
-        bytes_of_texels(size, self.format, self.kind).is_some_and(|wanted| wanted <= bytes.len())
+        bytes_of_texels(size, self.format, self.kind).is_some_and(|needed| needed <= bytes.len())
     }
 }
 
-/// Bytes of a block of texels without gaps; 0 for negative sizes, which OpenGL refuses; `None` for formats not known here.
+/// Bytes of a block of texels without gaps; 0 for negative sizes, which OpenGL refuses; `None` for unsupported formats.
 fn bytes_of_texels(size: [i32; 3], format: u32, kind: u32) -> Option<usize> {
     let channels = match format {
         glow::RED => 1,
@@ -190,7 +190,7 @@ const TEXTURE_PARAMETERS: &[u32] = &[
     glow::TEXTURE_WRAP_S,
     glow::TEXTURE_WRAP_T,
 ];
-/// The most numbers that a uniform which is no array has: a `mat4`'s.
+/// Most numbers of a uniform that is not an array: those of a `mat4`.
 const MOST_NUMBERS: usize = 16;
 
 impl Functions {
@@ -201,7 +201,7 @@ impl Functions {
         unsafe { self.context.get_error() }
     }
 
-    /// Fills an image of the bound texture from texels, which may be more than it takes. Too few are refused.
+    /// Fills an image of the bound texture. Too few texels are refused; extra ones are ignored.
     pub fn tex_image_2d(&self, target: u32, level: i32, format: i32, size: [i32; 2], texels: Texels<'_>) {
         let [width, height] = size;
         if !texels.suffice([width, height, 1]) {
@@ -209,7 +209,7 @@ impl Functions {
         }
         self.unpack_without_gaps();
         let data = PixelUnpackData::Slice(texels.bytes);
-        // SAFETY: OpenGL reads width * height texels of this format, without gaps and from the slice: as many are there.
+        // SAFETY: OpenGL reads width * height texels of this format without gaps, and the slice has as many.
         unsafe {
             self.context.tex_image_2d(target, level, format, width, height, 0, texels.format, texels.kind, data);
         }
@@ -273,7 +273,7 @@ impl Functions {
     }
 
     /// Describes an attribute of the bound vertex array, which reads `buffer`. The buffer becomes the array buffer. An offset
-    /// without a buffer, which old OpenGL took for an address, is refused.
+    /// without a buffer, which old versions of OpenGL treated as an address, is refused.
     pub fn vertex_attrib_pointer_f32(&self, index: u32, buffer: Option<glow::Buffer>, layout: AttributeLayout) -> bool {
         let AttributeLayout { components, component_type, normalized, stride, offset } = layout;
         if offset < 0 || (buffer.is_none() && offset != 0) {
@@ -281,8 +281,8 @@ impl Functions {
             return false;
         }
         self.bind_buffer(glow::ARRAY_BUFFER, buffer);
-        // SAFETY: with a buffer the offset is one within it, and what reaches beyond it is found before a draw reads it
-        // (`bounds.rs`). Without one, it is the null pointer, and draws that would read it are refused there as well.
+        // SAFETY: with a buffer the offset is within it, and `bounds.rs` refuses draws that would read beyond it. Without one
+        // it is the null pointer, and draws that would read it are refused as well.
         unsafe {
             self.context.vertex_attrib_pointer_f32(index, components, component_type, normalized, stride, offset);
         }
@@ -293,12 +293,12 @@ impl Functions {
     #[inline]
     pub fn draw(&self, draw: &CheckedDraw) {
         let (call, array) = draw.parts();
-        // Whoever else uses the context may have bound another one. (A browser checks draws by itself.)
+        // Other code that uses the context may have bound another one. (A browser checks draws itself.)
         if !cfg!(target_arch = "wasm32") {
             self.bind_vertex_array(array);
         }
-        // SAFETY: the vertex array that is bound is the one that the draw was checked with: all that it reads lies within
-        // its buffers. Only `bounds.rs` makes such a draw.
+        // SAFETY: the draw was checked with the vertex array that is bound: all that it reads is within the buffers. Only
+        // `bounds.rs` makes such a draw.
         unsafe {
             match (call.index_type, call.instances) {
                 (None, 1) => self.context.draw_arrays(call.mode, call.first, call.count),
@@ -311,7 +311,7 @@ impl Functions {
         }
     }
 
-    /// A number of the context, one of the list above; 0 and an error for any other, of which OpenGL may write several.
+    /// A number of the context, one of [`INTEGERS`]; 0 and an error for others, of which OpenGL may write several.
     pub fn get_parameter_i32(&self, parameter: u32) -> i32 {
         if !INTEGERS.contains(&parameter) {
             self.raise(glow::INVALID_ENUM);
@@ -369,7 +369,7 @@ impl Functions {
         unsafe { self.context.get_parameter_bool_array(glow::COLOR_WRITEMASK) }
     }
 
-    /// A number of the bound texture, one of the list above; 0 and an error for any other.
+    /// A number of the bound texture, one of [`TEXTURE_PARAMETERS`]; 0 and an error for others.
     pub fn get_tex_parameter_i32(&self, target: u32, parameter: u32) -> i32 {
         if !TEXTURE_PARAMETERS.contains(&parameter) {
             self.raise(glow::INVALID_ENUM);
@@ -394,7 +394,7 @@ impl Functions {
     #[cfg(not(target_arch = "wasm32"))]
     pub fn get_most_samples(&self, format: u32) -> i32 {
         let mut most = [1];
-        // SAFETY: OpenGL is told how long the slice is.
+        // SAFETY: the length of the slice is passed to OpenGL.
         unsafe { self.context.get_internal_format_i32_slice(glow::RENDERBUFFER, format, glow::SAMPLES, &mut most) };
         most[0]
     }
@@ -428,9 +428,9 @@ impl Functions {
     }
 }
 
-/// Room for the numbers of any uniform; in a browser exactly as many as are asked for, because glow panics otherwise.
-fn room_for<T>(room: &mut [T; MOST_NUMBERS], asked: usize) -> Option<&mut [T]> {
-    if cfg!(target_arch = "wasm32") { room.get_mut(..asked) } else { (asked <= MOST_NUMBERS).then_some(&mut room[..]) }
+/// Room for the numbers of any uniform; in a browser exactly `count`, because glow panics otherwise.
+fn room_for<T>(room: &mut [T; MOST_NUMBERS], count: usize) -> Option<&mut [T]> {
+    if cfg!(target_arch = "wasm32") { room.get_mut(..count) } else { (count <= MOST_NUMBERS).then_some(&mut room[..]) }
 }
 
 /// The layout of an attribute in its buffer.
@@ -459,7 +459,7 @@ mod tests {
         assert!(!Texels::f32(glow::RGBA, &rgba).suffice([3, 3, 1]));
         assert!(Texels::f32(glow::RG, &rgba).suffice([3, 2, 2]));
         assert!(!Texels::u8(glow::RGB, &[0; 11]).suffice([2, 2, 1]));
-        assert!(!Texels::f16(0x1234, &[0; 64]).suffice([1, 1, 1]), "a format that is not known");
+        assert!(!Texels::f16(0x1234, &[0; 64]).suffice([1, 1, 1]), "an unknown format");
         assert!(!Texels::u8(glow::RGBA, &[0; 64]).suffice([i32::MAX, i32::MAX, i32::MAX]), "no overflow");
         assert!(Texels::u8(glow::RGBA, &[]).suffice([-1, 5, 1]), "OpenGL refuses negative sizes");
     }

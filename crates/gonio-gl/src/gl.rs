@@ -1,4 +1,4 @@
-//! The OpenGL of a context, what must live as long as it is called, and its errors.
+//! OpenGL of a context, the objects that must outlive its calls, and errors.
 
 use crate::Dialect;
 use crate::functions::Functions;
@@ -11,7 +11,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 /// The OpenGL of a context that is current on this thread. Cheap to clone; not `Send`, as a context is current on one
-/// thread only. Make one for a context and clone it: clones know together what exists and what is bound (see
+/// thread only. Make one for a context and clone it: clones share the record of objects and bindings (see
 /// [`crate::trace`]).
 ///
 /// Its methods are OpenGL's functions, named as in glow. They are safe: wrong arguments raise an error that
@@ -31,7 +31,7 @@ struct Tracker {
     state: RefCell<State>,
     /// While a recording runs.
     recorder: RefCell<Option<Box<Recorder>>>,
-    /// Whether each call is followed by `glGetError`, so that what OpenGL refuses is not noted.
+    /// Whether each call is followed by `glGetError`, so that refused calls are not noted.
     asks_for_errors: bool,
 }
 
@@ -48,9 +48,9 @@ impl Gl {
         Gl { _context: Some(Rc::new(context)), ..Gl::of_window(functions) }
     }
 
-    /// Returns a separate `Gl` of the same context, for calls that may be wrong. It asks OpenGL for an error after each call,
-    /// and leaves out of records what OpenGL refused. It knows no object of the other `Gl`s, and they know none of its; the
-    /// caller restores bindings through the original when done.
+    /// Returns a separate `Gl` of the same context, for calls that may be wrong. It checks for an error after each call,
+    /// and records only calls that succeeded. It does not share objects with the other `Gl`s; the caller restores bindings
+    /// through the original when done.
     pub fn apart(&self) -> Gl {
         let tracker = Tracker { asks_for_errors: true, ..Tracker::default() };
         Gl { functions: self.functions.clone(), tracker: Rc::new(tracker), _context: self._context.clone() }
@@ -82,19 +82,19 @@ impl Gl {
         self.functions.get_error()
     }
 
-    /// The functions, past the notes.
+    /// The functions, without taking notes.
     #[inline]
     pub(crate) fn functions(&self) -> &Functions {
         &self.functions
     }
 
-    /// Reads or changes what is known of the context. Not from within itself.
+    /// Reads or changes the tracked state. Calls must not be nested.
     #[inline]
     pub(crate) fn with_state<T>(&self, f: impl FnOnce(&mut State) -> T) -> T {
         f(&mut self.tracker.state.borrow_mut())
     }
 
-    /// Notes a call that was made, if OpenGL took it.
+    /// Notes a call that was made, if OpenGL accepted it.
     #[inline]
     pub(crate) fn note(&self, f: impl FnOnce(&mut State)) {
         if self.is_noted() {
@@ -102,7 +102,7 @@ impl Gl {
         }
     }
 
-    /// Whether the call before is to be noted: a [`Gl`] that is apart leaves out what OpenGL refused. The error is kept for
+    /// Whether to note the previous call: a [`Gl`] that is apart leaves out refused calls. The error is kept for
     /// [`Gl::get_error`].
     #[inline]
     pub(crate) fn is_noted(&self) -> bool {
@@ -118,7 +118,7 @@ impl Gl {
         }
     }
 
-    /// Does something with the recorder, where a recording runs.
+    /// Calls `f` with the recorder if a recording is running.
     #[inline]
     pub(crate) fn recorded(&self, f: impl FnOnce(&mut Recorder, &mut State, &Functions)) {
         if let Some(recorder) = self.tracker.recorder.borrow_mut().as_deref_mut() {
@@ -136,13 +136,13 @@ impl Gl {
 /// An error of OpenGL or of a driver.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GlError {
-    /// What went wrong and where, and what to do about it: one sentence. After it, a driver's log may follow.
+    /// One sentence: the error, its place, and a remedy. A driver's log may follow.
     pub message: String,
-    /// What would help besides, in a program that offers it.
+    /// A remedy that some programs offer as an option.
     pub remedy: Option<Remedy>,
 }
 
-/// What a program can do about an error, if it has an option for it.
+/// A remedy for an error, in programs that have an option for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remedy {
     /// Drawing on the CPU, which needs no OpenGL.
@@ -152,7 +152,7 @@ pub enum Remedy {
 }
 
 impl GlError {
-    /// An error with this sentence.
+    /// Creates an error without a remedy.
     pub fn new(message: impl Into<String>) -> Self {
         GlError { message: message.into(), remedy: None }
     }

@@ -1,8 +1,8 @@
 //! OpenGL: contexts, calls, objects that free themselves, records of frames.
 //!
-//! [`Gl`] is the only way to OpenGL: it knows what exists and what is bound, so that [`trace`] can record a frame with
-//! all that its draws read. Contexts come from a window, from a web page, or from [`HeadlessContext`]. OpenGL 3.3 core
-//! and OpenGL ES 3 / WebGL2 are spoken alike. Nothing here knows scenes, meshes or lights.
+//! All calls go through [`Gl`], which tracks objects and bindings, so that [`trace`] can record a frame with everything that
+//! its draws read. Contexts come from a window, from a web page, or from [`HeadlessContext`]. OpenGL 3.3 core, OpenGL ES 3 and
+//! WebGL2 are supported. This crate does not depend on scenes, meshes or lights.
 
 mod bounds;
 mod call_table;

@@ -49,7 +49,7 @@ macro_rules! object {
             /// Creates an object that is not bound.
             pub fn create(gl: &Gl) -> Result<Self, GlError> {
                 let handle = gl.$create()
-                    .map_err(|why| GlError::new(format!(concat!("OpenGL gave no ", stringify!($Object), ": {}"), why)))?;
+                    .map_err(|error| GlError::new(format!(concat!("OpenGL did not create a ", stringify!($Object), ": {}"), error)))?;
                 Ok($Object { gl: gl.clone(), handle })
             }
 

@@ -1,4 +1,4 @@
-//! The OpenGL state of a window's toolkit, restored after a frame of ours.
+//! The OpenGL state of a window's toolkit, restored after gonio has drawn.
 
 use crate::Gl;
 
@@ -10,12 +10,12 @@ const BLENDING: [u32; 4] = [glow::BLEND_SRC_RGB, glow::BLEND_DST_RGB, glow::BLEN
 
 /// The state at a moment, put back when it is dropped.
 ///
-/// egui's painter sets most of it anew before it draws (viewport, scissor, blending, culling, depth test, colour mask,
-/// program, vertex array, unit 0) and relies on the rest being what it was: the framebuffer, the depth mask and function.
-/// Samplers and the stencil's state are never touched here; how pixels lie in memory is, which everybody sets who needs it.
+/// egui's painter sets most of it anew before it draws (viewport, scissor, blending, culling, depth test, colour mask, program,
+/// vertex array, unit 0) and relies on the rest being what it was: the framebuffer, the depth mask and function. gonio never
+/// changes samplers and the stencil's state. It changes the layout of pixels in memory, which all code sets before use.
 ///
-/// On the web nothing is asked for: an unbound framebuffer cannot be, and other questions wait for the GPU's process.
-/// There the state becomes that of a new context, which is what egui's painter starts from; no framebuffer is bound.
+/// On the web nothing is queried: an unbound framebuffer cannot be, and other queries wait for the GPU's process. There the state
+/// becomes that of a new context, which egui's painter expects; no framebuffer is bound.
 pub struct SavedState<'a> {
     gl: &'a Gl,
     saved: Option<Saved>,
@@ -33,8 +33,8 @@ struct Saved {
 }
 
 impl<'a> SavedState<'a> {
-    /// Saves the state as it is now. Stencil tests end, which nothing of ours uses; no vertex array, buffer and program is
-    /// bound, whatever the toolkit left behind.
+    /// Saves the current state. The stencil test, which gonio does not use, is switched off, and the toolkit's vertex array,
+    /// buffer and program are unbound.
     pub fn save(gl: &'a Gl) -> Self {
         let saved = if cfg!(target_arch = "wasm32") { None } else { Some(Saved::now(gl)) };
         gl.bind_vertex_array(None);

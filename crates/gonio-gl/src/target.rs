@@ -97,7 +97,7 @@ fn texture_target(
     Ok((framebuffer, texture))
 }
 
-/// Gives the bound texture memory.
+/// Allocates memory for the bound texture.
 fn storage(gl: &Gl, format: u32, (transfer, kind): (u32, u32), size: [i32; 2]) {
     gl.tex_image_2d(glow::TEXTURE_2D, 0, format, size, Texels::none(transfer, kind));
 }
@@ -235,7 +235,7 @@ impl OutputTarget {
         Ok(OutputTarget { framebuffer, texture, depth: None, size })
     }
 
-    /// RGBA8 whose texture somebody else shows, pixel for pixel. Leaves no framebuffer bound.
+    /// An RGBA8 target whose texture other code shows, pixel for pixel. Leaves no framebuffer bound.
     pub fn to_be_shown(gl: &Gl, size: [i32; 2]) -> Result<Self, GlError> {
         let target = Self::new(gl, size, false)?;
         gl.bind_texture(glow::TEXTURE_2D, None);
@@ -243,7 +243,7 @@ impl OutputTarget {
         Ok(target)
     }
 
-    /// Gives an 8-bit target another size; its texture keeps its name.
+    /// Changes the size of an 8-bit target; its texture keeps its name.
     pub fn resize(&mut self, gl: &Gl, size: [i32; 2]) -> Result<(), GlError> {
         if size == self.size {
             return Ok(());

@@ -169,7 +169,7 @@ impl Egl {
     /// Makes a context current without any surface; destroys it where that fails.
     fn make_current(&self, display: types::EGLDisplay, context: types::EGLContext) -> bool {
         let egl = &self.functions;
-        // SAFETY: the context is this display's, and nobody else's yet.
+        // SAFETY: the context is this display's, and no other code has it yet.
         unsafe {
             let made = egl.MakeCurrent(display, egl::NO_SURFACE, egl::NO_SURFACE, context) == egl::TRUE;
             if !made {
@@ -182,7 +182,7 @@ impl Egl {
 
 /// The address of a library's function; null where it has none of that name.
 fn symbol(library: &Library, name: &str) -> *const c_void {
-    // SAFETY: only the address is taken; whoever calls it knows its type.
+    // SAFETY: only the address is taken; the caller knows its type.
     unsafe { library.get::<*const c_void>(name.as_bytes()) }.map_or(ptr::null(), |symbol| *symbol)
 }
 
@@ -215,12 +215,12 @@ fn open_display(egl: &Egl) -> Result<types::EGLDisplay, GlError> {
         Err(error) if error != egl::SUCCESS => last_error = error,
         Err(_) => {}
     }
-    let why = match last_error {
+    let reason = match last_error {
         egl::NOT_INITIALIZED => "a driver was not found or did not start",
-        egl::BAD_PARAMETER => "EGL knows no vendor's driver",
+        egl::BAD_PARAMETER => "EGL did not find the driver of any vendor",
         _ => "no display could be opened",
     };
-    Err(GlError::new(format!("no OpenGL: {why}; on Debian: {PACKAGES}")))
+    Err(GlError::new(format!("no OpenGL: {reason}; on Debian: {PACKAGES}")))
 }
 
 fn create_context(

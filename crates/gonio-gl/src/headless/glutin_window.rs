@@ -25,8 +25,9 @@ pub struct HeadlessPlatform {
 
 impl HeadlessPlatform {
     pub fn new(options: &HeadlessOptions) -> Result<Self, GlError> {
-        let failed = |what: &str, why: &dyn std::fmt::Display| GlError::new(format!("no OpenGL: {what} ({why})"));
-        let event_loop = EventLoop::new().map_err(|e| failed("no connection to the desktop", &e))?;
+        let failed =
+            |problem: &str, error: &dyn std::fmt::Display| GlError::new(format!("no OpenGL: {problem} ({error})"));
+        let event_loop = EventLoop::new().map_err(|e| failed("cannot connect to the desktop", &e))?;
         let attributes: WindowAttributes = Window::default_attributes().with_visible(false).with_title("gonio");
         let (window, config) = DisplayBuilder::new()
             .with_window_attributes(Some(attributes))
@@ -34,8 +35,8 @@ impl HeadlessPlatform {
                 // The builder's contract: the iterator is never empty.
                 configs.next().expect("glutin offers at least one configuration")
             })
-            .map_err(|e| failed("no hidden window", &e))?;
-        let window = window.ok_or_else(|| GlError::new("no OpenGL: the desktop gave no window"))?;
+            .map_err(|e| failed("cannot create a hidden window", &e))?;
+        let window = window.ok_or_else(|| GlError::new("no OpenGL: the desktop did not create a window"))?;
         let handle = window.window_handle().map_err(|e| failed("the window has no handle", &e))?.as_raw();
         let attributes = ContextAttributesBuilder::new()
             .with_profile(GlProfile::Core)

@@ -44,12 +44,12 @@ impl HeadlessContext {
         let platform = HeadlessPlatform::new(options)?;
         let gl = Gl::keeping_alive(Arc::new(platform.functions()), platform);
         let (major, minor) = gl.version();
-        let wanted = if options.es { (3, 0) } else { MINIMUM_VERSION };
-        if (major, minor) < wanted {
+        let required = if options.es { (3, 0) } else { MINIMUM_VERSION };
+        if (major, minor) < required {
             return Err(GlError::new(format!(
                 "the driver offers OpenGL {major}.{minor}, but gonio needs at least {}.{}; install a newer driver, or \
                  Mesa's software driver",
-                wanted.0, wanted.1
+                required.0, required.1
             ))
             .with_remedy(Remedy::CpuRenderer));
         }

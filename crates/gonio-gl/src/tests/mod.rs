@@ -41,7 +41,7 @@ pub struct Lab {
 }
 
 impl Lab {
-    /// Draws into a small picture; records from now on.
+    /// Creates a context with a small picture, and starts recording.
     pub fn new(es: bool) -> Lab {
         let context = context(es);
         let gl = context.gl().clone();
@@ -91,7 +91,7 @@ impl Lab {
         self.texels(unit, name, glow::TEXTURE_2D)
     }
 
-    /// A cubemap likewise.
+    /// The same as a cubemap.
     pub fn cube(&mut self, unit: u32, name: &str) -> u32 {
         self.texels(unit, name, glow::TEXTURE_CUBE_MAP)
     }
@@ -145,12 +145,12 @@ impl Lab {
         self.draw_vertices(3);
     }
 
-    /// Draws so many.
+    /// Draws this many vertices.
     pub fn draw_vertices(&self, count: i32) {
         self.gl.draw_arrays(glow::TRIANGLES, 0, count);
     }
 
-    /// What was recorded, and what is wrong with it.
+    /// The record and its findings.
     pub fn finish(mut self) -> (FrameRecord, Vec<Finding>) {
         let recording = self.recording.take().unwrap_or_else(|| panic!("it records"));
         let record = recording.finish();
@@ -164,13 +164,13 @@ impl Lab {
     }
 }
 
-/// Exactly this rule, once, in so many draws.
+/// Returns the only finding, and asserts its rule and the number of draws.
 pub fn only(findings: &[Finding], rule: Rule, draws: usize) -> &Finding {
     assert_eq!(findings.iter().map(|f| (f.rule, f.draws)).collect::<Vec<_>>(), [(rule, draws)], "{findings:#?}");
     &findings[0]
 }
 
-/// In OpenGL and in OpenGL ES.
+/// Runs a test in OpenGL and in OpenGL ES.
 pub fn both(test: impl Fn(Lab)) {
     for es in [false, true] {
         test(Lab::new(es));

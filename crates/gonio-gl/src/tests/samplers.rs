@@ -11,7 +11,7 @@ const BOTH_KINDS: &str = "uniform sampler2D picture;\nuniform samplerCube around
     void main() { c = texture(picture, vec2(0.5)) + texture(around, vec3(1.0)); }\n";
 
 #[test]
-fn a_right_sequence_has_no_finding_and_says_what_was_read() {
+fn a_correct_sequence_has_no_finding_and_lists_its_samplers() {
     both(|mut lab| {
         let [red, other] = [lab.texture(0, "red"), lab.texture(3, "other")];
         lab.program(CORNERS, TWO);
@@ -36,7 +36,7 @@ fn a_right_sequence_has_no_finding_and_says_what_was_read() {
 #[test]
 fn a_texture_s_name_for_a_unit() {
     both(|mut lab| {
-        // Names are given in order; this one is no unit with a texture.
+        // Names are assigned in order; the unit of this number has no texture.
         lab.texture(0, "white");
         let stone = lab.texture(1, "stone");
         lab.program(CORNERS, ONE);
@@ -102,7 +102,7 @@ fn two_types_on_one_unit() {
         let (record, findings) = lab.finish();
         let finding = only(&findings, Rule::TwoSamplerTypes, 1);
         assert!(finding.message.contains("`around` (samplerCube) both read unit 2"), "{}", finding.message);
-        // OpenGL itself refuses, which is no finding of its own.
+        // OpenGL itself reports the error, so there is no separate finding.
         assert_eq!(record.draws[0].errors, ["INVALID_OPERATION"]);
     });
 }

@@ -14,7 +14,7 @@ fn lit(lab: &mut Lab, model: Mat4, normal: Mat3) {
 }
 
 #[test]
-fn a_right_sequence_has_no_finding_and_says_what_fed_it() {
+fn a_correct_sequence_has_no_finding_and_lists_its_attributes() {
     both(|mut lab| {
         let scale = Mat4::from_scale(Vec3::new(1.0, 2.0, 4.0));
         lit(&mut lab, scale, Mat3::from_mat4(scale).inverse().transpose());
@@ -102,7 +102,7 @@ fn an_attribute_without_an_array() {
         assert!(finding.message.contains("`normal` (location 1) has no array"), "{}", finding.message);
     });
     both(|mut lab| {
-        // One normal for all vertices may well be meant, where somebody has set it.
+        // One normal for all vertices is intended if it was set.
         lit(&mut lab, Mat4::IDENTITY, Mat3::IDENTITY);
         let _buffer = lab.vertices([24, 24]);
         lab.gl().disable_vertex_attrib_array(1);
@@ -159,7 +159,7 @@ fn an_error_of_opengl_that_nothing_else_explains() {
     both(|mut lab| {
         lab.program(CORNERS, COLOR);
         lab.used().set_vec4("color", [1.0; 4]);
-        // A vec4 is no mat4.
+        // A vec4 is not a mat4.
         lab.used().set_mat4("color", &Mat4::IDENTITY);
         lab.draw();
         let (record, findings) = lab.finish();

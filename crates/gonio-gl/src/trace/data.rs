@@ -1,14 +1,14 @@
 //! The record of a frame as plain data: passes, draws, programs, textures. No OpenGL.
 //!
-//! Objects are named by **id**: OpenGL's own name of the object, the small number that `glGen…` gave. WebGL shows no such
-//! numbers; there they are counted in the order of creation, as drivers do it.
+//! Objects are named by **id**: the number that `glGen…` returned. WebGL does not reveal these numbers; there objects are counted
+//! in the order of creation, as drivers do.
 
 use serde::Serialize;
 
 /// Most draw calls that a record lists; more are counted. A model of transparent triangles may have one draw for each.
 pub const MOST_DRAWS: usize = 2000;
 
-/// All that happened while a recording ran, in order.
+/// Everything that happened during a recording, in order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct FrameRecord {
     /// The number of texture units of the driver, over all stages.
@@ -19,7 +19,7 @@ pub struct FrameRecord {
     pub draws: Vec<DrawRecord>,
     /// Programs that drew, in order of their first draw.
     pub programs: Vec<ProgramRecord>,
-    /// Every texture that there is, by id: also those that no draw reads.
+    /// All textures by id, including those that no draw reads.
     pub textures: Vec<TextureRecord>,
     /// Draw calls beyond the most that are kept ([`MOST_DRAWS`]).
     pub draws_left_out: usize,
@@ -63,11 +63,11 @@ pub struct TargetRecord {
     pub id: u32,
     /// Its label.
     pub name: String,
-    /// Pixels; 0 where it is not known, as of a window.
+    /// Pixels; 0 if unknown, as for a window.
     pub width: u32,
     /// Pixels.
     pub height: u32,
-    /// Per pixel, at least 1.
+    /// Samples per pixel, at least 1.
     pub samples: u32,
     /// The format of its first colour, as OpenGL names it.
     pub format: Option<String>,
@@ -80,7 +80,7 @@ pub struct TargetRecord {
 pub struct AttachmentRecord {
     /// `color 0`, `depth`, ...
     pub point: String,
-    /// `None` where it is a renderbuffer.
+    /// The texture's id; `None` for a renderbuffer.
     pub texture: Option<u32>,
     /// The level of the texture.
     pub level: u32,
@@ -93,13 +93,13 @@ pub struct AttachmentRecord {
 /// `glClear`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ClearRecord {
-    /// To which colour.
+    /// The colour, if colours are cleared.
     pub color: Option<[f32; 4]>,
-    /// To which depth.
+    /// The depth, if depths are cleared.
     pub depth: Option<f32>,
 }
 
-/// One draw call, with all that it read.
+/// One draw call, with everything that it read.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DrawRecord {
     /// Its place among all draws of the record.
@@ -120,7 +120,7 @@ pub struct DrawRecord {
     pub first: u32,
     /// Whether vertices come through an index buffer.
     pub indexed: bool,
-    /// The highest vertex that is read; `None` where it is not known, or none is.
+    /// The highest vertex that is read; `None` if it is unknown or no vertex is read.
     pub highest_vertex: Option<u32>,
     /// The number of instances.
     pub instances: u32,
@@ -136,16 +136,16 @@ pub struct DrawRecord {
     pub samplers: Vec<SamplerRecord>,
     /// The attributes of the vertex shader.
     pub attributes: Vec<AttributeRecord>,
-    /// Textures that are bound, to whichever unit.
+    /// All textures that are bound to units.
     pub units: Vec<BindingRecord>,
-    /// Textures that were bound between the draw before and this one.
+    /// Textures that were bound between the previous draw and this one.
     pub bound: Vec<BindingRecord>,
-    /// Errors that OpenGL reported since the draw before, or at this one, for example `INVALID_OPERATION`.
+    /// Errors that OpenGL reported since the previous draw or at this one, for example `INVALID_OPERATION`.
     pub errors: Vec<String>,
 }
 
 impl DrawRecord {
-    /// For people: the object, its part and its material; else the innermost debug group; else `draw 3`.
+    /// The title in reports: object, part and material, or the innermost debug group, or `draw 3`.
     pub fn title(&self) -> String {
         match (&self.subject, self.groups.last()) {
             (Some(subject), _) => subject.to_string(),
@@ -214,7 +214,7 @@ pub struct ProgramRecord {
     pub id: u32,
     /// Its label.
     pub name: String,
-    /// GLSL; empty where it was compiled before the recording and nobody knows it any more.
+    /// GLSL of the vertex shader; empty if it was compiled before the recording and is no longer known.
     pub vertex_source: String,
     /// GLSL of the fragment shader.
     pub fragment_source: String,
@@ -227,7 +227,7 @@ pub struct ProgramRecord {
 /// An active attribute.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AttributeDeclaration {
-    /// In GLSL.
+    /// Its name in GLSL.
     pub name: String,
     /// Its GLSL type.
     pub glsl_type: String,
@@ -238,20 +238,20 @@ pub struct AttributeDeclaration {
 /// An active uniform.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct UniformDeclaration {
-    /// In GLSL, without `[0]`.
+    /// Its name in GLSL, without `[0]`.
     pub name: String,
     /// Its GLSL type.
     pub glsl_type: String,
-    /// OpenGL's number of it; `None` on the web, which has none, and for members of blocks.
+    /// Its location; `None` on the web, where locations are not numbers, and for members of blocks.
     pub location: Option<u32>,
-    /// Elements; 1 where it is no array.
+    /// Number of elements; 1 if it is not an array.
     pub array_size: u32,
 }
 
 /// A uniform at a draw.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct UniformValue {
-    /// In GLSL, without `[0]`.
+    /// Its name in GLSL, without `[0]`.
     pub name: String,
     /// Its GLSL type, of one element.
     pub glsl_type: String,
@@ -286,12 +286,12 @@ impl UniformNumbers {
         }
     }
 
-    /// Whether there are none: the value could not be read.
+    /// Whether there are no values, because they could not be read.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Whether all are 0 or false: what OpenGL gives a uniform that was never set.
+    /// Whether all are 0 or false, the initial value of a uniform.
     pub fn is_zero(&self) -> bool {
         match self {
             UniformNumbers::Float(v) => v.iter().all(|v| *v == 0.0),
@@ -310,7 +310,7 @@ impl UniformNumbers {
 /// A sampler at a draw: sampler, unit, texture.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SamplerRecord {
-    /// In GLSL; an element of an array as `name[1]`.
+    /// Its name in GLSL; `name[1]` for an element of an array.
     pub name: String,
     /// Its GLSL type, for example `sampler2D`.
     pub glsl_type: String,
@@ -333,7 +333,7 @@ pub struct SamplerRecord {
     pub bound_for: Option<DrawSubject>,
 }
 
-/// A texture's parameters at a draw: they are the texture's state, and may be others at the next draw.
+/// A texture's parameters at a draw. They are part of the texture's state and may change before the next draw.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SamplingRecord {
     /// `nearest`, `linear`, `linear mipmap linear`, ...
@@ -344,25 +344,25 @@ pub struct SamplingRecord {
     pub wrap: [String; 2],
     /// The first level that may be read.
     pub base_level: u32,
-    /// The last one; 1000 where nobody has set it.
+    /// The last level that may be read; 1000 if it was never set.
     pub max_level: u32,
 }
 
 /// A texture and the unit that it is bound to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct BindingRecord {
-    /// To which unit.
+    /// The unit.
     pub unit: u32,
     /// `2D`, `cube`, ...
     pub kind: String,
-    /// By id; `None` where nothing is bound from there on.
+    /// The texture's id; `None` if the unit was unbound.
     pub texture: Option<u32>,
 }
 
 /// An attribute at a draw.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AttributeRecord {
-    /// In GLSL.
+    /// Its name in GLSL.
     pub name: String,
     /// Its GLSL type.
     pub glsl_type: String,
@@ -382,7 +382,7 @@ pub enum AttributeSource {
     Constant {
         /// x, y, z, w.
         value: [f32; 4],
-        /// Whether somebody has set it (`glVertexAttrib4f`); else it is what OpenGL begins with.
+        /// Whether it was set (`glVertexAttrib4f`); otherwise it is the initial value.
         set: bool,
     },
 }
@@ -413,7 +413,7 @@ pub struct ArraySource {
 }
 
 impl ArraySource {
-    /// Bytes from one vertex to the next as OpenGL takes them.
+    /// Bytes from one vertex to the next; a stride of 0 is replaced by the size of an element.
     pub fn effective_stride(&self) -> u32 {
         if self.stride == 0 { self.element_bytes } else { self.stride }
     }
@@ -446,15 +446,15 @@ pub struct TextureRecord {
     pub height: u32,
     /// Layers of an array, slices of a 3-D texture, else 1.
     pub depth: u32,
-    /// Per texel, at least 1.
+    /// Samples per texel, at least 1.
     pub samples: u32,
     /// As OpenGL names it, for example `SRGB8_ALPHA8`.
     pub format: String,
     /// Its levels, the largest first.
     pub levels: Vec<LevelRecord>,
-    /// How its texels encode their values.
+    /// The encoding of its texels.
     pub content: TexelEncoding,
-    /// A small picture of it, where one was asked for.
+    /// A small picture of it, if it was requested.
     #[serde(skip)]
     pub thumbnail: Option<Thumbnail>,
 }
@@ -472,11 +472,11 @@ pub struct LevelRecord {
     pub faces: u32,
 }
 
-/// How the texels of a texture encode their values.
+/// The encoding of values in the texels of a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TexelEncoding {
-    /// Directly.
+    /// The values themselves.
     #[default]
     Plain,
     /// A number t from 0 to 1 as 2 t - 1.

@@ -18,25 +18,25 @@ pub struct TextureUnit {
 pub struct Binding {
     /// The texture.
     pub texture: glow::Texture,
-    /// The draw for which it was bound, where a recording knows: its number among the subjects, and the subject.
+    /// The subject for which it was bound during a recording, with its number.
     pub owner: Option<(usize, Rc<DrawSubject>)>,
 }
 
 /// An object's number and label.
 #[derive(Clone, Debug, Default)]
 pub struct Label {
-    /// OpenGL's name of it.
+    /// The number that OpenGL names it by.
     pub id: u32,
-    /// For people.
+    /// The label.
     pub name: String,
 }
 
 /// A texture.
 #[derive(Default)]
 pub struct TextureState {
-    /// Number and label.
+    /// Its number and label.
     pub label: Label,
-    /// Known from the first use.
+    /// `None` until the first use.
     pub kind: Option<TextureKind>,
     /// The format of the last image.
     pub format: u32,
@@ -46,7 +46,7 @@ pub struct TextureState {
     pub depth: u32,
     /// Per texel.
     pub samples: u32,
-    /// How texels encode their values.
+    /// The encoding of its texels.
     pub content: TexelEncoding,
 }
 
@@ -95,7 +95,7 @@ impl TextureState {
 /// A buffer.
 #[derive(Default)]
 pub struct BufferState {
-    /// Number and label.
+    /// Its number and label.
     pub label: Label,
     /// Its contents.
     pub contents: SharedContents,
@@ -104,7 +104,7 @@ pub struct BufferState {
 /// A vertex array.
 #[derive(Default)]
 pub struct ArrayState {
-    /// Number and label.
+    /// Its number and label.
     pub label: Label,
     /// By location.
     pub attributes: HashMap<u32, AttributeState>,
@@ -163,7 +163,7 @@ impl AttributeState {
 /// A framebuffer.
 #[derive(Default)]
 pub struct FramebufferState {
-    /// Number and label.
+    /// Its number and label.
     pub label: Label,
     /// By attachment.
     pub attachments: BTreeMap<u32, Attached>,
@@ -181,9 +181,9 @@ pub enum Attached {
 /// A renderbuffer.
 #[derive(Default)]
 pub struct RenderbufferState {
-    /// Number and label.
+    /// Its number and label.
     pub label: Label,
-    /// As a number of OpenGL.
+    /// `GL_RGBA8`, ...
     pub format: u32,
     /// Pixels.
     pub size: [u32; 2],
@@ -194,13 +194,13 @@ pub struct RenderbufferState {
 /// A program.
 #[derive(Default)]
 pub struct ProgramState {
-    /// Number and label.
+    /// Its number and label.
     pub label: Label,
-    /// Uniforms whose locations were asked for. Our own programs ask when they first set one.
+    /// Uniforms whose locations were queried. [`crate::program::Program`] queries them when it first sets one.
     pub looked_up: Vec<(glow::UniformLocation, String)>,
     /// Uniforms that were set while a recording ran, without `[0]`, and the integers that were set last.
     pub sent: HashMap<String, Option<Vec<i32>>>,
-    /// Whether it was linked while the recording ran that runs now, so that `sent` is all that was ever set.
+    /// Whether it was linked during the current recording, so that `sent` has everything that was ever set.
     pub is_fresh: bool,
     /// Vertex and fragment shader, where they were compiled while a recording ran.
     pub sources: [String; 2],

@@ -11,7 +11,7 @@ use crate::bounds::DrawCall;
 use crate::functions::{FRAGMENT_SHADER_INVOCATIONS, Functions, VERTEX_SHADER_INVOCATIONS};
 use std::collections::HashMap;
 
-/// Errors that are fetched at once: a driver may keep several flags, and a lost context gives no end of them.
+/// Most errors that are fetched at once: a driver may keep several flags, and a lost context returns errors without end.
 const MOST_ERRORS: usize = 8;
 
 /// A recording in progress.
@@ -28,12 +28,12 @@ pub struct Recorder {
     queries: Vec<Option<[glow::Query; 2]>>,
     /// The framebuffer of the last pass, and its outermost group.
     pass: Option<(Option<glow::Framebuffer>, Option<String>)>,
-    /// A draw is under way that is recorded.
+    /// Whether a recorded draw is in progress.
     drawing: bool,
 }
 
 impl Recorder {
-    /// For a driver that can count shader invocations, or not.
+    /// Creates a recorder; `counts` tells whether the driver can count shader invocations.
     pub fn new(gl: &Functions, counts: bool) -> Self {
         let texture_units = gl.get_parameter_i32(glow::MAX_COMBINED_TEXTURE_IMAGE_UNITS).max(0) as u32;
         Recorder {
@@ -84,7 +84,7 @@ impl Recorder {
         &mut passes[last]
     }
 
-    /// Notes all that a draw will read, and begins to count.
+    /// Notes everything that a draw will read, and starts counting.
     pub fn before_draw(&mut self, state: &mut State, gl: &Functions, call: &DrawCall) {
         self.drawing = self.record.draws.len() < MOST_DRAWS;
         if !self.drawing {
@@ -94,7 +94,7 @@ impl Recorder {
         self.enter_pass(state).draw_count += 1;
         let draw = self.snapshot(state, gl, call);
         self.record.draws.push(draw);
-        // Whoever records counts nothing else meanwhile.
+        // No other counters run during a recording.
         let queries = match (self.counts, gl.create_query(), gl.create_query()) {
             (true, Ok(vertices), Ok(fragments)) => {
                 gl.begin_query(VERTEX_SHADER_INVOCATIONS, vertices);
@@ -109,7 +109,7 @@ impl Recorder {
         self.queries.push(queries);
     }
 
-    /// Ends the counting, and asks for errors.
+    /// Stops counting, and fetches errors.
     pub fn after_draw(&mut self, gl: &Functions) {
         if !std::mem::take(&mut self.drawing) {
             return;
@@ -123,7 +123,7 @@ impl Recorder {
         }
     }
 
-    /// The record. Waits for the GPU's numbers.
+    /// Returns the record. Waits for the counters of the GPU.
     pub fn finish(mut self, state: &State, gl: &Functions) -> FrameRecord {
         for (draw, queries) in self.record.draws.iter_mut().zip(std::mem::take(&mut self.queries)) {
             let Some(queries) = queries else { continue };
@@ -152,7 +152,7 @@ impl Recorder {
         self.record
     }
 
-    /// Frees what an unfinished recording holds.
+    /// Frees the queries of an unfinished recording.
     pub fn abandon(self, gl: &Functions) {
         for query in self.queries.into_iter().flatten().flatten() {
             gl.delete_query(query);
@@ -205,7 +205,7 @@ fn target_record(state: &State) -> TargetRecord {
     record
 }
 
-/// A texture as it is now.
+/// The record of a texture in its current state.
 pub(super) fn texture_record(texture: &TextureState) -> TextureRecord {
     let [width, height] = texture.levels.values().next().map_or([0; 2], |level| level.size);
     let level = |(&level, state): (&u32, &super::object_state::LevelState)| LevelRecord {

@@ -11,7 +11,7 @@ use crate::target::OutputTarget;
 use crate::{Gl, GlError};
 use glam::Vec2;
 
-/// Units that a recording begins by emptying: more than any of our programs, or of an exercise, reads.
+/// Units that a recording empties at its start: more than any program of gonio or of an exercise reads.
 const UNITS_EMPTIED: u32 = 32;
 
 /// Records until it is finished or dropped.
@@ -39,7 +39,7 @@ impl Recording {
             kinds.for_each(|kind| gl.bind_texture(kind.target(), None));
         }
         gl.use_program(None);
-        // What was wrong before is not this recording's.
+        // Earlier errors do not belong to this recording.
         recorder::errors(gl.functions());
         gl.with_state(|state| {
             state.forget_recording();
@@ -85,8 +85,7 @@ const VERTEX: &str = "void main() {
 ";
 const FRAGMENT: &str = include_str!("../../shaders/thumbnail.frag");
 
-/// Gives a record's 2-D textures and cubemaps a small picture each. Others, and those that have no texels, get none.
-/// Colours in linear light are encoded, and what is brighter than white is white.
+/// Adds thumbnails of 2-D textures and cubemaps that have texels. Colours in linear light are encoded, and clamped to white.
 fn fill_thumbnails(gl: &Gl, record: &mut FrameRecord) -> Result<(), GlError> {
     let mut painter = Painter { gl, array: VertexArray::bound(gl, "thumbnails")?, programs: [None, None] };
     for texture in &mut record.textures {
@@ -141,8 +140,8 @@ impl Painter<'_> {
         program.set_vec2("picture_size", Vec2::new(size[0] as f32, size[1] as f32));
         // The level about as large as the picture; only where it has it.
         let scale = (texture.width.max(texture.height) / most.max(1)).max(1);
-        let wanted = if kind == TextureKind::Cube { (scale * 4).ilog2() } else { scale.ilog2() };
-        let level = texture.levels.iter().map(|level| level.level).filter(|level| *level <= wanted).max();
+        let finest = if kind == TextureKind::Cube { (scale * 4).ilog2() } else { scale.ilog2() };
+        let level = texture.levels.iter().map(|level| level.level).filter(|level| *level <= finest).max();
         program.set_f32("level", level.unwrap_or(0) as f32);
         program.set_i32("signed_halves", (texture.content == TexelEncoding::SignedHalves).into());
         program.set_i32("encodes", is_linear(texture).into());
@@ -156,7 +155,7 @@ impl Painter<'_> {
         gl.bind_texture(kind.target(), Some(handle));
         let filter = gl.get_tex_parameter_i32(kind.target(), glow::TEXTURE_MIN_FILTER);
         if texture.levels.len() == 1 {
-            // It may lack the mipmaps that its filter wants, and would be black.
+            // It may lack the mipmaps that its filter needs, and would be black.
             gl.tex_parameter_i32(kind.target(), glow::TEXTURE_MIN_FILTER, glow::NEAREST as i32);
         }
         gl.bind_vertex_array(Some(self.array.handle()));

@@ -21,7 +21,7 @@ const INITIAL_CONSTANT: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
 impl Recorder {
     /// Collects everything that a draw will read.
     pub(super) fn snapshot(&mut self, state: &mut State, gl: &Functions, call: &DrawCall) -> DrawRecord {
-        // Before anything of ours could raise one.
+        // Before the queries below could raise one.
         let errors = errors(gl);
         let subject = state.subject.as_ref().map(|(_, subject)| Rc::as_ref(subject).clone());
         let program = state.program;
@@ -64,8 +64,9 @@ impl Recorder {
         let Some(index_type) = call.index_type else { return Some(first + count - 1) };
         let each = index_bytes(index_type) as usize;
         let bytes = count as usize * each;
-        let held = state.array().index_buffer.and_then(|buffer| state.buffers.get(&buffer))?.contents.borrow().bytes;
-        if !self.reads_buffers || bytes > MOST_INDEX_BYTES || u64::from(first) + bytes as u64 > held {
+        let buffer_bytes =
+            state.array().index_buffer.and_then(|buffer| state.buffers.get(&buffer))?.contents.borrow().bytes;
+        if !self.reads_buffers || bytes > MOST_INDEX_BYTES || u64::from(first) + bytes as u64 > buffer_bytes {
             return None;
         }
         let mut indices = vec![0; bytes];
@@ -152,7 +153,7 @@ impl Recorder {
     }
 }
 
-/// Everything that is bound.
+/// All textures that are bound to units.
 fn units(state: &State) -> Vec<BindingRecord> {
     let units = (0..).zip(&state.units).flat_map(|(number, unit)| {
         TextureKind::ALL

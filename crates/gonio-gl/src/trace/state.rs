@@ -1,7 +1,7 @@
 //! The objects and bindings of a context, as calls have set them.
 //!
-//! OpenGL can be queried for most of this, WebGL2 for little: not for the size of a texture, nor for its format. So it is
-//! noted when objects are created, which is rare; for frequent calls only the binding is noted.
+//! OpenGL has queries for most of this, but WebGL2 has none for the size or the format of a texture. So it is noted when
+//! objects are created, which is rare; frequent calls only note the binding.
 
 use super::data::{BindingRecord, DrawSubject};
 use super::enums::TextureKind;
@@ -17,7 +17,7 @@ use std::rc::Rc;
 /// The objects and bindings of a context.
 #[derive(Default)]
 pub struct State {
-    /// From 0.
+    /// The active texture unit, from 0.
     pub active_unit: usize,
     /// Grows with the units that are used.
     pub units: Vec<TextureUnit>,
@@ -27,7 +27,7 @@ pub struct State {
     pub buffers: HashMap<glow::Buffer, BufferState>,
     /// The buffer bound to `GL_ARRAY_BUFFER`.
     pub array_buffer: Option<glow::Buffer>,
-    /// All vertex arrays; `None` is the one that there always is.
+    /// All vertex arrays; `None` is the default one.
     pub arrays: HashMap<Option<glow::VertexArray>, ArrayState>,
     /// The one that is bound.
     pub vertex_array: Option<glow::VertexArray>,
@@ -107,7 +107,7 @@ impl State {
         self.made
     }
 
-    /// Forgets all that only matters to a recording.
+    /// Forgets everything that only a recording needs.
     pub fn forget_recording(&mut self) {
         self.subject = None;
         self.subjects = 0;
@@ -201,7 +201,7 @@ impl State {
         }
     }
 
-    /// `glDeleteBuffers`: the bound vertex array lets go of it, others keep what it contains.
+    /// `glDeleteBuffers`: the bound vertex array drops it, others keep its contents.
     pub fn buffer_deleted(&mut self, buffer: glow::Buffer) {
         self.buffers.remove(&buffer);
         if self.array_buffer == Some(buffer) {
@@ -248,11 +248,11 @@ impl State {
         }
     }
 
-    /// A draw with the bound vertex array, if nothing that it reads lies beyond its buffers.
+    /// Checks a draw with the bound vertex array; `None` if it would read beyond a buffer.
     pub fn check_draw(&mut self, call: DrawCall) -> Option<CheckedDraw> {
         let (bound, fills) = (self.vertex_array, self.fills);
         let array = self.array();
-        // Nothing is known of what others have made; OpenGL would go on with the array that was bound before.
+        // Arrays that other code created are not tracked; OpenGL would use the array that was bound before.
         if bound.is_some() && array.label.id == 0 && !cfg!(target_arch = "wasm32") {
             return None;
         }
@@ -287,8 +287,8 @@ impl State {
         }
     }
 
-    /// `glFramebufferTexture2D`, `glFramebufferRenderbuffer`: to the framebuffer that is drawn into, for attachments are made
-    /// where both bindings are the same.
+    /// `glFramebufferTexture2D`, `glFramebufferRenderbuffer`: to the framebuffer that is drawn into; both bindings are
+    /// the same when attachments are made.
     pub fn attached(&mut self, attachment: u32, what: Option<Attached>) {
         let framebuffer = self.draw_framebuffer.and_then(|framebuffer| self.framebuffers.get_mut(&framebuffer));
         match (framebuffer, what) {

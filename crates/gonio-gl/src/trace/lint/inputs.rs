@@ -199,12 +199,12 @@ fn beyond_buffer(draw: &DrawRecord, attribute: &AttributeRecord, array: &ArraySo
         0 => draw.highest_vertex?,
         divisor => (draw.instances.max(1) - 1) / divisor,
     };
-    let wanted = u64::from(array.offset) + span(array, highest);
-    (wanted > array.buffer_bytes).then(|| {
+    let end = u64::from(array.offset) + span(array, highest);
+    (end > array.buffer_bytes).then(|| {
         Issue::error(
             Rule::BeyondBuffer,
             format!(
-                "`{}` is read up to byte {wanted} (vertex {highest}, offset {}, stride {}), and the buffer {} has {}",
+                "`{}` is read up to byte {end} (vertex {highest}, offset {}, stride {}), and the buffer {} has {}",
                 attribute.name,
                 array.offset,
                 array.effective_stride(),

@@ -1,7 +1,7 @@
 //! Mistakes in a frame, found in its record alone.
 //!
-//! A rule finds what OpenGL draws without an error although it is hardly intended. For each sampler, and for each draw, the
-//! cause is reported, and not what follows from it.
+//! A rule finds calls that OpenGL executes without an error although they are hardly intended. For each sampler and each draw
+//! the cause is reported, but not its consequences.
 
 mod inputs;
 mod samplers;
@@ -9,8 +9,8 @@ mod samplers;
 use super::data::{DrawRecord, FrameRecord};
 use serde::Serialize;
 
-/// Declares an enum with a written name for each variant. (`named_enum!` gives more, and a JSON Schema, which findings
-/// have not.)
+/// Declares an enum with a written name for each variant. (`named_enum!` also generates a JSON Schema, which findings do not
+/// have.)
 macro_rules! named {
     ($(#[$meta:meta])* $Enum:ident { $($(#[$doc:meta])* $Variant:ident = $name:literal,)+ }) => {
         $(#[$meta])*
@@ -48,7 +48,7 @@ named! {
         WrongTextureKind = "wrong-texture-kind",
         /// A sampler reads a unit with no texture.
         UnboundUnit = "unbound-unit",
-        /// A texture lacks levels or faces that its filter wants, and reads as black.
+        /// A texture lacks levels or faces that its filter needs, and reads as black.
         IncompleteTexture = "incomplete-texture",
         /// A uniform was never set, so it is 0.
         UniformNeverSent = "uniform-never-sent",
@@ -68,11 +68,11 @@ named! {
 }
 
 named! {
-    /// How serious a finding is.
+    /// The severity of a finding.
     Severity {
-        /// It may be meant.
+        /// It may be intended.
         Warning = "warning",
-        /// It cannot be meant.
+        /// It cannot be intended.
         Error = "error",
     }
 }
@@ -80,23 +80,23 @@ named! {
 /// A mistake that a rule found.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
-    /// Which rule found it.
+    /// The rule that found it.
     pub rule: Rule,
-    /// How serious it is.
+    /// Its severity.
     pub severity: Severity,
     /// The first draw that has it, an index into [`FrameRecord::draws`].
     pub draw: usize,
-    /// How many draws have it.
+    /// Number of draws that have it.
     pub draws: usize,
     /// That draw, for people: [`DrawRecord::title`].
     pub draw_title: String,
     /// The mistake in one sentence, with names and numbers.
     pub message: String,
-    /// How to fix it, in one sentence.
+    /// The fix, in one sentence.
     pub advice: String,
 }
 
-/// What a rule finds in one draw.
+/// A mistake in one draw.
 struct Issue {
     rule: Rule,
     severity: Severity,

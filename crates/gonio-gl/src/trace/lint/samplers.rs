@@ -51,7 +51,7 @@ impl SamplerUse<'_> {
     }
 
     /// Whether textures of this kind are what the sampler reads.
-    fn wants(&self, texture: &TextureRecord) -> bool {
+    fn reads(&self, texture: &TextureRecord) -> bool {
         kind_of(&self.sampler.glsl_type) == texture.kind
     }
 
@@ -74,7 +74,7 @@ impl SamplerUse<'_> {
             None => return None,
         };
         let texture = u32::try_from(value).ok().filter(|id| *id > 0).and_then(|id| self.record.texture(id));
-        let texture = texture.filter(|texture| refused.is_some() || self.wants(texture));
+        let texture = texture.filter(|texture| refused.is_some() || self.reads(texture));
         let read = |id| self.draw.samplers.iter().any(|sampler| sampler.texture == Some(id));
         let Some(texture) = texture.filter(|texture| !read(texture.id)) else {
             return refused.map(|_| {
@@ -109,7 +109,7 @@ impl SamplerUse<'_> {
     }
 
     fn never_set(&self) -> Option<Outcome> {
-        // Where it is not 0, the shader itself says which unit.
+        // If it is not 0, the shader itself sets the unit.
         if self.sampler.was_set || self.sampler.unit != 0 {
             return None;
         }
