@@ -226,9 +226,9 @@ fn contents_are_counted_in_the_words_of_the_file() {
     assert_eq!(contents, expected.map(|(name, count)| (name.to_owned(), count)));
 }
 
-/// Files of which tobj makes something else: it refuses or misreads byte order marks, comments behind numbers, continued
-/// lines, carriage returns alone, names that are no UTF-8, UTF-16, colors that are not finite, numbers behind the third, indices that point forward or at
-/// nothing; it makes triangles of lines and points, and of corners that are written twice.
+/// Files of which tobj makes something else: it refuses or misreads byte order marks, comments behind numbers, continued lines,
+/// carriage returns alone, names that are no UTF-8, UTF-16, colors that are not finite, numbers behind the third, indices that
+/// point forward or at nothing; it makes triangles of lines and points, and of corners that are written twice.
 const NOT_FOR_TOBJ: [&str; 23] = [
     "byte_order_mark.obj",
     "color_not_finite.obj",

@@ -1,10 +1,11 @@
-//! An object's own triangles as a tree of boxes, laid out for a shader that follows rays through the object.
+//! An object's own triangles as a tree of boxes, for a shader that follows rays through the object, and their upload as a
+//! float texture.
 //!
 //! The tree is a list of nodes in the order of a walk from the left: next to an inner node is its left child, and every
-//! node says where the walk goes on if the ray misses its box. A shader then needs no stack.
+//! node has the index of the node to continue with if the ray misses its box. A shader then needs no stack.
 //!
-//! Everything is in *body space*: the world moved and scaled, not turned, so that the object lies about the origin and
-//! its diagonal is 1. There f32 has the same precision wherever the object is and however large.
+//! Everything is in *body space*: the world moved and scaled, not turned, so that the object is around the origin and
+//! its diagonal is 1. The precision of f32 then does not depend on the place and size of the object.
 
 use crate::glsl::BODY_ROW;
 use glam::{DVec3, Vec3};
@@ -23,16 +24,16 @@ pub const LEAF_STEP: usize = 8;
 pub const MOST_TRIANGLES: usize = (1 << 24) / LEAF_STEP;
 /// The number of candidates for a cut along an axis.
 const BINS: usize = 16;
-/// Deeper down triangles are cut into halves, whatever that costs, so that the depth is bounded.
+/// Below this depth triangles are split into halves regardless of cost, so that the depth is bounded.
 const DEEP: usize = 40;
 
 /// The tree and its triangles as texels of four floats.
 ///
-/// Nodes come first, two texels each: least corner of the box and the node to go on with if it is missed; greatest corner
-/// and, of a leaf, `LEAF_STEP` times its first triangle plus how many there are (of an inner node 0). Then the corners
+/// Nodes come first, two texels each: the least corner of the box and the node to continue with if it is missed; the greatest
+/// corner and, for a leaf, `LEAF_STEP` times its first triangle plus their number (0 for an inner node). Then the corners
 /// of the triangles, three texels each, counter-clockwise from outside; then their normals, as many.
 pub struct BodyTable {
-    /// All of it.
+    /// All texels.
     pub texels: Vec<[f32; 4]>,
     /// The number of nodes.
     pub nodes: usize,
@@ -54,8 +55,8 @@ struct Triangle {
 }
 
 impl BodyTable {
-    /// The tree of an object's triangles. `flat`: their own normals count, not the corners'. `None` if there is nothing to
-    /// meet, or more than [`MOST_TRIANGLES`].
+    /// Builds the tree of an object's triangles, with their own normals if `flat`, otherwise those of the corners. `None` without
+    /// triangles, or with more than [`MOST_TRIANGLES`].
     pub fn new(mesh: &Mesh, object: &Object, flat: bool) -> Option<Self> {
         let m = object.world_from_model;
         let linear = glam::DMat3::from_mat4(m);
@@ -145,7 +146,7 @@ impl Builder {
         0.5 * (low + high)
     }
 
-    /// Adds the node of some triangles, and all below it.
+    /// Adds the node of a range of triangles, and all nodes below it.
     fn add(&mut self, ids: &mut [u32], depth: usize) {
         let [low, high] = around(ids.iter().map(|&id| self.boxes[id as usize]));
         let node = self.nodes.len();
@@ -160,13 +161,13 @@ impl Builder {
             self.add(left, depth + 1);
             self.add(right, depth + 1);
         }
-        // All that is below this node has been added: the walk goes on behind it.
+        // All nodes below this one have been added: the walk continues after them.
         let skip = self.nodes.len();
         self.nodes[node] = [low.extend(skip as f32).to_array(), high.extend(leaf as f32).to_array()];
     }
 
-    /// Sorts triangles into two sets; how many are in the first. Along the longest axis of their middles, where the
-    /// surfaces of both sets' boxes, times how many are in each, are least (J. D. MacDonald and K. S. Booth 1990,
+    /// Sorts triangles into two sets and returns the size of the first. The cut is along the longest axis of their centres, where
+    /// the sum of the surfaces of both boxes, each times its number of triangles, is least (J. D. MacDonald and K. S. Booth 1990,
     /// "Heuristics for ray tracing using space subdivision"; in bins after I. Wald 2007, "On fast construction of SAH-based
     /// bounding volume hierarchies").
     fn cut(&self, ids: &mut [u32], depth: usize) -> usize {
@@ -211,7 +212,7 @@ pub(crate) struct BodyOnGpu {
 }
 
 impl BodyOnGpu {
-    /// Uploads a table; `None` where it has more rows than this driver's textures.
+    /// Uploads a table; `None` if it has more rows than the driver's largest texture.
     pub fn upload(gl: &Gl, mut table: BodyTable, name: &str, max_size: u32) -> Result<Option<Self>, GlError> {
         let rows = table.texels.len().div_ceil(BODY_ROW);
         if rows > max_size as usize {
@@ -246,7 +247,7 @@ impl BodyOnGpu {
         program.set_i32("body_normals", self.table.normals as i32);
         program.set_dvec3("body_center", self.table.center);
         program.set_f32("body_scale", self.table.scale as f32);
-        // A product beyond f32 weakens light to nothing all the same, and 0 times it stays 0.
+        // A product beyond f32 also attenuates light to 0, and 0 times it stays 0.
         let absorption = (optics.absorption / self.table.scale).min(DVec3::splat(1e30));
         program.set_dvec3("absorption_in_body", absorption);
     }
@@ -263,7 +264,7 @@ mod tests {
         let positions = (0..3 * count).map(|i| {
             let (t, c) = (i / 3 + 1, i % 3);
             let near = |k| 0.1 * number(3 * t + c, k);
-            // A third of them in one place, where no cut parts them.
+            // A third of them in one place, where no cut separates them.
             let t = if t % 3 == 0 { 3 } else { t };
             [number(t, 0.618_034) + near(0.414_214), number(t, 0.754_878) + near(0.732_051), number(t, 0.569_840)]
         });
@@ -275,7 +276,7 @@ mod tests {
         Object { name, mesh: 0, shading: Shading::Flat, world_from_model, parts, closed: false }
     }
 
-    /// Every walk from the root comes by each triangle once, within the boxes of all nodes that it is below.
+    /// Every walk from the root visits each triangle once, within the boxes of all nodes above it.
     #[test]
     fn the_walk_comes_by_every_triangle_once() {
         for count in [1, 4, 5, 1000] {

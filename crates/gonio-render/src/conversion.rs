@@ -35,7 +35,7 @@ enum OutputLayout {
 }
 
 impl Converter {
-    /// In a context.
+    /// Creates a converter for a context.
     pub fn new(gl: Gl) -> Result<Self, GlError> {
         let info = DriverInfo::new(&gl);
         let no_attributes = VertexArray::bound(&gl, "no attributes")?;
@@ -51,7 +51,7 @@ impl Converter {
     ///
     /// # Errors
     ///
-    /// A size beyond the driver's, or no memory.
+    /// The size exceeds the driver's limit, or there is not enough memory.
     pub fn cubemap(
         &self,
         conversion: &Conversion,
@@ -78,7 +78,7 @@ impl Converter {
     ///
     /// # Errors
     ///
-    /// A size beyond the driver's, or no memory.
+    /// The size exceeds the driver's limit, or there is not enough memory.
     pub fn panorama(
         &self,
         conversion: &Conversion,
@@ -96,7 +96,7 @@ impl Converter {
         Ok(Converted { environment: Panorama { image }, notes })
     }
 
-    /// The source as a texture; made smaller where it is larger than the driver's textures.
+    /// The source as a texture, reduced if it exceeds the driver's limit.
     fn uploaded(&self, from: EnvironmentRef<'_>, filter: Filter) -> Result<(SourceTexture, Vec<String>), GlError> {
         let most = self.info.max_size;
         let sheets = from.texel_layers(filter);
@@ -104,7 +104,7 @@ impl Converter {
             return Ok((SourceTexture::upload(&self.gl, &from, &sheets)?, Vec::new()));
         }
         let reduce = Conversion { filter: Some(Filter::Area), ..Conversion::default() };
-        let said = |was: String, is: String| {
+        let note = |was: String, is: String| {
             vec![format!(
                 "{was} exceed the driver's limit of {most} along a side; the source was first reduced to {is}"
             )]
@@ -115,14 +115,14 @@ impl Converter {
                 let scale = f64::from(most) / f64::from(width.max(height));
                 let side = |v: u32| ((f64::from(v) * scale) as u32).max(1);
                 let smaller = reduce.panorama(from, side(width), side(height));
-                let notes = said(format!("{width} x {height} pixels"), format!("{} x {}", side(width), side(height)));
+                let notes = note(format!("{width} x {height} pixels"), format!("{} x {}", side(width), side(height)));
                 let from = EnvironmentRef::Panorama(&smaller);
                 Ok((SourceTexture::upload(&self.gl, &from, &from.texel_layers(filter))?, notes))
             }
             EnvironmentRef::Cubemap(map) => {
                 let size = (most - 2 * sheets.border).max(1);
                 let smaller = reduce.cubemap(from, size);
-                let notes = said(format!("faces of {0} x {0} texels", map.size()), format!("{size} x {size}"));
+                let notes = note(format!("faces of {0} x {0} texels", map.size()), format!("{size} x {size}"));
                 let from = EnvironmentRef::Cubemap(&smaller);
                 Ok((SourceTexture::upload(&self.gl, &from, &from.texel_layers(filter))?, notes))
             }
@@ -195,7 +195,7 @@ impl SourceTexture {
             [sheets.width as i32, sheets.height as i32, sheets.layers as i32],
             Texels::f32(glow::RGBA, bytemuck::cast_slice(&sheets.texels)),
         );
-        // Floats need not be filterable, and are only fetched: a texture is complete with these.
+        // Drivers need not filter floats, and the texels are only fetched: with these parameters the texture is complete.
         for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
             gl.tex_parameter_i32(glow::TEXTURE_2D_ARRAY, parameter, glow::NEAREST as i32);
         }

@@ -1,4 +1,7 @@
-//! Displayed pictures: what of a scene is displayed, the texture that it is drawn to, and showing that texture in a window.
+//! Displayed pictures: options of the display, the texture that a picture is drawn to, and its presentation in a window.
+//!
+//! The scene is drawn into a texture when something changed. Showing it is one triangle, in a callback of the code that paints
+//! the window; the callback must be `Send`, so it has only the names of OpenGL objects.
 
 use crate::glsl::presentation_sources;
 use gonio_gl::objects::VertexArray;
@@ -53,9 +56,9 @@ impl View {
 }
 
 /// A texture of 8 bits a channel, and what draws into it. The top row comes first: v = 0 is the picture's top edge.
-/// The numbers in it are encoded as the picture's output says (sRGB or direct), the alpha is 1 but where a picture has no
-/// background; colours are premultiplied with it, as they are shown. It is shown pixel for pixel, so it is not filtered (which
-/// costs software drivers as much as the rest of showing it), and it has no mipmaps.
+/// Its values are encoded as the output of the picture requires (sRGB or linear), with premultiplied alpha, which is 1 except
+/// where a picture has no background. It is shown pixel for pixel, so it has no mipmaps and is not filtered, which would double
+/// the time to show it on software drivers.
 ///
 /// OpenGL's name of the texture stays the same when its size changes. The code that shows it must not delete it.
 pub struct DisplayTexture {
@@ -64,7 +67,7 @@ pub struct DisplayTexture {
 }
 
 impl DisplayTexture {
-    /// An empty display texture, pixels; sides of 0 count as 1.
+    /// Creates an empty display texture of this size in pixels; sides of 0 count as 1.
     pub fn new(gl: &Gl, size: [u32; 2]) -> Result<Self, GlError> {
         Ok(DisplayTexture { gl: gl.clone(), output: OutputTarget::to_be_shown(gl, sides(size))? })
     }
@@ -74,12 +77,12 @@ impl DisplayTexture {
         self.output.texture()
     }
 
-    /// Pixels: those of the frame that was painted last.
+    /// Size in pixels: that of the last painted frame.
     pub fn size(&self) -> [u32; 2] {
         self.output.size().map(|side| side as u32)
     }
 
-    /// Gives it another size; what was painted is lost where it is another one.
+    /// Changes its size; a different size loses the picture.
     pub(crate) fn fit(&mut self, size: [u32; 2]) -> Result<(), GlError> {
         self.output.resize(&self.gl, sides(size))
     }
@@ -93,7 +96,7 @@ impl DisplayTexture {
         &self.output
     }
 
-    /// Waits until everything that was asked for is drawn: reads one pixel, for that is what waits on the web too.
+    /// Waits until all calls are executed: reads one pixel, because that also waits on the web.
     pub fn wait(&self) {
         self.output.wait(&self.gl);
         self.output.unbind(&self.gl);
@@ -116,7 +119,7 @@ pub struct Presenter {
     program: Program,
 }
 
-/// A picture to be shown: names of objects that live in the [`Presenter`] and in the picture's owner.
+/// A picture to show: names of objects that belong to the [`Presenter`] and to the owner of the picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Presentation {
     program: glow::Program,
@@ -125,7 +128,7 @@ pub struct Presentation {
 }
 
 impl Presenter {
-    /// For a current context.
+    /// Creates a presenter for a current context.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         let [vertex, fragment] = presentation_sources(gl.dialect());
         let program = Program::new(gl, "presentation", &vertex, &fragment, &[])?;
@@ -134,23 +137,23 @@ impl Presenter {
         Ok(Presenter { program })
     }
 
-    /// A texture whose first row is the picture's top, of colours as they are displayed, premultiplied. It may have holes.
+    /// Presents a texture of displayed, premultiplied colours whose first row is the top of the picture. It may be transparent.
     pub fn presentation(&self, texture: glow::Texture) -> Presentation {
         Presentation { program: self.program.handle(), texture, opaque: false }
     }
 }
 
 impl Presentation {
-    /// The same picture without blending: it covers what is below, which need not be read.
+    /// The same picture without blending: it covers the pixels below, which need not be read.
     pub fn opaque(self) -> Self {
         Presentation { opaque: true, ..self }
     }
 
     /// Draws it over the whole of the current viewport, which should be of the texture's size, within the current scissor
     /// rectangle. Changes the program, the vertex array, texture unit 0, the blend function and whether there is blending.
-    /// A picture whose texture is gone is black: OpenGL takes the name of a deleted object for none.
+    /// A picture whose texture was deleted is black: OpenGL treats the name of a deleted object as 0.
     pub fn draw(&self, gl: &Gl) {
-        // Core profiles draw nothing without a vertex array, and one of another `Gl` is not known to this one.
+        // Core profiles draw nothing without a vertex array, and this `Gl` does not track those of another one.
         let Ok(array) = VertexArray::bound(gl, "presentation") else { return };
         gl.use_program(Some(self.program));
         gl.active_texture(glow::TEXTURE0);

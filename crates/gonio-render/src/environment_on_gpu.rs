@@ -1,7 +1,7 @@
 //! A scene's environment as cube textures: linear light in half floats, with our own mip levels.
 //!
-//! Nothing is flipped: OpenGL's rows of a cube's face begin at t = 0, which its table of directions has at the top, as a
-//! [`Cubemap`]'s do. (A 2-D texture of ours is flipped, because there v runs upwards.)
+//! Faces are not flipped: their rows begin at t = 0, which is at the top in OpenGL's table of directions, as in a [`Cubemap`].
+//! (2-D textures are flipped, because v increases upwards.)
 
 use gonio_environment::{BrdfTable, Cubemap, Face};
 use gonio_gl::objects::TextureObject;
@@ -37,14 +37,14 @@ pub(crate) struct EnvironmentOnGpu {
 
 /// The environment as glossy surfaces reflect it.
 pub(crate) struct Gloss {
-    /// Level by level, of growing roughness.
+    /// The prefiltered cubemap, whose levels increase in roughness.
     pub map: CubeTexture,
     /// [`BrdfTable`]: the same for all environments.
     pub brdf: TextureObject,
 }
 
 impl EnvironmentOnGpu {
-    /// Uploads it. Where its cubemaps are larger than the driver's `max_size`, a note says so.
+    /// Uploads it. Adds a note if a cubemap is larger than the driver's `max_size`.
     pub fn upload(gl: &Gl, environment: &Arc<LoadedEnvironment>, max_size: u32) -> Result<Self, GlError> {
         let mut notes = Vec::new();
         let mut upload = |what: &str, levels: &[Cubemap]| {
@@ -107,7 +107,7 @@ fn made_once<T>(cell: &OnceCell<T>, make: impl FnOnce() -> Result<T, GlError>) -
     Ok(cell.get_or_init(|| made))
 }
 
-/// The table of factors, filtered linearly: of halves, for OpenGL ES need not filter floats of 32 bits.
+/// The table of factors, filtered linearly: as half floats, because OpenGL ES need not filter 32-bit floats.
 fn upload_brdf(gl: &Gl) -> Result<TextureObject, GlError> {
     let texture = TextureObject::bound(gl, "environment BRDF")?;
     let halves: Vec<u16> = BrdfTable::get().values().as_flattened().iter().map(|&v| bits_of(v)).collect();
@@ -130,7 +130,7 @@ fn upload_brdf(gl: &Gl) -> Result<TextureObject, GlError> {
 
 impl CubeTexture {
     /// Uploads levels, the largest first, beginning with the first that is not larger than `max_size`. Levels end where
-    /// one is not half (rounded down) the size of the one before: OpenGL knows no others.
+    /// one is not half (rounded down) the size of the one before: OpenGL supports no others.
     pub fn upload(gl: &Gl, name: &str, levels: &[Cubemap], max_size: u32) -> Result<Self, GlError> {
         let left_out = levels.iter().take_while(|l| l.size() > max_size).count();
         let Some((first, smaller)) = levels.get(left_out..).and_then(<[Cubemap]>::split_first) else {
@@ -192,7 +192,7 @@ pub(crate) struct Seamless<'a> {
 }
 
 impl<'a> Seamless<'a> {
-    /// From now on.
+    /// Enables it.
     pub fn new(gl: &'a Gl) -> Self {
         if !gl.is_embedded() {
             gl.enable(glow::TEXTURE_CUBE_MAP_SEAMLESS);
@@ -209,11 +209,12 @@ impl Drop for Seamless<'_> {
     }
 }
 
-/// The largest half: more light than this is as much as this.
+/// The largest half float, to which larger values are clamped.
 pub const LARGEST: f32 = 65504.0;
 
-/// The bits of the half that is nearest to `value`; halfway between two the even one. Beyond [`LARGEST`], either way,
-/// that; 0 for what is not a number.
+/// The bits of the half float (IEEE 754 binary16) that is nearest to `value`; the even one of two. Values are clamped to
+/// +-[`LARGEST`]; NaN becomes 0. Drivers that convert 32 bits themselves round in different ways, some towards zero, which
+/// doubles the error.
 pub fn bits_of(value: f32) -> u16 {
     if value.is_nan() {
         return 0;
@@ -224,8 +225,8 @@ pub fn bits_of(value: f32) -> u16 {
     if size < 1.0 / 16384.0 {
         return sign | (size * 16_777_216.0).round_ties_even() as u16;
     }
-    // 13 bits of the fraction go, and the exponent counts from -15 instead of from -127. What the fraction carries goes
-    // into the exponent, as it should.
+    // 13 bits of the fraction are dropped, and the bias of the exponent is 15 instead of 127. A carry of the fraction
+    // increments the exponent, as it should.
     let bits = size.to_bits();
     let rounded = bits + 0x0fff + ((bits >> 13) & 1);
     sign | ((rounded >> 13) - ((127 - 15) << 10)) as u16
@@ -263,10 +264,10 @@ mod tests {
 
     #[test]
     fn what_no_half_holds() {
-        for (value, wanted) in
+        for (value, expected) in
             [(1e9, 0x7bff), (f32::INFINITY, 0x7bff), (-1e9, 0xfbff), (f32::NAN, 0), (65519.0, 0x7bff)]
         {
-            assert_eq!(bits_of(value), wanted, "{value}");
+            assert_eq!(bits_of(value), expected, "{value}");
         }
     }
 }

@@ -6,7 +6,7 @@ use gonio_gl::objects::{Buffer, VertexArray};
 use gonio_gl::{Gl, GlError};
 use gonio_mesh::Mesh;
 
-/// In which form a mesh is on the GPU.
+/// The form of a mesh on the GPU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Form {
     /// Vertices as the mesh shares them.
@@ -15,11 +15,11 @@ pub enum Form {
     Unshared,
     /// The corners of each triangle, positions alone, in order: no indices.
     Corners,
-    /// An instance for each vertex: where it is, and its normal.
+    /// An instance for each vertex: its position and normal.
     VertexNormals,
-    /// An instance for each triangle: its centroid, and its normal.
+    /// An instance for each triangle: its centroid and normal.
     FaceNormals,
-    /// An instance for each edge of the box around the mesh: where it starts, and the way it goes.
+    /// An instance for each edge of the bounding box: its start and its vector.
     Box,
 }
 
@@ -31,12 +31,12 @@ pub struct MeshOnGpu {
     pub bytes: usize,
     /// Whether vertices have colours.
     pub has_colors: bool,
-    /// Indices; without any, vertices; of lines, instances.
+    /// Number of indices, or of vertices without indices, or of instances for lines.
     pub count: usize,
 }
 
 impl MeshOnGpu {
-    /// A mesh in a form, which a debugger shows as `name`. The order of triangles is the mesh's.
+    /// Uploads a mesh in a form; `name` is its label in debuggers. The order of triangles is that of the mesh.
     pub fn new(gl: &Gl, mesh: &Mesh, form: Form, name: &str) -> Result<Self, GlError> {
         match form {
             Form::Shared => Self::upload(gl, mesh, None, name),
@@ -56,7 +56,7 @@ impl MeshOnGpu {
         }
     }
 
-    /// Lines, one an instance: where each starts, and the way it goes, in the model.
+    /// Uploads lines, one instance each: start and vector, in model space.
     fn lines(gl: &Gl, starts: &[[f32; 3]], ways: &[[f32; 3]], name: &str) -> Result<Self, GlError> {
         let array = VertexArray::bound(gl, name)?;
         let mut buffers = Vec::new();
@@ -97,7 +97,7 @@ impl MeshOnGpu {
         Self::upload(gl, &flat, Some(&centers), name)
     }
 
-    /// Each attribute in a buffer of its own, as it lies in the mesh: a copy less than interleaved.
+    /// Uploads each attribute to its own buffer, as it is stored in the mesh: interleaving would need a copy.
     fn upload(gl: &Gl, mesh: &Mesh, centers: Option<&[[f32; 3]]>, name: &str) -> Result<Self, GlError> {
         let array = VertexArray::bound(gl, name)?;
         let mut buffers = Vec::new();
@@ -130,8 +130,8 @@ impl MeshOnGpu {
         })
     }
 
-    /// Makes it what the next draws read. Attributes that the mesh lacks get their constants, which
-    /// are the context's state, not the array's.
+    /// Binds it for the next draws. Sets the constants of missing attributes, which are state of the context, not of the
+    /// array.
     pub fn bind(&self, gl: &Gl) {
         gl.bind_vertex_array(Some(self.array.handle()));
         constant(gl, "normal", [0.0; 4]);
@@ -140,7 +140,7 @@ impl MeshOnGpu {
     }
 }
 
-/// The unit normal of a triangle, counter-clockwise from the front; zero where it has no area.
+/// The unit normal of a triangle, counter-clockwise from the front; zero if it has no area.
 pub fn face_normal(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
     let (a, b, c) = (a.as_dvec3(), b.as_dvec3(), c.as_dvec3());
     (b - a).cross(c - a).normalize_or_zero().as_vec3()
@@ -150,8 +150,8 @@ fn center(a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
     ((a.as_dvec3() + b.as_dvec3() + c.as_dvec3()) / 3.0).as_vec3()
 }
 
-/// The twelve edges of the box around a mesh, along the model's axes: where they start, and the ways they go; none
-/// where the mesh has no vertex.
+/// Starts and vectors of the twelve edges of the bounding box of a mesh, along the axes of the model; empty without
+/// vertices.
 fn box_edges(mesh: &Mesh) -> (Vec<[f32; 3]>, Vec<[f32; 3]>) {
     let mut points = mesh.positions.iter().map(|&p| Vec3::from(p)).filter(|p| p.is_finite());
     let Some(first) = points.next() else { return (Vec::new(), Vec::new()) };

@@ -27,9 +27,9 @@ pub const LIGHTS_PER_ROW: usize = 256;
 /// Most lights that are passed in uniforms: 64 of the 224 vectors that every WebGL2 has. Reading a
 /// texture costs a software driver several times as much as reading a uniform.
 pub const LIGHTS_IN_UNIFORMS: usize = 16;
-/// Most lights that are summed one by one, without a loop: `lighting.glsl` names as many.
+/// Most lights that are summed one by one, without a loop: `lighting.glsl` has as many statements.
 pub const LIGHTS_UNROLLED: usize = 4;
-/// Texels in one row of the table of an object's inside: what every WebGL2 has.
+/// Texels in one row of the table of an object's body: the least maximum of WebGL2.
 pub const BODY_ROW: usize = 2048;
 /// Kinds of light in the light table.
 pub const LIGHT_DIRECTIONAL: i32 = 0;
@@ -72,7 +72,7 @@ pub enum Reflectance {
 }
 
 impl Reflectance {
-    /// Every one.
+    /// All values.
     pub fn all() -> Vec<Reflectance> {
         let lab = Specular::ALL.iter().map(|&s| Reflectance::Lab(s));
         lab.chain(BrdfKind::ALL.iter().map(|&b| Reflectance::Brdf(b))).collect()
@@ -112,12 +112,12 @@ pub enum MapSet {
     None,
     /// `map_Kd`: by far the most frequent.
     Diffuse,
-    /// All; those that a material lacks are white.
+    /// All; missing ones are white.
     All,
 }
 
-/// The variant of a scene program. Everything else is a uniform: a branch on a
-/// uniform costs a software driver both of its sides.
+/// The variant of a scene program. Choices are made here rather than by uniforms if a branch would be expensive: a software
+/// driver executes both sides of a branch on a uniform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SceneKey {
     /// The shading.
@@ -152,7 +152,7 @@ pub enum LightLoops {
 }
 
 impl LightLoops {
-    /// For lights whose kinds end at `ends`.
+    /// Chooses for lights whose kinds end at `ends`.
     pub fn for_ends(ends: [usize; 3]) -> Self {
         let count = ends[2];
         if count <= LIGHTS_UNROLLED {
@@ -164,7 +164,7 @@ impl LightLoops {
         }
     }
 
-    /// Every way to end the loops over very few lights.
+    /// All combinations of ends for very few lights.
     pub fn all_unrolled() -> Vec<LightLoops> {
         let most = LIGHTS_UNROLLED as u8;
         let mut all = Vec::new();
@@ -280,7 +280,7 @@ impl SceneKey {
         ]
     }
 
-    /// For labels and messages.
+    /// The name in labels and messages.
     pub fn name(&self) -> String {
         format!(
             "scene {} {}{}{}{}{}{}{}{}",
@@ -318,7 +318,7 @@ const MATERIAL: &str = include_str!("../shaders/material.glsl");
 const SCENE_VERT: &str = include_str!("../shaders/scene.vert");
 const SCENE_FRAG: &str = include_str!("../shaders/scene.frag");
 
-/// The pure functions of the equation alone, for the test that holds them against their Rust twins.
+/// The pure functions of the equation alone, for the test that compares them with their Rust twins.
 pub fn light_functions(dialect: Dialect) -> String {
     [dialect.header(), &constants(), VECTOR, LIGHT, FRESNEL, BRDF, COLOR, OPTICS, ENVIRONMENT_LIGHT].concat()
 }
@@ -341,7 +341,7 @@ fn shading_define(shading: Shading) -> &'static str {
     }
 }
 
-/// Constants, enums and layouts that Rust and GLSL share: generated, never kept equal by hand.
+/// Constants, enums and layouts that Rust and GLSL share: generated from Rust, so that they always agree.
 fn constants() -> String {
     let mut text = String::new();
     for (index, &shading) in Shading::ALL.iter().enumerate() {

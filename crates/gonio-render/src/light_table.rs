@@ -19,7 +19,7 @@ pub struct LightTable {
 }
 
 impl LightTable {
-    /// An empty table.
+    /// Creates an empty table.
     pub fn new(gl: &Gl) -> Result<Self, GlError> {
         let texture = TextureObject::bound(gl, "lights")?;
         for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
@@ -36,7 +36,7 @@ impl LightTable {
         self.ends[2]
     }
 
-    /// Whether there are so many that they are in the texture.
+    /// Whether there are too many for uniforms, so that they are in the texture.
     pub fn is_in_texture(&self) -> bool {
         self.count() > LIGHTS_IN_UNIFORMS
     }
@@ -60,7 +60,7 @@ impl LightTable {
         }
         self.few.clear();
         let height = rows.len().div_ceil(LIGHTS_PER_ROW).max(1);
-        // A single row may be narrower; WebGL2 has no limit from below.
+        // A single row may be narrower: WebGL2 has no lower limit.
         let width = if height == 1 { rows.len().max(1) } else { LIGHTS_PER_ROW };
         rows.resize(width * height, Row::default());
         gl.bind_texture(glow::TEXTURE_2D, Some(self.texture.handle()));
@@ -84,7 +84,7 @@ impl LightTable {
     }
 }
 
-/// The kind's number in GLSL; lights are sorted by it.
+/// The number of the kind in GLSL; lights are sorted by it.
 fn kind_of(light: &Light) -> Option<i32> {
     match light.kind {
         LightKind::Ambient => None,

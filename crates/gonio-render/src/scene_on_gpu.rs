@@ -47,9 +47,9 @@ pub(crate) struct MeshGeometry {
 pub(crate) struct GpuObject {
     pub object: Object,
     pub world_from_model: DMat4,
-    /// Inverse transpose, scaled to a largest entry of 1: only its directions count.
+    /// Inverse transpose, scaled so that its largest entry is 1: only directions matter.
     pub normal_world_from_model: Mat3,
-    /// The transform mirrors, so front faces are clockwise.
+    /// Whether the transform mirrors, so that front faces are clockwise.
     pub mirrored: bool,
     /// Opaque runs of triangles.
     pub opaque: Vec<Run>,
@@ -68,7 +68,7 @@ pub(crate) struct Run {
     pub material: usize,
 }
 
-/// One triangle that lets light through.
+/// One transparent triangle.
 #[derive(Clone, Copy)]
 pub(crate) struct TransparentTriangle {
     pub triangle: usize,
@@ -198,8 +198,8 @@ impl GpuObject {
         }
     }
 
-    /// Makes what is seen through both surfaces of the object, where a material asks for it. Where that is more than the
-    /// driver's textures hold, the first surface alone counts, and a note says so.
+    /// Uploads the body of an object if a material refracts at both surfaces. If it exceeds the driver's textures, only the first
+    /// surface refracts, and a note is added.
     fn add_body(
         &mut self,
         gl: &Gl,
@@ -209,8 +209,8 @@ impl GpuObject {
         notes: &mut Vec<String>,
     ) -> Result<(), GlError> {
         let object = &self.object;
-        let wants = |o: &Optics| !o.is_plain() && o.surfaces == Surfaces::Two;
-        if !object.parts.iter().any(|part| wants(&scene.materials[part.material].optics)) {
+        let needs_body = |o: &Optics| !o.is_plain() && o.surfaces == Surfaces::Two;
+        if !object.parts.iter().any(|part| needs_body(&scene.materials[part.material].optics)) {
             return Ok(());
         }
         let mesh = &scene.meshes[object.mesh];
@@ -237,7 +237,7 @@ pub(crate) struct GpuCache {
     pub geometries: CacheOf<Form, Mesh, MeshOnGpu>,
     pub textures: CacheOf<(), Texture, TextureObject>,
     pub environments: CacheOf<(), LoadedEnvironment, EnvironmentOnGpu>,
-    /// By whether normals are those of triangles, and by the bits of the object's matrix.
+    /// The key: whether normals are those of triangles, and the bits of the matrix of the object.
     pub bodies: CacheOf<(bool, [u64; 16]), Mesh, BodyOnGpu>,
 }
 
@@ -256,7 +256,7 @@ impl GpuCache {
     }
 }
 
-/// GPU resources by the identity of the data that they were created from, and how.
+/// GPU resources by the identity of the data and the way in which they were created.
 pub(crate) struct CacheOf<How, Source, Made> {
     made: HashMap<(usize, How), (Weak<Source>, WeakRc<Made>)>,
     /// The number created so far.
@@ -272,8 +272,8 @@ impl<How, Source, Made> Default for CacheOf<How, Source, Made> {
 impl<How: Hash + Eq, Source, Made> CacheOf<How, Source, Made> {
     /// The resource that was created from `source` in this way; it is created now if it is missing.
     ///
-    /// An address says who somebody is while somebody remembers it: the weak reference keeps the address from being
-    /// given to another, though not what lay there.
+    /// The address of an `Arc` identifies its data only while it is not reused: a weak reference prevents that without keeping
+    /// the data alive.
     pub fn get(
         &mut self,
         source: &Arc<Source>,
@@ -284,7 +284,7 @@ impl<How: Hash + Eq, Source, Made> CacheOf<How, Source, Made> {
         made.ok_or_else(|| GlError::new("what was just made is not there"))
     }
 
-    /// [`Self::get`] of what cannot always be made.
+    /// Like [`Self::get`], for resources that cannot always be created.
     pub fn get_if(
         &mut self,
         source: &Arc<Source>,

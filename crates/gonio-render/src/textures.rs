@@ -11,9 +11,9 @@ const MAX_ANISOTROPY: f32 = 16.0;
 
 /// Uploads a texture; v = 0 is its bottom row.
 ///
-/// Data (normals, exponents, opacity) is stored as `2 t - 1` in half floats, [`data_texel`] in
-/// material.glsl undoes it: some drivers filter 8-bit textures with 8-bit results, which shows as steps
-/// in highlights; and signed halves are finest around the directions that normal maps mostly hold.
+/// Data (normals, exponents, opacity) is stored as `2 t - 1` in half floats, which `data_texel` in material.glsl inverts: some
+/// drivers filter 8-bit textures with 8-bit results, which shows as steps in highlights, and signed half floats are most precise
+/// around the usual directions of normal maps.
 pub fn upload(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject, GlError> {
     if texture.width > max_size || texture.height > max_size {
         return Err(GlError::new(format!(
@@ -26,7 +26,7 @@ pub fn upload(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject
         gl.note_content(TexelEncoding::SignedHalves);
     }
     upload_level(gl, texture.color_space, 0, [texture.width, texture.height], &texture.rgba);
-    // The reference's own mipmaps: drivers round theirs differently, and some do not average in linear light.
+    // The mipmaps of the reference: drivers round differently, and some do not average in linear light.
     for (level, mip) in texture.mip_levels().iter().enumerate() {
         upload_level(gl, texture.color_space, level as i32 + 1, [mip.width, mip.height], &mip.rgba);
     }
@@ -51,13 +51,13 @@ fn upload_level(gl: &Gl, color_space: ColorSpace, level: i32, size: [u32; 2], rg
     }
 }
 
-/// A 1x1 white texture for the units of the textures that a material lacks.
+/// Creates a 1x1 white texture for the units of missing textures.
 pub fn white(gl: &Gl) -> Result<TextureObject, GlError> {
     let texture = Texture::new("white", 1, 1, vec![255; 4], ColorSpace::Data);
     upload(gl, &texture, 1)
 }
 
-/// Sets how the texture that is bound to the active unit is sampled.
+/// Sets the sampling parameters of the texture that is bound to the active unit.
 pub fn set_sampling(gl: &Gl, filter: TextureFilter, wraps: [Wrap; 2], anisotropy: bool) {
     let (minify, magnify) = match filter {
         TextureFilter::Nearest => (glow::NEAREST, glow::NEAREST),

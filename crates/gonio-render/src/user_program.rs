@@ -10,7 +10,7 @@ use gonio_gl::{Dialect, Gl, GlError, Texels};
 use std::cell::RefCell;
 use std::fmt;
 
-/// Whether a context speaks OpenGL ES (WebGL2 is one of those), whose shaders begin with `#version 300 es`.
+/// Whether a context is one of OpenGL ES, as WebGL2 is, whose shaders begin with `#version 300 es`.
 pub fn is_embedded(gl: &gonio_gl::Gl) -> bool {
     gl.is_embedded()
 }
@@ -36,8 +36,8 @@ impl fmt::Display for BrokenProgram {
             ("the two do not link", &self.link_log),
             ("OpenGL made no program", &self.driver),
         ];
-        let said = parts.iter().filter_map(|(what, log)| log.as_ref().map(|log| format!("{what}: {}", log.trim_end())));
-        f.write_str(&said.collect::<Vec<_>>().join("\n"))
+        let logs = parts.iter().filter_map(|(what, log)| log.as_ref().map(|log| format!("{what}: {}", log.trim_end())));
+        f.write_str(&logs.collect::<Vec<_>>().join("\n"))
     }
 }
 
@@ -49,14 +49,14 @@ impl From<GlError> for BrokenProgram {
     }
 }
 
-/// An attribute or a uniform that a program uses, as OpenGL tells it.
+/// An active attribute or uniform of a program, as OpenGL reports it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgramVariable {
     /// OpenGL's name, without a closing `[0]`: `light.light_pos`, `lights[1].position`, `colours`.
     pub name: String,
     /// Its GLSL type: `vec3`, `mat4`, `samplerCube`.
     pub glsl_type: String,
-    /// Elements of an array of a basic type; 1 where it is none.
+    /// Number of elements of an array of a basic type; 1 if it is not an array.
     pub elements: u32,
     code: u32,
 }
@@ -72,7 +72,7 @@ pub struct UserProgram {
 }
 
 impl UserProgram {
-    /// Compiles and links. Both logs are there where both shaders are broken.
+    /// Compiles and links. The error has the logs of all shaders that do not compile.
     pub fn new(gl: &Gl, vertex: &str, fragment: &str) -> Result<Self, BrokenProgram> {
         let handle = gl.create_program().map_err(GlError::new)?;
         let mut program = UserProgram {
@@ -116,7 +116,7 @@ impl UserProgram {
         let gl = &self.gl;
         for index in 0..gl.get_active_attributes(self.handle) {
             let Some(attribute) = gl.get_active_attribute(self.handle, index) else { continue };
-            // gl_VertexID and its like have none.
+            // Built-in attributes such as gl_VertexID have no location.
             let Some(location) = gl.get_attrib_location(self.handle, &attribute.name) else { continue };
             let elements = attribute.size.max(1) as u32;
             let (code, glsl_type) = (attribute.atype, enums::glsl_type(attribute.atype));
@@ -131,7 +131,7 @@ impl UserProgram {
                     _ => gl.get_uniform_location(self.handle, &format!("{name}[{element}]")),
                 })
                 .collect();
-            // Members of blocks have none.
+            // Members of blocks have no location.
             if !locations.is_empty() {
                 let elements = locations.len() as u32;
                 let glsl_type = enums::glsl_type(uniform.utype);
@@ -173,8 +173,8 @@ impl UserProgram {
         self.gl.use_program(Some(self.handle));
     }
 
-    /// Gives a uniform its numbers, of the bound program: matrices by columns, samplers their unit, integers and booleans
-    /// rounded. Too few numbers are filled up with 0, too many are left out. False where there is no such uniform.
+    /// Sets a uniform of the bound program: matrices by columns, samplers to a unit, integers and booleans rounded. Missing
+    /// numbers are 0, extra ones are ignored. Returns `false` if there is no such uniform.
     pub fn set(&self, name: &str, values: &[f32]) -> bool {
         self.uniform_index(name).is_some_and(|index| self.set_index(index, values))
     }
@@ -215,7 +215,7 @@ impl UserProgram {
             glow::INT_VEC3 | glow::BOOL_VEC3 => gl.uniform_3_i32(at, int(0), int(1), int(2)),
             glow::INT_VEC4 | glow::BOOL_VEC4 => gl.uniform_4_i32(at, int(0), int(1), int(2), int(3)),
             glow::UNSIGNED_INT => gl.uniform_1_u32(at, uint(0)),
-            // int, bool and samplers; what is rarer (doubles, non-square matrices) stays 0.
+            // int, bool and samplers; rarer types (doubles, non-square matrices) stay 0.
             glow::INT | glow::BOOL => gl.uniform_1_i32(at, int(0)),
             _ if enums::TextureKind::from_sampler_type(code).is_some() => gl.uniform_1_i32(at, int(0)),
             _ => {}
@@ -232,7 +232,7 @@ impl Drop for UserProgram {
 /// Numbers for each vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stream<'a> {
-    /// For debuggers.
+    /// The label in debuggers.
     pub name: &'a str,
     /// A vertex' numbers, 1 to 4.
     pub components: usize,
@@ -250,7 +250,7 @@ pub struct StreamMesh {
 }
 
 impl StreamMesh {
-    /// Every index must be below the number of vertices of every stream; those that are not are an error.
+    /// Uploads a mesh. An index that is not less than the number of vertices of every stream is an error.
     pub fn new(gl: &Gl, streams: &[Stream<'_>], indices: &[u32], name: &str) -> Result<Self, GlError> {
         let array = VertexArray::bound(gl, name)?;
         let last = indices.iter().copied().max().unwrap_or(0) as usize;
@@ -291,7 +291,7 @@ impl StreamMesh {
     }
 }
 
-/// A texture of float texels, filtered linearly, without smaller copies.
+/// A texture of float texels, filtered linearly, without mipmaps.
 pub struct FloatTexture {
     gl: Gl,
     object: TextureObject,
@@ -307,7 +307,7 @@ impl FloatTexture {
         Ok(FloatTexture { gl: gl.clone(), object, target: glow::TEXTURE_2D })
     }
 
-    /// A panorama: repeated along its rows, held at its first and its last one. The first row lies at t = 0.
+    /// A panorama: repeated along its rows, clamped to its first and last row. The first row is at t = 0.
     pub fn panorama(gl: &Gl, size: [usize; 2], rgba: &[[f32; 4]], name: &str) -> Result<Self, GlError> {
         let panorama = Self::flat(gl, size, rgba, name)?;
         gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE as i32);
@@ -352,7 +352,7 @@ fn finish(gl: &Gl, target: u32, wrap: u32) {
     }
 }
 
-/// The value of a pixel that nothing was drawn to: no light is that negative.
+/// The value of a pixel that nothing was drawn to; light is never that negative.
 pub const NOT_DRAWN: [f32; 4] = [-31_337.0; 4];
 
 /// Square tiles side by side, each with a depth buffer; 32-bit floats, one sample a pixel.
@@ -365,7 +365,7 @@ pub struct TileTarget {
 }
 
 impl TileTarget {
-    /// `count` tiles of `side` pixels. What does not fit the driver's largest texture is an error.
+    /// Creates `count` tiles of `side` pixels. More than the driver's largest texture can hold is an error.
     pub fn new(gl: &Gl, side: u32, count: usize) -> Result<Self, GlError> {
         let columns = (count as f64).sqrt().ceil().max(1.0) as i32;
         let rows = (count as i32 + columns - 1) / columns;
@@ -391,11 +391,11 @@ impl TileTarget {
         gl.disable(glow::CULL_FACE);
         gl.disable(glow::STENCIL_TEST);
         gl.enable(glow::DEPTH_TEST);
-        // At the far plane too, as a skybox needs.
+        // Fragments at the far plane pass, as a skybox needs.
         gl.depth_func(glow::LEQUAL);
     }
 
-    /// Later draws go into this tile alone. False where there is none of that number.
+    /// Restricts later draws to this tile. Returns `false` if there is no such tile.
     pub fn select(&self, tile: usize) -> bool {
         if tile >= self.count {
             return false;

@@ -135,7 +135,7 @@ pub enum GlCall {
     BufferData {
         /// `ARRAY_BUFFER` or `ELEMENT_ARRAY_BUFFER`.
         target: Constant,
-        /// The name of what it is filled with.
+        /// The name of the data.
         data: String,
         /// `STATIC_DRAW`, ...
         usage: Constant,
@@ -287,7 +287,7 @@ pub struct Constant {
 
 macro_rules! constants {
     ($($name:ident)+) => {
-        /// All of them. Whether OpenGL takes one in a certain place is for OpenGL to say.
+        /// All constants. OpenGL checks whether one is valid for a call.
         pub const CONSTANTS: &[Constant] = &[$(Constant { name: stringify!($name), value: glow::$name }),+];
     };
 }

@@ -1,7 +1,7 @@
 //! Refused calls: draws are checked before they are made, and OpenGL's errors are explained for students.
 //!
-//! Nothing that a draw reads may lie outside of its buffer. OpenGL leaves that undefined, and a driver may crash; here it is an
-//! error with its reason.
+//! A draw must not read outside of its buffers. OpenGL leaves that undefined, and a driver may crash; here it is an error with
+//! its reason.
 
 use super::call::GlCall;
 use super::state::{AttributePointer, ExecutionState};
@@ -88,14 +88,14 @@ pub struct DrawRequest {
 
 /// The reason why a call is not made.
 pub struct CallRefusal {
-    /// OpenGL's word, or ours where OpenGL has none.
+    /// OpenGL's name of the error, or [`UNDEFINED`].
     pub code: &'static str,
     /// A sentence.
     pub why: String,
 }
 
 impl CallRefusal {
-    /// With OpenGL's word.
+    /// Creates a refusal.
     pub fn new(code: &'static str, why: impl Into<String>) -> Self {
         CallRefusal { code, why: why.into() }
     }
@@ -104,7 +104,7 @@ impl CallRefusal {
 /// The code of errors that OpenGL does not check, and gonio does.
 pub const UNDEFINED: &str = "UNDEFINED";
 
-/// Checks a draw. `Ok` has the enabled locations that must be disabled meanwhile: the program does not read them, and they
+/// Checks a draw. `Ok` has the enabled locations that must be disabled for the draw: the program does not read them, and they
 /// reach beyond their buffers.
 pub fn check_draw(state: &mut ExecutionState, request: &DrawRequest) -> Result<Vec<u32>, CallRefusal> {
     if request.mode > glow::TRIANGLE_FAN {
@@ -142,7 +142,7 @@ fn never_described() -> CallRefusal {
     CallRefusal::new(UNDEFINED, "an attribute is enabled, but vertex_attrib_pointer has not described it")
 }
 
-/// Whether an attribute's numbers for all vertices up to `highest` lie in its buffer.
+/// Whether the numbers of an attribute for all vertices up to `highest` are in its buffer.
 fn fits(source: &AttributePointer, highest: u32) -> Result<(), CallRefusal> {
     let pointer = &source.pointer;
     let name = &pointer.attribute;
@@ -152,16 +152,16 @@ fn fits(source: &AttributePointer, highest: u32) -> Result<(), CallRefusal> {
             format!("the attribute `{name}` is enabled, but no buffer was bound when it was described"),
         ));
     };
-    let held = buffer.borrow().bytes.len() as u64;
+    let buffer_bytes = buffer.borrow().bytes.len() as u64;
     let each = pointer.size.max(0) as u64 * u64::from(enums::component_bytes(pointer.kind.value));
     let stride = if pointer.stride == 0 { each } else { pointer.stride.max(0) as u64 };
     let end = pointer.offset.max(0) as u64 + stride * u64::from(highest) + each;
-    if end > held {
+    if end > buffer_bytes {
         return Err(CallRefusal::new(
             UNDEFINED,
             format!(
                 "the attribute `{name}` would be read up to byte {end} (vertex {highest}, offset {}, stride {stride}), but \
-                 its buffer has {held} bytes",
+                 its buffer has {buffer_bytes} bytes",
                 pointer.offset
             ),
         ));

@@ -2,7 +2,7 @@
 //!
 //! A call that OpenGL refuses is reported with its line. A call that OpenGL leaves undefined, such as reading beyond a buffer,
 //! is reported and not made. All other calls are made. Objects have the numbers that OpenGL gives them in a
-//! program that is alone in its context (1, 2, 3, ...), and no number reaches an object of somebody else.
+//! program that is alone in its context (1, 2, 3, ...), and no number refers to an object of other code.
 
 mod call;
 mod errors;
@@ -52,8 +52,7 @@ pub struct GlProgramOptions {
 pub struct GlProgramRun {
     /// Pixels along x and y.
     pub size: [u32; 2],
-    /// RGBA from 0 to 1 (more where floats were asked for), the bottom row first. Where nothing was drawn or cleared it
-    /// is black.
+    /// RGBA from 0 to 1 (more if `float` was set), the bottom row first. Pixels that were neither drawn nor cleared are black.
     pub pixels: Vec<[f32; 4]>,
     /// Calls that were refused, in order.
     pub errors: Vec<CallError>,
@@ -156,14 +155,14 @@ pub fn run(
 /// Errors that draws raised become those of their lines, and those of the calls before become the draws'.
 fn merge(record: &mut FrameRecord, runner: &Runner<'_>, steps: &[Step]) -> Vec<CallError> {
     let mut errors = Vec::new();
-    let mut told = 0;
+    let mut merged = 0;
     for (draw, &(line, before)) in record.draws.iter_mut().zip(&runner.draws) {
         // A draw that was refused is noted after it was counted.
         let refused = runner.errors.get(before).filter(|error| error.line == line);
         let end = before + usize::from(refused.is_some());
-        let earlier = runner.errors.get(told..end).unwrap_or_default();
+        let earlier = runner.errors.get(merged..end).unwrap_or_default();
         errors.extend(earlier.iter().cloned());
-        told = end;
+        merged = end;
         let call = steps.iter().find(|step| step.line == line && step.call.draws());
         if let Some(call) = call.map(|step| &step.call) {
             errors.extend(draw.errors.iter().map(|code| CallError {
@@ -176,7 +175,7 @@ fn merge(record: &mut FrameRecord, runner: &Runner<'_>, steps: &[Step]) -> Vec<C
         let own = std::mem::take(&mut draw.errors);
         draw.errors = earlier.iter().map(|error| error.code.clone()).chain(own).collect();
     }
-    errors.extend(runner.errors.get(told..).unwrap_or_default().iter().cloned());
+    errors.extend(runner.errors.get(merged..).unwrap_or_default().iter().cloned());
     errors
 }
 
@@ -202,7 +201,7 @@ fn begin_anew(gl: &Gl, size: [i32; 2]) {
     gl.clear_color(0.0, 0.0, 0.0, 1.0);
     gl.clear(glow::COLOR_BUFFER_BIT);
     gl.clear_color(0.0, 0.0, 0.0, 0.0);
-    // Earlier errors are not the program's. (A lost context gives errors without end.)
+    // Earlier errors do not belong to the program. (A lost context returns errors without end.)
     (0..MOST_ERRORS).find(|_| gl.get_error() == glow::NO_ERROR);
 }
 

@@ -33,7 +33,7 @@ impl<'a> Runner<'a> {
         Runner { gl, files, state: ExecutionState::new(), errors: Vec::new(), draws: Vec::new() }
     }
 
-    /// Executes one call, or notes why it is refused.
+    /// Executes one call, or notes the reason for its refusal.
     pub fn step(&mut self, step: &Step) -> Result<(), GlProgramFailure> {
         match &step.call {
             GlCall::Data { name, numbers } => {
@@ -114,8 +114,7 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    /// Makes a call, and gives OpenGL's error if it refuses it. The [`Gl`] is apart, so a call that was refused is not in
-    /// the record.
+    /// Makes a call, and returns the error if OpenGL refuses it. The [`Gl`] is apart, so refused calls are not recorded.
     fn attempt(&self, call: &GlCall, make: impl FnOnce(&Gl)) -> Refused {
         make(&self.gl);
         match self.gl.get_error() {
@@ -148,7 +147,7 @@ impl<'a> Runner<'a> {
     }
 
     fn delete(&mut self, kind: ObjectKind, object: &IntArgument) -> Refused {
-        // As in OpenGL: 0, and numbers of nothing, are passed over in silence.
+        // As in OpenGL: 0 and unused numbers are ignored.
         let number = self.state.value(object);
         match kind {
             ObjectKind::Texture => {
@@ -288,7 +287,7 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
-    /// OpenGL keeps a nameless texture for number 0, WebGL does not; nobody means to fill that one.
+    /// OpenGL has a default texture with number 0, WebGL does not; filling it is never intended.
     fn something_bound(&self, target: Constant) -> Refused {
         let place = match enums::TextureKind::from_target(target.value) {
             Some(kind) => kind.target(),
@@ -307,7 +306,7 @@ impl<'a> Runner<'a> {
     fn image(&mut self, call: &GlCall, target: Constant, level: i32, format: Constant, image: &str) -> Refused {
         self.something_bound(target)?;
         let image = self.state.images.get(image).and_then(|file| self.files.image(file));
-        let Some(image) = image else { return Err(CallRefusal::new("INVALID_VALUE", "there is no such image")) };
+        let Some(image) = image else { return Err(CallRefusal::new("INVALID_VALUE", "no image has this name")) };
         let [width, height] = image.size();
         self.state.texel_bytes += width as usize * height as usize * 4;
         if self.state.texel_bytes > MOST_TEXEL_BYTES {
@@ -318,7 +317,7 @@ impl<'a> Runner<'a> {
             glow::R8 | glow::RED => (1, glow::RED),
             glow::RG8 | glow::RG => (2, glow::RG),
             glow::RGBA8 | glow::RGBA | glow::SRGB8_ALPHA8 => (4, glow::RGBA),
-            // OpenGL ES makes no mipmaps of SRGB8.
+            // OpenGL ES does not generate mipmaps of SRGB8.
             glow::SRGB8 if self.gl.is_embedded() => (4, glow::RGBA),
             _ => (3, glow::RGB),
         };
@@ -360,7 +359,7 @@ impl<'a> Runner<'a> {
         let Some(used) = self.state.used.clone() else {
             return Err(CallRefusal::new("INVALID_OPERATION", "no program is in use"));
         };
-        // A uniform that the program does not need has the location -1, which OpenGL passes over in silence.
+        // A uniform that the program does not need has the location -1, which OpenGL ignores.
         let known = self.state.created.as_ref().is_some_and(|created| created.uniform(uniform).is_some());
         if !known {
             return Ok(());

@@ -109,7 +109,7 @@ pub struct ExecutionState {
 }
 
 impl ExecutionState {
-    /// Nothing.
+    /// The initial state.
     pub fn new() -> Self {
         ExecutionState {
             numbers: HashMap::new(),
@@ -145,7 +145,7 @@ impl ExecutionState {
         self.views.entry(self.array).or_default()
     }
 
-    /// Forgets a buffer as `glDeleteBuffers` does: the bound vertex array lets go of it, others keep it alive.
+    /// Forgets a buffer as `glDeleteBuffers` does: the bound vertex array drops it, others keep it alive.
     pub fn forget_buffer(&mut self, number: i32) {
         let Some(gone) = self.buffers.objects.remove(&number) else { return };
         if self.array_buffer == Some(number) {
@@ -171,7 +171,7 @@ pub struct LinkedShaders {
 }
 
 impl LinkedShaders {
-    /// Compiles and links. Both logs are there where both shaders are broken.
+    /// Compiles and links. The error has the logs of all shaders that do not compile.
     pub fn new(gl: &Gl, vertex: &str, fragment: &str) -> Result<Self, BrokenProgram> {
         let handle = gl.create_program().map_err(GlError::new)?;
         let program = LinkedShaders { gl: gl.clone(), handle };
@@ -219,7 +219,7 @@ impl LinkedShaders {
         let gl = &self.gl;
         let attributes =
             (0..gl.get_active_attributes(self.handle)).filter_map(|index| gl.get_active_attribute(self.handle, index));
-        // gl_VertexID and its like have none.
+        // Built-in attributes such as gl_VertexID have no location.
         attributes.filter_map(|attribute| gl.get_attrib_location(self.handle, &attribute.name)).collect()
     }
 }

@@ -14,8 +14,8 @@ const WIREFRAME_FRAG: &str = include_str!("../../shaders/wireframe.frag");
 const LINE_VERT: &str = include_str!("../../shaders/line.vert");
 const LINE_FRAG: &str = include_str!("../../shaders/line.frag");
 
-/// The colours of 0, 1, 2 ... fragments at a pixel, as displayed; the last is that of so many and more. Dark to light,
-/// blue by green and yellow to red, so that they are told apart without colours too.
+/// The colours of 0, 1, 2 ... fragments at a pixel, as displayed; the last is for 8 and more. Dark to light,
+/// blue through green and yellow to red, so that they can also be distinguished by lightness.
 pub const OVERDRAW_SCALE: [[f32; 3]; 9] = [
     [0.03, 0.03, 0.05],
     [0.13, 0.20, 0.45],
@@ -44,7 +44,7 @@ pub enum SpecialProgram {
 }
 
 impl SpecialProgram {
-    /// Every one.
+    /// All programs.
     pub const ALL: [SpecialProgram; 5] = [
         SpecialProgram::UvChecker,
         SpecialProgram::Count,
@@ -67,7 +67,7 @@ impl SpecialProgram {
         [[header, vertex].concat(), [header, &scale, fragment].concat()]
     }
 
-    /// For labels and messages.
+    /// The name in labels and messages.
     pub fn name(self) -> &'static str {
         match self {
             SpecialProgram::UvChecker => "UV checker",

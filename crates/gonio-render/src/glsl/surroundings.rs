@@ -15,29 +15,29 @@ const SKY_FRAG: &str = include_str!("../../shaders/sky.frag");
 /// The optics of a surface that looks the environment up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SurfaceOptics {
-    /// Nothing: the surface is neither.
+    /// None: the surface neither mirrors nor refracts.
     Nothing,
     /// The direction of reflection.
     Mirror,
-    /// The directions of refraction too, at one surface.
+    /// Reflection, and refraction at one surface.
     Glass,
-    /// All that is seen through the object's body.
+    /// Reflection, and refraction through the object's body.
     Body,
 }
 
 /// The part of the environment that a program shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SurroundingsKey {
-    /// By the material's optics.
+    /// The optics of the material.
     pub sight: SurfaceOptics,
-    /// Mip levels are chosen by how fast directions change from pixel to pixel. Counts where there is something to see.
+    /// Mip levels are chosen by how fast directions change from pixel to pixel. Ignored without optics.
     pub mipmapped: bool,
-    /// The environment lights the surface.
+    /// Whether the environment lights the surface.
     pub lights: bool,
 }
 
 impl SurroundingsKey {
-    /// Nothing of it.
+    /// No part of the environment.
     pub const NONE: SurroundingsKey =
         SurroundingsKey { sight: SurfaceOptics::Nothing, mipmapped: false, lights: false };
 
@@ -68,8 +68,8 @@ impl SurroundingsKey {
         text
     }
 
-    /// What its fragment shader needs before `main`. Where the light comes from the vertices, it lacks the functions that
-    /// others have in any case.
+    /// The functions that a fragment shader needs before `main`. A vertex-lit one also needs the functions that other fragment
+    /// shaders contain anyway.
     pub(super) fn functions(self, vertex_lit: bool) -> String {
         if self == SurroundingsKey::NONE {
             return String::new();
@@ -100,9 +100,8 @@ impl SurroundingsKey {
     }
 }
 
-/// A key without environment with every environment, for the keys that meet its code: it shares the normal and its sides
-/// with them, and of the material the specular colour and the exponent. One reflectance and one kind of loops stand for
-/// all.
+/// Adds every environment to a key without one, for keys that share code with it: the normal and its sides, the specular colour
+/// and the exponent of the material. One reflectance and one kind of loops represent all.
 pub(super) fn added_to(key: SceneKey) -> Vec<SceneKey> {
     let meets = key.reflectance == Reflectance::Lab(Specular::BlinnPhong)
         && match key.maps {

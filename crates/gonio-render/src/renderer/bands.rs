@@ -1,9 +1,9 @@
 //! A picture of 8 bits drawn band by band.
 //!
 //! The float samples of a whole picture are many times the picture itself (at 1024 x 768 and 4 samples
-//! 38 MB against 3), and a process that draws one picture spends as long on being given that memory as
-//! on drawing. A band's memory is small, stays in the cache, and is used again for the next band. The
-//! price is that the vertices are processed once a band, so large models are drawn at once.
+//! 38 MB compared with 3), and a process that draws one picture spends as much time on allocating that memory as on drawing.
+//! The memory of a band is small, stays in the cache, and is reused for the next band. But vertices are processed once per
+//! band, so large models are drawn at once.
 
 use super::Renderer;
 use super::output::{Band, DisplaySettings};
@@ -28,14 +28,14 @@ pub struct RenderedPicture {
     pub picture: EncodedPicture<u8>,
     /// The counters of the GPU; each vertex counts once, however many bands process it.
     pub statistics: GpuStatistics,
-    /// Notes on what the driver could not do as asked, for example fewer samples.
+    /// Limits of the driver that changed the picture, for example fewer samples.
     pub notes: Vec<String>,
 }
 
 impl Renderer {
-    /// Draws the picture, or a debug view, and reads it back: what [`Renderer::render`] and
-    /// [`super::RenderedFrame::encoded8`] give, for less memory and time. Edges may differ by the driver's
-    /// snapping of corners, 1/256 of a pixel or so: a band's corners are rounded at other magnitudes.
+    /// Draws the picture, or a debug view, and reads it back: the same as [`Renderer::render`] and
+    /// [`super::RenderedFrame::encoded8`], with less memory and time. Edges may differ by the driver's snapping of corners,
+    /// about 1/256 of a pixel: corners of a band are rounded at different magnitudes.
     pub fn render8(
         &mut self,
         scene: &GpuScene,
@@ -74,7 +74,7 @@ impl Renderer {
     }
 }
 
-/// At least one row; all rows where the model is large.
+/// The rows of a band: at least one, and all if the model is large.
 fn rows_of_a_band(triangles: usize, frame: &Frame) -> i32 {
     let height = (frame.height as i32).max(1);
     // Half floats of four channels, and depth.
@@ -92,20 +92,20 @@ mod tests {
 
     #[test]
     fn bands_make_the_same_picture_as_the_whole() {
-        // More than one band, and a last one that is not whole.
+        // Several bands, the last one smaller.
         let text = "[picture]\nwidth = 700\nheight = 621\n[[object]]\nmodel = \"builtin:still-life\"\n";
-        let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|why| panic!("{why}"));
-        let scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
+        let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|error| panic!("{error}"));
+        let scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|error| panic!("{error}"));
         let frame = scene.frame(0.0);
         let context = crate::tests::context(false);
-        let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}"));
-        let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+        let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|error| panic!("{error}"));
+        let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
         let rows = super::rows_of_a_band(uploaded.triangle_count, &frame);
         assert!(rows < 621 && 621 % rows != 0, "bands of {rows} rows would test little");
         let whole =
-            renderer.render_at(&uploaded, &frame, None, ColorPrecision::Half).unwrap_or_else(|why| panic!("{why}"));
-        let banded = renderer.render8(&uploaded, &frame, None).unwrap_or_else(|why| panic!("{why}"));
-        let whole8 = whole.encoded8().unwrap_or_else(|why| panic!("{why}"));
+            renderer.render_at(&uploaded, &frame, None, ColorPrecision::Half).unwrap_or_else(|error| panic!("{error}"));
+        let banded = renderer.render8(&uploaded, &frame, None).unwrap_or_else(|error| panic!("{error}"));
+        let whole8 = whole.encoded8().unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(whole8.rgba.len(), banded.picture.rgba.len());
         // Set on llvmpipe, where 0.01 % differ, by up to 3 steps: edges only.
         let differing = whole8.rgba.iter().zip(&banded.picture.rgba).filter(|(a, b)| a != b).count();

@@ -43,7 +43,7 @@ pub struct Renderer {
 }
 
 impl Renderer {
-    /// For a current context.
+    /// Creates a renderer for a current context.
     pub fn new(gl: Gl) -> Result<Self, GlError> {
         let info = DriverInfo::new(&gl);
         let light_table = LightTable::new(&gl)?;
@@ -67,13 +67,13 @@ impl Renderer {
         &self.shared.info
     }
 
-    /// Uploads geometry and textures, but for those that another scene from here still holds: two panes of one scene, or
-    /// a scene before and after an edit, share what they have in common (the same `Arc`s).
+    /// Uploads geometry and textures, except those that another scene of this renderer still uses: two panes of one scene, or a
+    /// scene before and after an edit, share equal data (the same `Arc`s).
     pub fn upload(&mut self, scene: &Scene) -> Result<GpuScene, GlError> {
         let _group = DebugGroup::new(&self.shared.gl, "upload");
         let before = self.cache.count_made();
         let uploaded = GpuScene::upload(&self.shared.gl, scene, &self.shared.info, &mut self.cache)?;
-        // Asking for errors waits for the GPU on the web: only where there was something to upload.
+        // Fetching errors waits for the GPU on the web, so only if something was uploaded.
         if self.cache.count_made() != before {
             self.shared.check_error("uploading the scene")?;
         }
@@ -148,7 +148,7 @@ impl Renderer {
         let shared = &self.shared;
         let make = |sampling| Target::new(&shared.gl, shared.info.dialect, size, sampling, precision);
         let target = Rc::new(match make(sampling) {
-            // Drivers of the web do not say how many samples they have of which format.
+            // WebGL does not report the number of samples of each format.
             Err(_) if shared.info.dialect == Dialect::Es300 && sampling != Sampling::Multi(1) => {
                 shared.forget_errors();
                 let target = make(Sampling::Multi(1))?;
@@ -203,7 +203,8 @@ impl Renderer {
             pass.draw(draw)?;
             draw_calls += 1;
         }
-        // Before what lets it through, which is laid over it; behind all else, so that nothing hidden is looked up.
+        // The sky is drawn before transparent triangles, which are blended over it, and after opaque ones, so that hidden
+        // pixels are not looked up.
         if let Some(around) = pass.around.as_ref().filter(|around| around.is_visible() && !pass.is_view()) {
             around.draw_sky(&shared, frame)?;
             draw_calls += 1;

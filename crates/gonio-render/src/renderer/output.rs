@@ -29,7 +29,7 @@ impl DisplaySettings {
     /// The settings for the picture (`None`) or a debug view.
     pub fn new(view: Option<ViewSpec>, frame: &Frame) -> Self {
         let display = DisplayMap::for_view(view, frame);
-        // Debug views are black where nothing is.
+        // Debug views are black where there is no object.
         let is_picture = view.is_none_or(|v| v.quantity == Quantity::Total);
         let (top, bottom) =
             if is_picture { (frame.background.top, frame.background.bottom) } else { (DVec3::ZERO, DVec3::ZERO) };
@@ -43,7 +43,7 @@ impl DisplaySettings {
         }
     }
 
-    /// For a window.
+    /// The settings for a window.
     pub fn to_be_shown(self) -> Self {
         DisplaySettings { premultiplied: true, ..self }
     }
@@ -79,7 +79,7 @@ impl DisplaySettings {
     }
 }
 
-/// A horizontal band of a picture: all of it, where it is drawn at once.
+/// A horizontal band of a picture, or all of it.
 #[derive(Clone, Copy)]
 pub(super) struct Band {
     /// The height of the whole picture, pixels.
@@ -91,8 +91,8 @@ pub(super) struct Band {
 }
 
 impl Shared {
-    /// Draws a target's pixels as they are displayed into `output`, top row first. Whoever reads them checks for errors
-    /// then: asking for the flag waits for the GPU on the web.
+    /// Draws the displayed pixels of a target into `output`, top row first. The code that reads them checks for errors, because
+    /// that waits for the GPU on the web.
     pub(super) fn output_into(
         &self,
         output: &OutputTarget,
@@ -156,7 +156,7 @@ pub struct RenderedFrame {
     pub(super) look: DisplaySettings,
     /// The counters of the GPU.
     pub statistics: GpuStatistics,
-    /// Notes on what the driver could not do as asked, for example fewer samples.
+    /// Limits of the driver that changed the picture, for example fewer samples.
     pub notes: Vec<String>,
 }
 
@@ -226,7 +226,7 @@ impl Renderer {
         let _state = SavedState::save(gl);
         let _group = DebugGroup::new(gl, "one pixel");
         let mut notes = Vec::new();
-        // One more than the panes, so that none of their targets has to go for it.
+        // One more than the panes, so that their targets are kept.
         let target = self.target_for(scene, &frame, 1, ColorPrecision::Full, PANES + 1, &mut notes)?;
         let from_below = (frame.height.max(1) - 1 - y) as i32;
         self.draw_scene(scene, &frame, None, &target, from_below)?;
@@ -254,21 +254,21 @@ mod tests {
     #[test]
     fn a_pixel_is_that_of_the_whole_picture() {
         let text = "[picture]\nwidth = 90\nheight = 61\n[[object]]\nmodel = \"builtin:still-life\"\n";
-        let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|why| panic!("{why}"));
-        let scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
+        let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|error| panic!("{error}"));
+        let scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|error| panic!("{error}"));
         let frame = Frame { samples: 1, ..scene.frame(0.0) };
         let context = crate::tests::context(false);
-        let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}"));
-        let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+        let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|error| panic!("{error}"));
+        let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
         let whole = renderer.render(&uploaded, &frame, None).and_then(|drawn| drawn.linear());
-        let whole = whole.unwrap_or_else(|why| panic!("{why}"));
+        let whole = whole.unwrap_or_else(|error| panic!("{error}"));
         let mut different = 0;
         for (x, y) in [(0, 0), (89, 60), (45, 30), (30, 40), (60, 35), (45, 5), (10, 50), (70, 20)] {
-            let pixel = renderer.pixel(&uploaded, &frame, x, y).unwrap_or_else(|why| panic!("{why}"));
+            let pixel = renderer.pixel(&uploaded, &frame, x, y).unwrap_or_else(|error| panic!("{error}"));
             let expected = whole.at(x, y);
             different += usize::from(pixel != whole.at(0, 0));
             for (a, b) in pixel.into_iter().zip(expected) {
-                // The row's corners are snapped at other magnitudes than the picture's: set on llvmpipe.
+                // Corners of a row are snapped at different magnitudes: set on llvmpipe.
                 assert!((a - b).abs() < 2e-3, "{x},{y}: {pixel:?} for {expected:?}");
             }
         }

@@ -26,12 +26,12 @@ pub struct Painted {
 }
 
 impl Renderer {
-    /// Draws the frame onto the display texture, which takes the frame's size. Nothing is waited for: the GPU may still be
-    /// drawing when this returns, and whoever shows the display texture shows it in order.
+    /// Draws the frame onto the display texture, which takes the frame's size. Does not wait: the GPU may still be
+    /// drawing when this returns, and later calls that show the texture are executed in order.
     ///
     /// The state that a window's toolkit relies upon is as before: framebuffer, viewport, scissor, blending, depth,
     /// culling, the active texture unit (on the web: as of a new context, with no framebuffer bound). No program and no
-    /// vertex array stays bound; textures of ours do, on units that everybody binds before use.
+    /// vertex array stays bound; textures of the scene do, on units that all code binds before use.
     pub fn paint(
         &mut self,
         scene: &GpuScene,
@@ -54,8 +54,8 @@ impl Renderer {
         self.paint_onto(scene, frame, show, canvas, true)
     }
 
-    /// A picture of 8 bits with whatever is to be shown, read back: [`Self::paint_counted`] for a file, whose colours are
-    /// not premultiplied.
+    /// Draws a view with its overlays and reads it back in 8 bits: [`Self::paint_counted`] for a file, whose colours are not
+    /// premultiplied.
     pub fn render_shown8(
         &mut self,
         scene: &GpuScene,
@@ -76,7 +76,7 @@ impl Renderer {
     }
 
     /// The linear values (of a debug view: the raw vectors and scalars), premultiplied, in full floats: for a window that
-    /// saves what it shows. Waits for the GPU; the window's state is as before, as after [`Self::paint`].
+    /// saves its picture. Waits for the GPU; the window's state is as before, as after [`Self::paint`].
     pub fn paint_linear(
         &mut self,
         scene: &GpuScene,
@@ -112,7 +112,7 @@ impl Renderer {
         let look =
             if as_it_is { DisplaySettings::as_it_is(frame) } else { DisplaySettings::new(view, frame) }.to_be_shown();
         if special != Some(SpecialView::Overdraw) {
-            // Before anything is drawn: asking whether a program is well waits for all that was.
+            // Before anything is drawn: checking whether a program linked waits for all earlier draws.
             shared.output_program_for(&target, look.encoded())?;
         }
         let queries = counted.then(|| StatisticsQueries::begin(gl, &shared.info)).transpose()?;
@@ -120,7 +120,7 @@ impl Renderer {
             Some(special) => shared.draw_special(special, scene, frame, &target),
             None => self.draw_scene(scene, frame, view, &target, 0),
         };
-        // Counters end even where drawing failed: they cannot begin again before.
+        // Counters end even if drawing failed, because they could not be started again.
         let statistics = queries.map(|q| q.end(gl, drawn.as_ref().copied().unwrap_or_default()).read());
         let mut draw_calls = drawn?;
         target.resolve(gl);
@@ -140,7 +140,7 @@ impl Renderer {
 /// The colours of a difference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceScale {
-    /// The 8-bit steps that get the scale's last colour, above 0.
+    /// The difference in 8-bit steps, above 0, that has the last colour of the scale.
     pub full_scale: f64,
     /// The second minus the first, in [`gonio_scene::difference::signed`]'s colours; otherwise the size of the difference
     /// alone, in [`gonio_scene::difference::heat`]'s.
@@ -148,8 +148,8 @@ pub struct DifferenceScale {
 }
 
 impl Renderer {
-    /// Draws onto `map`, which takes the size of the first, where two display textures of one size differ: of each pixel the
-    /// channel (red, green or blue, as displayed) that differs most. Waits for nothing and leaves the window's state as
+    /// Draws onto `map`, which takes the size of the first, where two display textures of one size differ: the largest
+    /// difference of the displayed channels of each pixel. Does not wait, and leaves the window's state as
     /// [`Renderer::paint`] does. Textures of different sizes are an error.
     pub fn paint_difference(
         &mut self,
@@ -203,14 +203,14 @@ const SAMPLES: u32 = 4;
 const PICTURES: usize = 2;
 
 impl Renderer {
-    /// Draws what `draw` draws, programs of [`crate::user_program`], onto the display texture, which takes `size`. Colours are
-    /// shown unchanged, 0 to 1, without any encoding; alpha is ignored. `background` is the colour where nothing is drawn.
+    /// Calls `draw`, which draws programs of [`crate::user_program`], onto the display texture, which takes `size`. Colours
+    /// from 0 to 1 are shown unchanged, without encoding; alpha is ignored. `background` is the colour where nothing is drawn.
     ///
     /// The viewport is a square in the picture's middle, as wide as the longer side: its matrices are those of a square
     /// picture, of which the window shows a part. There is a depth buffer, with a test that lets the farthest plane pass too,
     /// as a sky needs; nothing is culled.
     ///
-    /// Waits for nothing and leaves the window's state as [`Renderer::paint`] does.
+    /// Does not wait, and leaves the window's state as [`Renderer::paint`] does.
     pub fn paint_user_program(
         &mut self,
         canvas: &mut DisplayTexture,
@@ -256,7 +256,7 @@ impl Renderer {
         let shared = &self.shared;
         let make = |sampling| Target::new(&shared.gl, shared.info.dialect, size, sampling, ColorPrecision::Half);
         let target = Rc::new(match make(samples) {
-            // Drivers of the web do not say how many samples they have of which format.
+            // WebGL does not report the number of samples of each format.
             Err(_) if shared.info.dialect == Dialect::Es300 => {
                 shared.forget_errors();
                 make(Sampling::Multi(1))?

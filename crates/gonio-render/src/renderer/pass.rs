@@ -43,8 +43,8 @@ pub(super) struct Pass<'a> {
 }
 
 impl<'a> Pass<'a> {
-    /// Makes what a draw needs and has to be waited for: its program, which is asked whether it is well. On the web that
-    /// waits for all that was drawn before, so it is done for all draws before the first.
+    /// Links the program of a draw. Checking the result waits for all earlier draws on the web, so this is called for all draws
+    /// before the first one.
     pub fn prepare(&mut self, draw: &Draw<'_>) -> Result<(), GlError> {
         let material = &self.scene.materials[draw.run.material];
         let key = self.key(draw.object, self.geometry(draw.object)?, material);
@@ -118,7 +118,7 @@ impl<'a> Pass<'a> {
         }
     }
 
-    /// The environment, where the program shows it.
+    /// The environment, if the program shows it.
     fn around_of(&self, key: SceneKey) -> Option<&BoundEnvironment<'_>> {
         self.around.as_ref().filter(|_| key.surroundings != SurroundingsKey::NONE)
     }
@@ -147,7 +147,7 @@ impl<'a> Pass<'a> {
         for (end, name) in self.lights.ends.iter().zip(["directional_end", "point_end", "spot_end"]) {
             program.set_i32(name, *end as i32);
         }
-        // Without any light too, for then as well the compiler may keep the array; no uniform is left as it was.
+        // Also without lights, because the compiler may keep the array: every uniform is set.
         let none = [[0.0; 4]];
         let values = if self.lights.uniforms().is_empty() { &none } else { self.lights.uniforms() };
         program.set_vec4_array("light_values[0]", values);

@@ -12,9 +12,9 @@ use gonio_gl::trace::{FrameRecord, Recording};
 use gonio_scene::{Frame, ViewSpec};
 
 impl Renderer {
-    /// Draws the picture, or a debug view, as [`Renderer::render8`] does, but at once and not in bands, and records all
-    /// that it takes: the scene's pass, the averaging of samples, the output pass. What the picture shows is thrown
-    /// away. A window's state is left as [`Renderer::paint`] leaves it.
+    /// Draws the picture, or a debug view, as [`Renderer::render8`] does, but at once and not in bands, and records all its
+    /// calls: the pass of the scene, the averaging of samples, the output pass. The picture itself is discarded. A window's
+    /// state is left as [`Renderer::paint`] leaves it.
     pub fn record(&mut self, scene: &GpuScene, frame: &Frame, view: Option<ViewSpec>) -> Result<FrameRecord, GlError> {
         let shared = self.shared.clone();
         let _state = SavedState::save(&shared.gl);
@@ -24,7 +24,7 @@ impl Renderer {
         Ok(record)
     }
 
-    /// The same with a thumbnail of each texture, for a window.
+    /// Like [`Self::record`], with a thumbnail of each texture, for a window.
     pub fn record_with_thumbnails(
         &mut self,
         scene: &GpuScene,

@@ -45,7 +45,7 @@ impl Shared {
         Ok(program)
     }
 
-    /// Clears OpenGL's error flags, of which it has a few.
+    /// Clears all error flags of OpenGL.
     pub fn forget_errors(&self) {
         (0..8).take_while(|_| self.gl.get_error() != glow::NO_ERROR).for_each(drop);
     }
@@ -73,7 +73,7 @@ pub(crate) struct Targets {
 }
 
 impl Targets {
-    /// One that fits and that no finished frame holds, which must not be drawn over.
+    /// Finds one that fits and that no finished frame uses: those must not be overwritten.
     pub fn find(&mut self, size: [i32; 2], sampling: Sampling, precision: ColorPrecision) -> Option<Rc<Target>> {
         let fits = |target: &Rc<Target>| {
             target.size == size
@@ -87,8 +87,8 @@ impl Targets {
         Some(target)
     }
 
-    /// Makes room for another: of `most` panes that are drawn in turn, each has used its own lately; what has not been
-    /// used for as long is of a size that nobody has any more.
+    /// Makes room for another: each of `most` panes that are drawn in turn has used its target recently; a target that was not
+    /// used for longer has a size that no pane has any more.
     pub fn make_room(&mut self, most: usize) {
         let uses = self.uses;
         self.kept.retain(|(_, last)| last + most as u64 > uses + 1);
@@ -113,14 +113,14 @@ impl Targets {
     }
 }
 
-/// Pixels of a picture for each triangle up to which triangles count as fine: from there on down a grid of samples was
-/// measured to take less time on llvmpipe than samples of the driver.
+/// Most pixels of a picture per triangle for which triangles count as fine: up to here a grid of samples was faster on llvmpipe
+/// than multisampling.
 const PIXELS_PER_TRIANGLE: usize = 3;
 
 /// Chooses how the samples of a frame are drawn.
 ///
-/// Where triangles are not much larger than pixels, nearly every sample is shaded anyway, and software drivers spend
-/// more on keeping the samples of a pixel apart than on shading: there a finer picture, averaged, is the same for less.
+/// If triangles are not much larger than pixels, nearly every sample is shaded anyway, and multisampling costs software drivers
+/// more than shading: an averaged finer picture is the same in less time.
 pub(super) fn choose_sampling(info: &DriverInfo, triangles: usize, frame: &Frame, samples: i32) -> Sampling {
     let pixels = frame.width as usize * frame.height as usize;
     let is_fine = triangles.saturating_mul(PIXELS_PER_TRIANGLE) >= pixels;
@@ -145,23 +145,22 @@ mod tests {
             40 * finer,
             30 * finer
         );
-        let scene = gonio_scene::toml_file::read(&text).unwrap_or_else(|why| panic!("{why}"));
-        gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"))
+        let scene = gonio_scene::toml_file::read(&text).unwrap_or_else(|error| panic!("{error}"));
+        gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|error| panic!("{error}"))
     }
 
     fn linear(renderer: &mut Renderer, scene: &Scene) -> Picture {
-        let uploaded = renderer.upload(scene).unwrap_or_else(|why| panic!("{why}"));
+        let uploaded = renderer.upload(scene).unwrap_or_else(|error| panic!("{error}"));
         let drawn = renderer.render(&uploaded, &scene.frame(0.0), None);
-        drawn.and_then(|drawn| drawn.linear()).unwrap_or_else(|why| panic!("{why}"))
+        drawn.and_then(|drawn| drawn.linear()).unwrap_or_else(|error| panic!("{error}"))
     }
 
-    /// Four samples of fine triangles are the four pixels of a picture twice as large: in OpenGL, in OpenGL ES, and
-    /// whatever comes before it.
+    /// Four samples of fine triangles are the four pixels of a picture twice as large, in OpenGL and in OpenGL ES.
     #[test]
     fn fine_triangles_are_a_finer_picture_averaged() {
         for es in [false, true] {
             let context = crate::tests::context(es);
-            let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}"));
+            let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|error| panic!("{error}"));
             assert!(renderer.info().is_software(), "{}", renderer.info().renderer);
             let finer = linear(&mut renderer, &scene(1, 2));
             let picture = linear(&mut renderer, &scene(4, 1));
@@ -176,9 +175,9 @@ mod tests {
                 }
                 covered += usize::from(four.iter().any(|texel| *texel != four[0]));
             }
-            // The background is a gradient in steps of rows, so half a step of it may part them.
+            // The background is a gradient with a step per row, so they may differ by half a step.
             assert!(differs < 2e-3, "{differs}");
-            assert!(covered > 200, "{covered} pixels are not of one colour");
+            assert!(covered > 200, "only {covered} pixels cover an edge");
         }
     }
 }

@@ -27,7 +27,7 @@ impl Shared {
     }
 
     /// Draws all objects with one program of plain.vert: opaque ones, then transparent triangles from back to front, as
-    /// the picture does. Gives the number of draw calls.
+    /// the picture does. Returns the number of draw calls.
     pub(super) fn draw_plainly(
         &self,
         which: SpecialProgram,
@@ -86,7 +86,7 @@ impl Shared {
         Ok(())
     }
 
-    /// Draws a special view into a target; gives the number of draw calls.
+    /// Draws a special view into a target; returns the number of draw calls.
     pub(super) fn draw_special(
         &self,
         view: SpecialView,
@@ -129,7 +129,7 @@ impl Shared {
 
 impl Renderer {
     /// Counts the fragments shaded for a frame's objects, one sample per pixel: the sum of what
-    /// [`SpecialView::Overdraw`] shows. Counted by drawing, so it is exact, and there on every driver; waits for the GPU.
+    /// [`SpecialView::Overdraw`] shows. Counted by drawing, so it is exact and works on every driver; waits for the GPU.
     /// The framebuffer's binding and the state of a window are left as [`Self::paint`] leaves them.
     pub fn count_fragments(&mut self, scene: &GpuScene, frame: &Frame) -> Result<u64, GlError> {
         let shared = self.shared.clone();
@@ -144,8 +144,8 @@ impl Renderer {
     }
 }
 
-/// Returns whether a picture is drawn upside down, which reverses the winding of triangles. Clip space is left-handed and the world
-/// is not: the determinant of a usual projection is negative.
+/// Returns whether a picture is drawn upside down, which reverses the winding of triangles. Clip space is left-handed and the
+/// world is not: the determinant of a usual projection is negative.
 pub(super) fn is_flipped(clip_from_world: &DMat4) -> bool {
     clip_from_world.determinant() > 0.0
 }
@@ -285,7 +285,7 @@ impl Lines<'_> {
         Ok(())
     }
 
-    /// The program of lines, with what all lines of a colour share.
+    /// Binds the program of lines, with the uniforms of one colour.
     fn lines(&self, color: [f32; 4]) -> Result<std::rc::Rc<Program>, GlError> {
         let program = self.shared.special_program(SpecialProgram::Line)?;
         program.bind();

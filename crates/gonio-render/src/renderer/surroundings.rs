@@ -1,4 +1,4 @@
-//! A frame's environment: the sky behind everything, and what mirrors and glass need of it.
+//! A frame's environment: the sky behind everything, and its reflection and refraction.
 
 use super::shared::Shared;
 use crate::environment_on_gpu::{CubeTexture, EnvironmentOnGpu, Gloss, Seamless};
@@ -19,22 +19,22 @@ pub(super) struct BoundEnvironment<'a> {
     surroundings: Surroundings,
     /// Levels of textures are chosen by distances on the screen, not always the first.
     mipmapped: bool,
-    /// For objects that it lights and that are not all matte.
+    /// The environment for glossy surfaces that it lights.
     gloss: Option<&'a Gloss>,
     _seamless: Seamless<'a>,
 }
 
 impl<'a> BoundEnvironment<'a> {
-    /// Binds what surrounds a frame's scene; `None` where it has no environment.
+    /// Binds the environment of a frame; `None` if it has none.
     pub fn bound(shared: &'a Shared, scene: &'a GpuScene, frame: &Frame) -> Result<Option<Self>, GlError> {
         let gl = &shared.gl;
         let (Some(textures), Some(surroundings)) = (scene.environment.as_ref(), frame.surroundings) else {
             return Ok(None);
         };
-        // Made at the first wish, and that takes a second.
+        // Computed at the first use, which takes a second.
         let any_gloss = || scene.materials.iter().any(|m| m.material.specular != [0.0; 3]);
-        let wants_gloss = surroundings.lights && frame.equation.terms.specular && any_gloss();
-        let gloss = wants_gloss.then(|| textures.gloss(gl)).transpose()?;
+        let needs_gloss = surroundings.lights && frame.equation.terms.specular && any_gloss();
+        let gloss = needs_gloss.then(|| textures.gloss(gl)).transpose()?;
         gloss.map_or(&textures.map, |gloss| &gloss.map).bind(gl, texture_unit("glossy_map"));
         if let Some(gloss) = gloss {
             gl.active_texture(glow::TEXTURE0 + texture_unit("environment_brdf"));
@@ -49,7 +49,7 @@ impl<'a> BoundEnvironment<'a> {
     pub fn key(&self, object: &GpuObject, optics: &Optics, is_view: bool) -> SurroundingsKey {
         let sight = match optics {
             optics if optics.is_plain() => SurfaceOptics::Nothing,
-            // A view may show what is let through even where none of it counts.
+            // A view may show refraction even if its weight is 0.
             optics if optics.transmission <= 0.0 && !is_view => SurfaceOptics::Mirror,
             optics if optics.surfaces == Surfaces::Two && object.body.is_some() => SurfaceOptics::Body,
             _ => SurfaceOptics::Glass,
@@ -58,7 +58,7 @@ impl<'a> BoundEnvironment<'a> {
         SurroundingsKey { sight, mipmapped, lights: self.surroundings.lights }
     }
 
-    /// Sets what is the same for all materials.
+    /// Sets the uniforms that are the same for all materials.
     pub fn set_frame(&self, program: &Program, frame: &Frame) {
         if self.surroundings.lights {
             let switch = |on: bool| if on { 1.0 } else { 0.0 };
@@ -94,8 +94,7 @@ impl<'a> BoundEnvironment<'a> {
         self.surroundings.visible
     }
 
-    /// Draws it where nothing opaque has been drawn: at the largest depth, with alpha 1. Depth is tested, and not
-    /// written.
+    /// Draws it where nothing opaque has been drawn: at the largest depth, with alpha 1. Depth is tested but not written.
     pub fn draw_sky(&self, shared: &Shared, frame: &Frame) -> Result<(), GlError> {
         let gl = &shared.gl;
         let _group = DebugGroup::new(gl, "sky");
@@ -123,8 +122,8 @@ impl<'a> BoundEnvironment<'a> {
         Ok(())
     }
 
-    /// From (x, y, 1), x and y from -1 to 1 over the picture, to a direction in the environment. Where the eye is does
-    /// not count: the environment is infinitely far away.
+    /// From (x, y, 1), x and y from -1 to 1 over the picture, to a direction in the environment. The position of the
+    /// eye does not matter: the environment is infinitely far away.
     fn environment_from_clip(&self, frame: &Frame) -> DMat3 {
         let camera = &frame.camera;
         let half_height = (0.5 * camera.fov_y_rad).tan();

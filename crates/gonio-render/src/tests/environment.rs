@@ -1,4 +1,5 @@
-//! Environments on the GPU: the same directions, texels and seams as on the CPU, also when converted. And differences of pictures.
+//! Environments on the GPU: the same directions, texels and seams as on the CPU, also when converted. And differences of
+//! pictures.
 
 use crate::conversion::Converter;
 use crate::environment_on_gpu::{CubeTexture, EnvironmentOnGpu, Seamless};
@@ -29,17 +30,17 @@ fn look_up(es: bool, mips: &CubeMips, at: &[[f32; 4]]) -> Vec<[f32; 4]> {
         dialect.header()
     );
     let vertex = format!("{}{}", dialect.header(), include_str!("../../shaders/output.vert"));
-    let program = Program::new(gl, "look up", &vertex, &fragment, &[]).unwrap_or_else(|why| panic!("{why}"));
-    let cube = CubeTexture::upload(gl, "cube", mips.levels(), 1 << 14).unwrap_or_else(|why| panic!("{why}"));
+    let program = Program::new(gl, "look up", &vertex, &fragment, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let cube = CubeTexture::upload(gl, "cube", mips.levels(), 1 << 14).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((cube.size, cube.levels_left_out), (mips.full().size(), 0));
     let width = 64;
     let height = at.len().div_ceil(width);
     let mut places = at.to_vec();
     places.resize(width * height, [0.0, 0.0, 1.0, 0.0]);
     gl.active_texture(glow::TEXTURE1);
-    let texture = TextureObject::bound(gl, "places").unwrap_or_else(|why| panic!("{why}"));
-    let target = OutputTarget::new(gl, [width as i32, height as i32], true).unwrap_or_else(|why| panic!("{why}"));
-    let array = VertexArray::bound(gl, "none").unwrap_or_else(|why| panic!("{why}"));
+    let texture = TextureObject::bound(gl, "places").unwrap_or_else(|error| panic!("{error}"));
+    let target = OutputTarget::new(gl, [width as i32, height as i32], true).unwrap_or_else(|error| panic!("{error}"));
+    let array = VertexArray::bound(gl, "none").unwrap_or_else(|error| panic!("{error}"));
     let _seamless = Seamless::new(gl);
     gl.bind_texture(glow::TEXTURE_2D, Some(texture.handle()));
     gl.tex_parameter_i32(glow::TEXTURE_2D, glow::TEXTURE_MIN_FILTER, glow::NEAREST as i32);
@@ -134,28 +135,28 @@ fn lookups_between_texels_faces_and_levels_are_the_cpus() {
 fn what_is_too_large_begins_at_a_smaller_level_with_a_note() {
     let context = super::context(false);
     let environment = Arc::new(LoadedEnvironment::new("of colours", Cubemap::from_function(32, |d| d * d)));
-    let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 20).unwrap_or_else(|why| panic!("{why}"));
+    let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 20).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((uploaded.map.size, uploaded.map.levels_left_out), (16, 1));
     let note = "the environment is drawn with 16 x 16 texels a face instead of 32 x 32: the driver has no more";
     assert_eq!(uploaded.notes, [note]);
-    let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 32).unwrap_or_else(|why| panic!("{why}"));
+    let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 32).unwrap_or_else(|error| panic!("{error}"));
     assert!(uploaded.notes.is_empty());
     assert!(std::ptr::eq(uploaded.seen(), &uploaded.map), "one texture serves both");
 }
 
-/// A driver whose textures have no room for an object's inside draws its first surface alone, and says so; scenes without
+/// A driver whose textures are too small for the body of an object draws its first surface alone, with a note; scenes without
 /// environment do not need it at all.
 #[test]
 fn a_body_that_does_not_fit_is_told() {
     let context = super::context(false);
     let text = "[[object]]\nmodel = \"builtin:cube\"\nmaterial = { medium = \"glass\", surfaces = \"two\" }\n";
-    let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|why| panic!("{why}"));
-    let mut scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
+    let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|error| panic!("{error}"));
+    let mut scene = gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|error| panic!("{error}"));
     let info = DriverInfo::new(context.gl());
     let small = DriverInfo { max_size: 0, ..info.clone() };
     let upload = |scene: &Scene, info| {
-        let scene =
-            GpuScene::upload(context.gl(), scene, info, &mut GpuCache::default()).unwrap_or_else(|why| panic!("{why}"));
+        let scene = GpuScene::upload(context.gl(), scene, info, &mut GpuCache::default())
+            .unwrap_or_else(|error| panic!("{error}"));
         (scene.objects[0].body.is_some(), scene.notes)
     };
     assert_eq!(upload(&scene, &small), (false, Vec::new()));
@@ -274,10 +275,10 @@ fn gpu_and_cpu_colour_differences_alike() {
                 let ways = [0, 1, 2].map(|c| f64::from(second[4 * i + c]) - f64::from(first[4 * i + c]));
                 // The first of equals, as the shader has it.
                 let way = ways.into_iter().fold(0.0, |most: f64, way| if way.abs() > most.abs() { way } else { most });
-                let wanted = if is_signed { signed(way / full_scale) } else { heat(way.abs() / full_scale) };
-                for (got, wanted) in pixel.iter().zip(wanted) {
+                let expected = if is_signed { signed(way / full_scale) } else { heat(way.abs() / full_scale) };
+                for (got, expected) in pixel.iter().zip(expected) {
                     // Rounding of f32 decides between two neighbours.
-                    assert!(got.abs_diff(wanted) <= 1, "pixel {i}: {pixel:?} and {wanted:?}, es {es}");
+                    assert!(got.abs_diff(expected) <= 1, "pixel {i}: {pixel:?} and {expected:?}, es {es}");
                 }
             }
         }

@@ -9,7 +9,8 @@ mod twins;
 
 use gonio_gl::headless::{HeadlessContext, HeadlessOptions};
 
-/// A context, or a panic that says what to install.
+/// A context; panics with the packages to install if there is none.
 pub(crate) fn context(es: bool) -> HeadlessContext {
-    HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() }).unwrap_or_else(|why| panic!("{why}"))
+    HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() })
+        .unwrap_or_else(|error| panic!("{error}"))
 }

@@ -1,4 +1,4 @@
-//! Overlays and views that are no quantities of the equation: where they are, and where they are not.
+//! Overlays and views that are not quantities of the equation: their pixels, and no others.
 
 use super::paint::{loaded, renderer};
 use crate::DisplayTexture;
@@ -36,11 +36,11 @@ impl Bench {
     }
 
     fn paint(&mut self, scene: &Scene, view: View, overlays: Overlays) -> Vec<[u8; 4]> {
-        let mut canvas = DisplayTexture::new(&self.gl, [1, 1]).unwrap_or_else(|why| panic!("{why}"));
-        let uploaded = self.renderer.upload(scene).unwrap_or_else(|why| panic!("{why}"));
+        let mut canvas = DisplayTexture::new(&self.gl, [1, 1]).unwrap_or_else(|error| panic!("{error}"));
+        let uploaded = self.renderer.upload(scene).unwrap_or_else(|error| panic!("{error}"));
         let painted =
             self.renderer.paint(&uploaded, &scene.frame(0.0), &DisplayOptions { view, overlays }, &mut canvas);
-        painted.unwrap_or_else(|why| panic!("{why}"));
+        painted.unwrap_or_else(|error| panic!("{error}"));
         canvas.read8().chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect()
     }
 }
@@ -52,7 +52,7 @@ fn differing(a: &[[u8; 4]], b: &[[u8; 4]]) -> Vec<(f64, f64)> {
     places.map(|i| ((i % SIZE) as f64 + 0.5, (i / SIZE) as f64 + 0.5)).collect()
 }
 
-/// Where a point of the world is in the picture, pixels from the top left.
+/// The place of a point of the world in the picture, in pixels from the top left.
 fn on_screen(frame: &Frame, point: DVec3) -> (f64, f64) {
     let clip: DVec4 = frame.camera.clip_from_view(1.0) * frame.camera.view_from_world() * point.extend(1.0);
     let (x, y) = (clip.x / clip.w, clip.y / clip.w);
@@ -95,9 +95,10 @@ fn a_wireframe_lies_on_the_edges_that_are_seen() {
             let seen = changed.iter().filter(|&&p| distance(p, a, b) < 1.5).count();
             assert!(seen > 30, "only {seen} pixels of an edge");
         }
-        // What is behind does not show through.
+        // The object behind does not show through.
         let hidden = cubes(&[([0.0, 0.0, 0.0], 1.0), ([0.0, 0.0, -3.0], 0.5)], "phong");
-        // Its lights are other ones, as they stand around both: so it is held against its own picture without wires.
+        // Its lights are different, because they are placed around both objects: so it is compared with its own picture
+        // without wires.
         let plain = bench.paint(&hidden, View::Picture, NO);
         let wired = bench.paint(&hidden, View::Picture, wires);
         assert_eq!(differing(&plain, &wired), changed, "the far cube is hidden");
@@ -195,9 +196,9 @@ fn overdraw_counts_what_was_shaded() {
         let (near, far) = (([0.0, 0.0, 1.0], 0.5), ([0.0, 0.0, -2.0], 0.5));
         let mut fragments = |placed: &[_]| {
             let scene = cubes(placed, "phong");
-            let uploaded = bench.renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+            let uploaded = bench.renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
             let counted = bench.renderer.count_fragments(&uploaded, &scene.frame(0.0));
-            let counted = counted.unwrap_or_else(|why| panic!("{why}"));
+            let counted = counted.unwrap_or_else(|error| panic!("{error}"));
             let pixels = bench.paint(&scene, View::Special(SpecialView::Overdraw), NO);
             let scale = OVERDRAW_SCALE.map(|c| c.map(|v| (v * 255.0).round() as u8));
             let mut by_colour = [0_u64; 9];
@@ -217,7 +218,7 @@ fn overdraw_counts_what_was_shaded() {
         let (behind_first, colours) = fragments(&[far, near]);
         assert_eq!(behind_first, one + other, "drawn first, hidden later");
         assert_eq!(colours[2], other);
-        assert_eq!(fragments(&[near, far]).0, one, "what is hidden already is not shaded");
+        assert_eq!(fragments(&[near, far]).0, one, "hidden fragments are not shaded");
     }
 }
 

@@ -1,4 +1,4 @@
-//! What a window relies on: the right picture on a display texture, its own state left alone, nothing made twice.
+//! Painting for a window: the correct picture on a display texture, the state of the window unchanged, no resource created twice.
 
 use super::context;
 use crate::display::{DisplayOptions, View};
@@ -15,13 +15,13 @@ use std::path::Path;
 use std::rc::Rc;
 
 pub(super) fn loaded(text: &str) -> Scene {
-    let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|why| panic!("{why}\n{text}"));
-    gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"))
+    let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|error| panic!("{error}"))
 }
 
 pub(super) fn renderer(es: bool) -> (Gl, Renderer) {
     let context = context(es);
-    let renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}"));
+    let renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|error| panic!("{error}"));
     (context.gl().clone(), renderer)
 }
 
@@ -39,16 +39,16 @@ fn a_canvas_shows_what_a_file_would_hold() {
     let normal = ViewSpec { quantity: Quantity::Normal, light: None };
     for es in [false, true] {
         let (gl, mut renderer) = renderer(es);
-        let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
-        let mut canvas = DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|why| panic!("{why}"));
+        let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
+        let mut canvas = DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|error| panic!("{error}"));
         for view in [None, Some(normal)] {
             let painted = renderer.paint(&uploaded, &frame, &view.into(), &mut canvas);
-            let painted = painted.unwrap_or_else(|why| panic!("{why}"));
+            let painted = painted.unwrap_or_else(|error| panic!("{error}"));
             assert_eq!((canvas.size(), painted.notes.len()), ([90, 70], 0), "{:?}", painted.notes);
             assert_eq!((painted.draw_calls, painted.statistics), (1, None));
             let drawn = renderer.render_at(&uploaded, &frame, view, ColorPrecision::Half);
-            let wanted = drawn.and_then(|d| d.encoded8()).unwrap_or_else(|why| panic!("{why}"));
-            assert!(canvas.read8() == wanted.rgba, "not one bit differs: es {es}, {view:?}");
+            let expected = drawn.and_then(|d| d.encoded8()).unwrap_or_else(|error| panic!("{error}"));
+            assert!(canvas.read8() == expected.rgba, "not one bit differs: es {es}, {view:?}");
         }
     }
 }
@@ -58,9 +58,11 @@ fn where_nothing_is_a_canvas_is_premultiplied() {
     let scene = loaded(&format!("[background]\ntransparent = true\n{MONKEY}"));
     let frame = scene.frame(0.0);
     let (gl, mut renderer) = renderer(false);
-    let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
-    let mut canvas = DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|why| panic!("{why}"));
-    renderer.paint(&uploaded, &frame, &DisplayOptions::default(), &mut canvas).unwrap_or_else(|why| panic!("{why}"));
+    let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let mut canvas = DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|error| panic!("{error}"));
+    renderer
+        .paint(&uploaded, &frame, &DisplayOptions::default(), &mut canvas)
+        .unwrap_or_else(|error| panic!("{error}"));
     let pixels = canvas.read8();
     // Rounding to 8 bits is by half a step, of the colour and of the alpha each.
     assert!(pixels.chunks_exact(4).all(|p| p[..3].iter().all(|c| *c <= p[3].saturating_add(1))));
@@ -74,12 +76,12 @@ fn a_picture_is_shown_pixel_for_pixel_over_what_is_seen_through_it() {
     for (es, transparent) in [(false, false), (false, true), (true, false), (true, true)] {
         let scene = loaded(&format!("[background]\ntransparent = {transparent}\n{MONKEY}"));
         let (gl, mut renderer) = renderer(es);
-        let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+        let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
         let [mut canvas, window] =
-            [[1, 1], [90, 70]].map(|size| DisplayTexture::new(&gl, size).unwrap_or_else(|why| panic!("{why}")));
+            [[1, 1], [90, 70]].map(|size| DisplayTexture::new(&gl, size).unwrap_or_else(|error| panic!("{error}")));
         let painted = renderer.paint(&uploaded, &scene.frame(0.0), &DisplayOptions::default(), &mut canvas);
-        painted.unwrap_or_else(|why| panic!("{why}"));
-        let presenter = Presenter::new(&gl).unwrap_or_else(|why| panic!("{why}"));
+        painted.unwrap_or_else(|error| panic!("{error}"));
+        let presenter = Presenter::new(&gl).unwrap_or_else(|error| panic!("{error}"));
         let picture = presenter.presentation(canvas.texture());
         let picture = if transparent { picture } else { picture.opaque() };
         window.output().bind(&gl);
@@ -89,17 +91,17 @@ fn a_picture_is_shown_pixel_for_pixel_over_what_is_seen_through_it() {
         let (picture, shown) = (canvas.read8(), window.read8());
         // A window's first row in memory is its lowest.
         let rows = picture.chunks_exact(90 * 4).rev().flatten();
-        let wanted: Vec<u8> = rows.copied().collect();
+        let expected: Vec<u8> = rows.copied().collect();
         if !transparent {
-            assert!(shown == wanted, "es {es}: not one bit differs");
+            assert!(shown == expected, "es {es}: not one bit differs");
             continue;
         }
-        for (shown, wanted) in shown.chunks_exact(4).zip(wanted.chunks_exact(4)) {
+        for (shown, expected) in shown.chunks_exact(4).zip(expected.chunks_exact(4)) {
             for channel in 0..4 {
-                let through = u32::from(below[channel]) * u32::from(255 - wanted[3]) / 255;
-                let sum = u32::from(wanted[channel]) + through;
+                let through = u32::from(below[channel]) * u32::from(255 - expected[3]) / 255;
+                let sum = u32::from(expected[channel]) + through;
                 // Rounding to 8 bits, here down and there to the nearest.
-                assert!(sum.abs_diff(shown[channel].into()) <= 1, "es {es}: {shown:?} of {wanted:?}");
+                assert!(sum.abs_diff(shown[channel].into()) <= 1, "es {es}: {shown:?} of {expected:?}");
             }
         }
     }
@@ -109,11 +111,11 @@ fn a_picture_is_shown_pixel_for_pixel_over_what_is_seen_through_it() {
 fn counters_are_read_where_they_are_asked_for() {
     let scene = loaded(MONKEY);
     let (gl, mut renderer) = renderer(false);
-    let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
-    let mut canvas = DisplayTexture::new(&gl, [90, 70]).unwrap_or_else(|why| panic!("{why}"));
+    let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let mut canvas = DisplayTexture::new(&gl, [90, 70]).unwrap_or_else(|error| panic!("{error}"));
     let show = DisplayOptions { view: View::Picture, overlays: ALL };
     let painted = renderer.paint_counted(&uploaded, &scene.frame(0.0), &show, &mut canvas);
-    let painted = painted.unwrap_or_else(|why| panic!("{why}"));
+    let painted = painted.unwrap_or_else(|error| panic!("{error}"));
     let statistics = painted.statistics.unwrap_or_default();
     assert!(statistics.vertices.is_some_and(|v| v >= 500), "{statistics:?}");
     assert!(statistics.fragments.is_some_and(|f| f > 1000), "{statistics:?}");
@@ -121,16 +123,16 @@ fn counters_are_read_where_they_are_asked_for() {
     assert_eq!((statistics.draw_calls, painted.draw_calls), (1, 5));
 }
 
-/// The state of somebody else, unlike what a frame of ours would leave.
+/// The state of other code, different from that after a frame.
 #[test]
 fn the_state_of_a_window_is_left_alone() {
     let scene = loaded(
         "[picture]\nwidth = 40\nheight = 30\n[environment]\nimage = \"debug\"\nsize = 8\n[[object]]\nmodel = \"builtin:cube\"\nmaterial.opacity = 0.5\n",
     );
     let (gl, mut renderer) = renderer(false);
-    let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
-    let mut canvas = DisplayTexture::new(&gl, [40, 30]).unwrap_or_else(|why| panic!("{why}"));
-    let mine = DisplayTexture::new(&gl, [64, 64]).unwrap_or_else(|why| panic!("{why}"));
+    let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let mut canvas = DisplayTexture::new(&gl, [40, 30]).unwrap_or_else(|error| panic!("{error}"));
+    let mine = DisplayTexture::new(&gl, [64, 64]).unwrap_or_else(|error| panic!("{error}"));
     let state = |gl: &Gl| -> Vec<i32> {
         let mut all: Vec<i32> = [
             glow::DRAW_FRAMEBUFFER_BINDING,
@@ -182,14 +184,14 @@ fn the_state_of_a_window_is_left_alone() {
         gl.bind_vertex_array(None);
         let before = state(&gl);
         let first = renderer.paint(&uploaded, &scene.frame(0.0), &show, &mut canvas);
-        first.unwrap_or_else(|why| panic!("{why}"));
+        first.unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(state(&gl), before, "{show:?}");
         let pixels = canvas.read8();
         mine.output().bind(&gl);
         gl.disable(glow::SCISSOR_TEST);
         let second = renderer.paint(&uploaded, &scene.frame(0.0), &show, &mut canvas);
-        second.unwrap_or_else(|why| panic!("{why}"));
-        assert!(canvas.read8() == pixels, "nobody else's scissor or stencil takes part: {show:?}");
+        second.unwrap_or_else(|error| panic!("{error}"));
+        assert!(canvas.read8() == pixels, "the scissor and stencil of other code have no effect: {show:?}");
     }
 }
 
@@ -203,11 +205,11 @@ fn panes_and_edits_share_what_is_on_the_gpu() {
         let s = &r.cache;
         [s.geometries.count(), s.textures.count(), s.environments.count(), s.bodies.count()]
     };
-    let first = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
+    let first = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
     let at_first = count(&renderer);
     assert!(at_first.iter().all(|n| *n > 0), "{at_first:?}");
     // Another pane: its own clone.
-    let pane = renderer.upload(&scene.clone()).unwrap_or_else(|why| panic!("{why}"));
+    let pane = renderer.upload(&scene.clone()).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(count(&renderer), at_first);
     assert!(pane.textures.iter().zip(&first.textures).all(|(a, b)| Rc::ptr_eq(a, b)));
     // An edit of a colour and a light.
@@ -215,16 +217,16 @@ fn panes_and_edits_share_what_is_on_the_gpu() {
     edited.objects[0].material.shininess = Some(3.0);
     edited.lights.clear();
     let Ok(Edited::Done(applied)) = apply(&scene, edited) else { panic!("it needs no files") };
-    let after = renderer.upload(&applied.loaded).unwrap_or_else(|why| panic!("{why}"));
+    let after = renderer.upload(&applied.loaded).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(count(&renderer), at_first);
     // Another shading of one object: one more geometry, while the other panes hold theirs.
     let mut edited = scene.settings.clone();
     edited.objects[0].shading = gonio_scene::scene_file::Shading::Flat;
     let Ok(Edited::Done(applied)) = apply(&scene, edited) else { panic!("it needs no files") };
-    let flat = renderer.upload(&applied.loaded).unwrap_or_else(|why| panic!("{why}"));
+    let flat = renderer.upload(&applied.loaded).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(count(&renderer), [at_first[0] + 1, at_first[1], at_first[2], at_first[3]]);
     drop((first, pane, after));
-    assert_eq!(count(&renderer), at_first, "the shared form of the first object is held by nobody");
+    assert_eq!(count(&renderer), at_first, "the shared form of the first object is unused");
     drop(flat);
     assert_eq!(count(&renderer), [0; 4]);
 }
@@ -233,14 +235,14 @@ fn panes_and_edits_share_what_is_on_the_gpu() {
 fn panes_of_several_sizes_keep_their_targets() {
     let scene = loaded(MONKEY);
     let (gl, mut renderer) = renderer(false);
-    let uploaded = renderer.upload(&scene).unwrap_or_else(|why| panic!("{why}"));
-    let mut canvas = DisplayTexture::new(&gl, [8, 8]).unwrap_or_else(|why| panic!("{why}"));
+    let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
+    let mut canvas = DisplayTexture::new(&gl, [8, 8]).unwrap_or_else(|error| panic!("{error}"));
     let texture = canvas.texture();
     let mut paint = |renderer: &mut Renderer, [w, h]: [u32; 2]| {
         let frame = sized(&scene, w, h);
         renderer
             .paint(&uploaded, &frame, &DisplayOptions::default(), &mut canvas)
-            .unwrap_or_else(|why| panic!("{why}"));
+            .unwrap_or_else(|error| panic!("{error}"));
         assert_eq!((canvas.size(), canvas.texture()), ([w, h], texture), "its name stays");
         renderer.targets.last().map(|target| Rc::as_ptr(target) as usize)
     };

@@ -1,4 +1,4 @@
-//! Records of our own frames: nothing is wrong with them, and they say what was drawn.
+//! Records of the renderer's frames: they have no findings, and list everything that was drawn.
 
 use crate::Renderer;
 use glam::DVec3;
@@ -129,7 +129,7 @@ fn a_record_says_what_was_drawn_with_what() {
     assert!(matches!(&fed.source, AttributeSource::Array(array) if array.buffer_name == "pane: position"), "{fed:?}");
 }
 
-/// What the GPU counts around each draw is, in sum, what it counts around all of them; and a picture drawn after a
+/// The counters of the GPU for each draw add up to those for all of them; and a picture drawn after a
 /// recording is the same as one drawn before.
 #[test]
 fn recording_counts_right_and_changes_nothing() {

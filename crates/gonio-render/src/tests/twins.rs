@@ -1,5 +1,5 @@
 //! A GLSL function and its Rust twin have the same name; here the one is drawn over many parameters
-//! and held against the other.
+//! and compared with the other.
 //!
 //! Mirrors and glass: optics.glsl against gonio-light's optics.rs; and environment_light.glsl.
 
@@ -20,7 +20,7 @@ use gonio_light::{Attenuation, ShadingPoint, Surface, light, microfacet, optics,
 /// Parameters of one call: four texels.
 pub(super) type Case = [[f32; 4]; 4];
 
-/// How many cases each function is tried with.
+/// Number of cases for each function.
 const CASES: usize = 4096;
 
 /// A generator that gives the same numbers everywhere (Steele, Lea, Flood 2014: SplitMix64).
@@ -71,7 +71,7 @@ fn run_glsl(es: bool, body: &str, cases: &[Case]) -> Vec<[f32; 4]> {
          texelFetch(cases, ivec2(x + 2, y), 0), texelFetch(cases, ivec2(x + 3, y), 0));\n}}\n"
     );
     let vertex = format!("{}{}", dialect.header(), include_str!("../../shaders/output.vert"));
-    let program = Program::new(gl, "twins", &vertex, &fragment, &[]).unwrap_or_else(|why| panic!("{why}"));
+    let program = Program::new(gl, "twins", &vertex, &fragment, &[]).unwrap_or_else(|error| panic!("{error}"));
     let (width, height) = (64, cases.len() / 64);
     assert_eq!(width * height, cases.len(), "whole rows");
     let texture = TextureObject::bound(gl, "cases").expect("a texture");

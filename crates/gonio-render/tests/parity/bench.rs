@@ -19,8 +19,8 @@ pub fn scene_from(camera: &str, equation: &str, lights: &str, objects: &str) -> 
          [camera]\n{camera}\nfov_y = 40\n\
          [equation]\n{equation}\n{objects}\n{lights}"
     );
-    let scene = gonio_scene::toml_file::read(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
-    gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}\n{text}"))
+    let scene = gonio_scene::toml_file::read(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    gonio_scene::load::load(scene, Path::new(""), &Disk).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 /// One comparison of the two renderers.
@@ -46,8 +46,8 @@ impl Bench {
     /// With OpenGL, or with OpenGL ES: what a browser has.
     pub fn with(es: bool) -> Self {
         let options = HeadlessOptions { es, ..Default::default() };
-        let context = HeadlessContext::with_options(&options).unwrap_or_else(|why| panic!("{why}"));
-        Bench { renderer: Renderer::new(context.gl().clone()).unwrap_or_else(|why| panic!("{why}")) }
+        let context = HeadlessContext::with_options(&options).unwrap_or_else(|error| panic!("{error}"));
+        Bench { renderer: Renderer::new(context.gl().clone()).unwrap_or_else(|error| panic!("{error}")) }
     }
 
     pub fn compare(&mut self, scene: &Scene, view: Option<ViewSpec>) -> Comparison {
