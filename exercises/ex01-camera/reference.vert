@@ -1,7 +1,7 @@
 #version 330 core
 // Exercise 01: the camera
 
-in vec3 position; // in the model's own space
+in vec3 position; // in model space
 in vec3 color;
 
 uniform mat4 M; // world from model

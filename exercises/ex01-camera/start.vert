@@ -1,8 +1,8 @@
 #version 330 core
-// Exercise 01: the camera. As it stands, the view matrix is the identity and only M is used:
+// Exercise 01: the camera. So far, the view matrix is the identity and only M is used:
 // the pyramid sits flat in the middle of the picture and nothing happens when the camera moves.
 
-in vec3 position; // in the model's own space
+in vec3 position; // in model space
 in vec3 color;
 
 uniform mat4 M; // world from model

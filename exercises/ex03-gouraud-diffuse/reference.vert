@@ -1,9 +1,9 @@
 #version 330 core
 // Exercise 03: Gouraud shading, diffuse
 
-in vec3 position; // in the model's own space
+in vec3 position; // in model space
 in vec2 tex_coord;
-in vec3 normal; // in the model's own space
+in vec3 normal; // in model space
 
 uniform mat4 M;   // world from model
 uniform mat4 itM; // the inverse transpose of M

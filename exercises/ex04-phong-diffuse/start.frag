@@ -1,5 +1,5 @@
 #version 330 core
-// Exercise 04: Phong shading, diffuse. As it stands, every fragment is equally grey.
+// Exercise 04: Phong shading, diffuse. So far, every fragment is equally grey.
 
 in vec3 v_frag_coord; // in the world
 

@@ -1,5 +1,5 @@
 #version 330 core
-// Exercise 06: Phong shading, specular. As it stands, there is no highlight at all.
+// Exercise 06: Phong shading, specular. So far, there is no highlight at all.
 
 uniform vec3 u_light_pos; // in the world
 uniform vec3 u_view_pos;  // the camera's position in the world

@@ -35,7 +35,7 @@ void main() {
     float d = length(light.light_pos - v_frag_coord);
     float attenuation = 1.0 / (light.constant + light.linear * d + light.quadratic * d * d);
 
-    // Ambient light stands in for light from everywhere: it does not fade with the distance.
+    // Ambient light represents light from everywhere: it does not fade with distance.
     float sum = ambient + attenuation * (diffuse + specular);
     FragColor = vec4(materialColour * sum, 1.0);
 }

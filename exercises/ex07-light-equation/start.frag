@@ -1,5 +1,5 @@
 #version 330 core
-// Exercise 07: the light equation. As it stands, the ambient term alone: a flat, dark disc.
+// Exercise 07: the light equation. So far, the ambient term alone: a flat, dark disc.
 
 in vec3 v_frag_coord; // in the world
 in vec3 v_normal;     // in the world

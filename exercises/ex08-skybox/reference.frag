@@ -1,5 +1,5 @@
 #version 330 core
-// Exercise 08: what the cubemap holds in this direction.
+// Exercise 08: the colour of the cubemap in this direction.
 
 in vec3 v_direction;
 

@@ -1,5 +1,5 @@
 #version 330 core
-// Exercise 08: the skybox. As it stands, a small cube that one can walk away from, in one colour.
+// Exercise 08: the skybox. So far it draws a small cube of one colour, which you can walk away from.
 
 in vec3 position; // a corner of the cube, each coordinate -1 or 1
 
@@ -7,7 +7,7 @@ uniform mat4 V; // view from world
 uniform mat4 P; // clip from view
 
 void main() {
-    // TODO: send the fragment shader the direction it has to look up.
+    // TODO: send the fragment shader the direction to sample.
     // TODO: the sky turns with the camera, but never comes closer. Which part of V does that concern?
     // TODO: the sky is behind everything. Which depth is that, and what must z be to come out as it after the
     //       division by w?

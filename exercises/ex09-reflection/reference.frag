@@ -12,7 +12,7 @@ out vec4 FragColor;
 void main() {
     vec3 N = normalize(v_normal);
     vec3 V = normalize(u_view_pos - v_frag_coord);
-    // GLSL's reflect wants the direction that comes in: -V. The formula is R = 2 (N.V) N - V.
+    // GLSL's reflect expects the incident direction, -V. The formula is R = 2 (N.V) N - V.
     vec3 R = reflect(-V, N);
     FragColor = vec4(texture(cubemapSampler, R).rgb, 1.0);
 }

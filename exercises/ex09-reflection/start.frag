@@ -1,5 +1,5 @@
 #version 330 core
-// Exercise 09: reflection. As it stands, the whole object shows one and the same texel of the cubemap.
+// Exercise 09: reflection. So far, the whole object shows a single texel of the cubemap.
 
 uniform samplerCube cubemapSampler;
 uniform vec3 u_view_pos; // the camera's position in the world

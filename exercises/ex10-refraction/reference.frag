@@ -13,7 +13,7 @@ out vec4 FragColor;
 void main() {
     vec3 N = normalize(v_normal);
     vec3 V = normalize(u_view_pos - v_frag_coord);
-    // From air into the object. Light that enters something denser is never reflected totally.
+    // From air into the object. Light that enters a denser medium is never totally reflected.
     vec3 T = refract(-V, N, 1.0 / refractionIndice);
     FragColor = vec4(texture(cubemapSampler, T).rgb, 1.0);
 }

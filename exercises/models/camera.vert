@@ -1,5 +1,5 @@
 #version 330 core
-// A camera from where it is, where it looks, and which way is roughly up.
+// The camera, from its position, its direction and a rough up vector.
 in vec3 position;
 in vec3 color;
 

@@ -1,5 +1,5 @@
 #version 330 core
-// The light equation per vertex: what is interpolated is the light.
+// The light equation per vertex: the light is interpolated.
 in vec3 position;
 in vec3 normal;
 
@@ -19,14 +19,14 @@ struct Light {
 };
 uniform Light light;
 uniform float shininess;
-uniform float written_exponent; // a number that stands where the shininess belongs
+uniform float written_exponent; // a number that is written instead of the shininess
 uniform vec3 materialColour;
 uniform vec3 u_view_pos;
-uniform vec3 other_light_pos; // of another light than the one that is added up here
+uniform vec3 other_light_pos; // of a light other than the one that is computed here
 
 out vec3 v_col;
 
-// In a function of its own, where V is the direction to the eye and not the view matrix.
+// A separate function, in which V is the direction to the eye and not the view matrix.
 vec3 light_at(vec3 world_position, vec3 N, vec3 model_position) {
     vec3 to_light = light.light_pos - world_position;
     vec3 L = normalize(to_light);

@@ -1,5 +1,5 @@
 #version 330 core
-// Reflection and refraction: what a direction at the surface finds in the cubemap.
+// Reflection and refraction: the fragment shader samples the cubemap in a direction that depends on the surface.
 in vec3 position;
 in vec3 normal;
 

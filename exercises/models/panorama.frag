@@ -1,5 +1,5 @@
 #version 330 core
-// A panorama's place for each place of a face.
+// The point of the panorama for each point of a face.
 in vec2 v_face_coord;
 
 uniform sampler2D panorama;

@@ -14,10 +14,10 @@ struct Light {
 };
 uniform Light light;
 uniform float shininess;
-uniform float written_exponent; // a number that stands where the shininess belongs
+uniform float written_exponent; // a number that is written instead of the shininess
 uniform vec3 materialColour;
 uniform vec3 u_view_pos;
-uniform vec3 other_light_pos; // of another light than the one that is added up here
+uniform vec3 other_light_pos; // of a light other than the one that is computed here
 
 out vec4 FragColor;
 

@@ -1,6 +1,6 @@
 #version 330 core
 // The light equation per fragment, with everything that any exercise asks for. Every line that the catalogue of mistakes
-// changes stands alone and is written `what = value;`.
+// changes is a statement of its own, `name = value;`.
 in vec3 position;
 in vec3 normal;
 
@@ -11,7 +11,7 @@ uniform mat4 itM; // the inverse transpose of M
 
 out vec3 world_position;
 out vec3 v_normal;
-out vec3 model_position; // for those who forget M
+out vec3 model_position; // for mistakes in which M is missing
 
 void main() {
     vec4 world_place = M * vec4(position, 1.0);

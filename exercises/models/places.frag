@@ -1,5 +1,5 @@
 #version 330 core
-// No colours of anybody's: how far away everything is. Places can be judged by it where colours say nothing.
+// Outputs the distance instead of a colour, so that positions can be compared independently of colours.
 out vec4 FragColor;
 
 void main() {

@@ -4,7 +4,7 @@
 //     ./obj_reader models/cube.obj cube.raw
 //     gonio lab check ex02 cube.raw
 //
-// In your own program take glm::vec3 and glm::vec2, and hand `vertices` to glBufferData.
+// In your own program, use glm::vec3 and glm::vec2, and pass `vertices` to glBufferData.
 
 #include <fstream>
 #include <iostream>
@@ -56,14 +56,14 @@ public:
         }
     }
 
-    // The bytes that glBufferData would get: x y z u v nx ny nz, 32-bit floats.
+    // Writes the bytes for glBufferData: x y z u v nx ny nz, 32-bit floats.
     void writeRaw(const std::string& path) const {
         std::ofstream out(path, std::ios::binary);
         out.write(reinterpret_cast<const char*>(vertices.data()), vertices.size() * sizeof(Vertex));
     }
 
 private:
-    // What an index names: from 1 on, or back from the latest one read so far. An empty slot names nothing.
+    // The item that an index refers to: from 1, or back from the last one read so far. An empty slot gives zero.
     template <typename T>
     static T element(const std::vector<T>& list, const std::string& index) {
         if (index.empty()) return T();
@@ -87,12 +87,12 @@ private:
     static Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     static float dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-    // Positive where a, b, c turn as the polygon does.
+    // Positive if a, b, c turn in the same direction as the polygon.
     static float turn(const Vertex& a, const Vertex& b, const Vertex& c, Vec3 normal) {
         return dot(cross(minus(b.Position, a.Position), minus(c.Position, b.Position)), normal);
     }
 
-    // Cuts ears off until a triangle is left.
+    // Cuts off ears until a triangle is left.
     void addPolygon(std::vector<Vertex> left) {
         if (left.size() < 3) return;
         Vec3 normal;
@@ -116,7 +116,7 @@ private:
         vertices.insert(vertices.end(), left.begin(), left.end());
     }
 
-    // A corner that turns outwards, and no other corner in its triangle.
+    // Whether a corner points outwards, and no other corner is inside its triangle.
     static bool isEar(const std::vector<Vertex>& left, size_t i, Vec3 normal) {
         size_t n = left.size(), before = (i + n - 1) % n, after = (i + 1) % n;
         const Vertex &a = left[before], &b = left[i], &c = left[after];

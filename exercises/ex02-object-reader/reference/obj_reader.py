@@ -8,7 +8,7 @@ import sys
 
 
 def element(items, index, nothing):
-    """What an index names: from 1 on, or back from the latest one. `items` holds what was read so far."""
+    """The item that an index refers to: from 1, or back from the last one. `items` is the list read so far."""
     if index == "":
         return nothing
     index = int(index)
@@ -16,7 +16,7 @@ def element(items, index, nothing):
 
 
 def corner_of(word, positions, tex_coords, normals):
-    """v, v/vt, v//vn or v/vt/vn, as x y z u v nx ny nz; zeros where a slot is empty."""
+    """v, v/vt, v//vn or v/vt/vn, as x y z u v nx ny nz; zeros if a slot is empty."""
     v, vt, vn = (word.split("/") + ["", ""])[:3]
     position = element(positions, v, None)
     return position + element(tex_coords, vt, [0.0, 0.0]) + element(normals, vn, [0.0, 0.0, 0.0])
@@ -35,7 +35,7 @@ def dot(a, b):
 
 
 def triangles_of(corners):
-    """Cuts ears off until a triangle is left. A convex polygon becomes a fan around its second corner."""
+    """Cuts off ears until a triangle is left. A convex polygon becomes a fan around its second corner."""
     normal = [0.0, 0.0, 0.0]
     for a, b in zip(corners, corners[1:] + corners[:1]):
         normal = [n + x for n, x in zip(normal, cross(a[:3], b[:3]))]
@@ -67,7 +67,7 @@ def triangles_of(corners):
 
 
 def read_obj(path):
-    """The vertices of a triangle list: rows of x y z u v nx ny nz, three rows a triangle."""
+    """The vertices of a triangle list: rows of x y z u v nx ny nz, three rows per triangle."""
     positions, tex_coords, normals = [], [], []
     vertices = []
     with open(path, encoding="utf-8") as file:

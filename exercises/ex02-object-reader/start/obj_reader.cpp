@@ -4,8 +4,8 @@
 //     ./obj_reader models/cube.obj cube.raw
 //     gonio lab check ex02 cube.raw
 //
-// It compiles and runs, but what it writes is not yet the cube: the faces are not read.
-// In your own program take glm::vec3 and glm::vec2, and hand `vertices` to glBufferData.
+// It compiles and runs, but its output is not yet the cube: it does not read the faces.
+// In your own program, use glm::vec3 and glm::vec2, and pass `vertices` to glBufferData.
 
 #include <fstream>
 #include <iostream>
@@ -49,10 +49,10 @@ public:
                 iss >> n.x >> n.y >> n.z;
                 normals.push_back(n);
             }
-            // TODO: the lines f. What do the numbers between the slashes mean? Where do they start counting?
+            // TODO: the f lines. What do the numbers between the slashes mean? Where do they start counting?
             // What if a face has four corners, or five?
         }
-        // TODO: not the lists side by side, but what each corner of each face names.
+        // TODO: do not combine the lists by position, but as the corners of the faces define.
         for (size_t i = 0; i < positions.size(); i++) {
             Vertex v;
             v.Position = positions[i];
@@ -62,7 +62,7 @@ public:
         }
     }
 
-    // The bytes that glBufferData would get: x y z u v nx ny nz, 32-bit floats.
+    // Writes the bytes for glBufferData: x y z u v nx ny nz, 32-bit floats.
     void writeRaw(const std::string& path) const {
         std::ofstream out(path, std::ios::binary);
         out.write(reinterpret_cast<const char*>(vertices.data()), vertices.size() * sizeof(Vertex));

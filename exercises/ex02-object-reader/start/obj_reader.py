@@ -3,14 +3,14 @@
     python3 obj_reader.py models/cube.obj cube.csv
     gonio lab check ex02 cube.csv
 
-It runs, but what it writes is not yet the cube: the faces are not read.
+It runs, but its output is not yet the cube: it does not read the faces.
 """
 
 import sys
 
 
 def read_obj(path):
-    """The vertices of a triangle list: rows of x y z u v nx ny nz, three rows a triangle."""
+    """The vertices of a triangle list: rows of x y z u v nx ny nz, three rows per triangle."""
     positions, tex_coords, normals = [], [], []
     vertices = []
     with open(path, encoding="utf-8") as file:
@@ -24,10 +24,10 @@ def read_obj(path):
                 tex_coords.append([float(word) for word in words[1:3]])
             elif words[0] == "vn":
                 normals.append([float(word) for word in words[1:4]])
-            # TODO: the lines f. What do the numbers between the slashes mean? Where do they start counting?
+            # TODO: the f lines. What do the numbers between the slashes mean? Where do they start counting?
             # What if a face has four corners, or five?
 
-    # TODO: not the lists side by side, but what each corner of each face names.
+    # TODO: do not combine the lists by position, but as the corners of the faces define.
     for i, position in enumerate(positions):
         tex_coord = tex_coords[i] if i < len(tex_coords) else [0.0, 0.0]
         normal = normals[i] if i < len(normals) else [0.0, 0.0, 0.0]

@@ -12,7 +12,7 @@ use serde::Serialize;
 /// A mistake: with it fixed, the picture is right.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct GlProgramMistake {
-    /// Its id, one of [`super::names`].
+    /// Its id, one of [`super::names()`].
     pub id: String,
     /// The mistake in half a sentence.
     pub name: String,

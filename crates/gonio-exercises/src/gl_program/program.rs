@@ -1,4 +1,4 @@
-//! The text of a GL program, read into its calls: one call on a line, words separated by blanks.
+//! The text of a GL program, read into its calls: one call on a line, words separated by spaces.
 
 use super::signature::{self, LineError, Named, WORDS, Word, is_name, shown};
 use gonio_render::gl_program::{GlCall, Step};

@@ -10,7 +10,7 @@ use gonio_render::gl_program::{CallError, Constant, GlCall, GlProgramRun, Object
 /// A suspected mistake.
 #[derive(Clone, Debug)]
 pub struct Suspect {
-    /// Its id, one of [`super::names`].
+    /// Its id, one of [`super::names()`].
     pub id: &'static str,
     /// The wrong line; if a call is missing, the line after which it belongs.
     pub line: u32,
