@@ -1,6 +1,6 @@
 //! Requests that are not a change of the document.
 
-use crate::document::Overlay;
+use crate::document::PaneOverlay;
 use crate::saving::Product;
 use crate::session::Tab;
 use gonio_scene::SpecialView;
@@ -41,7 +41,7 @@ pub enum Action {
     /// Shows or hides the observer's view.
     ToggleObserver,
     /// Shows or hides an overlay of the current pane.
-    Overlay(Overlay),
+    Overlay(PaneOverlay),
     /// Switches a special view of the current pane.
     Special(SpecialView),
     /// Shows or hides the keyboard shortcuts.

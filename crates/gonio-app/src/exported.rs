@@ -3,10 +3,10 @@
 //! Every widget is exported with a stable id; the page exposes the state as
 //! `window.gonio.state()`.
 
-use crate::document::{Arrangement, Document, History, Panes};
+use crate::document::{Document, History, PaneArrangement, Panes};
 use crate::session::comparison::{DifferenceFacts, PaneFacts};
 use crate::session::probing::Reading;
-use crate::session::{RecordedFrame, Selection, Session, Severity};
+use crate::session::{MessageSeverity, RecordedFrame, Selection, Session};
 use egui::{Context, Id, Response, Ui};
 use gonio_scene::SceneFile;
 use serde::Serialize;
@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 /// Kind of a widget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Role {
+pub enum WidgetRole {
     /// A button.
     Button,
     /// A switch.
@@ -44,7 +44,7 @@ pub struct Widget {
     /// Stable, kebab-case.
     pub id: String,
     /// Its kind.
-    pub role: Role,
+    pub role: WidgetRole,
     /// Its label.
     pub label: String,
     /// Its content.
@@ -60,7 +60,7 @@ fn key() -> Id {
 }
 
 /// Exports a widget of this frame.
-pub fn note(ui: &Ui, response: &Response, id: &str, role: Role, label: &str, value: impl ToString) {
+pub fn note(ui: &Ui, response: &Response, id: &str, role: WidgetRole, label: &str, value: impl ToString) {
     let r = response.rect;
     let widget = Widget {
         id: id.to_owned(),
@@ -118,9 +118,9 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
         .iter()
         .map(|message| {
             let severity = match message.severity {
-                Severity::Note => "note",
-                Severity::Warning => "warning",
-                Severity::Error => "error",
+                MessageSeverity::Note => "note",
+                MessageSeverity::Warning => "warning",
+                MessageSeverity::Error => "error",
             };
             json!({ "id": message.id, "severity": severity, "text": message.text, "times": message.times })
         })
@@ -206,9 +206,9 @@ fn probe(reading: &Reading, session: &Session) -> Value {
 
 fn arrangement(panes: &Panes) -> Value {
     let (kind, wipe) = match panes.arrangement {
-        Arrangement::SideBySide => ("side-by-side", None),
-        Arrangement::Wipe(share) => ("wipe", Some(share)),
-        Arrangement::Difference => ("difference", None),
+        PaneArrangement::SideBySide => ("side-by-side", None),
+        PaneArrangement::Wipe(share) => ("wipe", Some(share)),
+        PaneArrangement::Difference => ("difference", None),
     };
     json!({ "kind": kind, "wipe": wipe, "pair": panes.pair })
 }

@@ -37,5 +37,5 @@ pub mod theme;
 pub mod typeset;
 pub mod widgets;
 
-pub use app::loader::{Adjust, OpenOptions};
+pub use app::loader::{Adjust, SceneOpening};
 pub use app::{App, FIRST_SCENE};

@@ -1,7 +1,7 @@
 //! Keyboard shortcuts, and their list.
 
 use crate::action::Action;
-use crate::document::{Document, Overlay, VIEW_KEYS};
+use crate::document::{Document, PaneOverlay, VIEW_KEYS};
 use crate::saving::Product;
 use crate::scene_view::navigation;
 use crate::session::Session;
@@ -55,9 +55,9 @@ const TABLE: &[Shortcut] = &[
     ),
     row(PICTURE, "O", "show the camera and its frustum from outside")
         .on(Modifiers::NONE, Key::O, || Action::ToggleObserver),
-    row(PICTURE, "Shift + W", "wireframe").on(Modifiers::SHIFT, Key::W, || Action::Overlay(Overlay::Wireframe)),
-    row(PICTURE, "Shift + N", "normals").on(Modifiers::SHIFT, Key::N, || Action::Overlay(Overlay::Normals)),
-    row(PICTURE, "Shift + B", "bounding boxes").on(Modifiers::SHIFT, Key::B, || Action::Overlay(Overlay::Boxes)),
+    row(PICTURE, "Shift + W", "wireframe").on(Modifiers::SHIFT, Key::W, || Action::Overlay(PaneOverlay::Wireframe)),
+    row(PICTURE, "Shift + N", "normals").on(Modifiers::SHIFT, Key::N, || Action::Overlay(PaneOverlay::Normals)),
+    row(PICTURE, "Shift + B", "bounding boxes").on(Modifiers::SHIFT, Key::B, || Action::Overlay(PaneOverlay::Boxes)),
     row(PICTURE, "Shift + U", "checkerboard of the texture coordinates")
         .on(Modifiers::SHIFT, Key::U, || Action::Special(SpecialView::UvChecker)),
     row(PICTURE, "Shift + V", "overdraw: fragments per pixel")
@@ -173,7 +173,7 @@ mod tests {
             ])
         };
         let (actions, _) = struck(Modifiers::SHIFT, Key::W);
-        assert!(matches!(actions.as_slice(), [Action::Overlay(Overlay::Wireframe)]), "{actions:?}");
+        assert!(matches!(actions.as_slice(), [Action::Overlay(PaneOverlay::Wireframe)]), "{actions:?}");
         let (actions, _) = struck(Modifiers::NONE, Key::F);
         assert!(matches!(actions.as_slice(), [Action::Frame]), "{actions:?}");
         assert_eq!(struck(Modifiers::NONE, Key::Num1).1, Some(VIEW_KEYS[0]));

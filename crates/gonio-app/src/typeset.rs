@@ -23,7 +23,7 @@ use std::sync::Arc;
 /// Measures text.
 pub trait Measure {
     /// The size of `text` on one line, with `size` points per em.
-    fn measure(&mut self, text: &str, face: Face, size: f32) -> Extent;
+    fn measure(&mut self, text: &str, face: MathFont, size: f32) -> Extent;
 }
 
 /// The size of a piece of text, points.
@@ -43,7 +43,7 @@ pub struct Tag(pub u8);
 
 /// A font style.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Face {
+pub enum MathFont {
     /// Digits, signs, brackets, names of functions.
     Upright,
     /// Variables.
@@ -56,7 +56,7 @@ pub enum Face {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Node {
     /// Characters of one face.
-    Text(String, Face),
+    Text(String, MathFont),
     /// One after the other, on one baseline.
     Row(Vec<Node>),
     /// Nothing, so many ems wide.
@@ -81,17 +81,17 @@ pub enum Node {
 impl Node {
     /// A variable.
     pub fn variable(text: &str) -> Node {
-        Node::Text(text.to_owned(), Face::Italic)
+        Node::Text(text.to_owned(), MathFont::Italic)
     }
 
     /// Digits, signs, names of functions.
     pub fn upright(text: &str) -> Node {
-        Node::Text(text.to_owned(), Face::Upright)
+        Node::Text(text.to_owned(), MathFont::Upright)
     }
 
     /// A large bracket.
     pub fn large(text: &str) -> Node {
-        Node::Text(text.to_owned(), Face::Large)
+        Node::Text(text.to_owned(), MathFont::Large)
     }
 
     /// Between factors: a thin space.
@@ -157,9 +157,9 @@ const SMALLEST: f32 = 8.5;
 
 /// A drawable shape.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
+pub enum PieceShape {
     /// Characters; their size is points for an em.
-    Text(String, Face, f32),
+    Text(String, MathFont, f32),
     /// A line, of this size.
     Rule(Vec2),
 }
@@ -168,7 +168,7 @@ pub enum Shape {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
     /// What.
-    pub shape: Shape,
+    pub shape: PieceShape,
     /// The start of its baseline (of a rule: its upper left corner), from the start of the formula's; y down.
     pub at: Vec2,
     /// The innermost part that it belongs to.
@@ -220,7 +220,7 @@ pub fn lay(node: &Node, size: f32, fonts: &mut dyn Measure) -> Laid {
     match node {
         Node::Text(text, face) => {
             let mut laid = Laid::from_extent(fonts.measure(text, *face, size));
-            let shape = Shape::Text(text.clone(), *face, size);
+            let shape = PieceShape::Text(text.clone(), *face, size);
             laid.pieces.push(Piece { shape, at: Vec2::ZERO, tag: None });
             laid
         }
@@ -276,7 +276,7 @@ fn fraction(over: &Node, under: &Node, size: f32, fonts: &mut dyn Measure) -> La
     let (over_at, under_at) = (place_of(over.width), place_of(under.width));
     laid.place(over, vec2(over_at, -up));
     laid.place(under, vec2(under_at, down));
-    let shape = Shape::Rule(vec2(inner, rule));
+    let shape = PieceShape::Rule(vec2(inner, rule));
     laid.pieces.push(Piece { shape, at: vec2(side, -axis - 0.5 * rule), tag: None });
     laid
 }
@@ -317,11 +317,11 @@ pub fn broken(parts: &[Node], size: f32, width: f32, fonts: &mut dyn Measure) ->
     lines
 }
 
-fn font(face: Face, size: f32) -> FontId {
+fn font(face: MathFont, size: f32) -> FontId {
     match face {
-        Face::Upright => theme::math_font(size),
-        Face::Italic => theme::math_italic_font(size),
-        Face::Large => theme::math_large_font(size),
+        MathFont::Upright => theme::math_font(size),
+        MathFont::Italic => theme::math_italic_font(size),
+        MathFont::Large => theme::math_large_font(size),
     }
 }
 
@@ -335,13 +335,13 @@ fn baseline(galley: &Galley) -> f32 {
 pub struct EguiFonts<'a>(pub &'a Painter);
 
 impl EguiFonts<'_> {
-    fn galley(&self, text: &str, face: Face, size: f32, color: Color32) -> Arc<Galley> {
+    fn galley(&self, text: &str, face: MathFont, size: f32, color: Color32) -> Arc<Galley> {
         self.0.layout_no_wrap(text.to_owned(), font(face, size), color)
     }
 }
 
 impl Measure for EguiFonts<'_> {
-    fn measure(&mut self, text: &str, face: Face, size: f32) -> Extent {
+    fn measure(&mut self, text: &str, face: MathFont, size: f32) -> Extent {
         let galley = self.galley(text, face, size, Color32::PLACEHOLDER);
         let base = baseline(&galley);
         let ink = galley.mesh_bounds;
@@ -357,12 +357,12 @@ pub fn paint(painter: &Painter, laid: &Laid, start: Pos2, color: &dyn Fn(Option<
     for piece in &laid.pieces {
         let (at, color) = (start + piece.at, color(piece.tag));
         match &piece.shape {
-            Shape::Text(text, face, size) => {
+            PieceShape::Text(text, face, size) => {
                 let galley = fonts.galley(text, *face, *size, color);
                 let top = at.y - baseline(&galley);
                 painter.galley(Pos2::new(at.x, top), galley, color);
             }
-            Shape::Rule(size) => {
+            PieceShape::Rule(size) => {
                 painter.rect_filled(Rect::from_min_size(at, *size), 0.0, color);
             }
         }

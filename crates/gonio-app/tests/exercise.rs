@@ -4,7 +4,7 @@
 mod support;
 
 use egui::{Event, Key, Modifiers, Vec2, vec2};
-use gonio_app::exercise::{Picture, PictureMode, Start};
+use gonio_app::exercise::{PictureMode, PreviewPicture, Start};
 use gonio_app::exported;
 use gonio_app::files::ExerciseFile;
 use gonio_app::platform::{Event as PlatformEvent, Purpose, TrialOutcome};
@@ -85,7 +85,7 @@ impl Window {
         work.files[work.current].text.clone()
     }
 
-    fn pixels(&self, picture: Picture) -> (Vec<u8>, [u32; 2]) {
+    fn pixels(&self, picture: PreviewPicture) -> (Vec<u8>, [u32; 2]) {
         self.app().exercise().pixels(picture).unwrap()
     }
 }
@@ -106,8 +106,8 @@ fn the_right_answer_looks_like_the_reference_in_every_exercise() {
         window.wait("the program", |s| s["drawn"] == true);
         window.click("shown-both");
         window.steps(2);
-        let (yours, size) = window.pixels(Picture::Yours);
-        let (reference, _) = window.pixels(Picture::Reference);
+        let (yours, size) = window.pixels(PreviewPicture::Yours);
+        let (reference, _) = window.pixels(PreviewPicture::Reference);
         // Time may run: both are drawn in the same frame.
         assert_eq!(differing(&yours, &reference), 0, "{}", exercise.id);
         let first = yours[..4].to_vec();
@@ -123,7 +123,9 @@ fn a_mistake_is_seen_and_named_and_its_line_is_a_click_away() {
     window.wait("the program", |s| s["drawn"] == true);
     window.click("shown-both");
     // The lab's own scene hides it.
-    let of = |window: &Window| differing(&window.pixels(Picture::Yours).0, &window.pixels(Picture::Reference).0);
+    let of = |window: &Window| {
+        differing(&window.pixels(PreviewPicture::Yours).0, &window.pixels(PreviewPicture::Reference).0)
+    };
     assert_eq!(of(&window), 0);
     window.click("scene-stretched");
     assert!(of(&window) > 1000, "{} pixels differ", of(&window));
@@ -145,7 +147,7 @@ fn what_does_not_compile_is_said_at_its_line_and_the_last_picture_stays() {
     let mut window = Window::open(right("ex06"), DESK);
     window.wait("the program", |s| s["drawn"] == true);
     window.steps(2);
-    let (before, _) = window.pixels(Picture::Yours);
+    let (before, _) = window.pixels(PreviewPicture::Yours);
     window.click("editor");
     window.press(Modifiers::COMMAND, Key::End);
     window.harness.event(Event::Text("\nvoid broken(".into()));
@@ -157,7 +159,7 @@ fn what_does_not_compile_is_said_at_its_line_and_the_last_picture_stays() {
         "{said:?}"
     );
     window.widget("older-program");
-    assert_eq!(differing(&window.pixels(Picture::Yours).0, &before), 0);
+    assert_eq!(differing(&window.pixels(PreviewPicture::Yours).0, &before), 0);
     assert_eq!(window.state()["files"][0]["changed"], true);
     // By the key, and by the button.
     let text = window.text();
@@ -182,7 +184,7 @@ fn nothing_is_given_to_the_windows_opengl_before_its_trial_came_back() {
     trials.borrow_mut().outcome = Some(TrialOutcome::Harmless);
     window.wait("the program", |s| s["drawn"] == true && s["tried"] == false);
     window.steps(2);
-    let (before, text) = (window.pixels(Picture::Yours).0, window.text());
+    let (before, text) = (window.pixels(PreviewPicture::Yours).0, window.text());
     // A text that is changed while it is tried is of no interest any more: its trial ends.
     window.click("editor");
     window.press(Modifiers::COMMAND, Key::End);
@@ -199,7 +201,7 @@ fn nothing_is_given_to_the_windows_opengl_before_its_trial_came_back() {
         (&"It crashed.".into(), &true.into(), &false.into())
     );
     window.widget("older-program");
-    assert_eq!(differing(&window.pixels(Picture::Yours).0, &before), 0, "the last picture stays");
+    assert_eq!(differing(&window.pixels(PreviewPicture::Yours).0, &before), 0, "the last picture stays");
     // What was tried once is not tried again.
     window.steps(90);
     while window.text() != text {
@@ -290,10 +292,10 @@ fn a_camera_turns_around_the_object_and_both_pictures_follow() {
     let mut window = Window::open(right("ex09"), DESK);
     window.wait("the program", |s| s["drawn"] == true);
     window.steps(2);
-    let (before, _) = window.pixels(Picture::Yours);
+    let (before, _) = window.pixels(PreviewPicture::Yours);
     let from = window.center("picture-yours");
     window.drag(from, vec2(120.0, 0.0));
-    assert!(differing(&window.pixels(Picture::Yours).0, &before) > 5000);
+    assert!(differing(&window.pixels(PreviewPicture::Yours).0, &before) > 5000);
 }
 
 #[test]
@@ -329,7 +331,7 @@ fn a_word_for_each_way_to_look() {
     }
     // The right answer differs nowhere from itself: the map is of one colour.
     window.click("shown-difference");
-    let (map, _) = window.pixels(Picture::Difference);
+    let (map, _) = window.pixels(PreviewPicture::Difference);
     assert!(map.chunks(4).all(|pixel| pixel == &map[..4]));
 }
 
@@ -349,7 +351,7 @@ fn ones_own_file_takes_the_place_of_its_kind_and_what_was_written_comes_back() {
     assert_eq!(shown.iter().map(|f| f["name"].as_str().unwrap()).collect::<Vec<_>>(), ["start.vert", "My shader.txt"]);
     assert!(window.messages().iter().any(|m| m.contains("notes.md")), "{:?}", window.messages());
     window.steps(2);
-    let (pixels, _) = window.pixels(Picture::Yours);
+    let (pixels, _) = window.pixels(PreviewPicture::Yours);
     assert!(pixels.chunks(4).any(|pixel| pixel[..3] == [0, 255, 0]), "it is drawn");
     window.click("put-back");
     assert_eq!((window.text(), window.state()["file"].as_str()), (written.clone(), Some("start.frag")));

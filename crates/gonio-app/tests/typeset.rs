@@ -3,7 +3,7 @@
 use egui::Rect;
 use egui_kittest::Harness;
 use gonio_app::theme;
-use gonio_app::typeset::{EguiFonts, Laid, Node, Piece, Shape, Tag, broken, lay};
+use gonio_app::typeset::{EguiFonts, Laid, Node, Piece, PieceShape, Tag, broken, lay};
 
 /// Runs `with` where there are fonts.
 fn in_window<T: Default + 'static>(with: impl Fn(&mut EguiFonts<'_>) -> T + 'static) -> T {
@@ -19,8 +19,8 @@ fn laid(node: Node, size: f32) -> Laid {
 
 fn texts(laid: &Laid) -> Vec<(String, f32, f32, f32)> {
     let text = |piece: &Piece| match &piece.shape {
-        Shape::Text(text, _, size) => Some((text.clone(), piece.at.x, piece.at.y, *size)),
-        Shape::Rule(_) => None,
+        PieceShape::Text(text, _, size) => Some((text.clone(), piece.at.x, piece.at.y, *size)),
+        PieceShape::Rule(_) => None,
     };
     laid.pieces.iter().filter_map(text).collect()
 }
@@ -64,8 +64,8 @@ fn a_fraction_keeps_clear_of_its_line() {
     let node = Node::upright("1").over(Node::row([Node::variable("k"), Node::variable("d").sup(Node::upright("2"))]));
     let laid = laid(node, 20.0);
     let rule = laid.pieces.iter().find_map(|piece| match piece.shape {
-        Shape::Rule(size) => Some(Rect::from_min_size(piece.at.to_pos2(), size)),
-        Shape::Text(..) => None,
+        PieceShape::Rule(size) => Some(Rect::from_min_size(piece.at.to_pos2(), size)),
+        PieceShape::Text(..) => None,
     });
     let rule = rule.unwrap_or_else(|| panic!("no line"));
     let pieces = texts(&laid);
@@ -106,7 +106,7 @@ fn tags_know_their_place() {
     let (outer, inner) = (rect(a).unwrap_or(Rect::NOTHING), rect(b).unwrap_or(Rect::NOTHING));
     assert!(outer.contains_rect(inner.shrink(0.1)) && inner.is_positive());
     let tag_of = |text: &str| {
-        let is = |piece: &&Piece| matches!(&piece.shape, Shape::Text(t, ..) if t == text);
+        let is = |piece: &&Piece| matches!(&piece.shape, PieceShape::Text(t, ..) if t == text);
         laid.pieces.iter().find(is).and_then(|piece| piece.tag)
     };
     assert_eq!((tag_of("A"), tag_of("("), tag_of("b")), (None, Some(a), Some(b)));

@@ -6,7 +6,7 @@ use crate::exercise::Start;
 use crate::files::link;
 use crate::platform::FileDialog;
 use crate::saving::{self, DisplayedPicture, Product};
-use crate::session::{PathField, RecordedFrame, Severity, Tab};
+use crate::session::{MessageSeverity, PathField, RecordedFrame, Tab};
 use gonio_image::encode::exr;
 use std::path::Path;
 
@@ -39,7 +39,7 @@ impl App {
                     ctx.copy_text(self.platform.link(&fragment));
                     self.session.announcement = "copied the link".into();
                 }
-                Err(why) => self.session.messages.say(Severity::Error, why),
+                Err(why) => self.session.messages.say(MessageSeverity::Error, why),
             },
             Action::CopyText(text) => {
                 ctx.copy_text(text);
@@ -99,7 +99,7 @@ impl App {
     fn record_frame(&mut self, ctx: &egui::Context) {
         let Some(pane_renderer) = &mut self.pane_renderer else { return };
         let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|why| {
-            self.session.messages.say(Severity::Error, format!("the frame cannot be recorded: {why}"));
+            self.session.messages.say(MessageSeverity::Error, format!("the frame cannot be recorded: {why}"));
             None
         });
         let before = self.session.recorded_frame.take();
@@ -112,7 +112,7 @@ impl App {
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
             Ok(place) => self.session.announcement = format!("saved {place}"),
-            Err(why) => self.session.messages.say(Severity::Error, why),
+            Err(why) => self.session.messages.say(MessageSeverity::Error, why),
         }
     }
 
@@ -148,7 +148,7 @@ impl App {
                 ctx.copy_image(egui::ColorImage::from_rgba_premultiplied(size, &rgba));
                 self.session.announcement = "copied the picture".into();
             }
-            Err(why) => self.session.messages.say(Severity::Error, why),
+            Err(why) => self.session.messages.say(MessageSeverity::Error, why),
         }
     }
 

@@ -5,7 +5,7 @@ use crate::exercise::{ExerciseView, Start};
 use crate::files::ExerciseFile;
 use crate::panels;
 use crate::platform::Purpose;
-use crate::session::Severity;
+use crate::session::MessageSeverity;
 use egui::Ui;
 use std::path::PathBuf;
 
@@ -18,7 +18,7 @@ impl App {
     /// Shows an exercise with a student's files. Errors become messages in the window.
     pub fn begin_exercise(&mut self, ctx: &egui::Context, start: Start) {
         if let Err(why) = self.exercise.begin(start) {
-            self.session.messages.say(Severity::Error, why);
+            self.session.messages.say(MessageSeverity::Error, why);
         }
         self.watch(ctx);
     }
@@ -31,7 +31,7 @@ impl App {
     /// Opens a student's files in place of those for the same purpose. Reports files that were ignored.
     pub(super) fn open_exercise_files(&mut self, files: Vec<ExerciseFile>) {
         let taken = self.exercise.take(files);
-        let severity = if taken.announcement.is_some() { Severity::Warning } else { Severity::Error };
+        let severity = if taken.announcement.is_some() { MessageSeverity::Warning } else { MessageSeverity::Error };
         if let Some(announcement) = taken.announcement {
             self.session.announcement = announcement;
         }
@@ -48,7 +48,7 @@ impl App {
         failures.extend(self.exercise.ui(ui, self.pane_renderer.as_mut(), self.platform.as_mut(), &mut actions));
         failures.extend(self.exercise.follow_drafts(&ctx, self.platform.as_mut()));
         for sentence in failures {
-            self.session.messages.say(Severity::Error, sentence);
+            self.session.messages.say(MessageSeverity::Error, sentence);
         }
         panels::messages(ui, &self.session, &mut actions);
         panels::path_field(ui, &mut self.session, Purpose::Exercise, &mut actions);
@@ -91,7 +91,7 @@ impl App {
         ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
         self.asked_to_close = true;
         self.exercise.is_open = true;
-        self.session.messages.say(Severity::Warning, sentence);
+        self.session.messages.say(MessageSeverity::Warning, sentence);
     }
 
     /// Watches the files of the scene and of the exercises.
@@ -104,7 +104,7 @@ impl App {
     /// Reloads changed files of the exercises, and notes those of the scene.
     pub(super) fn changed_on_disk(&mut self, ctx: &egui::Context, paths: Vec<PathBuf>) {
         for sentence in self.exercise.changed(ctx, &paths) {
-            self.session.messages.say(Severity::Error, sentence);
+            self.session.messages.say(MessageSeverity::Error, sentence);
         }
         self.changed.extend(paths.into_iter().filter(|path| self.read.contains(path)));
     }

@@ -1,6 +1,6 @@
 //! Loading scenes without blocking the window: in a thread, or on the web between two frames.
 
-use crate::files::Recording;
+use crate::files::ReadRecorder;
 use gonio_mesh::{Limits, ReadError};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::{Budgeted, FileSource};
@@ -14,7 +14,7 @@ pub type Adjust = Arc<dyn Fn(&mut SceneFile) + Send + Sync>;
 
 /// Inputs and options of a scene to open.
 #[derive(Clone, Default)]
-pub struct OpenOptions {
+pub struct SceneOpening {
     /// Models and scene files.
     pub inputs: Vec<String>,
     /// An environment that replaces theirs.
@@ -29,9 +29,9 @@ pub struct OpenOptions {
 #[derive(Clone)]
 pub enum LoadRequest {
     /// A new document.
-    Open(OpenOptions),
+    Open(SceneOpening),
     /// The same again, because the scene file has changed.
-    Again(OpenOptions),
+    Again(SceneOpening),
     /// This scene in place of the document's: an edit needs files.
     Scene(Box<SceneSettings>),
     /// The document's scene again, because its files have changed.
@@ -54,7 +54,7 @@ struct Job {
     number: u64,
     wanted: LoadRequest,
     files: Arc<dyn FileSource>,
-    recording: Arc<Recording>,
+    recording: Arc<ReadRecorder>,
     limits: Limits,
 }
 
@@ -65,7 +65,7 @@ pub struct Loader {
     /// Number of the last request: results of older ones are dropped.
     latest: u64,
     /// The files of the running request.
-    running: Option<Arc<Recording>>,
+    running: Option<Arc<ReadRecorder>>,
     #[cfg(target_arch = "wasm32")]
     waiting: Option<Job>,
 }
@@ -88,7 +88,7 @@ impl Loader {
     /// Starts to load within `limits`; `ctx` is repainted when that is done.
     pub fn start(&mut self, wanted: LoadRequest, files: Arc<dyn FileSource>, limits: Limits, ctx: &egui::Context) {
         self.latest += 1;
-        let recording = Arc::new(Recording::new(files.clone()));
+        let recording = Arc::new(ReadRecorder::new(files.clone()));
         self.running = Some(recording.clone());
         let job = Job { number: self.latest, wanted, files, recording, limits };
         #[cfg(target_arch = "wasm32")]
@@ -190,12 +190,12 @@ mod tests {
     use super::*;
     use gonio_scene::files::BuiltinOnly;
 
-    fn opened(opening: OpenOptions) -> Scene {
+    fn opened(opening: SceneOpening) -> Scene {
         read(&LoadRequest::Open(opening), &BuiltinOnly, &Limits::default()).unwrap_or_else(|e| panic!("{e}"))
     }
 
-    fn cube() -> OpenOptions {
-        OpenOptions { inputs: vec!["builtin:cube".into()], ..OpenOptions::default() }
+    fn cube() -> SceneOpening {
+        SceneOpening { inputs: vec!["builtin:cube".into()], ..SceneOpening::default() }
     }
 
     #[test]
@@ -211,7 +211,7 @@ mod tests {
     #[test]
     fn options_and_an_environment_are_laid_over_what_is_opened() {
         let adjust: Adjust = Arc::new(|scene: &mut SceneFile| scene.picture.exposure = 2.0);
-        let loaded = opened(OpenOptions { environment: Some("debug".into()), adjust: Some(adjust), ..cube() });
+        let loaded = opened(SceneOpening { environment: Some("debug".into()), adjust: Some(adjust), ..cube() });
         assert_eq!(loaded.settings.picture.exposure, 2.0);
         assert_eq!(loaded.settings.environment.map(|e| e.image).as_deref(), Some("debug"));
     }

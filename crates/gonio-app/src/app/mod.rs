@@ -5,13 +5,13 @@ mod exercise;
 pub mod loader;
 
 use crate::action::Action;
-use crate::app::loader::{LoadOutcome, LoadRequest, Loader, OpenOptions};
+use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening};
 use crate::document::{Document, History};
 use crate::exercise::ExerciseView;
 use crate::files::Layered;
 use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
-use crate::session::{Session, Severity};
+use crate::session::{MessageSeverity, Session};
 use crate::{exported, panels, scene_view, shortcuts, theme};
 use egui::Ui;
 use gonio_gl::Gl;
@@ -35,7 +35,7 @@ pub struct App {
     /// The source of the open scene's files.
     files: Arc<dyn FileSource>,
     /// The options that the scene was opened with, and its camera then.
-    opened: OpenOptions,
+    opened: SceneOpening,
     opened_camera: CameraSettings,
     /// Files that changed on disk and have not been reloaded.
     changed: Vec<PathBuf>,
@@ -56,7 +56,7 @@ impl App {
     /// Creates the application for a context with the OpenGL `gl` (without it there is no picture). It opens `inputs`, or else
     /// what the platform names (the scene of a link), or [`FIRST_SCENE`].
     pub fn new(ctx: &egui::Context, gl: Option<Gl>, platform: Box<dyn Platform>, inputs: Vec<String>) -> Self {
-        App::with_options(ctx, gl, platform, OpenOptions { inputs, ..OpenOptions::default() })
+        App::with_options(ctx, gl, platform, SceneOpening { inputs, ..SceneOpening::default() })
     }
 
     /// [`App::new`] with further options.
@@ -64,14 +64,14 @@ impl App {
         ctx: &egui::Context,
         gl: Option<Gl>,
         platform: Box<dyn Platform>,
-        mut opening: OpenOptions,
+        mut opening: SceneOpening,
     ) -> Self {
         theme::install(ctx);
         let mut session = Session::default();
         let pane_renderer = gl.and_then(|gl| match PaneRenderer::new(gl) {
             Ok(pane_renderer) => Some(pane_renderer),
             Err(why) => {
-                session.messages.say(Severity::Error, format!("OpenGL rendering is not available: {why}"));
+                session.messages.say(MessageSeverity::Error, format!("OpenGL rendering is not available: {why}"));
                 None
             }
         });
@@ -89,7 +89,7 @@ impl App {
             session,
             loader: Loader::default(),
             files: platform.files(),
-            opened: OpenOptions::default(),
+            opened: SceneOpening::default(),
             opened_camera: CameraSettings::default(),
             changed: Vec::new(),
             read: Vec::new(),
@@ -104,7 +104,7 @@ impl App {
         if opening.inputs.is_empty() {
             match app.platform.first() {
                 Some(Ok(given)) => (opening.inputs, files) = (given.inputs, given.files),
-                Some(Err(why)) => app.session.messages.say(Severity::Error, why),
+                Some(Err(why)) => app.session.messages.say(MessageSeverity::Error, why),
                 None => {}
             }
         }
@@ -127,7 +127,7 @@ impl App {
                 self.pane_renderer = Some(pane_renderer);
             }
             Some(Err(why)) => {
-                self.session.messages.say(Severity::Error, format!("OpenGL rendering is not available: {why}"))
+                self.session.messages.say(MessageSeverity::Error, format!("OpenGL rendering is not available: {why}"))
             }
             None => {}
         }
@@ -150,10 +150,10 @@ impl App {
 
     /// Starts to load `inputs`.
     pub fn open(&mut self, ctx: &egui::Context, inputs: Vec<String>, files: Arc<dyn FileSource>) {
-        self.start(ctx, OpenOptions { inputs, limits: self.opened.limits, ..OpenOptions::default() }, files);
+        self.start(ctx, SceneOpening { inputs, limits: self.opened.limits, ..SceneOpening::default() }, files);
     }
 
-    fn start(&mut self, ctx: &egui::Context, opening: OpenOptions, files: Arc<dyn FileSource>) {
+    fn start(&mut self, ctx: &egui::Context, opening: SceneOpening, files: Arc<dyn FileSource>) {
         self.session.busy = Some(format!("reading {}", short(&opening.inputs)));
         let limits = opening.limits;
         self.loader.start(LoadRequest::Open(opening), files, limits, ctx);
@@ -192,7 +192,7 @@ impl App {
     /// Lets time pass: drafts are kept, changed files reloaded, moving lights moved.
     fn advance(&mut self, ctx: &egui::Context) {
         for failure in self.exercise.follow_drafts(ctx, self.platform.as_mut()) {
-            self.session.messages.say(Severity::Error, failure);
+            self.session.messages.say(MessageSeverity::Error, failure);
         }
         self.read_again(ctx);
         self.session.progress = self.loader.progress();
@@ -222,7 +222,7 @@ impl App {
             self.frame_opened(&ctx, ui.available_size());
             let drawn = scene_view::show(ui, &mut self.document, &mut self.session, self.pane_renderer.as_mut());
             if let Err(why) = drawn {
-                self.session.messages.say(Severity::Error, why.to_string());
+                self.session.messages.say(MessageSeverity::Error, why.to_string());
             }
         });
         if self.session.sketching && self.sketched.is_none() && self.session.facts.pictures > pictures {
@@ -242,7 +242,7 @@ impl App {
         match event {
             Event::Open(SceneInput { inputs, environment, files }) if !inputs.is_empty() => {
                 let limits = self.opened.limits;
-                self.start(ctx, OpenOptions { inputs, environment, limits, adjust: None }, files);
+                self.start(ctx, SceneOpening { inputs, environment, limits, adjust: None }, files);
             }
             Event::Open(SceneInput { environment: Some(image), files, .. }) => {
                 // It lies elsewhere than what it is for.
@@ -253,7 +253,7 @@ impl App {
             Event::ExerciseFiles(files) => self.open_exercise_files(files),
             Event::SaveTo(product, place) => self.save(product, &place),
             Event::Changed(paths) => self.changed_on_disk(ctx, paths),
-            Event::Failed(why) => self.session.messages.say(Severity::Error, why),
+            Event::Failed(why) => self.session.messages.say(MessageSeverity::Error, why),
         }
     }
 
@@ -282,7 +282,7 @@ impl App {
         let loaded = match finished.result {
             Ok(loaded) => loaded,
             Err(sentence) => {
-                self.session.messages.say(Severity::Error, sentence);
+                self.session.messages.say(MessageSeverity::Error, sentence);
                 if matches!(finished.wanted, LoadRequest::Scene(_)) {
                     self.history.revert(&mut self.document);
                 }
@@ -295,7 +295,7 @@ impl App {
         for found in &loaded.diagnostics {
             let severity = match found.severity {
                 Found::Note => continue,
-                Found::Warning => Severity::Warning,
+                Found::Warning => MessageSeverity::Warning,
             };
             self.session.messages.say(severity, found.to_string());
         }
@@ -373,7 +373,7 @@ impl App {
                 self.loader.start(LoadRequest::Scene(scene), self.files.clone(), self.opened.limits, ctx);
             }
             Err(why) => {
-                self.session.messages.say(Severity::Error, why.to_string());
+                self.session.messages.say(MessageSeverity::Error, why.to_string());
                 self.history.revert(&mut self.document);
             }
         }

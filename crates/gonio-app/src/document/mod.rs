@@ -2,7 +2,7 @@
 
 mod pane;
 
-pub use pane::{Arrangement, DifferenceSettings, Overlay, Pane, Panes, Reflectance, VIEW_KEYS};
+pub use pane::{DifferenceSettings, Pane, PaneArrangement, PaneOverlay, PaneReflectance, Panes, VIEW_KEYS};
 
 use gonio_scene::SceneSettings;
 

@@ -22,7 +22,7 @@ pub const VIEW_KEYS: [Quantity; 9] = [
 
 /// An overlay of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Overlay {
+pub enum PaneOverlay {
     /// The edges of all triangles.
     Wireframe,
     /// The normals.
@@ -33,25 +33,25 @@ pub enum Overlay {
 
 /// Reflectance model of one pane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reflectance {
+pub enum PaneReflectance {
     /// Both terms themselves.
     Terms,
     /// A BRDF of Appendix 6.
     Brdf(BrdfKind),
 }
 
-impl Reflectance {
+impl PaneReflectance {
     /// All, the terms first.
-    pub fn all() -> Vec<Reflectance> {
-        let brdfs = BrdfKind::ALL.iter().map(|&kind| Reflectance::Brdf(kind));
-        [Reflectance::Terms].into_iter().chain(brdfs).collect()
+    pub fn all() -> Vec<PaneReflectance> {
+        let brdfs = BrdfKind::ALL.iter().map(|&kind| PaneReflectance::Brdf(kind));
+        [PaneReflectance::Terms].into_iter().chain(brdfs).collect()
     }
 
     /// The name in the interface.
     pub fn name(self) -> &'static str {
         match self {
-            Reflectance::Terms => "diff + spec",
-            Reflectance::Brdf(kind) => kind.name(),
+            PaneReflectance::Terms => "diff + spec",
+            PaneReflectance::Brdf(kind) => kind.name(),
         }
     }
 }
@@ -68,7 +68,7 @@ pub struct Pane {
     /// Whether the specular term is weighted by `<N.L>`; `None` with a convention of the pane's own: as that has it.
     pub cosine_weighted: Option<bool>,
     /// A BRDF, or the terms.
-    pub reflectance: Option<Reflectance>,
+    pub reflectance: Option<PaneReflectance>,
     /// Level of detail.
     pub detail: Option<LevelOfDetail>,
     /// A quantity of the equation in place of the picture.
@@ -81,11 +81,11 @@ pub struct Pane {
 
 impl Pane {
     /// Shows or hides an overlay.
-    pub fn toggle_overlay(&mut self, overlay: Overlay) {
+    pub fn toggle_overlay(&mut self, overlay: PaneOverlay) {
         let on = match overlay {
-            Overlay::Wireframe => &mut self.overlays.wireframe,
-            Overlay::Normals => &mut self.overlays.normals,
-            Overlay::Boxes => &mut self.overlays.boxes,
+            PaneOverlay::Wireframe => &mut self.overlays.wireframe,
+            PaneOverlay::Normals => &mut self.overlays.normals,
+            PaneOverlay::Boxes => &mut self.overlays.boxes,
         };
         *on = !*on;
     }
@@ -116,8 +116,8 @@ impl Pane {
             equation.cosine_weighted = weighted;
         }
         match self.reflectance {
-            Some(Reflectance::Terms) => equation.brdf = None,
-            Some(Reflectance::Brdf(kind)) => equation.brdf = Some(kind),
+            Some(PaneReflectance::Terms) => equation.brdf = None,
+            Some(PaneReflectance::Brdf(kind)) => equation.brdf = Some(kind),
             None => {}
         }
         scene
@@ -181,7 +181,7 @@ fn detail_name(detail: LevelOfDetail) -> String {
 
 /// Arrangement of several panes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Arrangement {
+pub enum PaneArrangement {
     /// All panes next to each other.
     #[default]
     SideBySide,
@@ -214,7 +214,7 @@ pub struct Panes {
     /// Index of the pane that settings apply to.
     pub current: usize,
     /// Their arrangement.
-    pub arrangement: Arrangement,
+    pub arrangement: PaneArrangement,
     /// Indices of the two panes that are compared.
     pub pair: [usize; 2],
     /// Colouring of the difference.
@@ -261,7 +261,7 @@ impl Panes {
                 self.pair = [0, last.min(1)];
             }
             if last == 0 {
-                self.arrangement = Arrangement::SideBySide;
+                self.arrangement = PaneArrangement::SideBySide;
             }
         }
     }
@@ -275,20 +275,20 @@ impl Panes {
         }
         (self.current, self.pair) = (0, [0, 1.min(self.list.len() - 1)]);
         if self.list.len() == 1 {
-            self.arrangement = Arrangement::SideBySide;
+            self.arrangement = PaneArrangement::SideBySide;
         }
     }
 
     /// Whether a pane carries the widgets that are shown once: the first of several side by side, else any.
     pub fn is_leading(&self, index: usize) -> bool {
-        index == 0 || self.arrangement != Arrangement::SideBySide
+        index == 0 || self.arrangement != PaneArrangement::SideBySide
     }
 
     /// The visible panes: all of them, or the pair.
     pub fn seen(&self) -> Vec<usize> {
         match self.arrangement {
-            Arrangement::SideBySide => (0..self.list.len()).collect(),
-            Arrangement::Wipe(_) | Arrangement::Difference => self.pair.to_vec(),
+            PaneArrangement::SideBySide => (0..self.list.len()).collect(),
+            PaneArrangement::Wipe(_) | PaneArrangement::Difference => self.pair.to_vec(),
         }
     }
 }
@@ -298,7 +298,7 @@ impl Default for Panes {
         Panes {
             list: vec![Pane::default()],
             current: 0,
-            arrangement: Arrangement::SideBySide,
+            arrangement: PaneArrangement::SideBySide,
             pair: [0, 0],
             difference: DifferenceSettings::default(),
         }
@@ -321,11 +321,11 @@ mod tests {
         panes.pair = [1, 3];
         panes.remove(1);
         assert_eq!((panes.list.len(), panes.current, panes.pair), (3, 2, [1, 2]));
-        panes.arrangement = Arrangement::Difference;
+        panes.arrangement = PaneArrangement::Difference;
         panes.remove(0);
         panes.remove(0);
         panes.remove(0);
-        assert_eq!((panes.list.len(), panes.current, panes.arrangement), (1, 0, Arrangement::SideBySide));
+        assert_eq!((panes.list.len(), panes.current, panes.arrangement), (1, 0, PaneArrangement::SideBySide));
         assert!(panes.pair.iter().all(|i| *i < panes.list.len()));
     }
 
@@ -351,7 +351,7 @@ mod tests {
         assert_eq!(pane.caption(), "Gouraud · Phong · physical");
         let weighted = Pane { cosine_weighted: Some(false), ..pane };
         assert!(!weighted.applied_to(&scene).equation.cosine_weighted);
-        let ward = Pane { reflectance: Some(Reflectance::Brdf(BrdfKind::Blinn)), ..Pane::default() };
+        let ward = Pane { reflectance: Some(PaneReflectance::Brdf(BrdfKind::Blinn)), ..Pane::default() };
         assert_eq!(ward.applied_to(&scene).equation.brdf, Some(BrdfKind::Blinn));
     }
 }

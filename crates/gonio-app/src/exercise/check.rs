@@ -2,7 +2,7 @@
 //!
 //! One trial runs at a time. Outcomes are remembered, so that undoing a change shows its picture at once.
 
-use super::work::{Judged, Page, Work};
+use super::work::{ExercisePage, Judged, Work};
 use crate::platform::{CheckRequest, CheckResult, Pending, Platform, TrialOutcome};
 use egui::Context;
 use gonio_check::submission::SourceFile;
@@ -25,7 +25,7 @@ impl Check {
         let content = work.content();
         self.running = Some((content.clone(), platform.check(request(work, &content), ctx)));
         work.checking = true;
-        work.page = Page::Verdict;
+        work.page = ExercisePage::Verdict;
     }
 
     /// Stops waiting for the verdict.
@@ -42,7 +42,7 @@ impl Check {
         {
             work.judged = Some(Judged { verdict, of });
             work.checking = false;
-            work.page = Page::Verdict;
+            work.page = ExercisePage::Verdict;
         }
     }
 }

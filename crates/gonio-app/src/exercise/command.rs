@@ -5,7 +5,7 @@ use crate::files::ExerciseFile;
 
 /// A command of the exercise view.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Command {
+pub enum ExerciseCommand {
     /// Start the exercise with this id.
     Begin(String),
     /// Show the list of exercises.

@@ -1,9 +1,9 @@
 //! The editor: a tab per file, line numbers, marked lines, GLSL in colours, and messages below.
 
-use super::command::Command;
+use super::command::ExerciseCommand;
 use super::file_sets::listed;
 use super::work::{Mark, MarkKind, OpenFile, Work};
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::theme::colors::{self, Tint};
 use crate::theme::{self, icons};
 use egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
@@ -24,7 +24,7 @@ const MOST_LISTED: usize = 8;
 
 /// Shows the files' tabs, the current one's text and what is said of it. True with what was asked for; the texts are edited
 /// in place.
-pub fn show(ui: &mut Ui, work: &mut Work) -> Option<Command> {
+pub fn show(ui: &mut Ui, work: &mut Work) -> Option<ExerciseCommand> {
     tabs(ui, work);
     let asked = restored(ui, work).or(conflict(ui, work)).or(put_back(ui, work));
     let marks = work.marks(work.current);
@@ -66,7 +66,7 @@ fn tabs(ui: &mut Ui, work: &mut Work) {
                 (Some(path), _) => path.display().to_string(),
                 (None, _) => "In memory only; Ctrl + S saves it".into(),
             };
-            exported::note(ui, &button, &format!("file-{index}"), Role::Tab, &file.name, chosen);
+            exported::note(ui, &button, &format!("file-{index}"), WidgetRole::Tab, &file.name, chosen);
             if button.on_hover_text(tip).clicked() {
                 work.current = index;
             }
@@ -75,7 +75,7 @@ fn tabs(ui: &mut Ui, work: &mut Work) {
 }
 
 /// Drafts that an earlier window left, and that are in the editor now.
-fn restored(ui: &mut Ui, work: &Work) -> Option<Command> {
+fn restored(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     let in_conflict = |file: &OpenFile| file.other.is_some();
     // The question about the conflict tells of it, and has the same answers.
     if work.files.get(work.current).is_some_and(|file| file.is_restored() && in_conflict(file)) {
@@ -85,13 +85,15 @@ fn restored(ui: &mut Ui, work: &Work) -> Option<Command> {
     let age = files.first()?.restored.as_deref()?;
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
     let sentence = format!("Restored unsaved changes from {age} in {}. They are not saved yet.", listed(&names));
-    let answers =
-        [("discard-restored", "Discard", Command::DiscardRestored), ("keep-restored", "Keep", Command::KeepRestored)];
+    let answers = [
+        ("discard-restored", "Discard", ExerciseCommand::DiscardRestored),
+        ("keep-restored", "Keep", ExerciseCommand::KeepRestored),
+    ];
     question(ui, "restored", colors::ACCENT.of(ui), &sentence, answers)
 }
 
 /// A file that was changed on the disk while there is text here that was not saved.
-fn conflict(ui: &mut Ui, work: &Work) -> Option<Command> {
+fn conflict(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     let current = work.current;
     let file = work.files.get(current).filter(|file| file.other.is_some())?;
     let sentence = match file.restored.as_ref().filter(|_| file.is_restored()) {
@@ -103,8 +105,8 @@ fn conflict(ui: &mut Ui, work: &Work) -> Option<Command> {
         None => format!("{} has changed on disk, and you have unsaved changes here.", file.name),
     };
     let answers = [
-        ("take-other", "Load the version on disk", Command::TakeOther(current)),
-        ("keep-mine", "Keep mine and save it", Command::KeepMine(current)),
+        ("take-other", "Load the version on disk", ExerciseCommand::TakeOther(current)),
+        ("keep-mine", "Keep mine and save it", ExerciseCommand::KeepMine(current)),
     ];
     question(ui, "conflict", colors::WARNING.of(ui), &sentence, answers)
 }
@@ -115,8 +117,8 @@ fn question(
     id: &str,
     tint: Color32,
     sentence: &str,
-    answers: [(&str, &str, Command); 2],
-) -> Option<Command> {
+    answers: [(&str, &str, ExerciseCommand); 2],
+) -> Option<ExerciseCommand> {
     let mut asked = None;
     let frame = Frame::NONE.fill(tint.gamma_multiply(0.18)).corner_radius(5).inner_margin(Margin::same(6));
     let response = frame.show(ui, |ui| {
@@ -125,28 +127,28 @@ fn question(
         ui.horizontal_wrapped(|ui| {
             for (id, label, answer) in answers {
                 let button = ui.button(label);
-                exported::note(ui, &button, id, Role::Button, label, "");
+                exported::note(ui, &button, id, WidgetRole::Button, label, "");
                 if button.clicked() {
                     asked = Some(answer);
                 }
             }
         });
     });
-    exported::note(ui, &response.response, id, Role::Text, sentence, "");
+    exported::note(ui, &response.response, id, WidgetRole::Text, sentence, "");
     asked
 }
 
 /// The previous set of files, with a button to put it back.
-fn put_back(ui: &mut Ui, work: &Work) -> Option<Command> {
+fn put_back(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     let before = work.before.last()?;
     ui.horizontal_wrapped(|ui| {
         let unsaved = if before.files.iter().any(OpenFile::is_changed) { ", with unsaved changes" } else { "" };
         let sentence = format!("Previously open: {}{unsaved}.", before.names_beside(&work.files));
         ui.add(Label::new(RichText::new(sentence).small().weak()).wrap());
         let button = ui.small_button("Put back");
-        exported::note(ui, &button, "put-back", Role::Button, "Put back", work.before.len());
+        exported::note(ui, &button, "put-back", WidgetRole::Button, "Put back", work.before.len());
         let tip = "Switch back to the files that were open before; these can be put back in the same way";
-        button.on_hover_text(tip).clicked().then_some(Command::PutBack)
+        button.on_hover_text(tip).clicked().then_some(ExerciseCommand::PutBack)
     })
     .inner
 }
@@ -183,7 +185,7 @@ fn text(ui: &mut Ui, file: &mut OpenFile, marks: &[Mark], jump: Option<u32>) {
                 .min_size(vec2(room.x - gutter, room.y))
                 .layouter(&mut layouter);
             let output = edit.show(ui);
-            exported::note(ui, &output.response, "editor", Role::Text, &file.name, lines);
+            exported::note(ui, &output.response, "editor", WidgetRole::Text, &file.name, lines);
             if let Some(line) = jump {
                 output.response.request_focus();
                 let place = row_rect(&output, line);
@@ -276,7 +278,7 @@ fn messages(ui: &mut Ui, work: &mut Work, marks: &[Mark]) {
         for (index, mark) in marks.iter().take(MOST_LISTED).enumerate() {
             let icon = if mark.kind == MarkKind::Error { icons::WARNING_CIRCLE } else { icons::WARNING };
             let line = message_row(ui, icon, tint(mark.kind).of(ui), &format!("Line {}: {}", mark.line, mark.text));
-            exported::note(ui, &line, &format!("note-{index}"), Role::Button, &mark.text, mark.line);
+            exported::note(ui, &line, &format!("note-{index}"), WidgetRole::Button, &mark.text, mark.line);
             if line.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
                 wanted = Some(mark.line);
             }

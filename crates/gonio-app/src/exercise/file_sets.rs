@@ -7,7 +7,7 @@ use gonio_exercises::preview::{self, FileUse};
 
 /// Files that were open together.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FileSet {
+pub struct OpenFileSet {
     /// The files with their edits.
     pub files: Vec<OpenFile>,
     /// The file in the editor.
@@ -66,7 +66,7 @@ impl Work {
         }
         // The fragment shader is what is written at most.
         let fragment = uses.iter().position(|of_file| of_file.fragment).unwrap_or(0);
-        self.replace(FileSet { files, current: first_new + fragment });
+        self.replace(OpenFileSet { files, current: first_new + fragment });
         ReplaceOutcome { announcement: Some(announcement), ignored: handed.aside }
     }
 
@@ -77,7 +77,7 @@ impl Work {
         // Whoever begins again does not want a draft.
         files.iter_mut().for_each(|file| file.draft_was_asked = true);
         let current = Work::first_shown(self.exercise, &files);
-        self.replace(FileSet { files, current });
+        self.replace(OpenFileSet { files, current });
     }
 
     /// Puts back the files that were open before these, which are kept in turn.
@@ -92,22 +92,22 @@ impl Work {
         self.before.iter().any(|set| set.files.iter().any(OpenFile::is_changed))
     }
 
-    fn replace(&mut self, set: FileSet) {
+    fn replace(&mut self, set: OpenFileSet) {
         let now = self.exchange(set);
         // Each set is kept once.
         self.before.retain(|set| set.files != now.files);
         self.before.push(now);
     }
 
-    fn exchange(&mut self, set: FileSet) -> FileSet {
+    fn exchange(&mut self, set: OpenFileSet) -> OpenFileSet {
         let files = std::mem::replace(&mut self.files, set.files);
         let current = std::mem::replace(&mut self.current, set.current);
         self.jump = None;
-        FileSet { files, current }
+        OpenFileSet { files, current }
     }
 }
 
-impl FileSet {
+impl OpenFileSet {
     /// Names of its files that are not in `files`.
     pub fn names_beside(&self, files: &[OpenFile]) -> String {
         let is_there = |file: &OpenFile| files.iter().any(|other| other.id() == file.id());

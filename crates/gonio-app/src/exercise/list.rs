@@ -1,8 +1,8 @@
 //! The list of exercises.
 
-use super::command::Command;
+use super::command::ExerciseCommand;
 use super::work::Work;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::theme::{self, colors};
 use egui::{CentralPanel, CornerRadius, Frame, Label, Margin, RichText, ScrollArea, Sense, Ui, UiBuilder};
 use gonio_check::verdict::Outcome;
@@ -12,7 +12,7 @@ use gonio_exercises::exercise;
 const WIDTH: f32 = 720.0;
 
 /// Shows them, a card each; `begun` are those that something was done for.
-pub fn show(ui: &mut Ui, begun: &[&Work], commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, begun: &[&Work], commands: &mut Vec<ExerciseCommand>) {
     let inside = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
     CentralPanel::default().frame(inside).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
@@ -46,7 +46,7 @@ fn state_of(work: &Work) -> &'static str {
     }
 }
 
-fn card(ui: &mut Ui, exercise: &exercise::Exercise, state: Option<&str>, commands: &mut Vec<Command>) {
+fn card(ui: &mut Ui, exercise: &exercise::Exercise, state: Option<&str>, commands: &mut Vec<ExerciseCommand>) {
     let builder = UiBuilder::new().id_salt(&exercise.id).sense(Sense::click());
     let response = ui
         .scope_builder(builder, |ui| {
@@ -70,9 +70,9 @@ fn card(ui: &mut Ui, exercise: &exercise::Exercise, state: Option<&str>, command
             });
         })
         .response;
-    exported::note(ui, &response, &format!("exercise-{}", exercise.id), Role::Button, &exercise.title, "");
+    exported::note(ui, &response, &format!("exercise-{}", exercise.id), WidgetRole::Button, &exercise.title, "");
     if response.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
-        commands.push(Command::Begin(exercise.id.clone()));
+        commands.push(ExerciseCommand::Begin(exercise.id.clone()));
     }
 }
 

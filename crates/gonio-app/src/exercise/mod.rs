@@ -33,14 +33,14 @@ mod state_json;
 mod toolbar;
 mod work;
 
-pub use command::{Command, Start};
+pub use command::{ExerciseCommand, Start};
 pub use drafts::MOST_AGE as MOST_AGE_OF_DRAFTS;
-pub use file_sets::{FileSet, ReplaceOutcome};
-pub use preview::Picture;
-pub use work::{Judged, Mark, MarkKind, OpenFile, Page, PictureMode, ProgramFacts, Work};
+pub use file_sets::{OpenFileSet, ReplaceOutcome};
+pub use preview::PreviewPicture;
+pub use work::{ExercisePage, Judged, Mark, MarkKind, OpenFile, PictureMode, ProgramFacts, Work};
 
 use crate::action::Action;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::files::ExerciseFile;
 use crate::platform::Platform;
 use crate::scene_view::drawing::PaneRenderer;
@@ -151,7 +151,7 @@ impl ExerciseView {
     }
 
     /// A picture's pixels as they were drawn last, for tests: RGBA, the top row first, and how many columns and rows.
-    pub fn pixels(&self, picture: Picture) -> Option<(Vec<u8>, [u32; 2])> {
+    pub fn pixels(&self, picture: PreviewPicture) -> Option<(Vec<u8>, [u32; 2])> {
         self.compiler.preview()?.pixels(picture)
     }
 
@@ -204,7 +204,7 @@ impl ExerciseView {
     fn apply(
         &mut self,
         ctx: &egui::Context,
-        commands: Vec<Command>,
+        commands: Vec<ExerciseCommand>,
         platform: &mut dyn Platform,
         actions: &mut Vec<Action>,
         failures: &mut Vec<String>,
@@ -212,15 +212,15 @@ impl ExerciseView {
         for command in commands {
             ctx.request_repaint();
             match command {
-                Command::Begin(exercise) => actions.push(Action::StartExercise(exercise)),
-                Command::List => actions.push(Action::ListExercises),
-                Command::Open => {
+                ExerciseCommand::Begin(exercise) => actions.push(Action::StartExercise(exercise)),
+                ExerciseCommand::List => actions.push(Action::ListExercises),
+                ExerciseCommand::Open => {
                     // The path field gets the keyboard focus, if there is one.
                     self.work.as_ref().inspect(|work| editor::let_go(ctx, work));
                     actions.push(Action::ChooseFiles);
                 }
-                Command::Leave => self.is_open = false,
-                Command::Theme => actions.push(Action::ToggleTheme),
+                ExerciseCommand::Leave => self.is_open = false,
+                ExerciseCommand::Theme => actions.push(Action::ToggleTheme),
                 other => {
                     if let Some(work) = &mut self.work {
                         failures.extend(apply_to_work(ctx, other, work, &mut self.compiler, &mut self.check, platform));
@@ -245,10 +245,10 @@ fn wide(
     work: &mut Work,
     preview: Option<&mut preview::Preview>,
     pane_renderer: Option<&mut PaneRenderer>,
-    commands: &mut Vec<Command>,
+    commands: &mut Vec<ExerciseCommand>,
 ) -> Drawn {
-    if work.page == Page::Editor {
-        work.page = Page::Text;
+    if work.page == ExercisePage::Editor {
+        work.page = ExercisePage::Text;
     }
     let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
     let width = 0.48 * ui.available_width();
@@ -258,7 +258,7 @@ fn wide(
     let height = 0.5 * ui.available_height();
     let page = Panel::bottom("exercise page").frame(inside).default_size(height).size_range(120.0..=1200.0);
     page.resizable(true).show(ui, |ui| {
-        pages(ui, work, &[Page::Text, Page::Verdict, Page::Variables]);
+        pages(ui, work, &[ExercisePage::Text, ExercisePage::Verdict, ExercisePage::Variables]);
         page_of(ui, work, commands);
     });
     egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(ui, work, preview, pane_renderer)).inner
@@ -270,15 +270,15 @@ fn narrow(
     work: &mut Work,
     preview: Option<&mut preview::Preview>,
     pane_renderer: Option<&mut PaneRenderer>,
-    commands: &mut Vec<Command>,
+    commands: &mut Vec<ExerciseCommand>,
 ) -> Drawn {
     let height = (0.36 * ui.available_height()).max(120.0);
     let drawn = Panel::top("exercise picture").frame(Frame::NONE).exact_size(height).resizable(false);
     let drawn = drawn.show(ui, |ui| pictures::show(ui, work, preview, pane_renderer)).inner;
     let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
     egui::CentralPanel::default().frame(inside).show(ui, |ui| {
-        pages(ui, work, &[Page::Editor, Page::Text, Page::Verdict, Page::Variables]);
-        if work.page == Page::Editor {
+        pages(ui, work, &[ExercisePage::Editor, ExercisePage::Text, ExercisePage::Verdict, ExercisePage::Variables]);
+        if work.page == ExercisePage::Editor {
             edit(ui, work, commands);
         } else {
             page_of(ui, work, commands);
@@ -287,20 +287,20 @@ fn narrow(
     drawn
 }
 
-fn edit(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
+fn edit(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>) {
     commands.extend(editor::show(ui, work));
 }
 
 /// The names of the pages, of which one is shown.
-fn pages(ui: &mut Ui, work: &mut Work, pages: &[Page]) {
+fn pages(ui: &mut Ui, work: &mut Work, pages: &[ExercisePage]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for &page in pages {
             let (name, id) = match page {
-                Page::Editor => ("Files", "files"),
-                Page::Text => ("Exercise", "text"),
-                Page::Verdict => ("Verdict", "verdict"),
-                Page::Variables => ("Variables", "variables"),
+                ExercisePage::Editor => ("Files", "files"),
+                ExercisePage::Text => ("Exercise", "text"),
+                ExercisePage::Verdict => ("Verdict", "verdict"),
+                ExercisePage::Variables => ("Variables", "variables"),
             };
             let chosen = work.page == page;
             let mut text = egui::RichText::new(name);
@@ -308,7 +308,7 @@ fn pages(ui: &mut Ui, work: &mut Work, pages: &[Page]) {
                 text = text.color(colors::ACCENT.of(ui));
             }
             let button = ui.add(egui::Button::new(text).selected(chosen).frame_when_inactive(false));
-            exported::note(ui, &button, &format!("page-{id}"), Role::Tab, name, chosen);
+            exported::note(ui, &button, &format!("page-{id}"), WidgetRole::Tab, name, chosen);
             if button.clicked() {
                 work.page = page;
             }
@@ -317,34 +317,34 @@ fn pages(ui: &mut Ui, work: &mut Work, pages: &[Page]) {
     ui.separator();
 }
 
-fn page_of(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
+fn page_of(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>) {
     let salt = (work.exercise.id.as_str(), work.page as u8);
     ScrollArea::vertical().id_salt(salt).auto_shrink([false, false]).show(ui, |ui| match work.page {
-        Page::Text | Page::Editor => {
+        ExercisePage::Text | ExercisePage::Editor => {
             markdown::show(ui, work.exercise);
             start_files(ui, work, commands);
         }
-        Page::Verdict => pages::verdict(ui, work, commands),
-        Page::Variables => pages::variables(ui, work),
+        ExercisePage::Verdict => pages::verdict(ui, work, commands),
+        ExercisePage::Variables => pages::variables(ui, work),
     });
 }
 
 /// Buttons to start over and to download the original files.
-fn start_files(ui: &mut Ui, work: &Work, commands: &mut Vec<Command>) {
+fn start_files(ui: &mut Ui, work: &Work, commands: &mut Vec<ExerciseCommand>) {
     ui.horizontal_wrapped(|ui| {
-        let mut button = |id: &str, label: &str, tip: &str, command: Command| {
+        let mut button = |id: &str, label: &str, tip: &str, command: ExerciseCommand| {
             let button = ui.button(label);
-            exported::note(ui, &button, id, Role::Button, label, "");
+            exported::note(ui, &button, id, WidgetRole::Button, label, "");
             if button.on_hover_text(tip).clicked() {
                 commands.push(command);
             }
         };
         let tip = "Start over with the original files; the open ones can be put back";
-        button("begin-again", "Start over", tip, Command::BeginAgain);
+        button("begin-again", "Start over", tip, ExerciseCommand::BeginAgain);
         if work.downloads {
             let label = format!("Download {}.zip", work.exercise.id);
             let tip = "The text, its figures and the original files";
-            button("start-files", &label, tip, Command::StartFiles);
+            button("start-files", &label, tip, ExerciseCommand::StartFiles);
         }
     });
     ui.add_space(40.0);
@@ -353,7 +353,7 @@ fn start_files(ui: &mut Ui, work: &Work, commands: &mut Vec<Command>) {
 /// Applies a command to the open exercise. Returns a sentence for each thing that failed.
 fn apply_to_work(
     ctx: &Context,
-    command: Command,
+    command: ExerciseCommand,
     work: &mut Work,
     compiler: &mut Compiler,
     check: &mut Check,
@@ -361,22 +361,22 @@ fn apply_to_work(
 ) -> Vec<String> {
     let current = work.current;
     match command {
-        Command::Check => check.start(ctx, work, platform),
-        Command::StopChecking => check.stop(work),
-        Command::Save => {
+        ExerciseCommand::Check => check.start(ctx, work, platform),
+        ExerciseCommand::StopChecking => check.stop(work),
+        ExerciseCommand::Save => {
             let failures = saving::save(work, platform);
             if work.asking.is_some() {
                 editor::let_go(ctx, work);
             }
             return failures;
         }
-        Command::SaveInto(folder) => return saving::save_into(work, &folder, platform),
-        Command::Undo | Command::Redo => {
+        ExerciseCommand::SaveInto(folder) => return saving::save_into(work, &folder, platform),
+        ExerciseCommand::Undo | ExerciseCommand::Redo => {
             if let Some(file) = work.files.get_mut(current) {
-                editor::step(ctx, file, command == Command::Redo);
+                editor::step(ctx, file, command == ExerciseCommand::Redo);
             }
         }
-        Command::TakeOther(index) => {
+        ExerciseCommand::TakeOther(index) => {
             if let Some(file) = work.files.get_mut(index)
                 && let Some(other) = file.other.take()
             {
@@ -384,7 +384,7 @@ fn apply_to_work(
                 file.take(other);
             }
         }
-        Command::KeepMine(index) => {
+        ExerciseCommand::KeepMine(index) => {
             if let Some(file) = work.files.get_mut(index) {
                 // The version on disk is what changes are compared with.
                 if let Some(other) = file.other.take() {
@@ -393,30 +393,34 @@ fn apply_to_work(
                 return saving::save(work, platform);
             }
         }
-        Command::DiscardRestored => {
+        ExerciseCommand::DiscardRestored => {
             for file in work.files.iter_mut().filter(|file| file.is_restored() && file.other.is_none()) {
                 editor::remember(ctx, file);
                 file.take(file.saved.clone());
             }
         }
-        Command::KeepRestored => work.files.iter_mut().for_each(|file| file.restored = None),
-        Command::PutBack => {
+        ExerciseCommand::KeepRestored => work.files.iter_mut().for_each(|file| file.restored = None),
+        ExerciseCommand::PutBack => {
             work.put_back();
             compiler.begin_anew();
             // They were not watched while they were put away.
             let paths: Vec<PathBuf> = work.files.iter().filter_map(|file| file.path.clone()).collect();
             return saving::read_again(ctx, work, &paths);
         }
-        Command::BeginAgain => {
+        ExerciseCommand::BeginAgain => {
             work.begin_again();
             compiler.begin_anew();
         }
-        Command::StartFiles => {
+        ExerciseCommand::StartFiles => {
             let name = format!("{}.zip", work.exercise.id);
             return platform.write(&name, &saving::start_files(work)).err().into_iter().collect();
         }
         // These concern the application: see `ExerciseView::apply`.
-        Command::Begin(_) | Command::List | Command::Leave | Command::Open | Command::Theme => {}
+        ExerciseCommand::Begin(_)
+        | ExerciseCommand::List
+        | ExerciseCommand::Leave
+        | ExerciseCommand::Open
+        | ExerciseCommand::Theme => {}
     }
     Vec::new()
 }

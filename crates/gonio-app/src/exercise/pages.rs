@@ -1,8 +1,8 @@
 //! The pages beside the editor: the verdict, and the meaning and value of each variable.
 
-use super::command::Command;
+use super::command::ExerciseCommand;
 use super::work::{Judged, Work};
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::theme::{self, colors, icons};
 use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui};
 use gonio_check::mistakes;
@@ -13,13 +13,13 @@ use gonio_exercises::preview::VariableValue;
 const MOST_QUOTED: usize = 400;
 
 /// Shows the verdict. A click on a named line goes to it.
-pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<Command>) {
+pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>) {
     ui.spacing_mut().item_spacing.y = 6.0;
     ui.horizontal_wrapped(|ui| {
         let tip = "Also accept the ways of the lab's own solutions where they differ from the textbook";
         crate::widgets::toggle(ui, "as-the-lab", "accept the lab's variants", &mut work.as_the_lab, tip);
         if !work.checking && ui.button("Check").clicked() {
-            commands.push(Command::Check);
+            commands.push(ExerciseCommand::Check);
         }
     });
     if work.checking {
@@ -101,7 +101,7 @@ fn head(ui: &mut Ui, verdict: &Verdict) {
         });
         ui.add(Label::new(verdict.summary.as_str()).wrap());
     });
-    exported::note(ui, &response.response, "verdict", Role::Text, word, &verdict.summary);
+    exported::note(ui, &response.response, "verdict", WidgetRole::Text, word, &verdict.summary);
 }
 
 fn mistake(ui: &mut Ui, work: &mut Work, index: usize, mistake: &FoundMistake) {
@@ -152,7 +152,7 @@ fn compiler_message(ui: &mut Ui, work: &mut Work, message: &CompilerMessage) {
 fn place(ui: &mut Ui, work: &mut Work, id: &str, file: &str, line: u32, quoted: Option<&str>) {
     let label = format!("{file}:{line}");
     let link = ui.link(RichText::new(&label).monospace());
-    exported::note(ui, &link, id, Role::Button, &label, "");
+    exported::note(ui, &link, id, WidgetRole::Button, &label, "");
     if link.clicked() {
         work.go_to(file, line);
     }

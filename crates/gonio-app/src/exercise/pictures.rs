@@ -1,8 +1,8 @@
 //! The pictures beside the editor, with their settings.
 
-use super::preview::{Picture, Preview, situations};
+use super::preview::{Preview, PreviewPicture, situations};
 use super::work::{PictureMode, Work};
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::scene_view::{navigation, picture_size, present};
 use crate::theme::icons;
@@ -42,7 +42,7 @@ pub fn show(
         let size = picture_size(rect, ui.ctx().pixels_per_point());
         let response = ui.allocate_rect(rect, Sense::click_and_drag());
         let name = caption(picture);
-        exported::note(ui, &response, &format!("picture-{}", widgets::slug(name)), Role::Picture, name, "");
+        exported::note(ui, &response, &format!("picture-{}", widgets::slug(name)), WidgetRole::Picture, name, "");
         steer(ui, &response, work);
         match preview.picture(picture, work, size, pane_renderer)? {
             Some(shown) => present(ui, rect, shown),
@@ -51,7 +51,7 @@ pub fn show(
         if pictures.len() > 1 {
             written(ui, rect, Align2::LEFT_BOTTOM, name, GROUND);
         }
-        if picture == Picture::Yours && index == 0 {
+        if picture == PreviewPicture::Yours && index == 0 {
             let seen = situations(work, size);
             if let (Some(pair), Some((_, first))) = (preview.pair(), seen.first()) {
                 work.program.variables = pair.variable_values(first);
@@ -73,26 +73,26 @@ fn over(ui: &Ui, room: Rect, work: &Work) {
     };
     let rect = written(ui, room, Align2::CENTER_TOP, text, Color32::from_rgb(0x8a, 0x4b, 0x00));
     let response = ui.interact(rect, ui.scope_id().with("older program"), Sense::hover());
-    exported::note(ui, &response, "older-program", Role::Text, text, "");
+    exported::note(ui, &response, "older-program", WidgetRole::Text, text, "");
 }
 
-fn caption(picture: Picture) -> &'static str {
+fn caption(picture: PreviewPicture) -> &'static str {
     match picture {
-        Picture::Yours => "Yours",
-        Picture::Reference => "Reference",
-        Picture::Difference => "Difference",
+        PreviewPicture::Yours => "Yours",
+        PreviewPicture::Reference => "Reference",
+        PreviewPicture::Difference => "Difference",
     }
 }
 
-fn nothing_yet(picture: Picture, work: &Work) -> &'static str {
+fn nothing_yet(picture: PreviewPicture, work: &Work) -> &'static str {
     match picture {
-        Picture::Yours if work.program.is_tried => "",
-        Picture::Yours if work.program.unusable.is_some() => {
+        PreviewPicture::Yours if work.program.is_tried => "",
+        PreviewPicture::Yours if work.program.unusable.is_some() => {
             "Your program is not drawn; the reason is below the editor."
         }
-        Picture::Yours => "Your program does not compile; the errors are below the editor.",
-        Picture::Reference => "This exercise has no reference picture.",
-        Picture::Difference => "The difference is shown once your program compiles.",
+        PreviewPicture::Yours => "Your program does not compile; the errors are below the editor.",
+        PreviewPicture::Reference => "This exercise has no reference picture.",
+        PreviewPicture::Difference => "The difference is shown once your program compiles.",
     }
 }
 

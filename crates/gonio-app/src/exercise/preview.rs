@@ -14,7 +14,7 @@ const FULL_SCALE: f64 = 48.0;
 
 /// One of the pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Picture {
+pub enum PreviewPicture {
     /// The student's.
     Yours = 0,
     /// The right answer's.
@@ -82,7 +82,7 @@ impl Preview {
     /// One of the pictures, to be shown by a paint callback, drawn if anything changed; `None` where there is none.
     pub fn picture(
         &mut self,
-        picture: Picture,
+        picture: PreviewPicture,
         work: &Work,
         size: [u32; 2],
         pane_renderer: &mut PaneRenderer,
@@ -90,11 +90,11 @@ impl Preview {
         if size.contains(&0) {
             return Ok(None);
         }
-        if picture != Picture::Difference {
+        if picture != PreviewPicture::Difference {
             self.draw(picture as usize, work, size, pane_renderer)?;
             return Ok(self.presented(picture, pane_renderer));
         }
-        for which in [Picture::Yours, Picture::Reference] {
+        for which in [PreviewPicture::Yours, PreviewPicture::Reference] {
             self.draw(which as usize, work, size, pane_renderer)?;
         }
         let [Some(yours), Some(reference), map] = &mut self.canvases else { return Ok(None) };
@@ -107,7 +107,7 @@ impl Preview {
         Ok(self.presented(picture, pane_renderer))
     }
 
-    fn presented(&self, picture: Picture, pane_renderer: &PaneRenderer) -> Option<Presentation> {
+    fn presented(&self, picture: PreviewPicture, pane_renderer: &PaneRenderer) -> Option<Presentation> {
         let canvas = self.canvases.get(picture as usize)?.as_ref()?;
         Some(pane_renderer.presented(canvas))
     }
@@ -145,7 +145,7 @@ impl Preview {
     }
 
     /// A picture's pixels as they were drawn last: RGBA, the top row first, and how many columns and rows. Waits for the GPU.
-    pub fn pixels(&self, picture: Picture) -> Option<(Vec<u8>, [u32; 2])> {
+    pub fn pixels(&self, picture: PreviewPicture) -> Option<(Vec<u8>, [u32; 2])> {
         let canvas = self.canvases.get(picture as usize)?.as_ref()?;
         Some((canvas.read8(), canvas.size()))
     }
@@ -167,12 +167,12 @@ pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(PreviewShape, TestScene)>
 
 impl PictureMode {
     /// The pictures that are shown side by side.
-    pub fn pictures(self) -> &'static [Picture] {
+    pub fn pictures(self) -> &'static [PreviewPicture] {
         match self {
-            PictureMode::Yours => &[Picture::Yours],
-            PictureMode::Reference => &[Picture::Reference],
-            PictureMode::Both => &[Picture::Yours, Picture::Reference],
-            PictureMode::Difference => &[Picture::Difference],
+            PictureMode::Yours => &[PreviewPicture::Yours],
+            PictureMode::Reference => &[PreviewPicture::Reference],
+            PictureMode::Both => &[PreviewPicture::Yours, PreviewPicture::Reference],
+            PictureMode::Difference => &[PreviewPicture::Difference],
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The view's part of the exported state.
 
-use super::work::{MarkKind, Page, Work};
+use super::work::{ExercisePage, MarkKind, Work};
 use super::{ExerciseView, pictures};
 use serde_json::{Value, json};
 
@@ -66,10 +66,10 @@ fn of_work(work: &Work) -> Value {
         })
     });
     let page = match work.page {
-        Page::Editor => "editor",
-        Page::Text => "text",
-        Page::Verdict => "verdict",
-        Page::Variables => "variables",
+        ExercisePage::Editor => "editor",
+        ExercisePage::Text => "text",
+        ExercisePage::Verdict => "verdict",
+        ExercisePage::Variables => "variables",
     };
     json!({
         "id": work.exercise.id,

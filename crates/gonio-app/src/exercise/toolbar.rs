@@ -1,9 +1,9 @@
 //! The toolbar of the exercise view, and its keyboard shortcuts.
 
-use super::command::Command;
+use super::command::ExerciseCommand;
 use super::editor;
 use super::work::{OpenFile, Work};
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::theme::{self, colors, icons};
 use egui::{
     Align, Align2, Button, Frame, Key, KeyboardShortcut, Layout, Margin, Modifiers, Panel, RichText, TextEdit, Ui,
@@ -14,26 +14,26 @@ use egui::{
 const NARROW: f32 = 620.0;
 
 /// Keyboard shortcuts. A focused editor handles undo and redo itself.
-const KEYS: [(Modifiers, Key, Command); 7] = [
-    (Modifiers::COMMAND, Key::Enter, Command::Check),
-    (Modifiers::COMMAND, Key::S, Command::Save),
-    (Modifiers::COMMAND, Key::O, Command::Open),
-    (Modifiers { shift: true, ..Modifiers::COMMAND }, Key::Z, Command::Redo),
-    (Modifiers::COMMAND, Key::Y, Command::Redo),
-    (Modifiers::COMMAND, Key::Z, Command::Undo),
-    (Modifiers::NONE, Key::Escape, Command::StopChecking),
+const KEYS: [(Modifiers, Key, ExerciseCommand); 7] = [
+    (Modifiers::COMMAND, Key::Enter, ExerciseCommand::Check),
+    (Modifiers::COMMAND, Key::S, ExerciseCommand::Save),
+    (Modifiers::COMMAND, Key::O, ExerciseCommand::Open),
+    (Modifiers { shift: true, ..Modifiers::COMMAND }, Key::Z, ExerciseCommand::Redo),
+    (Modifiers::COMMAND, Key::Y, ExerciseCommand::Redo),
+    (Modifiers::COMMAND, Key::Z, ExerciseCommand::Undo),
+    (Modifiers::NONE, Key::Escape, ExerciseCommand::StopChecking),
 ];
 
 /// Handles the keys of this frame.
-pub fn keys(ui: &Ui, work: Option<&Work>, commands: &mut Vec<Command>) {
+pub fn keys(ui: &Ui, work: Option<&Work>, commands: &mut Vec<ExerciseCommand>) {
     let Some(work) = work else { return };
     let is_writing = work.files.get(work.current).is_some_and(|file| ui.memory(|m| m.has_focus(file.id())));
     for (modifiers, key, command) in KEYS {
-        let is_editors_own = matches!(command, Command::Undo | Command::Redo);
+        let is_editors_own = matches!(command, ExerciseCommand::Undo | ExerciseCommand::Redo);
         if is_editors_own && (is_writing || work.asking.is_some()) {
             continue;
         }
-        if command == Command::StopChecking && !work.checking {
+        if command == ExerciseCommand::StopChecking && !work.checking {
             continue;
         }
         if ui.input_mut(|i| i.consume_shortcut(&KeyboardShortcut::new(modifiers, key))) {
@@ -42,13 +42,13 @@ pub fn keys(ui: &Ui, work: Option<&Work>, commands: &mut Vec<Command>) {
     }
 }
 
-pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<ExerciseCommand>) {
     let bar = Frame::NONE.inner_margin(Margin::symmetric(10, 5));
     let work = Panel::top("exercise bar").frame(bar).resizable(false).show(ui, |ui| {
         let narrow = ui.available_width() < NARROW;
         ui.horizontal(|ui| {
             if icon(ui, "leave", icons::CARET_LEFT, "Back to the scene", true) {
-                commands.push(Command::Leave);
+                commands.push(ExerciseCommand::Leave);
             }
             if !narrow {
                 ui.label(RichText::new("Exercises").font(theme::bold(16.0)).color(ui.visuals().strong_text_color()));
@@ -61,7 +61,7 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
                     format!("{}  {}", work.exercise.id, work.exercise.title)
                 };
                 if button(ui, "exercises", RichText::new(label), "Select another exercise", true) {
-                    commands.push(Command::List);
+                    commands.push(ExerciseCommand::List);
                 }
                 check(ui, work, narrow, commands);
                 files(ui, work, commands);
@@ -69,7 +69,7 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let dark = ui.visuals().dark_mode;
                 if icon(ui, "theme", if dark { icons::SUN } else { icons::MOON }, "Light or dark theme", true) {
-                    commands.push(Command::Theme);
+                    commands.push(ExerciseCommand::Theme);
                 }
             });
         });
@@ -80,44 +80,44 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<Command>) {
     }
 }
 
-fn check(ui: &mut Ui, work: &Work, narrow: bool, commands: &mut Vec<Command>) {
+fn check(ui: &mut Ui, work: &Work, narrow: bool, commands: &mut Vec<ExerciseCommand>) {
     if work.checking {
         ui.spinner();
         if button(ui, "stop-checking", RichText::new("Stop"), "Stop the check (Esc)", true) {
-            commands.push(Command::StopChecking);
+            commands.push(ExerciseCommand::StopChecking);
         }
         return;
     }
     let text = RichText::new(if narrow { "Check" } else { "Check  Ctrl+Enter" });
     let fill = colors::ACCENT.of(ui).gamma_multiply(0.35);
     let check = ui.add(Button::new(text.color(ui.visuals().strong_text_color())).fill(fill));
-    exported::note(ui, &check, "check", Role::Button, "Check", "");
+    exported::note(ui, &check, "check", WidgetRole::Button, "Check", "");
     if check.on_hover_text("Find mistakes by name and line (Ctrl + Enter)").clicked() {
-        commands.push(Command::Check);
+        commands.push(ExerciseCommand::Check);
     }
 }
 
-fn files(ui: &mut Ui, work: &Work, commands: &mut Vec<Command>) {
+fn files(ui: &mut Ui, work: &Work, commands: &mut Vec<ExerciseCommand>) {
     let tip = "Open your own files in place of these (Ctrl + O), or drop them here";
     if icon(ui, "open-files", icons::FOLDER_OPEN, tip, true) {
-        commands.push(Command::Open);
+        commands.push(ExerciseCommand::Open);
     }
     let in_memory = work.files.iter().all(|file| file.path.is_none());
     if icon(ui, "save-files", icons::FLOPPY_DISK, "Save the files (Ctrl + S)", in_memory || work.is_changed()) {
-        commands.push(Command::Save);
+        commands.push(ExerciseCommand::Save);
     }
     let file: Option<&OpenFile> = work.files.get(work.current);
     let [back, forth] = file.map_or([false; 2], |file| editor::can_step(ui.ctx(), file));
     if icon(ui, "undo", icons::ARROW_U_UP_LEFT, "Undo in this file (Ctrl + Z)", back) {
-        commands.push(Command::Undo);
+        commands.push(ExerciseCommand::Undo);
     }
     if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, "Redo in this file (Ctrl + Y)", forth) {
-        commands.push(Command::Redo);
+        commands.push(ExerciseCommand::Redo);
     }
 }
 
 /// The dialog for the folder to save to.
-fn ask(ui: &Ui, work: &mut Work, commands: &mut Vec<Command>) {
+fn ask(ui: &Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>) {
     let Some(mut folder) = work.asking.take() else { return };
     let (mut open, mut done) = (true, false);
     let width = 420_f32.min(ui.ctx().content_rect().width() - 48.0);
@@ -129,20 +129,20 @@ fn ask(ui: &Ui, work: &mut Work, commands: &mut Vec<Command>) {
                 .weak(),
         );
         let field = ui.add(TextEdit::singleline(&mut folder).desired_width(f32::INFINITY).id_salt("folder"));
-        exported::note(ui, &field, "folder", Role::Text, "Folder", &folder);
+        exported::note(ui, &field, "folder", WidgetRole::Text, "Folder", &folder);
         done |= field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         if !field.has_focus() && !done && ui.memory(|m| m.focused().is_none()) {
             field.request_focus();
         }
         let save = ui.add_enabled(!folder.trim().is_empty(), Button::new("Save"));
-        exported::note(ui, &save, "folder-done", Role::Button, "Save", "");
+        exported::note(ui, &save, "folder-done", WidgetRole::Button, "Save", "");
         done |= save.clicked();
     });
     if ui.input(|i| i.key_pressed(Key::Escape)) {
         open = false;
     }
     match done {
-        true if !folder.trim().is_empty() => commands.push(Command::SaveInto(folder.trim().to_owned())),
+        true if !folder.trim().is_empty() => commands.push(ExerciseCommand::SaveInto(folder.trim().to_owned())),
         _ if open => work.asking = Some(folder),
         _ => {}
     }
@@ -151,7 +151,7 @@ fn ask(ui: &Ui, work: &mut Work, commands: &mut Vec<Command>) {
 fn button(ui: &mut Ui, id: &str, text: RichText, tip: &str, enabled: bool) -> bool {
     let label = text.text().to_owned();
     let button = ui.add_enabled(enabled, Button::new(text).frame_when_inactive(false));
-    exported::note(ui, &button, id, Role::Button, &label, "");
+    exported::note(ui, &button, id, WidgetRole::Button, &label, "");
     button.on_hover_text(tip).clicked()
 }
 
@@ -159,6 +159,6 @@ fn icon(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> bool {
     let text = RichText::new(icon).font(theme::icon_font(17.0));
     let button = ui.add_enabled(enabled, Button::new(text).frame_when_inactive(false));
     button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, enabled, tip));
-    exported::note(ui, &button, id, Role::Button, tip, "");
+    exported::note(ui, &button, id, WidgetRole::Button, tip, "");
     button.on_hover_text(tip).clicked()
 }

@@ -1,6 +1,6 @@
 //! The open exercise as plain data: the student's files, compiler messages, verdict.
 
-use super::file_sets::FileSet;
+use super::file_sets::OpenFileSet;
 use crate::files::ExerciseFile;
 use crate::session::Clock;
 use egui::Id;
@@ -144,7 +144,7 @@ pub enum PictureMode {
 
 /// The page beside the editor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Page {
+pub enum ExercisePage {
     /// The editor itself, where there is little room.
     Editor,
     /// The exercise's text.
@@ -198,7 +198,7 @@ pub struct Work {
     /// The pictures that are shown.
     pub shown: PictureMode,
     /// The page beside the editor.
-    pub page: Page,
+    pub page: ExercisePage,
     /// The scenes to look at it in.
     pub scenes: Vec<PreviewScene>,
     /// Index of the current scene.
@@ -222,7 +222,7 @@ pub struct Work {
     /// A folder is asked for, to save into: as far as it is written.
     pub asking: Option<String>,
     /// Files that were open before these, the latest last.
-    pub before: Vec<FileSet>,
+    pub before: Vec<OpenFileSet>,
     /// Whether files are saved as downloads, because there are no folders.
     pub downloads: bool,
     /// Counts the sets of files that were opened.
@@ -244,7 +244,7 @@ impl Work {
             files,
             current,
             shown: PictureMode::default(),
-            page: Page::default(),
+            page: ExercisePage::default(),
             scenes,
             scene: 0,
             camera: CameraSettings::default(),

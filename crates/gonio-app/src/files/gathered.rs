@@ -16,7 +16,7 @@ use std::path::Path;
 
 /// The roles of several files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Gathered {
+pub struct GatheredInputs {
     /// Models or scene files to open; none where there is only an environment.
     pub inputs: Vec<String>,
     /// The environment.
@@ -37,14 +37,14 @@ enum Kind {
 }
 
 /// Applies the rules to files of `source`. An error is one sentence.
-pub fn gather(names: &[String], source: &dyn FileSource) -> Result<Gathered, String> {
+pub fn gather(names: &[String], source: &dyn FileSource) -> Result<GatheredInputs, String> {
     let kinds: Vec<(&String, Kind)> = names.iter().map(|name| (name, kind(name, source))).collect();
     let of = |wanted: Kind| -> Vec<String> {
         kinds.iter().filter(|(_, kind)| *kind == wanted).map(|(name, _)| (*name).clone()).collect()
     };
     let scenes = of(Kind::Scene);
     if !scenes.is_empty() {
-        return Ok(Gathered { inputs: scenes, environment: None });
+        return Ok(GatheredInputs { inputs: scenes, environment: None });
     }
     let models = of(Kind::Model);
     let environments = of(Kind::Environment);
@@ -53,11 +53,11 @@ pub fn gather(names: &[String], source: &dyn FileSource) -> Result<Gathered, Str
             [] => None,
             several => Some(one_environment(several)?),
         };
-        return Ok(Gathered { inputs: models, environment });
+        return Ok(GatheredInputs { inputs: models, environment });
     }
     let pictures: Vec<String> = environments.into_iter().chain(of(Kind::Picture)).collect();
     if !pictures.is_empty() {
-        return Ok(Gathered { inputs: Vec::new(), environment: Some(one_environment(&pictures)?) });
+        return Ok(GatheredInputs { inputs: Vec::new(), environment: Some(one_environment(&pictures)?) });
     }
     let kinds = "a model (.obj .gltf .glb .dae .ply .stl .mesh .meshb), a scene (.toml), a zip of these, or a picture as \
                  the environment";
@@ -124,7 +124,7 @@ mod tests {
 
     const OBJ: &[u8] = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-    fn of(files: &[(&str, &[u8])]) -> Result<Gathered, String> {
+    fn of(files: &[(&str, &[u8])]) -> Result<GatheredInputs, String> {
         let mut memory = MemoryFiles::default();
         for (name, bytes) in files {
             memory.insert(name, bytes.to_vec());
@@ -132,12 +132,12 @@ mod tests {
         gather(&memory.names(), &memory)
     }
 
-    fn inputs(names: &[&str]) -> Gathered {
-        Gathered { inputs: names.iter().map(|n| (*n).to_owned()).collect(), environment: None }
+    fn inputs(names: &[&str]) -> GatheredInputs {
+        GatheredInputs { inputs: names.iter().map(|n| (*n).to_owned()).collect(), environment: None }
     }
 
-    fn environment(name: &str) -> Gathered {
-        Gathered { inputs: Vec::new(), environment: Some(name.to_owned()) }
+    fn environment(name: &str) -> GatheredInputs {
+        GatheredInputs { inputs: Vec::new(), environment: Some(name.to_owned()) }
     }
 
     #[test]
@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn light_that_no_model_has_as_a_texture_is_the_environment() {
         let files = of(&[("a.obj", OBJ), ("wood.png", b""), ("sky.hdr", b"")]);
-        assert_eq!(files, Ok(Gathered { environment: Some("sky.hdr".into()), ..inputs(&["a.obj"]) }));
+        assert_eq!(files, Ok(GatheredInputs { environment: Some("sky.hdr".into()), ..inputs(&["a.obj"]) }));
     }
 
     #[test]

@@ -14,9 +14,9 @@ mod memory;
 mod sources;
 pub mod zip;
 
-pub use gathered::{Gathered, gather};
+pub use gathered::{GatheredInputs, gather};
 pub use memory::MemoryFiles;
-pub use sources::{Layered, Recording};
+pub use sources::{Layered, ReadRecorder};
 pub use zip::pack;
 
 use std::path::PathBuf;

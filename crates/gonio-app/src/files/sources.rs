@@ -49,7 +49,7 @@ impl FileSource for Layered {
 const MOST: usize = 2000;
 
 /// Passes everything on, and remembers what was asked for: also what was not there, for it may come.
-pub struct Recording {
+pub struct ReadRecorder {
     inner: Arc<dyn FileSource>,
     asked: Mutex<Asked>,
 }
@@ -63,10 +63,10 @@ struct Asked {
     late: Vec<String>,
 }
 
-impl Recording {
+impl ReadRecorder {
     /// Around `inner`.
     pub fn new(inner: Arc<dyn FileSource>) -> Self {
-        Recording { inner, asked: Mutex::default() }
+        ReadRecorder { inner, asked: Mutex::default() }
     }
 
     /// The paths that were read, each once.
@@ -96,7 +96,7 @@ impl Recording {
     }
 }
 
-impl FileSource for Recording {
+impl FileSource for ReadRecorder {
     fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
         let read = self.inner.read_within(path, most);
         let mut asked = self.lock();
@@ -155,7 +155,7 @@ mod tests {
     fn what_is_read_and_what_is_missing_is_remembered() {
         let mut files = MemoryFiles::default();
         files.insert("a.obj", b"123".to_vec());
-        let recording = Recording::new(Arc::new(files));
+        let recording = ReadRecorder::new(Arc::new(files));
         assert!(recording.read(Path::new("a.obj")).is_ok());
         assert!(recording.read(Path::new("a.obj")).is_ok());
         assert!(recording.read(Path::new("a.mtl")).is_err());
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn it_waits_for_what_was_asked_for_too_early_and_for_nothing_else() {
         let fetching = Arc::new(Fetching(Mutex::new(Some("models/cube.mtl"))));
-        let recording = Recording::new(fetching.clone());
+        let recording = ReadRecorder::new(fetching.clone());
         assert!(recording.builtin("models/cube.png").is_none());
         assert!(!recording.is_waiting());
         assert!(recording.builtin("models/cube.mtl").is_none());
@@ -200,7 +200,7 @@ mod tests {
     fn what_is_read_once_more_is_counted_once() {
         let mut files = MemoryFiles::default();
         files.insert("a.obj", b"123".to_vec());
-        let recording = Recording::new(Arc::new(files));
+        let recording = ReadRecorder::new(Arc::new(files));
         assert!(recording.read(Path::new("a.obj")).is_ok());
         recording.forget();
         assert_eq!((recording.amount(), recording.paths()), ((0, 0), Vec::new()));

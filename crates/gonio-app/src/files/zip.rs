@@ -11,7 +11,7 @@ use std::io::Read;
 
 /// Limits on what a zip may unpack to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Limits {
+pub struct ZipLimits {
     /// Most files.
     pub files: usize,
     /// Most bytes of one file.
@@ -20,15 +20,15 @@ pub struct Limits {
     pub bytes: u64,
 }
 
-impl Limits {
+impl ZipLimits {
     /// Limits for models with their textures, or an environment.
-    pub const MODELS: Limits = Limits { files: 10_000, file_bytes: 1 << 30, bytes: 1 << 30 };
+    pub const MODELS: ZipLimits = ZipLimits { files: 10_000, file_bytes: 1 << 30, bytes: 1 << 30 };
     /// Limits for a student's files.
-    pub const SUBMISSION: Limits = Limits { files: 2000, file_bytes: 64 << 20, bytes: 256 << 20 };
+    pub const SUBMISSION: ZipLimits = ZipLimits { files: 2000, file_bytes: 64 << 20, bytes: 256 << 20 };
 
     /// The same, but at most `bytes` for all files together.
-    pub fn within(self, bytes: u64) -> Limits {
-        Limits { file_bytes: self.file_bytes.min(bytes), bytes: self.bytes.min(bytes), ..self }
+    pub fn within(self, bytes: u64) -> ZipLimits {
+        ZipLimits { file_bytes: self.file_bytes.min(bytes), bytes: self.bytes.min(bytes), ..self }
     }
 }
 
@@ -46,7 +46,7 @@ pub fn is_zip(bytes: &[u8]) -> bool {
 
 /// A file in a zip, as the zip's directory describes it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Entry {
+pub struct ZipEntry {
     /// Its name as it stands there: usually UTF-8, with `/` between folders; a folder's ends with `/`.
     pub name: Vec<u8>,
     /// Bytes that it has unpacked, says the directory.
@@ -59,7 +59,7 @@ pub struct Entry {
 }
 
 /// The directory of a zip of at most so many files, without unpacking anything. An error is one sentence.
-pub fn entries(bytes: &[u8], most_files: usize) -> Result<Vec<Entry>, String> {
+pub fn entries(bytes: &[u8], most_files: usize) -> Result<Vec<ZipEntry>, String> {
     let end = find_end(bytes).ok_or("the zip file is truncated or damaged: its directory is missing")?;
     let count = number(bytes, end + 10, 2)? as usize;
     let mut at = number(bytes, end + 16, 4)? as usize;
@@ -78,7 +78,7 @@ pub fn entries(bytes: &[u8], most_files: usize) -> Result<Vec<Entry>, String> {
         }
         let [name_len, extra_len, comment_len] = [28, 30, 32].map(|offset| number(bytes, at + offset, 2));
         let (name_len, extra_len, comment_len) = (name_len? as usize, extra_len? as usize, comment_len? as usize);
-        entries.push(Entry {
+        entries.push(ZipEntry {
             name: part(bytes, at + ENTRY_SIZE, name_len)?.to_vec(),
             size: number(bytes, at + 24, 4)?,
             method: number(bytes, at + 10, 2)?,
@@ -91,7 +91,7 @@ pub fn entries(bytes: &[u8], most_files: usize) -> Result<Vec<Entry>, String> {
     Ok(entries)
 }
 
-impl Entry {
+impl ZipEntry {
     /// Its content, from the zip that it is in: never more than its size. An error is one sentence.
     pub fn unpack(&self, zip: &[u8]) -> Result<Vec<u8>, String> {
         let name = String::from_utf8_lossy(&self.name);
@@ -109,13 +109,13 @@ impl Entry {
 
 /// [`unpack_within`] the limits for models.
 pub fn unpack(bytes: &[u8]) -> Result<MemoryFiles, String> {
-    unpack_within(bytes, &Limits::MODELS)
+    unpack_within(bytes, &ZipLimits::MODELS)
 }
 
 /// The files in it. Folders, and what systems add for themselves (`__MACOSX/`, names that begin with a dot), are left
 /// out. An error is one sentence: among others, that the directory states more than the limits allow (which is found
 /// before anything is unpacked), or that a file unpacks to more than the directory states.
-pub fn unpack_within(bytes: &[u8], limits: &Limits) -> Result<MemoryFiles, String> {
+pub fn unpack_within(bytes: &[u8], limits: &ZipLimits) -> Result<MemoryFiles, String> {
     let mut wanted = Vec::new();
     let mut total = 0;
     for entry in entries(bytes, limits.files)? {
@@ -346,7 +346,7 @@ mod tests {
         let two = zip_of(&[("a.obj", &vec![0; 2 * MIB], true), ("b.obj", &vec![0; MIB], true)]);
         assert!(two.len() < 10_000, "{}", two.len());
         let refused = |files, file, all| {
-            let limits = Limits { files, file_bytes: (file * MIB) as u64, bytes: (all * MIB) as u64 };
+            let limits = ZipLimits { files, file_bytes: (file * MIB) as u64, bytes: (all * MIB) as u64 };
             unpack_within(&two, &limits).err()
         };
         assert_eq!(refused(2, 2, 3), None);
@@ -369,7 +369,7 @@ mod tests {
         zip.extend(&one[end..]);
         let end = zip.len() - END_SIZE;
         zip[end + 10..end + 12].copy_from_slice(&300_u16.to_le_bytes());
-        let refused = unpack_within(&zip, &Limits::SUBMISSION).err();
+        let refused = unpack_within(&zip, &ZipLimits::SUBMISSION).err();
         assert_eq!(refused.as_deref(), Some("the zip file holds more than 256 MiB: unpack it and open its contents"));
     }
 

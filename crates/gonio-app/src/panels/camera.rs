@@ -4,7 +4,7 @@ use crate::action::Action;
 use crate::document::Document;
 use crate::session::Session;
 use crate::theme::colors;
-use crate::widgets::{Number, Vector, heading, row};
+use crate::widgets::{NumberField, Vector, heading, row};
 use egui::{Color32, FontFamily, FontId, Grid, RichText, Ui};
 use glam::{DMat4, DVec3};
 use gonio_light::vector::unit;
@@ -60,7 +60,7 @@ fn place(ui: &mut Ui, spec: &mut CameraSettings) {
         ("camera-pitch", "Pitch", "Pitch; positive looks up", &mut pitch, -STEEPEST..=STEEPEST, defaults::PITCH),
     ] {
         row(ui, label, tip, |ui| {
-            let number = Number::new(id, label).tip(tip).unit("\u{b0}").range(range).default(default).step(0.5);
+            let number = NumberField::new(id, label).tip(tip).unit("\u{b0}").range(range).default(default).step(0.5);
             number.show(ui, value);
         });
     }
@@ -85,7 +85,7 @@ fn lens(ui: &mut Ui, spec: &mut CameraSettings) {
     heading(ui, "Lens");
     row(ui, "Field of view", "Full vertical angle", |ui| {
         let tip = "Full vertical field of view; the lab's 45 rad are 58.3\u{b0}";
-        Number::new("camera-fov", "field of view")
+        NumberField::new("camera-fov", "field of view")
             .tip(tip)
             .unit("\u{b0}")
             .range(1.0..=170.0)
@@ -99,7 +99,7 @@ fn lens(ui: &mut Ui, spec: &mut CameraSettings) {
         ("camera-far", "Far", "Distance of the far plane, in world units", &mut far),
     ] {
         row(ui, label, tip, |ui| {
-            Number::new(id, label).tip(tip).range(1e-6..=1e9).show(ui, value);
+            NumberField::new(id, label).tip(tip).range(1e-6..=1e9).show(ui, value);
         });
     }
     if (near, far) != before && near < far {

@@ -1,9 +1,9 @@
 //! Windows over the picture: messages, keyboard shortcuts, the path field.
 
 use crate::action::Action;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::platform::Purpose;
-use crate::session::{Session, Severity};
+use crate::session::{MessageSeverity, Session};
 use crate::shortcuts;
 use crate::theme::{self, colors, icons};
 use egui::{
@@ -28,9 +28,9 @@ pub fn messages(ui: &Ui, session: &Session, actions: &mut Vec<Action>) {
             ui.set_max_width(WIDTH.min(ui.ctx().content_rect().width() - 24.0));
             for message in messages.iter().take(MOST) {
                 let (tint, icon) = match message.severity {
-                    Severity::Error => (colors::ERROR, icons::WARNING_CIRCLE),
-                    Severity::Warning => (colors::WARNING, icons::WARNING),
-                    Severity::Note => (colors::ACCENT, icons::INFO),
+                    MessageSeverity::Error => (colors::ERROR, icons::WARNING_CIRCLE),
+                    MessageSeverity::Warning => (colors::WARNING, icons::WARNING),
+                    MessageSeverity::Note => (colors::ACCENT, icons::INFO),
                 };
                 let color = tint.of(ui);
                 let frame = Frame::popup(ui.style()).inner_margin(Margin::same(10)).stroke(Stroke::new(1.0, color));
@@ -45,12 +45,12 @@ pub fn messages(ui: &Ui, session: &Session, actions: &mut Vec<Action>) {
                             ui.horizontal(|ui| {
                                 let id = |what: &str| format!("{what}-{}", message.id);
                                 let read = ui.small_button("Dismiss");
-                                exported::note(ui, &read, &id("dismiss"), Role::Button, "Dismiss", "");
+                                exported::note(ui, &read, &id("dismiss"), WidgetRole::Button, "Dismiss", "");
                                 if read.clicked() {
                                     actions.push(Action::Dismiss(message.id));
                                 }
                                 let copy = ui.small_button("Copy");
-                                exported::note(ui, &copy, &id("copy"), Role::Button, "Copy", "");
+                                exported::note(ui, &copy, &id("copy"), WidgetRole::Button, "Copy", "");
                                 if copy.clicked() {
                                     actions.push(Action::CopyText(message.text.clone()));
                                 }
@@ -120,7 +120,7 @@ pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mu
             ui.add(Label::new(RichText::new(hint).weak()).wrap());
             let edit = TextEdit::singleline(&mut asking.text).desired_width(f32::INFINITY).id_salt("path");
             let field = ui.add(edit);
-            exported::note(ui, &field, "path", Role::Text, hint, &asking.text);
+            exported::note(ui, &field, "path", WidgetRole::Text, hint, &asking.text);
             // Enter takes the focus away, and is the answer.
             done |= field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
             if !field.has_focus() && !done && ui.memory(|m| m.focused().is_none()) {
@@ -128,10 +128,10 @@ pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mu
             }
             ui.horizontal(|ui| {
                 let button = ui.add_enabled(!asking.text.trim().is_empty(), egui::Button::new(verb));
-                exported::note(ui, &button, "path-done", Role::Button, verb, "");
+                exported::note(ui, &button, "path-done", WidgetRole::Button, verb, "");
                 done |= button.clicked();
                 let cancel = ui.button("Cancel");
-                exported::note(ui, &cancel, "path-cancel", Role::Button, "Cancel", "");
+                exported::note(ui, &cancel, "path-cancel", WidgetRole::Button, "Cancel", "");
                 if cancel.clicked() {
                     asking.text.clear();
                     done = true;

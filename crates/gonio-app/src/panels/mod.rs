@@ -16,7 +16,7 @@ pub use dialogs::{messages, path_field};
 
 use crate::action::Action;
 use crate::document::{Document, History};
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::platform::Purpose;
 use crate::session::{Session, Tab};
 use crate::theme::colors;
@@ -106,7 +106,14 @@ fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
                 ui.painter().rect_filled(line, 1.0, color);
             }
             let button = button.on_hover_text(tab.description());
-            exported::note(ui, &button, &format!("tab-{}", tab.title().to_lowercase()), Role::Tab, tab.title(), chosen);
+            exported::note(
+                ui,
+                &button,
+                &format!("tab-{}", tab.title().to_lowercase()),
+                WidgetRole::Tab,
+                tab.title(),
+                chosen,
+            );
             if button.clicked() {
                 actions.push(Action::Show(tab));
             }

@@ -3,7 +3,7 @@
 use crate::action::Action;
 use crate::document::Document;
 use crate::session::Session;
-use crate::widgets::{Number, choice, color, dropdown, heading, named_options, row, toggle};
+use crate::widgets::{NumberField, choice, color, dropdown, heading, named_options, row, toggle};
 use egui::Ui;
 use gonio_light::Quantity;
 use gonio_light::color::{ColorEncoding, ToneMap};
@@ -125,7 +125,8 @@ fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
         toggle(ui, "environment-visible", "is visible", &mut environment.visible, "Behind the objects");
     });
     row(ui, "Intensity", "Factor on the light of the environment", |ui| {
-        let number = Number::new("environment-intensity", "intensity").tip("Factor on the light of the environment");
+        let number =
+            NumberField::new("environment-intensity", "intensity").tip("Factor on the light of the environment");
         number.range(0.0..=1e6).default(1.0).step(0.01).show(ui, &mut environment.intensity);
     });
     row(ui, "Rotation", "Yaw, pitch and roll: about y, then x, then z", |ui| {
@@ -135,12 +136,12 @@ fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
             .zip(&mut environment.rotate)
         {
             let id = format!("environment-{name}");
-            let number = Number::new(&id, name).tip(tip).unit("\u{b0}").range(-360.0..=360.0).default(0.0);
+            let number = NumberField::new(&id, name).tip(tip).unit("\u{b0}").range(-360.0..=360.0).default(0.0);
             number.step(1.0).width(66.0).show(ui, value);
         }
     });
     row(ui, "Blur", "Blur of the visible environment", |ui| {
-        let number = Number::new("environment-blur", "blur").tip("Blur of the visible environment");
+        let number = NumberField::new("environment-blur", "blur").tip("Blur of the visible environment");
         number.range(0.0..=1.0).default(0.0).show(ui, &mut environment.blur);
     });
 }
@@ -161,7 +162,7 @@ fn background(ui: &mut Ui, background: &mut BackgroundSpec) {
 
 fn output(ui: &mut Ui, picture: &mut PictureSpec) {
     row(ui, "Exposure", "Stops: each doubles the light", |ui| {
-        let number = Number::new("exposure", "exposure").tip("Stops: each doubles the light");
+        let number = NumberField::new("exposure", "exposure").tip("Stops: each doubles the light");
         number.unit(" EV").range(-64.0..=64.0).default(0.0).step(0.02).show(ui, &mut picture.exposure);
     });
     row(ui, "Tone map", "Maps light above 1 to the range of the display", |ui| {

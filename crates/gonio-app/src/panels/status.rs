@@ -2,7 +2,7 @@
 
 use crate::action::Action;
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::icons;
 use crate::widgets::{SPACE, grouped, icon_button};
@@ -82,7 +82,7 @@ pub fn show_time(ui: &mut Ui, document: &Document, session: &Session, actions: &
     let mut within = clock.time - turns * period;
     ui.spacing_mut().slider_width = (ui.available_width() - 250.0).clamp(60.0, 260.0);
     let slider = ui.add(Slider::new(&mut within, 0.0..=period).show_value(false));
-    exported::note(ui, &slider, "time", Role::Number, "time", clock.time);
+    exported::note(ui, &slider, "time", WidgetRole::Number, "time", clock.time);
     if slider.changed() {
         actions.push(Action::SetTime(turns * period + within));
     }

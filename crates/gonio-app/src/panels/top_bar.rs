@@ -2,7 +2,7 @@
 
 use crate::action::Action;
 use crate::document::{Document, History};
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::saving::Product;
 use crate::session::Session;
 use crate::theme::{self, icons};
@@ -45,7 +45,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
                 });
             }
             let button = ui.add(egui::Button::new("Exercises").frame_when_inactive(false));
-            exported::note(ui, &button, "exercises", Role::Button, "Exercises", "");
+            exported::note(ui, &button, "exercises", WidgetRole::Button, "Exercises", "");
             if button.on_hover_text(EXERCISES).clicked() {
                 actions.push(Action::ShowExercise);
             }
@@ -78,7 +78,7 @@ fn icon(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> bool {
     let text = RichText::new(icon).font(theme::icon_font(17.0));
     let button = ui.add_enabled(enabled, egui::Button::new(text).frame_when_inactive(false));
     button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, tip));
-    exported::note(ui, &button, id, Role::Button, tip, "");
+    exported::note(ui, &button, id, WidgetRole::Button, tip, "");
     button.on_hover_text(tip).clicked()
 }
 
@@ -90,13 +90,13 @@ fn menu(ui: &mut Ui, id: &str, text: RichText, tip: &str, content: impl FnOnce(&
     let content = |ui: &mut Ui| ScrollArea::vertical().max_height(height).show(ui, content);
     let (button, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, content);
     button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tip));
-    exported::note(ui, &button, id, Role::Button, tip, "");
+    exported::note(ui, &button, id, WidgetRole::Button, tip, "");
     button.on_hover_text(tip);
 }
 
 fn entry(ui: &mut Ui, id: &str, text: &str, tip: &str, action: Action, actions: &mut Vec<Action>) {
     let button = ui.button(text);
-    exported::note(ui, &button, id, Role::Button, text, "");
+    exported::note(ui, &button, id, WidgetRole::Button, text, "");
     let button = if tip.is_empty() { button } else { button.on_hover_text(tip) };
     if button.clicked() {
         actions.push(action);

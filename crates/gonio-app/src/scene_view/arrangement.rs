@@ -4,8 +4,8 @@ use super::drawing::PaneRenderer;
 use super::navigation::Dragging;
 use super::paint::present;
 use super::pane::{self, caption, drawn, over};
-use crate::document::{Arrangement, Document};
-use crate::exported::{self, Role};
+use crate::document::{Document, PaneArrangement};
+use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::colors;
 use egui::{
@@ -91,14 +91,14 @@ pub fn wipe(
     let mut x = room.left() + share.clamp(0.0, 1.0) * room.width();
     let hold = Rect::from_center_size(pos2(x, room.center().y), vec2(2.0 * HOLD, room.height()));
     let response = ui.interact(hold.intersect(room), ui.scope_id().with("wipe"), Sense::click_and_drag());
-    exported::note(ui, &response, "wipe", Role::Handle, "divider between two panes", format!("{share:.3}"));
+    exported::note(ui, &response, "wipe", WidgetRole::Handle, "divider between two panes", format!("{share:.3}"));
     if response.double_clicked() {
-        document.panes.arrangement = Arrangement::Wipe(0.5);
+        document.panes.arrangement = PaneArrangement::Wipe(0.5);
     } else if response.is_dragged()
         && let Some(place) = response.interact_pointer_pos()
     {
         x = place.x.clamp(room.left(), room.right());
-        document.panes.arrangement = Arrangement::Wipe((x - room.left()) / room.width().max(1.0));
+        document.panes.arrangement = PaneArrangement::Wipe((x - room.left()) / room.width().max(1.0));
     }
     let active = response.hovered() || response.dragged();
     if active {

@@ -2,7 +2,7 @@
 
 use super::{Projection, navigation, paint};
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::{self, colors};
 use egui::{Align2, Color32, Rect, Sense, Ui, Vec2, vec2};
@@ -42,7 +42,7 @@ pub fn show(ui: &Ui, projection: &Projection, document: &mut Document, session: 
         let response = ui.interact(hit, ui.scope_id().with(("axis", &name)), Sense::click());
         let tip = format!("Look along {name}");
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &tip));
-        exported::note(ui, &response, &format!("look-along-{name}"), Role::Button, &tip, "");
+        exported::note(ui, &response, &format!("look-along-{name}"), WidgetRole::Button, &tip, "");
         let hovered = response.hovered();
         if let Some(letter) = letter {
             paint::line(&painter, [middle, end], 2.0, color);

@@ -18,7 +18,7 @@ mod vectors;
 pub(crate) use paint::{picture_size, present};
 pub use projection::Projection;
 
-use crate::document::{Arrangement, Document};
+use crate::document::{Document, PaneArrangement};
 use crate::session::Session;
 use drawing::PaneRenderer;
 use egui::{Rect, Ui};
@@ -46,9 +46,9 @@ pub fn show(
 fn is_covered(document: &Document, pane_renderer: &PaneRenderer) -> bool {
     let panes = &document.panes;
     match panes.arrangement {
-        Arrangement::SideBySide => panes.list.len() == 1 && pane_renderer.is_opaque(0),
-        Arrangement::Wipe(_) => pane_renderer.is_opaque(panes.pair[1]),
-        Arrangement::Difference => pane_renderer.is_opaque(panes.pair[0]),
+        PaneArrangement::SideBySide => panes.list.len() == 1 && pane_renderer.is_opaque(0),
+        PaneArrangement::Wipe(_) => pane_renderer.is_opaque(panes.pair[1]),
+        PaneArrangement::Difference => pane_renderer.is_opaque(panes.pair[0]),
     }
 }
 
@@ -62,7 +62,7 @@ fn panes(
     session.moving = session.clock.playing || ui.input(|i| i.pointer.any_down() || i.smooth_scroll_delta().y != 0.0);
     pane_renderer.begin(ui.ctx(), document.panes.list.len());
     match document.panes.arrangement {
-        Arrangement::SideBySide => {
+        PaneArrangement::SideBySide => {
             let count = document.panes.list.len();
             for (index, rect) in arrangement::arranged(room, count).into_iter().enumerate() {
                 let response = pane::show(ui, index, rect, document, session, pane_renderer)?;
@@ -70,8 +70,8 @@ fn panes(
                 arrangement::label(ui, index, rect, document, session);
             }
         }
-        Arrangement::Wipe(share) => arrangement::wipe(ui, room, share, document, session, pane_renderer)?,
-        Arrangement::Difference => arrangement::difference(ui, room, document, session, pane_renderer)?,
+        PaneArrangement::Wipe(share) => arrangement::wipe(ui, room, share, document, session, pane_renderer)?,
+        PaneArrangement::Difference => arrangement::difference(ui, room, document, session, pane_renderer)?,
     }
     if pane_renderer.measure(document, session)? {
         ui.ctx().request_repaint();

@@ -3,7 +3,7 @@
 use super::navigation::Dragging;
 use super::paint::{picture_size, present};
 use super::{Projection, paint};
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::session::Observer;
 use crate::theme::{self, colors, icons};
@@ -81,7 +81,7 @@ pub fn show(
     let response = ui.allocate_rect(rect, Sense::click_and_drag());
     let what = "the camera and its frustum from outside";
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, what));
-    exported::note(ui, &response, "observer-view", Role::Picture, what, "");
+    exported::note(ui, &response, "observer-view", WidgetRole::Picture, what, "");
     let aspect = f64::from(rect.width() / rect.height());
     let _ = observer_camera(observer, frame, aspect);
     if let Some((yaw, pitch)) = &mut observer.angles {
@@ -166,7 +166,7 @@ fn buttons(ui: &mut Ui, rect: Rect, observer: &mut Observer) {
         let fill = if on { Color32::from_gray(90) } else { Color32::from_black_alpha(130) };
         let response = ui.put(place, egui::Button::new(text).fill(fill));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tip));
-        exported::note(ui, &response, id, Role::Button, tip, on);
+        exported::note(ui, &response, id, WidgetRole::Button, tip, on);
         response.on_hover_text(tip).clicked()
     };
     if button(close, "observer-close", icons::X, "Close (O)", false) {

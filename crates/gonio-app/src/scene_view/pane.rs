@@ -4,7 +4,7 @@ use super::drawing::PaneRenderer;
 use super::paint::{picture_size, present};
 use super::{Projection, axes, gizmos, navigation, observer, paint, toolbar, vectors};
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session, Tab};
 use egui::{Color32, Pos2, Rect, Response, Sense, Ui, vec2};
 use gonio_gl::GlError;
@@ -25,7 +25,7 @@ pub fn show(
         ui,
         &response,
         &format!("pane-{index}"),
-        Role::Picture,
+        WidgetRole::Picture,
         "picture of the scene",
         caption(document, index),
     );

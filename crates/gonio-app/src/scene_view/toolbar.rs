@@ -1,7 +1,7 @@
 //! The toolbar over the picture: view, overlays, and the legend of debug views.
 
 use crate::document::{Document, Pane, VIEW_KEYS};
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::{Session, Tab};
 use crate::theme::{self, colors, icons};
 use egui::{Align2, Color32, FontId, Frame, Margin, Painter, Rect, RichText, Ui, UiBuilder, pos2, vec2};
@@ -52,7 +52,7 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
                 button = button.shortcut_text(key.to_string());
             }
             let response = ui.add(button);
-            exported::note(ui, &response, &format!("view-{quantity}"), Role::Choice, &name, is_shown);
+            exported::note(ui, &response, &format!("view-{quantity}"), WidgetRole::Choice, &name, is_shown);
             if response.on_hover_text(quantity.description().trim()).clicked() {
                 pane.special = None;
                 pane.view = (quantity != Quantity::Total).then_some(ViewSpec { quantity, light: None });
@@ -69,7 +69,7 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
                 let is_shown = pane.special == Some(view);
                 let key = if view == SpecialView::Overdraw { "Shift + V" } else { "Shift + U" };
                 let response = ui.add(egui::Button::selectable(is_shown, view.name()).shortcut_text(key));
-                exported::note(ui, &response, &format!("view-{view}"), Role::Choice, view.name(), is_shown);
+                exported::note(ui, &response, &format!("view-{view}"), WidgetRole::Choice, view.name(), is_shown);
                 if response.on_hover_text(view.description().trim()).clicked() {
                     pane.special = Some(view);
                     ui.close();
@@ -83,7 +83,7 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
             }
         });
     });
-    exported::note(ui, &menu.response, "view-chooser", Role::Choice, "view", title_of(pane));
+    exported::note(ui, &menu.response, "view-chooser", WidgetRole::Choice, "view", title_of(pane));
     menu.response.on_hover_text("View of the scene (number keys)");
     // A view of one light says which.
     if let Some(view) = pane.view.as_mut().filter(|view| pane.special.is_none() && view.quantity.per_light())
@@ -144,7 +144,7 @@ fn toggle(ui: &mut Ui, id: &str, icon: &str, tip: &str, on: bool) -> bool {
     let text = RichText::new(icon).font(theme::icon_font(16.0)).color(color);
     let response = ui.add(egui::Button::new(text).selected(on).frame_when_inactive(on));
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tip));
-    exported::note(ui, &response, id, Role::Toggle, tip, on);
+    exported::note(ui, &response, id, WidgetRole::Toggle, tip, on);
     response.on_hover_text(tip).clicked()
 }
 

@@ -85,7 +85,7 @@ pub struct Curve {
 
 /// All measurements.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Comparison {
+pub struct PaneComparison {
     /// Each pane.
     pub panes: Vec<PaneFacts>,
     /// The difference of the pair, if shown.

@@ -2,7 +2,7 @@
 
 /// Severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Severity {
+pub enum MessageSeverity {
     /// Worth knowing.
     Note,
     /// The result is not as expected.
@@ -13,11 +13,11 @@ pub enum Severity {
 
 /// A message of one sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Message {
+pub struct UserMessage {
     /// Identifies the message.
     pub id: u64,
     /// Severity of a message.
-    pub severity: Severity,
+    pub severity: MessageSeverity,
     /// The sentence.
     pub text: String,
     /// How often it was reported.
@@ -27,19 +27,19 @@ pub struct Message {
 /// Messages that have not been dismissed.
 #[derive(Clone, Debug, Default)]
 pub struct Messages {
-    list: Vec<Message>,
+    list: Vec<UserMessage>,
     next: u64,
 }
 
 impl Messages {
     /// Adds a message. A repeated one is counted.
-    pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
+    pub fn say(&mut self, severity: MessageSeverity, text: impl Into<String>) {
         let text = text.into();
         if let Some(known) = self.list.iter_mut().find(|m| m.severity == severity && m.text == text) {
             known.times += 1;
             return;
         }
-        self.list.push(Message { id: self.next, severity, text, times: 1 });
+        self.list.push(UserMessage { id: self.next, severity, text, times: 1 });
         self.next += 1;
     }
 
@@ -50,17 +50,17 @@ impl Messages {
 
     /// Removes everything but errors.
     pub fn forget_remarks(&mut self) {
-        self.list.retain(|message| message.severity == Severity::Error);
+        self.list.retain(|message| message.severity == MessageSeverity::Error);
     }
 
     /// The messages in order.
-    pub fn list(&self) -> &[Message] {
+    pub fn list(&self) -> &[UserMessage] {
         &self.list
     }
 
     /// The last error that has not been dismissed.
     pub fn last_error(&self) -> Option<&str> {
-        self.list.iter().rev().find(|m| m.severity == Severity::Error).map(|m| m.text.as_str())
+        self.list.iter().rev().find(|m| m.severity == MessageSeverity::Error).map(|m| m.text.as_str())
     }
 }
 
@@ -71,9 +71,9 @@ mod tests {
     #[test]
     fn a_message_stays_until_it_is_read_and_is_said_once() {
         let mut messages = Messages::default();
-        messages.say(Severity::Error, "no such file");
-        messages.say(Severity::Error, "no such file");
-        messages.say(Severity::Note, "lit by its own light");
+        messages.say(MessageSeverity::Error, "no such file");
+        messages.say(MessageSeverity::Error, "no such file");
+        messages.say(MessageSeverity::Note, "lit by its own light");
         assert_eq!(messages.list().len(), 2);
         assert_eq!(messages.list()[0].times, 2);
         messages.forget_remarks();

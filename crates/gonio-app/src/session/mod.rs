@@ -6,9 +6,9 @@ mod messages;
 pub mod probing;
 mod settings;
 
-pub use comparison::Comparison;
+pub use comparison::PaneComparison;
 pub use equation::{BeforeAlone, EquationView, Term};
-pub use messages::{Message, Messages, Severity};
+pub use messages::{MessageSeverity, Messages, UserMessage};
 pub use probing::Probing;
 pub use settings::Settings;
 
@@ -86,7 +86,7 @@ pub struct Session {
     /// Incremented when geometry or materials of `loaded` change and have to be uploaded.
     pub generation: u64,
     /// Measurements of the panes.
-    pub comparison: Comparison,
+    pub comparison: PaneComparison,
     /// Slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
     /// Something is being dragged, or time runs.
@@ -120,7 +120,7 @@ impl Default for Session {
             observer: Observer::default(),
             announcement: String::new(),
             generation: 0,
-            comparison: Comparison::default(),
+            comparison: PaneComparison::default(),
             adaptive: true,
             moving: false,
             unframed: false,

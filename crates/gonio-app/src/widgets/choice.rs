@@ -1,6 +1,6 @@
 //! One of several words: side by side where there are few, in a list where there are many.
 
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::theme::colors;
 use egui::{Button, ComboBox, RichText, Ui, WidgetInfo, vec2};
 
@@ -82,7 +82,7 @@ fn segments(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: 
             let name = format!("{label}: {word}");
             response.widget_info(|| WidgetInfo::selected(egui::Role::RadioButton, true, is_chosen, &name));
             let own_id = format!("{id}-{}", slug(word));
-            exported::note(ui, &response, &own_id, Role::Choice, &name, is_chosen);
+            exported::note(ui, &response, &own_id, WidgetRole::Choice, &name, is_chosen);
             if response.double_clicked() {
                 asked = Asked::Default;
             } else if response.clicked() {
@@ -105,7 +105,14 @@ fn list(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Opti
         .show_ui(ui, |ui| {
             for (index, (word, tip)) in words.iter().enumerate() {
                 let entry = ui.selectable_label(chosen == Some(index), *word);
-                exported::note(ui, &entry, &format!("{id}-{}", slug(word)), Role::Choice, word, chosen == Some(index));
+                exported::note(
+                    ui,
+                    &entry,
+                    &format!("{id}-{}", slug(word)),
+                    WidgetRole::Choice,
+                    word,
+                    chosen == Some(index),
+                );
                 if entry.clicked() {
                     asked = Some(index);
                 }
@@ -116,6 +123,6 @@ fn list(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Opti
         })
         .response;
     response.widget_info(|| WidgetInfo::labeled(egui::Role::ComboBox, true, label));
-    exported::note(ui, &response, id, Role::Choice, label, shown);
+    exported::note(ui, &response, id, WidgetRole::Choice, label, shown);
     asked
 }

@@ -1,6 +1,6 @@
 //! A colour: a swatch that opens a picker, and its numbers to be typed.
 
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use egui::widgets::color_picker::{Alpha, color_picker_color32};
 use egui::{
     Color32, CornerRadius, Id, Popup, PopupCloseBehavior, Response, RichText, Sense, Stroke, StrokeKind, TextEdit, Ui,
@@ -67,7 +67,7 @@ fn swatch(ui: &mut Ui, id: &str, label: &str, value: Color) -> Response {
     let line = ui.style().interact(&response).fg_stroke.color.gamma_multiply(0.4);
     ui.painter().rect(rect, CornerRadius::same(5), shown(value), Stroke::new(1.0, line), StrokeKind::Inside);
     response.widget_info(|| WidgetInfo::labeled(egui::Role::ColorWell, true, label));
-    exported::note(ui, &response, id, Role::Color, label, written(value));
+    exported::note(ui, &response, id, WidgetRole::Color, label, written(value));
     response
 }
 
@@ -100,7 +100,7 @@ fn text(ui: &mut Ui, id: &str, label: &str, value: &mut Color) {
         ui.data_mut(|data| data.remove::<String>(key));
     }
     let own_id = format!("{id}-text");
-    exported::note(ui, &response, &own_id, Role::Text, label, written(*value));
+    exported::note(ui, &response, &own_id, WidgetRole::Text, label, written(*value));
     if response.lost_focus() && !ui.input(|i| i.key_pressed(egui::Key::Escape)) {
         match parsed {
             // What was not changed is not rounded to what its text says.

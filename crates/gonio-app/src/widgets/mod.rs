@@ -10,9 +10,9 @@ mod number;
 pub(crate) use choice::named_options;
 pub use choice::{choice, dropdown, slug};
 pub use color::{color, color_swatch, shown};
-pub use number::{NO_BREAK, Number, SPACE, Vector, axes, compact, grouped};
+pub use number::{NO_BREAK, NumberField, SPACE, Vector, axes, compact, grouped};
 
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::theme;
 use egui::{Align, Button, Color32, Label, Layout, Response, RichText, Ui, WidgetInfo, vec2};
 
@@ -36,14 +36,14 @@ pub fn tool_button(ui: &mut Ui, id: &str, icon: &str, tip: &str, color: Option<C
         })
         .inner;
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, enabled, tip));
-    exported::note(ui, &response, id, Role::Button, tip, "");
+    exported::note(ui, &response, id, WidgetRole::Button, tip, "");
     response.on_hover_text(tip).on_disabled_hover_text(tip)
 }
 
 /// A switch with its name beside it; whether it was changed.
 pub fn toggle(ui: &mut Ui, id: &str, label: &str, value: &mut bool, tip: &str) -> bool {
     let response = ui.checkbox(value, label);
-    exported::note(ui, &response, id, Role::Toggle, label, *value);
+    exported::note(ui, &response, id, WidgetRole::Toggle, label, *value);
     let changed = response.changed();
     if !tip.is_empty() {
         response.on_hover_text(tip);

@@ -1,6 +1,6 @@
 //! Numbers: dragged, typed, or reset by a double click; one or three along the axes. Large counts in groups of digits.
 
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::theme::colors::{AXIS_X, AXIS_Y, AXIS_Z, Tint};
 use egui::{DragValue, Rect, Response, Sense, TextStyle, Ui, UiBuilder, pos2, vec2};
 use gonio_light::is_noise;
@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 
 /// A number and what is known of it.
 #[derive(Clone, Debug)]
-pub struct Number<'a> {
+pub struct NumberField<'a> {
     id: &'a str,
     label: &'a str,
     tip: &'a str,
@@ -20,10 +20,10 @@ pub struct Number<'a> {
     whole: bool,
 }
 
-impl<'a> Number<'a> {
+impl<'a> NumberField<'a> {
     /// Any finite number. `id` is stable and kebab-case, `label` what it is called.
     pub fn new(id: &'a str, label: &'a str) -> Self {
-        Number {
+        NumberField {
             id,
             label,
             tip: "",
@@ -38,37 +38,37 @@ impl<'a> Number<'a> {
 
     /// What it is, with its symbol.
     pub fn tip(self, tip: &'a str) -> Self {
-        Number { tip, ..self }
+        NumberField { tip, ..self }
     }
 
     /// Shown after it.
     pub fn unit(self, unit: &'static str) -> Self {
-        Number { unit, ..self }
+        NumberField { unit, ..self }
     }
 
     /// What it may be; both ends are allowed.
     pub fn range(self, range: RangeInclusive<f64>) -> Self {
-        Number { range, ..self }
+        NumberField { range, ..self }
     }
 
     /// What a double click makes of it.
     pub fn default(self, default: f64) -> Self {
-        Number { default: Some(default), ..self }
+        NumberField { default: Some(default), ..self }
     }
 
     /// Change for each point that is dragged; left out, it goes by the number's size.
     pub fn step(self, step: f64) -> Self {
-        Number { step: Some(step), ..self }
+        NumberField { step: Some(step), ..self }
     }
 
     /// Points.
     pub fn width(self, width: f32) -> Self {
-        Number { width, ..self }
+        NumberField { width, ..self }
     }
 
     /// No digits behind the point.
     pub fn whole(self) -> Self {
-        Number { whole: true, ..self }
+        NumberField { whole: true, ..self }
     }
 
     /// Shows the number, and lets it be edited.
@@ -111,7 +111,7 @@ impl<'a> Number<'a> {
         // -0 is what dragging past zero leaves.
         *value += 0.0;
         let response = response.accessible_name(self.label);
-        exported::note(ui, &response, self.id, Role::Number, self.label, *value);
+        exported::note(ui, &response, self.id, WidgetRole::Number, self.label, *value);
         let tip = self.explanation();
         response.on_hover_ui(|ui| {
             ui.label(tip);
@@ -238,7 +238,8 @@ impl<'a> Vector<'a> {
         for ((part, (axis, tint)), i) in value.iter_mut().zip(axes()).zip(0..) {
             let (id, label) = (format!("{}-{axis}", self.id), format!("{} {axis}", self.label));
             let tip = if self.tip.is_empty() { label.clone() } else { format!("{}: {axis}", self.tip) };
-            let mut number = Number::new(&id, &label).tip(&tip).unit(self.unit).width(width).range(self.range.clone());
+            let mut number =
+                NumberField::new(&id, &label).tip(&tip).unit(self.unit).width(width).range(self.range.clone());
             if let Some(default) = self.default {
                 number = number.default(default[i]);
             }

@@ -2,7 +2,7 @@
 
 use crate::Bench;
 use egui_kittest::kittest::Queryable;
-use gonio_app::document::{Arrangement, Pane};
+use gonio_app::document::{Pane, PaneArrangement};
 use gonio_app::session::Tab;
 use gonio_app::session::comparison::{CurvePoint, DifferenceFacts};
 use gonio_light::{Convention, Specular};
@@ -70,9 +70,9 @@ fn an_arrangement_is_chosen_and_its_numbers_are_shown() {
     assert!(!bench.has("difference-mode"), "one pane is compared with nothing");
     bench.click("preset-shadings");
     bench.click("wipe-mode");
-    assert_eq!(bench.document().panes.arrangement, Arrangement::Wipe(0.5));
+    assert_eq!(bench.document().panes.arrangement, PaneArrangement::Wipe(0.5));
     bench.click("difference-mode");
-    assert_eq!(bench.document().panes.arrangement, Arrangement::Difference);
+    assert_eq!(bench.document().panes.arrangement, PaneArrangement::Difference);
     bench.click("signed");
     assert!(bench.document().panes.difference.signed);
     let tally = of_bytes(&[0, 0, 0, 255, 9, 9, 9, 255], &[0, 7, 0, 255, 9, 9, 9, 255], 1.0);
@@ -80,7 +80,7 @@ fn an_arrangement_is_chosen_and_its_numbers_are_shown() {
     bench.settle();
     assert!(shows(&bench, "1 pixels, 50.00 %") && shows(&bench, "7/255"));
     bench.click("side-by-side");
-    assert_eq!(bench.document().panes.arrangement, Arrangement::SideBySide);
+    assert_eq!(bench.document().panes.arrangement, PaneArrangement::SideBySide);
 }
 
 #[test]

@@ -8,10 +8,10 @@
 mod outline;
 mod read;
 
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::theme;
 use egui::{Color32, CornerRadius, FontId, Pos2, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
-use read::{Figure, Letters, Pen, Shape, Text};
+use read::{Figure, FigureShape, Letters, Pen, Text};
 
 /// Letters are not read below this size of a figure; on a phone it is moved sideways instead.
 const SMALLEST: f32 = 0.55;
@@ -27,7 +27,7 @@ pub fn show(ui: &mut Ui, name: &str, shows: &str, text: &str) {
     area.show(ui, |ui| {
         let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, shows));
-        exported::note(ui, &response, &format!("figure-{name}"), Role::Picture, shows, "");
+        exported::note(ui, &response, &format!("figure-{name}"), WidgetRole::Picture, shows, "");
         if ui.is_rect_visible(rect) {
             paint(ui, rect, scale, &figure);
         }
@@ -85,27 +85,27 @@ impl Place<'_> {
         pen.map_or(Stroke::NONE, |pen| Stroke::new(pen.width * self.scale, self.color(pen.color)))
     }
 
-    fn shape(&self, shape: &Shape) {
+    fn shape(&self, shape: &FigureShape) {
         let painter = self.ui.painter();
         match shape {
-            Shape::Lines { points, closed, fill, pen } => {
+            FigureShape::Lines { points, closed, fill, pen } => {
                 let points: Vec<Pos2> = points.iter().map(|point| self.at(*point)).collect();
                 if let Some(fill) = fill {
                     painter.add(outline::inside(&points, self.color(*fill)));
                 }
                 self.line(points, *closed, pen.as_ref());
             }
-            Shape::Rectangle { rect, radius, fill, pen } => {
+            FigureShape::Rectangle { rect, radius, fill, pen } => {
                 let rect = Rect::from_min_max(self.at(rect.min), self.at(rect.max));
                 let corners = CornerRadius::same((radius * self.scale).round() as u8);
                 let fill = fill.map_or(Color32::TRANSPARENT, |fill| self.color(fill));
                 painter.rect(rect, corners, fill, self.stroke(pen.as_ref()), StrokeKind::Middle);
             }
-            Shape::Circle { center, radius, fill, pen } => {
+            FigureShape::Circle { center, radius, fill, pen } => {
                 let fill = fill.map_or(Color32::TRANSPARENT, |fill| self.color(fill));
                 painter.circle(self.at(*center), radius * self.scale, fill, self.stroke(pen.as_ref()));
             }
-            Shape::Text(text) => self.text(text),
+            FigureShape::Text(text) => self.text(text),
         }
     }
 
@@ -168,7 +168,7 @@ mod tests {
             for (name, text) in all.filter(|(name, _)| name.ends_with(".svg")) {
                 let figure = read::figure(text).unwrap_or_else(|| panic!("{name}"));
                 for shape in &figure.shapes {
-                    let Shape::Text(text) = shape else { continue };
+                    let FigureShape::Text(text) = shape else { continue };
                     let (font, pieces) = (font(text.letters, 15.0), text.pieces.iter());
                     let letters: String = pieces.flat_map(|(_, _, words)| words.chars()).map(|c| parts(c).0).collect();
                     let lacks = |c: &char| !ui.fonts_mut(|fonts| fonts.has_glyph(&font, *c));

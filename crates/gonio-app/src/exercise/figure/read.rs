@@ -12,7 +12,7 @@ pub struct Figure {
     /// Its width and height, in its own units.
     pub size: Vec2,
     /// Its shapes, in painting order.
-    pub shapes: Vec<Shape>,
+    pub shapes: Vec<FigureShape>,
 }
 
 /// A line around or along a shape.
@@ -28,7 +28,7 @@ pub struct Pen {
 
 /// Something that is painted.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
+pub enum FigureShape {
     /// Lines from point to point.
     Lines {
         /// At least two.
@@ -105,7 +105,7 @@ pub fn figure(text: &str) -> Option<Figure> {
     while let Some(element) = elements.next() {
         if element.name == "text" {
             let inside = elements.until("</text>");
-            shapes.extend(words(&element, inside, color, font_size).map(Shape::Text));
+            shapes.extend(words(&element, inside, color, font_size).map(FigureShape::Text));
         } else {
             shapes.extend(shape(&element));
         }
@@ -113,7 +113,7 @@ pub fn figure(text: &str) -> Option<Figure> {
     Some(Figure { size, shapes })
 }
 
-fn shape(element: &Element<'_>) -> Option<Shape> {
+fn shape(element: &Element<'_>) -> Option<FigureShape> {
     let number = |name| element.number(name);
     let (fill, pen) = (element.color("fill"), element.pen());
     let points = |text: &str| -> Option<Vec<Pos2>> {
@@ -126,21 +126,21 @@ fn shape(element: &Element<'_>) -> Option<Shape> {
     Some(match element.name {
         "line" => {
             let ends = vec![pos2(number("x1")?, number("y1")?), pos2(number("x2")?, number("y2")?)];
-            Shape::Lines { points: ends, closed: false, fill: None, pen }
+            FigureShape::Lines { points: ends, closed: false, fill: None, pen }
         }
         "polyline" | "polygon" => {
-            Shape::Lines { points: points(element.get("points")?)?, closed: element.name == "polygon", fill, pen }
+            FigureShape::Lines { points: points(element.get("points")?)?, closed: element.name == "polygon", fill, pen }
         }
         "path" => {
             let (points, closed) = outline::flattened(element.get("d")?)?;
-            Shape::Lines { points, closed, fill, pen }
+            FigureShape::Lines { points, closed, fill, pen }
         }
         "rect" => {
             let min = pos2(number("x").unwrap_or(0.0), number("y").unwrap_or(0.0));
             let rect = Rect::from_min_size(min, vec2(number("width")?, number("height")?));
-            Shape::Rectangle { rect, radius: number("rx").unwrap_or(0.0), fill, pen }
+            FigureShape::Rectangle { rect, radius: number("rx").unwrap_or(0.0), fill, pen }
         }
-        "circle" => Shape::Circle { center: pos2(number("cx")?, number("cy")?), radius: number("r")?, fill, pen },
+        "circle" => FigureShape::Circle { center: pos2(number("cx")?, number("cy")?), radius: number("r")?, fill, pen },
         _ => return None,
     })
 }
@@ -277,14 +277,14 @@ mod tests {
         let orange = pen(2.0, Some([4.0, 5.0]), Color32::from_rgb(0xc8, 0x50, 0x1e));
         assert_eq!(
             figure.shapes[1],
-            Shape::Lines { points: vec![pos2(1.0, 2.0), pos2(3.0, 4.0)], closed: false, fill: None, pen: orange }
+            FigureShape::Lines { points: vec![pos2(1.0, 2.0), pos2(3.0, 4.0)], closed: false, fill: None, pen: orange }
         );
         assert!(
-            matches!(&figure.shapes[2], Shape::Lines { closed: true, fill: None, points, .. } if points.len() == 3)
+            matches!(&figure.shapes[2], FigureShape::Lines { closed: true, fill: None, points, .. } if points.len() == 3)
         );
-        let Shape::Text(bold) = &figure.shapes[3] else { panic!("{:?}", figure.shapes[3]) };
+        let FigureShape::Text(bold) = &figure.shapes[3] else { panic!("{:?}", figure.shapes[3]) };
         assert_eq!((bold.anchor, bold.letters, bold.pieces[0].2.as_str()), (0.5, Letters::Bold, "a & b"));
-        let Shape::Text(pieces) = &figure.shapes[4] else { panic!("{:?}", figure.shapes[4]) };
+        let FigureShape::Text(pieces) = &figure.shapes[4] else { panic!("{:?}", figure.shapes[4]) };
         let told: Vec<(f32, &str)> = pieces.pieces.iter().map(|(_, size, words)| (*size, words.as_str())).collect();
         assert_eq!((told, pieces.pieces[1].0), (vec![(15.0, "n"), (11.0, "L"), (15.0, " end")], vec2(3.0, 4.0)));
     }

@@ -5,8 +5,8 @@ mod plot;
 mod settings;
 
 use crate::action::Action;
-use crate::document::{Arrangement, Document, Pane, Panes};
-use crate::exported::{self, Role};
+use crate::document::{Document, Pane, PaneArrangement, Panes};
+use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::icons;
 use egui::{Response, RichText, Ui};
@@ -23,7 +23,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut
     section(ui, "Measured");
     measured::show(ui, session);
     let adaptive = ui.checkbox(&mut session.adaptive, "One sample per pixel while something moves, if frames are slow");
-    exported::note(ui, &adaptive, "adaptive", Role::Toggle, "One sample while moving", session.adaptive);
+    exported::note(ui, &adaptive, "adaptive", WidgetRole::Toggle, "One sample while moving", session.adaptive);
     section(ui, "Error against the finest mesh");
     measured::show_curve(ui, session);
 }
@@ -37,7 +37,7 @@ fn section(ui: &mut Ui, title: &str) {
 /// Notes a button, and passes it on.
 fn noted(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> Response, id: &str, label: &str, value: impl ToString) -> Response {
     let response = add(ui);
-    exported::note(ui, &response, id, Role::Button, label, value);
+    exported::note(ui, &response, id, WidgetRole::Button, label, value);
     response
 }
 
@@ -97,15 +97,20 @@ fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     section(ui, "Arrangement");
     let panes = &mut document.panes;
     ui.horizontal_wrapped(|ui| {
-        let wipe = if let Arrangement::Wipe(at) = panes.arrangement { at } else { 0.5 };
+        let wipe = if let PaneArrangement::Wipe(at) = panes.arrangement { at } else { 0.5 };
         for (id, label, tip, arrangement) in [
-            ("side-by-side", "Side by side", "All panes next to each other", Arrangement::SideBySide),
-            ("wipe-mode", "Wipe", "Two panes on top of each other, with a divider to drag", Arrangement::Wipe(wipe)),
+            ("side-by-side", "Side by side", "All panes next to each other", PaneArrangement::SideBySide),
+            (
+                "wipe-mode",
+                "Wipe",
+                "Two panes on top of each other, with a divider to drag",
+                PaneArrangement::Wipe(wipe),
+            ),
             (
                 "difference-mode",
                 "Difference",
                 "Colour map of the difference between two panes",
-                Arrangement::Difference,
+                PaneArrangement::Difference,
             ),
         ] {
             let chosen = std::mem::discriminant(&panes.arrangement) == std::mem::discriminant(&arrangement);
@@ -115,7 +120,7 @@ fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
             }
         }
     });
-    if panes.arrangement == Arrangement::SideBySide {
+    if panes.arrangement == PaneArrangement::SideBySide {
         return;
     }
     ui.horizontal(|ui| {
@@ -127,27 +132,34 @@ fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
             let combo = combo.show_ui(ui, |ui| {
                 for (index, caption) in captions.iter().enumerate() {
                     let entry = ui.selectable_value(place, index, caption);
-                    exported::note(ui, &entry, &format!("pair-{name}-{index}"), Role::Choice, caption, *place == index);
+                    exported::note(
+                        ui,
+                        &entry,
+                        &format!("pair-{name}-{index}"),
+                        WidgetRole::Choice,
+                        caption,
+                        *place == index,
+                    );
                 }
             });
             combo.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, name));
-            exported::note(ui, &combo.response, &format!("pair-{name}"), Role::Choice, name, chosen);
+            exported::note(ui, &combo.response, &format!("pair-{name}"), WidgetRole::Choice, name, chosen);
         }
     });
-    if panes.arrangement == Arrangement::Difference {
+    if panes.arrangement == PaneArrangement::Difference {
         let settings = &mut panes.difference;
         ui.horizontal(|ui| {
             let tip = "The difference, in 8-bit steps, that gets the brightest colour";
             ui.label("Full scale").on_hover_text(tip);
             let slider = egui::Slider::new(&mut settings.full_scale, 1.0..=255.0).logarithmic(true).max_decimals(0);
             let slider = ui.add(slider).on_hover_text(tip);
-            exported::note(ui, &slider, "full-scale", Role::Number, "Full scale", settings.full_scale);
+            exported::note(ui, &slider, "full-scale", WidgetRole::Number, "Full scale", settings.full_scale);
             if slider.double_clicked() {
                 *settings = crate::document::DifferenceSettings { signed: settings.signed, ..Default::default() };
             }
         });
         let signed = ui.checkbox(&mut settings.signed, "Signed: second minus first");
-        exported::note(ui, &signed, "signed", Role::Toggle, "Signed", settings.signed);
+        exported::note(ui, &signed, "signed", WidgetRole::Toggle, "Signed", settings.signed);
         measured::difference(ui, session);
     }
 }

@@ -1,8 +1,8 @@
 //! Settings of panes: presets for common comparisons, and the current pane's own settings.
 
 use super::noted;
-use crate::document::{Document, Pane, Reflectance};
-use crate::exported::{self, Role};
+use crate::document::{Document, Pane, PaneReflectance};
+use crate::exported::{self, WidgetRole};
 use crate::widgets::slug;
 use egui::{ComboBox, Grid, Ui};
 use gonio_light::{Convention, Quantity, Specular};
@@ -25,7 +25,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
         choice(ui, "pane-convention", "Convention", &mut pane.convention, conventions.collect());
         let weights = [(true, "yes".to_owned()), (false, "no".to_owned())];
         choice(ui, "pane-cosine-weighted", "spec times <N.L>", &mut pane.cosine_weighted, weights.into());
-        let brdfs = Reflectance::all().into_iter().map(|r| (r, r.name().to_owned()));
+        let brdfs = PaneReflectance::all().into_iter().map(|r| (r, r.name().to_owned()));
         choice(ui, "pane-brdf", "BRDF", &mut pane.reflectance, brdfs.collect());
         let view = |quantity: Quantity| (ViewSpec { quantity, light: None }, quantity.to_string());
         choice(ui, "pane-view", "View", &mut pane.view, Quantity::ALL.iter().copied().map(view).collect());
@@ -33,7 +33,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
     });
     if *pane != Pane::default() {
         let reset = ui.button("Reset to the scene");
-        exported::note(ui, &reset, "pane-reset", Role::Button, "Reset to the scene", "");
+        exported::note(ui, &reset, "pane-reset", WidgetRole::Button, "Reset to the scene", "");
         if reset.clicked() {
             *pane = Pane::default();
         }
@@ -52,7 +52,7 @@ fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut O
         let mut entry = |wanted: Option<T>, name: &str| {
             let response = ui.selectable_value(value, wanted, name);
             let of_entry = format!("{id}-{}", slug(name));
-            exported::note(ui, &response, &of_entry, Role::Choice, name, *value == wanted);
+            exported::note(ui, &response, &of_entry, WidgetRole::Choice, name, *value == wanted);
         };
         entry(None, AS_SCENE);
         for (other, name) in &all {
@@ -60,7 +60,7 @@ fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut O
         }
     });
     combo.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, label));
-    exported::note(ui, &combo.response, id, Role::Choice, label, chosen);
+    exported::note(ui, &combo.response, id, WidgetRole::Choice, label, chosen);
     ui.end_row();
 }
 
@@ -86,7 +86,7 @@ fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&S
                 .custom_formatter(|f, _| format!("{:.0}", 8.0 * f * f))
                 .custom_parser(|text| text.trim().parse::<f64>().ok().map(|n| (n.max(8.0) / 8.0).sqrt().round()));
             let slider = ui.add(slider).on_hover_text("Triangles of each sphere: 8 f², from an octahedron's faces");
-            exported::note(ui, &slider, "pane-sphere", Role::Number, "Triangles of the sphere", shown);
+            exported::note(ui, &slider, "pane-sphere", WidgetRole::Number, "Triangles of the sphere", shown);
             if slider.changed() {
                 pane.detail = Some(LevelOfDetail::Sphere((8.0 * frequency * frequency) as usize));
             }
@@ -94,7 +94,7 @@ fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&S
         let mut percent = if let Some(LevelOfDetail::Share(share)) = pane.detail { 100.0 * share } else { 100.0 };
         let slider = egui::Slider::new(&mut percent, 1.0..=100.0).step_by(1.0).logarithmic(true).suffix(" %");
         let slider = ui.add(slider).on_hover_text("Share of each model's triangles that is kept");
-        exported::note(ui, &slider, "pane-simplify", Role::Number, "Share of the triangles", percent);
+        exported::note(ui, &slider, "pane-simplify", WidgetRole::Number, "Share of the triangles", percent);
         if slider.changed() {
             pane.detail = (percent < 100.0).then_some(LevelOfDetail::Share(percent / 100.0));
         }

@@ -13,7 +13,7 @@ mod switch;
 
 use crate::action::Action;
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::{Session, Tab, Term};
 use crate::theme::icons;
 use crate::typeset::{self, EguiFonts, Laid, Node, Tag};
@@ -136,7 +136,7 @@ fn one_term(
         Some(true) => "on",
         Some(false) => "off",
     };
-    exported::note(ui, &response, &format!("term-{term}"), Role::Term, &name, state);
+    exported::note(ui, &response, &format!("term-{term}"), WidgetRole::Term, &name, state);
     let base = switch::tint(term).map_or_else(|| ui.visuals().strong_text_color(), |tint| tint.of(ui));
     let radius = 4.0;
     if response.hovered() || response.has_focus() {
@@ -226,7 +226,7 @@ fn definitions(ui: &mut Ui, document: &Document, session: &mut Session, scene: &
             let response = formula_line(ui, &node, SIZE, document, Sense::click());
             let name = format!("definition of {term}");
             response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &name));
-            exported::note(ui, &response, &format!("definition-{term}"), Role::Button, &name, "");
+            exported::note(ui, &response, &format!("definition-{term}"), WidgetRole::Button, &name, "");
             if response.clicked() {
                 session.equation.selected = term;
             }

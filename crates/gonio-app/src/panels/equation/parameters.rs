@@ -4,7 +4,7 @@ use super::{formula, formula_line, switch};
 use crate::action::Action;
 use crate::document::Document;
 use crate::session::{Session, Tab, Term};
-use crate::widgets::{Number, Vector, choice, dropdown, named_options, toggle};
+use crate::widgets::{NumberField, Vector, choice, dropdown, named_options, toggle};
 use egui::{RichText, Sense, Ui, vec2};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
@@ -35,7 +35,7 @@ pub fn show(
             Term::Environment => match &mut document.scene.environment {
                 Some(environment) => {
                     ui.label("intensity");
-                    Number::new("equation-environment-intensity", "intensity of the environment")
+                    NumberField::new("equation-environment-intensity", "intensity of the environment")
                         .range(0.0..=1e6)
                         .default(1.0)
                         .show(ui, &mut environment.intensity);
@@ -73,7 +73,7 @@ fn link(ui: &mut Ui, text: &str, tab: Tab, actions: &mut Vec<Action>) {
         ui,
         &link,
         &format!("equation-to-{}", text.to_lowercase()),
-        crate::exported::Role::Button,
+        crate::exported::WidgetRole::Button,
         text,
         "",
     );

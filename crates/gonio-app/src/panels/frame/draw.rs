@@ -1,7 +1,7 @@
 //! The selected draw: counts and state, samplers with units and textures, uniforms, attributes, program.
 
 use super::{heading, primitives};
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::RecordedFrame;
 use crate::theme::colors;
 use egui::load::SizedTexture;
@@ -193,7 +193,7 @@ fn program(ui: &mut Ui, taken: &mut RecordedFrame) {
                 [(false, "source-vertex", "Vertex shader"), (true, "source-fragment", "Fragment shader")]
             {
                 let button = ui.selectable_label(fragment == is_fragment, title);
-                exported::note(ui, &button, id, Role::Choice, title, fragment == is_fragment);
+                exported::note(ui, &button, id, WidgetRole::Choice, title, fragment == is_fragment);
                 if button.clicked() {
                     fragment = is_fragment;
                 }

@@ -4,7 +4,7 @@ mod draw;
 
 use crate::action::Action;
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::{RecordedFrame, Session};
 use crate::theme::{self, colors, icons};
 use egui::{Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Stroke, Ui};
@@ -82,7 +82,7 @@ fn row(ui: &mut Ui, draw: &DrawRecord, chosen: bool) -> bool {
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 let text = format!("{}  {title}", draw.index);
                 let button = ui.add(egui::Button::selectable(chosen, text).truncate());
-                exported::note(ui, &button, &format!("draw-{}", draw.index), Role::Choice, &title, chosen);
+                exported::note(ui, &button, &format!("draw-{}", draw.index), WidgetRole::Choice, &title, chosen);
                 pressed = button.clicked();
             });
         });

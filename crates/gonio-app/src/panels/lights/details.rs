@@ -2,11 +2,11 @@
 
 use super::edits::{self, Edit};
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::{colors, icons};
 use crate::typeset::{self, EguiFonts, Node};
-use crate::widgets::{Number, Vector, color, compact, dropdown, icon_button, named_options, row, tool_button};
+use crate::widgets::{NumberField, Vector, color, compact, dropdown, icon_button, named_options, row, tool_button};
 use egui::{Align2, FontId, Frame, Margin, Sense, Stroke, TextEdit, Ui, pos2, vec2};
 use glam::DVec3;
 use gonio_scene::defaults;
@@ -35,7 +35,7 @@ fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
     row(ui, "Name", "Used in reports and lists", |ui| {
         let edit = TextEdit::singleline(&mut light.name).id_salt("name").hint_text(light.kind.name());
         let response = ui.add(edit.desired_width(ui.available_width() - 8.0));
-        exported::note(ui, &response, &id("name"), Role::Text, "name", &light.name);
+        exported::note(ui, &response, &id("name"), WidgetRole::Text, "name", &light.name);
     });
     let mut kind = light.kind;
     let options = named_options!(LightSourceKind);
@@ -98,7 +98,13 @@ fn attenuation(ui: &mut Ui, light: &mut LightSettings, session: &Session, index:
         for ((name, tip, default, step), value) in names.into_iter().zip(&mut values) {
             ui.label(egui::RichText::new(name).weak());
             let id = format!("light-{index}-{name}");
-            Number::new(&id, name).tip(tip).range(0.0..=1e6).default(default).step(step).width(66.0).show(ui, value);
+            NumberField::new(&id, name)
+                .tip(tip)
+                .range(0.0..=1e6)
+                .default(default)
+                .step(step)
+                .width(66.0)
+                .show(ui, value);
         }
     });
     let (center, radius) = edits::around(session);
@@ -125,7 +131,7 @@ fn cone(ui: &mut Ui, light: &mut LightSettings, index: usize) {
     for (name, label, tip, value, default) in angles {
         row(ui, label, tip, |ui| {
             let id = format!("light-{index}-{name}-angle");
-            let number = Number::new(&id, label).tip(tip).unit("\u{b0}").range(0.0..=90.0).default(default);
+            let number = NumberField::new(&id, label).tip(tip).unit("\u{b0}").range(0.0..=90.0).default(default);
             number.show(ui, value);
         });
     }
@@ -224,7 +230,7 @@ fn motion(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
     let Some(motion) = &mut light.motion else { return };
     row(ui, "Period", "Duration of one cycle, in seconds", |ui| {
         let id = format!("light-{index}-period");
-        let number = Number::new(&id, "period").tip("Duration of one cycle, in seconds").unit(" s");
+        let number = NumberField::new(&id, "period").tip("Duration of one cycle, in seconds").unit(" s");
         number.range(0.01..=1e6).default(4.0).show(ui, &mut motion.period);
     });
     match &mut motion.path {

@@ -5,10 +5,10 @@ mod edits;
 
 use crate::action::Action;
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session};
 use crate::theme::{self, colors, icons};
-use crate::widgets::{Number, color_swatch, icon_button, tool_button};
+use crate::widgets::{NumberField, color_swatch, icon_button, tool_button};
 use egui::{Align, Atom, Button, Layout, RichText, Ui, WidgetInfo, vec2};
 use gonio_scene::defaults;
 use gonio_scene::scene_file::LightSourceKind;
@@ -85,7 +85,7 @@ fn row(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize
                 session.selection = if selected { Selection::None } else { Selection::Light(index) };
             }
             let id = format!("light-{index}-intensity");
-            let number = Number::new(&id, "intensity")
+            let number = NumberField::new(&id, "intensity")
                 .tip("Intensity: L_i is the colour times the intensity")
                 .range(0.0..=1e6)
                 .default(defaults::LIGHT_INTENSITY)
@@ -126,7 +126,7 @@ fn title(ui: &mut Ui, index: usize, kind: LightSourceKind, name: &str, on: bool,
         })
         .inner;
     response.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, selected, name));
-    exported::note(ui, &response, &format!("light-{index}"), Role::Button, name, if on { "on" } else { "off" });
+    exported::note(ui, &response, &format!("light-{index}"), WidgetRole::Button, name, if on { "on" } else { "off" });
     let clicked = response.clicked();
     response.on_hover_text(format!("{name}: {}", kind.description().trim()));
     clicked
@@ -143,7 +143,7 @@ fn add(ui: &mut Ui, document: &mut Document, session: &mut Session) {
             let button = ui.button((icon, RichText::new(kind.name())));
             let label = format!("Add: {kind} light");
             button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &label));
-            exported::note(ui, &button, &format!("add-light-{kind}"), Role::Button, &label, "");
+            exported::note(ui, &button, &format!("add-light-{kind}"), WidgetRole::Button, &label, "");
             if button.clicked() {
                 edits::add(document, session, *kind);
             }

@@ -1,7 +1,7 @@
 //! Material values that override those of the model's file, and can be reset.
 
 use crate::theme::icons;
-use crate::widgets::{Number, color, dropdown, named_options, row, tool_button};
+use crate::widgets::{NumberField, color, dropdown, named_options, row, tool_button};
 use egui::{Align, Layout, RichText, Ui};
 use gonio_light::optics::Medium;
 use gonio_light::{Fresnel, Surfaces};
@@ -149,7 +149,7 @@ fn number(ui: &mut Ui, line: &Line<'_>, value: &mut Option<f64>, file: f64, rang
     with_reset(ui, line, value, |ui, value| {
         let before = value.unwrap_or(file);
         let mut shown = before;
-        Number::new(&line.id, line.label).tip(line.tip).range(range).default(file).show(ui, &mut shown);
+        NumberField::new(&line.id, line.label).tip(line.tip).range(range).default(file).show(ui, &mut shown);
         if shown != before {
             *value = (shown != file).then_some(shown);
         }

@@ -4,10 +4,10 @@ mod material;
 
 use crate::action::Action;
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session};
 use crate::theme::{self, icons};
-use crate::widgets::{NO_BREAK, Number, Vector, choice, grouped, heading, icon_button, named_options, row};
+use crate::widgets::{NO_BREAK, NumberField, Vector, choice, grouped, heading, icon_button, named_options, row};
 use egui::{Align, Atom, Button, Frame, Layout, Margin, RichText, TextEdit, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use gonio_scene::scene_file::{Normals, ObjectSpec, Shading};
@@ -69,7 +69,7 @@ fn title(
                         .truncate();
                     let response = ui.add(button.min_size(vec2(width, 24.0)));
                     response.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, selected, &spec.name));
-                    exported::note(ui, &response, &format!("object-{index}"), Role::Button, &spec.name, selected);
+                    exported::note(ui, &response, &format!("object-{index}"), WidgetRole::Button, &spec.name, selected);
                     toggled |= response.clicked();
                     response.on_hover_text(&spec.model);
                 });
@@ -103,7 +103,7 @@ fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
     row(ui, "Name", "Used in reports and OpenGL debug groups", |ui| {
         let edit = TextEdit::singleline(&mut spec.name).id_salt("name");
         let response = ui.add(edit.desired_width(ui.available_width() - 8.0));
-        exported::note(ui, &response, &id("name"), Role::Text, "name", &spec.name);
+        exported::note(ui, &response, &id("name"), WidgetRole::Text, "name", &spec.name);
     });
     let tip = "Applied last, in world units";
     row(ui, "Translate", tip, |ui| {
@@ -145,7 +145,8 @@ fn surface(ui: &mut Ui, spec: &mut ObjectSpec, loaded: Option<&Scene>, index: us
         let tip = "Edges with a larger angle stay sharp; 180\u{b0} averages all normals";
         let changed = row(ui, "Crease angle", tip, |ui| {
             let id = id("crease-angle");
-            let number = Number::new(&id, "crease angle").tip(tip).unit("\u{b0}").range(0.0..=180.0).default(180.0);
+            let number =
+                NumberField::new(&id, "crease angle").tip(tip).unit("\u{b0}").range(0.0..=180.0).default(180.0);
             number.step(1.0).show(ui, &mut angle).changed() || angle != spec.crease_angle.unwrap_or(180.0)
         });
         if changed {
@@ -190,14 +191,14 @@ fn add(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     let menu = ui.menu_button((icon, RichText::new("Add a sample model")), |ui| {
         for name in files::builtin_names().into_iter().filter(|name| is_model(name)) {
             let entry = ui.button(&name);
-            exported::note(ui, &entry, &format!("add-object-{name}"), Role::Button, &name, "");
+            exported::note(ui, &entry, &format!("add-object-{name}"), WidgetRole::Button, &name, "");
             if entry.clicked() {
                 add_model(document, session, &name);
                 ui.close();
             }
         }
     });
-    exported::note(ui, &menu.response, "add-object", Role::Button, "Add a sample model", "");
+    exported::note(ui, &menu.response, "add-object", WidgetRole::Button, "Add a sample model", "");
 }
 
 /// An edit of the list of objects.

@@ -7,7 +7,7 @@ mod surface;
 
 use crate::action::Action;
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::session::probing::{GpuValue, Reading};
 use crate::theme::{self, icons};
@@ -90,7 +90,7 @@ fn button(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> Respon
     let text = RichText::new(icon).font(theme::icon_font(15.0));
     let response = ui.add_enabled(enabled, egui::Button::new(text).frame_when_inactive(false));
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, tip));
-    exported::note(ui, &response, id, Role::Button, tip, "");
+    exported::note(ui, &response, id, WidgetRole::Button, tip, "");
     response.on_hover_text(tip)
 }
 
@@ -117,7 +117,7 @@ fn values(ui: &mut Ui, reading: &Reading) {
         Some(gpu) => {
             let text = format!("largest difference {}", number(gpu.difference));
             let response = ui.label(RichText::new(text).small().weak());
-            exported::note(ui, &response, "probe-difference", Role::Text, "largest difference", gpu.difference);
+            exported::note(ui, &response, "probe-difference", WidgetRole::Text, "largest difference", gpu.difference);
         }
         None => {
             ui.label(RichText::new("The OpenGL value could not be read").small().weak());

@@ -1,7 +1,7 @@
 //! Checks of the window: each in a process of its own, which can be ended whatever a shader does, and which a thread waits
 //! for.
 
-use super::worker::{self, Request};
+use super::worker::{self, WorkerRequest};
 use crate::platform::{CheckRequest, CheckResult, Pending};
 use gonio_check::CheckOptions;
 use gonio_check::submission::SourceFile;
@@ -15,18 +15,22 @@ use std::time::Duration;
 const PATIENCE: Duration = Duration::from_secs(25);
 
 /// Starts `program` on the files. An error is one sentence.
-pub fn begin(program: &Path, request: &CheckRequest, ctx: &egui::Context) -> Result<Background<CheckResult>, String> {
+pub fn begin(
+    program: &Path,
+    request: &CheckRequest,
+    ctx: &egui::Context,
+) -> Result<BackgroundTask<CheckResult>, String> {
     let file = |(name, bytes): &(String, Vec<u8>)| SourceFile { name: name.clone(), bytes: bytes.clone() };
-    let request = Request {
+    let request = WorkerRequest {
         exercise: request.exercise.clone(),
         files: request.files.iter().map(file).collect(),
         options: CheckOptions { pair: None, as_the_lab: request.as_the_lab },
-        ..Request::default()
+        ..WorkerRequest::default()
     };
     let worker =
         worker::start(program, request, true).map_err(|why| format!("the check could not be started: {why}"))?;
     let ctx = ctx.clone();
-    Ok(Background::start(
+    Ok(BackgroundTask::start(
         move |is_stopped| worker.wait(PATIENCE, is_stopped).map(|answer| answer.verdict),
         move || ctx.request_repaint(),
         Err("the check ended without an answer: try again".into()),
@@ -34,14 +38,14 @@ pub fn begin(program: &Path, request: &CheckRequest, ctx: &egui::Context) -> Res
 }
 
 /// Work that runs in a thread. It is asked to stop when this is dropped.
-pub struct Background<T> {
+pub struct BackgroundTask<T> {
     results: Receiver<T>,
     stop: Arc<AtomicBool>,
     /// The result if the thread ends without one; `None` once there is a result.
     lost: Option<T>,
 }
 
-impl<T: Send + 'static> Background<T> {
+impl<T: Send + 'static> BackgroundTask<T> {
     /// Starts `work`, which is given a function that tells whether to stop, and calls `done` when there is a result. `lost` is
     /// the result if the thread ends without one.
     pub fn start(
@@ -58,11 +62,11 @@ impl<T: Send + 'static> Background<T> {
             let _ = sender.send(result);
             done();
         });
-        Background { results, stop, lost: Some(lost) }
+        BackgroundTask { results, stop, lost: Some(lost) }
     }
 }
 
-impl<T> Pending<T> for Background<T> {
+impl<T> Pending<T> for BackgroundTask<T> {
     fn poll(&mut self) -> Option<T> {
         self.lost.as_ref()?;
         match self.results.try_recv() {
@@ -76,7 +80,7 @@ impl<T> Pending<T> for Background<T> {
     }
 }
 
-impl<T> Drop for Background<T> {
+impl<T> Drop for BackgroundTask<T> {
     fn drop(&mut self) {
         self.stop.store(true, Ordering::Relaxed);
     }
@@ -121,16 +125,16 @@ mod tests {
 
     #[test]
     fn a_result_comes_once_and_a_lost_one_is_replaced() {
-        assert_eq!(wait(Background::start(|_| 1, || (), 2)), 1);
+        assert_eq!(wait(BackgroundTask::start(|_| 1, || (), 2)), 1);
         let (sender, results) = channel();
         drop(sender);
-        assert_eq!(wait(Background { results, stop: Arc::default(), lost: Some(2) }), 2);
+        assert_eq!(wait(BackgroundTask { results, stop: Arc::default(), lost: Some(2) }), 2);
     }
 
     #[test]
     fn work_is_asked_to_stop_when_it_is_dropped() {
         let (sender, ended) = channel();
-        let work = Background::start(
+        let work = BackgroundTask::start(
             move |is_stopped| {
                 while !is_stopped() {
                     std::thread::yield_now();

@@ -14,7 +14,7 @@ use super::{CheckRequest, CheckResult, Event, FileDialog, Pending, Platform, Pur
 use crate::exercise::Start;
 use crate::saving::Product;
 use crate::session::Settings;
-use crate::{Adjust, App, OpenOptions};
+use crate::{Adjust, App, SceneOpening};
 use drafts::DraftFolder;
 use gonio_gl::Gl;
 use gonio_mesh::Limits;
@@ -76,11 +76,11 @@ pub fn run_within(
     let named: Vec<String> = options.inputs.iter().chain(&options.environments).cloned().collect();
     let created = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
         let gl = creation.gl.clone().map(Gl::of_window);
-        let opening = OpenOptions {
+        let opening = SceneOpening {
             inputs: options.inputs,
             adjust: options.adjust,
             limits: options.limits,
-            ..OpenOptions::default()
+            ..SceneOpening::default()
         };
         let platform = Box::new(Desktop::new(options.state, options.program, access, &named));
         let mut app = App::with_options(&creation.egui_ctx, gl.clone(), platform, opening);

@@ -39,7 +39,7 @@ fn scene_input(paths: Vec<String>, access: Access) -> Result<SceneInput, String>
         }
         let bytes =
             disk.read_within(Path::new(&path), left).map_err(|why| format!("`{path}` cannot be read: {why}"))?;
-        let unpacked = zip::unpack_within(&bytes, &zip::Limits::MODELS.within(left));
+        let unpacked = zip::unpack_within(&bytes, &zip::ZipLimits::MODELS.within(left));
         let unpacked = unpacked.map_err(|why| format!("`{path}`: {why}"))?;
         left -= unpacked.total_bytes().min(left);
         memory.add_all(unpacked);
@@ -99,7 +99,7 @@ fn read_one(path: &Path, files: &mut Vec<ExerciseFile>) -> Result<(), String> {
     }
     let bytes = Disk.read_within(path, MOST_BYTES).map_err(told)?.into_vec();
     if zip::is_zip(&bytes) {
-        let unpacked = zip::unpack_within(&bytes, &zip::Limits::SUBMISSION)
+        let unpacked = zip::unpack_within(&bytes, &zip::ZipLimits::SUBMISSION)
             .map_err(|why| format!("`{}`: {why}", path.display()))?;
         for name in unpacked.names() {
             let bytes = unpacked.read(Path::new(&name)).map_err(told)?.to_vec();

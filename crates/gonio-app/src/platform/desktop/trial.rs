@@ -1,11 +1,11 @@
 //! A trial in a process of its own: `gonio lab trial`, which may crash, or be ended, whatever a shader does to the driver.
 //!
-//! The process reads the files from its standard input ([`worker::read_request`]) and answers with JSON ([`Answer`]). Its
+//! The process reads the files from its standard input ([`worker::read_request`]) and answers with JSON ([`TrialAnswer`]). Its
 //! input stays open until its answer is known: it ends by itself when the window is gone.
 
-use super::check::Background;
+use super::check::BackgroundTask;
 use super::child::{self, Ended};
-use super::worker::{self, Request};
+use super::worker::{self, WorkerRequest};
 use crate::platform::{CheckRequest, TrialOutcome};
 use gonio_check::submission::SourceFile;
 use serde::{Deserialize, Serialize};
@@ -23,7 +23,7 @@ const CODE_OF_ERRORS: i32 = 2;
 /// The answer of the process.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", tag = "answer")]
-pub enum Answer {
+pub enum TrialAnswer {
     /// The pair was compiled and drawn, or refused by the compiler.
     Harmless,
     /// The window would hang for this many seconds at each picture.
@@ -48,7 +48,7 @@ pub fn begin(
     program: &Path,
     request: &CheckRequest,
     done: impl FnOnce() + Send + 'static,
-) -> Result<Background<TrialOutcome>, String> {
+) -> Result<BackgroundTask<TrialOutcome>, String> {
     let failed = |why: Error| format!("the shader test could not be started: {why}");
     let mut command = child::command(program).map_err(failed)?;
     command.args(["lab", "trial", &request.exercise]);
@@ -59,11 +59,12 @@ fn run(
     mut command: Command,
     files: &[(String, Vec<u8>)],
     done: impl FnOnce() + Send + 'static,
-) -> Result<Background<TrialOutcome>, Error> {
+) -> Result<BackgroundTask<TrialOutcome>, Error> {
     let file = |(name, bytes): &(String, Vec<u8>)| SourceFile { name: name.clone(), bytes: bytes.clone() };
-    let input = worker::encoded(&Request { files: files.iter().map(file).collect(), ..Request::default() })?;
+    let input =
+        worker::encoded(&WorkerRequest { files: files.iter().map(file).collect(), ..WorkerRequest::default() })?;
     let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
-    Ok(Background::start(
+    Ok(BackgroundTask::start(
         move |is_stopped| finish(&mut child, input, is_stopped),
         done,
         TrialOutcome::Unavailable("the test of this shader ended without an answer".into()),
@@ -111,15 +112,15 @@ fn answered(status: ExitStatus, output: &str) -> TrialOutcome {
         );
     }
     match serde_json::from_str(output) {
-        Ok(Answer::Harmless) => TrialOutcome::Harmless,
-        Ok(Answer::Slow { seconds }) => TrialOutcome::Refused(format!(
+        Ok(TrialAnswer::Harmless) => TrialOutcome::Harmless,
+        Ok(TrialAnswer::Slow { seconds }) => TrialOutcome::Refused(format!(
             "This shader needs about {seconds:.0} seconds for a single picture, so the window does not draw it: look for a \
              loop with too many iterations"
         )),
-        Ok(Answer::Failed { why }) => {
+        Ok(TrialAnswer::Failed { why }) => {
             TrialOutcome::Refused(format!("This shader failed in a test, so the window does not draw it: {why}"))
         }
-        Ok(Answer::Unavailable { why }) => TrialOutcome::Unavailable(why),
+        Ok(TrialAnswer::Unavailable { why }) => TrialOutcome::Unavailable(why),
         Err(_) => TrialOutcome::Unavailable("the process that tests shaders gave no answer".into()),
     }
 }
@@ -155,7 +156,7 @@ mod tests {
         wait(run(command, files, || ()).unwrap())
     }
 
-    fn wait(mut process: Background<TrialOutcome>) -> TrialOutcome {
+    fn wait(mut process: BackgroundTask<TrialOutcome>) -> TrialOutcome {
         loop {
             if let Some(outcome) = process.poll() {
                 assert_eq!(process.poll(), None, "it answers once");

@@ -27,7 +27,7 @@ const MAX_ANSWER_BYTES: u64 = 512 << 20;
 
 /// A request for a check.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Request {
+pub struct WorkerRequest {
     /// The id of the exercise: `ex04`.
     pub exercise: String,
     /// The submission.
@@ -46,7 +46,7 @@ pub struct Request {
 
 /// The answer to a request.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer {
+pub struct WorkerAnswer {
     /// The verdict.
     pub verdict: Verdict,
     /// The verdict as a web page, where it was asked for and could be made.
@@ -78,7 +78,7 @@ struct AnswerHeader {
 pub struct Worker {
     child: Child,
     writer: JoinHandle<Result<std::process::ChildStdin, Error>>,
-    reader: JoinHandle<Result<Option<Answer>, String>>,
+    reader: JoinHandle<Result<Option<WorkerAnswer>, String>>,
     exercise: String,
 }
 
@@ -86,7 +86,7 @@ pub struct Worker {
 ///
 /// # Errors
 /// Those of starting a process.
-pub fn start(program: &Path, request: Request, one_core: bool) -> Result<Worker, Error> {
+pub fn start(program: &Path, request: WorkerRequest, one_core: bool) -> Result<Worker, Error> {
     let mut command = child::command(program)?;
     if !one_core {
         command.env_remove("LP_NUM_THREADS");
@@ -113,12 +113,12 @@ impl Worker {
     ///
     /// # Errors
     /// One sentence: why there is no verdict.
-    pub fn wait(mut self, patience: Duration, given_up: impl Fn() -> bool) -> Result<Answer, String> {
+    pub fn wait(mut self, patience: Duration, given_up: impl Fn() -> bool) -> Result<WorkerAnswer, String> {
         let ended = child::wait(&mut self.child, patience, given_up);
         let answer = self.reader.join().unwrap_or_else(|_| Err("its answer could not be read".into()));
         // Where the process ended before it had read everything, its answer counts.
         let _ = self.writer.join();
-        let without_pictures = |verdict| Ok(Answer { verdict, page: None, sheet: None });
+        let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, sheet: None });
         match ended.map_err(|why| format!("the check could not be monitored: {why}"))? {
             Ended::TooLong => without_pictures(Verdict::endless(&self.exercise, patience.as_secs())),
             Ended::TooLarge => without_pictures(Verdict::too_large(&self.exercise)),
@@ -146,14 +146,14 @@ fn is_crash(code: i32) -> bool {
 pub fn serve(
     mut input: impl Read + Send + 'static,
     mut output: impl Write,
-    check: impl FnOnce(Request) -> Result<Answer, String>,
+    check: impl FnOnce(WorkerRequest) -> Result<WorkerAnswer, String>,
 ) -> Result<(), Error> {
     let request = read_request(&mut input)?;
     std::thread::spawn(move || end_with(input));
     let answer = check(request);
     let length = |bytes: &Option<Vec<u8>>| bytes.as_ref().map(|bytes| bytes.len() as u64);
     let (header, page, sheet) = match answer {
-        Ok(Answer { verdict, page, sheet }) => {
+        Ok(WorkerAnswer { verdict, page, sheet }) => {
             (AnswerHeader { verdict: Ok(verdict), page: length(&page), sheet: length(&sheet) }, page, sheet)
         }
         Err(why) => (AnswerHeader { verdict: Err(why), page: None, sheet: None }, None, None),
@@ -176,13 +176,13 @@ pub fn end_with(mut input: impl Read) {
 ///
 /// # Errors
 /// A header beyond 4 GiB.
-pub fn encoded(request: &Request) -> Result<Vec<u8>, Error> {
+pub fn encoded(request: &WorkerRequest) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     write_request(&mut bytes, request)?;
     Ok(bytes)
 }
 
-fn write_request(output: &mut impl Write, request: &Request) -> Result<(), Error> {
+fn write_request(output: &mut impl Write, request: &WorkerRequest) -> Result<(), Error> {
     let header = RequestHeader {
         exercise: request.exercise.clone(),
         files: request.files.iter().map(|file| (file.name.clone(), file.bytes.len() as u64)).collect(),
@@ -201,10 +201,10 @@ fn write_request(output: &mut impl Write, request: &Request) -> Result<(), Error
 ///
 /// # Errors
 /// Those of the input, and an input that ends too early or does not fit.
-pub fn read_request(input: &mut impl Read) -> Result<Request, Error> {
+pub fn read_request(input: &mut impl Read) -> Result<WorkerRequest, Error> {
     let header: RequestHeader = read_header(input)?.ok_or(ErrorKind::UnexpectedEof)?;
     let read = |(name, length): (String, u64)| Ok(SourceFile { name, bytes: read_exactly(input, length)? });
-    Ok(Request {
+    Ok(WorkerRequest {
         files: header.files.into_iter().map(read).collect::<Result<_, Error>>()?,
         exercise: header.exercise,
         left_out: header.left_out,
@@ -216,7 +216,7 @@ pub fn read_request(input: &mut impl Read) -> Result<Request, Error> {
 }
 
 /// `None` where the process ended without answering. An error is the process' own sentence.
-fn read_answer(output: impl Read) -> Result<Option<Answer>, String> {
+fn read_answer(output: impl Read) -> Result<Option<WorkerAnswer>, String> {
     let mut output = output.take(MAX_ANSWER_BYTES);
     let unreadable = |why: Error| format!("the answer of the check could not be understood: {why}");
     let header = match read_header::<AnswerHeader>(&mut output) {
@@ -227,7 +227,11 @@ fn read_answer(output: impl Read) -> Result<Option<Answer>, String> {
     };
     let mut read = |length: Option<u64>| length.map(|length| read_exactly(&mut output, length)).transpose();
     let (page, sheet) = (read(header.page), read(header.sheet));
-    Ok(Some(Answer { verdict: header.verdict?, page: page.map_err(unreadable)?, sheet: sheet.map_err(unreadable)? }))
+    Ok(Some(WorkerAnswer {
+        verdict: header.verdict?,
+        page: page.map_err(unreadable)?,
+        sheet: sheet.map_err(unreadable)?,
+    }))
 }
 
 fn write_header(output: &mut impl Write, header: &impl Serialize) -> Result<(), Error> {
@@ -265,8 +269,8 @@ mod tests {
     use super::*;
     use gonio_check::verdict::Outcome;
 
-    fn request() -> Request {
-        Request {
+    fn request() -> WorkerRequest {
+        WorkerRequest {
             exercise: "ex04".into(),
             files: vec![SourceFile::new("a.vert", "void main() {}"), SourceFile::new("\u{fffd}/b.frag", [0, 255])],
             left_out: vec!["c.png: too large".into()],
@@ -281,7 +285,7 @@ mod tests {
     fn requests_and_answers_arrive_as_they_were_sent() {
         let (mut sent, mut said) = (Vec::new(), Vec::new());
         write_request(&mut sent, &request()).unwrap();
-        let answer = Answer {
+        let answer = WorkerAnswer {
             verdict: Verdict::new("ex04", Outcome::Wrong, "as asked"),
             page: Some(b"<html>".to_vec()),
             sheet: None,
@@ -316,7 +320,7 @@ mod tests {
     }
 
     /// Programs that every system with a shell has, instead of ours.
-    fn asked_of(program: &str) -> Result<Answer, String> {
+    fn asked_of(program: &str) -> Result<WorkerAnswer, String> {
         start(Path::new(program), request(), true).unwrap().wait(Duration::from_secs(20), || false)
     }
 

@@ -1,7 +1,7 @@
 //! The panes, drawn without a window.
 
 use super::PaneRenderer;
-use crate::document::{Arrangement, Document, Pane};
+use crate::document::{Document, Pane, PaneArrangement};
 use crate::scene_view;
 use crate::session::{FrameFacts, Session};
 use gonio_gl::{Gl, HeadlessContext};
@@ -109,7 +109,7 @@ fn the_ground_is_filled_only_where_it_is_seen() {
     assert!(is_filled(&mut document, &mut session, Some(&mut pane_renderer)), "a debug view may have holes");
     two_panes(&mut document);
     assert!(is_filled(&mut document, &mut session, Some(&mut pane_renderer)), "between panes");
-    document.panes.arrangement = Arrangement::Wipe(0.5);
+    document.panes.arrangement = PaneArrangement::Wipe(0.5);
     assert!(!is_filled(&mut document, &mut session, Some(&mut pane_renderer)), "one of two panes covers it");
     document.scene.background.transparent = true;
     let before = session.loaded.take().unwrap_or_else(|| panic!("it was there"));

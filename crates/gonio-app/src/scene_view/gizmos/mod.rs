@@ -16,7 +16,7 @@ mod draw;
 use super::navigation::Dragging;
 use super::{Projection, paint};
 use crate::document::Document;
-use crate::exported::{self, Role};
+use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session};
 use crate::theme::colors;
 use egui::{Align2, Color32, CursorIcon, Id, Painter, Pos2, Rect, Response, Rgba, Sense, Ui, Vec2, vec2};
@@ -377,7 +377,7 @@ fn exported_handle(handles: &Handles<'_>, response: &Response, light: usize, par
     // One of each id.
     if handles.leads {
         let id = format!("light-{light}-{part}");
-        exported::note(handles.ui, response, &id, Role::Handle, &label, value);
+        exported::note(handles.ui, response, &id, WidgetRole::Handle, &label, value);
     }
 }
 

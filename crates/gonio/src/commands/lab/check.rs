@@ -9,7 +9,7 @@ use crate::output::{OutputFiles, OutputKind, OutputPath, check_folder, check_std
 use crate::report::Reporter;
 
 use clap::Args;
-use gonio_app::platform::desktop::worker::{self, Answer, Request};
+use gonio_app::platform::desktop::worker::{self, WorkerAnswer, WorkerRequest};
 use gonio_check::CheckOptions;
 use gonio_check::verdict::Outcome as Word;
 use gonio_exercises::exercise::Exercise;
@@ -104,8 +104,8 @@ impl CheckArgs {
     }
 
     /// The request for a worker process, without a page and a sheet.
-    pub fn request(&self, exercise: &Exercise, gathered: GatheredFiles) -> Request {
-        Request {
+    pub fn request(&self, exercise: &Exercise, gathered: GatheredFiles) -> WorkerRequest {
+        WorkerRequest {
             exercise: exercise.id.clone(),
             files: gathered.files,
             left_out: gathered.left_out.iter().map(|what| format!("ignored: {what}")).collect(),
@@ -180,7 +180,7 @@ fn check_one(
     Ok(if answer.verdict.verdict == Word::Correct { CommandOutcome::Done } else { CommandOutcome::CheckFailed })
 }
 
-fn write(args: &CheckArgs, label: &str, Answer { verdict, page, sheet }: &Answer) -> Result<(), CliError> {
+fn write(args: &CheckArgs, label: &str, WorkerAnswer { verdict, page, sheet }: &WorkerAnswer) -> Result<(), CliError> {
     let mut files = OutputFiles::new();
     if let Some(output) = &args.page {
         // The check that makes the pictures may have been stopped.

@@ -9,7 +9,7 @@ use crate::error::{CliError, CommandOutcome};
 use crate::options::GeneralOptions;
 use crate::report::{self, Reporter};
 use clap::Args;
-use gonio_app::platform::desktop::worker::{self, Answer, Request};
+use gonio_app::platform::desktop::worker::{self, WorkerAnswer, WorkerRequest};
 use gonio_app::platform::desktop::{child, trial};
 use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TestScene;
@@ -77,7 +77,7 @@ pub fn check_worker() -> Result<CommandOutcome, CliError> {
     Ok(CommandOutcome::Done)
 }
 
-fn check(request: Request) -> Result<Answer, String> {
+fn check(request: WorkerRequest) -> Result<WorkerAnswer, String> {
     let exercise = exercise(&request.exercise).map_err(|error| error.to_string())?;
     let context = HeadlessContext::with_options(&HeadlessOptions { es: request.es, ..Default::default() })
         .map_err(|why| why.message)?;
@@ -91,7 +91,7 @@ fn check(request: Request) -> Result<Answer, String> {
         request.page.map(|label| gonio_exercises::report::page(&label, &verdict, evidence.as_ref()).into_bytes());
     let sheet =
         evidence.filter(|_| request.sheet).map(|evidence| gonio_exercises::report::contact_sheet(&evidence, &verdict));
-    Ok(Answer { verdict, page, sheet })
+    Ok(WorkerAnswer { verdict, page, sheet })
 }
 
 /// gonio's own program, for processes that a shader may crash.
@@ -142,19 +142,19 @@ pub fn run_trial(args: &TrialArgs, reporter: &Reporter) -> Result<CommandOutcome
     Ok(CommandOutcome::Done)
 }
 
-fn try_files(exercise: &Exercise, files: Vec<SourceFile>) -> trial::Answer {
+fn try_files(exercise: &Exercise, files: Vec<SourceFile>) -> trial::TrialAnswer {
     let context = match HeadlessContext::new() {
         Ok(context) => context,
-        Err(why) => return trial::Answer::Unavailable { why: why.message },
+        Err(why) => return trial::TrialAnswer::Unavailable { why: why.message },
     };
     let pair = SubmittedPair::gather(exercise, files).ok().and_then(|source| source.compile(context.gl()).ok());
     let answer = match pair {
         // The window reports what is wrong: the reader and the driver ended.
-        None => trial::Answer::Harmless,
+        None => trial::TrialAnswer::Harmless,
         Some(pair) => match seconds(context.gl(), exercise, &pair) {
-            Ok(seconds) if seconds > MOST_SECONDS => trial::Answer::Slow { seconds },
-            Ok(_) => trial::Answer::Harmless,
-            Err(why) => trial::Answer::Failed { why: why.to_string() },
+            Ok(seconds) if seconds > MOST_SECONDS => trial::TrialAnswer::Slow { seconds },
+            Ok(_) => trial::TrialAnswer::Harmless,
+            Err(why) => trial::TrialAnswer::Failed { why: why.to_string() },
         },
     };
     // The process ends next, and the system frees it faster.

@@ -39,7 +39,7 @@ enum Node {
     /// A file that came through a pipe.
     Piped(FileBytes),
     /// A file in an archive.
-    Packed(Arc<Archive>, zip::Entry),
+    Packed(Arc<Archive>, zip::ZipEntry),
     /// A folder in an archive.
     PackedFolder(Vec<Tree>),
     /// Something that is not read, and the reason.
