@@ -6,6 +6,7 @@ use gonio_app::document::Document;
 use gonio_app::session::Tab;
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
+use gonio_scene::scene_file::LightSourceKind;
 use gonio_scene::settings::EnvironmentSettings;
 
 const SCENE: &str = "builtin:light-kinds";
@@ -55,7 +56,7 @@ fn a_term_alone_and_all_again() {
 
 /// What was off before a term was alone is off afterwards.
 #[test]
-fn alone_comes_back_to_what_was_before() {
+fn leaving_a_term_alone_restores_the_switches() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
     bench.click("term-emitted");
     bench.click_with("term-diffuse", Modifiers::ALT);
@@ -102,8 +103,19 @@ fn the_equation_follows_the_settings() {
     assert!(cosine_is_last(&bench));
 }
 
+/// The equation is the same as that of the probe, whatever lights there are.
 #[test]
-fn a_pane_with_its_own_model_keeps_the_scenes() {
+fn every_factor_is_shown_without_a_spot_light() {
+    let mut bench = Bench::new(SCENE, Tab::Lights);
+    bench.app().document.scene.lights.retain(|light| light.kind != LightSourceKind::Spot);
+    bench.settle();
+    for term in ["light", "attenuation", "spot", "cosine"] {
+        assert!(bench.has(&format!("term-{term}")), "{term}");
+    }
+}
+
+#[test]
+fn a_pane_with_its_own_model_does_not_change_the_scenes() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
     if let Some(pane) = bench.app().document.panes.current_mut() {
         pane.specular = Some(Specular::Phong);

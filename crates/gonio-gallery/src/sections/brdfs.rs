@@ -40,7 +40,7 @@ pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "brdfs",
         title: "BRDFs of Appendix 6",
-        equation: "L_o = E + Σ_i f(L_i, V) L_i att_i ⟨N·L_i⟩",
+        equation: "L_o = E + Σ_i f(L_i, V) L_i att_i spot_i ⟨N·L_i⟩",
         introduction: "A BRDF replaces both terms. All six are normalised, so they distribute the same share of \
                        light over different directions. g = 24, b = 0.22 (0.04 for the last, whose whole lobe returns to the eye).",
         rows: vec![vec![

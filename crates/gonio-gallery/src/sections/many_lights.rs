@@ -37,7 +37,7 @@ fn carpet() -> Result<Exhibit, GalleryError> {
         .at_sheet_size()
         .remark("a sunflower pattern of lamps just above the floor, attenuated by 1 / (0.35 + 14 d^2)")
         .about(
-            "L_o = A + E + !{Σ_{i=1}^{200}} [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i !{att_i}",
+            "L_o = A + E + !{Σ_{i=1}^{200}} [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i !{att_i} spot_i",
             "Every fragment sums all lights. Each pool of light on the floor belongs to one of them; the dark squares and \
              the crate show a small highlight of each.",
         ))
@@ -69,7 +69,7 @@ fn ring() -> Result<Exhibit, GalleryError> {
         .at_sheet_size()
         .remark("grey material: every colour comes from a light")
         .about(
-            "L_o = A + !{Σ_{i=1}^{24}} [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] !{L_i} att_i",
+            "L_o = A + E + !{Σ_{i=1}^{24}} [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] !{L_i} att_i spot_i",
             "A colour wheel of lamps around a grey head: surfaces that face a lamp take its colour, and mixed \
              lamps give grey again.",
         ))

@@ -50,7 +50,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 "ambient",
                 None,
                 [true, false, false, false],
-                "L_o = !{A} ~{+ E + Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i}",
+                "L_o = !{A} ~{+ E + Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i spot_i}",
                 "k_a times the ambient colour: no direction, so no shape. Only colours and textures are visible.",
             )?,
             only(
@@ -59,7 +59,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 "emitted",
                 Some("+"),
                 [false, true, false, false],
-                "L_o = ~{A +} !{E} ~{+ Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i}",
+                "L_o = ~{A +} !{E} ~{+ Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i spot_i}",
                 "The light that a body emits itself. It does not light other bodies; that takes a light source.",
             )?,
             only(
@@ -68,7 +68,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 "diff k_d ⟨N·L⟩",
                 Some("+"),
                 [false, false, true, false],
-                "L_o = ~{A + E +} Σ_i [ !{diff k_d ⟨N·L_i⟩} ~{+ k_s spec_i} ] L_i att_i",
+                "L_o = ~{A + E +} Σ_i [ !{diff k_d ⟨N·L_i⟩} ~{+ k_s spec_i} ] L_i att_i spot_i",
                 "The shape appears: brightness follows the angle between N and L, and does not depend on the eye.",
             )?,
             only(
@@ -77,7 +77,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 "k_s ⟨N·H⟩^g",
                 Some("+"),
                 [false, false, false, true],
-                "L_o = ~{A + E +} Σ_i [ ~{diff k_d ⟨N·L_i⟩ +} !{k_s spec_i} ] L_i att_i",
+                "L_o = ~{A + E +} Σ_i [ ~{diff k_d ⟨N·L_i⟩ +} !{k_s spec_i} ] L_i att_i spot_i",
                 "Highlights: blurred reflections of the lights, narrower with higher shininess. They move with the eye.",
             )?,
             only(
@@ -86,7 +86,7 @@ pub fn section() -> Result<Section, GalleryError> {
                 "the sum",
                 Some("="),
                 [true, true, true, true],
-                "L_o = !{A + E + Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i}",
+                "L_o = !{A + E + Σ_i [ diff k_d ⟨N·L_i⟩ + k_s spec_i ] L_i att_i spot_i}",
                 "The four pictures before, added in linear light, then tone mapped and encoded.",
             )?,
         ]],

@@ -5,7 +5,6 @@ use crate::typeset::{Node, Tag};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
 use gonio_scene::SceneSettings;
-use gonio_scene::scene_file::LightSourceKind;
 use gonio_scene::settings::EquationSettings;
 
 /// The tag of a term in formulas.
@@ -74,7 +73,8 @@ fn summand(term: Term) -> Node {
     node.tagged(tag(term))
 }
 
-/// The equation of `scene` (with the settings of its pane), in parts between which it may be broken.
+/// The equation for `scene` (with the settings of its pane), in parts between which lines may be broken. Every factor is shown,
+/// also `spot_i` in a scene without spot lights: the equation is the same everywhere.
 pub fn equation(scene: &SceneSettings) -> Vec<Node> {
     let e = &scene.equation;
     let mut parts = Vec::new();
@@ -99,10 +99,9 @@ pub fn equation(scene: &SceneSettings) -> Vec<Node> {
     }
     parts.push(Node::Row(inside));
     parts.push(Node::row([Node::binary("+"), summand(Term::Specular), up("]")]));
-    let mut factors = vec![Node::thin(), symbol(Term::Light), Node::thin(), symbol(Term::Attenuation)];
-    let has_spots = scene.lights.iter().any(|light| light.kind == LightSourceKind::Spot);
-    if has_spots || !e.spot {
-        factors.extend([Node::thin(), symbol(Term::Spot)]);
+    let mut factors = Vec::new();
+    for term in [Term::Light, Term::Attenuation, Term::Spot] {
+        factors.extend([Node::thin(), symbol(term)]);
     }
     if weighted {
         factors.extend([Node::thin(), symbol(Term::Cosine)]);

@@ -89,7 +89,7 @@ fn products(ui: &mut Ui, light: &LightTerms) {
         vector_row(ui, "L", "To the light, world space", light.l, of_light);
         vector_row(ui, "R", "L mirrored about N", light.r, r);
         vector_row(ui, "H", "Halfway between L and V", light.h, h);
-        vector_row(ui, "L_i att spot", "Incident light, linear RGB", light.incident, None);
+        vector_row(ui, "L_i att_i spot_i", "Incident light, linear RGB", light.incident, None);
         vector_row(ui, "diffuse", "diff k_d <N.L_i> L_i att_i spot_i", light.diffuse, diffuse);
         vector_row(ui, "specular", "k_s spec_i L_i att_i spot_i", light.specular, specular);
     });
