@@ -135,10 +135,10 @@ pub fn handle(ui: &Ui, document: &mut Document, session: &mut Session, actions: 
 
 /// Whether a key was pressed in this frame with matching modifiers. Modifiers at the end of the frame may
 /// differ: slow frames contain whole key combinations.
-fn struck(ui: &Ui, wanted: Key, besides: impl Fn(Modifiers) -> bool) -> bool {
+fn struck(ui: &Ui, requested: Key, besides: impl Fn(Modifiers) -> bool) -> bool {
     ui.input(|i| {
         i.events.iter().any(|event| match event {
-            Event::Key { key, pressed: true, repeat: false, modifiers, .. } => *key == wanted && besides(*modifiers),
+            Event::Key { key, pressed: true, repeat: false, modifiers, .. } => *key == requested && besides(*modifiers),
             _ => false,
         })
     })
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn a_combination_that_is_over_within_a_frame_counts() {
+    fn a_combination_within_one_frame_counts() {
         let struck = |modifiers: Modifiers, which: Key| {
             asked_in_a_frame(vec![
                 key(which, true, modifiers),

@@ -43,9 +43,9 @@ impl Window {
 
     /// Files come, as from a drop.
     fn hand(&mut self, files: &[(&str, &[u8])]) {
-        let given =
+        let file =
             |(name, bytes): &(&str, &[u8])| ExerciseFile { name: (*name).into(), path: None, bytes: bytes.to_vec() };
-        self.here.coming.borrow_mut().push(PlatformEvent::ExerciseFiles(files.iter().map(given).collect()));
+        self.here.coming.borrow_mut().push(PlatformEvent::ExerciseFiles(files.iter().map(file).collect()));
         self.steps(2);
     }
 
@@ -61,11 +61,11 @@ impl Window {
 
     /// Goes on until it is so: a check takes its time, and a text is compiled after a pause.
     #[track_caller]
-    fn wait(&mut self, what: &str, wanted: impl Fn(&Value) -> bool) -> Value {
+    fn wait(&mut self, what: &str, expected: impl Fn(&Value) -> bool) -> Value {
         for _ in 0..1200 {
             self.steps(1);
             let state = self.state();
-            if wanted(&state) {
+            if expected(&state) {
                 return state;
             }
             std::thread::sleep(Duration::from_millis(50));
@@ -117,7 +117,7 @@ fn the_right_answer_looks_like_the_reference_in_every_exercise() {
 }
 
 #[test]
-fn a_mistake_is_seen_and_named_and_its_line_is_a_click_away() {
+fn a_mistake_is_named_and_its_line_is_a_click_away() {
     let start = answer("ex04", |_, text| text.replace("mat3(itM)", "mat3(M)"));
     let mut window = Window::open(start, DESK);
     window.wait("the program", |s| s["drawn"] == true);
@@ -143,7 +143,7 @@ fn a_mistake_is_seen_and_named_and_its_line_is_a_click_away() {
 }
 
 #[test]
-fn what_does_not_compile_is_said_at_its_line_and_the_last_picture_stays() {
+fn compiler_errors_are_marked_and_the_last_picture_stays() {
     let mut window = Window::open(right("ex06"), DESK);
     window.wait("the program", |s| s["drawn"] == true);
     window.steps(2);
@@ -153,10 +153,10 @@ fn what_does_not_compile_is_said_at_its_line_and_the_last_picture_stays() {
     window.harness.event(Event::Text("\nvoid broken(".into()));
     let state = window.wait("the error", |s| s["older"] == true);
     let lines = window.text().lines().count() as u64;
-    let said = state["marks"].as_array().unwrap();
+    let marks = state["marks"].as_array().unwrap();
     assert!(
-        said.iter().any(|n| n["kind"] == "error" && n["line"].as_u64().is_some_and(|l| l + 1 >= lines)),
-        "{said:?}"
+        marks.iter().any(|n| n["kind"] == "error" && n["line"].as_u64().is_some_and(|l| l + 1 >= lines)),
+        "{marks:?}"
     );
     window.widget("older-program");
     assert_eq!(differing(&window.pixels(PreviewPicture::Yours).0, &before), 0);
@@ -172,7 +172,7 @@ fn what_does_not_compile_is_said_at_its_line_and_the_last_picture_stays() {
 }
 
 #[test]
-fn nothing_is_given_to_the_windows_opengl_before_its_trial_came_back() {
+fn programs_reach_the_windows_opengl_only_after_their_trial() {
     let mut window = Window::empty(DESK);
     let trials = window.here.trials.clone();
     trials.borrow_mut().is_on = true;
@@ -212,7 +212,7 @@ fn nothing_is_given_to_the_windows_opengl_before_its_trial_came_back() {
 }
 
 #[test]
-fn without_trials_what_cannot_hang_is_drawn_and_what_may_is_not() {
+fn without_trials_only_programs_that_cannot_hang_are_drawn() {
     let outcome = TrialOutcome::Unavailable("there is no OpenGL".into());
     let looping =
         |_: &str, text: &str| text.replacen("void main() {", "void main() {\n    for (int i = 0; i < 2; ++i) {}", 1);
@@ -319,7 +319,7 @@ fn every_page_of_every_exercise_fits_a_phone() {
 }
 
 #[test]
-fn a_word_for_each_way_to_look() {
+fn each_picture_mode_has_its_word() {
     let mut window = Window::open(right("ex07"), DESK);
     window.wait("the program", |s| s["drawn"] == true);
     for (id, shown) in
@@ -338,7 +338,7 @@ fn a_word_for_each_way_to_look() {
 const GREEN: &[u8] = b"#version 330 core\nout vec4 FragColor;\nvoid main() { FragColor = vec4(0.0, 1.0, 0.0, 1.0); }\n";
 
 #[test]
-fn ones_own_file_takes_the_place_of_its_kind_and_what_was_written_comes_back() {
+fn an_opened_file_replaces_its_kind_and_edits_can_be_put_back() {
     let mut window = Window::open(Start { exercise: "ex04".into(), files: Vec::new() }, DESK);
     window.wait("the program", |s| s["drawn"] == true);
     window.click("editor");
@@ -363,7 +363,7 @@ fn ones_own_file_takes_the_place_of_its_kind_and_what_was_written_comes_back() {
 }
 
 #[test]
-fn a_pair_in_a_program_takes_the_place_of_both_and_a_model_is_left_for_the_scene() {
+fn a_program_replaces_both_shaders_and_a_model_is_refused() {
     let mut window = Window::open(Start { exercise: "ex04".into(), files: Vec::new() }, PHONE);
     let exercise = exercise::find("ex04").unwrap();
     let [vertex, fragment] = ["reference.vert", "reference.frag"].map(|name| exercise.file(name).unwrap());
@@ -386,7 +386,7 @@ fn a_pair_in_a_program_takes_the_place_of_both_and_a_model_is_left_for_the_scene
 }
 
 #[test]
-fn of_several_buffers_the_one_in_the_editor_is_checked() {
+fn the_buffer_in_the_editor_is_checked() {
     let mut window = Window::open(Start { exercise: "ex02".into(), files: Vec::new() }, DESK);
     let table = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../gonio-exercises/tests/buffers.txt");
     let table = gonio_fixtures::FixtureTable::read(table).unwrap();
@@ -406,7 +406,7 @@ fn of_several_buffers_the_one_in_the_editor_is_checked() {
 }
 
 #[test]
-fn one_begins_again_without_losing_what_was_written() {
+fn starting_over_loses_no_text() {
     let mut window = Window::open(right("ex08"), DESK);
     let before = window.text();
     // The button stands below the text.

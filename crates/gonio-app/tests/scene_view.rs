@@ -44,9 +44,9 @@ impl Window {
     /// A scene in a window of this size.
     fn showing(name: &str, scene: &str, size: Vec2) -> Self {
         let folder = std::env::temp_dir().join(format!("gonio-viewport-{name}-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap_or_else(|why| panic!("{why}"));
+        std::fs::create_dir_all(&folder).unwrap_or_else(|error| panic!("{error}"));
         let file = folder.join("scene.toml");
-        std::fs::write(&file, scene).unwrap_or_else(|why| panic!("{why}"));
+        std::fs::write(&file, scene).unwrap_or_else(|error| panic!("{error}"));
         let mut window = Window::with(&file.to_string_lossy(), size);
         // Read in a thread: a minute at most, on a machine that has much else to do.
         for _ in 0..600 {
@@ -58,7 +58,7 @@ impl Window {
         }
         let _ = std::fs::remove_dir_all(&folder);
         window.steps(3);
-        assert_eq!(window.app().session().messages.list(), &[], "nothing had to be said");
+        assert_eq!(window.app().session().messages.list(), &[], "no messages");
         window
     }
 
@@ -105,7 +105,7 @@ fn a_lamp_follows_the_pointer_and_comes_back() {
 
 /// Nothing of a drag is lost, and it is still one step.
 #[test]
-fn what_is_dragged_is_left_where_it_is_released() {
+fn a_drag_ends_where_the_button_is_released() {
     let mut window = Window::open("release");
     let before = window.app().document().clone();
     let (start, way, more) = (window.center("light-0-handle"), vec2(40.0, -20.0), vec2(30.0, 40.0));
@@ -237,7 +237,7 @@ fn the_axes_the_views_and_the_second_camera() {
 
 /// A scene that says nothing of a camera is whole in the picture however wide that is; and nothing has to be undone then.
 #[test]
-fn what_is_opened_is_whole_in_the_picture() {
+fn an_opened_scene_fits_the_picture() {
     let scene = "[[object]]\nmodel = \"builtin:cube\"\nscale = [3.0, 1.0, 1.0]\n";
     let mut distances = Vec::new();
     for size in [vec2(1100.0, 720.0), vec2(380.0, 800.0)] {

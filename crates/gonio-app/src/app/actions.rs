@@ -39,7 +39,7 @@ impl App {
                     ctx.copy_text(self.platform.link(&fragment));
                     self.session.announcement = "copied the link".into();
                 }
-                Err(why) => self.session.messages.say(MessageSeverity::Error, why),
+                Err(error) => self.session.messages.say(MessageSeverity::Error, error),
             },
             Action::CopyText(text) => {
                 ctx.copy_text(text);
@@ -98,8 +98,8 @@ impl App {
     /// before the next picture.
     fn record_frame(&mut self, ctx: &egui::Context) {
         let Some(pane_renderer) = &mut self.pane_renderer else { return };
-        let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|why| {
-            self.session.messages.say(MessageSeverity::Error, format!("the frame cannot be recorded: {why}"));
+        let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|error| {
+            self.session.messages.say(MessageSeverity::Error, format!("the frame cannot be recorded: {error}"));
             None
         });
         let before = self.session.recorded_frame.take();
@@ -112,7 +112,7 @@ impl App {
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
             Ok(place) => self.session.announcement = format!("saved {place}"),
-            Err(why) => self.session.messages.say(MessageSeverity::Error, why),
+            Err(error) => self.session.messages.say(MessageSeverity::Error, error),
         }
     }
 
@@ -122,14 +122,14 @@ impl App {
         match product {
             Product::Scene => Ok(saving::scene_file(&self.document.scene, folder).into_bytes()),
             Product::Picture | Product::SizedPicture => {
-                saving::encode_png(&self.shown(size)?).map_err(|why| why.to_string())
+                saving::encode_png(&self.shown(size)?).map_err(|error| error.to_string())
             }
             Product::Light => {
                 let pane = self.document.panes.current;
                 let light =
                     self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.light(pane, size)).transpose();
-                let light = light.map_err(|why| why.to_string())?.flatten().ok_or(NOTHING_DRAWN)?;
-                exr::encode_compact([light.width, light.height], &light.pixels).map_err(|why| why.to_string())
+                let light = light.map_err(|error| error.to_string())?.flatten().ok_or(NOTHING_DRAWN)?;
+                exr::encode_compact([light.width, light.height], &light.pixels).map_err(|error| error.to_string())
             }
         }
     }
@@ -138,7 +138,7 @@ impl App {
     fn shown(&mut self, size: Option<[u32; 2]>) -> Result<DisplayedPicture, String> {
         let pane = self.document.panes.current;
         let shown = self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.shown(pane, size)).transpose();
-        shown.map_err(|why| why.to_string())?.flatten().ok_or_else(|| NOTHING_DRAWN.to_owned())
+        shown.map_err(|error| error.to_string())?.flatten().ok_or_else(|| NOTHING_DRAWN.to_owned())
     }
 
     pub(super) fn copy_picture(&mut self, ctx: &egui::Context) {
@@ -148,7 +148,7 @@ impl App {
                 ctx.copy_image(egui::ColorImage::from_rgba_premultiplied(size, &rgba));
                 self.session.announcement = "copied the picture".into();
             }
-            Err(why) => self.session.messages.say(MessageSeverity::Error, why),
+            Err(error) => self.session.messages.say(MessageSeverity::Error, error),
         }
     }
 

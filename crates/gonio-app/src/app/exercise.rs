@@ -17,8 +17,8 @@ impl App {
 
     /// Shows an exercise with a student's files. Errors become messages in the window.
     pub fn begin_exercise(&mut self, ctx: &egui::Context, start: Start) {
-        if let Err(why) = self.exercise.begin(start) {
-            self.session.messages.say(MessageSeverity::Error, why);
+        if let Err(error) = self.exercise.begin(start) {
+            self.session.messages.say(MessageSeverity::Error, error);
         }
         self.watch(ctx);
     }
@@ -73,7 +73,7 @@ impl App {
             return;
         }
         let end = match failures.first() {
-            Some(why) => format!("closing again discards it, because {why}"),
+            Some(error) => format!("closing again discards it, because {error}"),
             None => "closing again keeps it as a draft, which is restored when you open these files again".to_owned(),
         };
         let changed = self.exercise.works().find(|work| work.is_changed());

@@ -41,7 +41,7 @@ pub enum LoadRequest {
 /// The result of a request.
 pub struct LoadOutcome {
     /// The request.
-    pub wanted: LoadRequest,
+    pub requested: LoadRequest,
     /// The source of its files.
     pub files: Arc<dyn FileSource>,
     /// The paths that were read.
@@ -52,7 +52,7 @@ pub struct LoadOutcome {
 
 struct Job {
     number: u64,
-    wanted: LoadRequest,
+    requested: LoadRequest,
     files: Arc<dyn FileSource>,
     recording: Arc<ReadRecorder>,
     limits: Limits,
@@ -86,11 +86,11 @@ impl Default for Loader {
 
 impl Loader {
     /// Starts to load within `limits`; `ctx` is repainted when that is done.
-    pub fn start(&mut self, wanted: LoadRequest, files: Arc<dyn FileSource>, limits: Limits, ctx: &egui::Context) {
+    pub fn start(&mut self, requested: LoadRequest, files: Arc<dyn FileSource>, limits: Limits, ctx: &egui::Context) {
         self.latest += 1;
         let recording = Arc::new(ReadRecorder::new(files.clone()));
         self.running = Some(recording.clone());
-        let job = Job { number: self.latest, wanted, files, recording, limits };
+        let job = Job { number: self.latest, requested, files, recording, limits };
         #[cfg(target_arch = "wasm32")]
         {
             self.waiting = Some(job);
@@ -144,18 +144,18 @@ impl Loader {
 
 impl Job {
     fn read(&self) -> Result<Scene, String> {
-        read(&self.wanted, &*self.recording, &self.limits)
+        read(&self.requested, &*self.recording, &self.limits)
     }
 
     fn finished(self, result: Result<Scene, String>) -> (u64, LoadOutcome) {
         let paths = self.recording.paths();
-        (self.number, LoadOutcome { wanted: self.wanted, files: self.files, paths, result })
+        (self.number, LoadOutcome { requested: self.requested, files: self.files, paths, result })
     }
 }
 
-fn read(wanted: &LoadRequest, files: &dyn FileSource, limits: &Limits) -> Result<Scene, String> {
+fn read(requested: &LoadRequest, files: &dyn FileSource, limits: &Limits) -> Result<Scene, String> {
     let sentence = |error: ReadError| error.to_string();
-    match wanted {
+    match requested {
         LoadRequest::Open(opening) | LoadRequest::Again(opening) => {
             let inputs: Vec<&str> = opening.inputs.iter().map(String::as_str).collect();
             let within = Budgeted::new(files, limits.max_bytes);
@@ -177,7 +177,7 @@ fn read(wanted: &LoadRequest, files: &dyn FileSource, limits: &Limits) -> Result
             }
             let mut dark = loaded.settings.clone();
             dark.lights.clear();
-            match edit::apply(&loaded, dark).map_err(|why| why.to_string())? {
+            match edit::apply(&loaded, dark).map_err(|error| error.to_string())? {
                 Edited::Done(applied) => Ok(applied.loaded),
                 Edited::NeedsFiles(_) => Ok(loaded),
             }
@@ -199,17 +199,17 @@ mod tests {
     }
 
     #[test]
-    fn lights_that_were_taken_out_stay_out() {
+    fn removed_lights_stay_removed() {
         let mut scene = opened(cube()).settings;
         assert!(!scene.lights.is_empty());
         scene.lights.clear();
-        let wanted = LoadRequest::Refresh(Box::new(scene));
-        let again = read(&wanted, &BuiltinOnly, &Limits::default()).unwrap_or_else(|e| panic!("{e}"));
+        let requested = LoadRequest::Refresh(Box::new(scene));
+        let again = read(&requested, &BuiltinOnly, &Limits::default()).unwrap_or_else(|e| panic!("{e}"));
         assert!(again.settings.lights.is_empty());
     }
 
     #[test]
-    fn options_and_an_environment_are_laid_over_what_is_opened() {
+    fn options_and_environment_override_the_opened_scene() {
         let adjust: Adjust = Arc::new(|scene: &mut SceneFile| scene.picture.exposure = 2.0);
         let loaded = opened(SceneOpening { environment: Some("debug".into()), adjust: Some(adjust), ..cube() });
         assert_eq!(loaded.settings.picture.exposure, 2.0);

@@ -70,8 +70,8 @@ impl App {
         let mut session = Session::default();
         let pane_renderer = gl.and_then(|gl| match PaneRenderer::new(gl) {
             Ok(pane_renderer) => Some(pane_renderer),
-            Err(why) => {
-                session.messages.say(MessageSeverity::Error, format!("OpenGL rendering is not available: {why}"));
+            Err(error) => {
+                session.messages.say(MessageSeverity::Error, format!("OpenGL rendering is not available: {error}"));
                 None
             }
         });
@@ -103,8 +103,8 @@ impl App {
         let mut files = app.files.clone();
         if opening.inputs.is_empty() {
             match app.platform.first() {
-                Some(Ok(given)) => (opening.inputs, files) = (given.inputs, given.files),
-                Some(Err(why)) => app.session.messages.say(MessageSeverity::Error, why),
+                Some(Ok(input)) => (opening.inputs, files) = (input.inputs, input.files),
+                Some(Err(error)) => app.session.messages.say(MessageSeverity::Error, error),
                 None => {}
             }
         }
@@ -126,8 +126,8 @@ impl App {
                 self.session.facts.renderer = pane_renderer.driver().to_owned();
                 self.pane_renderer = Some(pane_renderer);
             }
-            Some(Err(why)) => {
-                self.session.messages.say(MessageSeverity::Error, format!("OpenGL rendering is not available: {why}"))
+            Some(Err(error)) => {
+                self.session.messages.say(MessageSeverity::Error, format!("OpenGL rendering is not available: {error}"))
             }
             None => {}
         }
@@ -221,8 +221,8 @@ impl App {
         egui::CentralPanel::no_frame().show(ui, |ui| {
             self.frame_opened(&ctx, ui.available_size());
             let drawn = scene_view::show(ui, &mut self.document, &mut self.session, self.pane_renderer.as_mut());
-            if let Err(why) = drawn {
-                self.session.messages.say(MessageSeverity::Error, why.to_string());
+            if let Err(error) = drawn {
+                self.session.messages.say(MessageSeverity::Error, error.to_string());
             }
         });
         if self.session.sketching && self.sketched.is_none() && self.session.facts.pictures > pictures {
@@ -253,7 +253,7 @@ impl App {
             Event::ExerciseFiles(files) => self.open_exercise_files(files),
             Event::SaveTo(product, place) => self.save(product, &place),
             Event::Changed(paths) => self.changed_on_disk(ctx, paths),
-            Event::Failed(why) => self.session.messages.say(MessageSeverity::Error, why),
+            Event::Failed(error) => self.session.messages.say(MessageSeverity::Error, error),
         }
     }
 
@@ -268,12 +268,12 @@ impl App {
             path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"))
                 && self.opened.inputs.iter().any(|input| Path::new(input) == path)
         };
-        let wanted = match changed.iter().any(is_scene_file) {
+        let requested = match changed.iter().any(is_scene_file) {
             true => LoadRequest::Again(self.opened.clone()),
             false => LoadRequest::Refresh(Box::new(self.document.scene.clone())),
         };
         self.session.busy = Some(format!("reloading {}", names(&changed)));
-        self.loader.start(wanted, self.files.clone(), self.opened.limits, ctx);
+        self.loader.start(requested, self.files.clone(), self.opened.limits, ctx);
     }
 
     /// Takes a loaded scene, or reports why it could not be loaded; then everything stays as it was.
@@ -283,7 +283,7 @@ impl App {
             Ok(loaded) => loaded,
             Err(sentence) => {
                 self.session.messages.say(MessageSeverity::Error, sentence);
-                if matches!(finished.wanted, LoadRequest::Scene(_)) {
+                if matches!(finished.requested, LoadRequest::Scene(_)) {
                     self.history.revert(&mut self.document);
                 }
                 return;
@@ -299,7 +299,7 @@ impl App {
             };
             self.session.messages.say(severity, found.to_string());
         }
-        match finished.wanted {
+        match finished.requested {
             LoadRequest::Open(opening) => {
                 self.session.title = short(&opening.inputs);
                 self.session.clock = Default::default();
@@ -372,8 +372,8 @@ impl App {
                 self.session.busy = Some("reading the scene's files".into());
                 self.loader.start(LoadRequest::Scene(scene), self.files.clone(), self.opened.limits, ctx);
             }
-            Err(why) => {
-                self.session.messages.say(MessageSeverity::Error, why.to_string());
+            Err(error) => {
+                self.session.messages.say(MessageSeverity::Error, error.to_string());
                 self.history.revert(&mut self.document);
             }
         }

@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_changed_after_an_undo_cannot_be_redone_over() {
+    fn a_change_after_an_undo_clears_redo() {
         let mut document = with_exposure(0.0);
         let mut history = History::new(&document);
         document = with_exposure(1.0);
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn a_change_that_cannot_be_is_given_up() {
+    fn a_change_that_cannot_be_applied_is_reverted() {
         let mut document = with_exposure(0.0);
         let history = History::new(&document);
         document = with_exposure(f64::NAN);

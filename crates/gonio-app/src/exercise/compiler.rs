@@ -60,10 +60,10 @@ impl Compiler {
         if let (None, Some(pane_renderer), false) = (&self.preview, pane_renderer, self.failed) {
             match Preview::new(pane_renderer.gl(), work) {
                 Ok(preview) => self.preview = Some(preview),
-                Err(why) => {
+                Err(reason) => {
                     // Reported once, not in every frame.
                     self.failed = true;
-                    failures.push(why.to_string());
+                    failures.push(reason.to_string());
                 }
             }
         }
@@ -117,9 +117,9 @@ impl Compiler {
         }
         let key = ContentKey::new(&content);
         let outcome = self.trials.known(key).cloned();
-        if let Some(TrialOutcome::Refused(why)) = outcome {
+        if let Some(TrialOutcome::Refused(reason)) = outcome {
             self.compiled = Some(content);
-            return refuse(work, why);
+            return refuse(work, reason);
         }
         // The exercise's own files are harmless.
         if outcome.is_none() && platform.tries_every_pair() && !is_start(work, &content) {
@@ -127,16 +127,16 @@ impl Compiler {
         }
         let source = match SubmittedPair::gather(work.exercise, content.clone()) {
             Ok(source) => source,
-            Err(why) => {
+            Err(reason) => {
                 self.compiled = Some(content);
-                return refuse(work, why);
+                return refuse(work, reason);
             }
         };
         match outcome {
             None if source.is_risky() => return self.try_first(ctx, work, key, &content, platform),
-            Some(TrialOutcome::Unavailable(why)) if source.is_risky() => {
+            Some(TrialOutcome::Unavailable(reason)) if source.is_risky() => {
                 self.compiled = Some(content);
-                return refuse(work, format!("This shader is not drawn because it could not be tested: {why}"));
+                return refuse(work, format!("This shader is not drawn because it could not be tested: {reason}"));
             }
             Some(_) | None => {}
         }
@@ -196,11 +196,11 @@ impl Compiler {
 }
 
 /// Notes why the pair cannot be drawn; the last drawn one stays visible.
-fn refuse(work: &mut Work, why: String) {
+fn refuse(work: &mut Work, reason: String) {
     let is_drawn = work.program.is_drawn;
     let variables = std::mem::take(&mut work.program.variables);
     work.program =
-        ProgramFacts { unusable: Some(why), is_drawn, is_old: is_drawn, variables, ..ProgramFacts::default() };
+        ProgramFacts { unusable: Some(reason), is_drawn, is_old: is_drawn, variables, ..ProgramFacts::default() };
 }
 
 /// Whether these are the original files of the exercise, unchanged.

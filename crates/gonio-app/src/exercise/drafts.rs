@@ -67,8 +67,8 @@ impl Drafts {
             let Some(stored) = platform.take_draft(&key) else { continue };
             let draft: Draft = match serde_json::from_str(&stored) {
                 Ok(draft) => draft,
-                Err(why) => {
-                    failures.push(format!("the draft of {} is damaged and was not restored: {why}", file.name));
+                Err(error) => {
+                    failures.push(format!("the draft of {} is damaged and was not restored: {error}", file.name));
                     continue;
                 }
             };
@@ -152,8 +152,8 @@ impl Drafts {
                 Ok(()) => {
                     self.kept.insert(key.clone(), file.text.clone());
                 }
-                Err(why) => failures.push(format!(
-                    "the unsaved changes to {} could not be kept as a draft: {why}; Ctrl + S saves the file",
+                Err(error) => failures.push(format!(
+                    "the unsaved changes to {} could not be kept as a draft: {error}; Ctrl + S saves the file",
                     file.name
                 )),
             }
@@ -201,7 +201,7 @@ fn keep(key: &str, exercise: &str, file: &OpenFile, platform: &mut dyn Platform)
         written: now(),
         text: file.text.clone(),
     };
-    let text = serde_json::to_string(&draft).map_err(|why| why.to_string())?;
+    let text = serde_json::to_string(&draft).map_err(|error| error.to_string())?;
     platform.keep_draft(key, &text)
 }
 

@@ -58,13 +58,13 @@ impl Platform for Memory {
     }
 }
 
-fn given(path: &str, text: &str) -> ExerciseFile {
+fn exercise_file(path: &str, text: &str) -> ExerciseFile {
     let name = path.rsplit('/').next().unwrap().to_owned();
     ExerciseFile { name, path: path.starts_with('/').then(|| PathBuf::from(path)), bytes: text.into() }
 }
 
 fn work(files: &[(&str, &str)]) -> Work {
-    let files = files.iter().map(|(path, text)| given(path, text)).collect();
+    let files = files.iter().map(|(path, text)| exercise_file(path, text)).collect();
     Work::new(exercise::find("ex04").unwrap(), files)
 }
 
@@ -90,7 +90,7 @@ fn killed(work: &mut Work, file: usize, text: &str, platform: &mut Memory) {
 }
 
 #[test]
-fn unsaved_text_comes_back_as_unsaved_text() {
+fn unsaved_text_is_restored_as_unsaved() {
     let mut platform = Memory::default();
     let files = [("/a/light.vert", "one"), ("/a/light.frag", "two")];
     killed(&mut work(&files), 1, "typed", &mut platform);
@@ -105,13 +105,13 @@ fn unsaved_text_comes_back_as_unsaved_text() {
     // Nothing is restored into other exercises, other files or other folders.
     let mut others = work(&[("/b/light.frag", "two"), ("/a/light.vert", "one")]);
     restored(&mut others, &mut platform);
-    let mut other = Work::new(exercise::find("ex03").unwrap(), vec![given("/a/light.frag", "two")]);
+    let mut other = Work::new(exercise::find("ex03").unwrap(), vec![exercise_file("/a/light.frag", "two")]);
     restored(&mut other, &mut platform);
     assert!(!others.is_changed() && !other.is_changed());
 }
 
 #[test]
-fn a_file_that_changed_on_the_disk_meanwhile_stays_beside_the_draft() {
+fn a_file_that_changed_on_disk_is_kept_beside_the_draft() {
     let mut platform = Memory::default();
     killed(&mut work(&[("/a/light.frag", "two")]), 0, "typed", &mut platform);
     let mut next = work(&[("/a/light.frag", "of another editor")]);
@@ -121,7 +121,7 @@ fn a_file_that_changed_on_the_disk_meanwhile_stays_beside_the_draft() {
 }
 
 #[test]
-fn what_was_saved_or_discarded_leaves_no_draft() {
+fn saved_and_discarded_text_leaves_no_draft() {
     let mut platform = Memory::default();
     let files = [("/a/light.frag", "two")];
     killed(&mut work(&files), 0, "typed", &mut platform);
@@ -145,7 +145,7 @@ fn what_was_saved_or_discarded_leaves_no_draft() {
 }
 
 #[test]
-fn files_in_memory_are_told_apart_by_what_they_were() {
+fn files_in_memory_are_distinguished_by_their_content() {
     let mut platform = Memory::default();
     killed(&mut work(&[("light.frag", "of one student")]), 0, "typed", &mut platform);
     let mut other = work(&[("light.frag", "of another student")]);
@@ -157,7 +157,7 @@ fn files_in_memory_are_told_apart_by_what_they_were() {
 }
 
 #[test]
-fn nothing_is_written_before_something_is_typed_and_then_once() {
+fn drafts_are_written_once_after_typing() {
     let mut platform = Memory::default();
     let mut work = work(&[("/a/light.frag", "two")]);
     let mut drafts = Drafts::default();
@@ -185,11 +185,11 @@ fn a_window_that_loses_the_focus_keeps_its_drafts_at_once() {
 }
 
 #[test]
-fn several_unsaved_texts_of_one_file_are_all_kept() {
+fn all_unsaved_texts_of_one_file_are_kept() {
     let mut platform = Memory::default();
     let mut work = work(&[("/a/light.frag", "two")]);
     work.files[0].text = "first".into();
-    work.take(vec![ExerciseFile { bytes: b"void main() {}".to_vec(), ..given("/a/light.frag", "") }]);
+    work.take(vec![ExerciseFile { bytes: b"void main() {}".to_vec(), ..exercise_file("/a/light.frag", "") }]);
     assert_eq!((work.files.len(), work.before.len()), (1, 1));
     work.files[0].text = "second".into();
     let mut drafts = Drafts::default();
@@ -200,15 +200,15 @@ fn several_unsaved_texts_of_one_file_are_all_kept() {
 }
 
 #[test]
-fn what_cannot_be_kept_is_said_once_and_tried_again() {
+fn a_failure_to_keep_a_draft_is_reported_once_and_retried() {
     let mut platform = Memory { is_full: true, ..Memory::default() };
     let mut work = work(&[("/a/light.frag", "two")]);
     let mut drafts = Drafts::default();
     let ctx = window(true);
-    let mut said = Vec::new();
+    let mut messages = Vec::new();
     let mut follow = |work: &Work, platform: &mut Memory| {
         drafts.due = Some(Instant::now());
-        said.extend(drafts.follow(&ctx, [work].into_iter(), platform));
+        messages.extend(drafts.follow(&ctx, [work].into_iter(), platform));
     };
     work.files[0].text = "typed".into();
     follow(&work, &mut platform);
@@ -219,7 +219,7 @@ fn what_cannot_be_kept_is_said_once_and_tried_again() {
     work.files[0].text = "x".repeat(MOST_BYTES + 1);
     follow(&work, &mut platform);
     assert_eq!(
-        said,
+        messages,
         [
             "the unsaved changes to light.frag could not be kept as a draft: the disk is full; Ctrl + S saves the file",
             "the unsaved changes to light.frag could not be kept as a draft: the file is larger than 1 MB; Ctrl + S saves the file"
@@ -230,7 +230,7 @@ fn what_cannot_be_kept_is_said_once_and_tried_again() {
 }
 
 #[test]
-fn a_damaged_draft_is_said_and_an_old_one_is_removed() {
+fn damaged_drafts_are_reported_and_old_ones_removed() {
     let mut platform = Memory::default();
     let files = [("/a/light.frag", "two")];
     killed(&mut work(&files), 0, "typed", &mut platform);
@@ -243,13 +243,13 @@ fn a_damaged_draft_is_said_and_an_old_one_is_removed() {
     assert!(!next.is_changed() && platform.drafts.is_empty());
     platform.drafts.insert(key, stored[..10].into());
     let mut next = work(&files);
-    let said = Drafts::default().restore(&Context::default(), &mut next, &mut platform);
-    assert!(said.len() == 1 && said[0].starts_with("the draft of light.frag is damaged"), "{said:?}");
+    let messages = Drafts::default().restore(&Context::default(), &mut next, &mut platform);
+    assert!(messages.len() == 1 && messages[0].starts_with("the draft of light.frag is damaged"), "{messages:?}");
     assert!(!next.is_changed());
 }
 
 #[test]
-fn ages_are_said_in_words() {
+fn ages_are_formatted_in_words() {
     for (seconds, words) in [
         (0, "less than a minute ago"),
         (60, "1 minute ago"),

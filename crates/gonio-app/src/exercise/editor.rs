@@ -271,22 +271,22 @@ fn messages(ui: &mut Ui, work: &mut Work, marks: &[Mark]) {
     }
     ScrollArea::vertical().id_salt("messages of lines").auto_shrink([false, false]).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
-        if let Some(why) = &work.program.unusable {
-            message_row(ui, icons::WARNING_CIRCLE, colors::ERROR.of(ui), why);
+        if let Some(error) = &work.program.unusable {
+            message_row(ui, icons::WARNING_CIRCLE, colors::ERROR.of(ui), error);
         }
-        let mut wanted = None;
+        let mut requested = None;
         for (index, mark) in marks.iter().take(MOST_LISTED).enumerate() {
             let icon = if mark.kind == MarkKind::Error { icons::WARNING_CIRCLE } else { icons::WARNING };
             let line = message_row(ui, icon, tint(mark.kind).of(ui), &format!("Line {}: {}", mark.line, mark.text));
             exported::note(ui, &line, &format!("note-{index}"), WidgetRole::Button, &mark.text, mark.line);
             if line.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
-                wanted = Some(mark.line);
+                requested = Some(mark.line);
             }
         }
         if marks.len() > MOST_LISTED {
             ui.label(RichText::new(format!("and {} more", marks.len() - MOST_LISTED)).small().weak());
         }
-        if let Some(line) = wanted {
+        if let Some(line) = requested {
             work.jump = Some((work.current, line));
         }
     });

@@ -25,23 +25,23 @@ pub struct ReplaceOutcome {
 
 impl Work {
     /// Puts files in place of those that are for the same: see [`preview::sort_files`].
-    pub fn take(&mut self, given: Vec<ExerciseFile>) -> ReplaceOutcome {
+    pub fn take(&mut self, opened: Vec<ExerciseFile>) -> ReplaceOutcome {
         let sources: Vec<SourceFile> =
-            given.iter().map(|file| SourceFile::new(file.name.clone(), file.bytes.clone())).collect();
-        let handed = preview::sort_files(self.exercise, &sources);
+            opened.iter().map(|file| SourceFile::new(file.name.clone(), file.bytes.clone())).collect();
+        let sorted = preview::sort_files(self.exercise, &sources);
         let taken: Vec<(&SourceFile, FileUse)> =
-            handed.taken.iter().filter_map(|(index, of_file)| Some((sources.get(*index)?, *of_file))).collect();
+            sorted.taken.iter().filter_map(|(index, of_file)| Some((sources.get(*index)?, *of_file))).collect();
         if taken.is_empty() {
-            return ReplaceOutcome { announcement: None, ignored: handed.aside };
+            return ReplaceOutcome { announcement: None, ignored: sorted.aside };
         }
         let is_open = |file: &ExerciseFile| self.files.iter().position(|open| open.is_same(file));
         let all: Option<Vec<usize>> =
-            handed.taken.iter().map(|(index, _)| given.get(*index).and_then(is_open)).collect();
+            sorted.taken.iter().map(|(index, _)| opened.get(*index).and_then(is_open)).collect();
         let names: Vec<&str> = taken.iter().map(|(file, _)| file.name.as_str()).collect();
         if let Some(&first) = all.as_ref().and_then(|all| all.first()) {
             // Nothing is to be put away for what is there already.
             self.current = first;
-            return ReplaceOutcome { announcement: Some(format!("opened {}", listed(&names))), ignored: handed.aside };
+            return ReplaceOutcome { announcement: Some(format!("opened {}", listed(&names))), ignored: sorted.aside };
         }
         let mut kept = Vec::new();
         let mut away = Vec::new();
@@ -57,17 +57,17 @@ impl Work {
         };
         let announcement = format!("opened {}{place}", listed(&names));
         let uses: Vec<FileUse> = taken.iter().map(|(_, of_file)| *of_file).collect();
-        let numbers: Vec<usize> = handed.taken.iter().map(|(index, _)| *index).collect();
+        let numbers: Vec<usize> = sorted.taken.iter().map(|(index, _)| *index).collect();
         self.sets += 1;
         let first_new = kept.len();
         let mut files = kept;
-        for (index, file) in given.into_iter().enumerate().filter(|(index, _)| numbers.contains(index)) {
+        for (index, file) in opened.into_iter().enumerate().filter(|(index, _)| numbers.contains(index)) {
             files.push(OpenFile::new(self.exercise, file, (self.sets, index)).shown());
         }
         // The fragment shader is what is written at most.
         let fragment = uses.iter().position(|of_file| of_file.fragment).unwrap_or(0);
         self.replace(OpenFileSet { files, current: first_new + fragment });
-        ReplaceOutcome { announcement: Some(announcement), ignored: handed.aside }
+        ReplaceOutcome { announcement: Some(announcement), ignored: sorted.aside }
     }
 
     /// Starts over with the original files.
@@ -139,7 +139,7 @@ mod tests {
 
     const FRAGMENT: &str = "out vec4 FragColor;\nvoid main() { FragColor = vec4(1.0); }\n";
 
-    fn given(name: &str, text: &str) -> ExerciseFile {
+    fn exercise_file(name: &str, text: &str) -> ExerciseFile {
         ExerciseFile { name: name.into(), path: None, bytes: text.into() }
     }
 
@@ -148,17 +148,17 @@ mod tests {
     }
 
     #[test]
-    fn what_was_written_comes_back_however_often_files_are_given() {
+    fn replaced_files_can_be_put_back_in_turn() {
         let mut work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
         work.files[work.current].text = "what I wrote".into();
-        let taken = work.take(vec![given("light.txt", FRAGMENT), given("notes.txt", "to do")]);
+        let taken = work.take(vec![exercise_file("light.txt", FRAGMENT), exercise_file("notes.txt", "to do")]);
         assert_eq!(taken.announcement.as_deref(), Some("opened light.txt in place of start.frag"));
         assert!(taken.ignored.unwrap().contains("no shader in notes.txt"));
         assert_eq!((shown(&work), work.current), (vec!["start.vert", "light.txt"], work.files.len() - 1));
         assert!(!work.is_changed() && work.has_unsaved_before());
         assert_eq!(work.before[0].names_beside(&work.files), "start.frag");
         work.files[work.current].text = "more".into();
-        work.take(vec![given("start.frag", FRAGMENT)]);
+        work.take(vec![exercise_file("start.frag", FRAGMENT)]);
         // Two sets before this one: each comes, and then this one again.
         let mut seen = Vec::new();
         for _ in 0..3 {
@@ -170,26 +170,26 @@ mod tests {
     }
 
     #[test]
-    fn what_is_open_already_is_shown_and_nothing_is_put_away() {
+    fn opening_an_open_file_shows_it() {
         let mut work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
         let vertex = work.file_named("start.vert").unwrap();
-        let same = given("start.vert", &work.files[vertex].text);
+        let same = exercise_file("start.vert", &work.files[vertex].text);
         assert_eq!(work.take(vec![same]).announcement.as_deref(), Some("opened start.vert"));
         assert_eq!((work.current, work.before.len()), (vertex, 0));
     }
 
     #[test]
-    fn what_is_nothing_for_the_exercise_changes_nothing() {
+    fn files_of_no_use_to_the_exercise_change_nothing() {
         let mut work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
         let before = work.files.clone();
-        let taken = work.take(vec![given("photo.png", "PNG\0")]);
+        let taken = work.take(vec![exercise_file("photo.png", "PNG\0")]);
         assert_eq!(taken.announcement, None);
         assert!(taken.ignored.unwrap().contains("ex04 does not read photo.png"));
         assert!(work.files == before && work.before.is_empty());
     }
 
     #[test]
-    fn one_begins_again_and_has_what_was_before() {
+    fn starting_over_keeps_the_previous_files() {
         let mut work = Work::new(exercise::find("ex03").unwrap(), Vec::new());
         let text = work.files[work.current].text.clone();
         work.files[work.current].text = "mine".into();
@@ -202,14 +202,14 @@ mod tests {
     }
 
     #[test]
-    fn names_are_said_as_one_says_them() {
-        for (names, said) in [
+    fn names_are_listed_with_commas_and_and() {
+        for (names, text) in [
             (&["a"][..], "a"),
             (&["a", "b"], "a and b"),
             (&["a", "b", "c", "d"], "a, b, c and d"),
             (&["a", "b", "c", "d", "e"], "a, b, c and 2 more"),
         ] {
-            assert_eq!(listed(names), said);
+            assert_eq!(listed(names), text);
         }
     }
 }

@@ -256,7 +256,7 @@ mod tests {
     use gonio_exercises::exercise;
 
     #[test]
-    fn a_text_is_taken_apart_as_it_is_meant() {
+    fn a_text_is_split_into_blocks() {
         let text = "# One\n\nWords that\ngo on.\n\n- a `b|c`\n  and on\n- d\n1. first\n\n```glsl\nx\n\ny\n```\n\n| a | b |\n|---|---|\n| `x|y` | 2 |\n![A curve](a.svg)\n";
         assert_eq!(
             blocks(text),
@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn words_have_their_styles_and_signs_of_formulas_stay() {
+    fn text_is_split_by_style() {
         let plain = |text: &str| (text.to_owned(), Style::Plain);
         assert_eq!(spans("2 * 3 * x and k_l d"), [plain("2 * 3 * x and k_l d")]);
         assert_eq!(
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_of_any_exercise_is_lost() {
+    fn every_word_of_every_exercise_is_shown() {
         for exercise in exercise::all() {
             let blocks = blocks(exercise.text());
             let mut shown = format!("{blocks:?}");

@@ -190,8 +190,8 @@ impl ExerciseView {
         } else {
             wide(ui, work, self.compiler.preview_mut(), pane_renderer, &mut commands)
         };
-        if let Err(why) = drawn {
-            failures.push(why.to_string());
+        if let Err(error) = drawn {
+            failures.push(error.to_string());
         }
         if work.clock.playing {
             ctx.request_repaint();

@@ -45,8 +45,8 @@ pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>
     let Judged { verdict, .. } = judged;
     match verdict {
         Ok(verdict) => shown(ui, work, &verdict),
-        Err(why) => {
-            ui.add(Label::new(RichText::new(why).color(colors::ERROR.of(ui))).wrap());
+        Err(error) => {
+            ui.add(Label::new(RichText::new(error).color(colors::ERROR.of(ui))).wrap());
         }
     }
     ui.add_space(16.0);
@@ -243,19 +243,19 @@ fn dotted(ui: &mut Ui, text: &str, color: Option<Color32>) {
 /// Shows the variables, unrecognised ones first.
 pub fn variables(ui: &mut Ui, work: &Work) {
     ui.spacing_mut().item_spacing.y = 5.0;
-    let given = &work.program.variables;
-    if given.is_empty() {
+    let variables = &work.program.variables;
+    if variables.is_empty() {
         let words = "Once your program compiles, this page lists the meaning and the value of each of your attributes and \
                      uniforms.";
         ui.add(Label::new(RichText::new(words).weak()).wrap());
         return;
     }
-    let unknown: Vec<&VariableValue> = given.iter().filter(|given| given.role.is_none()).collect();
+    let unknown: Vec<&VariableValue> = variables.iter().filter(|variable| variable.role.is_none()).collect();
     if let Some(first) = unknown.first() {
         hint(ui, &first.name, unknown.len());
     }
-    for given in unknown.into_iter().chain(given.iter().filter(|given| given.role.is_some())) {
-        row(ui, given);
+    for variable in unknown.into_iter().chain(variables.iter().filter(|variable| variable.role.is_some())) {
+        row(ui, variable);
     }
     for warning in &work.program.warnings {
         ui.add(Label::new(RichText::new(warning).color(colors::WARNING.of(ui))).wrap());
@@ -278,11 +278,11 @@ fn hint(ui: &mut Ui, name: &str, count: usize) {
     });
 }
 
-fn row(ui: &mut Ui, given: &VariableValue) {
+fn row(ui: &mut Ui, variable: &VariableValue) {
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new(&given.glsl_type).monospace().weak());
-        ui.label(RichText::new(&given.name).monospace().color(ui.visuals().strong_text_color()));
-        match &given.role {
+        ui.label(RichText::new(&variable.glsl_type).monospace().weak());
+        ui.label(RichText::new(&variable.name).monospace().color(ui.visuals().strong_text_color()));
+        match &variable.role {
             Some((role, how)) => {
                 ui.label(RichText::new(role).font(theme::bold(13.0)).color(colors::ACCENT.of(ui))).on_hover_text(how);
             }
@@ -290,12 +290,12 @@ fn row(ui: &mut Ui, given: &VariableValue) {
                 ui.label(RichText::new("not recognised").color(colors::WARNING.of(ui)));
             }
         }
-        if !given.value.contains('\n') {
-            ui.label(RichText::new(&given.value).monospace());
+        if !variable.value.contains('\n') {
+            ui.label(RichText::new(&variable.value).monospace());
         }
     });
-    if given.value.contains('\n') {
-        ui.indent(&given.name, |ui| ui.label(RichText::new(columns(&given.value)).monospace().size(11.0)));
+    if variable.value.contains('\n') {
+        ui.indent(&variable.name, |ui| ui.label(RichText::new(columns(&variable.value)).monospace().size(11.0)));
     }
 }
 

@@ -233,7 +233,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_side_by_side_have_as_many_pixels() {
+    fn pictures_side_by_side_have_the_same_size() {
         for step in 0..200 {
             let pixels_per_point = [1.0, 1.25, 1.5, 2.0, 1.1][step % 5];
             let [left, top] = [0.37, 0.61].map(|share| share * step as f32);

@@ -121,11 +121,11 @@ impl Preview {
     ) -> Result<(), GlError> {
         let (Some(scene), Some(pair)) = (work.scene(), self.pairs[which].as_ref()) else { return Ok(()) };
         let bodies = situations(work, size);
-        let wanted = (size, bodies, if which == 0 { self.serial } else { 0 });
-        if self.drawn[which].as_ref() == Some(&wanted) {
+        let requested = (size, bodies, if which == 0 { self.serial } else { 0 });
+        if self.drawn[which].as_ref() == Some(&requested) {
             return Ok(());
         }
-        let (_, bodies, _) = &wanted;
+        let (_, bodies, _) = &requested;
         self.stage.prepare(scene)?;
         let canvas = match &mut self.canvases[which] {
             Some(canvas) => canvas,
@@ -140,7 +140,7 @@ impl Preview {
             stage.draw(pair, bodies);
         })?;
         self.pictures += 1;
-        self.drawn[which] = Some(wanted);
+        self.drawn[which] = Some(requested);
         Ok(())
     }
 

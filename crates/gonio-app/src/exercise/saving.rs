@@ -39,7 +39,7 @@ pub fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
         };
         match platform.write(&place, &bytes) {
             Ok(_) => file.saved = bytes,
-            Err(why) => failures.push(why),
+            Err(error) => failures.push(error),
         }
     }
     failures
@@ -58,13 +58,13 @@ pub fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> 
     for file in work.files.iter_mut().filter(|file| is_meant(file)) {
         let path = place(&file.name);
         let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
-        if let Err(why) = made {
-            return vec![format!("{} could not be created: {why}", folder.display())];
+        if let Err(error) = made {
+            return vec![format!("{} could not be created: {error}", folder.display())];
         }
         let bytes = file.content();
         match platform.write(&path.to_string_lossy(), &bytes) {
             Ok(_) => (file.saved, file.path) = (bytes, Some(path)),
-            Err(why) => return vec![why],
+            Err(error) => return vec![error],
         }
     }
     Vec::new()
@@ -82,7 +82,7 @@ pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<Stri
                     editor::remember(ctx, &before);
                 }
             }
-            Err(why) => failures.push(format!("{} could not be reloaded: {why}", path.display())),
+            Err(error) => failures.push(format!("{} could not be reloaded: {error}", path.display())),
         }
     }
     failures

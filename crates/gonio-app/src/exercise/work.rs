@@ -400,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_not_saved_is_never_written_over_by_a_reload() {
+    fn a_reload_never_overwrites_unsaved_text() {
         let mut file = file("one");
         assert!(file.is_now(b"two".to_vec()), "nothing was changed here, so it is taken");
         assert_eq!((file.text.as_str(), file.is_changed()), ("two", false));
@@ -412,7 +412,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_text_is_shown_and_left_as_it_is() {
+    fn binary_files_are_locked_and_unchanged() {
         let bytes = b"// caf\xe9".to_vec();
         let file = opened(bytes.clone());
         assert!(file.locked && !file.is_changed());
@@ -423,7 +423,7 @@ mod tests {
     }
 
     #[test]
-    fn without_files_one_begins_with_the_exercises_own() {
+    fn without_files_the_original_ones_are_opened() {
         let work = Work::new(exercise::find("ex04").unwrap(), Vec::new());
         let shown: Vec<&str> = work.files.iter().filter(|f| f.is_shown()).map(|f| f.name.as_str()).collect();
         assert_eq!(shown, ["start.frag", "start.vert"]);

@@ -39,8 +39,8 @@ enum Kind {
 /// Applies the rules to files of `source`. An error is one sentence.
 pub fn gather(names: &[String], source: &dyn FileSource) -> Result<GatheredInputs, String> {
     let kinds: Vec<(&String, Kind)> = names.iter().map(|name| (name, kind(name, source))).collect();
-    let of = |wanted: Kind| -> Vec<String> {
-        kinds.iter().filter(|(_, kind)| *kind == wanted).map(|(name, _)| (*name).clone()).collect()
+    let of = |requested: Kind| -> Vec<String> {
+        kinds.iter().filter(|(_, kind)| *kind == requested).map(|(name, _)| (*name).clone()).collect()
     };
     let scenes = of(Kind::Scene);
     if !scenes.is_empty() {
@@ -113,7 +113,7 @@ fn one_environment(pictures: &[String]) -> Result<String, String> {
             .and_then(|&index| pictures.get(index))
             .cloned()
             .ok_or_else(|| "the six faces of the environment were not found".into()),
-        Err(why) => Err(format!("these {} pictures are not one environment: {}", pictures.len(), why.message)),
+        Err(error) => Err(format!("these {} pictures are not one environment: {}", pictures.len(), error.message)),
     }
 }
 
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn one_model_with_what_belongs_to_it() {
+    fn one_model_with_its_sidecars() {
         let files = of(&[("a.mtl", b"newmtl a"), ("a.obj", OBJ), ("wood.png", b""), ("notes.txt", b"")]);
         assert_eq!(files, Ok(inputs(&["a.obj"])));
         // By its content, whatever it is called.
@@ -169,20 +169,20 @@ mod tests {
         let faces = ["negx.png", "negy.png", "negz.png", "posx.png", "posy.png", "posz.png"];
         let six: Vec<(&str, &[u8])> = faces.map(|name| (name, &b""[..])).into();
         assert_eq!(of(&six), Ok(environment("posx.png")));
-        assert!(of(&[("a.png", b""), ("b.png", b"")]).is_err_and(|why| why.starts_with("these 2 pictures")));
+        assert!(of(&[("a.png", b""), ("b.png", b"")]).is_err_and(|error| error.starts_with("these 2 pictures")));
     }
 
     #[test]
-    fn light_that_no_model_has_as_a_texture_is_the_environment() {
+    fn pictures_that_no_model_uses_are_the_environment() {
         let files = of(&[("a.obj", OBJ), ("wood.png", b""), ("sky.hdr", b"")]);
         assert_eq!(files, Ok(GatheredInputs { environment: Some("sky.hdr".into()), ..inputs(&["a.obj"]) }));
     }
 
     #[test]
-    fn what_cannot_be_opened_is_said() {
+    fn files_that_cannot_be_opened_are_errors() {
         assert!(of(&[]).is_err());
-        assert!(of(&[("a.mtl", b"newmtl a")]).is_err_and(|why| why.contains("belongs to a model")));
-        assert!(of(&[("a.txt", b"hello")]).is_err_and(|why| why.contains("`a.txt` cannot be opened")));
+        assert!(of(&[("a.mtl", b"newmtl a")]).is_err_and(|error| error.contains("belongs to a model")));
+        assert!(of(&[("a.txt", b"hello")]).is_err_and(|error| error.contains("`a.txt` cannot be opened")));
         // The reader will say what is wrong with it.
         assert_eq!(of(&[("a.glb", b"")]), Ok(inputs(&["a.glb"])));
     }

@@ -29,7 +29,7 @@ pub fn of_scene(scene: &SceneSettings) -> Result<String, String> {
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
     let packed = encoder.write_all(SceneFile::from(scene).to_toml_string().as_bytes()).and_then(|()| encoder.finish());
     // Writing to memory does not fail.
-    let packed = packed.map_err(|why| format!("the scene could not be compressed: {why}"))?;
+    let packed = packed.map_err(|error| format!("the scene could not be compressed: {error}"))?;
     Ok(format!("{KEY}{}", base64url(&packed)))
 }
 
@@ -117,10 +117,10 @@ mod tests {
     }
 
     #[test]
-    fn files_cannot_be_sent_and_damage_is_told() {
+    fn scenes_with_files_and_damaged_links_are_refused() {
         let object = ObjectSpec { model: "mine.obj".into(), ..ObjectSpec::default() };
         let scene = SceneSettings { objects: vec![object], ..SceneSettings::default() };
-        assert!(of_scene(&scene).is_err_and(|why| why.contains("`mine.obj`")));
+        assert!(of_scene(&scene).is_err_and(|error| error.contains("`mine.obj`")));
         assert_eq!(scene_file("#about"), None);
         assert!(scene_file("#scene=????").is_some_and(|scene| scene.is_err()));
         assert!(scene_file("#scene=").is_some_and(|scene| scene.is_err()));

@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn the_case_that_is_asked_for_goes_first() {
+    fn an_exact_match_of_the_case_goes_first() {
         let mut files = files();
         files.insert("model/a.obj", b"small".to_vec());
         assert_eq!(text(&files, "model/a.obj").as_deref(), Ok("small"));

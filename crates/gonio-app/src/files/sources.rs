@@ -18,10 +18,10 @@ impl FileSource for Layered {
     fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
         match self.first.read_within(path, most) {
             // Errors of the first source are reported; files that it does not have may be in the second.
-            Err(why) if matches!(why.kind(), ErrorKind::NotFound | ErrorKind::IsADirectory) => self
+            Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::IsADirectory) => self
                 .then
                 .read_within(path, most)
-                .map_err(|other| if other.kind() == ErrorKind::NotFound { why } else { other }),
+                .map_err(|other| if other.kind() == ErrorKind::NotFound { error } else { other }),
             other => other,
         }
     }
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_hides_the_second_and_lacks_nothing_of_it() {
+    fn the_first_source_takes_precedence_over_the_second() {
         let first = one("a/sky.hdr", "new");
         let mut second = (*one("a/sky.hdr", "old")).clone();
         second.insert("a/cube.obj", b"cube".to_vec());
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_read_and_what_is_missing_is_remembered() {
+    fn read_and_missing_files_are_recorded() {
         let mut files = MemoryFiles::default();
         files.insert("a.obj", b"123".to_vec());
         let recording = ReadRecorder::new(Arc::new(files));
@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn it_waits_for_what_was_asked_for_too_early_and_for_nothing_else() {
+    fn it_waits_only_for_files_that_were_requested_too_early() {
         let fetching = Arc::new(Fetching(Mutex::new(Some("models/cube.mtl"))));
         let recording = ReadRecorder::new(fetching.clone());
         assert!(recording.builtin("models/cube.png").is_none());
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_read_once_more_is_counted_once() {
+    fn forgetting_resets_the_counts() {
         let mut files = MemoryFiles::default();
         files.insert("a.obj", b"123".to_vec());
         let recording = ReadRecorder::new(Arc::new(files));

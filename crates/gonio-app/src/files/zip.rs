@@ -116,7 +116,7 @@ pub fn unpack(bytes: &[u8]) -> Result<MemoryFiles, String> {
 /// out. An error is one sentence: among others, that the directory states more than the limits allow (which is found
 /// before anything is unpacked), or that a file unpacks to more than the directory states.
 pub fn unpack_within(bytes: &[u8], limits: &ZipLimits) -> Result<MemoryFiles, String> {
-    let mut wanted = Vec::new();
+    let mut requested = Vec::new();
     let mut total = 0;
     for entry in entries(bytes, limits.files)? {
         let name = String::from_utf8_lossy(&entry.name).into_owned();
@@ -134,10 +134,10 @@ pub fn unpack_within(bytes: &[u8], limits: &ZipLimits) -> Result<MemoryFiles, St
                 limits.bytes >> 20
             ));
         }
-        wanted.push((name, entry));
+        requested.push((name, entry));
     }
     let mut files = MemoryFiles::default();
-    for (name, entry) in wanted {
+    for (name, entry) in requested {
         files.insert(&name, entry.unpack(bytes)?);
     }
     Ok(files)
@@ -315,7 +315,7 @@ mod tests {
     }
 
     #[test]
-    fn cut_off_and_flipped_it_is_an_error_or_a_zip_but_never_worse() {
+    fn truncated_and_flipped_zip_files_never_panic() {
         let zip = example();
         for length in 0..zip.len() - 1 {
             assert!(unpack(&zip[..length]).is_err(), "cut at {length}");
@@ -331,13 +331,13 @@ mod tests {
     }
 
     #[test]
-    fn more_than_it_says_is_not_unpacked() {
+    fn no_more_is_unpacked_than_the_directory_states() {
         let mut zip = zip_of(&[("a.obj", &[0; 100_000], true)]);
         let directory = zip.windows(4).position(|w| w == ENTRY).unwrap_or_default();
         zip[directory + 24..directory + 28].copy_from_slice(&10_u32.to_le_bytes());
-        assert!(unpack(&zip).is_err_and(|why| why.contains("its size differs")));
+        assert!(unpack(&zip).is_err_and(|error| error.contains("its size differs")));
         zip[directory + 24..directory + 28].copy_from_slice(&0xf000_0000_u32.to_le_bytes());
-        assert!(unpack(&zip).is_err_and(|why| why.contains("1024 MiB")));
+        assert!(unpack(&zip).is_err_and(|error| error.contains("1024 MiB")));
     }
 
     #[test]
@@ -360,7 +360,7 @@ mod tests {
 
     /// All entries may be the same bytes of the zip: it is small, and what it states is large.
     #[test]
-    fn entries_that_overlap_count_each() {
+    fn overlapping_entries_are_counted_separately() {
         let one = zip_of(&[("a.obj", &[0; 1 << 20], true)]);
         let [directory, end] = [ENTRY, END].map(|magic| one.windows(4).position(|w| w == magic).unwrap_or_default());
         let entry = &one[directory..end];
@@ -374,10 +374,10 @@ mod tests {
     }
 
     #[test]
-    fn what_is_packed_is_unpacked_and_has_its_checksum() {
+    fn packed_files_can_be_unpacked_and_have_checksums() {
         let files = [("text.md", &b"123456789"[..]), ("host/one.txt", b""), ("\u{e9}.bin", &[0, 255, 10])];
         let packed = pack(&files);
-        let unpacked = unpack(&packed).unwrap_or_else(|why| panic!("{why}"));
+        let unpacked = unpack(&packed).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(unpacked.names().len(), 3);
         for (name, bytes) in files {
             assert_eq!(unpacked.read(Path::new(name)).map(|b| b.into_vec()).ok().as_deref(), Some(bytes), "{name}");

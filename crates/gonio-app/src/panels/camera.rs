@@ -211,7 +211,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn entries_are_as_wide_as_each_other() {
+    fn entries_have_the_same_width() {
         for v in [0.0, -0.0, 1.0, -1.0, 0.123456, -123.456, 9999.9, 123_456.0, -1e9] {
             assert_eq!(entry_text(v).chars().count(), 8, "{v}");
         }

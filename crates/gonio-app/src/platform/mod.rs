@@ -209,13 +209,13 @@ impl ByCheck {
 
 impl Pending<TrialOutcome> for ByCheck {
     fn poll(&mut self) -> Option<TrialOutcome> {
-        let why = match self.0.poll()? {
+        let reason = match self.0.poll()? {
             Ok(Verdict { verdict: Outcome::Correct | Outcome::Wrong | Outcome::DoesNotCompile, .. }) => {
                 return Some(TrialOutcome::Harmless);
             }
             Ok(verdict) => verdict.summary,
-            Err(why) => why,
+            Err(reason) => reason,
         };
-        Some(TrialOutcome::Refused(format!("This shader is not drawn because it may never finish: {why}")))
+        Some(TrialOutcome::Refused(format!("This shader is not drawn because it may never finish: {reason}")))
     }
 }

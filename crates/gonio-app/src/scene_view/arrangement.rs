@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_stand_where_their_colours_are() {
+    fn labels_are_beside_their_colours() {
         let scale = Scale { full_scale: 16.0, signed: false };
         let marks: Vec<String> = scale.marks().into_iter().map(|(_, text)| text).collect();
         assert_eq!(marks, ["0", "4", "8", "12", "16"]);

@@ -56,8 +56,8 @@ impl Rig {
     /// A direction turned about the world's up and, not beyond the pole, towards it.
     fn turned(&self, direction: DVec3, yaw_rad: f64, pitch_rad: f64) -> DVec3 {
         let from_up = direction.angle_between(self.world_up);
-        let wanted = (from_up - pitch_rad).clamp(FROM_THE_POLE, std::f64::consts::PI - FROM_THE_POLE);
-        let tilt = DQuat::from_axis_angle(self.camera.right, from_up - wanted);
+        let requested = (from_up - pitch_rad).clamp(FROM_THE_POLE, std::f64::consts::PI - FROM_THE_POLE);
+        let tilt = DQuat::from_axis_angle(self.camera.right, from_up - requested);
         DQuat::from_axis_angle(self.world_up, yaw_rad) * (tilt * direction)
     }
 
@@ -244,9 +244,9 @@ fn fly(ui: &Ui, response: &Response, rig: &mut Rig, extent: f64) -> bool {
 }
 
 /// Whether a key alone went down in this frame. It may be up again by now: on a slow machine it counts nevertheless.
-fn tapped(input: &InputState, wanted: Key) -> bool {
+fn tapped(input: &InputState, requested: Key) -> bool {
     input.events.iter().any(|event| match event {
-        Event::Key { key, pressed: true, modifiers, .. } => *key == wanted && !modifiers.any(),
+        Event::Key { key, pressed: true, modifiers, .. } => *key == requested && !modifiers.any(),
         _ => false,
     })
 }
@@ -327,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn it_looks_along_every_axis_and_the_aim_stays() {
+    fn looking_along_an_axis_keeps_the_target() {
         for axis in DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]) {
             let before = rig();
             let mut after = before;
@@ -342,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn nobody_flies_over_the_pole() {
+    fn an_orbit_stops_at_the_pole() {
         let mut up = rig();
         for _ in 0..100 {
             up.orbit(0.0, 0.3);
@@ -352,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn zooming_keeps_what_is_under_the_pointer() {
+    fn zooming_keeps_the_point_under_the_pointer() {
         let mut rig = rig();
         let direction = (rig.camera.front + 0.2 * rig.camera.right + 0.1 * rig.camera.up).normalize();
         let distance = rig.distance() / direction.dot(rig.camera.front);

@@ -188,8 +188,8 @@ mod tests {
     /// The whole frustum and all objects are in the inset, however it is turned.
     #[test]
     fn it_shows_the_whole_frustum() {
-        let described = load::describe(&["builtin:still-life"], &Disk).unwrap_or_else(|why| panic!("{why}"));
-        let loaded = load::load(described, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
+        let described = load::describe(&["builtin:still-life"], &Disk).unwrap_or_else(|error| panic!("{error}"));
+        let loaded = load::load(described, Path::new(""), &Disk).unwrap_or_else(|error| panic!("{error}"));
         let frame = loaded.frame(0.0);
         let rect = Rect::from_min_size(pos2(10.0, 20.0), vec2(300.0, 230.0));
         for yaw in [0.0, 0.9, 2.5, 4.4] {

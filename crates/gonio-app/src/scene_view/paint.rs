@@ -100,7 +100,7 @@ mod tests {
 
     /// Anything else would be shown with a row or a column doubled or left out.
     #[test]
-    fn a_picture_is_as_large_as_egui_makes_room_for() {
+    fn a_picture_has_the_size_of_eguis_viewport() {
         let mut fractional = 0;
         for step in 0..400 {
             let pixels_per_point = [1.0, 1.25, 1.5, 2.0, 1.1][step % 5];

@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_message_stays_until_it_is_read_and_is_said_once() {
+    fn messages_stay_until_dismissed_and_repeats_are_counted() {
         let mut messages = Messages::default();
         messages.say(MessageSeverity::Error, "no such file");
         messages.say(MessageSeverity::Error, "no such file");

@@ -212,8 +212,8 @@ mod tests {
     use std::path::Path;
 
     fn still_life() -> Arc<Scene> {
-        let described = load::describe(&["builtin:still-life"], &Disk).unwrap_or_else(|why| panic!("{why}"));
-        Arc::new(load::load(described, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}")))
+        let described = load::describe(&["builtin:still-life"], &Disk).unwrap_or_else(|error| panic!("{error}"));
+        Arc::new(load::load(described, Path::new(""), &Disk).unwrap_or_else(|error| panic!("{error}")))
     }
 
     /// Frames until the reading is there; the thread has as many as it needs.
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn its_numbers_are_the_reference_s() {
+    fn its_numbers_are_those_of_the_reference() {
         let loaded = still_life();
         let frame = Frame { width: 200, height: 120, ..loaded.frame(0.0) };
         let mut probing = Probing { pinned: Some([0.5, 0.55]), ..Probing::default() };

@@ -39,7 +39,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_latest_comes_first_and_once() {
+    fn recent_files_are_listed_once_latest_first() {
         let mut settings = Settings::default();
         for number in 0..20 {
             settings.opened(format!("{}.obj", number % 10));
@@ -49,7 +49,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_comes_back_and_damage_is_nothing() {
+    fn settings_survive_a_round_trip_and_damaged_ones_are_defaults() {
         let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()] };
         assert_eq!(Settings::from_text(&settings.to_text()), settings);
         assert_eq!(Settings::from_text("{\"dark\": 3}"), Settings::default());

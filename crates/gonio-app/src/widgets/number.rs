@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_typed_is_read_with_comma_and_unit() {
+    fn typed_numbers_may_have_comma_and_unit() {
         assert_eq!(parsed(" 1,5 "), Some(1.5));
         assert_eq!(parsed("45\u{b0}"), Some(45.0));
         assert_eq!(parsed("2 s"), Some(2.0));
@@ -314,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn digits_stand_in_groups_of_three() {
+    fn digits_are_grouped_by_three() {
         let numbers = [(0, "0"), (999, "999"), (1000, "1 000"), (12345, "12 345"), (1_234_567, "1 234 567")];
         for (number, text) in numbers {
             assert_eq!(grouped(number, SPACE), text);

@@ -20,7 +20,7 @@ fn shows(bench: &Bench, text: &str) -> bool {
 
 /// Before anybody moves it, and in a pane that has no sphere of its own.
 #[test]
-fn the_sphere_begins_with_the_scenes_triangles() {
+fn the_slider_starts_at_the_scenes_triangles() {
     for triangles in [128, 8192] {
         let bench = Bench::new(&format!("builtin:sphere-{triangles}"), Tab::Compare);
         assert_eq!(bench.widget("pane-sphere").value, triangles.to_string());
@@ -28,7 +28,7 @@ fn the_sphere_begins_with_the_scenes_triangles() {
 }
 
 #[test]
-fn presets_make_the_panes_of_a_lecture() {
+fn presets_create_their_panes() {
     let mut bench = bench();
     bench.click("preset-shadings");
     let shadings: Vec<_> = bench.document().panes.list.iter().map(|pane| pane.shading).collect();
@@ -49,7 +49,7 @@ fn presets_make_the_panes_of_a_lecture() {
 }
 
 #[test]
-fn panes_are_added_chosen_and_taken_away() {
+fn panes_are_added_selected_and_removed() {
     let mut bench = bench();
     bench.click("preset-speculars");
     bench.click("choose-pane-1");
@@ -84,7 +84,7 @@ fn an_arrangement_is_chosen_and_its_numbers_are_shown() {
 }
 
 #[test]
-fn the_curve_is_asked_for_and_stopped() {
+fn the_curve_is_started_and_stopped() {
     let mut bench = bench();
     bench.click("curve");
     assert!(bench.app().session.comparison.curve.running);

@@ -10,7 +10,7 @@ use gonio_scene::ViewSpec;
 use gonio_scene::scene_file::{LightSourceKind, MotionKind, Normals, Shading};
 
 #[test]
-fn yaw_and_pitch_turn_the_eye_where_it_stands() {
+fn yaw_and_pitch_turn_the_camera_in_place() {
     let mut bench = Bench::new("builtin:suzanne", Tab::Camera);
     let before = bench.document().scene.camera.to_camera();
     bench.type_into("camera-yaw", "-90");
@@ -78,7 +78,7 @@ fn a_quantity_of_one_light_is_chosen() {
 }
 
 #[test]
-fn an_environment_comes_is_turned_and_goes() {
+fn an_environment_is_selected_rotated_and_removed() {
     let mut bench = Bench::new("builtin:suzanne", Tab::Picture);
     assert!(bench.document().scene.environment.is_none());
     bench.click("environment");
@@ -130,7 +130,7 @@ fn shading_and_place_are_edited() {
 }
 
 #[test]
-fn a_material_shows_the_file_until_it_is_changed_and_goes_back() {
+fn a_material_shows_the_files_values_until_changed_and_after_a_reset() {
     let mut bench = Bench::new("builtin:suzanne", Tab::Objects);
     bench.click("object-0");
     let file = bench.app().session.loaded.as_ref().map(|l| f64::from(l.materials_in_file(0)[0].shininess));
@@ -149,7 +149,7 @@ fn a_material_shows_the_file_until_it_is_changed_and_goes_back() {
 }
 
 #[test]
-fn a_body_of_glass() {
+fn refraction_values_are_edited_and_reset() {
     let mut bench = Bench::new("builtin:glass-and-mirror", Tab::Objects);
     bench.click("object-0");
     bench.type_into("object-0-refraction-index", "1.2");
@@ -159,7 +159,7 @@ fn a_body_of_glass() {
 }
 
 #[test]
-fn a_sample_is_added_copied_and_taken_out() {
+fn sample_models_are_added_duplicated_and_removed() {
     let mut bench = Bench::new("builtin:suzanne", Tab::Objects);
     bench.click("add-object");
     assert!(!bench.has("add-object-lab-07"), "a scene is no model");
@@ -178,7 +178,7 @@ fn a_sample_is_added_copied_and_taken_out() {
 }
 
 #[test]
-fn an_object_is_looked_at() {
+fn framing_an_object_targets_its_centre() {
     let mut bench = Bench::new("builtin:three-spheres", Tab::Objects);
     bench.click("object-2");
     bench.click("object-2-frame");
@@ -192,7 +192,7 @@ fn an_object_is_looked_at() {
 const SCENE: &str = "builtin:light-kinds";
 
 #[test]
-fn a_light_goes_off_and_the_frame_is_dark_of_it() {
+fn a_light_that_is_switched_off_is_black_in_the_frame() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
     let index = bench.document().scene.lights.iter().position(|l| l.kind == LightSourceKind::Point).unwrap_or(0);
     bench.click(&format!("light-{index}-on"));
@@ -239,7 +239,7 @@ fn a_number_is_typed_dragged_and_reset() {
 }
 
 #[test]
-fn every_kind_can_be_added_and_taken_out() {
+fn lights_of_every_kind_are_added_and_removed() {
     for kind in LightSourceKind::ALL {
         let mut bench = Bench::new("builtin:suzanne", Tab::Lights);
         let before = bench.document().scene.lights.len();
@@ -274,7 +274,7 @@ fn a_light_becomes_each_kind_from_each_kind() {
 }
 
 #[test]
-fn what_is_looked_at_follows_its_light() {
+fn debug_views_follow_their_light() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
     let quantity = gonio_light::Quantity::Attenuation;
     if let Some(pane) = bench.app().document.panes.current_mut() {

@@ -82,7 +82,7 @@ impl Platform for Here {
         std::mem::take(&mut *self.coming.borrow_mut())
     }
     fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String> {
-        std::fs::write(place, bytes).map(|()| place.to_owned()).map_err(|why| why.to_string())
+        std::fs::write(place, bytes).map(|()| place.to_owned()).map_err(|error| error.to_string())
     }
     fn link(&self, fragment: &str) -> String {
         fragment.to_owned()
@@ -111,7 +111,7 @@ impl Platform for Here {
             let files = request.files.into_iter().map(|(name, bytes)| SourceFile { name, bytes }).collect();
             let options = gonio_check::CheckOptions { pair: None, as_the_lab: request.as_the_lab };
             let verdict = gonio_exercises::check(&mut Checker::new(context.gl()), exercise, files, &options);
-            let _ = sender.send(verdict.map(|(verdict, _)| verdict).map_err(|why| why.to_string()));
+            let _ = sender.send(verdict.map(|(verdict, _)| verdict).map_err(|error| error.to_string()));
             ctx.request_repaint();
         });
         Box::new(Thread(receiver))
@@ -131,7 +131,7 @@ pub struct Window {
 impl Window {
     /// In a window of this size, in points, with a model or a scene that is being read.
     pub fn with(input: &str, size: Vec2) -> Self {
-        let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+        let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
         let (gl, input) = (context.gl().clone(), input.to_owned());
         let here = Here::default();
         let platform = here.clone();

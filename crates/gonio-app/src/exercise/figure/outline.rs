@@ -135,7 +135,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_arc_lies_on_its_circle_and_ends_where_it_should() {
+    fn an_arc_lies_on_its_circle_and_ends_at_its_end_point() {
         // A quarter around (0, 0) from right to down, which is clockwise where y points down.
         for (d, center, middle) in [
             ("M10 0A10 10 0 0 1 0 10", pos2(0.0, 0.0), pos2(7.071, 7.071)),
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn curves_are_closed_and_what_is_not_known_is_refused() {
+    fn curves_are_closed_and_unknown_commands_refused() {
         let (points, closed) = flattened("M0 0Q10 10 20 0Q10 -10 0 0Z").unwrap();
         assert!(closed && points[PIECES / 2].distance(pos2(10.0, 5.0)) < 1e-3, "{points:?}");
         assert!(flattened("M0 0C1 1 2 2 3 3").is_none() && flattened("m0 0l1 1").is_none() && flattened("").is_none());
@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn the_inside_has_the_area_that_it_has_on_paper() {
+    fn the_inside_has_the_expected_area() {
         // An arrow head with a notch: a triangle of 200 less one of 50.
         let notched = points(&[[0.0, 0.0], [20.0, 10.0], [0.0, 20.0], [5.0, 10.0]]);
         assert!(!is_convex(&notched));

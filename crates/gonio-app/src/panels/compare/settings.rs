@@ -49,10 +49,10 @@ fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut O
     let known = value.and_then(|v| all.iter().find(|(other, _)| *other == v));
     let chosen = known.map_or(AS_SCENE.to_owned(), |(_, name)| name.clone());
     let combo = ComboBox::from_id_salt(id).width(170.0).selected_text(chosen.clone()).show_ui(ui, |ui| {
-        let mut entry = |wanted: Option<T>, name: &str| {
-            let response = ui.selectable_value(value, wanted, name);
+        let mut entry = |requested: Option<T>, name: &str| {
+            let response = ui.selectable_value(value, requested, name);
             let of_entry = format!("{id}-{}", slug(name));
-            exported::note(ui, &response, &of_entry, WidgetRole::Choice, name, *value == wanted);
+            exported::note(ui, &response, &of_entry, WidgetRole::Choice, name, *value == requested);
         };
         entry(None, AS_SCENE);
         for (other, name) in &all {

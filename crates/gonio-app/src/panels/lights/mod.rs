@@ -36,17 +36,17 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     if session.loaded.is_none() {
         return;
     }
-    let mut wanted = None;
+    let mut requested = None;
     for index in 0..document.scene.lights.len() {
         ui.push_id(index, |ui| {
             row(ui, document, session, index);
             if session.selection == Selection::Light(index) {
                 let asked = details::show(ui, document, session, index);
-                wanted = wanted.take().or(asked);
+                requested = requested.take().or(asked);
             }
         });
     }
-    if let Some(edit) = wanted {
+    if let Some(edit) = requested {
         edits::apply(document, session, edit);
     }
     if document.scene.lights.is_empty() {

@@ -21,18 +21,18 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         return;
     }
     let count = document.scene.objects.len();
-    let mut wanted = None;
+    let mut requested = None;
     for index in 0..count {
         ui.push_id(index, |ui| {
             let selected = session.selection == Selection::Object(index);
             title(ui, document, session, loaded.as_deref(), index, selected);
             if selected {
                 let asked = details(ui, document, loaded.as_deref(), index, count);
-                wanted = wanted.take().or(asked);
+                requested = requested.take().or(asked);
             }
         });
     }
-    if let Some(edit) = wanted {
+    if let Some(edit) = requested {
         apply(document, session, edit);
     }
     add(ui, document, session);

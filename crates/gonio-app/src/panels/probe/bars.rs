@@ -109,8 +109,8 @@ mod tests {
     #[test]
     fn the_bars_add_up_to_the_light() {
         for input in ["builtin:still-life", "builtin:sphere-smooth"] {
-            let described = load::describe(&[input], &Disk).unwrap_or_else(|why| panic!("{why}"));
-            let loaded = load::load(described, Path::new(""), &Disk).unwrap_or_else(|why| panic!("{why}"));
+            let described = load::describe(&[input], &Disk).unwrap_or_else(|error| panic!("{error}"));
+            let loaded = load::load(described, Path::new(""), &Disk).unwrap_or_else(|error| panic!("{error}"));
             let frame = Frame { width: 60, height: 40, samples: 1, ..loaded.frame(0.0) };
             let probe = ReferenceScene::new(&loaded).probe(&frame, 30, 20);
             let probe = probe.unwrap_or_else(|| panic!("{input}: the middle is hit"));

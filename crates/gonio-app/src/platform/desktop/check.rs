@@ -28,7 +28,7 @@ pub fn begin(
         ..WorkerRequest::default()
     };
     let worker =
-        worker::start(program, request, true).map_err(|why| format!("the check could not be started: {why}"))?;
+        worker::start(program, request, true).map_err(|error| format!("the check could not be started: {error}"))?;
     let ctx = ctx.clone();
     Ok(BackgroundTask::start(
         move |is_stopped| worker.wait(PATIENCE, is_stopped).map(|answer| answer.verdict),
@@ -107,10 +107,10 @@ mod tests {
     }
 
     #[test]
-    fn a_check_without_a_verdict_is_a_sentence() {
-        let said = |program| ask(program).map_err(|why| why.split(':').next().unwrap_or("").to_owned());
-        assert_eq!(said("/nowhere/gonio"), Err("the check could not be started".into()));
-        assert_eq!(said("/bin/echo"), Err("the answer of the check could not be understood".into()));
+    fn a_check_without_a_verdict_is_an_error_of_one_sentence() {
+        let message = |program| ask(program).map_err(|error| error.split(':').next().unwrap_or("").to_owned());
+        assert_eq!(message("/nowhere/gonio"), Err("the check could not be started".into()));
+        assert_eq!(message("/bin/echo"), Err("the answer of the check could not be understood".into()));
     }
 
     fn wait<T>(mut pending: impl Pending<T>) -> T {
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn work_is_asked_to_stop_when_it_is_dropped() {
+    fn dropping_the_task_stops_its_work() {
         let (sender, ended) = channel();
         let work = BackgroundTask::start(
             move |is_stopped| {

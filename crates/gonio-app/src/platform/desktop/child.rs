@@ -56,9 +56,9 @@ pub fn wait(child: &mut Child, patience: Duration, given_up: impl Fn() -> bool) 
         match child.try_wait() {
             Ok(Some(status)) => return Ok(Ended::ByItself(status)),
             Ok(None) => {}
-            Err(why) => {
+            Err(error) => {
                 stop(child);
-                return Err(why);
+                return Err(error);
             }
         }
         let now = Instant::now();
@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     #[cfg(target_os = "linux")]
-    fn what_takes_too_much_memory_or_time_is_stopped() {
+    fn too_much_memory_or_time_stops_the_process() {
         const MINUTE: Duration = Duration::from_secs(60);
         // A shell that doubles a word until it is stopped.
         let doubles = "a=xxxxxxxx; while :; do a=$a$a; done";
@@ -121,8 +121,8 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_there_is_not_started() {
-        let found = command(Path::new("/nowhere/gonio")).map_err(|why| why.kind());
+    fn a_missing_program_is_not_started() {
+        let found = command(Path::new("/nowhere/gonio")).map_err(|error| error.kind());
         assert_eq!(found.err(), Some(std::io::ErrorKind::NotFound));
     }
 }

@@ -55,9 +55,9 @@ fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>)
     let ctx = ctx.clone();
     std::thread::spawn(move || {
         // A dialog that was closed answers nothing; so does one that could not be shown.
-        let said = command.output().map(|output| output.stdout).unwrap_or_default();
-        let said = String::from_utf8_lossy(&said);
-        answer(said.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect());
+        let output = command.output().map(|finished| finished.stdout).unwrap_or_default();
+        let output = String::from_utf8_lossy(&output);
+        answer(output.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect());
         ctx.request_repaint();
     });
     FileDialog::Opened

@@ -87,7 +87,7 @@ impl DraftFolder {
 
     /// This window's folder, which is created on first use.
     fn session(&mut self) -> Result<&WindowFolder, String> {
-        let failed = |why: Error| format!("a folder in `{}` could not be created: {why}", self.root.display());
+        let failed = |error: Error| format!("a folder in `{}` could not be created: {error}", self.root.display());
         match &mut self.own {
             Some(own) => Ok(own),
             own => Ok(own.insert(WindowFolder::new(&self.root).map_err(failed)?)),
@@ -150,7 +150,7 @@ impl WindowFolder {
             let folder = root.join(format!("{process}-{number}"));
             match fs::create_dir(&folder) {
                 // Of an earlier process with the same number, or of this one.
-                Err(why) if why.kind() == ErrorKind::AlreadyExists => {}
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
                 made => {
                     made?;
                     let lock = File::create(folder.join(LOCK))?;
@@ -168,7 +168,7 @@ impl WindowFolder {
         let lock = File::options().write(true).open(folder.join(LOCK)).ok()?;
         match lock.try_lock() {
             Ok(()) => Some(WindowFolder { folder, _lock: lock }),
-            Err(fs::TryLockError::Error(why)) if why.kind() == ErrorKind::Unsupported => {
+            Err(fs::TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {
                 Some(WindowFolder { folder, _lock: lock })
             }
             Err(_) => None,
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn a_draft_of_a_window_that_is_gone_is_taken_once_and_none_of_a_living_one() {
+    fn drafts_are_taken_once_and_only_from_closed_windows() {
         let root = Root::new("taken");
         let mut alive = root.window();
         alive.keep("a", "of the living").unwrap();
@@ -251,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn the_newest_comes_first_and_none_is_lost() {
+    fn the_newest_draft_comes_first_and_none_is_lost() {
         let root = Root::new("newest");
         let set_age = |folder: &Path, name: &str, age: u64| {
             let time = SystemTime::now() - Duration::from_secs(age);
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_saved_leaves_nothing_behind() {
+    fn saved_text_leaves_no_draft_folder() {
         let root = Root::new("saved");
         let mut window = root.window();
         for text in ["one", "two"] {
@@ -304,11 +304,11 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_that_cannot_be_made_is_one_sentence() {
+    fn a_folder_that_cannot_be_created_is_an_error() {
         let root = Root::new("file");
         fs::write(&root.0, "a file").unwrap();
-        let why = root.window().keep("a", "text").unwrap_err();
-        assert!(why.contains("could not be created") && !why.contains('\n'), "{why}");
+        let error = root.window().keep("a", "text").unwrap_err();
+        assert!(error.contains("could not be created") && !error.contains('\n'), "{error}");
         assert_eq!(root.window().take("a"), None);
         fs::remove_file(&root.0).unwrap();
     }

@@ -180,7 +180,7 @@ impl Platform for Desktop {
         };
         match begun {
             Ok(checking) => Box::new(checking),
-            Err(why) => Box::new(Ready::new(Err(why))),
+            Err(error) => Box::new(Ready::new(Err(error))),
         }
     }
 
@@ -196,7 +196,7 @@ impl Platform for Desktop {
         };
         match begun {
             Ok(trial) => Box::new(trial),
-            Err(why) => Box::new(Ready::new(TrialOutcome::Unavailable(why))),
+            Err(error) => Box::new(Ready::new(TrialOutcome::Unavailable(error))),
         }
     }
 
@@ -232,8 +232,8 @@ impl Platform for Desktop {
 
     fn publish(&mut self, state: &dyn Fn() -> Value) {
         let Some(file) = &self.state else { return };
-        if let Err(why) = storage::write_atomically(file, state().to_string().as_bytes()) {
-            let _ = self.sender.send(Event::Failed(why));
+        if let Err(error) = storage::write_atomically(file, state().to_string().as_bytes()) {
+            let _ = self.sender.send(Event::Failed(error));
             self.state = None;
         }
     }
@@ -282,11 +282,11 @@ fn check_libraries() -> Result<(), String> {
 }
 
 /// An error of eframe as one sentence.
-fn window_error(why: eframe::Error) -> String {
+fn window_error(error: eframe::Error) -> String {
     let packages =
         "on Debian and Ubuntu: apt-get install libgl1-mesa-dri libegl1 libxcursor1 libxi6 libxkbcommon-x11-0";
-    let words = why.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
-    match why {
+    let words = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+    match error {
         eframe::Error::AppCreation(_) => format!("the window could not be opened: {words}"),
         eframe::Error::Glutin(_) | eframe::Error::NoGlutinConfigs(..) | eframe::Error::OpenGL(_) => {
             format!("the window has no OpenGL ({words}); {packages}; {INSTEAD}")
@@ -311,7 +311,7 @@ mod tests {
             &self.0
         }
         fn bytes(&self) -> Result<Vec<u8>, String> {
-            std::fs::read(&self.0).map_err(|why| why.to_string())
+            std::fs::read(&self.0).map_err(|error| error.to_string())
         }
     }
 
@@ -328,11 +328,11 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_dropped_goes_to_where_files_are_wanted() {
+    fn dropped_files_go_to_the_scene_or_the_exercise() {
         let path = std::env::temp_dir().join(format!("gonio-dropped-{}.obj", std::process::id()));
         std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-        let Event::Open(given) = dropped(&path, Purpose::Scene) else { panic!("no model") };
-        assert_eq!(given.inputs, [path.to_string_lossy()]);
+        let Event::Open(input) = dropped(&path, Purpose::Scene) else { panic!("no model") };
+        assert_eq!(input.inputs, [path.to_string_lossy()]);
         let Event::ExerciseFiles(files) = dropped(&path, Purpose::Exercise) else { panic!("no file") };
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
         let bytes = std::fs::read(&path).unwrap();

@@ -38,9 +38,9 @@ fn scene_input(paths: Vec<String>, access: Access) -> Result<SceneInput, String>
             continue;
         }
         let bytes =
-            disk.read_within(Path::new(&path), left).map_err(|why| format!("`{path}` cannot be read: {why}"))?;
+            disk.read_within(Path::new(&path), left).map_err(|error| format!("`{path}` cannot be read: {error}"))?;
         let unpacked = zip::unpack_within(&bytes, &zip::ZipLimits::MODELS.within(left));
-        let unpacked = unpacked.map_err(|why| format!("`{path}`: {why}"))?;
+        let unpacked = unpacked.map_err(|error| format!("`{path}`: {error}"))?;
         left -= unpacked.total_bytes().min(left);
         memory.add_all(unpacked);
     }
@@ -92,30 +92,30 @@ fn read_exercise_files(paths: &[String]) -> Result<Vec<ExerciseFile>, String> {
 
 /// A file, or what a zip holds.
 fn read_one(path: &Path, files: &mut Vec<ExerciseFile>) -> Result<(), String> {
-    let told = |why: std::io::Error| format!("`{}` cannot be read: {why}", path.display());
-    let size = std::fs::metadata(path).map_err(told)?.len();
+    let failed = |error: std::io::Error| format!("`{}` cannot be read: {error}", path.display());
+    let size = std::fs::metadata(path).map_err(failed)?.len();
     if size > MOST_BYTES {
         return Err(format!("`{}` is too large for an exercise: {} MB", path.display(), size / 1_000_000));
     }
-    let bytes = Disk.read_within(path, MOST_BYTES).map_err(told)?.into_vec();
+    let bytes = Disk.read_within(path, MOST_BYTES).map_err(failed)?.into_vec();
     if zip::is_zip(&bytes) {
         let unpacked = zip::unpack_within(&bytes, &zip::ZipLimits::SUBMISSION)
-            .map_err(|why| format!("`{}`: {why}", path.display()))?;
+            .map_err(|error| format!("`{}`: {error}", path.display()))?;
         for name in unpacked.names() {
-            let bytes = unpacked.read(Path::new(&name)).map_err(told)?.to_vec();
+            let bytes = unpacked.read(Path::new(&name)).map_err(failed)?.to_vec();
             files.push(ExerciseFile { name, path: None, bytes });
         }
         return Ok(());
     }
     let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    files.push(ExerciseFile { name, path: Some(std::path::absolute(path).map_err(told)?), bytes });
+    files.push(ExerciseFile { name, path: Some(std::path::absolute(path).map_err(failed)?), bytes });
     Ok(())
 }
 
 /// The files of a folder, in order, but for hidden ones, for links, which may lead anywhere, and for those too large.
 fn read_folder(top: &Path, folder: &Path, files: &mut Vec<ExerciseFile>, depth: usize) -> Result<(), String> {
-    let told = |why: std::io::Error| format!("`{}` cannot be read: {why}", folder.display());
-    let entries = std::fs::read_dir(folder).map_err(told)?;
+    let failed = |error: std::io::Error| format!("`{}` cannot be read: {error}", folder.display());
+    let entries = std::fs::read_dir(folder).map_err(failed)?;
     let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
     paths.sort();
     for path in paths {
@@ -129,7 +129,7 @@ fn read_folder(top: &Path, folder: &Path, files: &mut Vec<ExerciseFile>, depth: 
             }
         } else if std::fs::metadata(&path).is_ok_and(|data| data.is_file() && data.len() <= MOST_BYTES) {
             let read = Disk.read_within(&path, MOST_BYTES);
-            let bytes = read.map_err(|why| format!("`{}` cannot be read: {why}", path.display()))?.into_vec();
+            let bytes = read.map_err(|error| format!("`{}` cannot be read: {error}", path.display()))?.into_vec();
             let name = path.strip_prefix(top).unwrap_or(&path).to_string_lossy().into_owned();
             files.push(ExerciseFile { name, path: Some(std::path::absolute(&path).unwrap_or(path)), bytes });
         }
@@ -143,8 +143,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_given_is_confined_to_its_folder_where_that_is_wanted() {
-        let folder = std::env::temp_dir().join(format!("gonio-given-{}", std::process::id()));
+    fn the_sandbox_confines_files_to_their_folder() {
+        let folder = std::env::temp_dir().join(format!("gonio-opened-{}", std::process::id()));
         std::fs::create_dir_all(folder.join("in")).unwrap();
         let [model, secret] = ["in/m.obj", "secret.mtl"].map(|name| folder.join(name));
         std::fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn folders_are_read_with_what_is_in_them_and_what_is_not_there_is_said() {
+    fn folders_are_read_and_missing_ones_are_errors() {
         let folder = std::env::temp_dir().join(format!("gonio-handed-{}", std::process::id()));
         std::fs::create_dir_all(folder.join("src")).unwrap();
         for (name, text) in [("src/light.frag", "f"), ("a.vert", "v"), (".hidden", "h")] {
@@ -171,12 +171,13 @@ mod tests {
         assert_eq!(names, ["a.vert", "src/light.frag", "a.vert"]);
         assert_eq!(read_all[1].path, Some(folder.join("src/light.frag")));
         assert!(
-            read_exercise_files(&[text(&folder.join("none"))]).is_err_and(|why| why.contains("none` cannot be read"))
+            read_exercise_files(&[text(&folder.join("none"))])
+                .is_err_and(|error| error.contains("none` cannot be read"))
         );
         std::fs::create_dir_all(folder.join("empty")).unwrap();
         assert!(
             read_exercise_files(&[text(&folder.join("empty"))])
-                .is_err_and(|why| why.starts_with("there are no files in"))
+                .is_err_and(|error| error.starts_with("there are no files in"))
         );
         std::fs::remove_dir_all(&folder).unwrap();
     }

@@ -33,32 +33,32 @@ fn folder() -> Option<PathBuf> {
 /// Writes beside the place and then renames: who looks meanwhile sees the old file or the new one, and what fails leaves
 /// the old one. An error is one sentence.
 pub fn write_atomically(place: &Path, bytes: &[u8]) -> Result<(), String> {
-    let told = |why: Error| format!("`{}` could not be written: {}", place.display(), reason(&why));
+    let failed = |error: Error| format!("`{}` could not be written: {}", place.display(), reason(&error));
     if place.is_dir() {
-        return Err(told(ErrorKind::IsADirectory.into()));
+        return Err(failed(ErrorKind::IsADirectory.into()));
     }
-    let name = place.file_name().ok_or_else(|| told(ErrorKind::InvalidFilename.into()))?;
+    let name = place.file_name().ok_or_else(|| failed(ErrorKind::InvalidFilename.into()))?;
     let mut hidden = OsString::from(".");
     hidden.push(name);
     hidden.push(format!(".{}.part", std::process::id()));
     let beside = place.with_file_name(hidden);
     let written =
         File::create(&beside).and_then(|mut file| file.write_all(bytes)).and_then(|()| std::fs::rename(&beside, place));
-    written.map_err(|why| {
+    written.map_err(|error| {
         // It may never have been there.
         let _ = std::fs::remove_file(&beside);
-        told(why)
+        failed(error)
     })
 }
 
-fn reason(why: &Error) -> String {
-    match why.kind() {
+fn reason(error: &Error) -> String {
+    match error.kind() {
         ErrorKind::NotFound => "no such folder: create it, or choose another".into(),
         ErrorKind::PermissionDenied => "permission denied: choose another folder".into(),
         ErrorKind::IsADirectory => "this is a folder: add a file name".into(),
         ErrorKind::InvalidFilename => "the file name is missing".into(),
         ErrorKind::StorageFull => "the disk is full".into(),
-        _ => format!("{why}: choose another place"),
+        _ => format!("{error}: choose another place"),
     }
 }
 
@@ -75,9 +75,9 @@ mod tests {
             write_atomically(&place, content.as_bytes()).unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(std::fs::read_to_string(&place).unwrap_or_default(), content);
         }
-        assert!(write_atomically(&folder, b"x").is_err_and(|why| why.contains("this is a folder")));
+        assert!(write_atomically(&folder, b"x").is_err_and(|error| error.contains("this is a folder")));
         let nowhere = folder.join("none").join("a.png");
-        assert!(write_atomically(&nowhere, b"x").is_err_and(|why| why.contains("no such folder")));
+        assert!(write_atomically(&nowhere, b"x").is_err_and(|error| error.contains("no such folder")));
         let names = std::fs::read_dir(&folder).map(|entries| entries.count()).unwrap_or_default();
         assert_eq!(names, 1);
         std::fs::remove_dir_all(&folder).unwrap_or_else(|e| panic!("{e}"));

@@ -176,7 +176,7 @@ mod tests {
 
     #[test]
     #[cfg(unix)]
-    fn a_crash_is_one_sentence_and_nothing_else_is_taken_for_one() {
+    fn only_crashes_are_reported_as_crashes() {
         for script in ["kill -SEGV $$", "kill -ABRT $$", "exit 101"] {
             let why = refused(script);
             assert!(why.contains("crashed the process that tests it") && !why.contains('\n'), "{why}");
@@ -201,12 +201,12 @@ mod tests {
 
     #[test]
     #[cfg(target_os = "linux")]
-    fn too_much_memory_is_one_sentence() {
+    fn a_trial_that_uses_too_much_memory_is_refused() {
         assert!(refused("a=xxxxxxxx; while :; do a=$a$a; done").contains("more than 1 GB of memory"));
     }
 
     #[test]
-    fn a_process_that_was_stopped_says_what_for() {
+    fn a_stopped_process_has_an_outcome() {
         let TrialOutcome::Refused(why) = stopped(Ended::TooLong) else { panic!("it counts as harmless") };
         assert!(why.contains("within 15 seconds"), "{why}");
         assert!(matches!(stopped(Ended::GivenUp), TrialOutcome::Unavailable(_)));

@@ -102,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_is_told_once_and_when_it_has_settled() {
+    fn a_changed_file_is_reported_once_it_has_settled() {
         let folder = std::env::temp_dir().join(format!("gonio-watch-{}", std::process::id()));
         std::fs::create_dir_all(&folder).unwrap_or_else(|e| panic!("{e}"));
         let [old, new] = ["old.mtl", "new.mtl"].map(|name| folder.join(name));
@@ -118,9 +118,9 @@ mod tests {
         write(&old, "12");
         assert!(look(&mut files).is_empty(), "it may still be written to");
         assert_eq!(look(&mut files), std::slice::from_ref(&old));
-        assert!(look(&mut files).is_empty(), "it was told");
+        assert!(look(&mut files).is_empty(), "it was reported once");
         std::fs::remove_file(&old).unwrap_or_else(|e| panic!("{e}"));
-        assert!(look(&mut files).is_empty() && look(&mut files).is_empty(), "gone is no change");
+        assert!(look(&mut files).is_empty() && look(&mut files).is_empty(), "a missing file is not a change");
         write(&old, "12345");
         write(&new, "1");
         assert!(look(&mut files).is_empty());

@@ -119,7 +119,7 @@ impl Worker {
         // Where the process ended before it had read everything, its answer counts.
         let _ = self.writer.join();
         let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, sheet: None });
-        match ended.map_err(|why| format!("the check could not be monitored: {why}"))? {
+        match ended.map_err(|error| format!("the check could not be monitored: {error}"))? {
             Ended::TooLong => without_pictures(Verdict::endless(&self.exercise, patience.as_secs())),
             Ended::TooLarge => without_pictures(Verdict::too_large(&self.exercise)),
             Ended::GivenUp => Err("the check was stopped".into()),
@@ -127,7 +127,7 @@ impl Worker {
                 Ok(Some(answer)) => Ok(answer),
                 Ok(None) if status.code().is_none_or(is_crash) => without_pictures(Verdict::crashed(&self.exercise)),
                 Ok(None) => Err("the check ended without an answer: try again".into()),
-                Err(why) => Err(why),
+                Err(error) => Err(error),
             },
         }
     }
@@ -156,7 +156,7 @@ pub fn serve(
         Ok(WorkerAnswer { verdict, page, sheet }) => {
             (AnswerHeader { verdict: Ok(verdict), page: length(&page), sheet: length(&sheet) }, page, sheet)
         }
-        Err(why) => (AnswerHeader { verdict: Err(why), page: None, sheet: None }, None, None),
+        Err(error) => (AnswerHeader { verdict: Err(error), page: None, sheet: None }, None, None),
     };
     write_header(&mut output, &header)?;
     for bytes in [page, sheet].into_iter().flatten() {
@@ -218,12 +218,12 @@ pub fn read_request(input: &mut impl Read) -> Result<WorkerRequest, Error> {
 /// `None` where the process ended without answering. An error is the process' own sentence.
 fn read_answer(output: impl Read) -> Result<Option<WorkerAnswer>, String> {
     let mut output = output.take(MAX_ANSWER_BYTES);
-    let unreadable = |why: Error| format!("the answer of the check could not be understood: {why}");
+    let unreadable = |error: Error| format!("the answer of the check could not be understood: {error}");
     let header = match read_header::<AnswerHeader>(&mut output) {
         Ok(Some(header)) => header,
         Ok(None) => return Ok(None),
-        Err(why) if why.kind() == ErrorKind::UnexpectedEof => return Ok(None),
-        Err(why) => return Err(unreadable(why)),
+        Err(error) if error.kind() == ErrorKind::UnexpectedEof => return Ok(None),
+        Err(error) => return Err(unreadable(error)),
     };
     let mut read = |length: Option<u64>| length.map(|length| read_exactly(&mut output, length)).transpose();
     let (page, sheet) = (read(header.page), read(header.sheet));
@@ -283,7 +283,7 @@ mod tests {
 
     #[test]
     fn requests_and_answers_arrive_as_they_were_sent() {
-        let (mut sent, mut said) = (Vec::new(), Vec::new());
+        let (mut sent, mut received) = (Vec::new(), Vec::new());
         write_request(&mut sent, &request()).unwrap();
         let answer = WorkerAnswer {
             verdict: Verdict::new("ex04", Outcome::Wrong, "as asked"),
@@ -293,14 +293,14 @@ mod tests {
         let answered = answer.clone();
         // An input without end: the thread that waits for it must not end this process.
         let input = std::io::Cursor::new(sent.clone()).chain(Endless);
-        serve(input, &mut said, |got| {
+        serve(input, &mut received, |got| {
             assert_eq!(got, request());
             Ok(answered)
         })
         .unwrap();
-        assert_eq!(read_answer(said.as_slice()), Ok(Some(answer)));
-        for length in 0..said.len() {
-            let cut = read_answer(&said[..length]);
+        assert_eq!(read_answer(received.as_slice()), Ok(Some(answer)));
+        for length in 0..received.len() {
+            let cut = read_answer(&received[..length]);
             assert!(matches!(cut, Ok(None) | Err(_)), "cut at {length}: {cut:?}");
         }
         for length in 0..sent.len() {
@@ -326,9 +326,9 @@ mod tests {
 
     #[test]
     #[cfg(unix)]
-    fn a_program_that_does_not_answer_is_a_sentence() {
-        assert_eq!(asked_of("/bin/false").map_err(|why| why.contains("without an answer")), Err(true));
-        assert_eq!(asked_of("/bin/echo").map_err(|why| why.contains("could not be understood")), Err(true));
+    fn a_program_without_an_answer_is_an_error() {
+        assert_eq!(asked_of("/bin/false").map_err(|error| error.contains("without an answer")), Err(true));
+        assert_eq!(asked_of("/bin/echo").map_err(|error| error.contains("could not be understood")), Err(true));
         assert!(start(Path::new("/nowhere/gonio"), request(), true).is_err());
     }
 }

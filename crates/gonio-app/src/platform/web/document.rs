@@ -45,8 +45,8 @@ impl NamedFile {
     }
 }
 
-fn words(why: JsValue) -> String {
-    why.as_string().unwrap_or_else(|| format!("{why:?}"))
+fn words(error: JsValue) -> String {
+    error.as_string().unwrap_or_else(|| format!("{error:?}"))
 }
 
 fn window() -> Result<(Window, Document), String> {
@@ -105,7 +105,7 @@ pub fn choose(answer: impl Fn(Vec<NamedFile>) + 'static) -> Result<(), String> {
 
 /// Hands a file out as a download. An error is one sentence.
 pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
-    let failed = |why: JsValue| format!("`{name}` could not be downloaded: {}", words(why));
+    let failed = |error: JsValue| format!("`{name}` could not be downloaded: {}", words(error));
     let (_, document) = window()?;
     let blob = Blob::new_with_u8_array_sequence(&Array::of1(&Uint8Array::from(bytes))).map_err(failed)?;
     let url = Url::create_object_url_with_blob(&blob).map_err(failed)?;

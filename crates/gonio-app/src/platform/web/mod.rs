@@ -6,7 +6,6 @@ use super::{
     CheckRequest, CheckResult, Event, FileDialog, FrameShown, MOMENT, Pending, Platform, Purpose, Ready, SceneInput,
 };
 use crate::files::{ExerciseFile, Layered, MemoryFiles, gather, link, zip};
-use crate::platform::{CheckRequest, CheckResult, Pending};
 use crate::saving::Product;
 use crate::session::Settings;
 use gonio_gl::Gl;
@@ -98,7 +97,7 @@ impl Web {
             let event = match (unpacked(files).await, purpose) {
                 (Ok(memory), Purpose::Scene) => scene_input(memory, page).map(Event::Open),
                 (Ok(memory), Purpose::Exercise) => exercise_files(&memory).map(Event::ExerciseFiles),
-                (Err(why), _) => Err(why),
+                (Err(error), _) => Err(error),
             };
             let event = event.unwrap_or_else(Event::Failed);
             events.borrow_mut().push(event);
@@ -112,9 +111,9 @@ async fn unpacked(files: Vec<document::NamedFile>) -> Result<MemoryFiles, String
     let mut memory = MemoryFiles::default();
     for file in files {
         let name = file.name.clone();
-        let bytes = file.bytes().await.map_err(|why| format!("`{name}` cannot be read: {why}"))?;
+        let bytes = file.bytes().await.map_err(|error| format!("`{name}` cannot be read: {error}"))?;
         if zip::is_zip(&bytes) {
-            memory.add_all(zip::unpack(&bytes).map_err(|why| format!("`{name}`: {why}"))?);
+            memory.add_all(zip::unpack(&bytes).map_err(|error| format!("`{name}`: {error}"))?);
         } else {
             memory.insert(&name, bytes);
         }
@@ -125,7 +124,8 @@ async fn unpacked(files: Vec<document::NamedFile>) -> Result<MemoryFiles, String
 /// The files for an exercise; in a page they have no paths.
 fn exercise_files(memory: &MemoryFiles) -> Result<Vec<ExerciseFile>, String> {
     let file = |name: String| {
-        let bytes = memory.read(Path::new(&name)).map_err(|why| format!("`{name}` cannot be read: {why}"))?.to_vec();
+        let bytes =
+            memory.read(Path::new(&name)).map_err(|error| format!("`{name}` cannot be read: {error}"))?.to_vec();
         Ok(ExerciseFile { name, path: None, bytes })
     };
     memory.names().into_iter().map(file).collect()
@@ -155,16 +155,16 @@ impl Platform for Web {
     fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> FileDialog {
         let web = Web { files: self.files.clone(), checks: self.checks.clone(), events: self.events.clone() };
         let inner = ctx.clone();
-        if let Err(why) = document::choose(move |files| web.take(files, purpose, &inner)) {
-            self.events.borrow_mut().push(Event::Failed(why));
+        if let Err(error) = document::choose(move |files| web.take(files, purpose, &inner)) {
+            self.events.borrow_mut().push(Event::Failed(error));
             ctx.request_repaint();
         }
         FileDialog::Opened
     }
 
     fn open_paths(&mut self, paths: Vec<String>, _: Purpose, ctx: &egui::Context) {
-        let why = format!("a web page cannot open {} by its path: drop the file on the page", paths.join(", "));
-        self.events.borrow_mut().push(Event::Failed(why));
+        let error = format!("a web page cannot open {} by its path: drop the file on the page", paths.join(", "));
+        self.events.borrow_mut().push(Event::Failed(error));
         ctx.request_repaint();
     }
 
@@ -194,10 +194,10 @@ impl Platform for Web {
     /// A browser requests another frame once the last one is on its way to the screen.
     fn shown(&mut self, ctx: &egui::Context) -> FrameShown {
         let (seen, ctx) = (Rc::new(Cell::new(false)), ctx.clone());
-        let told = seen.clone();
+        let is_seen = seen.clone();
         wasm_bindgen_futures::spawn_local(async move {
             document::frame_shown(MOMENT).await;
-            told.set(true);
+            is_seen.set(true);
             ctx.request_repaint();
         });
         Box::new(move |_| seen.get())
@@ -206,7 +206,7 @@ impl Platform for Web {
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         match self.checks.begin(&request, ctx) {
             Ok(checking) => Box::new(checking),
-            Err(why) => Box::new(Ready::new(Err(why))),
+            Err(error) => Box::new(Ready::new(Err(error))),
         }
     }
 
@@ -245,7 +245,7 @@ impl PageChecks {
 
     /// Starts a check. An error is one sentence.
     pub fn begin(&self, request: &CheckRequest, ctx: &egui::Context) -> Result<PageCheck, String> {
-        let failed = |why: JsValue| format!("the check could not be started: {}", message_of(&why));
+        let failed = |error: JsValue| format!("the check could not be started: {}", message_of(&error));
         let files = Array::new();
         for (name, bytes) in &request.files {
             let file = Object::new();
@@ -258,13 +258,13 @@ impl PageChecks {
         let promise: Promise = Reflect::get(&begun, &"answer".into()).and_then(JsCast::dyn_into).map_err(failed)?;
         let end: Function = Reflect::get(&begun, &"end".into()).and_then(JsCast::dyn_into).map_err(failed)?;
         let answer = Rc::new(RefCell::new(None));
-        let (told, ctx) = (answer.clone(), ctx.clone());
+        let (slot, ctx) = (answer.clone(), ctx.clone());
         spawn_local(async move {
-            let verdict = JsFuture::from(promise).await.map_err(|why| message_of(&why)).and_then(|json| {
+            let verdict = JsFuture::from(promise).await.map_err(|error| message_of(&error)).and_then(|json| {
                 let json = json.as_string().unwrap_or_default();
-                serde_json::from_str(&json).map_err(|why| format!("the verdict could not be understood: {why}"))
+                serde_json::from_str(&json).map_err(|error| format!("the verdict could not be understood: {error}"))
             });
-            *told.borrow_mut() = Some(verdict);
+            *slot.borrow_mut() = Some(verdict);
             ctx.request_repaint();
         });
         Ok(PageCheck { answer, end })
@@ -272,9 +272,9 @@ impl PageChecks {
 }
 
 /// The message of a JavaScript error.
-fn message_of(why: &JsValue) -> String {
-    let message = why.dyn_ref::<js_sys::Error>().map(|error| String::from(error.message()));
-    message.or_else(|| why.as_string()).unwrap_or_else(|| format!("{why:?}"))
+fn message_of(error: &JsValue) -> String {
+    let message = error.dyn_ref::<js_sys::Error>().map(|error| String::from(error.message()));
+    message.or_else(|| error.as_string()).unwrap_or_else(|| format!("{error:?}"))
 }
 
 /// A running check.

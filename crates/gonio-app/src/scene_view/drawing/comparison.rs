@@ -43,15 +43,15 @@ impl PairDrawing {
         if a.size() != b.size() {
             return Ok(false);
         }
-        let wanted = ((pair, panes.map(|pane| pane.serial)), settings);
-        if self.drawn != Some(wanted) {
+        let requested = ((pair, panes.map(|pane| pane.serial)), settings);
+        if self.drawn != Some(requested) {
             let map = match &mut self.map {
                 Some(map) => map,
                 none => none.insert(DisplayTexture::new(gl, a.size())?),
             };
             let scale = DifferenceScale { full_scale: settings.full_scale, signed: settings.signed };
             renderer.paint_difference(a, b, scale, map)?;
-            self.drawn = Some(wanted);
+            self.drawn = Some(requested);
         }
         Ok(true)
     }
@@ -90,7 +90,7 @@ pub struct CurveRun {
     frame_size: [u32; 2],
     time: f64,
     /// The finest comes first, in Phong shading: all are held against it.
-    wanted: Vec<(Shading, Option<LevelOfDetail>)>,
+    requested: Vec<(Shading, Option<LevelOfDetail>)>,
     next: usize,
     finest: Vec<u8>,
     canvas: Option<DisplayTexture>,
@@ -115,19 +115,19 @@ impl CurveRun {
             levels.reverse();
             (levels, None)
         };
-        let mut wanted = vec![(Shading::Phong, finest)];
+        let mut requested = vec![(Shading::Phong, finest)];
         for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
             // The finest against itself is 0.
             let same = |level: &Option<LevelOfDetail>| shading == Shading::Phong && *level == finest;
-            wanted.extend(levels.iter().filter(|level| !same(level)).map(|&level| (shading, level)));
+            requested.extend(levels.iter().filter(|level| !same(level)).map(|&level| (shading, level)));
         }
-        session.comparison.curve = Curve { running: true, progress: [0, wanted.len()], ..Curve::default() };
+        session.comparison.curve = Curve { running: true, progress: [0, requested.len()], ..Curve::default() };
         Some(CurveRun {
             base,
             settings,
             frame_size: [shrink(frame.width), shrink(frame.height)],
             time: session.clock.time,
-            wanted,
+            requested,
             next: 0,
             finest: Vec::new(),
             canvas: None,
@@ -143,7 +143,7 @@ impl CurveRun {
         details: &mut Details,
         curve: &mut Curve,
     ) -> Result<bool, GlError> {
-        let Some(&(shading, level)) = self.wanted.get(self.next) else { return Ok(false) };
+        let Some(&(shading, level)) = self.requested.get(self.next) else { return Ok(false) };
         let settings = Pane { shading: Some(shading), detail: None, ..self.settings.clone() };
         let mut loaded = with_settings(&self.base, &settings);
         if let Some(level) = level {
@@ -174,7 +174,7 @@ impl CurveRun {
             });
         }
         self.next += 1;
-        curve.progress = [self.next, self.wanted.len()];
-        Ok(self.next < self.wanted.len())
+        curve.progress = [self.next, self.requested.len()];
+        Ok(self.next < self.requested.len())
     }
 }

@@ -216,15 +216,15 @@ impl PaneRenderer {
             return Ok(None);
         };
         let [width, height] = size;
-        let wanted = Frame { width, height, camera, ..frame.clone() };
+        let requested = Frame { width, height, camera, ..frame.clone() };
         let observer = match &mut self.observer {
             Some(kept) => kept,
             none => none.insert(ObserverPicture { canvas: DisplayTexture::new(&self.gl, size)?, drawn: None }),
         };
-        let is_drawn = |(frame, of): &(Frame, Arc<Scene>)| *frame == wanted && Arc::ptr_eq(of, loaded);
+        let is_drawn = |(frame, of): &(Frame, Arc<Scene>)| *frame == requested && Arc::ptr_eq(of, loaded);
         if !observer.drawn.as_ref().is_some_and(is_drawn) {
-            self.renderer.paint(uploaded, &wanted, &DisplayOptions::default(), &mut observer.canvas)?;
-            observer.drawn = Some((wanted, loaded.clone()));
+            self.renderer.paint(uploaded, &requested, &DisplayOptions::default(), &mut observer.canvas)?;
+            observer.drawn = Some((requested, loaded.clone()));
         }
         Ok(Some(self.presenter.presentation(observer.canvas.texture())))
     }

@@ -84,11 +84,11 @@ impl PaneDrawing {
         settings: &Pane,
     ) -> Arc<Scene> {
         self.facts.preparing = false;
-        let Some(wanted) = settings.detail else {
+        let Some(requested) = settings.detail else {
             self.detailed = None;
             return loaded;
         };
-        match details.meshes(&loaded, wanted) {
+        match details.meshes(&loaded, requested) {
             Some(meshes) => self.detailed = Some((generation, meshes)),
             None => self.facts.preparing = true,
         }

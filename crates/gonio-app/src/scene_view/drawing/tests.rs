@@ -20,7 +20,7 @@ use std::sync::Arc;
 const SIZE: [u32; 2] = [160, 120];
 
 fn context() -> HeadlessContext {
-    HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"))
+    HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn opened(input: &str) -> (Document, Session) {
@@ -31,7 +31,7 @@ fn opened(input: &str) -> (Document, Session) {
 }
 
 fn pane_renderer(gl: &Gl) -> PaneRenderer {
-    PaneRenderer::new(gl.clone()).unwrap_or_else(|why| panic!("{why}"))
+    PaneRenderer::new(gl.clone()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// All panes, as the window draws them; how many pictures that took.
@@ -66,10 +66,10 @@ fn panes_are_the_renderers_pictures() {
         let frame = Frame { width: SIZE[0], height: SIZE[1], ..loaded.frame(0.0) };
         let uploaded = renderer.upload(&loaded).unwrap_or_else(|e| panic!("{e}"));
         let drawn = renderer.render(&uploaded, &frame, None).unwrap_or_else(|e| panic!("{e}"));
-        let wanted = drawn.encoded8().unwrap_or_else(|e| panic!("{e}"));
+        let expected = drawn.encoded8().unwrap_or_else(|e| panic!("{e}"));
         let (pixels, size) = pane_renderer.pixels(index).unwrap_or_else(|| panic!("no picture"));
         assert_eq!(size, SIZE);
-        let tally = of_bytes(&pixels, &wanted.rgba, 1.0);
+        let tally = of_bytes(&pixels, &expected.rgba, 1.0);
         // Half floats in the window, full ones in files: one step where rounding decides.
         assert_eq!(tally.differing(), 0, "pane {index}: {:?}", tally.spread());
     }
@@ -78,7 +78,7 @@ fn panes_are_the_renderers_pictures() {
 /// A window's room is filled below the picture only where that is seen: before there is a picture, beside panes, behind
 /// holes.
 #[test]
-fn the_ground_is_filled_only_where_it_is_seen() {
+fn the_background_is_filled_only_where_it_is_visible() {
     let context = context();
     let (mut document, mut session) = opened("builtin:cube");
     let mut pane_renderer = pane_renderer(context.gl());
@@ -89,7 +89,8 @@ fn the_ground_is_filled_only_where_it_is_seen() {
         let mut output = ctx.run_ui(input, |ui| {
             // Nothing else has this colour.
             ui.visuals_mut().extreme_bg_color = egui::Color32::from_rgb(1, 2, 3);
-            scene_view::show(ui, document, session, pane_renderer.as_deref_mut()).unwrap_or_else(|why| panic!("{why}"));
+            scene_view::show(ui, document, session, pane_renderer.as_deref_mut())
+                .unwrap_or_else(|error| panic!("{error}"));
         });
         // Nobody shows what was drawn.
         output.textures_delta.clear();
@@ -157,7 +158,7 @@ fn the_difference_is_that_of_the_two_pictures() {
 }
 
 #[test]
-fn while_something_moves_one_sample_must_do_where_pictures_take_long() {
+fn slow_pictures_have_one_sample_while_something_moves() {
     let context = context();
     let (mut document, mut session) = opened("builtin:sphere-128");
     let mut pane_renderer = pane_renderer(context.gl());
@@ -178,7 +179,7 @@ fn while_something_moves_one_sample_must_do_where_pictures_take_long() {
 }
 
 #[test]
-fn a_sketch_comes_first_and_the_whole_picture_follows() {
+fn a_sketch_precedes_the_full_picture() {
     let context = context();
     let (document, mut session) = opened("builtin:sphere-128");
     let mut pane_renderer = pane_renderer(context.gl());

@@ -134,7 +134,7 @@ mod tests {
     const POINT: f32 = 0.5;
 
     #[test]
-    fn what_is_dragged_lands_where_the_pointer_is() {
+    fn a_dragged_point_is_under_the_pointer() {
         let mut random = Random(1);
         for round in 0..500 {
             let projection = random.projection();
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn along_an_axis_the_pointer_is_followed_as_near_as_can_be() {
+    fn a_drag_along_an_axis_stays_nearest_to_the_pointer() {
         let mut random = Random(2);
         let mut done = 0;
         for _ in 0..500 {
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn along_the_view_the_place_stays() {
+    fn a_drag_along_the_view_keeps_the_place_in_the_picture() {
         let mut random = Random(3);
         for _ in 0..200 {
             let projection = random.projection();
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn a_direction_turns_to_where_the_pointer_is() {
+    fn a_dragged_direction_is_under_the_pointer() {
         let mut random = Random(4);
         let mut inside = 0;
         for _ in 0..500 {
