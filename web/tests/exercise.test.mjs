@@ -1,4 +1,4 @@
-// The laboratory in the page: one's own files dropped and chosen, and files handed out.
+// Exercises in the page: a student's files dropped and chosen, and original files downloaded.
 
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";

@@ -8,7 +8,7 @@ use gonio_scene::SpecialView;
 /// A request by a widget, a key or a menu; [`crate::App`] carries it out after the panels were shown.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Opens what the inputs name: `builtin:NAME`, or files.
+    /// Opens inputs: `builtin:NAME`, or files.
     Open(Vec<String>),
     /// Opens files by their paths.
     OpenPaths(Vec<String>),

@@ -20,21 +20,21 @@ pub enum WidgetRole {
     Button,
     /// A switch.
     Toggle,
-    /// A number, to be dragged or typed.
+    /// A number that can be dragged or typed.
     Number,
-    /// One of several words.
+    /// A choice among several names.
     Choice,
     /// A colour.
     Color,
     /// A tab.
     Tab,
-    /// Text to be written into.
+    /// A text, or a field for one.
     Text,
     /// The scene.
     Picture,
     /// A term of the equation.
     Term,
-    /// Something in the picture to be dragged.
+    /// A handle in the picture that can be dragged.
     Handle,
 }
 
@@ -83,7 +83,7 @@ pub fn widgets(ctx: &Context) -> Vec<Widget> {
     ctx.data(|data| data.get_temp::<Vec<Widget>>(key())).unwrap_or_default()
 }
 
-/// Triangles of all objects.
+/// Number of triangles of all objects.
 pub fn triangles(session: &Session) -> usize {
     let objects = session.loaded.iter().flat_map(|loaded| loaded.objects.iter().map(move |object| (loaded, object)));
     objects.filter_map(|(loaded, object)| loaded.meshes.get(object.mesh)).map(|mesh| mesh.triangle_count()).sum()
@@ -91,26 +91,26 @@ pub fn triangles(session: &Session) -> usize {
 
 /// The whole state, one JSON object:
 ///
-/// | key | what |
+/// | key | value |
 /// |---|---|
-/// | `title`, `loaded`, `busy` | what is open; whether a scene is; what is being read, or null |
+/// | `title`, `loaded`, `busy` | the open scene; whether one is loaded; the files being read, or null |
 /// | `error`, `messages` | the last error that was not dismissed, or null; all messages |
 /// | `announcement` | the last change |
-/// | `scene`, `generation` | the document's effective scene, as in scene files; counts what was read or uploaded anew |
-/// | `panes`, `pane`, `pane_settings` | how many; which is current; of each what differs from the scene, and its view |
-/// | `arrangement` | `kind`: side-by-side, wipe or difference; `wipe`: the share left of it, or null; `pair`: of which two |
-/// | `measured`, `difference` | of each pane what its picture took; how the pair differs in 8-bit steps, or null |
-/// | `selection`, `tab`, `help`, `asking` | what is selected and shown; the path that is asked for, or null |
-/// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the camera is seen from outside |
+/// | `scene`, `generation` | the document's effective scene, as in scene files; a count of scenes that were read or uploaded again |
+/// | `panes`, `pane`, `pane_settings` | their number; the current one; for each, the settings that differ from the scene, and its view |
+/// | `arrangement` | `kind`: side-by-side, wipe or difference; `wipe`: the share left of the divider, or null; `pair`: the two panes |
+/// | `measured`, `difference` | measurements of each pane; the difference of the pair in 8-bit steps, or null |
+/// | `selection`, `tab`, `help`, `asking` | the selection, the tab, whether the shortcuts are shown; the text of the path field, or null |
+/// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the observer's view is shown |
 /// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it is recorded |
-/// | `undo`, `redo` | whether there is a step |
-/// | `time`, `playing` | seconds of the scene, and whether they run |
-/// | `dark`, `pixels_per_point`, `size` | how it looks; the window's width and height in points |
+/// | `undo`, `redo` | whether there is a step to undo, and one to redo |
+/// | `time`, `playing` | time of the scene in seconds, and whether it runs |
+/// | `dark`, `pixels_per_point`, `size` | theme and scale; the window's width and height in points |
 /// | `exercise` | added by [`crate::App::state`]: the open exercise, its messages and its verdict |
-/// | `recent` | files that were opened before |
-/// | `triangles`, `frame` | of the scene; facts about the last picture: `pictures` and `frames` stand still when idle, |
-/// | | and `complete` is true then: with all of the scene's samples |
-/// | `widgets` | every widget that can be used: [`Widget`] |
+/// | `recent` | recently opened files |
+/// | `triangles`, `frame` | number in the scene; facts about the last picture: `pictures` and `frames` are constant when idle, |
+/// | | and `complete` is true then: the picture has all of the scene's samples |
+/// | `widgets` | all widgets: [`Widget`] |
 pub fn state(ctx: &Context, document: &Document, session: &Session, history: &History) -> Value {
     let messages: Vec<Value> = session
         .messages

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 pub enum Product {
     /// The current pane's picture as it is shown, in its size there.
     Picture,
-    /// The same in the size that the scene says (`[picture]`).
+    /// The same in the size of the scene file (`[picture]`).
     SizedPicture,
     /// The current pane's light, linear, in its size there.
     Light,
@@ -20,7 +20,7 @@ pub enum Product {
 }
 
 impl Product {
-    /// All.
+    /// All products.
     pub const ALL: [Product; 4] = [Product::Picture, Product::SizedPicture, Product::Light, Product::Scene];
 
     /// Kebab-case, for widgets' ids.
@@ -52,7 +52,7 @@ impl Product {
         }
     }
 
-    /// A name for its file, after what is open.
+    /// The proposed file name, from the title of the open scene.
     pub fn file_name(self, title: &str) -> String {
         let stem = title.split(" and ").next().unwrap_or(title);
         let stem = stem.split('.').next().unwrap_or(stem);
@@ -62,18 +62,18 @@ impl Product {
     }
 }
 
-/// A picture in the numbers of a screen.
+/// A picture in display values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DisplayedPicture {
-    /// Pixels: width and height.
+    /// Width and height, pixels.
     pub size: [u32; 2],
-    /// `width * height * 4` bytes, the top row first; where there is no background, colours are premultiplied by alpha.
+    /// `width * height * 4` bytes, the top row first; colours are premultiplied by alpha.
     pub rgba: Vec<u8>,
-    /// Whether the numbers are sRGB: not so where they are light unencoded, or a quantity.
+    /// Whether the values are sRGB; unencoded light and quantities are not.
     pub is_srgb: bool,
 }
 
-/// The file. Opaque pictures have three channels; in others colours are divided by alpha, as the format has them.
+/// Encodes a picture as PNG. Opaque pictures have three channels; in others colours are divided by alpha, as PNG requires.
 pub fn encode_png(picture: &DisplayedPicture) -> Result<Vec<u8>, ImageError> {
     let [width, height] = picture.size;
     let rgba = picture.rgba.as_chunks::<4>().0.iter().flat_map(|&pixel| straight(pixel)).collect();
@@ -91,7 +91,7 @@ fn straight([r, g, b, a]: [u8; 4]) -> [u8; 4] {
     [divided(r), divided(g), divided(b), a]
 }
 
-/// The text of a scene file that will lie in `folder`; `None` where there are no folders, as on the web.
+/// The text of a scene file in `folder`, with paths relative to it; `None` on the web, which has no folders.
 pub fn scene_file(settings: &SceneSettings, folder: Option<&Path>) -> String {
     let mut scene = SceneFile::from(settings);
     if let Some(folder) = folder {
@@ -111,7 +111,7 @@ pub fn scene_file(settings: &SceneSettings, folder: Option<&Path>) -> String {
 /// Converts a path relative to the current folder to one relative to `folder`, or returns it unchanged if that fails.
 fn seen_from(folder: &Path, file: &str) -> String {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    // A pattern of faces (`sky_*.png`) is no file: its folder is.
+    // A pattern of faces (`sky_*.png`) is not a file, so only its folder is resolved.
     let path = Path::new(file);
     let (Some(parent), Some(name)) = (path.parent(), path.file_name()) else { return file.to_owned() };
     let parent = if parent.as_os_str().is_empty() { Path::new(".") } else { parent };

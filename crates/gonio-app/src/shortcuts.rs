@@ -149,12 +149,12 @@ mod tests {
     use super::*;
     use gonio_light::Quantity;
 
-    /// What one frame with these events asks for, and the quantity that is shown then.
+    /// The actions of one frame with these events, and the quantity shown then.
     fn asked_in_a_frame(events: Vec<Event>) -> (Vec<Action>, Option<Quantity>) {
         let (mut document, mut session, mut actions) = (Document::default(), Session::default(), Vec::new());
         let ctx = egui::Context::default();
         let input = egui::RawInput { events, ..Default::default() };
-        // Nobody shows what was drawn.
+        // Nothing is drawn.
         ctx.run_ui(input, |ui| handle(ui, &mut document, &mut session, &mut actions)).textures_delta.clear();
         (actions, document.panes.current().and_then(|pane| pane.view).map(|view| view.quantity))
     }
@@ -187,7 +187,7 @@ mod tests {
         let keys: Vec<_> = TABLE.iter().filter_map(|row| row.key.map(|(modifiers, key, _)| (modifiers, key))).collect();
         for (index, (modifiers, key)) in keys.iter().enumerate() {
             assert!(!keys[..index].contains(&(*modifiers, *key)), "{key:?} twice");
-            // The last part of a combination is the key, as egui calls it or as it is printed on it.
+            // The last part of a combination is the key, by egui's name or its label.
             let names = [key.name(), key.symbol_or_name()];
             let of_key = |written: &&str| {
                 written.split(", ").filter_map(|keys| keys.split(" + ").last()).any(|last| names.contains(&last))

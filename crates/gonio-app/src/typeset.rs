@@ -1,8 +1,8 @@
-//! Formulas as a textbook sets them: TeX's rules, in the fonts of [`crate::theme`].
+//! Typesets formulas by TeX's rules, in the fonts of [`crate::theme`].
 //!
 //! A [`Node`] is a formula; [`Laid`] has the position of each piece, in points from the start of its baseline;
-//! [`paint`] draws it and gives the rectangles of tagged parts, to be clicked. Layout knows no window: it asks a
-//! [`Measure`] how large a piece of text is.
+//! [`paint`] draws it and returns the rectangles of tagged parts, to be clicked. Layout does not depend on a
+//! window: a [`Measure`] returns the size of a piece of text.
 //!
 //! Distances are those of Computer Modern in TeX (D. E. Knuth, *The TeXbook*, 1986, appendix G):
 //!
@@ -29,7 +29,7 @@ pub trait Measure {
 /// The size of a piece of text, points.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extent {
-    /// To where the next piece begins.
+    /// Distance to the next piece.
     pub width: f32,
     /// Ink above the baseline.
     pub ascent: f32,
@@ -57,9 +57,9 @@ pub enum MathFont {
 pub enum Node {
     /// Characters of one face.
     Text(String, MathFont),
-    /// One after the other, on one baseline.
+    /// Nodes in a row, on one baseline.
     Row(Vec<Node>),
-    /// Nothing, so many ems wide.
+    /// A space of this width, ems.
     Space(f32),
     /// A node with a subscript, a superscript or both.
     Scripts {
@@ -70,9 +70,9 @@ pub enum Node {
         /// The exponent.
         above: Option<Box<Node>>,
     },
-    /// One over the other.
+    /// A fraction: numerator and denominator.
     Fraction(Box<Node>, Box<Node>),
-    /// A sum's sign with what it runs over below it.
+    /// A sum sign with its index below.
     Sum(Box<Node>),
     /// A part with a meaning of its own.
     Tagged(Tag, Box<Node>),
@@ -94,22 +94,22 @@ impl Node {
         Node::Text(text.to_owned(), MathFont::Large)
     }
 
-    /// Between factors: a thin space.
+    /// A thin space, between factors.
     pub fn thin() -> Node {
         Node::Space(1.0 / 6.0)
     }
 
-    /// A sign between terms, with the room that it has on both sides.
+    /// A binary operator, with space on both sides.
     pub fn binary(sign: &str) -> Node {
         Node::Row(vec![Node::Space(4.0 / 18.0), Node::upright(sign), Node::Space(4.0 / 18.0)])
     }
 
-    /// A sign between sides, with the room that it has on both sides.
+    /// A relation, with space on both sides.
     pub fn relation(sign: &str) -> Node {
         Node::Row(vec![Node::Space(5.0 / 18.0), Node::upright(sign), Node::Space(5.0 / 18.0)])
     }
 
-    /// One after the other.
+    /// Nodes in a row.
     pub fn row(nodes: impl IntoIterator<Item = Node>) -> Node {
         Node::Row(nodes.into_iter().collect())
     }
@@ -124,7 +124,7 @@ impl Node {
         Node::Scripts { base: Box::new(self), below: None, above: Some(Box::new(above)) }
     }
 
-    /// Over another.
+    /// A fraction with this numerator.
     pub fn over(self, under: Node) -> Node {
         Node::Fraction(Box::new(self), Box::new(under))
     }
@@ -152,22 +152,22 @@ const SCRIPT: f32 = 0.7;
 /// Spacing beside scripts and fractions, as in TeX.
 const SCRIPT_SPACE: f32 = 0.05;
 const FRACTION_SIDE: f32 = 0.12;
-/// Smaller letters would not be read.
+/// Smallest legible size of letters, points.
 const SMALLEST: f32 = 8.5;
 
 /// A drawable shape.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PieceShape {
-    /// Characters; their size is points for an em.
+    /// Characters, with their font and size in points per em.
     Text(String, MathFont, f32),
-    /// A line, of this size.
+    /// A filled rectangle of this size.
     Rule(Vec2),
 }
 
 /// A piece of a formula in its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
-    /// What.
+    /// Its shape.
     pub shape: PieceShape,
     /// The start of its baseline (of a rule: its upper left corner), from the start of the formula's; y down.
     pub at: Vec2,
@@ -178,20 +178,20 @@ pub struct Piece {
 /// A formula that was laid out. Its baseline starts at the origin; y down.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Laid {
-    /// Points.
+    /// Width, points.
     pub width: f32,
     /// Above the baseline.
     pub ascent: f32,
     /// Below the baseline.
     pub descent: f32,
-    /// A drawable shape.
+    /// Its pieces.
     pub pieces: Vec<Piece>,
     /// Tagged parts; a tag may have several.
     pub tagged: Vec<(Tag, Rect)>,
 }
 
 impl Laid {
-    /// Points.
+    /// Width and height, points.
     pub fn size(&self) -> Vec2 {
         vec2(self.width, self.ascent + self.descent)
     }
@@ -200,7 +200,7 @@ impl Laid {
         Laid { width: extent.width, ascent: extent.ascent, descent: extent.descent, ..Laid::default() }
     }
 
-    /// Puts another one at a place; does not make room for it to the right.
+    /// Adds another formula at a place, without changing the width.
     fn place(&mut self, other: Laid, at: Vec2) {
         self.ascent = self.ascent.max(other.ascent - at.y);
         self.descent = self.descent.max(other.descent + at.y);
@@ -215,7 +215,7 @@ impl Laid {
     }
 }
 
-/// Lays out a formula with `size` points for an em.
+/// Lays out a formula with `size` points per em.
 pub fn lay(node: &Node, size: f32, fonts: &mut dyn Measure) -> Laid {
     match node {
         Node::Text(text, face) => {
@@ -268,7 +268,7 @@ fn fraction(over: &Node, under: &Node, size: f32, fonts: &mut dyn Measure) -> La
     let rule = (RULE * size).max(1.0);
     let clear = rule + 0.06 * size;
     let axis = AXIS * size;
-    // Both keep clear of the line.
+    // Both keep a distance from the line.
     let up = (OVER * size).max(axis + clear + over.descent);
     let down = (UNDER * size).max(under.ascent + clear - axis);
     let mut laid = Laid { width: inner + 2.0 * side, ..Laid::default() };
@@ -286,7 +286,7 @@ fn sum(below: &Node, size: f32, fonts: &mut dyn Measure) -> Laid {
     let sign = lay(&Node::large("\u{2211}"), size, fonts);
     let below = lay(below, small, fonts);
     let width = sign.width.max(below.width);
-    // Centred on the axis, whatever the font's glyph is.
+    // Centred on the axis for every font.
     let shift = 0.5 * (sign.ascent - sign.descent) - AXIS * size;
     let bottom = sign.descent + shift;
     let mut laid = Laid { width, ..Laid::default() };
@@ -297,8 +297,7 @@ fn sum(below: &Node, size: f32, fonts: &mut dyn Measure) -> Laid {
     laid
 }
 
-/// A formula of parts between which it may be broken, in as many lines as `width` asks for; lines after the first are
-/// indented. Each part is laid out on its own.
+/// Lays out a formula in lines of at most `width`, broken between its parts; lines after the first are indented.
 pub fn broken(parts: &[Node], size: f32, width: f32, fonts: &mut dyn Measure) -> Vec<Laid> {
     const INDENT: f32 = 1.2;
     let mut lines: Vec<Laid> = Vec::new();
@@ -351,7 +350,7 @@ impl Measure for EguiFonts<'_> {
     }
 }
 
-/// Draws a formula whose baseline begins at `start`; gives the tagged parts' rectangles in the window.
+/// Draws a formula whose baseline begins at `start`. Returns the rectangles of tagged parts in the window.
 pub fn paint(painter: &Painter, laid: &Laid, start: Pos2, color: &dyn Fn(Option<Tag>) -> Color32) -> Vec<(Tag, Rect)> {
     let fonts = EguiFonts(painter);
     for piece in &laid.pieces {

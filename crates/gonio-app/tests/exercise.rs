@@ -1,4 +1,4 @@
-//! The exercises as a student uses them: the whole application, with OpenGL but without a window, checks in a thread.
+//! The exercises as a student uses them: the whole application, with OpenGL but without a window; checks run in a thread.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod support;
@@ -13,7 +13,7 @@ use serde_json::Value;
 use std::time::Duration;
 use support::Window;
 
-/// The right answer of an exercise, changed.
+/// The correct answer of an exercise, with a change.
 fn answer(id: &str, change: impl Fn(&str, &str) -> String) -> Start {
     let exercise = exercise::find(id).unwrap();
     let file = |(name, text): (&'static str, &'static str)| ExerciseFile {
@@ -41,7 +41,7 @@ impl Window {
         Window::with("builtin:cube", size)
     }
 
-    /// Files come, as from a drop.
+    /// Delivers files as if they were dropped.
     fn hand(&mut self, files: &[(&str, &[u8])]) {
         let file =
             |(name, bytes): &(&str, &[u8])| ExerciseFile { name: (*name).into(), path: None, bytes: bytes.to_vec() };
@@ -49,7 +49,7 @@ impl Window {
         self.steps(2);
     }
 
-    /// What is said over the picture and was not read.
+    /// The messages that were not dismissed.
     fn messages(&self) -> Vec<String> {
         self.app().session().messages.list().iter().map(|message| message.text.clone()).collect()
     }
@@ -59,7 +59,7 @@ impl Window {
         self.app().state(&self.harness.ctx)["exercise"].clone()
     }
 
-    /// Goes on until it is so: a check takes its time, and a text is compiled after a pause.
+    /// Runs frames until a condition holds: checks take time, and texts are compiled after a pause.
     #[track_caller]
     fn wait(&mut self, what: &str, expected: impl Fn(&Value) -> bool) -> Value {
         for _ in 0..1200 {
@@ -70,13 +70,13 @@ impl Window {
             }
             std::thread::sleep(Duration::from_millis(50));
         }
-        panic!("waited in vain for {what}: {:#}", self.state());
+        panic!("timed out waiting for {what}: {:#}", self.state());
     }
 
     fn click(&mut self, id: &str) {
         let at = self.center(id);
         self.click_at(at);
-        // The next click is another one, and none of a double click.
+        // A pause, so that the next click is not part of a double click.
         self.steps(30);
     }
 
@@ -93,7 +93,7 @@ impl Window {
 const DESK: Vec2 = vec2(1280.0, 800.0);
 const PHONE: Vec2 = vec2(390.0, 844.0);
 
-/// How many pixels of two pictures differ by more than two steps of 8 bits.
+/// Number of pixels that differ by more than two 8-bit steps.
 fn differing(a: &[u8], b: &[u8]) -> usize {
     assert_eq!(a.len(), b.len());
     a.chunks(4).zip(b.chunks(4)).filter(|(a, b)| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2)).count()
@@ -108,7 +108,7 @@ fn the_right_answer_looks_like_the_reference_in_every_exercise() {
         window.steps(2);
         let (yours, size) = window.pixels(PreviewPicture::Yours);
         let (reference, _) = window.pixels(PreviewPicture::Reference);
-        // Time may run: both are drawn in the same frame.
+        // Both are drawn in the same frame, even if time runs.
         assert_eq!(differing(&yours, &reference), 0, "{}", exercise.id);
         let first = yours[..4].to_vec();
         let drawn = yours.chunks(4).filter(|pixel| **pixel != first).count();
@@ -161,12 +161,12 @@ fn compiler_errors_are_marked_and_the_last_picture_stays() {
     window.widget("older-program");
     assert_eq!(differing(&window.pixels(PreviewPicture::Yours).0, &before), 0);
     assert_eq!(window.state()["files"][0]["changed"], true);
-    // By the key, and by the button.
+    // Undo by key, redo by button.
     let text = window.text();
     window.steps(90);
     window.press(Modifiers::COMMAND, Key::Z);
     assert_ne!(window.text(), text);
-    window.wait("it to be well again", |s| s["older"] == false && s["marks"].as_array().is_some_and(Vec::is_empty));
+    window.wait("it to compile again", |s| s["older"] == false && s["marks"].as_array().is_some_and(Vec::is_empty));
     window.click("redo");
     assert_eq!(window.text(), text);
 }
@@ -185,7 +185,7 @@ fn programs_reach_the_windows_opengl_only_after_their_trial() {
     window.wait("the program", |s| s["drawn"] == true && s["tried"] == false);
     window.steps(2);
     let (before, text) = (window.pixels(PreviewPicture::Yours).0, window.text());
-    // A text that is changed while it is tried is of no interest any more: its trial ends.
+    // Changing a text stops its trial.
     window.click("editor");
     window.press(Modifiers::COMMAND, Key::End);
     window.harness.event(Event::Text("// a".into()));
@@ -202,7 +202,7 @@ fn programs_reach_the_windows_opengl_only_after_their_trial() {
     );
     window.widget("older-program");
     assert_eq!(differing(&window.pixels(PreviewPicture::Yours).0, &before), 0, "the last picture stays");
-    // What was tried once is not tried again.
+    // Outcomes of trials are remembered.
     window.steps(90);
     while window.text() != text {
         window.press(Modifiers::COMMAND, Key::Z);
@@ -329,7 +329,7 @@ fn each_picture_mode_has_its_word() {
         assert_eq!(window.state()["shown"], id);
         assert_eq!(window.app().exercise().work.as_ref().unwrap().shown, shown);
     }
-    // The right answer differs nowhere from itself: the map is of one colour.
+    // The correct answer does not differ from itself, so the map has one colour.
     window.click("shown-difference");
     let (map, _) = window.pixels(PreviewPicture::Difference);
     assert!(map.chunks(4).all(|pixel| pixel == &map[..4]));
@@ -355,7 +355,7 @@ fn an_opened_file_replaces_its_kind_and_edits_can_be_put_back() {
     assert!(pixels.chunks(4).any(|pixel| pixel[..3] == [0, 255, 0]), "it is drawn");
     window.click("put-back");
     assert_eq!((window.text(), window.state()["file"].as_str()), (written.clone(), Some("start.frag")));
-    // And that is its own undo again.
+    // Each file has its own undo history.
     window.click("undo");
     assert_ne!(window.text(), written);
     window.click("put-back");
@@ -376,7 +376,7 @@ fn a_program_replaces_both_shaders_and_a_model_is_refused() {
     assert!(window.messages().iter().any(|m| m.starts_with("cow.obj is a model")), "{:?}", window.messages());
     assert_eq!((window.state()["open"].as_bool(), window.state()["file"].as_str()), (Some(true), Some("main.cpp")));
     assert!(window.app().document().scene == scene.scene);
-    // The button asks for files for the exercise, and the list wants to know which exercise they are for.
+    // The button opens files for the exercise. In the list, no exercise is selected for them.
     window.click("open-files");
     assert_eq!(window.here.asked.take(), Some(Purpose::Exercise));
     window.click("path-cancel");
@@ -409,7 +409,7 @@ fn the_buffer_in_the_editor_is_checked() {
 fn starting_over_loses_no_text() {
     let mut window = Window::open(right("ex08"), DESK);
     let before = window.text();
-    // The button stands below the text.
+    // The button is below the text.
     window.click("page-text");
     let middle = window.center("page-text") + vec2(0.0, 80.0);
     window.harness.event(Event::PointerMoved(middle));

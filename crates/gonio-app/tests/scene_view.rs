@@ -48,7 +48,7 @@ impl Window {
         let file = folder.join("scene.toml");
         std::fs::write(&file, scene).unwrap_or_else(|error| panic!("{error}"));
         let mut window = Window::with(&file.to_string_lossy(), size);
-        // Read in a thread: a minute at most, on a machine that has much else to do.
+        // It is read in a thread; at most a minute on a busy machine.
         for _ in 0..600 {
             window.steps(1);
             if window.pictures() > 0 {
@@ -62,7 +62,7 @@ impl Window {
         window
     }
 
-    /// A drag whose last way, `more`, comes in the same frame as the release: as where a frame takes long.
+    /// A drag whose last movement, `more`, is in the same frame as the release, as in slow frames.
     fn drag_and_release_at_once(&mut self, from: Pos2, way: Vec2, more: Vec2) {
         self.move_to(from);
         self.button(from, true);
@@ -70,7 +70,7 @@ impl Window {
             self.move_to(from + way * (part as f32 / 4.0));
         }
         let (at, button, modifiers) = (from + way + more, PointerButton::Primary, Modifiers::NONE);
-        // Of one frame: the harness would give each a frame of its own.
+        // In one frame; the harness would use a frame for each.
         let released = Event::PointerButton { pos: at, button, pressed: false, modifiers };
         self.harness.input_mut().events.extend([Event::PointerMoved(at), released]);
         self.steps(3);
@@ -81,7 +81,7 @@ impl Window {
     }
 }
 
-/// A point of the window, for the numbers are rounded to what a person likes to read, and half of one for the pixels.
+/// Tolerance in points of the window: one for rounded numbers, and half a point for pixels.
 const POINT: f32 = 1.5;
 
 #[test]
@@ -103,7 +103,7 @@ fn a_lamp_follows_the_pointer_and_comes_back() {
     assert_eq!(window.app().document(), &before);
 }
 
-/// Nothing of a drag is lost, and it is still one step.
+/// A drag includes its last movement, and is one step of undo.
 #[test]
 fn a_drag_ends_where_the_button_is_released() {
     let mut window = Window::open("release");
@@ -164,7 +164,7 @@ fn a_sun_turns_and_a_spot_opens() {
 #[test]
 fn a_click_pins_the_probe_and_both_renderers_agree_there() {
     let mut window = Window::open("probe");
-    // The side panel has its width once there are numbers in it: those of the pixel under the pointer.
+    // The side panel reaches its final width with the numbers of the pixel under the pointer.
     let picture = window.center("pane-0");
     window.move_to(picture);
     window.press(Modifiers::NONE, Key::P);
@@ -184,10 +184,10 @@ fn a_click_pins_the_probe_and_both_renderers_agree_there() {
         std::thread::yield_now();
     };
     let [left, top, width, height] = window.widget("pane-0").rect;
-    // One pixel a point.
+    // One pixel per point.
     assert_eq!((reading.width, reading.height), (width as u32, height as u32));
     assert_eq!((reading.x, reading.y), ((at.x - left) as u32, (at.y - top) as u32));
-    // The very numbers of `gonio probe`: the reference on the same scene and frame.
+    // The numbers of `gonio probe`: the reference for the same scene and frame.
     let loaded = reading.loaded.clone();
     let frame = Frame { width: reading.width, height: reading.height, samples: 1, ..loaded.frame(0.0) };
     let expected = ReferenceScene::new(&loaded).probe(&frame, reading.x, reading.y);
@@ -214,7 +214,7 @@ fn the_axes_the_views_and_the_second_camera() {
     window.click_at(end);
     let [x, y, z] = window.app().document().scene.camera.position;
     assert!((x - 6.0).abs() < 1e-6 && y.abs() < 1e-6 && z.abs() < 1e-6, "from the end of x: {x}, {y}, {z}");
-    // Letters go to the picture while the pointer is over it and nothing is typed into.
+    // Keys go to the picture while the pointer is over it and no text field has the focus.
     let middle = window.center("pane-0");
     window.move_to(middle);
     let drawn = window.pictures();
@@ -235,7 +235,7 @@ fn the_axes_the_views_and_the_second_camera() {
     assert!(exported::widgets(&window.harness.ctx).iter().all(|widget| widget.id != "observer-view"));
 }
 
-/// A scene that says nothing of a camera is whole in the picture however wide that is; and nothing has to be undone then.
+/// A scene without a camera is framed completely for every width, which is not a step of undo.
 #[test]
 fn an_opened_scene_fits_the_picture() {
     let scene = "[[object]]\nmodel = \"builtin:cube\"\nscale = [3.0, 1.0, 1.0]\n";
@@ -246,7 +246,7 @@ fn an_opened_scene_fits_the_picture() {
         let camera = window.app().document().scene.camera.clone();
         let [_, _, width, height] = window.widget("pane-0").rect;
         let frame = Frame { width: width as u32, height: height as u32, ..loaded.frame(0.0) };
-        // Where F would put it, but for the last digits of what was computed in other steps.
+        // The same as by the key F, except for rounding.
         let again = loaded.framed(&camera, f64::from(width) / f64::from(height));
         let places = |camera: &CameraSettings| [camera.position, camera.target().unwrap_or_default()].map(DVec3::from);
         for (now, again) in places(&camera).into_iter().zip(places(&again)) {
@@ -258,18 +258,18 @@ fn an_opened_scene_fits_the_picture() {
         for corner in 0..8 {
             let side = |axis: usize| if corner >> axis & 1 == 0 { min[axis] } else { max[axis] };
             let place = projection.project_point3(DVec3::new(side(0), side(1), side(2)));
-            // The corners of the box reach a little farther than the objects in it.
+            // The corners of the box reach slightly beyond the objects in it.
             assert!(place.x.abs() < 1.15 && place.y.abs() < 1.15, "{size}: corner {corner} is at {place}");
         }
         assert_eq!(window.app().state(&window.harness.ctx)["undo"], false);
         let [x, y, z] = camera.position;
         distances.push((x * x + y * y + z * z).sqrt());
     }
-    // The narrow one is about as wide as it is high, the other half as wide again.
+    // The narrow picture needs a larger distance.
     assert!(distances[1] > 1.2 * distances[0], "{distances:?}");
 }
 
-/// On a slow machine a key may have been let go before the next frame is there.
+/// On a slow machine a key may be released before the next frame.
 #[test]
 fn a_tap_moves_the_camera_however_short_it_is() {
     let mut window = Window::open("tap");

@@ -5,7 +5,7 @@ use egui_kittest::Harness;
 use gonio_app::theme;
 use gonio_app::typeset::{EguiFonts, Laid, Node, Piece, PieceShape, Tag, broken, lay};
 
-/// Runs `with` where there are fonts.
+/// Runs `with` with the window's fonts.
 fn in_window<T: Default + 'static>(with: impl Fn(&mut EguiFonts<'_>) -> T + 'static) -> T {
     let app = move |ui: &mut egui::Ui, out: &mut T| *out = with(&mut EguiFonts(ui.painter()));
     let mut harness = Harness::builder().with_context_setup(theme::install).build_ui_state(app, T::default());
@@ -124,7 +124,7 @@ fn a_long_formula_is_broken_between_its_parts() {
     assert!(widths.iter().all(|(width, most)| width <= most), "{widths:?}");
 }
 
-/// The same formula, larger: everything grows alike, so that no size needs rules of its own.
+/// A formula scales in proportion to its size.
 #[test]
 fn formulas_scale() {
     let node = Node::variable("k").below(Node::variable("d")).over(Node::variable("\u{3c0}"));

@@ -1,7 +1,7 @@
-//! What the page's worker calls (`web/page/checker.js`): a student's files in, a verdict out.
+//! The checker that the page's worker calls (`web/page/checker.js`): it takes a student's files and returns a verdict.
 //!
-//! The worker runs the same module as the page, in a thread and with an OpenGL of its own: a shader that takes for ever
-//! holds up nobody, and ends with the worker.
+//! The worker runs the same module as the page, in a thread and with an OpenGL context of its own, so that a shader that never
+//! ends does not block the page and is stopped with the worker.
 
 use eframe::glow;
 use gonio_check::CheckOptions;
@@ -23,14 +23,14 @@ pub struct PageChecker {
 
 #[wasm_bindgen]
 impl PageChecker {
-    /// In this canvas, of any size: nothing is drawn into it, but into textures beside. Fails, with a sentence, where
-    /// the browser offers no WebGL 2 here, or no textures of floats to draw into.
+    /// Creates a checker with a canvas of any size; programs are drawn into textures. An error is one sentence: the browser has no
+    /// WebGL 2 in workers, or cannot draw into float textures.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: &OffscreenCanvas) -> Result<PageChecker, String> {
         let context = canvas.get_context("webgl2").ok().flatten();
         let context: WebGl2RenderingContext = context
             .and_then(|context| context.dyn_into().ok())
-            .ok_or("this browser offers no WebGL 2 beside the page; try another one, or `gonio lab check`")?;
+            .ok_or("this browser has no WebGL 2 in workers: use another one, or `gonio lab check`")?;
         if !matches!(context.get_extension("EXT_color_buffer_float"), Ok(Some(_))) {
             return Err(
                 "this browser cannot draw into textures of floats (EXT_color_buffer_float), which the checker \
@@ -38,19 +38,19 @@ impl PageChecker {
                     .to_owned(),
             );
         }
-        // As egui has it, for whom it is shared between threads where there are any.
+        // `Gl::of_window` takes an `Arc`, as egui does; the page has one thread.
         #[allow(clippy::arc_with_non_send_sync)]
         let functions = Arc::new(glow::Context::from_webgl2_context(context.clone()));
         Ok(PageChecker { checker: Checker::new(&Gl::of_window(functions)), context })
     }
 
-    /// An image that host programs may name, as a file. Fails where it is none.
+    /// Adds an image file that OpenGL programs may name. An error is one sentence.
     pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
         self.checker.give_image(name, bytes)
     }
 
-    /// Checks files: `names`, and as many `contents`, each a `Uint8Array`. Gives the verdict as JSON, as `gonio lab
-    /// check --json` writes it. Fails, with a sentence, where the browser's graphics do.
+    /// Checks files, given by `names` and `contents`, each a `Uint8Array`. Returns the verdict as JSON, as `gonio lab check --json`
+    /// does. An error is one sentence.
     pub fn check(
         &mut self,
         exercise: &str,
@@ -64,10 +64,8 @@ impl PageChecker {
         let options = CheckOptions { as_the_lab, ..CheckOptions::default() };
         let outcome = gonio_exercises::check(&mut self.checker, exercise, files, &options);
         if self.context.is_context_lost() {
-            return Err(
-                "the browser took the graphics away during the check; is there a loop in a shader that never ends?"
-                    .to_owned(),
-            );
+            return Err("the browser reset the graphics during the check: look for a loop in a shader that never ends"
+                .to_owned());
         }
         let (verdict, _) = outcome.map_err(|error| error.to_string())?;
         json(&verdict)

@@ -1,7 +1,7 @@
 //! The gonio window as a web page: the entry points that a browser calls.
 //!
-//! What the page's loader (`web/page/main.js`) calls stands in `page`, and what its worker (`web/page/checker.js`) calls in
-//! `check`; elsewhere there is nothing to run.
+//! `page` has the functions for the page's loader (`web/page/main.js`), `check` those for its worker (`web/page/checker.js`). On
+//! other targets the program does nothing.
 
 #[cfg(target_arch = "wasm32")]
 mod check;

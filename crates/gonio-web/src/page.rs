@@ -13,7 +13,7 @@ struct Page {
     files: PageFiles,
     runner: Option<eframe::WebRunner>,
     context: Option<egui::Context>,
-    /// Outlives the runner: where the browser takes the graphics away, a new runner goes on with the same application.
+    /// Outlives the runner: if the browser resets the graphics, a new runner continues with the same application.
     app: Option<Rc<RefCell<App>>>,
 }
 
@@ -56,7 +56,7 @@ pub async fn start(
     with_page(|page| page.runner = Some(runner.clone()));
     let options = eframe::WebOptions {
         webgl_context_option: eframe::WebGlContextOption::WebGl2,
-        // The pictures are to be those of `gonio render`, to the last bit.
+        // Pictures must equal those of `gonio render`.
         dithering: false,
         ..Default::default()
     };
@@ -72,11 +72,10 @@ pub async fn start(
 pub fn pause() {
     let (runner, app) = with_page(|page| (page.runner.take(), page.app.clone()));
     if let Some(app) = app {
-        // Now: when there is a new context, what was of the old one can no longer be deleted. eframe's web runner does
-        // not say that it ends.
+        // Called here because eframe's web runner does not call it, and resources of the old context cannot be deleted later.
         eframe::App::on_exit(&mut *app.borrow_mut(), None);
     }
-    // Not while the page is borrowed: the runner's end drops its part of the application.
+    // Outside of the borrow of the page, because destroying the runner drops its part of the application.
     if let Some(runner) = runner {
         runner.destroy();
     }
@@ -107,7 +106,7 @@ impl Page {
     fn app(&mut self, creation: &eframe::CreationContext<'_>, inputs: Vec<String>, checks: PageChecks) -> Shell {
         let context = creation.egui_ctx.clone();
         if let Some(before) = self.context.replace(context.clone()) {
-            // Where panels were scrolled to, and what was open.
+            // Scroll positions and open panels are kept.
             let memory = before.memory(Clone::clone);
             context.memory_mut(|new| *new = memory);
         }
@@ -149,7 +148,7 @@ impl Shell {
 }
 
 impl eframe::App for Shell {
-    // The panels stand on it and fill nothing themselves.
+    // Panels draw no background of their own.
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
         eframe::App::clear_color(&*self.app.borrow(), visuals)
     }

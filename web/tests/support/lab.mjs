@@ -206,7 +206,7 @@ export class Lab {
     return this.rest();
   }
 
-  /** Drops files on the picture, or in the middle where the laboratory is, all at once and in this order: each a `name`, and `text` or `bytes`. */
+  /** Drops files on the picture, or in the middle of an exercise, all at once and in this order: each a `name`, and `text` or `bytes`. */
   async drop(...files) {
     const { size, exercise } = await this.state();
     const [x, y] = exercise.open ? size.map((side) => side / 2) : await this.middle("pane-0");

@@ -94,8 +94,8 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Records the OpenGL calls of the current pane's picture. If that fails the record is empty, and it is not retried
-    /// before the next picture.
+    /// Records the OpenGL calls of the current pane's picture. If that fails, the record is empty, and the next attempt is
+    /// at the next picture.
     fn record_frame(&mut self, ctx: &egui::Context) {
         let Some(pane_renderer) = &mut self.pane_renderer else { return };
         let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|error| {

@@ -108,8 +108,8 @@ impl Loader {
         ctx.request_repaint();
     }
 
-    /// Returns the outcome of the last request, once. On the web this loads the scene, after a frame that says
-    /// so was shown, and loads it again when missing built-in files have arrived.
+    /// Returns the outcome of the last request, once. On the web this loads the scene, after a frame that announces it
+    /// was shown, and loads it again when missing built-in files have arrived.
     pub fn poll(&mut self) -> Option<LoadOutcome> {
         #[cfg(target_arch = "wasm32")]
         if let Some(job) = self.waiting.take_if(|job| !job.recording.is_waiting()) {

@@ -54,7 +54,7 @@ pub struct App {
 
 impl App {
     /// Creates the application for a context with the OpenGL `gl` (without it there is no picture). It opens `inputs`, or else
-    /// what the platform names (the scene of a link), or [`FIRST_SCENE`].
+    /// the scene of a link, or [`FIRST_SCENE`].
     pub fn new(ctx: &egui::Context, gl: Option<Gl>, platform: Box<dyn Platform>, inputs: Vec<String>) -> Self {
         App::with_options(ctx, gl, platform, SceneOpening { inputs, ..SceneOpening::default() })
     }
@@ -176,7 +176,7 @@ impl App {
         self.publish(&ctx);
     }
 
-    /// Takes in what has arrived: events of the platform, loaded files, a request to close the window.
+    /// Handles events of the platform, loaded files, and a request to close the window.
     fn receive(&mut self, ctx: &egui::Context) {
         exported::begin(ctx);
         self.session.facts.frames += 1;
@@ -189,7 +189,7 @@ impl App {
         self.before_closing(ctx);
     }
 
-    /// Lets time pass: drafts are kept, changed files reloaded, moving lights moved.
+    /// Advances time: keeps drafts, reloads changed files, moves lights.
     fn advance(&mut self, ctx: &egui::Context) {
         for failure in self.exercise.follow_drafts(ctx, self.platform.as_mut()) {
             self.session.messages.say(MessageSeverity::Error, failure);
@@ -203,7 +203,7 @@ impl App {
         }
     }
 
-    /// Shows everything but the pictures. Returns what keys and widgets ask for that is not a change of the document.
+    /// Shows everything but the pictures. Returns the actions of keys and widgets.
     fn show_panels(&mut self, ui: &mut Ui) -> Vec<Action> {
         let mut actions = Vec::new();
         shortcuts::handle(ui, &mut self.document, &mut self.session, &mut actions);
@@ -245,7 +245,7 @@ impl App {
                 self.start(ctx, SceneOpening { inputs, environment, limits, adjust: None }, files);
             }
             Event::Open(SceneInput { environment: Some(image), files, .. }) => {
-                // It lies elsewhere than what it is for.
+                // The environment may be in another place than the scene.
                 self.files = Arc::new(Layered { first: files, then: self.files.clone() });
                 self.document.scene.set_environment(&image);
             }
@@ -276,7 +276,7 @@ impl App {
         self.loader.start(requested, self.files.clone(), self.opened.limits, ctx);
     }
 
-    /// Takes a loaded scene, or reports why it could not be loaded; then everything stays as it was.
+    /// Shows a loaded scene, or reports why it could not be loaded; then nothing changes.
     fn take(&mut self, ctx: &egui::Context, finished: LoadOutcome) {
         self.session.busy = None;
         let loaded = match finished.result {
@@ -322,7 +322,7 @@ impl App {
                 self.opened_camera = loaded.settings.camera.clone();
                 self.document.scene = loaded.settings.clone();
                 if was_moved {
-                    // Applied with the rest of the document, right after this.
+                    // It is applied with the rest of the document below.
                     self.document.scene.camera = camera;
                 }
                 self.session.announcement = format!("reloaded {}", self.session.title);
@@ -437,7 +437,7 @@ impl eframe::App for App {
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
         // No window is left to show errors in.
         let _ = self.exercise.flush_drafts(self.platform.as_mut());
-        // Buffers and textures go while their context is still there.
+        // Buffers and textures are freed while their context exists.
         self.exercise.release();
         self.pane_renderer = None;
     }

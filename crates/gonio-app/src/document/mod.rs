@@ -63,7 +63,7 @@ impl History {
         !self.redo.is_empty()
     }
 
-    /// The document one step earlier; `false` where there is none. A gesture that has not ended is a step.
+    /// Goes back one step; returns `false` if there is none. A gesture that has not ended is a step.
     pub fn undo(&mut self, document: &mut Document) -> bool {
         self.observe(document, false);
         let Some(earlier) = self.undo.pop() else { return false };
@@ -72,7 +72,7 @@ impl History {
         true
     }
 
-    /// The document one step later; `false` where there is none.
+    /// Goes forward one step; returns `false` if there is none.
     pub fn redo(&mut self, document: &mut Document) -> bool {
         self.observe(document, false);
         let Some(later) = self.redo.pop() else { return false };

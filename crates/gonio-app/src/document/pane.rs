@@ -7,7 +7,7 @@ use gonio_scene::detail::LevelOfDetail;
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Overlays, SceneSettings, SpecialView, ViewSpec, defaults};
 
-/// The quantities on the number keys: 0 is the picture, then these from 1 on.
+/// The quantities on the number keys 1 to 9; 0 is the picture.
 pub const VIEW_KEYS: [Quantity; 9] = [
     Quantity::Normal,
     Quantity::Light,
@@ -34,14 +34,14 @@ pub enum PaneOverlay {
 /// Reflectance model of one pane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PaneReflectance {
-    /// Both terms themselves.
+    /// The diffuse and the specular term.
     Terms,
     /// A BRDF of Appendix 6.
     Brdf(BrdfKind),
 }
 
 impl PaneReflectance {
-    /// All, the terms first.
+    /// All models, the terms first.
     pub fn all() -> Vec<PaneReflectance> {
         let brdfs = BrdfKind::ALL.iter().map(|&kind| PaneReflectance::Brdf(kind));
         [PaneReflectance::Terms].into_iter().chain(brdfs).collect()
@@ -65,7 +65,7 @@ pub struct Pane {
     pub specular: Option<Specular>,
     /// The lab's or the physical convention.
     pub convention: Option<Convention>,
-    /// Whether the specular term is weighted by `<N.L>`; `None` with a convention of the pane's own: as that has it.
+    /// Whether the specular term is weighted by `<N.L>`. `None` follows the pane's own convention, if it has one.
     pub cosine_weighted: Option<bool>,
     /// A BRDF, or the terms.
     pub reflectance: Option<PaneReflectance>,
@@ -90,7 +90,7 @@ impl Pane {
         *on = !*on;
     }
 
-    /// A drawable shape.
+    /// The view and the overlays, for the renderer.
     pub fn show(&self) -> DisplayOptions {
         let view = self.special.map_or_else(|| self.view.into(), View::Special);
         DisplayOptions { view, overlays: self.overlays }
@@ -105,7 +105,7 @@ impl Pane {
         let equation = &mut scene.equation;
         if let Some(specular) = self.specular {
             equation.specular = specular;
-            // Else a BRDF of the scene would hide it.
+            // A BRDF of the scene would hide it.
             equation.brdf = None;
         }
         if let Some(convention) = self.convention {
@@ -213,7 +213,7 @@ pub struct Panes {
     pub list: Vec<Pane>,
     /// Index of the pane that settings apply to.
     pub current: usize,
-    /// Their arrangement.
+    /// Arrangement of the panes.
     pub arrangement: PaneArrangement,
     /// Indices of the two panes that are compared.
     pub pair: [usize; 2],
@@ -230,7 +230,7 @@ impl Panes {
         self.list.get(self.current)
     }
 
-    /// The pane that settings apply to.
+    /// The pane that settings apply to, mutable.
     pub fn current_mut(&mut self) -> Option<&mut Pane> {
         self.list.get_mut(self.current)
     }
@@ -248,7 +248,7 @@ impl Panes {
         }
     }
 
-    /// Takes one away; the last one stays.
+    /// Removes a pane; the last one stays.
     pub fn remove(&mut self, index: usize) {
         if self.list.len() > 1 && index < self.list.len() {
             self.list.remove(index);
@@ -279,7 +279,7 @@ impl Panes {
         }
     }
 
-    /// Whether a pane carries the widgets that are shown once: the first of several side by side, else any.
+    /// Whether a pane shows the widgets that are shown once: the first of several side by side, otherwise any.
     pub fn is_leading(&self, index: usize) -> bool {
         index == 0 || self.arrangement != PaneArrangement::SideBySide
     }

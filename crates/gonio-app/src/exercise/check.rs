@@ -13,7 +13,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::time::Duration;
 use web_time::Instant;
 
-/// A check, and the texts that it is of.
+/// The running check, with the texts that it checks.
 #[derive(Default)]
 pub struct Check {
     running: Option<(Vec<SourceFile>, Box<dyn Pending<CheckResult>>)>,
@@ -111,7 +111,7 @@ impl Trials {
         self.running.as_ref().is_some_and(|running| running.key == key)
     }
 
-    /// Whether the trial takes so long that it should be announced; otherwise how long until it does. `None` without a trial.
+    /// `Ok` if the trial takes so long that it should be announced; otherwise the time until then. `None` without a trial.
     pub fn slow(&self) -> Option<Result<(), Duration>> {
         let left = SLOW.saturating_sub(self.running.as_ref()?.since.elapsed());
         Some(if left.is_zero() { Ok(()) } else { Err(left) })

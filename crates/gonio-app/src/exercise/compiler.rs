@@ -12,14 +12,14 @@ use gonio_exercises::preview::{Note, NoteKind, SubmittedPair};
 use std::time::Duration;
 use web_time::Instant;
 
-/// After the last key a pair is compiled: sooner, and half-written words would be errors.
+/// Time after the last key until a pair is compiled. With less, half-written words would be reported as errors.
 const PAUSE: Duration = Duration::from_millis(300);
 
 /// Compiles the pair of shaders, after a trial if needed.
 #[derive(Default)]
 pub struct Compiler {
     preview: Option<Preview>,
-    /// The last texts, and since when they are unchanged.
+    /// The last texts, and when they changed.
     seen: Option<(Vec<SourceFile>, Instant)>,
     /// The texts that were compiled.
     compiled: Option<Vec<SourceFile>>,
@@ -142,7 +142,7 @@ impl Compiler {
         }
         self.compiled = Some(content);
         let Some(preview) = &mut self.preview else {
-            // To be compiled when there is something to draw with.
+            // It is compiled once there is a preview.
             self.compiled = None;
             return;
         };

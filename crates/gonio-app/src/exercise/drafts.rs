@@ -13,9 +13,9 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 use web_time::{Instant, SystemTime, UNIX_EPOCH};
 
-/// Longest time whose typing a crash may lose.
+/// A crash loses at most the typing of this time.
 const DELAY: Duration = Duration::from_secs(1);
-/// Longer texts are not kept. A sentence says so.
+/// Longer texts are not kept, which is reported.
 const MOST_BYTES: usize = 1024 * 1024;
 /// Drafts that are older are not restored, and are removed.
 pub const MOST_AGE: Duration = Duration::from_secs(90 * 24 * 60 * 60);
@@ -38,7 +38,7 @@ struct Draft {
 pub struct Drafts {
     /// The last kept text by key.
     kept: BTreeMap<String, String>,
-    /// When changed texts are to be written.
+    /// The time at which changed texts are written.
     due: Option<Instant>,
     /// The failure that was reported last, so that it is not reported every second.
     reported: Option<String>,
@@ -50,7 +50,7 @@ impl Drafts {
         self.kept.len()
     }
 
-    /// Puts drafts that an earlier window left into files that were just opened. Gives sentences for what went wrong.
+    /// Restores drafts of earlier windows into files that were just opened. Returns a sentence for each failure.
     pub fn restore(&mut self, ctx: &Context, work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
         let mut failures = Vec::new();
         let mut first = None;
@@ -60,7 +60,7 @@ impl Drafts {
                 continue;
             }
             let key = key(exercise, file);
-            // The text that this window has under this key is in another set of files.
+            // This window has a text under this key, in another set of files.
             if self.kept.contains_key(&key) {
                 continue;
             }
@@ -78,7 +78,7 @@ impl Drafts {
                 continue;
             }
             self.kept.insert(key, draft.text.clone());
-            // A step of undo leads back to the saved text.
+            // Undo leads back to the saved text.
             editor::remember(ctx, file);
             file.text = draft.text;
             file.restored = Some(in_words(age));
@@ -114,13 +114,13 @@ impl Drafts {
             return Vec::new();
         }
         let failures = self.write(&unsaved, platform);
-        // It is tried again every second, and reported once.
+        // Writing is retried every second, and a failure reported once.
         let is_news = failures.first() != self.reported.as_ref();
         self.reported = failures.first().cloned();
         if is_news { failures } else { Vec::new() }
     }
 
-    /// Keeps everything now: the window closes. Gives a sentence for each text that could not be kept.
+    /// Keeps all unsaved text now, because the window closes. Returns a sentence for each text that could not be kept.
     pub fn flush<'a>(&mut self, works: impl Iterator<Item = &'a Work>, platform: &mut dyn Platform) -> Vec<String> {
         let unsaved = unsaved(works);
         self.forget(&unsaved, platform);
@@ -169,7 +169,7 @@ struct Unsaved<'a> {
     file: &'a OpenFile,
 }
 
-/// All of them. A file that was opened several times gives several texts; those that are open now come first.
+/// All unsaved files. A file that was opened several times may have several texts; the open ones come first.
 fn unsaved<'a>(works: impl Iterator<Item = &'a Work>) -> Vec<Unsaved<'a>> {
     let mut found: Vec<Unsaved<'a>> = Vec::new();
     for work in works {
@@ -205,8 +205,8 @@ fn keep(key: &str, exercise: &str, file: &OpenFile, platform: &mut dyn Platform)
     platform.keep_draft(key, &text)
 }
 
-/// What a draft of this file is called: the same for the same exercise and place on the disk. Files in memory have no place:
-/// they are told apart by their name and the content that they were opened with.
+/// The key of a file's draft. It depends on the exercise and the path on disk; for files in memory, on the name and the
+/// content that they were opened with.
 fn key(exercise: &str, file: &OpenFile) -> String {
     let mut bytes = exercise.as_bytes().to_vec();
     bytes.push(0);

@@ -10,7 +10,7 @@ use gonio_scene::files::FileSource;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Keeps drafts in memory, and has nothing else.
+/// A platform that keeps drafts in memory, and has nothing else.
 #[derive(Default)]
 struct Memory {
     drafts: BTreeMap<String, String>,
@@ -68,7 +68,7 @@ fn work(files: &[(&str, &str)]) -> Work {
     Work::new(exercise::find("ex04").unwrap(), files)
 }
 
-/// A window that has the focus, or has lost it.
+/// The context of a window with or without the focus.
 fn window(focused: bool) -> Context {
     let ctx = Context::default();
     let input = egui::RawInput { focused, ..Default::default() };
@@ -76,14 +76,14 @@ fn window(focused: bool) -> Context {
     ctx
 }
 
-/// What a window that opens these files then restores; fails where it complains.
+/// The drafts that a window restores into these files, without failures.
 fn restored(work: &mut Work, platform: &mut Memory) -> Drafts {
     let mut drafts = Drafts::default();
     assert_eq!(drafts.restore(&Context::default(), work, platform), Vec::<String>::new());
     drafts
 }
 
-/// A window in which `text` is written into the file of this number, and which then ends without a warning.
+/// A window in which `text` is typed into a file, and which is then killed.
 fn killed(work: &mut Work, file: usize, text: &str, platform: &mut Memory) {
     work.files[file].text = text.into();
     assert_eq!(Drafts::default().flush([&*work].into_iter(), platform), Vec::<String>::new());
@@ -166,7 +166,7 @@ fn drafts_are_written_once_after_typing() {
     assert_eq!((platform.written, drafts.due), (0, None));
     work.files[0].text = "typed".into();
     drafts.follow(&ctx, [&work].into_iter(), &mut platform);
-    assert!(platform.written == 0 && drafts.due.is_some(), "it waits for more");
+    assert!(platform.written == 0 && drafts.due.is_some(), "it waits for more typing");
     drafts.due = Some(Instant::now());
     for _ in 0..3 {
         drafts.follow(&ctx, [&work].into_iter(), &mut platform);

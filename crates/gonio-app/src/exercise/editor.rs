@@ -22,8 +22,8 @@ const MARK_WIDTH: f32 = 4.0;
 /// Most messages that are listed below the text at once.
 const MOST_LISTED: usize = 8;
 
-/// Shows the files' tabs, the current one's text and what is said of it. True with what was asked for; the texts are edited
-/// in place.
+/// Shows the tabs of the files, and the current file's text with its messages. Texts are edited in place. Returns a command
+/// if one was given.
 pub fn show(ui: &mut Ui, work: &mut Work) -> Option<ExerciseCommand> {
     tabs(ui, work);
     let asked = restored(ui, work).or(conflict(ui, work)).or(put_back(ui, work));
@@ -74,10 +74,10 @@ fn tabs(ui: &mut Ui, work: &mut Work) {
     });
 }
 
-/// Drafts that an earlier window left, and that are in the editor now.
+/// The question about drafts of an earlier window that are in the editor now.
 fn restored(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     let in_conflict = |file: &OpenFile| file.other.is_some();
-    // The question about the conflict tells of it, and has the same answers.
+    // The question about the conflict covers it, with the same answers.
     if work.files.get(work.current).is_some_and(|file| file.is_restored() && in_conflict(file)) {
         return None;
     }
@@ -92,7 +92,7 @@ fn restored(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     question(ui, "restored", colors::ACCENT.of(ui), &sentence, answers)
 }
 
-/// A file that was changed on the disk while there is text here that was not saved.
+/// The question about a file that changed on disk while it has unsaved changes here.
 fn conflict(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     let current = work.current;
     let file = work.files.get(current).filter(|file| file.other.is_some())?;
@@ -111,7 +111,7 @@ fn conflict(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     question(ui, "conflict", colors::WARNING.of(ui), &sentence, answers)
 }
 
-/// A sentence with buttons to answer it.
+/// A sentence with two buttons. Returns the command of the pressed one.
 fn question(
     ui: &mut Ui,
     id: &str,
@@ -196,7 +196,7 @@ fn text(ui: &mut Ui, file: &mut OpenFile, marks: &[Mark], jump: Option<u32>) {
     });
 }
 
-/// Puts the text's cursor at the beginning of a line, and selects it, so that it is seen.
+/// Selects a line, with the cursor at its beginning.
 fn put_cursor(ui: &Ui, id: Id, text: &str, line: u32) {
     let before: usize =
         text.split_inclusive('\n').take(line.saturating_sub(1) as usize).map(|l| l.chars().count()).sum();
@@ -217,7 +217,7 @@ fn rows(output: &TextEditOutput) -> impl Iterator<Item = Rect> + '_ {
     output.galley.rows.iter().map(|row| row.rect().translate(output.galley_pos.to_vec2()))
 }
 
-/// The numbers at the left edge of what is seen, however far the text is scrolled; marks and what they say.
+/// Line numbers and marks at the left edge of the visible part, with the messages as tooltips.
 fn numbers(ui: &Ui, output: &TextEditOutput, marks: &[Mark], gutter: f32, id: Id) {
     let clip = ui.clip_rect();
     let painter = ui.painter();
@@ -300,7 +300,7 @@ fn message_row(ui: &mut Ui, icon: &str, color: Color32, text: &str) -> egui::Res
     .inner
 }
 
-/// Whether there is a step back and one forth in a file, and those steps.
+/// Undoes a step in a file, or redoes one (`forth`). Returns whether there was one.
 pub fn step(ctx: &egui::Context, file: &mut OpenFile, forth: bool) -> bool {
     let id = file.id();
     let Some(mut state) = TextEditState::load(ctx, id).filter(|_| !file.locked) else { return false };
@@ -316,7 +316,7 @@ pub fn step(ctx: &egui::Context, file: &mut OpenFile, forth: bool) -> bool {
     true
 }
 
-/// Remembers the text as it is, for a step back, before it becomes another one by no hand of the person's.
+/// Adds the text to the undo history, before it is replaced by other means than typing.
 pub fn remember(ctx: &egui::Context, file: &OpenFile) {
     let id = file.id();
     let mut state = TextEditState::load(ctx, id).unwrap_or_default();
@@ -327,14 +327,14 @@ pub fn remember(ctx: &egui::Context, file: &OpenFile) {
     state.store(ctx, id);
 }
 
-/// Lets the keys go to another field.
+/// Gives up the keyboard focus, so that another field can take it.
 pub fn let_go(ctx: &egui::Context, work: &Work) {
     if let Some(file) = work.files.get(work.current) {
         ctx.memory_mut(|memory| memory.surrender_focus(file.id()));
     }
 }
 
-/// Whether there is a step back, and whether there is one forth.
+/// Whether there is a step to undo, and one to redo.
 pub fn can_step(ctx: &egui::Context, file: &OpenFile) -> [bool; 2] {
     let Some(state) = TextEditState::load(ctx, file.id()).filter(|_| !file.locked) else { return [false; 2] };
     let now = (state.cursor.char_range().unwrap_or_default(), file.text.clone());
@@ -351,7 +351,7 @@ const COMMENT: Tint = Tint::new([0x5d, 0x77, 0x5e], [0x86, 0xa1, 0x88]);
 const DIRECTIVE: Tint = Tint::new([0x6e, 0x6e, 0x78], [0xa5, 0xa9, 0xb4]);
 const STRAY: Tint = crate::theme::colors::ERROR;
 
-/// Longer texts have one colour: every word in colours costs time in each frame.
+/// Longer texts have one colour, because colours cost time in each frame.
 const MOST_COLORED_BYTES: usize = 100_000;
 
 fn color_of(class: Class, dark: bool, text: Color32) -> Color32 {
@@ -369,7 +369,7 @@ fn color_of(class: Class, dark: bool, text: Color32) -> Color32 {
     tint.in_theme(dark)
 }
 
-/// A text as it was laid out last, for which size and theme.
+/// A text as last laid out, with its font size and theme.
 #[derive(Clone)]
 struct Kept {
     text: String,
@@ -378,7 +378,7 @@ struct Kept {
     job: LayoutJob,
 }
 
-/// The text in colours, from what is kept where nothing changed; lines are as long as they are.
+/// The text in colours; cached until text, size or theme change. Lines are not wrapped.
 fn highlighted(ui: &Ui, id: Id, text: &str, is_glsl: bool, font: &FontId) -> LayoutJob {
     let (dark, size) = (ui.visuals().dark_mode, font.size);
     let key = id.with("highlighted");

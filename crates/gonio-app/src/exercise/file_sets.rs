@@ -24,7 +24,7 @@ pub struct ReplaceOutcome {
 }
 
 impl Work {
-    /// Puts files in place of those that are for the same: see [`preview::sort_files`].
+    /// Opens files in place of those with the same use: see [`preview::sort_files`].
     pub fn take(&mut self, opened: Vec<ExerciseFile>) -> ReplaceOutcome {
         let sources: Vec<SourceFile> =
             opened.iter().map(|file| SourceFile::new(file.name.clone(), file.bytes.clone())).collect();
@@ -39,7 +39,7 @@ impl Work {
             sorted.taken.iter().map(|(index, _)| opened.get(*index).and_then(is_open)).collect();
         let names: Vec<&str> = taken.iter().map(|(file, _)| file.name.as_str()).collect();
         if let Some(&first) = all.as_ref().and_then(|all| all.first()) {
-            // Nothing is to be put away for what is there already.
+            // The files are open already.
             self.current = first;
             return ReplaceOutcome { announcement: Some(format!("opened {}", listed(&names))), ignored: sorted.aside };
         }
@@ -64,7 +64,7 @@ impl Work {
         for (index, file) in opened.into_iter().enumerate().filter(|(index, _)| numbers.contains(index)) {
             files.push(OpenFile::new(self.exercise, file, (self.sets, index)).shown());
         }
-        // The fragment shader is what is written at most.
+        // Students mostly edit the fragment shader.
         let fragment = uses.iter().position(|of_file| of_file.fragment).unwrap_or(0);
         self.replace(OpenFileSet { files, current: first_new + fragment });
         ReplaceOutcome { announcement: Some(announcement), ignored: sorted.aside }
@@ -74,7 +74,7 @@ impl Work {
     pub fn begin_again(&mut self) {
         self.sets += 1;
         let mut files = Work::start_files(self.exercise, self.sets);
-        // Whoever begins again does not want a draft.
+        // Drafts are not restored when starting over.
         files.iter_mut().for_each(|file| file.draft_was_asked = true);
         let current = Work::first_shown(self.exercise, &files);
         self.replace(OpenFileSet { files, current });

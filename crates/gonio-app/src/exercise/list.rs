@@ -8,10 +8,10 @@ use egui::{CentralPanel, CornerRadius, Frame, Label, Margin, RichText, ScrollAre
 use gonio_check::verdict::Outcome;
 use gonio_exercises::exercise;
 
-/// Points that lines of text should not be longer than.
+/// Longest line of text, points.
 const WIDTH: f32 = 720.0;
 
-/// Shows them, a card each; `begun` are those that something was done for.
+/// Shows the exercises, a card each; `begun` are those in progress.
 pub fn show(ui: &mut Ui, begun: &[&Work], commands: &mut Vec<ExerciseCommand>) {
     let inside = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
     CentralPanel::default().frame(inside).show(ui, |ui| {
@@ -76,7 +76,7 @@ fn card(ui: &mut Ui, exercise: &exercise::Exercise, state: Option<&str>, command
     }
 }
 
-/// Words that do not take the click from what they stand on.
+/// A label that lets clicks through to the card.
 fn words(text: RichText) -> Label {
     Label::new(text).selectable(false)
 }

@@ -1,4 +1,4 @@
-//! An exercise's text: what of Markdown the exercises use, in the window's own letters.
+//! An exercise's text: the part of Markdown that the exercises use, in the window's fonts.
 
 use super::figure;
 use crate::theme;
@@ -21,7 +21,7 @@ enum Block<'a> {
     Figure(&'a str, &'a str),
 }
 
-/// Letters of one kind.
+/// Style of letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Style {
     Plain,
@@ -75,13 +75,13 @@ fn code_block(ui: &mut Ui, code: &str, index: usize) {
     });
 }
 
-/// Columns as wide as their words ask for, together no wider than the room.
+/// A table. Columns share the available width by the lengths of their texts.
 fn table(ui: &mut Ui, rows: &[Vec<&str>]) {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0).max(1);
     let longest = |column: usize| {
         let cells = || rows.iter().filter_map(|row| row.get(column));
         let whole = cells().map(|cell| cell.chars().count()).max().unwrap_or(0).min(40);
-        // No word is broken where that can be helped.
+        // Words are not broken if possible.
         let word = cells().flat_map(|cell| cell.split(' ')).map(|word| word.chars().count()).max().unwrap_or(0);
         whole.max(word + 2).max(5) as f32
     };
@@ -109,7 +109,7 @@ fn table(ui: &mut Ui, rows: &[Vec<&str>]) {
     }
 }
 
-/// A line of words as letters of several kinds.
+/// A line of text in several styles.
 fn inline(ui: &Ui, words: &str) -> LayoutJob {
     let size = TextStyle::Body.resolve(ui.style()).size;
     let (plain, strong) = (ui.visuals().text_color(), ui.visuals().strong_text_color());
@@ -218,7 +218,7 @@ fn blocks(text: &str) -> Vec<Block<'_>> {
     found
 }
 
-/// A row's cells; a bar within `code` ends none.
+/// The cells of a row; a bar within `code` does not end a cell.
 fn row_of(line: &str) -> Vec<&str> {
     let inside = line.trim().trim_start_matches('|').trim_end_matches('|');
     let (mut cells, mut from, mut in_code) = (Vec::new(), 0, false);

@@ -51,7 +51,7 @@ use drafts::Drafts;
 use egui::{Context, Frame, Margin, Panel, ScrollArea, Ui};
 use std::path::PathBuf;
 
-/// Below this width (points) everything lies one above the other: a phone held upright.
+/// Below this width (points) everything is stacked: a phone in portrait orientation.
 const NARROW: f32 = 720.0;
 
 /// The exercise view.
@@ -100,12 +100,12 @@ impl ExerciseView {
         self.work.iter().chain(&self.aside)
     }
 
-    /// Puts text that an earlier window left unsaved into the files that are open now. Gives sentences for what went wrong.
+    /// Restores unsaved text of an earlier window into the open files. Returns a sentence for each failure.
     pub fn restore_drafts(&mut self, ctx: &egui::Context, platform: &mut dyn Platform) -> Vec<String> {
         self.work.as_mut().map_or_else(Vec::new, |work| self.drafts.restore(ctx, work, platform))
     }
 
-    /// Keeps unsaved text for the next window, a moment after it was typed: to be called in every frame.
+    /// Keeps unsaved text for the next window, a moment after it was typed; called in every frame.
     pub fn follow_drafts(&mut self, ctx: &egui::Context, platform: &mut dyn Platform) -> Vec<String> {
         self.drafts.follow(ctx, self.work.iter().chain(&self.aside), platform)
     }
@@ -120,7 +120,7 @@ impl ExerciseView {
         self.drafts.count()
     }
 
-    /// Files on the disk that are to be watched.
+    /// Files on disk to watch.
     pub fn paths(&self) -> Vec<std::path::PathBuf> {
         self.works().flat_map(|work| work.files.iter().filter_map(|file| file.path.clone())).collect()
     }
@@ -140,17 +140,17 @@ impl ExerciseView {
         }
     }
 
-    /// Its part of the state: see [`exported::state`].
+    /// The exercise's part of the exported state: see [`exported::state`].
     pub fn state(&self) -> serde_json::Value {
         state_json::build(self)
     }
 
-    /// Drops everything on the GPU, because its context is lost or about to be.
+    /// Drops everything on the GPU, because its context is lost or will be.
     pub fn release(&mut self) {
         self.compiler.release();
     }
 
-    /// A picture's pixels as they were drawn last, for tests: RGBA, the top row first, and how many columns and rows.
+    /// The pixels of a picture as last drawn, for tests: RGBA, the top row first; and its width and height.
     pub fn pixels(&self, picture: PreviewPicture) -> Option<(Vec<u8>, [u32; 2])> {
         self.compiler.preview()?.pixels(picture)
     }
@@ -160,7 +160,7 @@ impl ExerciseView {
         self.compiler.preview().map_or(0, |preview| preview.pictures)
     }
 
-    /// Shows a frame of it. Returns errors, a sentence each.
+    /// Shows a frame. Returns errors, a sentence each.
     pub fn ui(
         &mut self,
         ui: &mut Ui,
@@ -230,7 +230,7 @@ impl ExerciseView {
         }
     }
 
-    /// Files on the disk were changed by another program.
+    /// Reloads files that another program changed on disk. Returns a sentence for each failure.
     pub fn changed(&mut self, ctx: &egui::Context, paths: &[std::path::PathBuf]) -> Vec<String> {
         let works = self.work.iter_mut().chain(&mut self.aside);
         works.flat_map(|work| saving::read_again(ctx, work, paths)).collect()
@@ -239,7 +239,7 @@ impl ExerciseView {
 
 type Drawn = Result<(), gonio_gl::GlError>;
 
-/// The editor at the left, the picture above a page at the right.
+/// The layout of a wide window: the editor at the left, the picture above a page at the right.
 fn wide(
     ui: &mut Ui,
     work: &mut Work,
@@ -264,7 +264,7 @@ fn wide(
     egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(ui, work, preview, pane_renderer)).inner
 }
 
-/// The picture above, and one page below.
+/// The layout of a narrow window: the picture above one page.
 fn narrow(
     ui: &mut Ui,
     work: &mut Work,
@@ -291,7 +291,7 @@ fn edit(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>) {
     commands.extend(editor::show(ui, work));
 }
 
-/// The names of the pages, of which one is shown.
+/// The tabs of the pages.
 fn pages(ui: &mut Ui, work: &mut Work, pages: &[ExercisePage]) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -386,7 +386,7 @@ fn apply_to_work(
         }
         ExerciseCommand::KeepMine(index) => {
             if let Some(file) = work.files.get_mut(index) {
-                // The version on disk is what changes are compared with.
+                // Changes are compared with the version on disk.
                 if let Some(other) = file.other.take() {
                     file.saved = other;
                 }
@@ -403,7 +403,7 @@ fn apply_to_work(
         ExerciseCommand::PutBack => {
             work.put_back();
             compiler.begin_anew();
-            // They were not watched while they were put away.
+            // They were not watched while they were replaced.
             let paths: Vec<PathBuf> = work.files.iter().filter_map(|file| file.path.clone()).collect();
             return saving::read_again(ctx, work, &paths);
         }

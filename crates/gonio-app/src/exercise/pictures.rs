@@ -17,7 +17,7 @@ const GROUND: Color32 = Color32::from_black_alpha(150);
 const NARROW: f32 = 480.0;
 const INK: Color32 = Color32::from_gray(0xf2);
 
-/// Shows them in all the room there is.
+/// Shows the pictures in the available room.
 pub fn show(
     ui: &mut Ui,
     work: &mut Work,
@@ -180,7 +180,7 @@ fn steer(ui: &Ui, response: &egui::Response, work: &mut Work) {
     }
 }
 
-/// One of several rectangles side by side, or one above the other where the room is upright. All have as many pixels: their
+/// One of several rectangles side by side, or stacked in an upright room. All have the same number of pixels, because their
 /// pictures are compared.
 fn part(room: Rect, index: usize, count: usize, pixels_per_point: f32) -> Rect {
     let whole = |points: f32| (points * pixels_per_point).floor() / pixels_per_point;
@@ -196,7 +196,7 @@ fn part(room: Rect, index: usize, count: usize, pixels_per_point: f32) -> Rect {
     }
 }
 
-/// A sentence in the middle of where a picture would be.
+/// A sentence in place of a picture.
 fn sentence(ui: &mut Ui, rect: Rect, text: &str) {
     let width = (rect.width() - 40.0).clamp(60.0, 460.0);
     let place = Rect::from_center_size(rect.center(), vec2(width, 90.0_f32.min(rect.height())));
@@ -204,7 +204,7 @@ fn sentence(ui: &mut Ui, rect: Rect, text: &str) {
     inner.add(Label::new(RichText::new(text).weak()).wrap());
 }
 
-/// Words over a picture; where they stand.
+/// Writes a caption over a picture. Returns its rectangle.
 fn written(ui: &Ui, rect: Rect, align: Align2, text: &str, ground: Color32) -> Rect {
     let room = rect.shrink(8.0);
     let style = TextStyle::Body.resolve(ui.style());
@@ -218,7 +218,7 @@ fn written(ui: &Ui, rect: Rect, align: Align2, text: &str, ground: Color32) -> R
     place
 }
 
-/// A word for tests of what is shown.
+/// The name of a mode in the exported state.
 pub fn word(shown: PictureMode) -> &'static str {
     match shown {
         PictureMode::Yours => "yours",

@@ -15,9 +15,9 @@ const FULL_SCALE: f64 = 48.0;
 /// One of the pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PreviewPicture {
-    /// The student's.
+    /// The student's picture.
     Yours = 0,
-    /// The right answer's.
+    /// The picture of the correct answer.
     Reference = 1,
     /// The difference of both.
     Difference = 2,
@@ -26,7 +26,7 @@ pub enum PreviewPicture {
 /// Everything that a picture depends on.
 type Drawn = ([u32; 2], Vec<(PreviewShape, TestScene)>, u64);
 
-/// Everything of an exercise on the GPU. It follows from the work and its sources.
+/// The GPU resources of an exercise, which follow from the work and its sources.
 pub struct Preview {
     gl: Gl,
     stage: PreviewRenderer,
@@ -62,14 +62,14 @@ impl Preview {
         })
     }
 
-    /// Compiles the student's pair: where it does, it is what is drawn from now on, and otherwise what was drawn before stays.
+    /// Compiles the student's pair. If it compiles, it is drawn from now on; otherwise the previous pair is.
     pub fn compile(&mut self, source: &SubmittedPair) -> Result<&CompiledPair, Vec<Note>> {
         let pair = source.compile(&self.gl)?;
         self.serial += 1;
         Ok(self.pairs[0].insert(pair))
     }
 
-    /// The student's pair that is drawn.
+    /// The student's pair that is drawn, if any.
     pub fn pair(&self) -> Option<&CompiledPair> {
         self.pairs[0].as_ref()
     }
@@ -79,7 +79,7 @@ impl Preview {
         self.pairs[1].is_some()
     }
 
-    /// One of the pictures, to be shown by a paint callback, drawn if anything changed; `None` where there is none.
+    /// One of the pictures for a paint callback, drawn if anything changed; `None` if there is none.
     pub fn picture(
         &mut self,
         picture: PreviewPicture,
@@ -144,7 +144,7 @@ impl Preview {
         Ok(())
     }
 
-    /// A picture's pixels as they were drawn last: RGBA, the top row first, and how many columns and rows. Waits for the GPU.
+    /// The pixels of a picture as last drawn: RGBA, the top row first; and its width and height. Waits for the GPU.
     pub fn pixels(&self, picture: PreviewPicture) -> Option<(Vec<u8>, [u32; 2])> {
         let canvas = self.canvases.get(picture as usize)?.as_ref()?;
         Some((canvas.read8(), canvas.size()))

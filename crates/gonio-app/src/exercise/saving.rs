@@ -17,7 +17,7 @@ pub fn save(work: &mut Work, platform: &mut dyn Platform) -> Vec<String> {
     let in_memory = work.files.iter().all(|file| file.path.is_none());
     let mut failures = Vec::new();
     if platform.has_folders() && work.files.iter().any(|file| file.path.is_none() && (in_memory || file.is_changed())) {
-        // Beside those that have a place already.
+        // The proposed folder is that of the files that have one.
         let beside = work.files.iter().find_map(|file| Some(file.path.as_ref()?.parent()?.display().to_string()));
         work.asking = Some(beside.unwrap_or_else(|| work.exercise.id.clone()));
         if in_memory {

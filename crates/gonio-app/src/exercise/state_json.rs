@@ -6,20 +6,20 @@ use serde_json::{Value, json};
 
 /// One JSON object:
 ///
-/// | key | what |
+/// | key | value |
 /// |---|---|
 /// | `open` | whether it is shown in place of the scene |
-/// | `id` | the exercise's word, or null: the list is shown |
-/// | `files` | of each `name`, whether it is `changed` (not saved), in `conflict` with the disk, `restored` from a draft, and `shown` in a tab |
-/// | `drafts` | how many files have unsaved text that is kept for the next window |
-/// | `before` | how many sets of files were open before these, and can be put back |
-/// | `file`, `page`, `shown`, `scene` | the file in the editor; the page beside; which picture; in which scene |
+/// | `id` | the exercise's id, or null if the list is shown |
+/// | `files` | for each, `name` and whether it is `changed` (not saved), in `conflict` with the disk, `restored` from a draft, and `shown` in a tab |
+/// | `drafts` | number of files with unsaved text that is kept for the next window |
+/// | `before` | number of sets of files that were open before and can be put back |
+/// | `file`, `page`, `shown`, `scene` | the file in the editor, the page beside it, the picture mode, and the scene |
 /// | `marks` | marked lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
 /// | `unusable` | the reason why there are no shaders to draw, or null |
-/// | `drawn`, `older`, `tried` | a pair is drawn; it is an older one; the newer one is tried outside of the window |
-/// | `trials` | how many pairs were tried outside of the window first |
-/// | `pictures` | how many were drawn |
-/// | `checking` | a check is under way |
+/// | `drawn`, `older`, `tried` | whether a pair is drawn; whether it is an older one; whether the newer one is being tried outside of the window |
+/// | `trials` | number of pairs that were tried outside of the window first |
+/// | `pictures` | number of pictures drawn |
+/// | `checking` | whether a check is running |
 /// | `verdict` | null before the first check, else `word`, `summary`, `mistakes` (ids), `error` (why there is none), `stale` |
 pub fn build(view: &ExerciseView) -> Value {
     let mut state = view.work.as_ref().map_or_else(|| json!({ "id": null }), of_work);

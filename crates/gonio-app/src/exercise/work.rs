@@ -60,17 +60,17 @@ impl OpenFile {
         }
     }
 
-    /// The same with a tab, whatever it is called: it was given as an answer.
+    /// The same file with a tab, whatever its name, because the student opened it as an answer.
     pub(super) fn shown(self) -> Self {
         OpenFile { is_shown: true, ..self }
     }
 
-    /// Whether this is what it was read from, and nothing was written in it.
+    /// Whether it was read from this file and is unchanged.
     pub(super) fn is_same(&self, file: &ExerciseFile) -> bool {
         self.path == file.path && self.name == file.name && self.saved == file.bytes && !self.is_changed()
     }
 
-    /// Whether there is something to save.
+    /// Whether it has unsaved changes.
     pub fn is_changed(&self) -> bool {
         !self.locked && self.text.as_bytes() != self.saved
     }
@@ -104,7 +104,7 @@ impl OpenFile {
         true
     }
 
-    /// Makes what is on the disk the text.
+    /// Replaces the text by the content on disk.
     pub fn take(&mut self, bytes: Vec<u8>) {
         (self.text, self.locked) = decoded(&bytes);
         self.saved = bytes;
@@ -131,9 +131,9 @@ fn decoded(bytes: &[u8]) -> (String, bool) {
 /// The pictures that are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PictureMode {
-    /// The student's.
+    /// The student's picture.
     Yours,
-    /// The right answer's.
+    /// The picture of the correct answer.
     Reference,
     /// Both side by side.
     #[default]
@@ -145,7 +145,7 @@ pub enum PictureMode {
 /// The page beside the editor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ExercisePage {
-    /// The editor itself, where there is little room.
+    /// The editor itself, in a narrow window.
     Editor,
     /// The exercise's text.
     #[default]
@@ -165,19 +165,19 @@ pub struct ProgramFacts {
     pub unusable: Option<String>,
     /// Warnings about guesses and corrections.
     pub warnings: Vec<String>,
-    /// A pair was compiled and can be drawn: this one, or an earlier one.
+    /// Whether a pair was compiled and can be drawn: this one, or an earlier one.
     pub is_drawn: bool,
     /// Whether the drawn pair is an earlier one, because the one in the editor does not compile.
     pub is_old: bool,
-    /// It is tried outside of the window first: it may crash the driver, or never end.
+    /// Whether it is being tried outside of the window, because it may crash the driver or never end.
     pub is_tried: bool,
-    /// The trial takes so long that it should be announced.
+    /// Whether the trial takes so long that it should be announced.
     pub is_trial_slow: bool,
     /// Meaning and value of its variables in the last picture.
     pub variables: Vec<VariableValue>,
 }
 
-/// A verdict with the texts that it is of.
+/// A verdict, with the texts that were checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// The verdict, or why there is none.
@@ -189,7 +189,7 @@ pub struct Judged {
 /// An exercise that is being worked on.
 #[derive(Clone, Debug)]
 pub struct Work {
-    /// Which.
+    /// The exercise.
     pub exercise: &'static Exercise,
     /// The student's files.
     pub files: Vec<OpenFile>,
@@ -199,15 +199,15 @@ pub struct Work {
     pub shown: PictureMode,
     /// The page beside the editor.
     pub page: ExercisePage,
-    /// The scenes to look at it in.
+    /// The scenes of the preview.
     pub scenes: Vec<PreviewScene>,
     /// Index of the current scene.
     pub scene: usize,
     /// The camera.
     pub camera: CameraSettings,
-    /// `now`.
+    /// The animation's time.
     pub clock: Clock,
-    /// Pass what the lab's own solutions do too.
+    /// Whether variants of the lab's own solutions are accepted.
     pub as_the_lab: bool,
     /// Facts about the pair in the editor.
     pub program: ProgramFacts,
@@ -215,11 +215,11 @@ pub struct Work {
     pub trials: u32,
     /// The last verdict.
     pub judged: Option<Judged>,
-    /// A check is under way.
+    /// Whether a check is running.
     pub checking: bool,
     /// The line to scroll to: file and line.
     pub jump: Option<(usize, u32)>,
-    /// A folder is asked for, to save into: as far as it is written.
+    /// The text of the dialog that asks for a folder to save to, if it is open.
     pub asking: Option<String>,
     /// Files that were open before these, the latest last.
     pub before: Vec<OpenFileSet>,
@@ -230,7 +230,7 @@ pub struct Work {
 }
 
 impl Work {
-    /// Begins. Without files with the exercise's own ones to start from.
+    /// Starts an exercise with these files, or with its original files if there are none.
     pub fn new(exercise: &'static Exercise, files: Vec<ExerciseFile>) -> Self {
         let opened = |(index, file)| OpenFile::new(exercise, file, (0, index));
         let files: Vec<OpenFile> = match files.is_empty() {
@@ -264,14 +264,14 @@ impl Work {
         work
     }
 
-    /// The exercise's own files to start from, as the set of this number.
+    /// The exercise's original files, as the set of this number.
     pub(super) fn start_files(exercise: &Exercise, set: u64) -> Vec<OpenFile> {
         let file = |(name, text): (&str, &str)| ExerciseFile { name: name.into(), path: None, bytes: text.into() };
         let opened = |(index, file)| OpenFile::new(exercise, file, (set, index));
         exercise.start_files().map(file).enumerate().map(opened).collect()
     }
 
-    /// The one of several files that is in the editor at first: where there is something to do.
+    /// The file that is in the editor at first: one with something to do.
     pub(super) fn first_shown(exercise: &Exercise, files: &[OpenFile]) -> usize {
         let answers = if exercise.kind == ExerciseKind::GlProgram { ".txt" } else { ".frag" };
         let is_answer = |file: &OpenFile| file.is_shown() && file.name.ends_with(answers);
@@ -281,12 +281,12 @@ impl Work {
         to_do.or_else(|| files.iter().position(OpenFile::is_shown)).unwrap_or(0)
     }
 
-    /// The same, put aside and taken up again: nothing is compiled yet.
+    /// The work as it is resumed: nothing is compiled yet.
     pub fn resumed(self) -> Self {
         Work { program: ProgramFacts::default(), checking: false, ..self }
     }
 
-    /// Goes to another scene, and looks at it from its own place.
+    /// Switches to another scene, with its own camera.
     pub fn look_at(&mut self, scene: usize) {
         self.scene = scene.min(self.scenes.len().saturating_sub(1));
         let Some(scene) = self.scenes.get(self.scene) else { return };
@@ -311,7 +311,7 @@ impl Work {
         self.files.iter().map(|file| SourceFile::new(file.name.clone(), file.content())).collect()
     }
 
-    /// Whether anything was written that was not saved.
+    /// Whether any file has unsaved changes.
     pub fn is_changed(&self) -> bool {
         self.files.iter().any(OpenFile::is_changed)
     }
@@ -334,8 +334,7 @@ impl Work {
         }
     }
 
-    /// Everything that was said of lines of a file: line from 1, whether it is an error, the words. Those of the last check
-    /// as long as it is of these texts.
+    /// The marked lines of a file, by compilers and by the last check if the texts have not changed since.
     pub fn marks(&self, file: usize) -> Vec<Mark> {
         let Some(file) = self.files.get(file) else { return Vec::new() };
         let notes = self.program.notes.iter().filter(|note| note.message.file == file.name).map(|note| {
@@ -378,7 +377,7 @@ pub enum MarkKind {
 pub struct Mark {
     /// Line number, from 1.
     pub line: u32,
-    /// Severity of a message.
+    /// Its kind.
     pub kind: MarkKind,
     /// The message.
     pub text: String,
@@ -402,7 +401,7 @@ mod tests {
     #[test]
     fn a_reload_never_overwrites_unsaved_text() {
         let mut file = file("one");
-        assert!(file.is_now(b"two".to_vec()), "nothing was changed here, so it is taken");
+        assert!(file.is_now(b"two".to_vec()), "without changes here, the version on disk is loaded");
         assert_eq!((file.text.as_str(), file.is_changed()), ("two", false));
         file.text = "mine".into();
         assert!(!file.is_now(b"three".to_vec()));
@@ -428,7 +427,7 @@ mod tests {
         let shown: Vec<&str> = work.files.iter().filter(|f| f.is_shown()).map(|f| f.name.as_str()).collect();
         assert_eq!(shown, ["start.frag", "start.vert"]);
         assert_eq!(work.files[work.current].name, "start.frag");
-        // There is nothing to do in the fragment shader of the camera, and nothing but programs in the black triangle.
+        // ex01 has nothing to do in its fragment shader, and ex11 has no shaders.
         for (id, end) in [("ex01", "start.vert"), ("ex11", ".txt")] {
             let work = Work::new(exercise::find(id).unwrap(), Vec::new());
             assert!(work.files[work.current].name.ends_with(end), "{}", work.files[work.current].name);

@@ -2,10 +2,10 @@
 //!
 //! The rules, in this order:
 //!
-//! 1. Scene files (`.toml`) win: they are opened, and everything else lies beside them.
-//! 2. Else all models are opened, in one scene. Pictures are their textures, but for those that no model has as a texture
+//! 1. If there are scene files (`.toml`), they are opened; the other files are their sidecars.
+//! 2. Otherwise all models are opened, in one scene. Pictures are their textures, except formats that models do not use
 //!    (Radiance, OpenEXR, KTX2, DDS): one of these is the environment.
-//! 3. Else pictures are the environment of the scene that is open: one picture, or the six faces of a cubemap.
+//! 3. Otherwise pictures are the environment of the open scene: one picture, or the six faces of a cubemap.
 //! 4. Otherwise there is nothing to open, which is an error.
 
 use gonio_environment::names;
@@ -14,10 +14,10 @@ use gonio_mesh::{Format, compression};
 use gonio_scene::files::FileSource;
 use std::path::Path;
 
-/// The roles of several files.
+/// The inputs among several files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct GatheredInputs {
-    /// Models or scene files to open; none where there is only an environment.
+    /// Models or scene files to open; empty if there is only an environment.
     pub inputs: Vec<String>,
     /// The environment.
     pub environment: Option<String>,
@@ -29,9 +29,9 @@ enum Kind {
     Model,
     /// May be a texture or an environment.
     Picture,
-    /// No model has such a texture.
+    /// A format that models do not use for textures.
     Environment,
-    /// Beside a model: materials, buffers.
+    /// A sidecar of a model: materials, buffers.
     Sidecar,
     Other,
 }
@@ -83,7 +83,7 @@ fn kind(name: &str, source: &dyn FileSource) -> Kind {
         "png" | "jpg" | "jpeg" | "bmp" | "tga" | "gif" => return Kind::Picture,
         _ => {}
     }
-    // What cannot be read is not left out in silence: a name like a model's is opened, and then says why it cannot.
+    // A file that cannot be read but has a model's name is opened nevertheless, so that the error is reported.
     let bytes = source.read(Path::new(name)).ok();
     let bytes = bytes.as_deref().unwrap_or(&[]);
     match FileFormat::detect(bytes) {
@@ -100,7 +100,7 @@ fn extension(name: &str) -> String {
     Path::new(name).extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
 }
 
-/// The one picture, or the first of six faces: the others are found beside it.
+/// The only picture, or the first of six faces, beside which the others are found.
 fn one_environment(pictures: &[String]) -> Result<String, String> {
     if let [one] = pictures {
         return Ok(one.clone());
@@ -144,9 +144,9 @@ mod tests {
     fn one_model_with_its_sidecars() {
         let files = of(&[("a.mtl", b"newmtl a"), ("a.obj", OBJ), ("wood.png", b""), ("notes.txt", b"")]);
         assert_eq!(files, Ok(inputs(&["a.obj"])));
-        // By its content, whatever it is called.
+        // A model is detected by its content.
         assert_eq!(of(&[("thing", OBJ)]), Ok(inputs(&["thing"])));
-        // glTF that says so at its end.
+        // glTF whose `asset` is at its end.
         let gltf = format!("{{\"nodes\": [{}{{}}], \"asset\": {{}}}}", "{}, ".repeat(2000));
         assert_eq!(of(&[("model.json", gltf.as_bytes())]), Ok(inputs(&["model.json"])));
         assert!(of(&[("package.json", b"{\"name\": \"asset\"}")]).is_err());
@@ -183,7 +183,7 @@ mod tests {
         assert!(of(&[]).is_err());
         assert!(of(&[("a.mtl", b"newmtl a")]).is_err_and(|error| error.contains("belongs to a model")));
         assert!(of(&[("a.txt", b"hello")]).is_err_and(|error| error.contains("`a.txt` cannot be opened")));
-        // The reader will say what is wrong with it.
+        // The reader will report the error.
         assert_eq!(of(&[("a.glb", b"")]), Ok(inputs(&["a.glb"])));
     }
 }

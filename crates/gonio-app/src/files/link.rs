@@ -15,8 +15,8 @@ const MOST_BYTES: u64 = 1 << 20;
 
 const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
-/// The part of an address after `#` that carries the scene. Only what everybody has can be sent: an error names the file
-/// that is not built in.
+/// The part of an address after `#` that contains the scene. Only scenes of built-in files can be sent; an error names the
+/// first other file.
 pub fn of_scene(scene: &SceneSettings) -> Result<String, String> {
     let models = scene.objects.iter().map(|object| &object.model).filter(|model| !model.starts_with(BUILTIN));
     let environments = scene.environment.iter().flat_map(|e| std::iter::once(&e.image).chain(&e.background));
@@ -33,7 +33,7 @@ pub fn of_scene(scene: &SceneSettings) -> Result<String, String> {
     Ok(format!("{KEY}{}", base64url(&packed)))
 }
 
-/// The scene file that such a part of an address carries: `None` where it is about something else, or one sentence.
+/// The scene file in such a part of an address; `None` if it contains none. An error is one sentence.
 pub fn scene_file(fragment: &str) -> Option<Result<String, String>> {
     let text = fragment.trim_start_matches('#').strip_prefix(KEY)?;
     Some(unpack(text).ok_or_else(|| "the scene in the link is damaged: copy the whole link".to_owned()))
@@ -53,7 +53,7 @@ fn base64url(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for group in bytes.chunks(3) {
         let bits = (0..3).fold(0_u32, |bits, i| bits << 8 | u32::from(group.get(i).copied().unwrap_or(0)));
-        // One byte more makes one character more; there is no padding in addresses.
+        // n bytes make n + 1 characters; addresses have no padding.
         for i in 0..=group.len() {
             let digit = bits >> (18 - 6 * i) & 63;
             text.push(char::from(ALPHABET[digit as usize]));
@@ -112,7 +112,7 @@ mod tests {
         let text =
             scene_file(&format!("#{link}")).unwrap_or_else(|| panic!("no scene")).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(toml_file::read(&text).unwrap_or_else(|e| panic!("{e}")), SceneFile::from(&loaded.settings));
-        // Addresses of a few thousand characters go everywhere.
+        // Browsers and mail programs accept addresses of a few thousand characters.
         assert!(link.len() < 4000, "{} characters", link.len());
     }
 

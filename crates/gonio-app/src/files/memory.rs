@@ -1,26 +1,26 @@
-//! Files that lie in memory: dropped on a page, or unpacked.
+//! Files in memory: dropped on a page, or unpacked.
 
 use gonio_scene::files::{FileBytes, FileSource, within};
 use std::collections::BTreeMap;
 use std::io::{Error, ErrorKind};
 use std::path::{Component, Path, PathBuf};
 
-/// Files by their names, folders and all (`model/textures/wood.png`, with forward slashes).
+/// Files by their names with folders and forward slashes (`model/textures/wood.png`).
 ///
-/// A name is found in whatever case it is asked for: who wrote `Wood.PNG` into a model on a system that makes no
-/// difference meant the file that is there. The case that is asked for goes first.
+/// Names match in any case, because models made on systems that ignore case may name `Wood.PNG` for `wood.png`. An exact match
+/// goes first.
 #[derive(Clone, Default)]
 pub struct MemoryFiles {
     files: BTreeMap<String, FileBytes>,
 }
 
 impl MemoryFiles {
-    /// Puts a file in the place of the one of the same name. `.` and `..` are worked out, backslashes count as slashes.
+    /// Adds a file, or replaces the one of the same name. `.` and `..` are resolved, backslashes count as slashes.
     pub fn insert(&mut self, name: &str, bytes: impl Into<FileBytes>) {
         self.files.insert(normal(Path::new(&name.replace('\\', "/"))), bytes.into());
     }
 
-    /// Takes all of `other`.
+    /// Adds all files of `other`.
     pub fn add_all(&mut self, other: MemoryFiles) {
         self.files.extend(other.files);
     }
@@ -35,7 +35,7 @@ impl MemoryFiles {
         self.files.values().map(|bytes| bytes.len() as u64).sum()
     }
 
-    /// Whether there is none.
+    /// Whether there are no files.
     pub fn is_empty(&self) -> bool {
         self.files.is_empty()
     }

@@ -6,7 +6,7 @@ use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Files that are looked for in the first place, and then in the second.
+/// Two sources: files are looked up in the first, and then in the second.
 pub struct Layered {
     /// The first source.
     pub first: Arc<dyn FileSource>,
@@ -45,10 +45,10 @@ impl FileSource for Layered {
     }
 }
 
-/// More than this many files are not remembered: watching them would cost more than it is worth.
+/// Most files that are recorded, because watching more would be too expensive.
 const MOST: usize = 2000;
 
-/// Passes everything on, and remembers what was asked for: also what was not there, for it may come.
+/// A source that records which files are requested from another one, also missing ones, which may appear later.
 pub struct ReadRecorder {
     inner: Arc<dyn FileSource>,
     asked: Mutex<Asked>,
@@ -59,17 +59,17 @@ struct Asked {
     paths: BTreeSet<PathBuf>,
     files: usize,
     bytes: u64,
-    /// Built-in files that were still on their way.
+    /// Built-in files that had not arrived yet.
     late: Vec<String>,
 }
 
 impl ReadRecorder {
-    /// Around `inner`.
+    /// Records requests to `inner`.
     pub fn new(inner: Arc<dyn FileSource>) -> Self {
         ReadRecorder { inner, asked: Mutex::default() }
     }
 
-    /// The paths that were read, each once.
+    /// The requested paths, each once.
     pub fn paths(&self) -> Vec<PathBuf> {
         self.lock().paths.iter().cloned().collect()
     }
@@ -80,17 +80,17 @@ impl ReadRecorder {
         (asked.files, asked.bytes)
     }
 
-    /// Whether a file that was asked for too early is still on its way.
+    /// Whether a file that was requested too early has not arrived yet.
     pub fn is_waiting(&self) -> bool {
         self.lock().late.iter().any(|name| self.inner.is_coming(name))
     }
 
-    /// Begins anew: everything will be asked for once more.
+    /// Clears the record, before everything is requested again.
     pub fn forget(&self) {
         *self.lock() = Asked::default();
     }
 
-    /// Nothing that is done under the lock can leave it half done.
+    /// Ignores poisoning: no operation under the lock can leave the record inconsistent.
     fn lock(&self) -> MutexGuard<'_, Asked> {
         self.asked.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -163,7 +163,7 @@ mod tests {
         assert_eq!(recording.amount(), (2, 6));
     }
 
-    /// Has no built-in file, and expects one until that is taken from it.
+    /// A source that expects one built-in file.
     #[derive(Default)]
     struct Fetching(Mutex<Option<&'static str>>);
 

@@ -39,7 +39,7 @@ const END_SIZE: usize = 22;
 const ENTRY_SIZE: usize = 46;
 const LOCAL_SIZE: usize = 30;
 
-/// Whether these are the first bytes of a zip.
+/// Whether these are the first bytes of a zip file.
 pub fn is_zip(bytes: &[u8]) -> bool {
     bytes.starts_with(&LOCAL) || bytes.starts_with(&END)
 }
@@ -47,9 +47,9 @@ pub fn is_zip(bytes: &[u8]) -> bool {
 /// A file in a zip, as the zip's directory describes it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ZipEntry {
-    /// Its name as it stands there: usually UTF-8, with `/` between folders; a folder's ends with `/`.
+    /// Its name in the directory: usually UTF-8, with `/` between folders; names of folders end with `/`.
     pub name: Vec<u8>,
-    /// Bytes that it has unpacked, says the directory.
+    /// Unpacked size in bytes, as stated by the directory.
     pub size: u64,
     method: u64,
     is_encrypted: bool,
@@ -58,7 +58,7 @@ pub struct ZipEntry {
     packed: usize,
 }
 
-/// The directory of a zip of at most so many files, without unpacking anything. An error is one sentence.
+/// Reads the directory of a zip file with at most `most_files` files. Nothing is unpacked. An error is one sentence.
 pub fn entries(bytes: &[u8], most_files: usize) -> Result<Vec<ZipEntry>, String> {
     let end = find_end(bytes).ok_or("the zip file is truncated or damaged: its directory is missing")?;
     let count = number(bytes, end + 10, 2)? as usize;
@@ -92,7 +92,7 @@ pub fn entries(bytes: &[u8], most_files: usize) -> Result<Vec<ZipEntry>, String>
 }
 
 impl ZipEntry {
-    /// Its content, from the zip that it is in: never more than its size. An error is one sentence.
+    /// Unpacks its content from `zip`, at most [`Self::size`] bytes. An error is one sentence.
     pub fn unpack(&self, zip: &[u8]) -> Result<Vec<u8>, String> {
         let name = String::from_utf8_lossy(&self.name);
         if self.is_encrypted {
@@ -107,14 +107,14 @@ impl ZipEntry {
     }
 }
 
-/// [`unpack_within`] the limits for models.
+/// [`unpack_within`] with the limits for models.
 pub fn unpack(bytes: &[u8]) -> Result<MemoryFiles, String> {
     unpack_within(bytes, &ZipLimits::MODELS)
 }
 
-/// The files in it. Folders, and what systems add for themselves (`__MACOSX/`, names that begin with a dot), are left
-/// out. An error is one sentence: among others, that the directory states more than the limits allow (which is found
-/// before anything is unpacked), or that a file unpacks to more than the directory states.
+/// Unpacks all files, except folders and files that systems add (`__MACOSX/`, names that begin with a dot). An error is one
+/// sentence. It is an error if the directory states more than the limits allow, which is found before anything is unpacked, or
+/// if a file unpacks to more than the directory states.
 pub fn unpack_within(bytes: &[u8], limits: &ZipLimits) -> Result<MemoryFiles, String> {
     let mut requested = Vec::new();
     let mut total = 0;
@@ -149,7 +149,7 @@ fn inflate(content: &[u8], method: u64, size: u64, name: &str) -> Result<Vec<u8>
         0 if content.len() as u64 != size => return Err(wrong()),
         0 => content.to_vec(),
         8 => {
-            // What is packed may lie about its size: a byte more than stated is enough to see that.
+            // One byte more than stated shows that the stated size is wrong.
             let mut bytes = Vec::new();
             DeflateDecoder::new(content)
                 .take(size + 1)
@@ -194,10 +194,10 @@ fn damaged() -> String {
 const VERSION: u16 = 20;
 /// Names are UTF-8.
 const FLAGS: u16 = 1 << 11;
-/// The first day that a zip can name: files that are the same in every build have no other.
+/// The first date that zip files can state, so that packed files are the same in every build.
 const DATE: u16 = 1 << 5 | 1;
 
-/// A zip of these files, by their names with `/` between folders.
+/// Packs files into an uncompressed zip file; names have `/` between folders. Files are small: there are no 64-bit sizes.
 pub fn pack(files: &[(&str, &[u8])]) -> Vec<u8> {
     let (mut zip, mut directory) = (Vec::new(), Vec::new());
     for (name, bytes) in files {
@@ -242,7 +242,7 @@ mod tests {
     use std::io::Write;
     use std::path::Path;
 
-    /// A zip of (name, content, whether deflated), as other programs write it.
+    /// A zip file of (name, content, whether deflated), as other programs write it.
     fn zip_of(files: &[(&str, &[u8], bool)]) -> Vec<u8> {
         let (mut zip, mut directory) = (Vec::new(), Vec::new());
         for (name, content, deflated) in files {
@@ -323,7 +323,7 @@ mod tests {
         for at in 0..zip.len() {
             let mut flipped = zip.clone();
             flipped[at] ^= 0xff;
-            // Whatever comes of it, it is no more than the file says.
+            // A damaged zip file never yields more files than it states.
             if let Ok(files) = unpack(&flipped) {
                 assert!(files.names().len() <= 5, "flipped at {at}");
             }
@@ -358,7 +358,7 @@ mod tests {
         assert_eq!(refused(1, 2, 3).as_deref(), Some(files));
     }
 
-    /// All entries may be the same bytes of the zip: it is small, and what it states is large.
+    /// All entries may refer to the same bytes, so that a small zip file unpacks to a large size.
     #[test]
     fn overlapping_entries_are_counted_separately() {
         let one = zip_of(&[("a.obj", &[0; 1 << 20], true)]);
@@ -382,7 +382,7 @@ mod tests {
         for (name, bytes) in files {
             assert_eq!(unpacked.read(Path::new(name)).map(|b| b.into_vec()).ok().as_deref(), Some(bytes), "{name}");
         }
-        // The checksum of these nine letters is in every description of CRC-32.
+        // The check value of CRC-32.
         assert_eq!(packed.get(14..18), Some(&0xcbf4_3926_u32.to_le_bytes()[..]));
     }
 }

@@ -11,7 +11,7 @@ use gonio_light::vector::unit;
 use gonio_scene::settings::{Aim, CameraSettings};
 use gonio_scene::{Camera, defaults};
 
-/// The closest that pitch comes to straight up or down, degrees.
+/// Largest pitch, degrees.
 const STEEPEST: f64 = 89.0;
 
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
@@ -40,7 +40,7 @@ fn place(ui: &mut Ui, spec: &mut CameraSettings) {
     row(ui, "Position", tip, |ui| Vector::new("camera-position", "position").tip(tip).show(ui, &mut spec.position));
     let camera = spec.to_camera();
     let (mut yaw, mut pitch) = camera.yaw_pitch_deg();
-    // A camera that looks along angles gets the point ahead of it.
+    // A camera with yaw and pitch gets a target ahead of it.
     let ahead = (camera.position + camera.front).to_array();
     let mut target = spec.target().unwrap_or(ahead);
     let tip = "The point that the camera looks at, in world space";
@@ -107,7 +107,7 @@ fn lens(ui: &mut Ui, spec: &mut CameraSettings) {
     }
 }
 
-/// Whether there is such a camera: it looks somewhere, and up is a direction.
+/// Whether the camera is valid: viewing direction and up vector have a length.
 fn is_possible(spec: &CameraSettings) -> bool {
     let looks = spec.target().is_none_or(|target| unit(DVec3::from(target) - DVec3::from(spec.position)).is_some());
     looks && unit(spec.up.into()).is_some()
@@ -118,7 +118,7 @@ struct Table {
     id: &'static str,
     rows: [&'static str; 4],
     columns: [&'static str; 4],
-    /// Row by row: how each entry is made.
+    /// Tooltips with the definition of each entry, row by row.
     tips: [[&'static str; 4]; 4],
 }
 
@@ -172,7 +172,7 @@ fn digits() -> FontId {
 fn table(ui: &mut Ui, of: &Table, matrix: DMat4, tints: [Color32; 4]) {
     let weak = ui.visuals().weak_text_color();
     let strong = ui.visuals().strong_text_color();
-    // glam keeps columns; rows are read across them.
+    // glam stores columns.
     let rows = matrix.transpose().to_cols_array_2d();
     let has_heads = of.columns.iter().any(|head| !head.is_empty());
     Grid::new(of.id).num_columns(5).spacing([4.0, 3.0]).min_col_width(40.0).show(ui, |ui| {
@@ -195,13 +195,13 @@ fn table(ui: &mut Ui, of: &Table, matrix: DMat4, tints: [Color32; 4]) {
     });
 }
 
-/// Eight characters, the point always in the same place as long as it can be.
+/// Formats an entry in eight characters, with the decimal points aligned if possible.
 fn entry_text(v: f64) -> String {
     let v = v + 0.0;
     if v == 0.0 {
         return format!("{:>8}", "0    ");
     }
-    // A zero that was rounded has no sign.
+    // A value that is rounded to zero has no sign.
     let text = format!("{v:8.3}").replace("  -0.000", "   0.000");
     if text.chars().count() <= 8 { text } else { format!("{v:8.1e}") }
 }

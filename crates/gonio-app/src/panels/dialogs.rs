@@ -69,7 +69,7 @@ pub fn messages(ui: &Ui, session: &Session, actions: &mut Vec<Action>) {
 /// Shows the keyboard shortcuts if they are requested.
 pub fn help(ui: &Ui, session: &mut Session) {
     let room = ui.ctx().content_rect();
-    // On a phone the keys' column is what gives way.
+    // On a phone the column of keys is narrower.
     let key_width = if room.width() < 480.0 { 96.0 } else { 190.0 };
     Window::new("Keyboard shortcuts")
         .open(&mut session.help)
@@ -121,7 +121,7 @@ pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mu
             let edit = TextEdit::singleline(&mut asking.text).desired_width(f32::INFINITY).id_salt("path");
             let field = ui.add(edit);
             exported::note(ui, &field, "path", WidgetRole::Text, hint, &asking.text);
-            // Enter takes the focus away, and is the answer.
+            // Enter confirms, and removes the focus.
             done |= field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
             if !field.has_focus() && !done && ui.memory(|m| m.focused().is_none()) {
                 field.request_focus();

@@ -22,15 +22,15 @@ use crate::session::{Session, Tab};
 use crate::theme::colors;
 use egui::{Color32, FontId, Frame, Margin, Panel, Rect, ScrollArea, Sense, Ui, Visuals, WidgetInfo, vec2};
 
-/// Below this width (points) the side panel lies under the picture: a phone held upright.
+/// Below this width (points) the side panel is below the picture: a phone in portrait orientation.
 const NARROW: f32 = 720.0;
 const SIDE_WIDTH: f32 = 352.0;
 /// Font size of the tabs' names, and the range of gaps between them.
 const TAB_SIZE: f32 = 12.5;
 const TAB_GAP: std::ops::RangeInclusive<f32> = 3.0..=14.0;
 
-/// The background of the panels. The window is cleared with it, and no panel fills its own: clearing is nearly free, and half
-/// a window of rectangles is milliseconds of each frame for a software driver.
+/// The background of the panels. The window is cleared with it and panels draw no background, because filling half the window
+/// takes a software driver milliseconds per frame.
 pub fn ground(visuals: &Visuals) -> Color32 {
     visuals.panel_fill
 }
@@ -66,7 +66,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
     path_field(ui, session, Purpose::Scene, actions);
 }
 
-/// The tabs and what the chosen one shows.
+/// The tabs, and the panel of the selected one.
 fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     tabs(ui, session, actions);
     ui.separator();
@@ -81,7 +81,7 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
     });
 }
 
-/// The tabs, side by side over the whole width; the chosen one has a line below it. None is bold: the others would move.
+/// The tabs, side by side over the whole width; the selected one is underlined. It is not bold, so that the others do not move.
 fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     let font = FontId::proportional(TAB_SIZE);
     let color = |ui: &Ui, chosen| if chosen { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };

@@ -27,7 +27,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     output(ui, &mut document.scene.picture);
 }
 
-/// The quantities by what they are.
+/// The quantities in groups.
 const GROUPS: [(&str, &[Quantity]); 4] = {
     use Quantity::*;
     [

@@ -17,10 +17,10 @@ pub fn show(ui: &mut Ui, session: &Session) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let facts = &session.facts;
             let [width, height] = facts.size;
-            // Fixed width, so that nothing jumps while it changes.
+            // Fixed width, so that nothing moves while it changes.
             let mut text = format!("{width} x {height} {:6.1} ms", facts.draw_ms);
             if !narrow && let Some(loaded) = &session.loaded {
-                // Fewer than the scene's while something moves and pictures take long.
+                // Fewer than the scene's while something moves and pictures are slow.
                 let samples = if facts.samples == 0 { loaded.settings.picture.samples } else { facts.samples };
                 text = format!(
                     "{} triangles  {samples} samples  {text}",
@@ -37,8 +37,8 @@ pub fn show(ui: &mut Ui, session: &Session) {
             });
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 if let Some(busy) = &session.busy {
-                    // A page reads between two frames, where nothing turns; and while it fetches, frames that turn
-                    // something would take the processor from that.
+                    // A page loads between two frames, where a spinner would not turn; while it fetches files, the frames
+                    // of a spinner would slow that down.
                     if cfg!(not(target_arch = "wasm32")) {
                         ui.add(egui::Spinner::new().size(14.0));
                     }
@@ -90,7 +90,7 @@ pub fn show_time(ui: &mut Ui, document: &Document, session: &Session, actions: &
     if slider.double_clicked() {
         actions.push(Action::SetTime(0.0));
     }
-    // Fixed width, so that nothing jumps while time runs.
+    // Fixed width, so that nothing moves while time runs.
     let text = format!("{within:6.2} of {} s", crate::widgets::compact(period));
     ui.label(RichText::new(text).monospace().small());
 }

@@ -9,7 +9,7 @@ use crate::theme::{self, icons};
 use egui::{Align, Layout, RichText, ScrollArea, Ui};
 use gonio_scene::files;
 
-/// Below this width (points) the files are behind one button.
+/// Below this width (points) a menu contains the file actions.
 const NARROW: f32 = 560.0;
 /// Tooltip of the exercises.
 const EXERCISES: &str = "Shader exercises: edit, compare with the correct answer, and check";
@@ -73,7 +73,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
     });
 }
 
-/// A button that is an icon; whether it was pressed.
+/// An icon button. Returns whether it was pressed.
 fn icon(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> bool {
     let text = RichText::new(icon).font(theme::icon_font(17.0));
     let button = ui.add_enabled(enabled, egui::Button::new(text).frame_when_inactive(false));
@@ -82,7 +82,7 @@ fn icon(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> bool {
     button.on_hover_text(tip).clicked()
 }
 
-/// A button that opens a menu, which scrolls where the window is low.
+/// A button that opens a menu, which scrolls in a low window.
 fn menu(ui: &mut Ui, id: &str, text: RichText, tip: &str, content: impl FnOnce(&mut Ui)) {
     let height = ui.ctx().content_rect().height() - 60.0;
     // Like the icons beside it, it has a frame only under the pointer.

@@ -19,7 +19,7 @@ use web_time::Instant;
 /// Files to open as a scene, chosen or dropped by the user.
 #[derive(Clone)]
 pub struct SceneInput {
-    /// Models or scenes to open; none where there is only an environment.
+    /// Models or scenes to open; empty if there is only an environment.
     pub inputs: Vec<String>,
     /// The environment.
     pub environment: Option<String>,
@@ -42,7 +42,7 @@ pub enum Event {
     Open(SceneInput),
     /// Files for the exercise, including those in folders and zip files.
     ExerciseFiles(Vec<ExerciseFile>),
-    /// Where to save something.
+    /// The place to save something to.
     SaveTo(Product, String),
     /// Watched files changed.
     Changed(Vec<PathBuf>),
@@ -59,7 +59,7 @@ pub enum FileDialog {
     Unavailable,
 }
 
-/// Time after which a painted picture is taken to be on the screen.
+/// Time after which a painted picture counts as being on the screen.
 const MOMENT: Duration = Duration::from_millis(100);
 
 /// Tells whether a painted frame is on the screen. Requests a repaint when it is.
@@ -102,8 +102,8 @@ pub trait Platform {
     fn settings(&self) -> Settings;
     /// Keeps the settings for the next session. Failures are ignored, because they contain nothing of a scene.
     fn keep(&mut self, settings: &Settings);
-    /// Keeps a draft, a text of unsaved changes, in place of the one that this window kept under this key. An error is one
-    /// sentence without a full stop.
+    /// Keeps a draft of unsaved text, replacing the one that this window keeps under this key. An error is one sentence without
+    /// a full stop.
     fn keep_draft(&mut self, key: &str, text: &str) -> Result<(), String> {
         let _ = (key, text);
         Ok(())
@@ -112,7 +112,7 @@ pub trait Platform {
     fn remove_draft(&mut self, key: &str) {
         let _ = key;
     }
-    /// The newest draft that was left under this key by a window that is gone. From now on this window keeps it.
+    /// Takes over the newest draft that a closed window left under this key.
     fn take_draft(&mut self, key: &str) -> Option<String> {
         let _ = key;
         None
@@ -174,7 +174,7 @@ pub trait Pending<T> {
 pub struct Ready<T>(Option<T>);
 
 impl<T> Ready<T> {
-    /// Has this result.
+    /// Creates the result.
     pub fn new(result: T) -> Self {
         Ready(Some(result))
     }
@@ -193,7 +193,7 @@ pub enum TrialOutcome {
     Harmless,
     /// They crashed the trial, or took too much time or memory. One sentence for the student.
     Refused(String),
-    /// The trial could not be made; one sentence says why. Nothing is known of the shaders.
+    /// The trial was not possible, with the reason in one sentence. The shaders are untested.
     Unavailable(String),
 }
 
@@ -201,7 +201,7 @@ pub enum TrialOutcome {
 pub struct ByCheck(Box<dyn Pending<CheckResult>>);
 
 impl ByCheck {
-    /// Waits for this check.
+    /// Derives the outcome from this check.
     pub fn new(checking: Box<dyn Pending<CheckResult>>) -> Self {
         ByCheck(checking)
     }

@@ -14,15 +14,15 @@ use egui::{
 use gonio_gl::GlError;
 use gonio_scene::difference::{heat, signed};
 
-/// Between panes, points.
+/// Gap between panes, points.
 const GAP: f32 = 2.0;
-/// Half the width of what takes hold of the divider: wide enough for a finger.
+/// Half the width of the divider's handle, points: wide enough for a finger.
 const HOLD: f32 = 22.0;
 /// Background of captions.
 const GROUND: Color32 = Color32::from_black_alpha(150);
 const INK: Color32 = Color32::from_gray(0xf2);
 
-/// Rectangles for `count` panes: one beside the other, four as two rows; one above the other where the room is upright.
+/// Rectangles for `count` panes: side by side, four in two rows; stacked in an upright room.
 pub fn arranged(room: Rect, count: usize) -> Vec<Rect> {
     let count = count.max(1);
     let columns = match count {
@@ -42,7 +42,7 @@ pub fn arranged(room: Rect, count: usize) -> Vec<Rect> {
         .collect()
 }
 
-/// A pane's caption, and a frame around the current one; nothing where there is one pane as the scene says.
+/// A pane's caption, and a frame around the current one; nothing for a single pane without settings of its own.
 pub fn label(ui: &Ui, index: usize, rect: Rect, document: &Document, session: &Session) {
     let panes = &document.panes;
     if panes.list.len() > 1 {
@@ -62,7 +62,7 @@ pub fn label(ui: &Ui, index: usize, rect: Rect, document: &Document, session: &S
     written(ui, rect, Align2::CENTER_BOTTOM, text);
 }
 
-/// A caption in a corner or at an edge of a rectangle, cut off where it is too long.
+/// A caption in a corner or at an edge of a rectangle, truncated if it is too long.
 fn written(ui: &Ui, rect: Rect, align: Align2, text: String) {
     let room = rect.shrink(10.0);
     let style = TextStyle::Body.resolve(ui.style());
@@ -75,7 +75,7 @@ fn written(ui: &Ui, rect: Rect, align: Align2, text: String) {
     painter.galley(place.min + vec2(8.0, 4.0), galley, INK);
 }
 
-/// The pair of panes on each other, with a divider to drag.
+/// The pair of panes on top of each other, with a divider to drag.
 pub fn wipe(
     ui: &mut Ui,
     room: Rect,
@@ -85,7 +85,7 @@ pub fn wipe(
     pane_renderer: &mut PaneRenderer,
 ) -> Result<(), GlError> {
     let [first, second] = document.panes.pair;
-    // The second over all of the room: it takes what the pointer does.
+    // The second fills the room and handles the pointer.
     let whole = pane::show(ui, second, room, document, session, pane_renderer)?;
     let picture = drawn(ui, first, room, document, session, pane_renderer)?;
     let mut x = room.left() + share.clamp(0.0, 1.0) * room.width();
@@ -107,7 +107,7 @@ pub fn wipe(
     let left = Rect::from_min_max(room.min, pos2(x, room.bottom()));
     let right = Rect::from_min_max(pos2(x, room.top()), room.max);
     if let Some(picture) = picture {
-        // All of the picture, of which only the part left of the divider is let through.
+        // The picture is clipped to the part left of the divider.
         ui.scope(|ui| {
             ui.set_clip_rect(left.intersect(ui.clip_rect()));
             present(ui, room, picture);
@@ -116,7 +116,7 @@ pub fn wipe(
     over(ui, second, &whole, document, session, pane_renderer)?;
     divider(ui, room, x, active);
     for (index, part) in [(first, left), (second, right)] {
-        // A sliver has no room for words.
+        // A narrow part has no room for a caption.
         if part.width() > 90.0 {
             written(ui, part, Align2::CENTER_BOTTOM, caption(document, index));
         }
@@ -124,7 +124,7 @@ pub fn wipe(
     Ok(())
 }
 
-/// A line from top to bottom, and a knob with two arrows in its middle.
+/// A vertical line, and a knob with two arrows in its middle.
 fn divider(ui: &Ui, room: Rect, x: f32, active: bool) {
     let painter = ui.painter().with_clip_rect(room.intersect(ui.clip_rect()));
     let color = if active { colors::ACCENT.in_theme(true) } else { Color32::WHITE };
@@ -148,7 +148,7 @@ pub fn difference(
     pane_renderer: &mut PaneRenderer,
 ) -> Result<(), GlError> {
     let [first, second] = document.panes.pair;
-    // The map lies over the first, which takes what the pointer does.
+    // The first is below the map and handles the pointer.
     let whole = pane::show(ui, first, room, document, session, pane_renderer)?;
     drawn(ui, second, room, document, session, pane_renderer)?;
     let Some(map) = pane_renderer.difference(document, session)? else { return Ok(()) };
@@ -207,7 +207,7 @@ impl Scale {
     }
 }
 
-/// Draws it at the right edge of a map: a bar, upright, with its numbers in 8-bit steps.
+/// Draws the scale at the right edge of a map: a vertical bar with labels in 8-bit steps.
 fn draw_scale(ui: &Ui, room: Rect, scale: &Scale) {
     let height = (0.5 * room.height()).clamp(80.0, 260.0);
     let ground = Rect::from_min_size(room.right_top() + vec2(-86.0, 12.0), vec2(74.0, height + 44.0));

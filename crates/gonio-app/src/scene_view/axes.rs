@@ -12,7 +12,7 @@ use glam::DVec3;
 const LENGTH: f32 = 26.0;
 /// Radius of the disc at the end of an axis, points.
 const END: f32 = 8.0;
-/// A pane smaller than this has no room for it, points.
+/// Smallest side of a pane that shows the cross, points.
 const SMALLEST_PANE: f32 = 220.0;
 
 /// Shows the cross at the lower left of a pane.
@@ -33,7 +33,7 @@ pub fn show(ui: &Ui, projection: &Projection, document: &mut Document, session: 
         ends.push((axis.dot(camera.front), axis, Some(letter), color));
         ends.push((-axis.dot(camera.front), -axis, None, color.gamma_multiply(0.55)));
     }
-    // Farthest first.
+    // The farthest is drawn first.
     ends.sort_by(|a, b| b.0.total_cmp(&a.0));
     for (_, axis, letter, color) in ends {
         let end = middle + LENGTH * flat(axis);

@@ -1,4 +1,4 @@
-//! The view of the scene: its panes, and what the pointer and the keys do there.
+//! The view of the scene: its panes, pointer and keys.
 //!
 //! [`show`] is the only entry of a frame. `arrangement` divides the room, `pane` handles one pane, `drawing` renders its picture,
 //! and `paint` puts that into the window.
@@ -24,7 +24,7 @@ use drawing::PaneRenderer;
 use egui::{Rect, Ui};
 use gonio_gl::GlError;
 
-/// Shows the panes in all the room that is left.
+/// Shows the panes in the remaining room.
 pub fn show(
     ui: &mut Ui,
     document: &mut Document,
@@ -32,7 +32,7 @@ pub fn show(
     mut pane_renderer: Option<&mut PaneRenderer>,
 ) -> Result<(), GlError> {
     let room = ui.available_rect_before_wrap();
-    // Below the pictures, but only where it will be seen: to fill as much again costs software drivers milliseconds.
+    // The background is filled only if it is visible, because filling it takes software drivers milliseconds.
     let ground = ui.painter().add(egui::Shape::Noop);
     let shown =
         pane_renderer.as_deref_mut().map_or(Ok(()), |pane_renderer| panes(ui, room, document, session, pane_renderer));
@@ -42,7 +42,7 @@ pub fn show(
     shown
 }
 
-/// Whether one picture fills all the room and lets nothing through.
+/// Whether one opaque picture fills the room.
 fn is_covered(document: &Document, pane_renderer: &PaneRenderer) -> bool {
     let panes = &document.panes;
     match panes.arrangement {

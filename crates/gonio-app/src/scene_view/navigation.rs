@@ -1,6 +1,6 @@
 //! Orbit, pan, zoom and fly.
 //!
-//! | input | what |
+//! | input | effect |
 //! |---|---|
 //! | drag | orbits around the target |
 //! | drag with Shift or the middle button, two fingers | pans |
@@ -17,14 +17,14 @@ use gonio_light::vector::unit;
 use gonio_scene::Camera;
 use gonio_scene::settings::{Aim, CameraSettings};
 
-/// Degrees that a drag of one point turns.
+/// Rotation by a drag of one point, degrees.
 const DEGREES_PER_POINT: f64 = 0.4;
-/// The closest that the viewing direction comes to straight up or down, radians.
+/// Smallest angle between the viewing direction and the vertical, radians.
 const FROM_THE_POLE: f64 = 0.02;
-/// Flying crosses the scene's box in so many seconds.
+/// Time in which flying crosses the scene's box, seconds.
 const SECONDS_THROUGH: f64 = 3.0;
 
-/// The camera as it moves: the eye, and the point that it turns around.
+/// A moving camera: the eye, and the point that it orbits.
 #[derive(Clone, Copy, Debug)]
 pub struct Rig {
     camera: Camera,
@@ -43,7 +43,7 @@ impl Rig {
         Rig { camera, pivot, world_up }
     }
 
-    /// Writes it back; where the description has yaw and pitch it gets a target in their place.
+    /// Writes the camera back. Yaw and pitch are replaced by a target.
     pub fn write(&self, spec: &mut CameraSettings) {
         spec.position = self.camera.position.to_array();
         spec.aim = Aim::Target(self.pivot.to_array());
@@ -53,7 +53,7 @@ impl Rig {
         self.camera.position.distance(self.pivot).max(1e-9)
     }
 
-    /// A direction turned about the world's up and, not beyond the pole, towards it.
+    /// Rotates a direction about the world's up axis (yaw) and towards it (pitch), but not beyond the pole.
     fn turned(&self, direction: DVec3, yaw_rad: f64, pitch_rad: f64) -> DVec3 {
         let from_up = direction.angle_between(self.world_up);
         let requested = (from_up - pitch_rad).clamp(FROM_THE_POLE, std::f64::consts::PI - FROM_THE_POLE);
@@ -66,17 +66,17 @@ impl Rig {
         self.camera = Camera::looking_along(c.position, direction, self.world_up, c.fov_y_rad, c.near, c.far);
     }
 
-    /// Around the pivot: positive yaw moves the eye to the right, positive pitch upwards.
+    /// Orbits around the pivot. Positive yaw moves the eye to the right, positive pitch upwards.
     pub fn orbit(&mut self, yaw_rad: f64, pitch_rad: f64) {
         let distance = self.distance();
-        // An eye that rises looks farther down.
+        // A rising eye looks farther down.
         let front = self.turned(self.camera.front, yaw_rad, -pitch_rad);
         self.look(front);
         self.camera.position = self.pivot - front * distance;
     }
 
-    /// Around the pivot to where the eye looks along `direction` (unit): from above or below a little tilted, so that
-    /// up stays up.
+    /// Orbits around the pivot so that the eye looks along `direction` (unit); slightly tilted from above or below, to keep the up
+    /// direction.
     pub fn look_along(&mut self, direction: DVec3) {
         let distance = self.distance();
         let upright = direction.dot(self.world_up);
@@ -104,19 +104,18 @@ impl Rig {
         self.pivot = self.camera.position + front * distance;
     }
 
-    /// Moves eye and pivot, world units along the picture's right and up, and ahead.
+    /// Moves eye and pivot by world units to the right, up and ahead.
     pub fn shift(&mut self, right: f64, up: f64, ahead: f64) {
         let way = self.camera.right * right + self.camera.up * up + self.camera.front * ahead;
         self.camera.position += way;
         self.pivot += way;
     }
 
-    /// Comes nearer by a factor below 1, goes away by one above; what is seen along `direction` (unit) stays in its
-    /// place.
+    /// Moves nearer by a factor below 1, away by one above 1. The point seen along `direction` (unit) stays in its place.
     pub fn zoom(&mut self, factor: f64, direction: DVec3) {
         let distance = self.distance();
         let depth = direction.dot(self.camera.front).max(1e-3);
-        // The point on the plane of the pivot that the pointer is on.
+        // The point under the pointer on the plane of the pivot.
         let toward = self.camera.position + direction * (distance / depth);
         self.camera.position = toward + (self.camera.position - toward) * factor;
         self.pivot = toward + (self.pivot - toward) * factor;
@@ -138,9 +137,8 @@ pub fn handle(ui: &Ui, response: &Response, document: &mut Document, session: &S
     }
 }
 
-/// What the pointer over a picture and the keys do to a camera that is nobody's document: it turns around `middle` where it
-/// has no target of its own, or where it stands (`looks_around`), and flies in steps of a scene that is `extent` wide. True
-/// where it moved.
+/// Moves a camera outside of the document by the pointer over a picture and by keys. It orbits around its target or else `middle`,
+/// or turns in place (`looks_around`), and flies at a speed for a scene of size `extent`. Returns whether it moved.
 pub fn steer(
     ui: &Ui,
     response: &Response,
@@ -167,7 +165,7 @@ pub fn steer(
     moved
 }
 
-/// Makes the document's camera look along a direction (unit, world space) at what it looks at.
+/// Makes the document's camera look at its target along a direction (unit, world space).
 pub fn look_along(document: &mut Document, session: &Session, direction: DVec3) {
     let Some(loaded) = &session.loaded else { return };
     let (min, max) = loaded.bounds();
@@ -179,7 +177,7 @@ pub fn look_along(document: &mut Document, session: &Session, direction: DVec3) 
 
 fn drag(ui: &Ui, response: &Response, rig: &mut Rig, projection: &Projection) -> bool {
     let way = response.way();
-    // Two fingers move and pinch: they do not turn as well.
+    // Two fingers pan and zoom, but do not rotate.
     if way == egui::Vec2::ZERO || ui.input(|i| i.multi_touch()).is_some() {
         return false;
     }
@@ -218,7 +216,7 @@ fn wheel(ui: &Ui, response: &Response, rig: &mut Rig, projection: &Projection) -
 }
 
 fn fly(ui: &Ui, response: &Response, rig: &mut Rig, extent: f64) -> bool {
-    // Keys belong to whatever is being typed into.
+    // Keys go to a focused text field.
     if ui.ctx().memory(|m| m.focused().is_some()) || !response.contains_pointer() {
         return false;
     }
@@ -243,7 +241,7 @@ fn fly(ui: &Ui, response: &Response, rig: &mut Rig, extent: f64) -> bool {
     true
 }
 
-/// Whether a key alone went down in this frame. It may be up again by now: on a slow machine it counts nevertheless.
+/// Whether a key was pressed without modifiers in this frame. It may be released already on a slow machine.
 fn tapped(input: &InputState, requested: Key) -> bool {
     input.events.iter().any(|event| match event {
         Event::Key { key, pressed: true, modifiers, .. } => *key == requested && !modifiers.any(),
@@ -255,8 +253,8 @@ fn combinations() -> egui::Id {
     egui::Id::unique("gonio: keys of combinations")
 }
 
-/// Remembers which keys are held since they were pressed with Ctrl: Ctrl + Z undoes, and is not to fly where Ctrl is let
-/// go first. To be called before combinations are taken out of the frame's events.
+/// Records keys that were pressed with Ctrl and are still held, so that Ctrl + Z does not fly if Ctrl is released first. Called
+/// before combinations are removed from the frame's events.
 pub fn note_combinations(ui: &Ui) {
     let mut spent = spent_keys(ui);
     ui.input(|i| {
@@ -277,12 +275,13 @@ fn spent_keys(ui: &Ui) -> Vec<Key> {
     ui.data(|data| data.get_temp(combinations())).unwrap_or_default()
 }
 
-/// egui counts the frame of the release to no drag. But where frames take long, the pointer's last way comes in that same
-/// frame, and what is dragged would be left short of where it was released.
+/// Drags that include the frame of the release.
+///
+/// egui does not count that frame. In slow frames it contains the last movement of the pointer, and the drag would end too early.
 pub trait Dragging {
-    /// Dragged, or just released.
+    /// Whether it is dragged, or was just released.
     fn is_dragged(&self) -> bool;
-    /// The same by one button.
+    /// The same for one button.
     fn is_dragged_by(&self, button: PointerButton) -> bool;
     /// Movement since the last frame, points.
     fn way(&self) -> Vec2;
@@ -336,7 +335,7 @@ mod tests {
             assert!((after.distance() - before.distance()).abs() < 1e-9);
             let aim = (after.pivot - after.camera.position).normalize();
             assert!((aim - after.camera.front).length() < 1e-9);
-            // As much of the world's up as there can be is up in the picture.
+            // The world's up direction points up in the picture.
             assert!(after.camera.up.dot(DVec3::Y) > 0.0, "{axis}: {}", after.camera.up);
         }
     }

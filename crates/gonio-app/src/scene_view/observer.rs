@@ -129,7 +129,7 @@ fn draw(painter: &Painter, projection: &Projection, frame: &Frame) {
     }
     let label = |at: DVec3, text: &str, color: Color32, align: Align2, font: egui::FontId| {
         if let Some(place) = seen(at) {
-            // The inks are bright: so the plate is dark in either theme.
+            // The colours are bright, so the plate is dark in both themes.
             let galley = painter.layout_no_wrap(text.to_owned(), font, color);
             let rect = align.anchor_size(place, galley.size() + vec2(6.0, 0.0));
             painter.rect_filled(rect, 3.0, Color32::from_black_alpha(130));
@@ -185,7 +185,7 @@ mod tests {
     use gonio_scene::load;
     use std::path::Path;
 
-    /// The whole frustum and all objects are in the inset, however it is turned.
+    /// The frustum and all objects are in the inset from every direction.
     #[test]
     fn it_shows_the_whole_frustum() {
         let described = load::describe(&["builtin:still-life"], &Disk).unwrap_or_else(|error| panic!("{error}"));

@@ -6,8 +6,7 @@ use gonio_gl::Gl;
 use gonio_render::Presentation;
 use std::sync::Arc;
 
-/// Columns and rows of the window that a rectangle takes: as egui rounds them for a paint callback, so that a picture is
-/// shown pixel for pixel.
+/// The size of a rectangle in pixels, rounded as egui does for paint callbacks, so that a picture is shown pixel for pixel.
 pub fn picture_size(rect: Rect, pixels_per_point: f32) -> [u32; 2] {
     let side = |from: f32, to: f32| (to * pixels_per_point).round() - (from * pixels_per_point).round();
     [side(rect.left(), rect.right()), side(rect.top(), rect.bottom())].map(|side| side.max(0.0) as u32)
@@ -19,7 +18,7 @@ pub fn present(ui: &Ui, rect: Rect, picture: Presentation) {
     ui.painter().add(egui::PaintCallback { rect, callback: Arc::new(callback) });
 }
 
-/// Under everything that is drawn: it separates light ink from a light picture.
+/// The shade below lines and labels, which separates them from a bright picture.
 const SHADE: Color32 = Color32::from_black_alpha(150);
 
 /// A line with a dark rim.
@@ -28,7 +27,7 @@ pub fn line(painter: &Painter, points: [Pos2; 2], width: f32, color: Color32) {
     painter.line_segment(points, Stroke::new(width, color));
 }
 
-/// A line through many points, with a dark rim. Where a point is missing (behind the eye) there is a gap.
+/// A line through many points, with a dark rim and gaps at missing points (behind the eye).
 pub fn curve(painter: &Painter, points: &[Option<Pos2>], width: f32, color: Color32) {
     for run in points.split(Option::is_none) {
         let run: Vec<Pos2> = run.iter().flatten().copied().collect();
@@ -63,7 +62,7 @@ pub fn arrow(painter: &Painter, from: Pos2, to: Pos2, width: f32, color: Color32
     painter.line_segment([from, neck + ahead], Stroke::new(width, color));
 }
 
-/// A disc of a light's colour, with a white and a dark ring; only the rings where it is `hollow`.
+/// A disc of a light's colour with a white and a dark ring; only the rings if it is `hollow`.
 pub fn disc(painter: &Painter, center: Pos2, radius: f32, color: Color32, hollow: bool) {
     painter.circle_filled(center, radius + 2.6, SHADE);
     if hollow {
@@ -73,7 +72,7 @@ pub fn disc(painter: &Painter, center: Pos2, radius: f32, color: Color32, hollow
     }
 }
 
-/// Words on a plate, kept within `within`. `align` says which corner of the plate is at `place`.
+/// A text on a plate, moved into `within`. `align` is the corner of the plate at `place`.
 pub fn label(ui: &Ui, painter: &Painter, within: Rect, place: Pos2, align: Align2, text: &str, color: Color32) -> Rect {
     let font = FontId::proportional(12.0);
     let galley = painter.layout_no_wrap(text.to_owned(), font, color);
@@ -85,7 +84,7 @@ pub fn label(ui: &Ui, painter: &Painter, within: Rect, place: Pos2, align: Align
     rect
 }
 
-/// The way that brings a rectangle into another, if it fits.
+/// The translation that moves a rectangle into another one, if it fits.
 fn back_inside(rect: Rect, within: Rect) -> Vec2 {
     let x = (within.left() - rect.left()).max(0.0) - (rect.right() - within.right()).max(0.0);
     let y = (within.top() - rect.top()).max(0.0) - (rect.bottom() - within.bottom()).max(0.0);
@@ -98,7 +97,7 @@ mod tests {
     use egui::epaint::ViewportInPixels;
     use egui::{Pos2, vec2};
 
-    /// Anything else would be shown with a row or a column doubled or left out.
+    /// Another size would double or drop a row or a column.
     #[test]
     fn a_picture_has_the_size_of_eguis_viewport() {
         let mut fractional = 0;

@@ -1,4 +1,4 @@
-//! One pane: its picture, what pointer and keys do there, and what lies over it.
+//! One pane: its picture, pointer and keys, and overlays.
 
 use super::drawing::PaneRenderer;
 use super::paint::{picture_size, present};
@@ -11,7 +11,7 @@ use gonio_gl::GlError;
 use gonio_render::Presentation;
 use gonio_scene::Scene;
 
-/// A pane: what pointer and keys do there, and its picture.
+/// Shows a pane's picture, and handles pointer and keys.
 pub fn show(
     ui: &mut Ui,
     index: usize,
@@ -39,7 +39,7 @@ pub fn show(
     Ok(response)
 }
 
-/// The picture of a pane that fills a rectangle.
+/// The picture of a pane, drawn for a rectangle.
 pub fn drawn(
     ui: &Ui,
     index: usize,

@@ -62,7 +62,7 @@ impl Projection {
 mod tests {
     use super::*;
 
-    /// What is projected lies on the ray through its place.
+    /// A projected point is on the ray through its place.
     #[test]
     fn projection_and_rays_agree() {
         let camera =

@@ -13,7 +13,7 @@ use gonio_scene::{DisplayMap, SpecialView, ViewSpec};
 /// Height with margins, points.
 pub const HEIGHT: f32 = 34.0;
 
-/// Shows the strip at the upper left of a pane. `frame` is what was drawn.
+/// Shows the toolbar at the upper left of a pane. `frame` is the drawn frame.
 pub fn show(ui: &mut Ui, rect: Rect, frame: &gonio_scene::Frame, document: &mut Document, session: &mut Session) {
     let lights = document.scene.lights.len();
     let Some(pane) = document.panes.current_mut() else { return };
@@ -38,7 +38,7 @@ pub fn show(ui: &mut Ui, rect: Rect, frame: &gonio_scene::Frame, document: &mut 
     legend(ui, &ui.painter_at(rect), below, pane, frame);
 }
 
-/// The view's name; a menu of all.
+/// The view's name, with a menu of all views.
 fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
     let title = RichText::new(format!("{}  {}", title(pane), icons::CARET_DOWN));
     let menu = ui.menu_button(title, |ui| {
@@ -85,7 +85,7 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
     });
     exported::note(ui, &menu.response, "view-chooser", WidgetRole::Choice, "view", title_of(pane));
     menu.response.on_hover_text("View of the scene (number keys)");
-    // A view of one light says which.
+    // A view of one light has a menu of the lights.
     if let Some(view) = pane.view.as_mut().filter(|view| pane.special.is_none() && view.quantity.per_light())
         && lights > 1
     {
@@ -138,7 +138,7 @@ fn tools(ui: &mut Ui, session: &mut Session) {
     }
 }
 
-/// An icon that is on or off; whether it was pressed.
+/// An icon that is on or off. Returns whether it was pressed.
 fn toggle(ui: &mut Ui, id: &str, icon: &str, tip: &str, on: bool) -> bool {
     let color = if on { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
     let text = RichText::new(icon).font(theme::icon_font(16.0)).color(color);
@@ -155,7 +155,7 @@ fn legend(ui: &Ui, painter: &Painter, place: egui::Pos2, pane: &Pane, frame: &go
     }
     let Some(view) = pane.view else { return };
     let DisplayMap::Affine { scale, bias } = DisplayMap::for_view(Some(view), frame) else { return };
-    // What is shown as 0 and as 1.
+    // The values that are shown as 0 and as 1.
     let (low, high) = (-bias / scale, (DVec3::ONE - bias) / scale);
     let names: &[(&str, Color32)] = match view.quantity.encoding() {
         Encoding::Direction | Encoding::Position => &[("x", Color32::RED), ("y", Color32::GREEN), ("z", Color32::BLUE)],
@@ -180,7 +180,7 @@ fn legend(ui: &Ui, painter: &Painter, place: egui::Pos2, pane: &Pane, frame: &go
     }
 }
 
-/// A gradient from black to a colour, not encoded, as in the view.
+/// A gradient from black to a colour, unencoded as in the view.
 fn gradient(painter: &Painter, rect: Rect, color: Color32) {
     let mut mesh = egui::Mesh::default();
     for (corner, tint) in [
@@ -196,7 +196,7 @@ fn gradient(painter: &Painter, rect: Rect, color: Color32) {
     painter.add(mesh);
 }
 
-/// Three digits are enough beside a bar.
+/// Formats a value with two decimals, or an exponent if it is large.
 fn number(v: f64) -> String {
     let rounded = (v * 100.0).round() / 100.0 + 0.0;
     if rounded.abs() < 1000.0 { format!("{rounded}") } else { format!("{v:.1e}") }

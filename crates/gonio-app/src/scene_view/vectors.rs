@@ -12,7 +12,7 @@ use gonio_reference::Probe;
 /// Length of an arrow that lies in the picture's plane, as a share of its height.
 const LENGTH: f64 = 1.0 / 8.0;
 
-/// Shows what is known about the probed pixel, and the pixel itself.
+/// Shows the vectors of the probed pixel, and a ring around a pinned one.
 pub fn show(ui: &Ui, projection: &Projection, probing: &Probing, selection: Selection) {
     let rect = projection.rect();
     let painter = ui.painter_at(rect);
@@ -26,7 +26,7 @@ pub fn show(ui: &Ui, projection: &Projection, probing: &Probing, selection: Sele
     }
 }
 
-/// The light whose R and H are shown: the chosen one, else the one that adds most.
+/// The light whose R and H are shown: the selected one, or else the one that contributes most.
 fn leading(probe: &Probe, selection: Selection) -> Option<&LightTerms> {
     let lights = &probe.terms.lights;
     if let Selection::Light(index) = selection
@@ -43,7 +43,7 @@ fn arrows(ui: &Ui, painter: &Painter, projection: &Projection, reading: &Reading
     let Some(origin) = projection.to_window(point) else { return };
     let length = LENGTH * f64::from(projection.rect().height()) * projection.units_per_point(point);
     let leading = leading(probe, chosen);
-    // Inks of the dark theme: every picture is darker than paper, and each arrow has a dark rim.
+    // The colours of the dark theme, because most pictures are dark and each arrow has a dark rim.
     let mut labels: Vec<(Pos2, &'static str, Option<usize>, Color32)> = Vec::new();
     let mut arrow = |direction: DVec3, symbol: &'static str, light: Option<usize>, tint: colors::Tint, width: f32| {
         let color = tint.in_theme(true);

@@ -25,11 +25,11 @@ pub struct PaneFacts {
 pub struct DifferenceFacts {
     /// Size of the map, pixels.
     pub size: [u32; 2],
-    /// 8-bit steps.
+    /// Statistics of the differences, 8-bit steps.
     pub spread: Spread,
     /// Pixels with a colour that differs by more than one step.
     pub differing: u64,
-    /// Decibels; `None` where nothing differs.
+    /// Peak signal-to-noise ratio, decibels; `None` if nothing differs.
     pub psnr_db: Option<f64>,
     /// Column and row of the pixel that differs most, if any does.
     pub worst: Option<[u32; 2]>,
@@ -75,7 +75,7 @@ pub struct CurvePoint {
 pub struct Curve {
     /// Whether it is being drawn.
     pub running: bool,
-    /// Pictures drawn so far, and all.
+    /// Number of pictures drawn so far, and of all pictures.
     pub progress: [usize; 2],
     /// The points so far, by shading, then from coarse to fine.
     pub points: Vec<CurvePoint>,

@@ -91,8 +91,8 @@ pub struct EquationView {
 /// The switches before a term was shown alone.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BeforeAlone {
-    /// Each of the other summands, and whether it was.
+    /// The other summands, and whether each was on.
     pub terms: Vec<(Term, bool)>,
-    /// Lights that were on and had to go out, by their indices.
+    /// Indices of the lights that were switched off.
     pub lights: Vec<usize>,
 }

@@ -48,7 +48,7 @@ impl Messages {
         self.list.retain(|message| message.id != id);
     }
 
-    /// Removes everything but errors.
+    /// Removes all messages except errors.
     pub fn forget_remarks(&mut self) {
         self.list.retain(|message| message.severity == MessageSeverity::Error);
     }

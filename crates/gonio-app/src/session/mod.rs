@@ -83,13 +83,13 @@ pub struct Session {
     pub observer: Observer,
     /// The last change, for screen readers.
     pub announcement: String,
-    /// Incremented when geometry or materials of `loaded` change and have to be uploaded.
+    /// Incremented when geometry or materials of `loaded` change and must be uploaded.
     pub generation: u64,
     /// Measurements of the panes.
     pub comparison: PaneComparison,
-    /// Slow pictures are drawn with one sample while something moves.
+    /// Whether slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
-    /// Something is being dragged, or time runs.
+    /// Whether something is being dragged, or time runs.
     pub moving: bool,
     /// The open scene has no camera of its own: all objects are framed once the size of the
     /// picture is known.
@@ -139,7 +139,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// Lets `seconds` pass. A long pause (a hidden window, a slow frame) counts as a tenth of a second.
+    /// Advances the time by `seconds`, at most a tenth of a second: a hidden window or a slow frame causes long pauses.
     pub fn advance(&mut self, seconds: f64) {
         if self.playing && seconds.is_finite() {
             self.time += seconds.clamp(0.0, 0.1);
@@ -182,7 +182,7 @@ pub enum Selection {
 /// The tabs of the side panel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Tab {
-    /// The lights: the rows of the sum.
+    /// The lights.
     #[default]
     Lights,
     /// Objects and their materials.
@@ -195,7 +195,7 @@ pub enum Tab {
     Probe,
     /// Panes side by side.
     Compare,
-    /// The frame taken apart.
+    /// The recorded OpenGL calls of the picture.
     Frame,
 }
 

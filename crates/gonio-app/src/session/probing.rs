@@ -1,8 +1,8 @@
 //! The probe: the selected pixel, and all its values.
 //!
-//! The numbers come from the CPU reference, in f64 through the pixel's centre; what OpenGL draws there stands beside
-//! them. The reference's tree of boxes is built once for a geometry, beside the window where there are threads; moving a
-//! light or choosing a colour needs no other.
+//! The numbers come from the CPU reference, in f64 through the pixel's centre, and are compared with the value that OpenGL draws.
+//! The reference's bounding volume hierarchy is built once per geometry, in a thread if possible; changes of lights and
+//! colours do not rebuild it.
 
 use gonio_reference::{Probe, ReferenceGeometry, ReferenceScene};
 use gonio_scene::{DisplayMap, Frame, Scene};
@@ -17,7 +17,7 @@ pub struct Probing {
     pub follows: bool,
     /// The pinned place, as shares of the picture's width (from the left) and height (from the top).
     pub pinned: Option<[f64; 2]>,
-    /// The place under the pointer, likewise.
+    /// The place under the pointer, in the same units.
     pub hovered: Option<[f64; 2]>,
     /// The pane that is probed.
     pub pane: usize,
@@ -26,7 +26,7 @@ pub struct Probing {
     reading: Option<Arc<Reading>>,
 }
 
-/// A tree of boxes that is being built, and the scene it is for.
+/// A hierarchy that is being built, and its scene.
 struct Building {
     scene: Arc<Scene>,
     result: Receiver<ReferenceGeometry>,
@@ -39,19 +39,19 @@ pub struct Reading {
     pub x: u32,
     /// Row, from the top.
     pub y: u32,
-    /// Pixels of the picture.
+    /// Width of the picture, pixels.
     pub width: u32,
-    /// Pixels of the picture.
+    /// Height of the picture, pixels.
     pub height: u32,
-    /// Every term, where a surface is seen.
+    /// Every term, if a surface is visible.
     pub probe: Option<Probe>,
     /// The pixel by the CPU reference.
     pub reference: [f64; 4],
-    /// The same as displayed: sRGB or direct, 8 bits.
+    /// The displayed 8-bit value, sRGB or direct.
     pub displayed: [u8; 3],
     /// The value that OpenGL draws.
     pub gpu: Option<GpuValue>,
-    /// The moment it was read at.
+    /// The frame that it was read from.
     #[serde(skip)]
     pub frame: Frame,
     /// The scene it was read from.
@@ -103,7 +103,7 @@ impl Probing {
         let Some(place) = self.place() else { return };
         let [x, y] = pixel_at(place, [frame.width, frame.height]);
         let is_current = self.reading.as_ref().is_some_and(|reading| {
-            // A debug view or the number of samples does not change what the pixel's light is.
+            // The number of samples does not change the pixel's light.
             let same_moment = Frame { samples: frame.samples, ..reading.frame.clone() } == *frame;
             (reading.x, reading.y) == (x, y) && same_moment && Arc::ptr_eq(&reading.loaded, loaded)
         });
@@ -121,7 +121,7 @@ impl Probing {
         ctx.request_repaint();
     }
 
-    /// Takes the finished tree of boxes, or starts to build one.
+    /// Takes the finished hierarchy, or starts to build one.
     fn build(&mut self, ctx: &egui::Context, loaded: &Arc<Scene>) {
         if let Some(building) = &self.building {
             match building.result.try_recv() {
@@ -147,12 +147,12 @@ impl Probing {
         };
         #[cfg(not(target_arch = "wasm32"))]
         std::thread::spawn(build);
-        // The frame that says so is shown first.
+        // On the web, the frame that announces it is shown first.
         #[cfg(target_arch = "wasm32")]
         build();
     }
 
-    /// Triangles of what is being built.
+    /// Number of triangles of the hierarchy that is being built.
     pub fn building_triangles(&self) -> usize {
         let scene = self.building.as_ref().map(|building| &building.scene);
         scene.map_or(0, |scene| scene.meshes.iter().map(|mesh| mesh.triangle_count()).sum())
@@ -193,12 +193,12 @@ impl Reading {
 
 /// Column and row of a place.
 fn pixel_at(place: [f64; 2], size: [u32; 2]) -> [u32; 2] {
-    // Pointers stand on whole pixels, and their share of a width is an f32: rounding must not make it the pixel before.
+    // Shares are rounded f32, which must not select the pixel before.
     let along = |share: f64, count: u32| ((share * f64::from(count) + 1e-3).max(0.0) as u32).min(count.max(1) - 1);
     [along(place[0], size[0]), along(place[1], size[1])]
 }
 
-/// A pixel as the picture shows it.
+/// The displayed value of a pixel.
 fn displayed(frame: &Frame, pixel: [f32; 4]) -> [u8; 3] {
     let [red, green, blue, _] = DisplayMap::for_view(None, frame).apply(pixel).map(|v| (v * 255.0 + 0.5) as u8);
     [red, green, blue]
@@ -258,7 +258,7 @@ mod tests {
         let after = read(&mut probing, &darker, &frame);
         assert!(after.reference[1] < before.reference[1], "{:?} {:?}", after.reference, before.reference);
         let same = tree.zip(probing.geometry.clone()).is_some_and(|(a, b)| Arc::ptr_eq(&a, &b));
-        assert!(same && !probing.is_building(), "the tree of boxes was built again");
+        assert!(same && !probing.is_building(), "the hierarchy was rebuilt");
     }
 
     #[test]

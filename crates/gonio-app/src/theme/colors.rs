@@ -1,8 +1,8 @@
-//! Colours that mean something: the same term and the same vector has the same colour wherever it is shown.
+//! Colours with a meaning: a term or a vector has the same colour everywhere.
 
 use egui::{Color32, Ui};
 
-/// A colour in the light and in the dark.
+/// A colour for the light theme and one for the dark theme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tint {
     light: Color32,
@@ -10,7 +10,7 @@ pub struct Tint {
 }
 
 impl Tint {
-    /// A colour in the light, and the same in the dark: sRGB.
+    /// The colours for the light and the dark theme, sRGB.
     pub const fn new(light: [u8; 3], dark: [u8; 3]) -> Self {
         Tint {
             light: Color32::from_rgb(light[0], light[1], light[2]),
@@ -39,7 +39,7 @@ pub const EMITTED: Tint = Tint::new([0xb4, 0x4d, 0x12], [0xff, 0xa2, 0x66]);
 pub const DIFFUSE: Tint = Tint::new([0x1a, 0x6c, 0xb8], [0x76, 0xb8, 0xff]);
 /// The specular term.
 pub const SPECULAR: Tint = Tint::new([0x9a, 0x32, 0x9c], [0xe6, 0x92, 0xe8]);
-/// A light's own: L, its position and its colour.
+/// A light: L, its position and its colour.
 pub const LIGHT: Tint = Tint::new([0x9c, 0x6a, 0x00], [0xff, 0xd0, 0x5e]);
 /// The environment's light.
 pub const ENVIRONMENT: Tint = Tint::new([0x0c, 0x7c, 0x78], [0x5f, 0xd6, 0xcf]);

@@ -7,7 +7,7 @@ macro_rules! icons {
             pub const $name: &str = $text;
         )+
 
-        /// All of them: the font must have each.
+        /// All icons. The font must have each of them.
         pub const ALL: &[(&str, &str)] = &[$((stringify!($name), $text)),+];
     };
 }

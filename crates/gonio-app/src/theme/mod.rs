@@ -13,7 +13,7 @@ use egui::{
 };
 use std::sync::Arc;
 
-/// Gives a context its fonts and both of its styles.
+/// Installs the fonts and both styles in a context.
 pub fn install(ctx: &egui::Context) {
     install_fonts(ctx);
     install_styles(ctx);
@@ -21,7 +21,7 @@ pub fn install(ctx: &egui::Context) {
 
 const TEXT_SIZE: f32 = 13.5;
 
-/// Greys from the ground to the text.
+/// Greys, from the background to the text.
 struct Greys {
     panel: Color32,
     field: Color32,
@@ -90,7 +90,7 @@ fn set_distances(style: &mut Style) {
     spacing.icon_width_inner = 9.0;
     spacing.tooltip_width = 320.0;
     spacing.scroll.bar_width = 8.0;
-    // Numbers do not jump while the pointer rests on them.
+    // Tooltips appear after a pause, so that numbers stay visible under the pointer.
     style.interaction.tooltip_delay = 0.4;
     style.animation_time = 0.08;
 }
@@ -124,7 +124,7 @@ fn set_colors(style: &mut Style, greys: &Greys, accent: Tint) {
         widget.bg_stroke = Stroke::NONE;
         widget.fg_stroke = Stroke::new(1.0, text);
         widget.corner_radius = CornerRadius::same(5);
-        // Nothing grows when the pointer comes near: neighbours would seem to move.
+        // Widgets do not grow under the pointer, so that their neighbours do not seem to move.
         widget.expansion = 0.0;
     }
     widgets.noninteractive.bg_stroke = Stroke::new(1.0, greys.line);
@@ -142,8 +142,7 @@ macro_rules! font {
     };
 }
 
-/// In a page, outlines are drawn as they are, as browsers draw their own text: to fit them to the pixels takes a fifth of
-/// the first frame there, and code that every visitor would have to wait for.
+/// Hinting is off in the page, as in the browsers' own text: it would take a fifth of the first frame and enlarge the download.
 fn tweak() -> FontTweak {
     FontTweak { hinting: cfg!(target_arch = "wasm32").then_some(false), ..FontTweak::default() }
 }

@@ -1,10 +1,10 @@
-//! One of several words: side by side where there are few, in a list where there are many.
+//! Choices among several names: side by side for a few, in a list for many.
 
 use crate::exported::{self, WidgetRole};
 use crate::theme::colors;
 use egui::{Button, ComboBox, RichText, Ui, WidgetInfo, vec2};
 
-/// The variants of a `named_enum!` as options: value, word, sentence.
+/// The variants of a `named_enum!` as options: value, name, description.
 macro_rules! named_options {
     ($Enum:ty) => {
         <$Enum>::ALL.iter().map(|v| (*v, v.name(), v.description())).collect::<Vec<_>>()
@@ -12,7 +12,8 @@ macro_rules! named_options {
 }
 pub(crate) use named_options;
 
-/// One of `options` (value, word, sentence), side by side; whether it was changed. A double click chooses `default`.
+/// A choice among `options` (value, name, description), side by side. Returns whether it was changed. A double click selects
+/// `default`.
 pub fn choice<T: Copy + PartialEq>(
     ui: &mut Ui,
     id: &str,
@@ -30,7 +31,7 @@ pub fn choice<T: Copy + PartialEq>(
     }
 }
 
-/// The same as a list that opens.
+/// A choice in a drop-down list.
 pub fn dropdown<T: Copy + PartialEq>(
     ui: &mut Ui,
     id: &str,
@@ -50,7 +51,7 @@ fn replace<T: PartialEq>(value: &mut T, with: T) -> bool {
     changed
 }
 
-/// A word as a part of an id: kebab-case.
+/// A name as a part of an id: kebab-case.
 pub fn slug(word: &str) -> String {
     let words = word.split(|c: char| !c.is_alphanumeric()).filter(|part| !part.is_empty());
     words.map(str::to_lowercase).collect::<Vec<_>>().join("-")

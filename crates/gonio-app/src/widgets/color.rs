@@ -1,4 +1,4 @@
-//! A colour: a swatch that opens a picker, and its numbers to be typed.
+//! A colour: a swatch that opens a picker, and a text field.
 
 use crate::exported::{self, WidgetRole};
 use egui::widgets::color_picker::{Alpha, color_picker_color32};
@@ -9,14 +9,14 @@ use egui::{
 use gonio_light::color::{srgb_decode, srgb_encode};
 use gonio_scene::color_value::Color;
 
-/// A linear colour as the display shows it; brighter ones are dimmed until they fit.
+/// A linear colour for display; channels above 1 are scaled down.
 pub fn shown(color: Color) -> Color32 {
     let most = color.0.iter().copied().fold(1.0, f64::max);
     let [r, g, b] = color.0.map(|v| (255.0 * srgb_encode((v / most).clamp(0.0, 1.0))).round() as u8);
     Color32::from_rgb(r, g, b)
 }
 
-/// `#rrggbb` where all of it is in the display's range and exact to a step of 8 bits, else linear numbers.
+/// The colour as text: `#rrggbb` if that is exact to an 8-bit step, otherwise linear numbers.
 fn written(color: Color) -> String {
     let swatch = shown(color);
     let back = [swatch.r(), swatch.g(), swatch.b()].map(|v| srgb_decode(f64::from(v) / 255.0));
@@ -28,8 +28,8 @@ fn written(color: Color) -> String {
     if r == g && g == b { r } else { format!("{r},{g},{b}") }
 }
 
-/// A swatch and the colour's text, which may be `#rrggbb` (sRGB), `r,g,b` or one number (linear); whether it was
-/// changed. A double click on the swatch brings back `default`.
+/// A swatch and a text field, which accepts `#rrggbb` (sRGB), `r,g,b` or one number (linear). Returns whether the colour was
+/// changed. A double click on the swatch resets it to `default`.
 pub fn color(ui: &mut Ui, id: &str, label: &str, value: &mut Color, default: Option<Color>, tip: &str) -> bool {
     let before = *value;
     color_swatch(ui, id, label, value, default, tip);
@@ -71,7 +71,7 @@ fn swatch(ui: &mut Ui, id: &str, label: &str, value: Color) -> Response {
     response
 }
 
-/// The picker: hue, saturation and value; how bright it is beyond 1 stays.
+/// The picker: hue, saturation and value. Brightness above 1 is kept.
 fn pick(ui: &mut Ui, value: &mut Color) {
     ui.spacing_mut().slider_width = 220.0;
     let most = value.0.iter().copied().fold(1.0, f64::max);
@@ -81,7 +81,7 @@ fn pick(ui: &mut Ui, value: &mut Color) {
     }
 }
 
-/// The colour as text. What is being typed is kept until it ends, and taken where it is a colour.
+/// The text field. The text is applied when typing ends, if it is a colour.
 fn text(ui: &mut Ui, id: &str, label: &str, value: &mut Color) {
     let key = Id::unique(("color text", id));
     let typed: Option<String> = ui.data(|data| data.get_temp(key));
@@ -103,7 +103,7 @@ fn text(ui: &mut Ui, id: &str, label: &str, value: &mut Color) {
     exported::note(ui, &response, &own_id, WidgetRole::Text, label, written(*value));
     if response.lost_focus() && !ui.input(|i| i.key_pressed(egui::Key::Escape)) {
         match parsed {
-            // What was not changed is not rounded to what its text says.
+            // An unchanged colour is not rounded to its text.
             Ok(color) if written(*value) != written(color) => *value = color,
             _ => {}
         }

@@ -1,7 +1,7 @@
-//! What every panel is made of: numbers, vectors, colours, choices, switches.
+//! Widgets of the panels: numbers, vectors, colours, choices, switches.
 //!
-//! Each notes itself ([`crate::exported::note`]) under a stable id, tells screen readers what it is called, and goes back
-//! to its default by a double click. They edit the document in place: undo needs no word from them.
+//! Each is exported under a stable id ([`crate::exported::note`]), has a name for screen readers, and is reset to its default by a
+//! double click. Widgets edit the document in place and do not handle undo.
 
 mod choice;
 mod color;
@@ -16,15 +16,15 @@ use crate::exported::{self, WidgetRole};
 use crate::theme;
 use egui::{Align, Button, Color32, Label, Layout, Response, RichText, Ui, WidgetInfo, vec2};
 
-/// Points along a side of a small icon's button.
+/// Side of an icon button, points.
 const SIDE: f32 = 22.0;
 
-/// A button that is an icon. `tip` names it, for screen readers too.
+/// An icon button. `tip` is its tooltip and its name for screen readers.
 pub fn icon_button(ui: &mut Ui, id: &str, icon: &str, tip: &str) -> Response {
     tool_button(ui, id, icon, tip, None, true)
 }
 
-/// The same, in a colour, or greyed out.
+/// An icon button in a colour, or disabled.
 pub fn tool_button(ui: &mut Ui, id: &str, icon: &str, tip: &str, color: Option<Color32>, enabled: bool) -> Response {
     let color = color.unwrap_or_else(|| ui.visuals().text_color());
     let text = RichText::new(icon).font(theme::icon_font(15.0)).color(color);
@@ -40,7 +40,7 @@ pub fn tool_button(ui: &mut Ui, id: &str, icon: &str, tip: &str, color: Option<C
     response.on_hover_text(tip).on_disabled_hover_text(tip)
 }
 
-/// A switch with its name beside it; whether it was changed.
+/// A switch with its name. Returns whether it was changed.
 pub fn toggle(ui: &mut Ui, id: &str, label: &str, value: &mut bool, tip: &str) -> bool {
     let response = ui.checkbox(value, label);
     exported::note(ui, &response, id, WidgetRole::Toggle, label, *value);
@@ -51,10 +51,10 @@ pub fn toggle(ui: &mut Ui, id: &str, label: &str, value: &mut bool, tip: &str) -
     changed
 }
 
-/// Room for the name of a value, points.
+/// Width of the label of a row, points.
 pub const LABEL_WIDTH: f32 = 84.0;
 
-/// The name of a value and its widgets. `tip` says what it is, with symbol and unit.
+/// A row: the name of a value and its widgets. `tip` describes the value, with symbol and unit.
 pub fn row<R>(ui: &mut Ui, label: &str, tip: &str, add: impl FnOnce(&mut Ui) -> R) -> R {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -71,7 +71,7 @@ pub fn row<R>(ui: &mut Ui, label: &str, tip: &str, add: impl FnOnce(&mut Ui) -> 
     .inner
 }
 
-/// What the lines below it are about.
+/// A heading within a panel.
 pub fn heading(ui: &mut Ui, text: &str) -> Response {
     ui.add_space(6.0);
     let color = ui.visuals().strong_text_color();

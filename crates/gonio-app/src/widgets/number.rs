@@ -6,7 +6,7 @@ use egui::{DragValue, Rect, Response, Sense, TextStyle, Ui, UiBuilder, pos2, vec
 use gonio_light::is_noise;
 use std::ops::RangeInclusive;
 
-/// A number and what is known of it.
+/// A field for a number.
 #[derive(Clone, Debug)]
 pub struct NumberField<'a> {
     id: &'a str,
@@ -21,7 +21,7 @@ pub struct NumberField<'a> {
 }
 
 impl<'a> NumberField<'a> {
-    /// Any finite number. `id` is stable and kebab-case, `label` what it is called.
+    /// Creates a field for any finite number. `id` is stable and kebab-case, `label` is its name.
     pub fn new(id: &'a str, label: &'a str) -> Self {
         NumberField {
             id,
@@ -36,48 +36,48 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// What it is, with its symbol.
+    /// Sets the description, with the symbol.
     pub fn tip(self, tip: &'a str) -> Self {
         NumberField { tip, ..self }
     }
 
-    /// Shown after it.
+    /// Sets the unit, which is shown after the number.
     pub fn unit(self, unit: &'static str) -> Self {
         NumberField { unit, ..self }
     }
 
-    /// What it may be; both ends are allowed.
+    /// Sets the range, including both ends.
     pub fn range(self, range: RangeInclusive<f64>) -> Self {
         NumberField { range, ..self }
     }
 
-    /// What a double click makes of it.
+    /// Sets the default, which a double click restores.
     pub fn default(self, default: f64) -> Self {
         NumberField { default: Some(default), ..self }
     }
 
-    /// Change for each point that is dragged; left out, it goes by the number's size.
+    /// Sets the change per point of a drag; by default it depends on the number's size.
     pub fn step(self, step: f64) -> Self {
         NumberField { step: Some(step), ..self }
     }
 
-    /// Points.
+    /// Sets the width, points.
     pub fn width(self, width: f32) -> Self {
         NumberField { width, ..self }
     }
 
-    /// No digits behind the point.
+    /// Restricts the field to whole numbers.
     pub fn whole(self) -> Self {
         NumberField { whole: true, ..self }
     }
 
-    /// Shows the number, and lets it be edited.
+    /// Shows the field. The value is edited in place.
     pub fn show(self, ui: &mut Ui, value: &mut f64) -> Response {
         let before = *value;
         let step = self.step.unwrap_or_else(|| step_of(before, &self.range));
         let whole = self.whole;
         let mut edited = before;
-        // Room of exactly this size: what is beside it stays on one line with it, and nothing jumps while it changes.
+        // A fixed size, so that neighbours stay on the line and nothing moves while the number changes.
         let size = vec2(self.width, ui.spacing().interact_size.y);
         let (room, _) = ui.allocate_exact_size(size, Sense::hover());
         let response = ui
@@ -105,10 +105,10 @@ impl<'a> NumberField<'a> {
             && response.double_clicked()
         {
             *value = default;
-            // The first click of the two began to type.
+            // The first click started to edit the text.
             response.surrender_focus();
         }
-        // -0 is what dragging past zero leaves.
+        // Dragging past zero may leave -0.
         *value += 0.0;
         let response = response.accessible_name(self.label);
         exported::note(ui, &response, self.id, WidgetRole::Number, self.label, *value);
@@ -118,7 +118,7 @@ impl<'a> NumberField<'a> {
         })
     }
 
-    /// The same for 32 bits.
+    /// Shows the field for an f32.
     pub fn show_f32(self, ui: &mut Ui, value: &mut f32) -> Response {
         let mut wide = f64::from(*value);
         let response = self.show(ui, &mut wide);
@@ -144,7 +144,7 @@ impl<'a> NumberField<'a> {
     }
 }
 
-/// About a hundredth of the number for each point, and of its range where that is small.
+/// The change per point of a drag: about a hundredth of the number, or a fraction of a small range.
 fn step_of(value: f64, range: &RangeInclusive<f64>) -> f64 {
     let extent = range.end() - range.start();
     if extent <= 200.0 {
@@ -174,7 +174,7 @@ pub fn compact(v: f64) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// What was typed: a point or a comma, the unit or not; nothing that is not finite.
+/// Parses a typed number, with a decimal point or comma, and with or without unit. Only finite numbers are accepted.
 fn parsed(text: &str) -> Option<f64> {
     let text = text.trim().replace(',', ".").replace('\u{2212}', "-");
     let text = text.trim_end_matches(|c: char| c.is_whitespace() || c == '\u{b0}' || (c.is_alphabetic()));
@@ -186,7 +186,7 @@ pub fn axes() -> [(&'static str, Tint); 3] {
     [("x", AXIS_X), ("y", AXIS_Y), ("z", AXIS_Z)]
 }
 
-/// Three numbers and what is known of them.
+/// A field for three numbers along the axes.
 #[derive(Clone, Debug)]
 pub struct Vector<'a> {
     id: &'a str,
@@ -199,37 +199,37 @@ pub struct Vector<'a> {
 }
 
 impl<'a> Vector<'a> {
-    /// Any three numbers. `id` is stable and kebab-case; its parts get `-x`, `-y` and `-z`.
+    /// Creates a field for three numbers. `id` is stable and kebab-case; its parts have the suffixes `-x`, `-y` and `-z`.
     pub fn new(id: &'a str, label: &'a str) -> Self {
         Vector { id, label, tip: "", unit: "", default: None, range: -1e15..=1e15, step: None }
     }
 
-    /// What it is, with its symbol, space and unit.
+    /// Sets the description, with symbol, space and unit.
     pub fn tip(self, tip: &'a str) -> Self {
         Vector { tip, ..self }
     }
 
-    /// Shown after each number.
+    /// Sets the unit, which is shown after each number.
     pub fn unit(self, unit: &'static str) -> Self {
         Vector { unit, ..self }
     }
 
-    /// What a double click on a part makes of it.
+    /// Sets the default; a double click restores one number.
     pub fn default(self, default: [f64; 3]) -> Self {
         Vector { default: Some(default), ..self }
     }
 
-    /// What each may be.
+    /// Sets the range of each number.
     pub fn range(self, range: RangeInclusive<f64>) -> Self {
         Vector { range, ..self }
     }
 
-    /// Change for each point that is dragged.
+    /// Sets the change per point of a drag.
     pub fn step(self, step: f64) -> Self {
         Vector { step: Some(step), ..self }
     }
 
-    /// Shows the three in the room that is left of the line; whether any was changed.
+    /// Shows the three numbers in the rest of the line. Returns whether any was changed.
     pub fn show(self, ui: &mut Ui, value: &mut [f64; 3]) -> bool {
         const GAP: f32 = 4.0;
         ui.spacing_mut().item_spacing.x = GAP;
@@ -260,12 +260,12 @@ fn underline(ui: &Ui, response: &Response, tint: Tint) {
     ui.painter().rect_filled(line, 0.75, tint.of(ui).gamma_multiply(0.8));
 }
 
-/// A space that lines may be broken at.
+/// A space at which lines may be broken.
 pub const SPACE: char = ' ';
-/// A space that keeps a number on one line, where text wraps.
+/// A space at which lines are not broken.
 pub const NO_BREAK: char = '\u{a0}';
 
-/// A count with `gap` between groups of three digits.
+/// Formats a count with `gap` between groups of three digits.
 pub fn grouped(number: u64, gap: char) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3 * gap.len_utf8());

@@ -18,7 +18,7 @@ fn shows(bench: &Bench, text: &str) -> bool {
     bench.harness.query_all_by_label(text).count() > 0
 }
 
-/// Before anybody moves it, and in a pane that has no sphere of its own.
+/// Without a setting of the pane, the slider shows the scene's triangles.
 #[test]
 fn the_slider_starts_at_the_scenes_triangles() {
     for triangles in [128, 8192] {
@@ -57,7 +57,7 @@ fn panes_are_added_selected_and_removed() {
     bench.click("add-pane");
     let panes = &bench.document().panes;
     assert_eq!((panes.list.len(), panes.current), (3, 2));
-    assert_eq!(panes.list[2], panes.list[1], "a pane like the current one");
+    assert_eq!(panes.list[2], panes.list[1], "a copy of the current pane");
     bench.click("copy-pane");
     assert!(bench.document().panes.list.iter().all(|pane| pane.specular == Some(Specular::BlinnPhong)));
     bench.click("remove-pane-0");

@@ -29,7 +29,7 @@ fn each_term_is_a_switch_and_can_be_undone() {
         assert!(!is_on(bench.document()), "{term} is still on");
         assert_eq!(bench.widget(&format!("term-{term}")).value, "off");
         let others_off = read.iter().filter(|(other, on)| *other != term && !on(bench.document())).count();
-        assert_eq!(others_off, 0, "{term} took others along");
+        assert_eq!(others_off, 0, "{term} switched others off");
         bench.undo();
         assert_eq!(*bench.document(), before);
         assert_eq!(bench.widget(&format!("term-{term}")).value, "on");
@@ -43,7 +43,7 @@ fn a_term_alone_and_all_again() {
     bench.click_with("term-specular", Modifiers::SHIFT);
     let e = &bench.document().scene.equation;
     assert_eq!([e.ambient, e.emitted, e.diffuse, e.specular_term], [false, false, false, true]);
-    // Factors are no terms of the sum.
+    // Factors are not summands.
     assert!(e.attenuation && e.spot);
     bench.click_with("term-specular", Modifiers::SHIFT);
     assert_eq!(bench.document().scene.equation, before);
@@ -54,7 +54,7 @@ fn a_term_alone_and_all_again() {
     assert_eq!(bench.document().scene.equation, before);
 }
 
-/// What was off before a term was alone is off afterwards.
+/// A term that was off before another one was shown alone is off afterwards.
 #[test]
 fn leaving_a_term_alone_restores_the_switches() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
@@ -65,7 +65,7 @@ fn leaving_a_term_alone_restores_the_switches() {
     assert_eq!([e.ambient, e.emitted, e.diffuse, e.specular_term], [true, false, true, true]);
 }
 
-/// The environment's light comes by way of the diffuse and the specular term: these stay, and the lights go out.
+/// The environment's light is reflected by the diffuse and the specular term, which stay on; the lights are switched off.
 #[test]
 fn the_environment_is_alone_without_lights() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
@@ -87,7 +87,7 @@ fn the_environment_is_alone_without_lights() {
 #[test]
 fn the_equation_follows_the_settings() {
     let mut bench = Bench::new(SCENE, Tab::Lights);
-    // Beside the diffuse term alone, or behind the brackets for both.
+    // Inside the brackets with the diffuse term, or behind them for both terms.
     let cosine_is_last = |bench: &Bench| bench.rect("term-cosine").left() > bench.rect("term-attenuation").right();
     bench.click("term-specular");
     bench.click("term-specular");

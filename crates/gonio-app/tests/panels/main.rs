@@ -19,13 +19,13 @@ use gonio_scene::load;
 use std::path::Path;
 use std::sync::Arc;
 
-/// What the panels work on.
+/// The state that the panels edit.
 pub struct TestApp {
     pub document: Document,
     pub session: Session,
     pub history: History,
     pub actions: Vec<Action>,
-    /// Edits that wanted files.
+    /// Number of edits that needed files.
     pub file_edits: u32,
 }
 
@@ -44,7 +44,7 @@ impl TestApp {
         TestApp { history: History::new(&document), document, session, actions: Vec::new(), file_edits: 0 }
     }
 
-    /// As the application does after each frame.
+    /// Updates the scene, as the application does after each frame.
     fn follow(&mut self) {
         let Some(loaded) = &self.session.loaded else { return };
         if loaded.settings == self.document.scene {
@@ -86,7 +86,7 @@ fn read(scene: gonio_scene::SceneFile) -> gonio_scene::Scene {
 }
 
 impl Bench {
-    /// With `input` open and this tab shown, in a window so high that nothing has to be scrolled to.
+    /// Opens `input` and a tab in a window that is high enough to show everything.
     pub fn new(input: &str, tab: Tab) -> Self {
         Self::sized(input, tab, vec2(1280.0, 3000.0))
     }
@@ -108,7 +108,7 @@ impl Bench {
         self.harness.run_steps(4);
     }
 
-    /// Half a second: the next click is another one, and none of a double click.
+    /// Waits half a second, so that the next click is not part of a double click.
     pub fn pause(&mut self) {
         self.harness.run_steps(30);
     }
@@ -190,7 +190,7 @@ impl Bench {
         self.settle();
     }
 
-    /// Clicks into a number or a text, and types over what is there.
+    /// Clicks into a number or a text, and replaces its content.
     #[track_caller]
     pub fn type_into(&mut self, id: &str, text: &str) {
         self.click(id);

@@ -38,7 +38,7 @@ fn a_camera_always_looks_somewhere() {
     assert!(camera.near < camera.far && camera.far == far);
 }
 
-/// The rows of V are Right, Up and -Front, and what is shown are its numbers.
+/// The rows of V are Right, Up and -Front, shown with their numbers.
 #[test]
 fn the_view_matrix_is_shown_row_by_row() {
     let mut bench = Bench::new("builtin:suzanne", Tab::Camera);
@@ -119,13 +119,13 @@ fn shading_and_place_are_edited() {
     assert_eq!(bench.document().scene.objects[0].translate, [1.5, 0.0, 0.0]);
     bench.double_click("object-0-translate-x");
     assert_eq!(bench.document().scene.objects[0].translate, [0.0; 3]);
-    // A model without extent cannot be lit.
+    // A scale of 0 is refused.
     bench.type_into("object-0-scale-y", "0");
     assert_eq!(bench.document().scene.objects[0].scale, [1.0; 3]);
     assert_eq!(bench.app().file_edits, 0);
     bench.click("object-0-normals-flat");
     assert_eq!(bench.document().scene.objects[0].normals, Normals::Flat);
-    // Other normals are made from the file.
+    // Other normals need the file.
     assert_eq!(bench.app().file_edits, 1);
 }
 
@@ -135,7 +135,7 @@ fn a_material_shows_the_files_values_until_changed_and_after_a_reset() {
     bench.click("object-0");
     let file = bench.app().session.loaded.as_ref().map(|l| f64::from(l.materials_in_file(0)[0].shininess));
     let shown: f64 = bench.widget("object-0-shininess").value.parse().unwrap_or(f64::NAN);
-    // The number of a file of 32 bits, to six digits.
+    // An f32 to six digits.
     assert!((shown - file.unwrap_or(f64::NAN)).abs() < 1e-4 * shown, "{shown} {file:?}");
     assert!(!bench.widget("object-0-shininess-reset").enabled);
     bench.type_into("object-0-shininess", "77");
@@ -162,14 +162,14 @@ fn refraction_values_are_edited_and_reset() {
 fn sample_models_are_added_duplicated_and_removed() {
     let mut bench = Bench::new("builtin:suzanne", Tab::Objects);
     bench.click("add-object");
-    assert!(!bench.has("add-object-lab-07"), "a scene is no model");
+    assert!(!bench.has("add-object-lab-07"), "a scene is not a model");
     bench.click("add-object-cube");
     assert_eq!(bench.document().scene.objects.len(), 2);
     assert_eq!(bench.document().scene.objects[1].name, "cube");
     assert_eq!(bench.app().session.selection, Selection::Object(1));
     bench.click("object-1-duplicate");
     assert_eq!(bench.document().scene.objects.len(), 3);
-    // A copy of what is there needs no file.
+    // A copy of an object needs no file.
     assert_eq!(bench.app().file_edits, 1);
     bench.click("object-2-remove");
     bench.click("object-0");
@@ -185,7 +185,7 @@ fn framing_an_object_targets_its_centre() {
     let loaded = bench.app().session.loaded.clone().unwrap_or_else(|| panic!("no scene"));
     let middle = loaded.objects[2].world_from_model.w_axis.truncate();
     let target = bench.document().scene.camera.target().map(glam::DVec3::from).unwrap_or_default();
-    // A sphere's middle is its place; a coarse one is not quite symmetric.
+    // A sphere's centre is its position; a coarse one is not quite symmetric.
     assert!((target - middle).length() < 0.05, "{target} {middle}");
 }
 
@@ -227,7 +227,7 @@ fn a_number_is_typed_dragged_and_reset() {
     assert!(dragged > 2.5, "{dragged}");
     bench.double_click("light-0-intensity");
     assert_eq!(intensity(&bench), 1.0);
-    // What is no number, and what is out of range.
+    // Invalid text, and a number out of range.
     bench.type_into("light-0-intensity", "bright");
     assert_eq!(intensity(&bench), 1.0);
     bench.type_into("light-0-intensity", "-3");
@@ -247,7 +247,7 @@ fn lights_of_every_kind_are_added_and_removed() {
         let lights = &bench.document().scene.lights;
         assert_eq!((lights.len(), lights[before].kind), (before + 1, *kind));
         assert_eq!(bench.app().session.selection, Selection::Light(before));
-        // A second frame with it open: nothing is made up by showing it.
+        // Showing its parameters changes nothing.
         let shown = bench.document().clone();
         bench.settle();
         assert_eq!(*bench.document(), shown);
@@ -267,7 +267,7 @@ fn a_light_becomes_each_kind_from_each_kind() {
             bench.click(&format!("add-light-{from}"));
             bench.click(&format!("light-{index}-kind"));
             bench.click(&format!("light-{index}-kind-{to}"));
-            // The scene that follows is checked as a file would be: keys of another kind are an error.
+            // The resulting scene is validated like a file; keys of another kind would be an error.
             assert_eq!(bench.document().scene.lights[index].kind, *to, "from {from}");
         }
     }
@@ -308,7 +308,7 @@ fn a_light_that_moves_brings_time_along() {
     assert!(bench.app().session.clock.playing);
 }
 
-/// Numbers that no light can have are not taken.
+/// Invalid values of a light are refused.
 #[test]
 fn a_light_stays_possible() {
     let mut bench = Bench::new("builtin:suzanne", Tab::Lights);

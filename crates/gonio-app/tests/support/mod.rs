@@ -1,5 +1,5 @@
-//! The whole application with OpenGL but without a window, and a person's hands on it. What only one file of tests does with
-//! it stands there, in a further `impl Window`.
+//! The whole application with OpenGL but without a window, driven by pointer and keys. Methods for one file of tests are in
+//! that file, in another `impl Window`.
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
@@ -21,26 +21,26 @@ use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 
-/// A platform that checks in a thread with a context of its own, as no program is there to be started.
+/// A platform that checks in a thread with a context of its own, because there is no program to start.
 #[derive(Clone, Default)]
 pub struct Here {
-    /// What is to come from outside next.
+    /// The next events.
     pub coming: Rc<RefCell<Vec<PlatformEvent>>>,
-    /// What files were wanted for that were asked for last.
+    /// The purpose of the last file dialog.
     pub asked: Rc<RefCell<Option<Purpose>>>,
-    /// Trials as a test wants them.
+    /// Trials with an outcome set by the test.
     pub trials: Rc<RefCell<Trials>>,
 }
 
-/// Trials whose outcome a test decides.
+/// Trials whose outcome the test decides.
 #[derive(Default)]
 pub struct Trials {
-    /// Every pair is tried; otherwise only those that may never end are, by a check.
+    /// Whether every pair is tried; otherwise only those that may never end, by a check.
     pub is_on: bool,
-    /// How many were begun, and how many of those have not ended.
+    /// Number of trials that were started, and of those still running.
     pub begun: usize,
     pub running: usize,
-    /// Of the one that is running, or of the next.
+    /// Outcome of the running or the next trial.
     pub outcome: Option<TrialOutcome>,
 }
 
@@ -118,18 +118,18 @@ impl Platform for Here {
     }
 }
 
-/// The application, painted at least twice.
+/// The application after at least two frames.
 pub struct Window {
     pub harness: Harness<'static, Option<App>>,
-    // Not in every file of tests do files come from outside.
+    // Not every file of tests uses it.
     #[allow(dead_code)]
     pub here: Here,
-    // The application's OpenGL; it goes last.
+    // The application's OpenGL, which is dropped last.
     _context: HeadlessContext,
 }
 
 impl Window {
-    /// In a window of this size, in points, with a model or a scene that is being read.
+    /// Opens a model or a scene in a window of this size, in points.
     pub fn with(input: &str, size: Vec2) -> Self {
         let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
         let (gl, input) = (context.gl().clone(), input.to_owned());
@@ -147,7 +147,7 @@ impl Window {
     }
 
     pub fn app(&self) -> &App {
-        self.harness.state().as_ref().unwrap_or_else(|| panic!("the application was not made"))
+        self.harness.state().as_ref().unwrap_or_else(|| panic!("the application was not created"))
     }
 
     pub fn steps(&mut self, steps: usize) {

@@ -13,11 +13,11 @@ use crate::theme;
 use egui::{Color32, CornerRadius, FontId, Pos2, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 use read::{Figure, FigureShape, Letters, Pen, Text};
 
-/// Letters are not read below this size of a figure; on a phone it is moved sideways instead.
+/// Smallest scale of a figure, so that its letters are legible; a narrower window scrolls it sideways.
 const SMALLEST: f32 = 0.55;
 
-/// Shows a figure by its file's text, as wide as there is room for; `shows` says what is in it. What cannot be read
-/// is not shown.
+/// Shows a figure from its SVG text, as wide as there is room for; `shows` describes it for screen readers. A file that cannot
+/// be read is not shown.
 pub fn show(ui: &mut Ui, name: &str, shows: &str, text: &str) {
     let Some(figure) = read::figure(text) else { return };
     let room = ui.available_width();
@@ -44,7 +44,7 @@ fn font(letters: Letters, size: f32) -> FontId {
     }
 }
 
-/// A sign that the fonts lack is another one with a line through it.
+/// Replaces a sign that the fonts lack by another one with a line through it.
 fn parts(sign: char) -> (char, bool) {
     if sign == '\u{2260}' { ('=', true) } else { (sign, false) }
 }
@@ -69,14 +69,14 @@ impl Place<'_> {
         self.min + point.to_vec2() * self.scale
     }
 
-    /// On a dark ground light becomes dark and dark light; hues stay.
+    /// Inverts lightness in the dark theme; hues stay.
     fn color(&self, color: Color32) -> Color32 {
         if !self.dark {
             return color;
         }
         let [r, g, b] = [color.r(), color.g(), color.b()].map(i32::from);
         let turn = 255 - r.max(g).max(b) - r.min(g).min(b);
-        // Not quite to black: what is around it is not black either.
+        // Not quite to black, because the panel around it is not black either.
         let turned = [r, g, b].map(|value| (24 + (value + turn) * (255 - 24) / 255).clamp(0, 255) as u8);
         Color32::from_rgb(turned[0], turned[1], turned[2])
     }
@@ -138,7 +138,7 @@ impl Place<'_> {
         let mut at = self.at(text.at) - vec2(text.anchor * width, 0.0);
         for (step, words, galley) in laid_out {
             at += step;
-            // A figure says where the line stands, and egui where the letters' box begins.
+            // SVG positions the baseline, egui the top of the text.
             let first = galley.rows.first().and_then(|row| Some(row.pos.y + row.row.glyphs.first()?.pos.y));
             let width = galley.size().x;
             let glyphs = galley.rows.iter().flat_map(|row| &row.row.glyphs);
@@ -158,7 +158,7 @@ mod tests {
     use super::*;
     use gonio_exercises::exercise;
 
-    /// Every letter of every figure is in the fonts that the page carries.
+    /// The page's fonts have every letter of every figure.
     #[test]
     fn the_fonts_have_every_letter() {
         let ctx = egui::Context::default();
@@ -176,7 +176,7 @@ mod tests {
                 }
             }
         });
-        // Nobody uploads them.
+        // The test has no GPU to upload textures to.
         output.textures_delta.clear();
     }
 }

@@ -6,10 +6,10 @@
 use egui::{Color32, Mesh, Pos2, Shape, Vec2, pos2, vec2};
 use std::f32::consts::TAU;
 
-/// Pieces of a quarter of a circle, and of a curve: at the sizes of figures no corner is seen.
+/// Number of pieces of a quarter of a circle, and of a curve: enough that no corner is visible.
 const PIECES: usize = 16;
 
-/// The points, and whether the last is joined with the first. Nothing where there is a command that is not known here.
+/// The points of a path, and whether it is closed. `None` if a command is not supported.
 pub fn flattened(d: &str) -> Option<(Vec<Pos2>, bool)> {
     let mut points: Vec<Pos2> = Vec::new();
     let mut closed = false;
@@ -53,7 +53,7 @@ fn arc(points: &mut Vec<Pos2>, radius: f32, large: bool, clockwise: bool, to: Po
     let from = *points.last()?;
     let half = (to - from) / 2.0;
     let length = half.length();
-    // Too small a circle is made as large as it must be.
+    // A circle that is too small is enlarged until it reaches both points.
     let radius = radius.abs().max(length);
     if length < 1e-6 {
         return Some(());
@@ -76,7 +76,7 @@ fn arc(points: &mut Vec<Pos2>, radius: f32, large: bool, clockwise: bool, to: Po
     Some(())
 }
 
-/// The inside of lines from point to point: what an odd number of them surrounds.
+/// The inside of a closed outline, by the even-odd rule.
 pub fn inside(points: &[Pos2], color: Color32) -> Shape {
     if is_convex(points) {
         return Shape::convex_polygon(points.to_vec(), color, egui::Stroke::NONE);
@@ -85,7 +85,7 @@ pub fn inside(points: &[Pos2], color: Color32) -> Shape {
     let mut across: Vec<f32> = points.iter().map(|point| point.x).collect();
     across.sort_by(f32::total_cmp);
     across.dedup();
-    // Between the places of two corners all lines are straight: what they enclose there are trapezoids.
+    // Between the x coordinates of two neighbouring corners, the inside consists of trapezoids.
     for strip in across.windows(2) {
         let &[left, right] = strip else { continue };
         let mut edges: Vec<[f32; 2]> = edges(points).filter_map(|edge| within(edge, left, right)).collect();
@@ -107,14 +107,14 @@ fn edges(points: &[Pos2]) -> impl Iterator<Item = [Pos2; 2]> + '_ {
     points.iter().copied().zip(points.iter().copied().cycle().skip(1)).map(|(from, to)| [from, to])
 }
 
-/// Height of an edge at the left and the right end of a strip; `None` if it does not cross the strip.
+/// The y coordinates of an edge at both sides of a strip; `None` if the edge does not cross it.
 fn within([a, b]: [Pos2; 2], left: f32, right: f32) -> Option<[f32; 2]> {
     let (a, b) = if a.x <= b.x { (a, b) } else { (b, a) };
     let at = |x: f32| a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
     (a.x <= left && b.x >= right && a.x < b.x).then(|| [at(left), at(right)])
 }
 
-/// Whether it turns one way at all corners.
+/// Whether the outline turns the same way at all corners.
 fn is_convex(points: &[Pos2]) -> bool {
     let mut turns = [false; 2];
     for [before, corner] in edges(points) {

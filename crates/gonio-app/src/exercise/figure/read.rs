@@ -1,7 +1,7 @@
-//! A figure's file read: the few elements and attributes of SVG that our figures use, and no others.
+//! Reads figures: the elements and attributes of SVG that the exercises' figures use.
 //!
-//! After W3C, *Scalable Vector Graphics (SVG) 2*, chapters 9 (paths), 10 (shapes) and 11 (text). Without groups, transforms,
-//! styles and nesting but for `tspan`. A test holds that the figures of all exercises are read whole.
+//! After W3C, *Scalable Vector Graphics (SVG) 2*, chapters 9 (paths), 10 (shapes) and 11 (text). Groups, transforms, styles and
+//! nesting other than `tspan` are not supported. A test checks that the figures of all exercises are read completely.
 
 use super::outline;
 use egui::{Color32, Pos2, Rect, Vec2, pos2, vec2};
@@ -18,15 +18,15 @@ pub struct Figure {
 /// A line around or along a shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pen {
-    /// Of the line.
+    /// Colour of the line.
     pub color: Color32,
-    /// In the figure's units.
+    /// Width, in the figure's units.
     pub width: f32,
-    /// Lengths of dashes and of gaps; nothing where it is drawn through.
+    /// Lengths of dashes and of gaps; `None` for a solid line.
     pub dashes: Option<[f32; 2]>,
 }
 
-/// Something that is painted.
+/// A shape of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FigureShape {
     /// Lines from point to point.
@@ -35,45 +35,45 @@ pub enum FigureShape {
         points: Vec<Pos2>,
         /// The last is joined with the first.
         closed: bool,
-        /// Inside.
+        /// Colour of the inside.
         fill: Option<Color32>,
-        /// Along it.
+        /// The line.
         pen: Option<Pen>,
     },
     /// A rectangle.
     Rectangle {
-        /// Where.
+        /// Position and size.
         rect: Rect,
-        /// Of its corners.
+        /// Radius of its corners.
         radius: f32,
-        /// Inside.
+        /// Colour of the inside.
         fill: Option<Color32>,
-        /// Around it.
+        /// The line around it.
         pen: Option<Pen>,
     },
     /// A circle.
     Circle {
-        /// Its middle.
+        /// Its centre.
         center: Pos2,
-        /// Of the circle.
+        /// Radius of the circle.
         radius: f32,
-        /// Inside.
+        /// Colour of the inside.
         fill: Option<Color32>,
-        /// Around it.
+        /// The line around it.
         pen: Option<Pen>,
     },
-    /// Words in a row.
+    /// A line of text.
     Text(Text),
 }
 
-/// Words in a row.
+/// A line of text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
-    /// Where their line stands: at its left end, in its middle or at its right end, by `anchor`.
+    /// A point of the baseline: its left end, middle or right end, by `anchor`.
     pub at: Pos2,
     /// 0 left, 0.5 the middle, 1 right.
     pub anchor: f32,
-    /// Font size.
+    /// Colour of the letters.
     pub color: Color32,
     /// The font.
     pub letters: Letters,
@@ -81,16 +81,16 @@ pub struct Text {
     pub pieces: Vec<(Vec2, f32, String)>,
 }
 
-/// A kind of letters.
+/// A style of letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Letters {
     /// Plain.
     Plain,
     /// Bold.
     Bold,
-    /// Of formulas.
+    /// Formulas.
     Math,
-    /// Of programs.
+    /// Program code.
     Code,
 }
 
@@ -182,13 +182,13 @@ fn unescaped(text: &str) -> String {
     text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&")
 }
 
-/// The elements one after the other.
+/// Iterates over the elements.
 struct Elements<'a> {
     rest: &'a str,
 }
 
 impl<'a> Elements<'a> {
-    /// The next one that begins.
+    /// The next start tag.
     fn next(&mut self) -> Option<Element<'a>> {
         loop {
             let (_, after) = self.rest.split_once('<')?;
@@ -200,7 +200,7 @@ impl<'a> Elements<'a> {
         }
     }
 
-    /// What stands before an end, which is gone past.
+    /// The text before an end tag, which is skipped.
     fn until(&mut self, end: &str) -> &'a str {
         let (inside, after) = self.rest.split_once(end).unwrap_or((self.rest, ""));
         self.rest = after;
@@ -298,7 +298,7 @@ mod tests {
                 let elements = ["<line ", "<rect ", "<circle ", "<path ", "<polygon ", "<polyline ", "<text "];
                 let count: usize = elements.iter().map(|element| text.matches(element).count()).sum();
                 assert_eq!(figure.shapes.len(), count, "{name}");
-                // What is not known here would be left out in silence.
+                // Unknown elements would be skipped silently.
                 let known =
                     ["svg", "title", "desc", "tspan", "line", "rect", "circle", "path", "polygon", "polyline", "text"];
                 for element in text.split('<').skip(1).filter(|part| !part.starts_with('/')) {

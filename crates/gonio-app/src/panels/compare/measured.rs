@@ -16,7 +16,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
         ui.weak("Nothing has been drawn yet");
         return;
     }
-    // Of one width for each column, so that digits stand below each other and nothing jumps.
+    // Columns have a fixed width, so that digits are aligned and nothing moves.
     let line = |cells: [&str; 5]| {
         let [pane, triangles, vertices, fragments, ms] = cells;
         format!("{pane:1}{triangles:>10}{vertices:>11}{fragments:>11}{ms:>8}")
@@ -29,7 +29,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
     for (index, pane) in panes.iter().enumerate() {
         let count = |n: Option<u64>| n.map_or("–".to_owned(), |n| grouped(n, SPACE));
         let vertices = match (pane.vertices, pane.counted) {
-            // From the index buffers: no more than these are asked for.
+            // Counted from the index buffers, which is an upper bound.
             (Some(n), false) => format!("≤ {}", grouped(n, SPACE)),
             (n, _) => count(n),
         };

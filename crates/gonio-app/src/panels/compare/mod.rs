@@ -1,4 +1,4 @@
-//! The same scene in one to four ways.
+//! Comparison of one to four panes with settings of their own.
 
 mod measured;
 mod plot;
@@ -28,20 +28,20 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut
     measured::show_curve(ui, session);
 }
 
-/// A heading with some air above.
+/// A heading with space above.
 fn section(ui: &mut Ui, title: &str) {
     ui.add_space(8.0);
     ui.label(RichText::new(title).heading());
 }
 
-/// Notes a button, and passes it on.
+/// Exports a button, and returns its response.
 fn noted(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> Response, id: &str, label: &str, value: impl ToString) -> Response {
     let response = add(ui);
     exported::note(ui, &response, id, WidgetRole::Button, label, value);
     response
 }
 
-/// The panes: choose, add, take away.
+/// The list of panes: select, add, remove.
 fn list(ui: &mut Ui, document: &mut Document) {
     section(ui, "Panes");
     let panes = &mut document.panes;
@@ -50,10 +50,10 @@ fn list(ui: &mut Ui, document: &mut Document) {
         ui.horizontal(|ui| {
             let caption = panes.list.get(index).map(Pane::caption).unwrap_or_default();
             let text = format!("{}   {caption}", index + 1);
-            // The cross beside it is as wide as an icon and its margins.
+            // Room for the button beside it.
             let width = (ui.available_width() - 52.0).max(80.0);
             let chosen = panes.current == index;
-            // A text at its right pushes the caption to the left.
+            // A text at its right aligns the caption to the left.
             let entry = egui::Button::selectable(chosen, text).right_text("").truncate();
             let entry = entry.min_size(egui::vec2(width, 24.0));
             let entry = ui.scope(|ui| {
@@ -92,7 +92,7 @@ fn list(ui: &mut Ui, document: &mut Document) {
     });
 }
 
-/// Side by side, wipe or difference; and of which two.
+/// Side by side, wipe or difference; and the two panes.
 fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     section(ui, "Arrangement");
     let panes = &mut document.panes;

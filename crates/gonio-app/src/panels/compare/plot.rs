@@ -2,27 +2,27 @@
 
 use egui::{Align2, Color32, CornerRadius, FontId, Pos2, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
 
-/// One line of it.
+/// A line of a plot.
 pub struct Line {
     /// The name in the legend.
     pub name: &'static str,
-    /// Its colour.
+    /// The colour.
     pub color: Color32,
-    /// x and y; what is not above 0 has no place on a logarithmic axis and is left out.
+    /// x and y; values that are not positive are left out.
     pub points: Vec<[f64; 2]>,
 }
 
 /// Lines over logarithmic axes.
 pub struct Plot {
-    /// Below the x axis.
+    /// Label of the x axis.
     pub x_label: &'static str,
-    /// Above the y axis.
+    /// Label of the y axis.
     pub y_label: &'static str,
-    /// At most a few.
+    /// The lines.
     pub lines: Vec<Line>,
 }
 
-/// A logarithmic axis: whole powers of ten at both ends, so that it does not jump while points come.
+/// A logarithmic axis. Both ends are powers of ten, so that it rarely changes while points are added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Axis {
     low: i32,
@@ -30,7 +30,7 @@ struct Axis {
 }
 
 impl Axis {
-    /// Around some values; from 1 to 10 where there are none.
+    /// The axis for these values; from 1 to 10 if there are none.
     fn around(values: impl Iterator<Item = f64>) -> Axis {
         let logs = values.filter(|v| *v > 0.0 && v.is_finite()).map(f64::log10);
         let (low, high) = logs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
@@ -46,7 +46,7 @@ impl Axis {
         ((value.log10() - f64::from(self.low)) / f64::from(self.high - self.low)) as f32
     }
 
-    /// The whole powers of ten, and how they are written.
+    /// The powers of ten, with their labels.
     fn ticks(&self) -> Vec<(f64, String)> {
         let written = |power: i32| match power {
             0..=3 => format!("{}", 10_i64.pow(power as u32)),
@@ -59,7 +59,7 @@ impl Axis {
 }
 
 impl Plot {
-    /// Shows it over the whole width, with the numbers of the point next to the pointer.
+    /// Shows the plot over the whole width, with the values of the point nearest to the pointer.
     pub fn show(&self, ui: &mut Ui, name: &str) {
         let width = ui.available_width();
         let (room, response) = ui.allocate_exact_size(vec2(width, (0.62 * width).clamp(150.0, 320.0)), Sense::hover());
@@ -105,7 +105,7 @@ impl Plot {
         painter.text(above, Align2::LEFT_BOTTOM, self.y_label, font.clone(), weak);
     }
 
-    /// Names at the bottom left, where curves that fall leave room.
+    /// The legend at the bottom left, where falling curves leave room.
     fn legend(&self, ui: &Ui, frame: Rect, font: &FontId) {
         let lines = self.lines.len() as f32;
         let ground =

@@ -12,7 +12,7 @@ use gonio_scene::{Scene, SceneSettings, ViewSpec};
 
 const AS_SCENE: &str = "as in the scene";
 
-/// Shows them; `loaded` is what the scene is without them.
+/// Shows the settings; `loaded` is the scene without them.
 pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
     let scene = &document.scene;
     let Some(pane) = document.panes.list.get_mut(document.panes.current) else { return };
@@ -40,7 +40,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
     }
 }
 
-/// A row of the table: a word of the pane's own, or the scene's. A double click on its name gives it back to the scene.
+/// A row of the table: the pane's own value, or the scene's. A double click on the name resets it to the scene's.
 fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut Option<T>, all: Vec<(T, String)>) {
     let name = ui.add(egui::Label::new(label).sense(egui::Sense::click()));
     if name.double_clicked() {
@@ -73,7 +73,7 @@ fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&S
     ui.vertical(|ui| {
         ui.spacing_mut().slider_width = 110.0;
         if let Some(sphere) = scene.objects.iter().position(detail::is_sphere) {
-            // The frequency f is what is chosen; f² triangles on each of an octahedron's faces are what is shown.
+            // The slider sets the frequency f; each of the octahedron's eight faces has f² triangles.
             let own = loaded.and_then(|loaded| loaded.meshes.get(loaded.objects.get(sphere)?.mesh));
             let shown = match pane.detail {
                 Some(LevelOfDetail::Sphere(triangles)) => triangles,
@@ -102,7 +102,7 @@ fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&S
     ui.end_row();
 }
 
-/// A name, what it shows, and its panes.
+/// Id, name, tooltip and panes.
 type Preset = (&'static str, &'static str, &'static str, Vec<Pane>);
 
 fn presets(scene: &SceneSettings) -> Vec<Preset> {

@@ -33,7 +33,7 @@ fn n_dot_l() -> Node {
     Node::clamped_product(v("N"), indexed(v("L")))
 }
 
-/// Whether the specular term is weighted by the cosine, which is then outside of the brackets.
+/// Whether the cosine also weights the specular term. It is then outside of the brackets.
 fn is_weighted(e: &EquationSettings) -> bool {
     e.brdf.is_some() || e.cosine_weighted
 }
@@ -50,7 +50,7 @@ fn plain_symbol(term: Term) -> Node {
         Term::Environment => v("L").below(up("env")),
         Term::Diffuse => up("diff"),
         Term::Specular => indexed(up("spec")),
-        // The intensity of a light; the direction to it is L_i too, in the definitions.
+        // The light's intensity. In the definitions, L_i is also the direction to the light.
         Term::Light => indexed(v("L")),
         Term::Attenuation => indexed(up("att")),
         Term::Spot => indexed(up("spot")),

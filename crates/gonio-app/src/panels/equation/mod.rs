@@ -1,9 +1,9 @@
 //! The light equation, typeset; its terms are switches.
 //!
-//! | on a term | what |
+//! | on a term | effect |
 //! |---|---|
-//! | click | on, off |
-//! | double click, Shift or Alt and click | alone; again: as before |
+//! | click | switches it on or off |
+//! | double click, Shift + click, Alt + click | shows it alone, or restores the switches |
 //!
 //! The line below holds the parameters of the term that was clicked last; the arrow opens all definitions.
 
@@ -23,9 +23,9 @@ use gonio_light::Specular;
 use gonio_scene::SceneSettings;
 use gonio_scene::scene_file::LightSourceKind;
 
-/// Sizes of the formula that are tried until it fits on a line, points for an em.
+/// Sizes of the formula that are tried until it fits on a line, points per em.
 const SIZES: [f32; 4] = [23.0, 21.0, 19.0, 17.0];
-/// Its size where it is broken.
+/// Size of the formula if it is broken into lines.
 const BROKEN_SIZE: f32 = 18.0;
 /// Height of a term's clickable area above and below its baseline, points.
 const ABOVE: f32 = 21.0;
@@ -37,7 +37,7 @@ const NARROW: f32 = 780.0;
 
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     if session.loaded.is_none() {
-        // The same height as later: nothing jumps when the first scene arrives.
+        // The same height as later, so that nothing moves when the first scene is loaded.
         ui.allocate_exact_size(vec2(ui.available_width(), 92.0), Sense::hover());
         return;
     }
@@ -103,7 +103,7 @@ fn lines_of_terms(
         let mut behind = Vec::new();
         for (tag, rect) in tagged {
             let Some(term) = formula::term(tag) else { continue };
-            // All terms are as high: easy to hit, and nothing dances when the pointer runs along them.
+            // All areas have the same height, so that they are easy to hit and nothing moves with the pointer.
             let area = Rect::from_x_y_ranges(rect.x_range(), start.y - above..=start.y + below).expand2(vec2(2.0, 0.0));
             let asked = one_term(ui, term, area, number, document, session, &mut behind);
             clicked = clicked.or(asked);
@@ -200,7 +200,7 @@ fn buttons(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     }
 }
 
-/// All definitions, flowing; a click on one chooses it.
+/// All definitions; a click on one selects its term.
 fn definitions(ui: &mut Ui, document: &Document, session: &mut Session, scene: &SceneSettings) {
     const SIZE: f32 = 15.0;
     let terms = [
@@ -240,7 +240,7 @@ fn definitions(ui: &mut Ui, document: &Document, session: &mut Session, scene: &
 /// A formula as a widget.
 fn formula_line(ui: &mut Ui, node: &Node, size: f32, document: &Document, sense: Sense) -> egui::Response {
     let laid = typeset::lay(node, size, &mut EguiFonts(ui.painter()));
-    // Lines of one kind keep their baselines on one line, whatever stands in them.
+    // All formulas of a line have the same baseline.
     let (up, down) = (laid.ascent.max(1.05 * size), laid.descent.max(0.65 * size));
     let (rect, response) = ui.allocate_exact_size(vec2(laid.width, up + down), sense);
     let colors = |tag: Option<Tag>| color_of(ui, document, tag.and_then(formula::term));

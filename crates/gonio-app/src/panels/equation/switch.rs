@@ -27,7 +27,7 @@ pub fn specular_of(document: &Document) -> Specular {
     own.unwrap_or(document.scene.equation.specular)
 }
 
-/// Changes the specular model: that of the current pane where it has one of its own.
+/// Changes the specular model of the current pane if it has one of its own, otherwise of the scene.
 pub fn set_specular(document: &mut Document, specular: Specular) {
     match document.panes.current_mut() {
         Some(pane) if pane.specular.is_some() => pane.specular = Some(specular),
@@ -81,10 +81,9 @@ pub fn toggle(document: &mut Document, term: Term) {
     }
 }
 
-/// Shows a summand alone; where it is alone already, what there was before, or everything.
+/// Shows a summand alone. If it is alone already, restores the previous switches, or switches everything on.
 ///
-/// The environment's light is reflected by the diffuse and the specular term, and without them it is black: it is alone
-/// where these stay and no light is on.
+/// The environment's light is reflected by the diffuse and the specular term. It is alone if these are on and no light is.
 pub fn alone(document: &mut Document, view: &mut EquationView, term: Term) {
     if !SUMMANDS.contains(&term) {
         return;
@@ -141,7 +140,7 @@ pub fn is_incomplete(document: &Document) -> bool {
     !(e.ambient && e.emitted && e.diffuse && e.specular_term && e.attenuation && e.spot)
 }
 
-/// Everything on.
+/// Switches everything on.
 pub fn all_on(document: &mut Document) {
     let e = &mut document.scene.equation;
     for switch in

@@ -8,9 +8,9 @@ use egui::load::SizedTexture;
 use egui::{CollapsingHeader, Grid, Image, Label, RichText, ScrollArea, TextStyle, Ui, vec2};
 use gonio_gl::trace::{AttributeSource, DrawRecord, SamplerRecord, TextureRecord, UniformNumbers, UniformValue};
 
-/// A thumbnail's side, points.
+/// Side of a thumbnail, points.
 const THUMBNAIL: f32 = 44.0;
-/// Rows of an array that are shown.
+/// Most rows of an array that are shown.
 const MOST_ROWS: usize = 16;
 
 pub fn show(ui: &mut Ui, taken: &mut RecordedFrame) {
@@ -61,7 +61,7 @@ fn facts(ui: &mut Ui, draw: &DrawRecord) {
     });
 }
 
-/// Sampler, arrow, unit, arrow, texture: the way that a lookup takes.
+/// A sampler with its unit and texture, in the order of a lookup.
 fn sampler(ui: &mut Ui, taken: &RecordedFrame, sampler: &SamplerRecord) {
     let texture = sampler.texture.and_then(|id| taken.record.texture(id));
     ui.horizontal(|ui| {
@@ -147,7 +147,7 @@ fn rows(uniform: &UniformValue) -> Vec<String> {
                 .filter_map(|s| s.parse().ok())
                 .collect();
             if let (Some(&columns), Some(&height)) = (sides.first(), sides.last()) {
-                // OpenGL has columns; people read rows.
+                // OpenGL stores columns.
                 let entry = |row: usize, column: usize| values.get(column * height + row).copied().unwrap_or(f32::NAN);
                 return (0..height).map(|row| (0..columns).map(|c| number(entry(row, c))).collect()).collect();
             }
@@ -203,7 +203,7 @@ fn program(ui: &mut Ui, taken: &mut RecordedFrame) {
         let lines: Vec<&str> = source.lines().collect();
         let height = ui.text_style_height(&TextStyle::Monospace);
         ui.spacing_mut().item_spacing.y = 0.0;
-        // Only the lines that are seen are laid out: there are hundreds.
+        // Only visible lines are laid out, because there are hundreds.
         ScrollArea::both()
             .id_salt(("source", fragment))
             .max_height(SOURCE_HEIGHT)

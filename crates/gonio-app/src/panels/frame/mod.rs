@@ -10,11 +10,11 @@ use crate::theme::{self, colors, icons};
 use egui::{Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Stroke, Ui};
 use gonio_gl::trace::{DrawRecord, PassRecord, Severity};
 
-/// Height of the list of draws, points: some ten of them.
+/// Height of the list of draws, points: about ten rows.
 const LIST_HEIGHT: f32 = 190.0;
 
 pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
-    // While something is dragged or moves, a record would be old before it is read.
+    // While something moves, a record would be outdated at once.
     let quiet = !session.clock.playing && !ui.input(|input| input.pointer.any_down());
     let pictures = session.facts.pictures;
     if quiet && pictures > 0 && session.recorded_frame.as_ref().is_none_or(|taken| taken.picture != pictures) {
@@ -71,7 +71,7 @@ fn pass(ui: &mut Ui, number: usize, pass: &PassRecord) {
     });
 }
 
-/// Whether the row was pressed.
+/// A draw. Returns whether it was pressed.
 fn row(ui: &mut Ui, draw: &DrawRecord, chosen: bool) -> bool {
     let title = draw.title();
     let mut pressed = false;
@@ -90,7 +90,7 @@ fn row(ui: &mut Ui, draw: &DrawRecord, chosen: bool) -> bool {
     pressed
 }
 
-/// `968 triangles`
+/// The primitives of a draw: `968 triangles`.
 fn primitives(draw: &DrawRecord) -> String {
     match draw.primitive.as_str() {
         "triangles" => counted(draw.count as usize / 3, "triangle", "triangles"),
@@ -102,7 +102,7 @@ fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
-/// Shows it; pressing one shows its draw.
+/// Shows the findings; a link selects the draw.
 fn findings(ui: &mut Ui, taken: &mut RecordedFrame) {
     if taken.findings.is_empty() {
         let color = colors::NORMAL.of(ui);

@@ -13,7 +13,7 @@ use gonio_scene::defaults;
 use gonio_scene::scene_file::{LightSourceKind, MotionKind};
 use gonio_scene::settings::{LightSettings, Motion, MotionPath};
 
-/// Shows it; what is asked for that changes the list.
+/// Shows the light. Returns an edit of the list if one was requested.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &Session, index: usize) -> Option<Edit> {
     let count = document.scene.lights.len();
     let light = document.scene.lights.get_mut(index)?;
@@ -135,7 +135,7 @@ fn cone(ui: &mut Ui, light: &mut LightSettings, index: usize) {
             number.show(ui, value);
         });
     }
-    // The one that is moved pushes the other.
+    // The angle that is moved pushes the other.
     if inner > outer {
         if inner == before.0 {
             inner = outer;
@@ -248,7 +248,7 @@ fn motion(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
             row(ui, "Axis", "Axis of rotation", |ui| {
                 Vector::new(&format!("light-{index}-axis"), "axis").default(defaults::MOTION_AXIS).show(ui, axis);
             });
-            // A direction of length 0 is none.
+            // An axis must have a length.
             if *axis == [0.0; 3] {
                 *axis = before;
             }
@@ -286,7 +286,7 @@ fn path(ui: &mut Ui, points: &mut Vec<[f64; 3]>, index: usize) {
     });
 }
 
-/// A motion that is seen at once.
+/// A new motion that is large enough to be visible.
 fn fresh(kind: MotionKind, light: &LightSettings, session: &Session) -> Motion {
     let (center, radius) = edits::around(session);
     let round = |v: f64| (100.0 * v).round() / 100.0;

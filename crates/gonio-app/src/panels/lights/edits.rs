@@ -11,17 +11,17 @@ use gonio_scene::settings::LightSettings;
 /// An edit of the list of lights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edit {
-    /// A copy after it.
+    /// Adds a copy after the light.
     Duplicate(usize),
-    /// Taken out.
+    /// Removes the light.
     Remove(usize),
-    /// One place up.
+    /// Moves the light up by one.
     Up(usize),
-    /// One place down.
+    /// Moves the light down by one.
     Down(usize),
 }
 
-/// Does it. The selection and debug views of one light follow their light.
+/// Applies an edit. The selection and debug views of one light follow their light.
 pub fn apply(document: &mut Document, session: &mut Session, edit: Edit) {
     let count = document.scene.lights.len();
     match edit {
@@ -63,7 +63,7 @@ fn swap(document: &mut Document, session: &mut Session, from: usize, to: usize) 
     session.selection = Selection::Light(to);
 }
 
-/// Debug views of one light get its new number, or the first light's.
+/// Gives debug views of one light its new number; `None` selects the first light.
 fn renumber(document: &mut Document, number: impl Fn(usize) -> Option<usize>) {
     for pane in &mut document.panes.list {
         if let Some(view) = &mut pane.view {
@@ -72,13 +72,13 @@ fn renumber(document: &mut Document, number: impl Fn(usize) -> Option<usize>) {
     }
 }
 
-/// Whether it is the only one that is on, of several.
+/// Whether the light is the only one that is on, of several.
 pub fn is_alone(document: &Document, index: usize) -> bool {
     let lights = &document.scene.lights;
     lights.len() > 1 && lights.iter().enumerate().all(|(i, light)| light.enabled == (i == index))
 }
 
-/// This one alone; where it is, all of them.
+/// Switches on this light alone; if it is alone, all lights.
 pub fn alone(document: &mut Document, index: usize) {
     let all = is_alone(document, index);
     for (i, light) in document.scene.lights.iter_mut().enumerate() {
@@ -86,11 +86,11 @@ pub fn alone(document: &mut Document, index: usize) {
     }
 }
 
-/// Adds a light of a kind, where it is seen and lights what is there: from the upper left of the eye.
+/// Adds a light of a kind at the upper left of the camera, so that it is visible and lights the objects.
 pub fn add(document: &mut Document, session: &mut Session, kind: LightSourceKind) {
     let (center, radius) = around(session);
     let camera = document.scene.camera.to_camera();
-    // The third light from the same place would be hard to tell from the first two.
+    // New lights alternate in position, so that they can be told apart.
     let side = [-0.55, 0.55, 0.0][document.scene.lights.len() % 3];
     let way = unit(side * camera.right + 0.6 * camera.up - 0.75 * camera.front).unwrap_or(DVec3::Y);
     let tidy = |v: DVec3| v.to_array().map(|c| tidy(c, radius));
@@ -105,7 +105,7 @@ pub fn add(document: &mut Document, session: &mut Session, kind: LightSourceKind
     session.announcement = format!("a {kind} light was added");
 }
 
-/// Makes a light one of another kind: what the new kind has no word for goes, what it needs is filled in.
+/// Converts a light to another kind. Values that the new kind lacks are removed, those that it needs are filled in.
 pub fn convert(light: &mut LightSettings, kind: LightSourceKind, session: &Session) {
     let (center, radius) = around(session);
     let way = light.direction.map(DVec3::from).and_then(unit);
@@ -124,14 +124,14 @@ pub fn convert(light: &mut LightSettings, kind: LightSourceKind, session: &Sessi
     }
 }
 
-/// Middle and half diagonal of the scene's box.
+/// Centre and half diagonal of the scene's bounding box.
 pub fn around(session: &Session) -> (DVec3, f64) {
     let (min, max) = session.loaded.as_ref().map(|loaded| loaded.bounds()).unwrap_or_default();
     let radius = 0.5 * (max - min).length();
     (0.5 * (min + max), if radius > 1e-12 { radius } else { 1.0 })
 }
 
-/// Three digits of what matters in a scene of this size.
+/// Rounds to three digits relative to the size of the scene.
 fn tidy(v: f64, size: f64) -> f64 {
     let step = 10f64.powf(size.log10().floor() - 2.0);
     let tidied = (v / step).round() * step;

@@ -1,4 +1,4 @@
-//! The lights: each is a row of the sum.
+//! The list of lights: each is a summand of the equation.
 
 mod details;
 mod edits;
@@ -106,7 +106,7 @@ fn row(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize
     }
 }
 
-/// Icon and name, as a button over all the room; whether it was clicked.
+/// Icon and name, as a button over the available width. Returns whether it was clicked.
 fn title(ui: &mut Ui, index: usize, kind: LightSourceKind, name: &str, on: bool, selected: bool) -> bool {
     let visuals = ui.visuals();
     let color = match (on, selected) {
@@ -132,7 +132,7 @@ fn title(ui: &mut Ui, index: usize, kind: LightSourceKind, name: &str, on: bool,
     clicked
 }
 
-/// One button for each kind.
+/// A button for each kind of light.
 fn add(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     ui.add_space(6.0);
     ui.horizontal_wrapped(|ui| {

@@ -10,17 +10,17 @@ use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::MaterialOverride;
 use std::ops::RangeInclusive;
 
-/// Room for the button that goes back, points.
+/// Width of the reset button, points.
 const RESET: f32 = 26.0;
 
-/// A line of it.
+/// Id, label and tooltip of a row.
 struct Line<'a> {
     id: String,
     label: &'a str,
     tip: &'a str,
 }
 
-/// Shows it. `files` are the materials of the model's file, `index` the object's number.
+/// Shows the material. `files` are the materials of the model's file, `index` the object's number.
 pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index: usize) {
     let first = files.first().copied().cloned().unwrap_or_default();
     match files {
@@ -92,7 +92,7 @@ fn optics<'a>(
     let white = Color::grey(1.0);
     colored(ui, &line("tint", "Tint", "Colour of the transmitted light, 0 to 1"), &mut with.tint, white);
     if let Some(tint) = &mut with.tint {
-        // A body lets no more light through than comes.
+        // A body transmits at most the incident light.
         tint.0 = tint.0.map(|v| v.min(1.0));
     }
     let absorption = line("absorption", "Absorption", "Per world unit and channel, between two surfaces");
@@ -109,12 +109,12 @@ fn optics<'a>(
     );
 }
 
-/// A number of a file of 32 bits, without the digits that 64 would add.
+/// Converts an f32 without adding digits.
 fn tidy(v: f32) -> f64 {
     v.to_string().parse().unwrap_or(f64::from(v))
 }
 
-/// A line with a button at its end that goes back to the file; it is there, and dead, where nothing was changed.
+/// A row with a button that resets it to the file's value; the button is disabled if nothing was changed.
 fn with_reset<T>(ui: &mut Ui, line: &Line<'_>, value: &mut Option<T>, show: impl FnOnce(&mut Ui, &mut Option<T>)) {
     row(ui, line.label, line.tip, |ui| {
         let width = ui.available_width() - RESET;

@@ -1,4 +1,4 @@
-//! Models, their place and their material.
+//! Objects: models, their transformations and materials.
 
 mod material;
 
@@ -120,7 +120,7 @@ fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
     row(ui, "Scale", tip, |ui| {
         Vector::new(&id("scale"), "scale").tip(tip).default([1.0; 3]).step(0.005).show(ui, &mut spec.scale)
     });
-    // A flat model has no inside to light.
+    // A scale of 0 would leave no surface to light.
     for (now, before) in spec.scale.iter_mut().zip(before) {
         if *now == 0.0 {
             *now = before;
@@ -204,15 +204,15 @@ fn add(ui: &mut Ui, document: &mut Document, session: &mut Session) {
 /// An edit of the list of objects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Edit {
-    /// A copy beside it.
+    /// Adds a copy beside the object.
     Duplicate(usize),
-    /// Taken out.
+    /// Removes the object.
     Remove(usize),
-    /// The camera looks at it.
+    /// Frames the object in the picture.
     Frame(usize),
 }
 
-/// Applies it.
+/// Applies an edit.
 fn apply(document: &mut Document, session: &mut Session, edit: Edit) {
     let objects = &mut document.scene.objects;
     match edit {
@@ -225,7 +225,7 @@ fn apply(document: &mut Document, session: &mut Session, edit: Edit) {
             objects.insert(index + 1, copy);
             session.selection = Selection::Object(index + 1);
         }
-        // A scene has at least one.
+        // A scene has at least one object.
         Edit::Remove(index) if index < objects.len() && objects.len() > 1 => {
             objects.remove(index);
             session.selection = Selection::None;
@@ -245,16 +245,16 @@ fn aspect(session: &Session) -> f64 {
     if width > 0.0 && height > 0.0 { width / height } else { 1.0 }
 }
 
-/// Whether a built-in file is a model, and no scene.
+/// Whether a built-in file is a model, not a scene.
 fn is_model(name: &str) -> bool {
     let text = files::builtin(name).map(String::from_utf8_lossy).unwrap_or_default();
     text.lines().any(|line| line.starts_with("v "))
 }
 
-/// Adds a built-in model beside what there is.
+/// Adds a built-in model beside the others.
 fn add_model(document: &mut Document, session: &mut Session, name: &str) {
     let (min, max) = session.loaded.as_ref().map(|loaded| loaded.bounds()).unwrap_or_default();
-    // Sample models reach about a unit to each side.
+    // Sample models extend about a unit to each side.
     let [x, y, z] = [max.x + 1.2, 0.5 * (min.y + max.y), 0.5 * (min.z + max.z)].map(|v| (100.0 * v).round() / 100.0);
     let model = format!("{}{name}", files::BUILTIN);
     document.scene.objects.push(ObjectSpec { model, translate: [x, y, z], ..ObjectSpec::default() });
@@ -273,7 +273,7 @@ fn bounds_of(loaded: &Scene, index: usize) -> Option<(DVec3, DVec3)> {
     })
 }
 
-/// A camera from the same side, as far away as the box's sphere wants.
+/// A camera with the same viewing direction, far enough away for the box's bounding sphere.
 fn looking_at(spec: &CameraSettings, (min, max): (DVec3, DVec3), aspect: f64) -> CameraSettings {
     let camera = spec.to_camera();
     let center = 0.5 * (min + max);

@@ -10,7 +10,7 @@ use gonio_reference::Probe;
 /// Luminance weights of sRGB's primaries (IEC 61966-2-1).
 const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
 
-/// One bar.
+/// A stacked bar.
 struct Bar {
     name: String,
     parts: Vec<(&'static str, Tint, DVec3)>,
@@ -105,7 +105,7 @@ mod tests {
     use std::path::Path;
     use std::sync::Arc;
 
-    /// The bars are the whole of the pixel's light: nothing is left out, nothing counted twice.
+    /// The bars add up to the pixel's light: nothing is left out or counted twice.
     #[test]
     fn the_bars_add_up_to_the_light() {
         for input in ["builtin:still-life", "builtin:sphere-smooth"] {

@@ -1,4 +1,4 @@
-//! Light by light: the factors, and their products.
+//! The factors of each light, and their products.
 
 use super::{cell, number, vector_row};
 use crate::session::Selection;
@@ -17,7 +17,7 @@ pub fn name(reading: &Reading, index: usize) -> String {
     }
 }
 
-/// Shows all: at the pixel, or where the shading evaluates them.
+/// Shows all lights: at the pixel, or where the shading evaluates the equation.
 pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection) {
     if let Some(sums) = &probe.interpolated {
         let at_corners = probe.at_vertices.len() == 3;
@@ -50,7 +50,7 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection)
     }
 }
 
-/// The numbers that the equation multiplies, each under its symbol.
+/// The factors of the equation, each below its symbol.
 fn factors(ui: &mut Ui, light: &LightTerms) {
     Grid::new(("factors", light.light)).num_columns(5).spacing([6.0, 0.0]).show(ui, |ui| {
         let factors = [
@@ -95,11 +95,11 @@ fn products(ui: &mut Ui, light: &LightTerms) {
     });
 }
 
-/// One place of evaluation.
+/// The equation at one vertex, or at the centroid.
 fn corner(ui: &mut Ui, reading: &Reading, terms: &Terms, number: usize) {
     Grid::new(("corner", number)).num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
         vector_row(ui, "position", "World space", terms.point.position, None);
-        vector_row(ui, "N", "The normal there", terms.point.normal, Some(colors::NORMAL.of(ui)));
+        vector_row(ui, "N", "The normal at this point", terms.point.normal, Some(colors::NORMAL.of(ui)));
         for light in &terms.lights {
             let of = name(reading, light.light);
             let (diffuse, specular) = (colors::DIFFUSE.of(ui), colors::SPECULAR.of(ui));

@@ -49,7 +49,7 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
     surface::show(ui, &reading, probe);
 }
 
-/// The pixel's place, and what can be done with it.
+/// The pixel's position, with buttons to unpin and copy it.
 fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         let place = reading.map_or_else(|| "no pixel".to_owned(), |r| format!("pixel {}, {}", r.x, r.y));
@@ -94,7 +94,7 @@ fn button(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> Respon
     response.on_hover_text(tip)
 }
 
-/// The reference's pixel and OpenGL's.
+/// The pixel by the CPU reference and by OpenGL.
 fn values(ui: &mut Ui, reading: &Reading) {
     Grid::new("probe values").num_columns(6).spacing([4.0, 4.0]).show(ui, |ui| {
         let row = |ui: &mut Ui, name: &str, tip: &str, color: [u8; 3], value: [f64; 3]| {
@@ -137,9 +137,9 @@ fn swatch(ui: &mut Ui, [r, g, b]: [u8; 3]) {
     ui.painter().rect(rect, 3.0, Color32::from_rgb(r, g, b), rim, egui::StrokeKind::Inside);
 }
 
-/// A name and what it is, wrapped.
+/// A name with a value, wrapped.
 fn fact(ui: &mut Ui, name: &str, value: impl Into<egui::WidgetText>) {
-    // No grid: in one, a long text would not be wrapped but widen the panel.
+    // A grid would not wrap a long text but widen the panel.
     ui.horizontal(|ui| {
         ui.allocate_ui(vec2(64.0, 16.0), |ui| {
             ui.set_min_width(64.0);
@@ -149,7 +149,7 @@ fn fact(ui: &mut Ui, name: &str, value: impl Into<egui::WidgetText>) {
     });
 }
 
-/// Aligned lines: the pixel, its value, and where a surface is seen every factor of every light.
+/// Formats a reading in aligned lines: the pixel, its value, and every factor of every light if a surface is visible.
 fn format_reading(reading: &Reading) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
@@ -223,7 +223,7 @@ fn triple(v: DVec3) -> String {
     format!("{} {} {}", number(v.x), number(v.y), number(v.z))
 }
 
-/// `#rrggbb`
+/// The colour as `#rrggbb`.
 fn hex([r, g, b]: [u8; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }

@@ -1,4 +1,4 @@
-//! The equation with its numbers in it, typeset: a channel after the other, each term in its colour.
+//! The equation with numbers, typeset: a line per channel, each term in its colour.
 
 use super::short;
 use crate::session::probing::Reading;
@@ -7,7 +7,7 @@ use crate::typeset::{self, EguiFonts, Node, Tag};
 use egui::{Color32, RichText, Sense, Ui, pos2, vec2};
 use gonio_reference::Probe;
 
-/// Points for an em, and between lines.
+/// Points per em, and between lines.
 const SIZE: f32 = 15.0;
 const GAP: f32 = 4.0;
 
@@ -43,7 +43,7 @@ fn v(text: &str) -> Node {
     Node::variable(text)
 }
 
-/// Factors, with a dot between them.
+/// Factors with dots between them.
 fn product(factors: impl IntoIterator<Item = Node>) -> Node {
     let mut row = Vec::new();
     for factor in factors {

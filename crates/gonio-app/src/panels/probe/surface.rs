@@ -67,7 +67,7 @@ fn texels(ui: &mut Ui, probe: &Probe) {
         ui.horizontal(|ui| {
             let v = DVec3::new(texel.value.x, texel.value.y, texel.value.z);
             let shown = match texel.map {
-                // Data are shown as they are.
+                // Data textures are not encoded.
                 "normal" | "shininess" | "opacity" => v,
                 _ => v.map(srgb_encode),
             };

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::Duration;
 
-/// A check that takes longer is ended, and its verdict says so.
+/// A check that takes longer is stopped, with a verdict on that.
 const PATIENCE: Duration = Duration::from_secs(25);
 
 /// Starts `program` on the files. An error is one sentence.
@@ -41,7 +41,7 @@ pub fn begin(
 pub struct BackgroundTask<T> {
     results: Receiver<T>,
     stop: Arc<AtomicBool>,
-    /// The result if the thread ends without one; `None` once there is a result.
+    /// The result to return if the thread ends without one; `None` once there is a result.
     lost: Option<T>,
 }
 
@@ -92,7 +92,7 @@ mod tests {
     use crate::platform::Pending;
     use gonio_check::verdict::Verdict;
 
-    /// The answer of a program that exists wherever these tests run, and is not gonio.
+    /// The answer of another program in place of gonio.
     fn ask(program: &str) -> Result<Verdict, String> {
         let files = vec![("a.vert".into(), b"x".to_vec())];
         let request = CheckRequest { exercise: "ex04".into(), files, as_the_lab: false };

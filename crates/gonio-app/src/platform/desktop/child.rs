@@ -1,5 +1,5 @@
-//! gonio's own program in a process of its own, with limits on time and memory: what the window and the command line both
-//! check submissions in, whatever a shader does.
+//! Child processes of gonio's own program, with limits on time and memory. The window and the command line check submissions
+//! in them, so that no shader can harm either.
 
 use std::io::Error;
 use std::path::Path;
@@ -20,21 +20,25 @@ const LOOK_AT_MEMORY: Duration = Duration::from_millis(10);
 pub enum Ended {
     /// It exited, successfully or not.
     ByItself(ExitStatus),
-    /// It was stopped after the time it had.
+    /// It was stopped because it took too long.
     TooLong,
-    /// It was stopped because of the memory it took.
+    /// It was stopped because it used too much memory.
     TooLarge,
     /// It was stopped because its answer is no longer needed.
     GivenUp,
 }
 
-/// Our own program, with one core, and with a limit on its addresses where nothing tells what it really uses and the system has
-/// a shell to set one: the drivers of some graphics cards reserve more than any limit without using it. Nothing is read, and
-/// what it complains of goes nowhere. An error where there is no such program: a shell would start all the same.
+/// A command that runs gonio's own `program` on one core, without input, and with its error output discarded.
+///
+/// On systems without a way to measure its memory ([`wait`]), a shell limits its address space. Linux has one; a limit would
+/// be wrong there, because some graphics drivers reserve a large address space without using it.
+///
+/// # Errors
+/// `program` does not exist; the shell would start nevertheless.
 pub fn command(program: &Path) -> Result<Command, Error> {
     std::fs::metadata(program)?;
     let mut command = if cfg!(all(unix, not(target_os = "linux"))) {
-        // By its place: where a window is started from a menu, PATH may hold anything.
+        // An absolute path, because PATH may contain anything if the window was started from a menu.
         let mut command = Command::new("/bin/sh");
         let script = format!("ulimit -v {MOST_ADDRESSES_KB} 2>/dev/null; exec \"$0\" \"$@\"");
         command.args(["-c", &script]).arg(program);
@@ -42,13 +46,16 @@ pub fn command(program: &Path) -> Result<Command, Error> {
     } else {
         Command::new(program)
     };
-    // A core each: drivers on the CPU otherwise start as many threads as there are cores in every child.
+    // Software drivers would start a thread per core in every child.
     command.env("LP_NUM_THREADS", "1").stdin(Stdio::null()).stderr(Stdio::null());
     Ok(command)
 }
 
-/// Waits for its end, or for the end of what it may take: this time, a gigabyte, and nobody's having `given_up` on it. An
-/// error is the system's, which does not say what became of the child; it is ended then too.
+/// Waits for the child to end, and stops it if it takes longer than `patience` or more than a gigabyte, or if `given_up`
+/// returns true.
+///
+/// # Errors
+/// Those of the system while waiting; the child is stopped then.
 pub fn wait(child: &mut Child, patience: Duration, given_up: impl Fn() -> bool) -> Result<Ended, Error> {
     let begun = Instant::now();
     let mut next_look = begun + LOOK_AT_MEMORY;
@@ -81,7 +88,7 @@ pub fn wait(child: &mut Child, patience: Duration, given_up: impl Fn() -> bool) 
     }
 }
 
-/// It may have ended between the question and now: that is as good.
+/// Stops the child. Errors are ignored, because it may have ended in the meantime.
 fn stop(child: &mut Child) {
     let _ = child.kill();
     let _ = child.wait();
@@ -99,7 +106,7 @@ fn resident_kb(process: u32) -> Option<u64> {
 mod tests {
     use super::*;
 
-    /// How a program of the system's ended.
+    /// The end of a system program.
     fn run(program: &str, words: &[&str], patience: Duration, given_up: bool) -> Ended {
         let mut child = command(Path::new(program)).and_then(|mut command| command.args(words).spawn()).unwrap();
         wait(&mut child, patience, || given_up).unwrap()
@@ -109,7 +116,7 @@ mod tests {
     #[cfg(target_os = "linux")]
     fn too_much_memory_or_time_stops_the_process() {
         const MINUTE: Duration = Duration::from_secs(60);
-        // A shell that doubles a word until it is stopped.
+        // A shell that doubles a string until it is stopped.
         let doubles = "a=xxxxxxxx; while :; do a=$a$a; done";
         assert_eq!(run("/bin/sh", &["-c", doubles], MINUTE, false), Ended::TooLarge);
         assert_eq!(run("/bin/sleep", &["60"], Duration::from_millis(50), false), Ended::TooLong);

@@ -1,7 +1,7 @@
-//! Dialogs of the system.
+//! The system's file dialogs.
 //!
-//! On Linux they are other programs (zenity of GNOME, kdialog of KDE): the crate that speaks to their service brings
-//! D-Bus and an async runtime, thirty crates. Where neither is there the window asks for a path itself.
+//! On Linux these are other programs (zenity of GNOME, kdialog of KDE), because the crate for their D-Bus service would add an
+//! async runtime and thirty crates. Without either program the window shows a path field.
 
 use super::{Access, open};
 use crate::platform::{Event, FileDialog, Purpose};
@@ -30,7 +30,7 @@ pub fn save(product: Product, name: &str, sender: Sender<Event>, ctx: &egui::Con
 
 enum Question {
     Open,
-    /// With this name proposed.
+    /// Saving, with a proposed name.
     Save(String),
 }
 
@@ -54,7 +54,7 @@ fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>)
     command.stdin(Stdio::null()).stderr(Stdio::null());
     let ctx = ctx.clone();
     std::thread::spawn(move || {
-        // A dialog that was closed answers nothing; so does one that could not be shown.
+        // The output is empty if the dialog was cancelled or could not be shown.
         let output = command.output().map(|finished| finished.stdout).unwrap_or_default();
         let output = String::from_utf8_lossy(&output);
         answer(output.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect());
@@ -63,7 +63,7 @@ fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>)
     FileDialog::Opened
 }
 
-/// Whether a program can be started by its name.
+/// Whether a program is in PATH.
 #[cfg(not(any(windows, target_os = "macos")))]
 fn is_there(program: &str) -> bool {
     std::env::var_os("PATH")
@@ -78,7 +78,7 @@ fn ask(question: Question, ctx: &egui::Context, answer: impl FnOnce(Vec<String>)
         Question::Save(name) => rfd::FileDialog::new().set_file_name(name).save_file().into_iter().map(text).collect(),
     };
     if cfg!(target_os = "macos") {
-        // Its dialogs belong to the thread of the window.
+        // macOS shows dialogs on the window's thread only.
         answer(run());
         ctx.request_repaint();
     } else {

@@ -1,12 +1,12 @@
-//! Drafts of unsaved text, on the disk.
+//! Drafts of unsaved text, on disk.
 //!
-//! | path below `gonio/drafts` | what |
+//! | path below `gonio/drafts` | contents |
 //! |---|---|
 //! | `PROCESS-N/` | the drafts of one window |
 //! | `PROCESS-N/lock` | locked as long as that window lives |
 //! | `PROCESS-N/KEY.json` | a draft |
 //!
-//! So two windows never write the same draft, and a window takes drafts only from windows that are gone, however they ended.
+//! Two windows therefore never write the same draft, and a window takes drafts only from closed or crashed windows.
 //! Drafts older than 90 days are removed, and the oldest beyond 200.
 
 use super::storage;
@@ -17,7 +17,7 @@ use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// Drafts that windows which are gone may leave.
+/// Most drafts of closed windows that are kept.
 const MOST_LEFT: usize = 200;
 const LOCK: &str = "lock";
 
@@ -28,7 +28,7 @@ pub struct DraftFolder {
     is_pruned: bool,
 }
 
-/// The drafts of one window, and the lock that says so.
+/// The folder of one window's drafts, locked by the window.
 struct WindowFolder {
     folder: PathBuf,
     _lock: File,
@@ -38,7 +38,7 @@ struct WindowFolder {
 struct Left {
     path: PathBuf,
     written: SystemTime,
-    /// Keeps its window's folder locked meanwhile.
+    /// Keeps the folder of its window locked.
     _session: std::rc::Rc<WindowFolder>,
 }
 
@@ -52,7 +52,7 @@ impl DraftFolder {
     pub fn keep(&mut self, key: &str, text: &str) -> Result<(), String> {
         self.prune();
         let file = format!("{key}.json");
-        // Another window may have taken the folder for that of a window which is gone, in the moment before it was locked.
+        // Another window may have removed the folder before it was locked.
         if self.own.as_ref().is_some_and(|own| !own.folder.is_dir()) {
             self.own = None;
         }
@@ -63,12 +63,12 @@ impl DraftFolder {
     /// Removes this window's draft.
     pub fn remove(&mut self, key: &str) {
         if let Some(own) = &self.own {
-            // What is left is offered again, and can be discarded again.
+            // A draft that cannot be removed is offered again later.
             let _ = fs::remove_file(own.folder.join(format!("{key}.json")));
         }
     }
 
-    /// The newest draft under this key of a window that is gone; it is this window's now.
+    /// Takes over the newest draft under this key of a closed window.
     pub fn take(&mut self, key: &str) -> Option<String> {
         self.prune();
         let is_meant = |path: &Path| {
@@ -80,7 +80,7 @@ impl DraftFolder {
         let newest = left.iter().filter(|left| is_meant(&left.path)).max_by_key(|left| left.written)?;
         let text = fs::read_to_string(&newest.path).ok()?;
         let own = self.session().ok()?.folder.join(format!("{key}.json"));
-        // Renaming keeps a draft at all times.
+        // Renaming never leaves the text without a draft.
         fs::rename(&newest.path, own).ok()?;
         Some(text)
     }
@@ -94,12 +94,12 @@ impl DraftFolder {
         }
     }
 
-    /// All drafts of windows that are gone.
+    /// All drafts of closed windows.
     fn left(&self) -> Vec<Left> {
         let own = self.own.as_ref().map(|own| own.folder.as_path());
         let mut left = Vec::new();
         for folder in entries(&self.root).into_iter().filter(|path| path.is_dir() && Some(path.as_path()) != own) {
-            let Some(session) = WindowFolder::of_window_that_is_gone(folder) else { continue };
+            let Some(session) = WindowFolder::of_closed_window(folder) else { continue };
             let session = std::rc::Rc::new(session);
             for path in entries(&session.folder).into_iter().filter(|path| path.extension() == Some(OsStr::new("json")))
             {
@@ -110,7 +110,7 @@ impl DraftFolder {
         left
     }
 
-    /// Removes drafts that are too old or too many, and folders without any. Once: it looks at every folder.
+    /// Removes drafts that are too old or too many, and empty folders. Runs once, because it reads every folder.
     fn prune(&mut self) {
         if std::mem::replace(&mut self.is_pruned, true) {
             return;
@@ -127,7 +127,7 @@ impl DraftFolder {
         drop(left);
         let own = self.own.as_ref().map(|own| own.folder.as_path());
         for folder in entries(&self.root).into_iter().filter(|path| path.is_dir() && Some(path.as_path()) != own) {
-            if let Some(session) = WindowFolder::of_window_that_is_gone(folder) {
+            if let Some(session) = WindowFolder::of_closed_window(folder) {
                 session.remove_if_empty();
             }
         }
@@ -149,12 +149,12 @@ impl WindowFolder {
         for number in 0_u32.. {
             let folder = root.join(format!("{process}-{number}"));
             match fs::create_dir(&folder) {
-                // Of an earlier process with the same number, or of this one.
+                // It belongs to an earlier process with the same number, or to another window of this one.
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
                 made => {
                     made?;
                     let lock = File::create(folder.join(LOCK))?;
-                    // Where a file system has no locks, another window may take these drafts; none is lost.
+                    // On a file system without locks another window may take these drafts; none is lost.
                     let _ = lock.lock();
                     return Ok(WindowFolder { folder, _lock: lock });
                 }
@@ -163,8 +163,8 @@ impl WindowFolder {
         Err(ErrorKind::AlreadyExists.into())
     }
 
-    /// The folder of a window that is gone, locked; `None` while that window lives.
-    fn of_window_that_is_gone(folder: PathBuf) -> Option<Self> {
+    /// Locks the folder of a closed window; `None` while that window is open.
+    fn of_closed_window(folder: PathBuf) -> Option<Self> {
         let lock = File::options().write(true).open(folder.join(LOCK)).ok()?;
         match lock.try_lock() {
             Ok(()) => Some(WindowFolder { folder, _lock: lock }),
@@ -178,7 +178,7 @@ impl WindowFolder {
     fn remove_if_empty(self) {
         let is_empty = entries(&self.folder).iter().all(|path| path.file_name() == Some(OsStr::new(LOCK)));
         if is_empty {
-            // A folder that stays is empty, and removed by the next window.
+            // If this fails, the next window removes the folder.
             let _ = fs::remove_file(self.folder.join(LOCK)).and_then(|()| fs::remove_dir(&self.folder));
         }
     }
@@ -211,7 +211,7 @@ mod tests {
             DraftFolder::new(self.0.clone())
         }
 
-        /// A window that keeps these and is then killed: nothing tidies up, and its lock is gone.
+        /// A window that keeps these drafts and is then killed, which releases its lock.
         fn killed(&self, drafts: &[(&str, &str)]) -> PathBuf {
             let mut window = self.window();
             for (key, text) in drafts {
@@ -243,7 +243,7 @@ mod tests {
         assert_eq!(other.take("a").as_deref(), Some("of the dead"));
         assert_eq!((other.take("a"), root.window().take("a")), (None, None));
         assert_eq!(root.window().take("b").as_deref(), Some("another"));
-        // It is that window's own now, and is left when that is gone too.
+        // It belongs to the other window now, and is left when that closes.
         drop(other);
         assert_eq!(root.window().take("a").as_deref(), Some("of the dead"));
         drop(alive);

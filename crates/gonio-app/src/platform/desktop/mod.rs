@@ -28,21 +28,21 @@ use watch::Watcher;
 /// Options of `gonio view`.
 #[derive(Default)]
 pub struct WindowOptions {
-    /// Models and scenes; nothing for the first sample.
+    /// Models and scenes; empty for the first sample.
     pub inputs: Vec<String>,
-    /// Points of the window.
+    /// Size of the window, points.
     pub size: Option<[f32; 2]>,
     /// Changes to the scene file of the inputs.
     pub adjust: Option<Adjust>,
     /// Limits on memory that files may claim.
     pub limits: Limits,
-    /// Environments that `adjust` lays over the inputs: files that the user names as well.
+    /// Environments that `adjust` adds to the inputs; they are files that the user names too.
     pub environments: Vec<String>,
-    /// Read only what lies in the folders of the files that the user names.
+    /// Restrict reading to the folders of the files that the user names.
     pub sandbox: bool,
-    /// Where the state is written after every frame ([`crate::exported`]), for tests.
+    /// A file that the state is written to after every frame ([`crate::exported`]), for tests.
     pub state: Option<PathBuf>,
-    /// gonio's own program, for checks in a process of their own. Without it nothing is checked.
+    /// gonio's own program, which runs checks in separate processes. Without it there are no checks.
     pub program: Option<PathBuf>,
     /// An exercise to open at the start.
     pub exercise: Option<Start>,
@@ -53,7 +53,7 @@ pub fn run(options: WindowOptions) -> Result<(), String> {
     run_within(options, |app, _| Box::new(app))
 }
 
-/// [`run`] with something around the application, given its OpenGL too: for measuring what a window takes.
+/// [`run`] with a wrapper around the application and its OpenGL, for measurements.
 pub fn run_within(
     options: WindowOptions,
     around: impl FnOnce(App, Option<Gl>) -> Box<dyn eframe::App> + 'static,
@@ -68,7 +68,7 @@ pub fn run_within(
     let native = eframe::NativeOptions {
         viewport,
         renderer: eframe::Renderer::Glow,
-        // Flat colours have no bands, and software drivers would work out a noise for each of their pixels.
+        // Flat colours need no dithering, and software drivers would compute noise for each pixel.
         dithering: false,
         ..Default::default()
     };
@@ -97,7 +97,7 @@ pub fn run_within(
 pub(super) struct Access {
     /// Most bytes of a file, and of all files of a zip.
     max_bytes: u64,
-    /// Only what lies in the folders of the files that the user names.
+    /// Whether reading is restricted to the folders of the files that the user names.
     sandbox: bool,
 }
 
@@ -210,7 +210,7 @@ impl Platform for Desktop {
         let Some(file) = storage::settings_file() else { return };
         let made = file.parent().is_some_and(|folder| std::fs::create_dir_all(folder).is_ok());
         if made {
-            // Nothing of a scene is in it: a home that cannot be written to forgets a colour and a list.
+            // A failure loses only the theme and the list of recent files.
             let _ = storage::write_atomically(&file, settings.to_text().as_bytes());
         }
     }
@@ -239,10 +239,10 @@ impl Platform for Desktop {
     }
 }
 
-/// The window's counterpart that needs none of this.
+/// The alternative without a window.
 const INSTEAD: &str = "`gonio render` draws without a window";
 
-/// Whether there is a display at all: always but on Linux and the like.
+/// Whether there is a display; only Unix systems other than macOS may have none.
 pub fn has_display() -> bool {
     !cfg!(all(unix, not(target_os = "macos"))) || is_set("WAYLAND_DISPLAY") || is_set("DISPLAY")
 }
@@ -251,7 +251,7 @@ fn is_set(name: &str) -> bool {
     std::env::var_os(name).is_some_and(|value| !value.is_empty())
 }
 
-/// Everything whose lack would otherwise end in a panic or in words that do not help. An error is one sentence.
+/// Checks for a display and libraries, because without them winit panics or gives unhelpful errors. An error is one sentence.
 fn check_display() -> Result<(), String> {
     if !has_display() {
         return Err(format!("there is no display: neither WAYLAND_DISPLAY nor DISPLAY is set; {INSTEAD}"));
@@ -269,7 +269,7 @@ fn check_libraries() -> Result<(), String> {
     if xkbcommon_dl::xkbcommon_option().is_none() {
         return Err(lacks("libxkbcommon.so.0", "libxkbcommon0"));
     }
-    // winit takes Wayland first, and does without X11's part then.
+    // winit prefers Wayland, and does not need the X11 library then.
     if !is_set("WAYLAND_DISPLAY") && xkbcommon_dl::x11::xkbcommon_x11_option().is_none() {
         return Err(lacks("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"));
     }
@@ -281,7 +281,7 @@ fn check_libraries() -> Result<(), String> {
     Ok(())
 }
 
-/// An error of eframe as one sentence.
+/// Converts an error of eframe to one sentence.
 fn window_error(error: eframe::Error) -> String {
     let packages =
         "on Debian and Ubuntu: apt-get install libgl1-mesa-dri libegl1 libxcursor1 libxi6 libxkbcommon-x11-0";
@@ -315,7 +315,7 @@ mod tests {
         }
     }
 
-    /// The event for a file that is dropped on the window, for this purpose.
+    /// The event for a file that is dropped on the window.
     fn dropped(path: &Path, purpose: Purpose) -> Event {
         let access = Access { max_bytes: 1 << 20, sandbox: false };
         let mut desktop = Desktop::new(None, None, access, &[]);

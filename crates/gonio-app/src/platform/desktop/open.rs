@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
 
-/// Looks at them beside the window: a zip takes its time.
+/// Opens files in a thread, because zip files take time.
 pub fn in_thread(paths: Vec<String>, purpose: Purpose, access: Access, sender: Sender<Event>, ctx: &egui::Context) {
     let ctx = ctx.clone();
     std::thread::spawn(move || {
@@ -66,7 +66,7 @@ fn files_in(folder: &str) -> Vec<String> {
 const MOST_BYTES: u64 = 32 * 1024 * 1024;
 /// Most files of an exercise.
 const MOST_FILES: usize = 500;
-/// Folders within folders.
+/// Deepest level of folders.
 const DEEPEST: usize = 8;
 
 /// Reads a student's files, including those in folders and zip files. An error is one sentence.
@@ -90,7 +90,7 @@ fn read_exercise_files(paths: &[String]) -> Result<Vec<ExerciseFile>, String> {
     }
 }
 
-/// A file, or what a zip holds.
+/// Reads a file, or the files in a zip file.
 fn read_one(path: &Path, files: &mut Vec<ExerciseFile>) -> Result<(), String> {
     let failed = |error: std::io::Error| format!("`{}` cannot be read: {error}", path.display());
     let size = std::fs::metadata(path).map_err(failed)?.len();
@@ -112,7 +112,7 @@ fn read_one(path: &Path, files: &mut Vec<ExerciseFile>) -> Result<(), String> {
     Ok(())
 }
 
-/// The files of a folder, in order, but for hidden ones, for links, which may lead anywhere, and for those too large.
+/// Reads the files of a folder, in order, except hidden ones, links, which may lead anywhere, and files that are too large.
 fn read_folder(top: &Path, folder: &Path, files: &mut Vec<ExerciseFile>, depth: usize) -> Result<(), String> {
     let failed = |error: std::io::Error| format!("`{}` cannot be read: {error}", folder.display());
     let entries = std::fs::read_dir(folder).map_err(failed)?;
@@ -160,7 +160,7 @@ mod tests {
 
     #[test]
     fn folders_are_read_and_missing_ones_are_errors() {
-        let folder = std::env::temp_dir().join(format!("gonio-handed-{}", std::process::id()));
+        let folder = std::env::temp_dir().join(format!("gonio-exercise-files-{}", std::process::id()));
         std::fs::create_dir_all(folder.join("src")).unwrap();
         for (name, text) in [("src/light.frag", "f"), ("a.vert", "v"), (".hidden", "h")] {
             std::fs::write(folder.join(name), text).unwrap();

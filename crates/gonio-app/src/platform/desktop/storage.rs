@@ -30,7 +30,7 @@ fn folder() -> Option<PathBuf> {
     Some(place.join("gonio"))
 }
 
-/// Writes beside the place and then renames: who looks meanwhile sees the old file or the new one, and what fails leaves
+/// Writes a temporary file beside `place` and renames it, so that readers see the old or the new content, and a failure leaves
 /// the old one. An error is one sentence.
 pub fn write_atomically(place: &Path, bytes: &[u8]) -> Result<(), String> {
     let failed = |error: Error| format!("`{}` could not be written: {}", place.display(), reason(&error));
@@ -45,7 +45,7 @@ pub fn write_atomically(place: &Path, bytes: &[u8]) -> Result<(), String> {
     let written =
         File::create(&beside).and_then(|mut file| file.write_all(bytes)).and_then(|()| std::fs::rename(&beside, place));
     written.map_err(|error| {
-        // It may never have been there.
+        // It may not exist.
         let _ = std::fs::remove_file(&beside);
         failed(error)
     })

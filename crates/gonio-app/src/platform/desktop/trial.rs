@@ -1,4 +1,4 @@
-//! A trial in a process of its own: `gonio lab trial`, which may crash, or be ended, whatever a shader does to the driver.
+//! A trial in a process of its own: `gonio lab trial`. It may crash or be stopped without harm to the window.
 //!
 //! The process reads the files from its standard input ([`worker::read_request`]) and answers with JSON ([`TrialAnswer`]). Its
 //! input stays open until its answer is known: it ends by itself when the window is gone.
@@ -15,9 +15,9 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
-/// Time for the whole trial. A right answer takes a fraction of a second.
+/// Time limit of a trial. A correct answer takes a fraction of a second.
 const MOST_TIME: Duration = Duration::from_secs(15);
-/// The exit code of a command line that was not understood, or of any other error of gonio's own.
+/// The exit code of gonio for errors of its own, such as an invalid command line.
 const CODE_OF_ERRORS: i32 = 2;
 
 /// The answer of the process.
@@ -71,8 +71,8 @@ fn run(
     ))
 }
 
-/// Hands over the input, waits for the end, and reads the answer. Each pipe has a thread: a process that neither reads nor
-/// answers must not hold up its own end.
+/// Writes the input, waits for the end, and reads the answer. Each pipe has a thread, so that a process that neither reads nor
+/// answers is stopped in time.
 fn finish(child: &mut Child, input: Vec<u8>, given_up: impl Fn() -> bool) -> TrialOutcome {
     let (done, is_done) = channel::<()>();
     if let Some(mut pipe) = child.stdin.take() {
@@ -148,7 +148,7 @@ mod tests {
     use crate::platform::Pending;
     use std::time::Instant;
 
-    /// The outcome of a shell that stands in for gonio.
+    /// The outcome of a shell script in place of gonio.
     #[cfg(unix)]
     fn outcome(script: &str, files: &[(String, Vec<u8>)]) -> TrialOutcome {
         let mut command = child::command(Path::new("/bin/sh")).unwrap();
@@ -191,7 +191,7 @@ mod tests {
         }
     }
 
-    /// A pipe holds 64 kB: neither side waits for the other for ever.
+    /// A pipe holds 64 kB; neither side may wait for the other forever.
     #[test]
     #[cfg(unix)]
     fn a_process_that_does_not_read_its_input_still_ends() {
@@ -207,7 +207,7 @@ mod tests {
 
     #[test]
     fn a_stopped_process_has_an_outcome() {
-        let TrialOutcome::Refused(why) = stopped(Ended::TooLong) else { panic!("it counts as harmless") };
+        let TrialOutcome::Refused(why) = stopped(Ended::TooLong) else { panic!("it is not refused") };
         assert!(why.contains("within 15 seconds"), "{why}");
         assert!(matches!(stopped(Ended::GivenUp), TrialOutcome::Unavailable(_)));
     }

@@ -1,7 +1,7 @@
 //! Watches files for changes.
 //!
-//! It polls them twice a second: a scene has a few files, and a few dozen `stat`s cost less than the packages that
-//! would have the systems tell (three ways for three systems, none of which sees network folders).
+//! It polls them twice a second. A scene has few files, and a few dozen `stat`s are cheaper than packages for the notifications
+//! of three systems, none of which covers network folders.
 
 use crate::platform::Event;
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ use std::time::{Duration, SystemTime};
 
 const PERIOD: Duration = Duration::from_millis(500);
 
-/// When it was written, and its size; `None` where it is not there.
+/// Modification time and size; `None` for a missing file.
 type Stamp = Option<(SystemTime, u64)>;
 
 #[derive(Clone, Copy)]
@@ -23,13 +23,13 @@ struct Looked {
     seen: Stamp,
 }
 
-/// A thread that looks at files, until this is dropped.
+/// A thread that polls files, until this is dropped.
 pub struct Watcher {
     files: Arc<Mutex<BTreeMap<PathBuf, Looked>>>,
 }
 
 impl Watcher {
-    /// Begins to look; `ctx` is painted again when there is something to tell.
+    /// Starts to poll; `ctx` is repainted when files change.
     pub fn start(sender: Sender<Event>, ctx: egui::Context) -> Self {
         let files = Arc::new(Mutex::new(BTreeMap::new()));
         let shared = Arc::downgrade(&files);
@@ -75,12 +75,12 @@ fn look(files: &mut BTreeMap<PathBuf, Looked>) -> Vec<PathBuf> {
         let now = stamp(path);
         moving |= now != looked.seen;
         looked.seen = now;
-        // Gone for a moment: many programs write another file and rename it.
+        // A file may be missing for a moment: many programs write another file and rename it.
         if now != looked.known && now.is_some() {
             settled.push(path.clone());
         }
     }
-    // Several files are often written one after the other: they are reported together.
+    // Several files are often written one after the other, and are reported together.
     if moving {
         return Vec::new();
     }
@@ -111,7 +111,7 @@ mod tests {
         let (sender, _receiver) = std::sync::mpsc::channel();
         let watcher = Watcher::start(sender, egui::Context::default());
         watcher.set(vec![old.clone(), new.clone()]);
-        // The thread looks too, half a second later; this test looks at a copy, without waiting.
+        // The test polls a copy, without waiting for the thread.
         let mut files = watcher.files.lock().unwrap_or_else(PoisonError::into_inner).clone();
         drop(watcher);
         assert!(look(&mut files).is_empty());

@@ -1,9 +1,9 @@
-//! A check in a process of its own, the same for the command line's single checks, its batches and the window.
+//! A check in a worker process, for single checks and batches of the command line and for the window.
 //!
-//! The process gets the files through its standard input and answers on its standard output; it opens no file of the
-//! submission and writes none. Its input stays open as long as somebody waits for it: when that ends, however it ends,
-//! the process sees the end of its input and ends too. Both messages are a header (a length as 4 little-endian bytes,
-//! then JSON) followed by the bytes that the header gives lengths of.
+//! The worker reads the files from its standard input and answers on its standard output; it opens and writes no file. Its
+//! input stays open while the parent waits. When the parent ends, for any reason, the worker reads the end of its input and
+//! ends too. Both messages are a header (its length as 4 little-endian bytes, then JSON) followed by the bytes whose lengths
+//! the header states.
 
 use super::child::{self, Ended};
 use gonio_check::CheckOptions;
@@ -17,7 +17,7 @@ use std::process::{Child, Stdio};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-/// The hidden command of `gonio` that [`serve`]s.
+/// The hidden command of `gonio` that calls [`serve`].
 pub const COMMAND: [&str; 2] = ["lab", "check-worker"];
 
 /// Most bytes of a header, which contains the verdict with its quotes.
@@ -32,7 +32,7 @@ pub struct WorkerRequest {
     pub exercise: String,
     /// The submission.
     pub files: Vec<SourceFile>,
-    /// Sentences on what of the submission is not among the files; they become warnings of the verdict.
+    /// Sentences on files of the submission that were left out; they become warnings of the verdict.
     pub left_out: Vec<String>,
     /// See [`CheckOptions`].
     pub options: CheckOptions,
@@ -49,9 +49,9 @@ pub struct WorkerRequest {
 pub struct WorkerAnswer {
     /// The verdict.
     pub verdict: Verdict,
-    /// The verdict as a web page, where it was asked for and could be made.
+    /// The verdict as a web page, if it was requested and could be created.
     pub page: Option<Vec<u8>>,
-    /// The sheet as PNG, where it was asked for and something was drawn.
+    /// The contact sheet as PNG, if it was requested and something was drawn.
     pub sheet: Option<Vec<u8>>,
 }
 
@@ -74,7 +74,7 @@ struct AnswerHeader {
     sheet: Option<u64>,
 }
 
-/// A check that is under way in a process.
+/// A running check in a worker process.
 pub struct Worker {
     child: Child,
     writer: JoinHandle<Result<std::process::ChildStdin, Error>>,
@@ -82,7 +82,7 @@ pub struct Worker {
     exercise: String,
 }
 
-/// Starts `program` on a request. With `one_core` the driver is left one core, as befits one of many processes.
+/// Starts `program` on a request. With `one_core` a software driver uses one core, for one of many processes.
 ///
 /// # Errors
 /// Those of starting a process.
@@ -100,7 +100,7 @@ pub fn start(program: &Path, request: WorkerRequest, one_core: bool) -> Result<W
     let writer = std::thread::spawn(move || {
         write_request(&mut input, &request)?;
         input.flush()?;
-        // Not closed: its end would end the process.
+        // The input stays open, because its end would end the worker.
         Ok(input)
     });
     let reader = std::thread::spawn(move || read_answer(output));
@@ -108,15 +108,15 @@ pub fn start(program: &Path, request: WorkerRequest, one_core: bool) -> Result<W
 }
 
 impl Worker {
-    /// Waits for the answer. A check that takes too long or too much memory, or that ends its process, gives the
-    /// verdict that says so.
+    /// Waits for the answer. A check that takes too long or too much memory, or that crashes its process, has a verdict on
+    /// that.
     ///
     /// # Errors
-    /// One sentence: why there is no verdict.
+    /// The reason why there is no verdict, in one sentence.
     pub fn wait(mut self, patience: Duration, given_up: impl Fn() -> bool) -> Result<WorkerAnswer, String> {
         let ended = child::wait(&mut self.child, patience, given_up);
         let answer = self.reader.join().unwrap_or_else(|_| Err("its answer could not be read".into()));
-        // Where the process ended before it had read everything, its answer counts.
+        // A failure to write is ignored: the worker may have answered before it had read everything.
         let _ = self.writer.join();
         let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, sheet: None });
         match ended.map_err(|error| format!("the check could not be monitored: {error}"))? {
@@ -133,16 +133,16 @@ impl Worker {
     }
 }
 
-/// Whether a system that has no signals ends a process with this code when it crashes (Windows: 0xC0000005 and the like),
-/// or Rust does when memory runs out or a thread panics.
+/// Whether an exit code means a crash: those of Windows (0xC0000005 and similar), which has no signals, and those of Rust for
+/// exhausted memory and panics.
 fn is_crash(code: i32) -> bool {
     code < 0 || code == 101 || code == 134
 }
 
-/// Answers one request: what the process itself does. `check` has the driver.
+/// Answers one request, in the worker process. `check` checks the submission.
 ///
 /// # Errors
-/// Those of the two pipes; whoever waits sees them as the process' end.
+/// Those of the two pipes; the parent sees the end of the process.
 pub fn serve(
     mut input: impl Read + Send + 'static,
     mut output: impl Write,
@@ -165,14 +165,14 @@ pub fn serve(
     output.flush()
 }
 
-/// Waits for the end of the input, and ends the process then.
+/// Waits for the end of the input, and then ends the process.
 pub fn end_with(mut input: impl Read) {
     let _ = input.read(&mut [0]);
-    // Not `exit`, which waits for the driver.
+    // `exit` would wait for the driver.
     std::process::abort();
 }
 
-/// A request as the process reads it.
+/// Encodes a request for [`read_request`].
 ///
 /// # Errors
 /// A header beyond 4 GiB.
@@ -197,10 +197,10 @@ fn write_request(output: &mut impl Write, request: &WorkerRequest) -> Result<(),
     request.files.iter().try_for_each(|file| output.write_all(&file.bytes))
 }
 
-/// Reads what [`encoded`] gives.
+/// Reads a request that was written by [`encoded`].
 ///
 /// # Errors
-/// Those of the input, and an input that ends too early or does not fit.
+/// Those of the input, and an input that ends too early or has another format.
 pub fn read_request(input: &mut impl Read) -> Result<WorkerRequest, Error> {
     let header: RequestHeader = read_header(input)?.ok_or(ErrorKind::UnexpectedEof)?;
     let read = |(name, length): (String, u64)| Ok(SourceFile { name, bytes: read_exactly(input, length)? });
@@ -215,7 +215,7 @@ pub fn read_request(input: &mut impl Read) -> Result<WorkerRequest, Error> {
     })
 }
 
-/// `None` where the process ended without answering. An error is the process' own sentence.
+/// Reads the answer; `None` if the worker ended without one. An error is one sentence.
 fn read_answer(output: impl Read) -> Result<Option<WorkerAnswer>, String> {
     let mut output = output.take(MAX_ANSWER_BYTES);
     let unreadable = |error: Error| format!("the answer of the check could not be understood: {error}");
@@ -241,7 +241,7 @@ fn write_header(output: &mut impl Write, header: &impl Serialize) -> Result<(), 
     output.write_all(&text)
 }
 
-/// `None` at the end of the input.
+/// Reads a header; `None` at the end of the input.
 fn read_header<T: DeserializeOwned>(input: &mut impl Read) -> Result<Option<T>, Error> {
     let mut length = [0; 4];
     let first = input.read(&mut length)?;
@@ -256,7 +256,7 @@ fn read_header<T: DeserializeOwned>(input: &mut impl Read) -> Result<Option<T>, 
     Ok(Some(serde_json::from_slice(&read_exactly(input, length)?)?))
 }
 
-/// Grows with what really comes, whatever length was announced.
+/// Reads `length` bytes. Memory grows with the bytes that arrive, not with the announced length.
 fn read_exactly(input: &mut impl Read, length: u64) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     input.take(length).read_to_end(&mut bytes)?;
@@ -291,7 +291,7 @@ mod tests {
             sheet: None,
         };
         let answered = answer.clone();
-        // An input without end: the thread that waits for it must not end this process.
+        // An endless input: its end would end this process.
         let input = std::io::Cursor::new(sent.clone()).chain(Endless);
         serve(input, &mut received, |got| {
             assert_eq!(got, request());
@@ -308,7 +308,7 @@ mod tests {
         }
     }
 
-    /// Sends nothing, and never ends.
+    /// An input that never ends.
     struct Endless;
 
     impl Read for Endless {
@@ -319,7 +319,7 @@ mod tests {
         }
     }
 
-    /// Programs that every system with a shell has, instead of ours.
+    /// The answer of another program in place of gonio.
     fn asked_of(program: &str) -> Result<WorkerAnswer, String> {
         start(Path::new(program), request(), true).unwrap().wait(Duration::from_secs(20), || false)
     }

@@ -7,16 +7,16 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Blob, Document, File, HtmlAnchorElement, HtmlInputElement, Storage, Url, Window};
 
-/// Under which name the settings are kept.
+/// Key of the settings in the storage.
 const KEY: &str = "gonio";
-/// Prefix of the names of drafts.
+/// Prefix of the keys of drafts.
 const DRAFT: &str = "gonio draft ";
 /// A window may leave several texts of one file: KEY, KEY-2 and so on.
 const MOST_OF_ONE_FILE: usize = 9;
 
 /// A chosen or dropped file that has not been read yet.
 pub struct NamedFile {
-    /// Its name without folders, or with those below a folder that was chosen.
+    /// Its name without folders, or with those below a chosen folder.
     pub name: String,
     file: UnreadFile,
 }
@@ -28,12 +28,12 @@ enum UnreadFile {
 }
 
 impl NamedFile {
-    /// Dropped on the canvas.
+    /// A file dropped on the canvas.
     pub fn dropped(file: egui::DroppedFileHandle) -> Self {
         NamedFile { name: file.path().to_string_lossy().into_owned(), file: UnreadFile::Dropped(file) }
     }
 
-    /// Reads it; why not, in the browser's words.
+    /// Reads it. An error is the browser's message.
     pub async fn bytes(self) -> Result<Vec<u8>, String> {
         match self.file {
             UnreadFile::Dropped(file) => file.bytes_async().await,
@@ -55,7 +55,7 @@ fn window() -> Result<(Window, Document), String> {
     Ok((window, document))
 }
 
-/// Waits until the browser asks for the next frame, and `more`. Not at all where the browser does not do that.
+/// Waits until the browser requests the next frame, and then for `more`. Returns at once if the browser does not support that.
 pub async fn frame_shown(more: Duration) {
     let Ok((window, _)) = window() else { return };
     let milliseconds = i32::try_from(more.as_millis()).unwrap_or(i32::MAX);
@@ -64,7 +64,7 @@ pub async fn frame_shown(more: Duration) {
         |resolve: &Function| window.set_timeout_with_callback_and_timeout_and_arguments_0(resolve, milliseconds);
     for begin in [&frame as &dyn Fn(&Function) -> Result<i32, JsValue>, &timer] {
         let promise = Promise::new(&mut |resolve, _| {
-            // What is not begun is not waited for.
+            // A timer that could not be started is not waited for.
             if begin(&resolve).is_err() {
                 let _ = resolve.call0(&JsValue::NULL);
             }
@@ -74,7 +74,7 @@ pub async fn frame_shown(more: Duration) {
 }
 
 thread_local! {
-    // Of the last choice: the browser calls it after the function that made it has returned.
+    // The callback of the last dialog, which the browser calls after `choose` has returned.
     static CHOICE: RefCell<Option<Closure<dyn FnMut()>>> = const { RefCell::new(None) };
 }
 
@@ -103,7 +103,7 @@ pub fn choose(answer: impl Fn(Vec<NamedFile>) + 'static) -> Result<(), String> {
     Ok(())
 }
 
-/// Hands a file out as a download. An error is one sentence.
+/// Downloads a file. An error is one sentence.
 pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
     let failed = |error: JsValue| format!("`{name}` could not be downloaded: {}", words(error));
     let (_, document) = window()?;
@@ -114,7 +114,7 @@ pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
     anchor.set_href(&url);
     anchor.set_download(name);
     anchor.click();
-    // The download has begun: it keeps what it needs.
+    // The download has started, and keeps its data.
     Url::revoke_object_url(&url).map_err(failed)
 }
 
@@ -138,7 +138,7 @@ pub fn kept() -> Option<String> {
     storage()?.get_item(KEY).ok()?
 }
 
-/// Keeps it; a browser that keeps nothing forgets it.
+/// Keeps the settings, if the browser has a storage.
 pub fn keep(text: &str) {
     if let Some(storage) = storage() {
         let _ = storage.set_item(KEY, text);
@@ -159,7 +159,7 @@ pub fn remove_draft(key: &str) {
     }
 }
 
-/// The draft that was left under this key, which is then that of this page.
+/// Takes over the draft that was left under this key.
 pub fn take_draft(key: &str) -> Option<String> {
     let storage = storage()?;
     let numbered = |number: usize| if number == 1 { key.to_owned() } else { format!("{key}-{number}") };

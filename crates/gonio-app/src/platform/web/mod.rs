@@ -1,4 +1,4 @@
-//! The browser: a canvas of a page, files that are dropped on it.
+//! The browser: a canvas in a page, dropped files, and checks in a worker beside the page.
 
 mod document;
 
@@ -133,7 +133,7 @@ fn exercise_files(memory: &MemoryFiles) -> Result<Vec<ExerciseFile>, String> {
 
 fn scene_input(memory: MemoryFiles, page: PageFiles) -> Result<SceneInput, String> {
     let gathered = gather(&memory.names(), &memory)?;
-    // Scenes name built-in models too, which the page has fetched.
+    // Scenes may also name built-in models, which the page fetches.
     let files = Arc::new(Layered { first: Arc::new(memory), then: Arc::new(page) });
     Ok(SceneInput { inputs: gathered.inputs, environment: gathered.environment, files })
 }
@@ -169,7 +169,7 @@ impl Platform for Web {
     }
 
     fn choose_place(&mut self, product: Product, name: &str, ctx: &egui::Context) -> FileDialog {
-        // The browser asks, or puts it where downloads go.
+        // The browser asks for a place, or uses the downloads folder.
         self.events.borrow_mut().push(Event::SaveTo(product, name.to_owned()));
         ctx.request_repaint();
         FileDialog::Opened
@@ -231,9 +231,9 @@ impl Platform for Web {
     }
 }
 
-/// The page's function that begins a check: it is given the exercise's word, an array of files, each with `name` and
-/// `bytes`, and whether the lab's own ways pass. It gives an object: `answer`, a promise of the verdict as JSON, and
-/// `end`, a function that gives the check up.
+/// The page's function that starts a check (`web/page/checking.js`). Its arguments are the exercise's id, an array of files, each
+/// with `name` and `bytes`, and whether variants of the lab's own solutions are accepted. It returns an object: `answer`, a
+/// promise of the verdict as JSON, and `end`, a function that stops the check.
 #[derive(Clone)]
 pub struct PageChecks(Function);
 

@@ -15,7 +15,7 @@ use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, Scene, difference};
 use std::sync::Arc;
 
-/// A pixel differs where a colour is more than so many 8-bit steps apart.
+/// A pixel differs if a channel differs by more than this number of 8-bit steps.
 const TOLERANCE: f64 = 1.0;
 
 /// Identifies a pair of pictures: panes and picture numbers.
@@ -30,7 +30,7 @@ pub struct PairDrawing {
 }
 
 impl PairDrawing {
-    /// Draws the map, if anything changed since; whether there is one: both pictures are there, of one size.
+    /// Draws the map if anything changed. Returns whether there is one: both pictures exist and have the same size.
     pub fn draw(
         &mut self,
         gl: &Gl,
@@ -56,7 +56,7 @@ impl PairDrawing {
         Ok(true)
     }
 
-    /// Its numbers: both pictures are read back, if they are others than last time.
+    /// The statistics. Both pictures are read back if they changed.
     pub fn measured(&mut self, panes: [&PaneDrawing; 2], pair: [usize; 2]) -> Option<DifferenceFacts> {
         let made = (pair, panes.map(|pane| pane.serial));
         if let Some((of, facts)) = &self.measured
@@ -72,15 +72,15 @@ impl PairDrawing {
     }
 }
 
-/// Longest side of the pictures, pixels: enough for the error, and quick on a software driver.
+/// Longest side of the pictures, pixels: large enough to measure the error, and fast on a software driver.
 const SIDE: u32 = 480;
 /// Frequencies of the spheres: 8 to 8192 triangles.
 const SPHERES: [usize; 10] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
 /// Frequency of the reference sphere: 32768 triangles.
 const FINEST_SPHERE: usize = 64;
-/// A model has at least so many triangles.
+/// Smallest number of triangles of a simplified model.
 const FEWEST: f64 = 16.0;
-/// Most levels of a model, each half of the next.
+/// Largest number of levels of a model, each with half the triangles of the next.
 const MOST_LEVELS: i32 = 10;
 
 /// The pictures that are drawn for a curve.
@@ -89,7 +89,7 @@ pub struct CurveRun {
     settings: Pane,
     frame_size: [u32; 2],
     time: f64,
-    /// The finest comes first, in Phong shading: all are held against it.
+    /// The finest comes first, in Phong shading; all others are compared with it.
     requested: Vec<(Shading, Option<LevelOfDetail>)>,
     next: usize,
     finest: Vec<u8>,
@@ -97,8 +97,8 @@ pub struct CurveRun {
 }
 
 impl CurveRun {
-    /// Of the scene as the current pane shows it, at the size of its picture `frame`, smaller where that is large; `None`
-    /// where nothing is open.
+    /// Starts the curve for the scene as the current pane shows it, at the size of its picture `frame` or smaller; `None` if no
+    /// scene is open.
     pub fn new(document: &Document, session: &mut Session, frame: Option<&Frame>) -> Option<Self> {
         let (base, frame) = (session.loaded.clone()?, frame?);
         let settings = document.panes.current().cloned().unwrap_or_default();
@@ -117,7 +117,7 @@ impl CurveRun {
         };
         let mut requested = vec![(Shading::Phong, finest)];
         for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
-            // The finest against itself is 0.
+            // The finest picture does not differ from itself.
             let same = |level: &Option<LevelOfDetail>| shading == Shading::Phong && *level == finest;
             requested.extend(levels.iter().filter(|level| !same(level)).map(|&level| (shading, level)));
         }
@@ -134,8 +134,8 @@ impl CurveRun {
         })
     }
 
-    /// Draws the next picture; whether there are more. While a mesh is being made nothing is drawn, and the window is
-    /// painted again when it is there.
+    /// Draws the next picture. Returns whether there are more. While a mesh is being simplified nothing is drawn; the window is
+    /// repainted when it is finished.
     pub fn step(
         &mut self,
         gl: &Gl,

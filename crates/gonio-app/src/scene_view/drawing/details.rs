@@ -1,4 +1,4 @@
-//! Meshes at other levels of detail, made once, in a thread where possible.
+//! Meshes at other levels of detail, created once, in a thread if possible.
 
 use gonio_mesh::Mesh;
 use gonio_scene::Scene;
@@ -14,7 +14,7 @@ const MOST: usize = 64;
 #[derive(Clone, PartialEq)]
 struct Key {
     detail: LevelOfDetail,
-    /// The object's, where it is replaced by a sphere with normals of the same kind.
+    /// The object's model and normals, which a replacing sphere has too.
     model: Option<(String, Normals, Option<f64>)>,
 }
 
@@ -40,7 +40,7 @@ struct Made {
     mesh: Option<Mesh>,
 }
 
-/// Meshes in other details. One is made at a time: what a slider passed over on its way is never made.
+/// Meshes at other levels of detail. One is created at a time, so that values that a slider passes over are skipped.
 pub struct Details {
     known: Vec<Known>,
     running: bool,
@@ -57,7 +57,7 @@ impl Default for Details {
 }
 
 impl Details {
-    /// Takes in what was made; `ctx` is painted again when more is.
+    /// Takes finished meshes; `ctx` is repainted when there are more.
     pub fn begin(&mut self, ctx: &egui::Context) {
         if self.ctx.is_none() {
             self.ctx = Some(ctx.clone());
@@ -68,7 +68,7 @@ impl Details {
         }
     }
 
-    /// The meshes of a scene's objects in a detail; `None` while some are being made.
+    /// The meshes of a scene's objects at a level of detail; `None` while some are being created.
     pub fn meshes(&mut self, loaded: &Scene, detail: LevelOfDetail) -> Option<Vec<Arc<Mesh>>> {
         let mut meshes = Vec::with_capacity(loaded.objects.len());
         for (object, spec) in loaded.objects.iter().zip(&loaded.settings.objects) {
@@ -122,7 +122,7 @@ impl Details {
         if self.known.len() >= MOST {
             self.known.remove(0);
         }
-        // A mesh that stays as it is, is its own.
+        // A mesh that is not changed is shared.
         let mesh = made.mesh.map_or_else(|| made.source.clone(), Arc::new);
         self.known.push(Known { source: Arc::downgrade(&made.source), key: made.key, mesh });
     }

@@ -34,7 +34,7 @@ pub struct PaneRenderer {
 }
 
 impl PaneRenderer {
-    /// Creates it for the window's context, which is current.
+    /// Creates the renderer for the window's context, which must be current.
     pub fn new(gl: Gl) -> Result<Self, GlError> {
         let renderer = Renderer::new(gl.clone())?;
         let presenter = Presenter::new(&gl)?;
@@ -65,50 +65,49 @@ impl PaneRenderer {
         self.presenter.presentation(canvas.texture()).opaque()
     }
 
-    /// The driver, as it calls itself.
+    /// The name of the driver.
     pub fn driver(&self) -> &str {
         &self.renderer.info().renderer
     }
 
-    /// Whether first pictures are sketches: a graphics card draws whole ones before anybody sees the difference.
+    /// Whether first pictures are sketches: with software drivers only.
     pub fn sketches(&self) -> bool {
         self.renderer.info().is_software()
     }
 
-    /// The scene of a pane as it was drawn last.
+    /// The scene of a pane as last drawn.
     pub fn loaded(&self, pane: usize) -> Option<&Arc<Scene>> {
         self.panes.get(pane)?.loaded.as_ref()
     }
 
-    /// The frame of a pane as it was drawn last.
+    /// The frame of a pane as last drawn.
     pub fn frame(&self, pane: usize) -> Option<&Frame> {
         self.panes.get(pane)?.drawn.as_ref().map(|(frame, _)| frame)
     }
 
-    /// Whether nothing of what is below a pane's picture can be seen through it, as it was drawn last.
+    /// Whether a pane's picture, as last drawn, hides everything below it.
     pub fn is_opaque(&self, pane: usize) -> bool {
         self.panes.get(pane).is_some_and(PaneDrawing::is_opaque)
     }
 
-    /// The pixels of a pane as they are displayed, four bytes each, the top row first, and how many columns and rows there
-    /// are; `None` where nothing was drawn yet. Waits for the GPU.
+    /// The displayed pixels of a pane, four bytes each, the top row first, and its width and height; `None` if nothing was drawn
+    /// yet. Waits for the GPU.
     pub fn pixels(&self, pane: usize) -> Option<(Vec<u8>, [u32; 2])> {
         let canvas = self.panes.get(pane)?.canvas.as_ref()?;
         Some((canvas.read8(), canvas.size()))
     }
 
-    /// What OpenGL is told for a pane's picture as it was drawn last, with small pictures of all textures. None where
-    /// nothing was drawn.
+    /// Records the OpenGL calls of a pane's picture as last drawn, with thumbnails of all textures. `None` if nothing was drawn.
     pub fn record(&mut self, pane: usize) -> Result<Option<FrameRecord>, GlError> {
         let Some(pane) = self.panes.get(pane) else { return Ok(None) };
         let (Some((_, uploaded)), Some((frame, show))) = (&pane.uploaded, &pane.drawn) else { return Ok(None) };
-        // A special view is recorded as the picture is.
+        // A special view is recorded as the normal picture.
         let view = if let View::Quantity(view) = show.view { Some(view) } else { None };
         self.renderer.record_with_thumbnails(uploaded, frame, view).map(Some)
     }
 
-    /// To be called before the pictures of a frame: `panes` are left, and meshes that were simplified beside the window
-    /// are taken in; where one is made, `ctx` is painted again when it is done.
+    /// Prepares a frame: keeps the first `panes` panes, and takes meshes that were simplified in a thread. `ctx` is repainted when
+    /// another one is finished.
     pub fn begin(&mut self, ctx: &egui::Context, panes: usize) {
         self.panes.truncate(panes);
         self.details.begin(ctx);
@@ -147,8 +146,8 @@ impl PaneRenderer {
         Ok(picture.map(|picture| if pane.is_opaque() { picture.opaque() } else { picture }))
     }
 
-    /// The map of where the pair of panes differs, which both were drawn before in this frame; its numbers go to
-    /// `session` when nothing moves. `None` until both pictures have one size.
+    /// The difference map of the pair of panes, which were drawn before in this frame. Its statistics are stored in `session`
+    /// when nothing moves. `None` until both pictures have the same size.
     pub fn difference(&mut self, document: &Document, session: &mut Session) -> Result<Option<Presentation>, GlError> {
         let [first, second] = document.panes.pair;
         let (Some(a), Some(b)) = (self.panes.get(first), self.panes.get(second)) else { return Ok(None) };
@@ -164,8 +163,8 @@ impl PaneRenderer {
         Ok(self.pair.map.as_ref().map(|map| self.presenter.presentation(map.texture())))
     }
 
-    /// Tells the session what the panes took, and goes on with the curve of errors where it is asked for, by one picture;
-    /// whether there is more to do in the next frame.
+    /// Stores the measurements of the panes in the session, and draws the next picture of the error curve if it is running.
+    /// Returns whether there is more to do in the next frame.
     pub fn measure(&mut self, document: &Document, session: &mut Session) -> Result<bool, GlError> {
         let facts: Vec<_> = self.panes.iter().map(|pane| pane.facts.clone()).collect();
         if session.comparison.panes != facts {
@@ -189,7 +188,7 @@ impl PaneRenderer {
         if more {
             self.curve = Some(run);
         }
-        // While a mesh is made beside the window, that paints the next frame.
+        // A mesh that is created in a thread repaints the window when it is finished.
         Ok(more && session.comparison.curve.progress != before)
     }
 }
@@ -201,15 +200,15 @@ struct ObserverPicture {
 }
 
 impl PaneRenderer {
-    /// What OpenGL draws at a pixel of a pane's picture with one sample: linear, premultiplied RGBA. None where nothing
-    /// was drawn yet, or it cannot be read.
+    /// The value that OpenGL draws at a pixel of a pane's picture with one sample: linear, premultiplied RGBA. `None` if nothing
+    /// was drawn yet, or the value cannot be read.
     pub fn pixel(&mut self, pane: usize, x: u32, y: u32) -> Option<[f32; 4]> {
         let pane = self.panes.get(pane)?;
         let ((_, uploaded), (frame, _)) = (pane.uploaded.as_ref()?, pane.drawn.as_ref()?);
         self.renderer.pixel(uploaded, frame, x, y).ok()
     }
 
-    /// A pane's scene as another camera sees it, `size` pixels; drawn if anything changed since.
+    /// A pane's scene from another camera, `size` pixels; drawn if anything changed.
     pub fn seen_by(&mut self, pane: usize, camera: Camera, size: [u32; 2]) -> Result<Option<Presentation>, GlError> {
         let Some(pane) = self.panes.get(pane) else { return Ok(None) };
         let (Some((_, uploaded)), Some((frame, _)), Some(loaded)) = (&pane.uploaded, &pane.drawn, &pane.loaded) else {
@@ -242,8 +241,8 @@ impl PaneRenderer {
         Ok(Some(DisplayedPicture { size: canvas.size(), rgba: canvas.read8(), is_srgb }))
     }
 
-    /// The light, linear and premultiplied (of a quantity, its numbers; of a view that is none, the picture's); `None`
-    /// where the pane has not been drawn. Waits for the GPU.
+    /// The light, linear and premultiplied: the values of the quantity shown, or else those of the picture. `None` if the pane has
+    /// not been drawn. Waits for the GPU.
     pub fn light(&mut self, index: usize, size: Option<[u32; 2]>) -> Result<Option<Picture>, GlError> {
         let Some((uploaded, frame, show)) = self.panes.get(index).and_then(|pane| pane.to_save(size)) else {
             return Ok(None);

@@ -1,4 +1,4 @@
-//! One pane's scene, what is on the GPU of it, and its picture.
+//! One pane's scene, its GPU data and its picture.
 
 use super::details::Details;
 use crate::document::Pane;
@@ -12,29 +12,29 @@ use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, Scene, detail};
 use std::sync::Arc;
 
-/// Above this time for all panes a drag is not smooth: fewer than 20 pictures per second.
+/// Above this time for all panes, in milliseconds, a drag is not smooth: fewer than 20 pictures per second.
 pub const SLOW_MS: f64 = 50.0;
 
 /// Speed and detail of drawing.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
-    /// Something is being dragged, or time runs: nothing is waited for.
+    /// Something is being dragged, or time runs: drawing does not wait for the GPU.
     pub moving: bool,
-    /// One sample must do while it moves.
+    /// Pictures have one sample while something moves.
     pub reduced: bool,
-    /// Somebody wants to see how many fragments there are, also where counting them is another picture.
+    /// Fragments are counted, even if that needs another picture.
     pub counted: bool,
 }
 
 /// State of one pane between pictures.
 #[derive(Default)]
 pub struct PaneDrawing {
-    /// The document's scene that it was made from, and the pane's own.
+    /// The document's scene that `loaded` is derived from.
     from: Option<Arc<Scene>>,
     generation: u64,
     settings: Pane,
     pub loaded: Option<Arc<Scene>>,
-    /// Meshes in the pane's detail, and for which scene; while others are made, these are shown.
+    /// Meshes at the pane's level of detail, with the generation of their scene; shown while others are created.
     detailed: Option<(u64, Vec<Arc<Mesh>>)>,
     pub uploaded: Option<(Arc<Scene>, GpuScene)>,
     pub canvas: Option<DisplayTexture>,
@@ -46,8 +46,8 @@ pub struct PaneDrawing {
 }
 
 impl PaneDrawing {
-    /// Makes its scene that of the document with the pane's settings. What is on the GPU is kept unless geometry or
-    /// materials changed: moving a light uploads nothing.
+    /// Updates the pane's scene to the document's with the pane's settings. GPU data are kept unless geometry or materials changed,
+    /// so that moving a light uploads nothing.
     pub fn follow(
         &mut self,
         renderer: &mut Renderer,
@@ -75,7 +75,7 @@ impl PaneDrawing {
         Ok(())
     }
 
-    /// The scene in the pane's detail, or in the last one while another is being made.
+    /// The scene at the pane's level of detail, or at the last one while another is created.
     fn with_detail(
         &mut self,
         loaded: Arc<Scene>,
@@ -98,14 +98,14 @@ impl PaneDrawing {
         }
     }
 
-    /// Whether its picture, as it was drawn last, has no holes: debug views may have some.
+    /// Whether the picture, as last drawn, has no holes. Debug views may have some.
     pub fn is_opaque(&self) -> bool {
         let is_whole =
             |(frame, show): &(Frame, DisplayOptions)| !frame.background.transparent && show.view == View::Picture;
         self.drawn.as_ref().is_some_and(is_whole)
     }
 
-    /// Draws its picture, if anything changed since.
+    /// Draws the picture if anything changed.
     pub fn draw(
         &mut self,
         gl: &Gl,
@@ -142,7 +142,7 @@ impl PaneDrawing {
             self.facts.ms = start.elapsed().as_secs_f64() * 1e3;
             count(&mut self.facts, painted.statistics, loaded);
             if self.facts.fragments.is_none() && pace.counted {
-                // No counters, as on the web: counted by drawing once more.
+                // Without counters, as on the web, fragments are counted by drawing once more.
                 self.facts.fragments = renderer.count_fragments(uploaded, &frame).ok();
             }
             painted
@@ -168,7 +168,7 @@ impl PaneDrawing {
     }
 }
 
-/// The scene with a pane's settings, its detail apart.
+/// The scene with a pane's settings, except the level of detail.
 pub fn with_settings(base: &Arc<Scene>, settings: &Pane) -> Arc<Scene> {
     let scene = settings.applied_to(&base.settings);
     if scene == base.settings {
@@ -176,7 +176,7 @@ pub fn with_settings(base: &Arc<Scene>, settings: &Pane) -> Arc<Scene> {
     }
     match edit::apply(base, scene) {
         Ok(Edited::Done(applied)) => Arc::new(applied.loaded),
-        // A pane changes nothing that would need files.
+        // A pane's settings need no files.
         Ok(Edited::NeedsFiles(_)) | Err(_) => base.clone(),
     }
 }
@@ -187,7 +187,7 @@ pub fn triangles(loaded: &Scene) -> usize {
     loaded.objects.iter().map(of).sum()
 }
 
-/// Counts of the GPU, or else the number of submitted vertices.
+/// Stores the GPU's counts, or else the number of submitted vertices.
 fn count(facts: &mut PaneFacts, statistics: Option<GpuStatistics>, loaded: &Scene) {
     let statistics = statistics.unwrap_or_default();
     facts.counted = statistics.vertices.is_some();
@@ -204,8 +204,7 @@ fn vertices(loaded: &Scene) -> u64 {
     loaded.objects.iter().filter_map(of).sum()
 }
 
-/// Whether what is on the GPU of one scene serves another of the same generation: the same meshes in the same form, the
-/// same environment.
+/// Whether the GPU data of one scene can be used for another of the same generation: the same meshes, shadings and environment.
 fn is_same_on_gpu(uploaded: &Scene, loaded: &Scene) -> bool {
     let environment = |scene: &Scene| scene.environment.as_ref().map(Arc::as_ptr);
     uploaded.objects.len() == loaded.objects.len()

@@ -34,7 +34,7 @@ fn pane_renderer(gl: &Gl) -> PaneRenderer {
     PaneRenderer::new(gl.clone()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// All panes, as the window draws them; how many pictures that took.
+/// Draws all panes as the window does. Returns the number of pictures.
 fn draw(pane_renderer: &mut PaneRenderer, document: &Document, session: &mut Session) -> u64 {
     let mut facts = FrameFacts::default();
     pane_renderer.begin(&egui::Context::default(), document.panes.list.len());
@@ -51,7 +51,7 @@ fn two_panes(document: &mut Document) {
     document.panes.set(vec![gouraud, Pane { shading: Some(Shading::Flat), ..Pane::default() }]);
 }
 
-/// Each pane is what the renderer makes of the scene with the pane's settings.
+/// Each pane equals the renderer's picture of the scene with the pane's settings.
 #[test]
 fn panes_are_the_renderers_pictures() {
     let context = context();
@@ -75,8 +75,7 @@ fn panes_are_the_renderers_pictures() {
     }
 }
 
-/// A window's room is filled below the picture only where that is seen: before there is a picture, beside panes, behind
-/// holes.
+/// The background below the picture is filled only if it is visible: before there is a picture, between panes, behind holes.
 #[test]
 fn the_background_is_filled_only_where_it_is_visible() {
     let context = context();
@@ -87,12 +86,12 @@ fn the_background_is_filled_only_where_it_is_visible() {
         let screen = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(400.0, 300.0));
         let input = egui::RawInput { screen_rect: Some(screen), ..Default::default() };
         let mut output = ctx.run_ui(input, |ui| {
-            // Nothing else has this colour.
+            // A colour that nothing else has.
             ui.visuals_mut().extreme_bg_color = egui::Color32::from_rgb(1, 2, 3);
             scene_view::show(ui, document, session, pane_renderer.as_deref_mut())
                 .unwrap_or_else(|error| panic!("{error}"));
         });
-        // Nobody shows what was drawn.
+        // Nothing is displayed.
         output.textures_delta.clear();
         let is_ground = |shape: &egui::Shape| match shape {
             egui::Shape::Rect(rect) => rect.fill == egui::Color32::from_rgb(1, 2, 3),
@@ -136,7 +135,7 @@ fn only_what_changed_is_drawn_again() {
     assert!(facts.fragments.is_some_and(|count| count > 1000));
 }
 
-/// The map's numbers are those of the two pictures on the CPU.
+/// The map's statistics equal those of the two pictures on the CPU.
 #[test]
 fn the_difference_is_that_of_the_two_pictures() {
     let context = context();
@@ -194,7 +193,7 @@ fn a_sketch_precedes_the_full_picture() {
     assert_eq!(draw(&mut pane_renderer, &document, &mut session), 0);
 }
 
-/// Coarser spheres are farther from the finest, and more in flat shading than in Phong's.
+/// Coarser spheres differ more from the finest, and flat shading more than Phong shading.
 #[test]
 fn the_curve_falls_towards_the_finest() {
     let context = context();
@@ -220,7 +219,7 @@ fn the_curve_falls_towards_the_finest() {
     assert!(rms(Shading::Gouraud, 512) > rms(Shading::Phong, 512));
 }
 
-/// A model in fewer triangles: made in a thread, the old ones are shown until it is done.
+/// A model is simplified in a thread; the old mesh is shown until it is finished.
 #[test]
 fn a_pane_is_simplified_beside_the_window() {
     let context = context();
@@ -231,7 +230,7 @@ fn a_pane_is_simplified_beside_the_window() {
     document.panes.list[0].detail = Some(LevelOfDetail::Share(0.25));
     draw(&mut pane_renderer, &document, &mut session);
     let ctx = egui::Context::default();
-    // As long as it takes: the test's own limit is that of the runner.
+    // Without a limit of its own; the test runner has one.
     while pane_renderer.panes[0].facts.preparing {
         std::thread::yield_now();
         pane_renderer.begin(&ctx, 1);

@@ -7,7 +7,7 @@ use gonio_light::vector::unit;
 use gonio_scene::frame::position_at;
 use gonio_scene::settings::{LightSettings, MotionPath};
 
-/// Sine below which an axis counts as seen end-on: a point of the window would be too much of it.
+/// Sine of the viewing angle below which an axis cannot be dragged, because a point of the window would be too long on it.
 const END_ON: f64 = 0.05;
 
 /// The point under `place` on the plane through `start` that is parallel to the picture.
@@ -18,15 +18,15 @@ pub fn in_screen_plane(projection: &Projection, start: DVec3, place: Pos2) -> DV
     camera.position + direction * (camera.depth_of(start) / direction.dot(camera.front))
 }
 
-/// `start` farther from the eye (positive `points`) or nearer, along the ray that it is seen by: its place in the
-/// picture stays. A hundred points double or halve the distance.
+/// Moves `start` away from the eye (positive `points`) or nearer, so that its place in the picture stays. A hundred points double
+/// or halve the distance.
 pub fn along_view(projection: &Projection, start: DVec3, points: f32) -> DVec3 {
     let eye = projection.camera().position;
     eye + (start - eye) * (f64::from(points) / 100.0).exp2()
 }
 
-/// The point of the line from `start` along `axis` (unit) that comes nearest to the ray through `place`; `None` where
-/// the axis is seen end-on, or that point is behind the eye.
+/// The point of the line from `start` along `axis` (unit) that is nearest to the ray through `place`; `None` if the axis is nearly
+/// parallel to the view, or that point is behind the eye.
 pub fn along_axis(projection: &Projection, start: DVec3, axis: DVec3, place: Pos2) -> Option<DVec3> {
     let camera = projection.camera();
     let ray = projection.direction(place);
@@ -41,8 +41,8 @@ pub fn along_axis(projection: &Projection, start: DVec3, axis: DVec3, place: Pos
     (camera.depth_of(point) > 0.05 * camera.near).then_some(point)
 }
 
-/// The direction (unit) from `center` to the point under `place` on a sphere of `radius`: on its near or its far side.
-/// Beside the sphere, the point of its outline that is nearest.
+/// The direction (unit) from `center` to the point under `place` on a sphere of `radius`, on its near or far side. Beside the
+/// sphere it is the nearest point of its outline.
 pub fn on_sphere(projection: &Projection, center: DVec3, radius: f64, place: Pos2, far_side: bool) -> DVec3 {
     let eye = projection.camera().position;
     let ray = projection.direction(place);
@@ -57,8 +57,8 @@ pub fn on_sphere(projection: &Projection, center: DVec3, radius: f64, place: Pos
     unit(point - center).unwrap_or(-ray)
 }
 
-/// Moves a light so that it is at `target` at `time`. What moves by itself keeps moving alike: the start of a circle or
-/// of an oscillation follows, a path is shifted as a whole.
+/// Moves a light so that it is at `target` at `time`. A moving light keeps its motion: the start of a circle or of an oscillation
+/// follows, a path is shifted as a whole.
 pub fn place_light(spec: &mut LightSettings, target: DVec3, time: f64) {
     let position = DVec3::from(spec.position.unwrap_or_default());
     let Some(motion) = &mut spec.motion else {
@@ -80,8 +80,7 @@ pub fn place_light(spec: &mut LightSettings, target: DVec3, time: f64) {
     }
 }
 
-/// A point in numbers that a person likes to read: rounded to decimals finer than half of `unit` (what one point of the
-/// window covers there).
+/// Rounds a point to readable numbers, finer than half of `unit`, the size of a point of the window there.
 pub fn tidy(point: DVec3, unit: f64) -> DVec3 {
     let decimals = -(0.5 * unit).log10().floor();
     if !(-12.0..=12.0).contains(&decimals) {
@@ -102,7 +101,7 @@ mod tests {
     use gonio_scene::scene_file::LightSourceKind;
     use gonio_scene::settings::Motion;
 
-    /// Different in every run of the loop, the same in every run of the test (SplitMix64).
+    /// A random generator with a fixed seed (SplitMix64).
     struct Random(u64);
 
     impl Random {
@@ -130,7 +129,7 @@ mod tests {
         }
     }
 
-    /// Half of a visible distance.
+    /// Tolerance in points of the window.
     const POINT: f32 = 0.5;
 
     #[test]

@@ -12,11 +12,11 @@ use gonio_scene::settings::LightSettings;
 
 /// Radius of a light's disc, points.
 pub const RADIUS: f32 = 7.0;
-/// Length of the arrow of a directional light and of a spot's beam, points.
+/// Length of the arrows of directional and spot lights, points.
 const ARROW: f64 = 46.0;
-/// Corners of a circle.
+/// Number of corners of a circle.
 const CORNERS: usize = 64;
-/// Narrowest and widest beam that the icon of a spot shows, radians.
+/// Narrowest and widest half angle of a spot's icon, radians.
 const BEAM: (f32, f32) = (0.16, 1.0);
 
 /// Draws one light.
@@ -36,7 +36,7 @@ pub fn light(painter: &Painter, projection: &Projection, mark: &Mark, emphasised
     paint::disc(painter, place, radius, mark.color, mark.off);
 }
 
-/// A light outside of the picture, at the picture's edge: it points to where it is.
+/// A mark at the picture's edge for a light outside of it, which points to the light.
 pub fn off_screen(painter: &Painter, rect: egui::Rect, place: Pos2, mark: &Mark) {
     let way = (place - rect.center()).normalized();
     let side = way.rot90();
@@ -46,7 +46,7 @@ pub fn off_screen(painter: &Painter, rect: egui::Rect, place: Pos2, mark: &Mark)
     paint::disc(painter, place, 0.75 * RADIUS, mark.color, mark.off);
 }
 
-/// A ring around what is selected.
+/// A ring around the selected light.
 pub fn selected(painter: &Painter, place: Pos2, color: Color32) {
     painter.circle_stroke(place, RADIUS + 6.0, Stroke::new(3.5, Color32::from_black_alpha(120)));
     painter.circle_stroke(place, RADIUS + 6.0, Stroke::new(2.0, color));
@@ -59,7 +59,7 @@ fn way_on_screen(projection: &Projection, anchor: DVec3, direction: DVec3) -> Op
     (way.length() > 1.0).then_some(way)
 }
 
-/// Short rays all around: it shines in all directions.
+/// Short rays in all directions, for a point light.
 fn rays(painter: &Painter, place: Pos2, mark: &Mark) {
     for i in 0..8 {
         let ahead = Vec2::angled(i as f32 * std::f32::consts::TAU / 8.0);
@@ -88,7 +88,7 @@ fn rotated(v: Vec2, angle: f32) -> Vec2 {
     Vec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
 }
 
-/// A circle about `axis` through points at `radius` from `center`, as it is seen.
+/// A circle of `radius` around `center` in the plane perpendicular to `axis`, in the window.
 pub fn circle(projection: &Projection, center: DVec3, axis: DVec3, radius: f64) -> Vec<Option<Pos2>> {
     let u = any_orthonormal_vector(axis);
     let v = axis.cross(u);
@@ -100,7 +100,7 @@ pub fn circle(projection: &Projection, center: DVec3, axis: DVec3, radius: f64) 
         .collect()
 }
 
-/// A spot's cone as far as `end`: its inner and its outer circle, and the outline from the light.
+/// A spot's cone up to `end`: its inner and outer circle, and lines from the light.
 pub fn cone(painter: &Painter, projection: &Projection, mark: &Mark, end: DVec3, angles: (f64, f64)) {
     let reach = end - mark.anchor;
     let (length, axis) = (reach.length(), reach.normalize_or(DVec3::NEG_Y));
@@ -119,7 +119,7 @@ pub fn cone(painter: &Painter, projection: &Projection, mark: &Mark, end: DVec3,
     }
 }
 
-/// The way that a moving light goes in one period.
+/// The path of a moving light in one period.
 pub fn path(painter: &Painter, projection: &Projection, spec: &LightSettings, color: Color32) {
     let Some(motion) = &spec.motion else { return };
     let position = DVec3::from(spec.position.unwrap_or_default());

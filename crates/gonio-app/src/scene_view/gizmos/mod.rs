@@ -1,14 +1,14 @@
 //! Gizmos of the lights in the picture, to select and to drag.
 //!
-//! | part | dragged |
+//! | part | effect of a drag |
 //! |---|---|
-//! | bulb, lamp | in the plane of the picture; with Shift along the view |
-//! | arms along x, y, z (of the chosen light) | along that axis |
-//! | sun (a directional light, beside the objects) | turns the direction; with Shift it goes to the far side |
+//! | bulb, lamp | moves the light parallel to the picture; with Shift along the view |
+//! | arms along x, y, z of the selected light | moves it along that axis |
+//! | sun of a directional light, beside the objects | turns the direction; with Shift on the far side |
 //! | end of a spot's axis, at the objects' distance | turns the spot |
-//! | rim of a spot's outer circle | opens and closes it |
+//! | rim of a spot's outer circle | changes the angle |
 //!
-//! A light outside of the picture has a mark at its edge: dragged, it comes to where the objects are.
+//! A light outside of the picture has a mark at the picture's edge. Dragging the mark moves the light to the objects.
 
 mod drag;
 mod draw;
@@ -25,7 +25,7 @@ use gonio_light::LightKind;
 use gonio_scene::settings::LightSettings;
 use gonio_scene::{Frame, Scene};
 
-/// A handle is hit within so many points of its centre; fingers are thicker.
+/// Radius around its centre, in points, in which a handle is hit by the pointer or by a finger.
 const HIT: f32 = 13.0;
 const HIT_BY_FINGER: f32 = 22.0;
 /// Length of a light's arms, points.
@@ -41,12 +41,12 @@ const WIDEST_SPOT: f64 = 85.0;
 pub struct Mark {
     index: usize,
     kind: LightKind,
-    /// World space: the light's own place, or where a directional light is shown.
+    /// Position of the light, or where a directional light is shown, world space.
     anchor: DVec3,
-    /// Its window position; `None` behind the eye and outside of the picture.
+    /// Position in the window; `None` behind the eye and outside of the picture.
     place: Option<Pos2>,
     color: Color32,
-    /// It sends no light.
+    /// Whether it emits no light.
     off: bool,
 }
 
@@ -62,15 +62,15 @@ enum Part {
 /// The start of a drag.
 #[derive(Clone, Copy, Debug)]
 struct Grab {
-    /// From the pointer to what it grabbed: it does not jump there.
+    /// Vector from the pointer to the grabbed part, which is kept during the drag.
     offset: Vec2,
-    /// World space.
+    /// Position of the part at the start, world space.
     start: DVec3,
     /// Position of the light at the start, world space.
     anchor: DVec3,
-    /// Points that the pointer went along the view so far (Shift).
+    /// Distance dragged along the view so far (Shift), points.
     along: f32,
-    /// A directional light on the far side of its sphere.
+    /// Whether a directional light is on the far side of its sphere.
     far_side: bool,
 }
 
@@ -79,17 +79,16 @@ struct Handles<'a> {
     ui: &'a Ui,
     painter: Painter,
     pane: usize,
-    /// Its handles are exported.
+    /// Whether the handles of this pane are exported.
     leads: bool,
     projection: &'a Projection,
-    /// Middle of the objects and half of their box's diagonal.
+    /// Centre of the objects and half of their box's diagonal, world space.
     center: DVec3,
     radius: f64,
     time: f64,
 }
 
-/// Shows the lights over the picture of a pane, and does what the pointer does to them. What is shown is where the
-/// picture has it: `loaded` at its time.
+/// Shows the lights over the picture of a pane, and handles drags. Lights are shown as in the picture: `loaded` at its time.
 pub fn show(
     ui: &Ui,
     pane: usize,
@@ -126,7 +125,7 @@ pub fn show(
         .enumerate()
         .filter_map(|(index, (light, spec))| handles.mark(index, light.kind, spec))
         .collect();
-    // The chosen one lies over the others.
+    // The selected light is drawn last.
     marks.sort_by_key(|mark| chosen == Some(mark.index));
     for mark in &marks {
         let is_chosen = chosen == Some(mark.index);
@@ -145,7 +144,7 @@ impl Handles<'_> {
             LightKind::Directional { direction } => self.center - direction * self.sun_distance(),
             LightKind::Point { position } | LightKind::Spot { position, .. } => position,
         };
-        // Very near to the eye a light would jump about.
+        // Lights very close to the eye are not shown, because they would move erratically.
         let nearest = 0.05 * self.projection.camera().near;
         let place = (self.projection.camera().depth_of(anchor) > nearest)
             .then(|| self.projection.to_window(anchor))
@@ -154,7 +153,7 @@ impl Handles<'_> {
         let [red, green, blue] = spec.color.0.map(|c| c as f32);
         let most = red.max(green).max(blue);
         let off = !spec.enabled || most <= 0.0 || spec.intensity == 0.0;
-        // The colour alone: how strong it is would make all lights white or black.
+        // The hue alone, because intensities would make most lights white or black.
         let scale = if most > 0.0 { 1.0 / most } else { 0.0 };
         let color = if off {
             Color32::from_gray(150)
@@ -170,7 +169,7 @@ impl Handles<'_> {
         let towards = mark.anchor - camera.position;
         let way = vec2(towards.dot(camera.right) as f32, -towards.dot(camera.up) as f32);
         let mut room = self.projection.rect().shrink(20.0);
-        // Not below the strip of views, which lies over the picture there.
+        // The toolbar covers the upper edge of the picture.
         room.min.y = (room.min.y + super::toolbar::HEIGHT).min(room.center().y);
         let way = if way.length() > 1e-6 { way.normalized() } else { vec2(0.0, -1.0) };
         let across = |half: f32, along: f32| if along.abs() > 1e-6 { half / along.abs() } else { f32::INFINITY };
@@ -183,7 +182,7 @@ impl Handles<'_> {
         (SUN_DISTANCE * self.radius).min(in_picture * self.projection.units_per_point(self.center))
     }
 
-    /// Shows one light; whether it was chosen. `shown` is as it is in the picture, `spec` is edited.
+    /// Shows one light. Returns whether it was selected. `shown` is the light in the picture, `spec` is edited.
     fn light(&self, mark: &Mark, shown: &LightSettings, spec: &mut LightSettings, is_chosen: bool) -> bool {
         let mut touched = false;
         if is_chosen {
@@ -226,7 +225,7 @@ impl Handles<'_> {
         if let LightKind::Directional { .. } = mark.kind {
             let far_side = grab.far_side != self.ui.input(|i| i.modifiers.shift);
             let towards = drag::on_sphere(self.projection, self.center, self.sun_distance(), place, far_side);
-            // A direction has no size: four decimals are finer than a point of any window.
+            // Four decimals of a direction are finer than a point of any window.
             spec.direction = Some(drag::tidy(-towards, 2e-4).to_array());
             return;
         }
@@ -238,7 +237,7 @@ impl Handles<'_> {
         drag::place_light(spec, drag::tidy(target, unit), self.time);
     }
 
-    /// The arms along the axes; whether one was dragged.
+    /// The arms along the axes. Returns whether one was dragged.
     fn arms(&self, mark: &Mark, spec: &mut LightSettings, place: Pos2) -> bool {
         let mut touched = false;
         let length = ARM * self.projection.units_per_point(mark.anchor);
@@ -246,7 +245,7 @@ impl Handles<'_> {
         for (number, (axis, tint)) in DVec3::AXES.into_iter().zip(tints).enumerate() {
             let end = mark.anchor + axis * length;
             let Some(tip) = self.projection.to_window(end) else { continue };
-            // Seen end-on there is nothing to pull at.
+            // An arm that points to the viewer cannot be dragged.
             if tip.distance(place) < 12.0 {
                 continue;
             }
@@ -262,7 +261,7 @@ impl Handles<'_> {
                 if let Some(end) = along {
                     let target = grab.anchor + axis * axis.dot(end - grab.start);
                     let tidied = drag::tidy(target, self.projection.units_per_point(target));
-                    // Only the coordinate that is dragged is rounded.
+                    // Only the dragged coordinate is rounded.
                     let target = target + axis * axis.dot(tidied - target);
                     drag::place_light(spec, target, self.time);
                 }
@@ -272,7 +271,7 @@ impl Handles<'_> {
         touched
     }
 
-    /// A spot's cone and the two handles at its end; whether one was dragged.
+    /// A spot's cone and the two handles at its end. Returns whether one was dragged.
     fn spot(&self, mark: &Mark, spec: &mut LightSettings, axis: DVec3, (inner, outer): (f64, f64)) -> bool {
         let reach = (self.center - mark.anchor).dot(axis).max(0.35 * self.radius);
         let end = mark.anchor + axis * reach;
@@ -295,7 +294,7 @@ impl Handles<'_> {
                 touched = true;
             }
         }
-        // To the picture's right, where the circle is widest as it is seen.
+        // To the right in the picture, where the circle appears widest.
         let right = self.projection.camera().right;
         let side = gonio_light::vector::unit(right - axis * right.dot(axis))
             .unwrap_or_else(|| gonio_light::vector::any_orthonormal_vector(axis));
@@ -306,7 +305,7 @@ impl Handles<'_> {
             let radius = if response.hovered() || response.dragged() { 6.0 } else { 4.5 };
             paint::disc(&self.painter, place, radius, Color32::WHITE, false);
             if let Some((grab, pointer)) = self.grabbed(&response, mark, Part::Rim, rim) {
-                // The rim slides along the line from the axis' end.
+                // The rim moves along the line from the end of the axis.
                 if let Some(at) = drag::along_axis(self.projection, grab.start, side, pointer + grab.offset) {
                     let angle = ((at - end).dot(side) / reach).atan().to_degrees().clamp(0.5, WIDEST_SPOT);
                     let ratio = if outer > 0.0 { inner / outer } else { 1.0 };
@@ -330,7 +329,7 @@ impl Handles<'_> {
         self.ui.scope_id().with(("light", self.pane, mark.index, part))
     }
 
-    /// The invisible square that is hit.
+    /// The invisible square of a handle.
     fn handle(&self, mark: &Mark, part: Part, place: Pos2) -> Response {
         let by_finger = self.ui.input(|i| i.any_touches());
         let hit = if by_finger { HIT_BY_FINGER } else { HIT };
@@ -339,14 +338,14 @@ impl Handles<'_> {
         response.on_hover_and_drag_cursor(CursorIcon::Move)
     }
 
-    /// While the handle is dragged: where that began, and the pointer.
+    /// The start of the drag and the pointer, while the handle is dragged.
     fn grabbed(&self, response: &Response, mark: &Mark, part: Part, start: DVec3) -> Option<(Grab, Pos2)> {
         let id = self.id(mark, part);
         let pointer = response.interact_pointer_pos()?;
         if response.drag_started() {
-            // What is outside of the picture comes to the pointer.
+            // A light outside of the picture moves to the pointer.
             let is_outside = part == Part::Body && mark.place.is_none();
-            // Where the button went down, not where the pointer is by now.
+            // The place where the button was pressed, not the pointer's current one.
             let origin = self.ui.input(|i| i.pointer.press_origin()).unwrap_or(pointer);
             let place = if is_outside { origin } else { self.projection.to_window(start)? };
             let camera = self.projection.camera();
@@ -360,7 +359,7 @@ impl Handles<'_> {
         let mut grab = self.ui.data(|data| data.get_temp::<Grab>(id))?;
         let turns = matches!(mark.kind, LightKind::Directional { .. });
         if part == Part::Body && !turns && self.ui.input(|i| i.modifiers.shift) {
-            // Up is away from the eye. The place in the picture stays, so the pointer's way is taken out again.
+            // Dragging up moves away from the eye. The place in the picture stays, so the offset compensates the movement.
             let way = response.way();
             grab.along -= way.y;
             grab.offset -= way;
@@ -374,7 +373,7 @@ impl Handles<'_> {
 fn exported_handle(handles: &Handles<'_>, response: &Response, light: usize, part: &str, label: &str, value: &str) {
     let label = label.to_owned();
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &label));
-    // One of each id.
+    // Ids are unique, so only one pane exports its handles.
     if handles.leads {
         let id = format!("light-{light}-{part}");
         exported::note(handles.ui, response, &id, WidgetRole::Handle, &label, value);
@@ -385,7 +384,7 @@ fn name_of(index: usize, spec: &LightSettings) -> String {
     if spec.name.is_empty() { format!("{} light {index}", spec.kind.name()) } else { spec.name.clone() }
 }
 
-/// Its position or direction.
+/// Position or direction of a light as text.
 fn coordinates(mark: &Mark) -> String {
     let v = match mark.kind {
         LightKind::Directional { direction } => direction,
