@@ -206,7 +206,7 @@ impl Renderer {
         // The sky is drawn before transparent triangles, which are blended over it, and after opaque ones, so that hidden
         // pixels are not looked up.
         if let Some(around) = pass.around.as_ref().filter(|around| around.is_visible() && !pass.is_view()) {
-            around.draw_sky(&shared, frame)?;
+            around.draw_sky(&shared, frame, target)?;
             draw_calls += 1;
         }
         if !transparent.is_empty() {

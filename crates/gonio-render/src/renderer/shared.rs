@@ -138,10 +138,10 @@ mod tests {
     use gonio_scene::{Picture, Scene};
     use std::path::Path;
 
-    /// Suzanne's 968 triangles on 40 x 30 pixels: fine ones; `finer` times as wide and high.
-    fn scene(samples: u32, finer: u32) -> Scene {
+    /// Suzanne's 968 triangles on 40 x 30 pixels: fine ones; `finer` times as wide and high. `more` ends the scene file.
+    fn scene(samples: u32, finer: u32, more: &str) -> Scene {
         let text = format!(
-            "[picture]\nwidth = {}\nheight = {}\nsamples = {samples}\n[[object]]\nmodel = \"builtin:suzanne\"\n",
+            "[picture]\nwidth = {}\nheight = {}\nsamples = {samples}\n[[object]]\nmodel = \"builtin:suzanne\"\n{more}",
             40 * finer,
             30 * finer
         );
@@ -159,25 +159,41 @@ mod tests {
     #[test]
     fn fine_triangles_are_a_finer_picture_averaged() {
         for es in [false, true] {
-            let context = crate::tests::context(es);
-            let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|error| panic!("{error}"));
-            assert!(renderer.info().is_software(), "{}", renderer.info().renderer);
-            let finer = linear(&mut renderer, &scene(1, 2));
-            let picture = linear(&mut renderer, &scene(4, 1));
-            assert_eq!((picture.width, picture.height), (40, 30));
-            let (mut differs, mut covered) = (0.0_f32, 0);
-            for (i, pixel) in picture.pixels.iter().enumerate() {
-                let (x, y) = (2 * (i % 40), 2 * (i / 40));
-                let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| finer.pixels[(y + dy) * 80 + x + dx]);
-                for channel in 0..3 {
-                    let mean = four.iter().map(|texel| texel[channel]).sum::<f32>() / 4.0;
-                    differs = differs.max((mean - pixel[channel]).abs());
-                }
-                covered += usize::from(four.iter().any(|texel| *texel != four[0]));
-            }
+            let (differs, covered) = difference_from_finer(es, "");
             // The background is a gradient with a step per row, so they may differ by half a step.
             assert!(differs < 2e-3, "{differs}");
             assert!(covered > 200, "only {covered} pixels cover an edge");
         }
+    }
+
+    /// The same for a sky whose texels are smaller than pixels: the level of a whole pixel would blur it twice.
+    #[test]
+    fn a_sky_behind_fine_triangles_is_a_finer_sky_averaged() {
+        let (differs, covered) = difference_from_finer(false, "[environment]\nimage = \"debug\"\nlight = false\n");
+        // The tolerance of the picture above; with the level of a whole pixel edges differ by much more.
+        assert!(differs < 2e-3, "{differs}");
+        assert!(covered > 200, "only {covered} pixels cover an edge");
+    }
+
+    /// The largest difference of a picture of four samples from the mean of four pixels of a finer one, and the number
+    /// of pixels whose four differ.
+    fn difference_from_finer(es: bool, more: &str) -> (f32, usize) {
+        let context = crate::tests::context(es);
+        let mut renderer = Renderer::new(context.gl().clone()).unwrap_or_else(|error| panic!("{error}"));
+        assert!(renderer.info().is_software(), "{}", renderer.info().renderer);
+        let finer = linear(&mut renderer, &scene(1, 2, more));
+        let picture = linear(&mut renderer, &scene(4, 1, more));
+        assert_eq!((picture.width, picture.height), (40, 30));
+        let (mut differs, mut covered) = (0.0_f32, 0);
+        for (i, pixel) in picture.pixels.iter().enumerate() {
+            let (x, y) = (2 * (i % 40), 2 * (i / 40));
+            let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| finer.pixels[(y + dy) * 80 + x + dx]);
+            for channel in 0..3 {
+                let mean = four.iter().map(|texel| texel[channel]).sum::<f32>() / 4.0;
+                differs = differs.max((mean - pixel[channel]).abs());
+            }
+            covered += usize::from(four.iter().any(|texel| *texel != four[0]));
+        }
+        (differs, covered)
     }
 }

@@ -8,6 +8,7 @@ use glam::DMat3;
 use gonio_environment::BrdfTable;
 use gonio_gl::objects::DebugGroup;
 use gonio_gl::program::Program;
+use gonio_gl::target::{SamplesOf, Target};
 use gonio_gl::{Gl, GlError};
 use gonio_light::{Optics, Surfaces};
 use gonio_scene::{Frame, SceneMaterial, Surroundings, TextureFilter};
@@ -95,7 +96,7 @@ impl<'a> BoundEnvironment<'a> {
     }
 
     /// Draws it where nothing opaque has been drawn: at the largest depth, with alpha 1. Depth is tested but not written.
-    pub fn draw_sky(&self, shared: &Shared, frame: &Frame) -> Result<(), GlError> {
+    pub fn draw_sky(&self, shared: &Shared, frame: &Frame, target: &Target) -> Result<(), GlError> {
         let gl = &shared.gl;
         let _group = DebugGroup::new(gl, "sky");
         let program = shared.sky_program()?;
@@ -103,7 +104,7 @@ impl<'a> BoundEnvironment<'a> {
         let unit = texture_unit("environment_map");
         let (seen, level) = match self.surroundings.blur {
             blur if blur > 0.0 => self.textures.seen_blurred(gl, blur)?,
-            _ => (self.textures.seen(), self.sky_level(self.textures.seen(), frame)),
+            _ => (self.textures.seen(), self.sky_level(self.textures.seen(), frame, target)),
         };
         program.set_i32("environment_map", unit as i32);
         program.set_mat3("environment_from_clip", &self.environment_from_clip(frame).as_mat3());
@@ -132,13 +133,16 @@ impl<'a> BoundEnvironment<'a> {
         self.surroundings.environment_from_world * world_from_clip
     }
 
-    /// One level for the whole picture: that whose texels are as far apart as pixels, in the middle of the picture and
-    /// of a face.
-    fn sky_level(&self, seen: &CubeTexture, frame: &Frame) -> f64 {
+    /// One level for the whole picture: the one whose texels are as far apart as shaded pixels, in the middle of the
+    /// picture and of a face. Where the samples of a pixel are a grid of finer pixels, each is shaded and then averaged,
+    /// so the level of a whole pixel would blur twice.
+    fn sky_level(&self, seen: &CubeTexture, frame: &Frame, target: &Target) -> f64 {
         if !self.mipmapped {
             return 0.0;
         }
-        let pixel = 2.0 * (0.5 * frame.camera.fov_y_rad).tan() / f64::from(frame.height);
+        let finer = if let (SamplesOf::Grid, side) = target.to_average() { side } else { 1 };
+        let rows = f64::from(frame.height) * f64::from(finer);
+        let pixel = 2.0 * (0.5 * frame.camera.fov_y_rad).tan() / rows;
         (0.5 * f64::from(seen.size) * pixel).max(1.0).log2()
     }
 }
