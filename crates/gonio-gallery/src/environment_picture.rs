@@ -77,7 +77,7 @@ impl EnvironmentPicture {
         let conversion = Conversion::default();
         let panorama = |from: EnvironmentRef<'_>| conversion.panorama(from, size, size / 2).image;
         let (image, cells) = match self.form {
-            PictureForm::Panorama => (panorama(self.open(None, None)?.as_from()), None),
+            PictureForm::Panorama => (panorama(self.open(None, None)?.as_environment()), None),
             PictureForm::PanoramaOfCubemap(face) => {
                 let there = cubemap(self.open(Some(face), None)?, face);
                 // Through a file, as a person converts it: half floats.
@@ -114,7 +114,7 @@ impl EnvironmentPicture {
 fn cubemap(source: EnvironmentMap, size: u32) -> Cubemap {
     match source {
         EnvironmentMap::Cubemap(map) if map.size() == size => map,
-        other => Conversion::default().cubemap(other.as_from(), size),
+        other => Conversion::default().cubemap(other.as_environment(), size),
     }
 }
 

@@ -4,7 +4,7 @@ use crate::environment::LoadedEnvironment;
 use crate::files::{self, Budgeted, FileSource};
 use crate::input_kind;
 use crate::scene_file::EnvironmentSpec;
-use crate::toml_table::nearest;
+use crate::toml_table::nearest_word;
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::builtin::{self, Builtin};
 use gonio_environment::convert::{Conversion, EnvironmentRef};
@@ -27,7 +27,7 @@ pub enum EnvironmentMap {
 
 impl EnvironmentMap {
     /// Returns the map as the input of a conversion.
-    pub fn as_from(&self) -> EnvironmentRef<'_> {
+    pub fn as_environment(&self) -> EnvironmentRef<'_> {
         match self {
             EnvironmentMap::Cubemap(map) => EnvironmentRef::Cubemap(map),
             EnvironmentMap::Panorama(panorama) => EnvironmentRef::Panorama(panorama),
@@ -59,8 +59,8 @@ pub struct OpenedEnvironment {
 /// Options for opening an environment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct EnvironmentReadOptions {
-    /// The layout of the faces. By default photographic for six files, a cross or a strip, and OpenGL's for KTX2 and DDS,
-    /// as these formats define.
+    /// The layout of the faces. By default photographic for six files, a cross or a strip, and OpenGL's for KTX2 and
+    /// DDS, as these formats define.
     pub layout: Option<Layout>,
     /// The arrangement of a single picture; by default it follows from the proportions.
     pub arrangement: Option<Arrangement>,
@@ -86,8 +86,8 @@ pub(crate) fn rebased(base: &Path, name: &str) -> String {
     files::resolve(base, name).to_string_lossy().into_owned()
 }
 
-/// Reads what `name` names, relative to `base`: a built-in environment, a picture, a folder or a pattern of six faces, or
-/// one of six faces.
+/// Reads what `name` names, relative to `base`: a built-in environment, a picture, a folder or a pattern of six faces,
+/// or one of six faces.
 ///
 /// # Errors
 ///
@@ -132,9 +132,10 @@ fn open_within<S: FileSource>(
         open_files(name, &Reader { options, files }, &files::resolve(base, name))?
     };
     match options.arrangement {
-        Some(wanted) if wanted != opened.arrangement => {
-            let (is, wanted) = (opened.arrangement, wanted.name());
-            let message = format!("this is already {is} and cannot be read as {wanted}; leave the arrangement out");
+        Some(requested) if requested != opened.arrangement => {
+            let (found, requested) = (opened.arrangement, requested.name());
+            let message =
+                format!("this is already {found} and cannot be read as {requested}; leave the arrangement out");
             Err(ReadError::new(message).in_file(name))
         }
         _ => Ok(opened),
@@ -162,7 +163,7 @@ fn no_builtin(name: &str) -> String {
 }
 
 fn nearest_builtin(name: &str) -> Option<&'static str> {
-    nearest(name, Builtin::ALL.iter().map(|b| b.name()))
+    nearest_word(name, Builtin::ALL.iter().map(|b| b.name()))
 }
 
 fn open_builtin(
@@ -232,7 +233,7 @@ impl<S: FileSource> Reader<'_, S> {
             format: Some(decoded.format),
             diagnostics: diagnostics_of(&decoded, name),
         };
-        let say = |opened: &mut OpenedEnvironment, warning: String| {
+        let warn = |opened: &mut OpenedEnvironment, warning: String| {
             opened.diagnostics.push(Diagnostic::warning(warning).in_file(name));
         };
         match decoded.shape {
@@ -249,7 +250,7 @@ impl<S: FileSource> Reader<'_, S> {
                 let recognised = arrange::recognise(image.width, image.height);
                 let arrangement = self.options.arrangement.unwrap_or(recognised.arrangement);
                 if let Some(warning) = recognised.warning.filter(|_| arrangement == recognised.arrangement) {
-                    say(&mut opened, warning);
+                    warn(&mut opened, warning);
                 }
                 opened.arrangement = arrangement;
                 if arrangement == Arrangement::Equirectangular {
@@ -407,8 +408,8 @@ fn matches(pattern: &str, name: &str) -> bool {
 /// An environment for a scene, with its warnings and notes.
 pub(crate) struct ReadEnvironment {
     pub environment: LoadedEnvironment,
-    /// The layout and the size that a scene file needs to be read as this again; `None` where image and background differ
-    /// and each has its own default.
+    /// The layout and the size that a scene file needs to be read as this again; `None` where image and background
+    /// differ and each has its own default.
     pub layout: Option<Layout>,
     pub size: Option<u32>,
     pub diagnostics: Vec<Diagnostic>,
@@ -455,7 +456,7 @@ fn layout_taken(layout: Layout, name: &str) -> Diagnostic {
 
 /// Converts to a cubemap of `size`, or of the size that suits the map.
 fn as_cubemap(source: EnvironmentMap, size: Option<u32>, name: &str, diagnostics: &mut Vec<Diagnostic>) -> Cubemap {
-    let natural = source.as_from().natural_cubemap_size();
+    let natural = source.as_environment().natural_cubemap_size();
     let usual = match &source {
         EnvironmentMap::Cubemap(_) => natural,
         EnvironmentMap::Panorama(_) => natural.min(USUAL_SIZE_MAX),
@@ -463,13 +464,13 @@ fn as_cubemap(source: EnvironmentMap, size: Option<u32>, name: &str, diagnostics
     let size = size.unwrap_or(usual);
     if usual < natural && size < natural {
         let message = format!(
-            "the panorama is as fine as a cubemap of {natural} texels an edge, and is made into one of {size}; to \
-             keep more, set a larger size"
+            "the panorama has the resolution of a cubemap of {natural} texels along an edge, and is converted to one of \
+             {size}; to keep more, set a larger size"
         );
         diagnostics.push(Diagnostic::note(message).caused_by(Cause::CoarseEnvironment).in_file(name));
     }
     match source {
         EnvironmentMap::Cubemap(map) if map.size() == size => map,
-        other => Conversion::default().cubemap(other.as_from(), size),
+        other => Conversion::default().cubemap(other.as_environment(), size),
     }
 }

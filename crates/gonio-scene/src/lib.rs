@@ -1,7 +1,7 @@
 //! A scene as plain data, and the only place that opens a scene's files.
 //!
-//! [`SceneFile`] is what a person writes (TOML): everything in it is optional. [`Scene`] is complete: its files are read
-//! and every default is filled in. [`Frame`] is the scene at one moment, the input of both renderers.
+//! [`SceneFile`] is what a person writes (TOML): everything in it is optional. [`Scene`] is complete: its files are
+//! read and every default is filled in. [`Frame`] is the scene at one moment, the input of both renderers.
 
 mod asset_cache;
 pub mod camera;
@@ -45,4 +45,5 @@ pub use scene_file::SceneFile;
 pub use settings::SceneSettings;
 pub use texture::{ColorSpace, Texture, TextureFilter};
 pub use texture_library::TextureUse;
+pub use toml_table::nearest_word;
 pub use view::{Overlay, Overlays, SpecialView, ViewSpec};

@@ -2,7 +2,7 @@
 
 use crate::scene_file::{LightSpec, MaterialOverride};
 use crate::toml_file;
-use crate::toml_table::{Entry, Fault, Item, TableReader, Value, nearest, unknown_key};
+use crate::toml_table::{Entry, Fault, Item, TableReader, Value, nearest_word, unknown_key};
 use crate::validate;
 use gonio_light::optics::Medium;
 use std::ops::Range;
@@ -34,7 +34,7 @@ impl LightSpec {
     /// `KIND key=value ...`, for example `point position=1,2,3 color=#ff8800 intensity=2`: the keys of
     /// a `[[light]]` in a scene file, with `-` or `_`, vectors with commas. A motion is written
     /// `motion=oscillate period=2 amplitude=0,0,2`; the points of a path have semicolons between them. `off` after the
-    /// kind stands for `enabled=false`.
+    /// kind means `enabled=false`.
     ///
     /// The error is one sentence that begins with the place in the text, from 1.
     pub fn from_option_text(text: &str) -> Result<LightSpec, String> {
@@ -44,8 +44,8 @@ impl LightSpec {
 
 impl MaterialOverride {
     /// `key=value ...`, for example `diffuse=#ff8800 shininess=32`: the keys of an object's
-    /// `material` in a scene file. Commas between the pairs are allowed too. A medium's name alone (`glass`) stands for
-    /// `medium=glass`, `mirror` for `reflectivity=1`.
+    /// `material` in a scene file. Commas between the pairs are allowed too. A medium's name alone (`glass`) means
+    /// `medium=glass`, `mirror` means `reflectivity=1`.
     pub fn from_option_text(text: &str) -> Result<MaterialOverride, String> {
         read_material(text).map_err(|fault| in_option(text, fault))
     }
@@ -104,7 +104,7 @@ fn read_light(text: &str) -> Result<LightSpec, Fault> {
 
 fn read_material(text: &str) -> Result<MaterialOverride, Fault> {
     let words = words(text, |c| c.is_whitespace() || c == ',');
-    // Names stand first: a later word without `=` goes on with the value before it.
+    // Names come first: a later word without `=` goes on with the value before it.
     let named = words.iter().take_while(|(_, word)| !word.contains('=')).count();
     let mut entries = Vec::new();
     for (span, word) in &words[..named] {
@@ -134,7 +134,7 @@ fn preset(span: &Range<usize>, word: &str) -> Result<Entry, Fault> {
         Err(_) => {
             let known = || std::iter::once("mirror").chain(Medium::ALL.iter().map(|m| m.name()));
             let names = known().collect::<Vec<_>>().join(", ");
-            let meant = nearest(word, known()).map_or(String::new(), |known| format!("; did you mean `{known}`?"));
+            let meant = nearest_word(word, known()).map_or(String::new(), |known| format!("; did you mean `{known}`?"));
             Err(Fault::at(span, format!("`{word}` has no value: expected key=value or one of {names}{meant}")))
         }
     }

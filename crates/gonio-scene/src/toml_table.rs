@@ -1,7 +1,7 @@
-//! The tables of scene files and options before they are interpreted: a tree of values with their positions in the text,
-//! and typed access to it.
+//! The tables of scene files and options before they are interpreted: a tree of values with their positions in the
+//! text, and typed access to it.
 //!
-//! Every key that is asked for is a known key, so the list in an error message is the list that is understood.
+//! Every key that is read is a known key, so the list in an error message is complete.
 
 use crate::color_value::Color;
 use gonio_light::names::UnknownName;
@@ -168,7 +168,7 @@ impl<'a> TableReader<'a> {
         self.entries.iter().find(|e| e.key == key).map(|e| &e.item)
     }
 
-    fn wants(key: &str, what: &str, item: &Item) -> Fault {
+    fn expected(key: &str, what: &str, item: &Item) -> Fault {
         Fault::at(&item.span, format!("`{key}`: expected {what}, found {}", item.value.describe()))
     }
 
@@ -177,7 +177,7 @@ impl<'a> TableReader<'a> {
         let Some(item) = self.get(key) else { return Ok(None) };
         match item.value {
             Value::Number(number) => Ok(Some(number)),
-            _ => Err(Self::wants(key, "a number", item)),
+            _ => Err(Self::expected(key, "a number", item)),
         }
     }
 
@@ -189,7 +189,7 @@ impl<'a> TableReader<'a> {
             Value::Number(n) => {
                 Err(Fault::at(&item.span, format!("`{key}`: expected a whole number of at least 0, found {n}")))
             }
-            _ => Err(Self::wants(key, "a whole number", item)),
+            _ => Err(Self::expected(key, "a whole number", item)),
         }
     }
 
@@ -198,7 +198,7 @@ impl<'a> TableReader<'a> {
         let Some(item) = self.get(key) else { return Ok(None) };
         match &item.value {
             Value::Text(text) => Ok(Some(text.clone())),
-            _ => Err(Self::wants(key, "a string", item)),
+            _ => Err(Self::expected(key, "a string", item)),
         }
     }
 
@@ -207,7 +207,7 @@ impl<'a> TableReader<'a> {
         let Some(item) = self.get(key) else { return Ok(None) };
         match item.value {
             Value::Truth(truth) => Ok(Some(truth)),
-            _ => Err(Self::wants(key, "true or false", item)),
+            _ => Err(Self::expected(key, "true or false", item)),
         }
     }
 
@@ -221,18 +221,18 @@ impl<'a> TableReader<'a> {
         let Some(item) = self.get(key) else { return Ok(None) };
         match &item.value {
             Value::List(items) => items.iter().map(|item| vector_of(key, item)).collect::<Result<_, _>>().map(Some),
-            _ => Err(Self::wants(key, "a list of points [[x, y, z], ...]", item)),
+            _ => Err(Self::expected(key, "a list of points [[x, y, z], ...]", item)),
         }
     }
 
     /// A colour.
     pub fn color(&mut self, key: &'static str) -> Result<Option<Color>, Fault> {
         let Some(item) = self.get(key) else { return Ok(None) };
-        let wants = || Self::wants(key, "a colour, [r, g, b] in linear light or \"#rrggbb\" in sRGB", item);
+        let expected = || Self::expected(key, "a colour, [r, g, b] in linear light or \"#rrggbb\" in sRGB", item);
         let color = match &item.value {
             Value::Text(text) => text.parse().map_err(|e| Fault::at(&item.span, format!("`{key}`: {e}")))?,
-            Value::List(_) => Color(vector_of(key, item).map_err(|_| wants())?),
-            _ => return Err(wants()),
+            Value::List(_) => Color(vector_of(key, item).map_err(|_| expected())?),
+            _ => return Err(expected()),
         };
         if color.0.iter().any(|v| !v.is_finite() || *v < 0.0) {
             let message = format!("`{key}` is a colour: its numbers must be finite and not negative");
@@ -249,11 +249,11 @@ impl<'a> TableReader<'a> {
                 Ok(value) => Ok(Some(value)),
                 Err(unknown) => Err(Fault::at(&item.span, unknown_word(key, &unknown))),
             },
-            _ => Err(Self::wants(key, "a word in quotes", item)),
+            _ => Err(Self::expected(key, "a word in quotes", item)),
         }
     }
 
-    /// A table inside of this one.
+    /// A table inside this one.
     pub fn table(&mut self, key: &'static str, heading: &str) -> Result<Option<TableReader<'a>>, Fault> {
         self.get(key).map(|item| TableReader::new(heading, item)).transpose()
     }
@@ -268,11 +268,11 @@ impl<'a> TableReader<'a> {
                 let message = format!("`{key}` is a list of tables: write {heading} with two brackets");
                 Err(Fault::at(&item.span, message))
             }
-            _ => Err(Self::wants(key, &format!("tables, each headed {heading}"), item)),
+            _ => Err(Self::expected(key, &format!("tables, each headed {heading}"), item)),
         }
     }
 
-    /// Nothing else may stand in the table.
+    /// Reports a key that was not read.
     pub fn finish(&self) -> Result<(), Fault> {
         match self.entries.iter().find(|e| !self.asked.contains(&e.key.as_str())) {
             None => Ok(()),
@@ -281,37 +281,38 @@ impl<'a> TableReader<'a> {
     }
 }
 
-/// The sentence about a key that nothing asked for.
+/// The message about an unknown key.
 pub(crate) fn unknown_key(key: &str, heading: &str, known: &[&'static str]) -> String {
-    let meant = nearest(key, known.iter().copied()).map_or(String::new(), |word| format!("; did you mean `{word}`?"));
+    let meant =
+        nearest_word(key, known.iter().copied()).map_or(String::new(), |word| format!("; did you mean `{word}`?"));
     let stop = if meant.is_empty() { "." } else { "" };
     format!("unknown key `{key}` in {heading}{meant}{stop} Known keys: {}", known.join(", "))
 }
 
-/// The sentence about a word that an enum does not have.
+/// The message about an unknown word of an enum.
 pub(crate) fn unknown_word(key: &str, unknown: &UnknownName) -> String {
-    let meant = nearest(&unknown.given, unknown.known.iter().copied())
+    let meant = nearest_word(&unknown.given, unknown.known.iter().copied())
         .map_or(String::new(), |word| format!("; did you mean `{word}`?"));
     format!("`{key}`: {unknown}{meant}")
 }
 
 fn vector_of(key: &str, item: &Item) -> Result<[f64; 3], Fault> {
-    let wants =
+    let expected =
         |at: &Item, got: String| Fault::at(&at.span, format!("`{key}`: expected three numbers [x, y, z], found {got}"));
-    let Value::List(items) = &item.value else { return Err(wants(item, item.value.describe())) };
+    let Value::List(items) = &item.value else { return Err(expected(item, item.value.describe())) };
     let mut vector = [0.0; 3];
     for (i, item) in items.iter().enumerate() {
         match item.value {
             Value::Number(number) if i < 3 => vector[i] = number,
             Value::Number(_) => break,
-            _ => return Err(wants(item, format!("{} among them", item.value.describe()))),
+            _ => return Err(expected(item, format!("{} among them", item.value.describe()))),
         }
     }
-    if items.len() == 3 { Ok(vector) } else { Err(wants(item, item.value.describe())) }
+    if items.len() == 3 { Ok(vector) } else { Err(expected(item, item.value.describe())) }
 }
 
-/// The word among `known` that `given` was most likely meant to be.
-pub(crate) fn nearest<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+/// The word among `known` that `given` was probably meant to be: one letter in three may be wrong, or the end missing.
+pub fn nearest_word<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let given = given.to_lowercase();
     let allowed = (given.chars().count() / 3).max(1);
     known

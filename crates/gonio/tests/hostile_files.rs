@@ -223,7 +223,7 @@ fn a_sandbox_holds_in_every_command() {
     lab.write("in/absolute.obj", TRIANGLE.replace("t.mtl", &lab.path("secret.mtl").to_string_lossy()));
     lab.write("in/t.mtl", "newmtl m\nmap_Kd ../secret.png\n");
     lab.write("in/texture.obj", TRIANGLE);
-    let says = "lies outside the folder of the input, and the sandbox forbids";
+    let says = "is outside the folder of the input, and the sandbox forbids";
     for model in ["in/link.obj", "in/up.obj", "in/absolute.obj", "in/texture.obj"] {
         let picture = ["-o", "out.png", "--size", "8x8", "--samples", "1", "--backend", "cpu"];
         let render = [&["render", model][..], &picture].concat();

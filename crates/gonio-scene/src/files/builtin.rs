@@ -1,6 +1,6 @@
 //! Models and scenes that gonio carries with it.
 
-use crate::toml_table::nearest;
+use crate::toml_table::nearest_word;
 use gonio_mesh::sphere;
 use std::fmt::Write;
 use std::io::{Error, ErrorKind};
@@ -23,7 +23,8 @@ macro_rules! builtin_files {
     };
 }
 
-/// Every built-in file, by its path below `assets`. (`web/build/pack.mjs` reads this list, to put them beside the page.)
+/// Every built-in file, by its path below `assets`. (`web/build/pack.mjs` reads this list, to put them beside the
+/// page.)
 static FILES: &[(&str, Option<&[u8]>)] = builtin_files![
     "models/cube.obj",
     "models/cube.mtl",
@@ -125,11 +126,11 @@ pub(super) fn sphere_file(name: &str) -> Option<Vec<u8>> {
 
 /// The path below `assets` that the name after `builtin:` stands for.
 pub(super) fn builtin_path(name: &str) -> String {
-    let wanted = name.replace('_', "-");
+    let spelling = name.replace('_', "-");
     if let Some(triangles) = count_of_sphere(name) {
         return format!("models/sphere_{triangles}.obj");
     }
-    named().find(|(known, _)| *known == wanted).map_or_else(|| name.to_owned(), |(_, path)| path.to_owned())
+    named().find(|(known, _)| *known == spelling).map_or_else(|| name.to_owned(), |(_, path)| path.to_owned())
 }
 
 /// The name of a built-in file, if `path` is one; `..` is worked out.
@@ -162,7 +163,7 @@ pub(super) fn no_builtin(name: &str) -> Error {
         return Error::new(ErrorKind::NotFound, "this sample was not downloaded; load the page again");
     }
     let names = builtin_names();
-    let meant = nearest(name, names.iter().map(String::as_str))
+    let meant = nearest_word(name, names.iter().map(String::as_str))
         .map_or(String::new(), |word| format!("; did you mean `{BUILTIN}{word}`?"));
     let names = names.join(", ");
     let message = format!("unknown built-in file: expected one of {names}, or sphere-N with N triangles{meant}");

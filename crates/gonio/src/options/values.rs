@@ -4,7 +4,7 @@
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use gonio_scene::color_value::Color;
 use gonio_scene::validate::{MAX_CUBEMAP_SIZE, MAX_PIXELS, MAX_SIDE};
-use gonio_scene::{SpecialView, ViewSpec};
+use gonio_scene::{SpecialView, ViewSpec, nearest_word};
 use std::str::FromStr;
 
 /// A parser for an enum by the names of its variants.
@@ -188,7 +188,7 @@ pub fn frames(text: &str) -> Result<u32, String> {
 pub fn view(text: &str) -> Result<ViewSpec, String> {
     ViewSpec::from_str(text).map_err(|message| {
         let name = text.split(':').next().unwrap_or(text).trim().to_lowercase();
-        match nearest(&name, gonio_light::Quantity::ALL.iter().map(|q| q.name())) {
+        match nearest_word(&name, gonio_light::Quantity::ALL.iter().map(|q| q.name())) {
             Some(known) if known != name => format!("{message}; did you mean `{known}`?"),
             _ => message,
         }
@@ -244,18 +244,6 @@ pub fn background(text: &str) -> Result<BackgroundValue, String> {
     let (top, bottom) = text.split_once(':').unwrap_or((text, text));
     let color = |t: &str| t.parse::<Color>().map_err(|e| format!("{e}; or the word transparent"));
     Ok(BackgroundValue::Colors(color(top)?, color(bottom)?))
-}
-
-/// The known word that `word` was probably meant to be: one letter in three may be wrong, or the end may be missing.
-pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let word = word.to_lowercase();
-    let allowed = (word.chars().count() / 3).max(1);
-    known
-        .into_iter()
-        .map(|known| (strsim::damerau_levenshtein(&word, known), known))
-        .filter(|(distance, known)| *distance <= allowed || (word.len() >= 3 && known.starts_with(&word)))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, known)| known)
 }
 
 /// Checks the size of a picture. The error names the largest size.

@@ -141,7 +141,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     let busy = reporter.busy("converting");
     let (written, size, filter) = if plan.container.has_faces() {
         let size = face_size(args, &opened)?;
-        let filter = conversion.filter_for(&opened.map.as_from(), 2.0 / f64::from(size));
+        let filter = conversion.filter_for(&opened.map.as_environment(), 2.0 / f64::from(size));
         let read = describe(&opened);
         let map = times.measure("convert", || engine.cubemap(opened.map, &conversion, size, reporter))?;
         let written = times.measure("write", || plan.write_cubemap(map, &appearance))?;
@@ -154,7 +154,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
         (written, (size, size), filter)
     } else {
         let (width, height) = panorama_size(args, &opened)?;
-        let filter = conversion.filter_for(&opened.map.as_from(), std::f64::consts::PI / f64::from(height));
+        let filter = conversion.filter_for(&opened.map.as_environment(), std::f64::consts::PI / f64::from(height));
         let read = describe(&opened);
         let panorama =
             times.measure("convert", || engine.panorama(opened.map, &conversion, width, height, reporter))?;
@@ -214,9 +214,9 @@ impl Engine {
         match (source, self) {
             // Unchanged: nothing to look up.
             (EnvironmentMap::Cubemap(map), _) if map.size() == size && conversion.is_not_turned() => Ok(map),
-            (source, Engine::Cpu) => Ok(conversion.cubemap(source.as_from(), size)),
+            (source, Engine::Cpu) => Ok(conversion.cubemap(source.as_environment(), size)),
             (source, Engine::Gl(converter)) => {
-                let made = converter.cubemap(conversion, source.as_from(), size)?;
+                let made = converter.cubemap(conversion, source.as_environment(), size)?;
                 made.notes.iter().for_each(|note| reporter.note(note));
                 Ok(made.environment)
             }
@@ -237,9 +237,9 @@ impl Engine {
             {
                 Ok(panorama)
             }
-            (source, Engine::Cpu) => Ok(conversion.panorama(source.as_from(), width, height)),
+            (source, Engine::Cpu) => Ok(conversion.panorama(source.as_environment(), width, height)),
             (source, Engine::Gl(converter)) => {
-                let made = converter.panorama(conversion, source.as_from(), width, height)?;
+                let made = converter.panorama(conversion, source.as_environment(), width, height)?;
                 made.notes.iter().for_each(|note| reporter.note(note));
                 Ok(made.environment)
             }
@@ -277,7 +277,7 @@ fn check_panorama(width: u32, height: u32) -> Result<(), CliError> {
 }
 
 fn face_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<u32, CliError> {
-    let size = args.size.map_or_else(|| opened.map.as_from().natural_cubemap_size(), |(size, _)| size);
+    let size = args.size.map_or_else(|| opened.map.as_environment().natural_cubemap_size(), |(size, _)| size);
     check_faces(size).map(|()| size)
 }
 
@@ -287,7 +287,7 @@ fn panorama_size(args: &ConvertArgs, opened: &OpenedEnvironment) -> Result<(u32,
         (Some((width, None)), _) => (width, (width / 2).max(1)),
         (None, EnvironmentMap::Panorama(panorama)) => (panorama.image.width, panorama.image.height),
         (None, source) => {
-            let height = source.as_from().natural_panorama_height();
+            let height = source.as_environment().natural_panorama_height();
             (height.saturating_mul(2), height)
         }
     };

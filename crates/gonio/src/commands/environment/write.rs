@@ -1,7 +1,6 @@
 //! Writing an environment: as what, where to, and in which format.
 
 use crate::error::CliError;
-use crate::options::values::nearest;
 use crate::output::{OutputFiles, OutputPath, atomic};
 use gonio_environment::arrange::{self, Arrangement};
 use gonio_environment::{CubeMips, Cubemap, Face, Layout, Panorama};
@@ -9,6 +8,7 @@ use gonio_image::decode::{self, DecodedContent, FileFormat};
 use gonio_image::encode::{exr, hdr, ktx2, png};
 use gonio_image::{DecodeLimits, Image, ImageError};
 use gonio_light::color::{OutputTransform, ToneMap};
+use gonio_scene::nearest_word;
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -385,14 +385,14 @@ fn first_exact<T>(ways: &[T], pictures: &[Image], encode: impl Fn(&T) -> Bytes) 
 fn means_a_file(extension: &str) -> bool {
     const OTHERS: [&str; 14] =
         ["jpg", "jpeg", "dds", "ktx", "tga", "bmp", "tif", "tiff", "webp", "gif", "avif", "jxl", "pic", "rgbe"];
-    OTHERS.contains(&extension) || (extension.len() >= 3 && nearest(extension, WRITTEN).is_some())
+    OTHERS.contains(&extension) || (extension.len() >= 3 && nearest_word(extension, WRITTEN).is_some())
 }
 
 /// Extensions of files that can be written.
 const WRITTEN: [&str; 4] = ["png", "exr", "hdr", "ktx2"];
 
 fn unsupported(output: &str, extension: &str) -> String {
-    let hint = nearest(extension, WRITTEN).map_or(String::new(), |known| format!("; did you mean .{known}?"));
+    let hint = nearest_word(extension, WRITTEN).map_or(String::new(), |known| format!("; did you mean .{known}?"));
     format!(
         "`{output}`: unsupported format `.{extension}`: expected .png, .exr, .hdr or .ktx2, or a folder for six faces{hint}"
     )

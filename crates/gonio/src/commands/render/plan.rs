@@ -1,11 +1,11 @@
 //! The files that `render` will write, settled before anything is drawn.
 
 use crate::error::CliError;
-use crate::options::values::nearest;
 use crate::output::atomic;
 use crate::output::{OutputKind, OutputPath, check_stdout};
 use crate::report::Reporter;
 use gonio_scene::ViewSpec;
+use gonio_scene::nearest_word;
 use std::path::{Path, PathBuf};
 
 /// A picture file's format.
@@ -44,7 +44,7 @@ impl PictureFormat {
             "" => "the name has no extension to choose the format by".to_owned(),
             other => format!("unsupported format `.{other}`"),
         };
-        let nearest = nearest(&extension, Self::ALL.iter().map(|f| f.name()));
+        let nearest = nearest_word(&extension, Self::ALL.iter().map(|f| f.name()));
         let hint = nearest.map(|k| format!("; did you mean .{k}?")).unwrap_or_default();
         Err(CliError::new(format!(
             "`{}`: {what}: expected .png (8 or 16 bits), .exr (linear float), .apng or .gif (animations){hint}",
