@@ -20,7 +20,7 @@
 //!   and OpenEXR (downwards) have. Its cells are not continuous.
 //!
 //! Grids of 3 x 2 are not read: those in use (ffmpeg's `c3x2`, video platforms) differ in order and in turned faces, and
-//! nothing in the picture says which one it is.
+//! nothing in the picture shows which one it is.
 
 use crate::face::{Face, Layout};
 use crate::panorama::color;
@@ -118,8 +118,8 @@ pub struct Arranged {
 ///
 /// # Errors
 ///
-/// A size that is not such a grid of square cells; [`Arrangement::Faces`] and [`Arrangement::Equirectangular`], which are
-/// not six faces in one picture.
+/// A size that is not such a grid of square cells; [`Arrangement::Faces`] and [`Arrangement::Equirectangular`], which
+/// are not six faces in one picture.
 pub fn to_cubemap(image: &Image, arrangement: Arrangement, layout: Layout) -> Result<Arranged, EnvironmentError> {
     let size = cell_size(image, arrangement)?;
     let (mut notes, mut warnings) = (Vec::new(), Vec::new());
@@ -155,7 +155,7 @@ const CELLS_NOT_EMPTY: &str =
 ///
 /// # Errors
 ///
-/// As of [`to_cubemap`], and where the picture would be wider or higher than can be counted.
+/// Those of [`to_cubemap`], and a picture that would be too wide or too high for its size to be counted.
 pub fn from_cubemap(map: &Cubemap, arrangement: Arrangement, layout: Layout) -> Result<Image, EnvironmentError> {
     let (across, down) = arrangement.grid().ok_or_else(|| no_grid(arrangement))?;
     let size = map.size();
@@ -222,8 +222,8 @@ pub struct Recognised {
     pub warning: Option<String>,
 }
 
-/// Guesses the arrangement of a picture from its size: 4:3 a cross, 3:4 a vertical one, 6:1 and 1:6 strips, 2:1 equirectangular.
-/// Everything else is equirectangular too, with a warning that says what its width and height then mean.
+/// Guesses the arrangement of a picture from its size: 4:3 a cross, 3:4 a vertical one, 6:1 and 1:6 strips, 2:1
+/// equirectangular. All other sizes are equirectangular too, with a warning that explains their width and height.
 pub fn recognise(width: u32, height: u32) -> Recognised {
     let (w, h) = (u64::from(width), u64::from(height));
     let is = |across: u64, down: u64| w * down == h * across && w.is_multiple_of(across);
@@ -245,7 +245,7 @@ pub fn recognise(width: u32, height: u32) -> Recognised {
 /// Whether a cross begins with the face behind; and whether the cells that are empty then are (almost) of one colour.
 ///
 /// The first and the last column are empty above and below the sides in both crosses, and show what empty looks like.
-/// Of the second and the third column the one whose upper and lower cell look more like that is empty too.
+/// Of the second and the third column, the one whose upper and lower cell look more like that is empty too.
 fn is_back_first(image: &Image, size: u32) -> (bool, bool) {
     let corners = [(0, 0), (0, 2), (3, 0), (3, 2)];
     let empty = CellStatistics::of_cells(image, size, &corners);
@@ -284,7 +284,7 @@ impl CellStatistics {
         CellStatistics { mean, spread }
     }
 
-    /// How far the pixels are from another's mean.
+    /// The distance of the pixels from another's mean.
     fn distance(&self, other: &CellStatistics) -> f64 {
         (self.mean - other.mean).abs().element_sum() / 3.0 + self.spread
     }
@@ -373,10 +373,10 @@ mod tests {
         let map = smooth(4);
         let image = picture(&map, Arrangement::Cross, Layout::Photographic);
         let near = |x: u32, y: u32, d: DVec3| {
-            let wanted = d.normalize() + 1.5;
+            let expected = d.normalize() + 1.5;
             let found = crate::panorama::color(image.at(x, y));
             // Stored as f32.
-            assert!(found.abs_diff_eq(wanted, 1e-6), "{x} {y}: {found} is not {wanted}");
+            assert!(found.abs_diff_eq(expected, 1e-6), "{x} {y}: {found} is not {expected}");
         };
         // Of a size of 4 the middles of texels are at -3/4, -1/4, 1/4, 3/4. Ahead is -Z.
         near(4, 4, DVec3::new(-0.75, 0.75, -1.0));
@@ -399,7 +399,7 @@ mod tests {
         assert_eq!(back.cubemap, map);
         assert_eq!(back.notes, ["the cross begins with the face behind, `negz`"]);
         assert!(back.warnings.is_empty());
-        // White instead of black, and a sky of one colour: the corners say what empty is.
+        // White instead of black, and a sky of one colour: the corners show what empty is.
         let mut plain = Cubemap::new(8, [0.1, 0.2, 0.9, 1.0]);
         plain.face_mut(Face::NegY).fill([0.0, 0.0, 0.0, 1.0]);
         let mut white = picture(&plain, Arrangement::Cross, Layout::Photographic);

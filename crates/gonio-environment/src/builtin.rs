@@ -23,8 +23,8 @@ named_enum! {
     what "built-in environment";
 }
 
-/// The room, Radiance HDR. Made for gonio with Blender, half of the original's size. A module for the web does not carry
-/// it along: it would be a third of it, and the first picture does not want it.
+/// The room, Radiance HDR. Made for gonio with Blender, half of the original's size. A module for the web does not
+/// carry it along: it would be a third of it, and the first picture does not want it.
 #[cfg(not(target_arch = "wasm32"))]
 const ROOM: Option<&[u8]> = Some(include_bytes!("../../../assets/environments/room.hdr"));
 #[cfg(target_arch = "wasm32")]
@@ -37,7 +37,7 @@ impl Builtin {
     /// The environment as a cubemap of `size` texels an edge (0 counts as 1). The debug cubemap has the file names of a
     /// layout written on it; the others do not depend on it.
     ///
-    /// Of the room there are 128 pixels to 90 degrees: larger sizes show no more of it. An error only where the room's
+    /// The room has 128 pixels per 90 degrees: larger sizes show no more detail. The only error is that the room's
     /// file, which is part of the program, cannot be read.
     pub fn cubemap(self, size: u32, layout: Layout) -> Result<Cubemap, EnvironmentError> {
         match self {
@@ -94,8 +94,8 @@ mod tests {
             // As the panorama has it, not mirrored and not turned.
             if size == 200 {
                 for d in [DVec3::new(1.0, 0.2, 0.3), DVec3::new(-0.4, -0.3, -1.0), DVec3::new(0.2, -1.0, 0.1)] {
-                    let (got, wanted) = (map.sample(d), room.sample(d));
-                    assert!(got.abs_diff_eq(wanted, 0.1 * wanted.max_element()), "{d}: {got} is not {wanted}");
+                    let (got, expected) = (map.sample(d), room.sample(d));
+                    assert!(got.abs_diff_eq(expected, 0.1 * expected.max_element()), "{d}: {got} is not {expected}");
                 }
             }
         }

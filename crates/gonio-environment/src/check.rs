@@ -1,8 +1,8 @@
 //! Certifies six faces: do the twelve edges meet, and if not, which faces are mirrored, turned or swapped?
 //!
-//! Edges cannot tell everything: the two layouts of faces have the same edges, and so have a world, its mirror image and
-//! the world turned as a whole. Of all arrangements that fit, the one that changes the fewest faces is proposed. A face along
-//! whose edges nothing changes fits in any orientation.
+//! Edges do not show everything: the two layouts of faces have the same edges, and so have a world, its mirror image
+//! and the world turned as a whole. Of all arrangements that fit, the one that changes the fewest faces is proposed. A
+//! face along whose edges nothing changes fits in any orientation.
 
 use crate::EnvironmentError;
 use crate::cubemap::check_sizes;
@@ -12,15 +12,15 @@ use crate::repair::Repair;
 use crate::seams::{MISFIT_MAX, Seams};
 use gonio_image::Image;
 
-/// Arrangements fit equally well whose misfits differ by less than this part: five standard deviations of what noise does
-/// to four of twelve edges with 128 samples each.
+/// Arrangements fit equally well whose misfits differ by less than this part: five standard deviations of what noise
+/// does to four of twelve edges with 128 samples each.
 const RELATIVE: f64 = 0.15;
 
 /// And by less than this: a tenth of the misfit of one edge that is right, for each of the twelve.
 const ABSOLUTE: f64 = 0.6;
 
-/// An edge meets whose misfit is below this: its difference is then up to 3.5 times that of the rows beside it. Pictures
-/// that do not belong together have far more, and compression of pictures rarely as much.
+/// An edge meets whose misfit is below this: its difference is then up to 3.5 times that of the rows beside it.
+/// Pictures that do not belong together have far more, and compression of pictures rarely as much.
 const MEETS: f64 = 6.0;
 
 /// One of the twelve edges, as the files were given.
@@ -43,12 +43,12 @@ impl Edge {
     }
 }
 
-/// How well six faces fit together, by their edges.
+/// The fit of six faces, by their edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FaceFit {
     /// The faces fit as they are.
     Fits,
-    /// Another arrangement fits, but not this one.
+    /// The faces fit in another arrangement.
     Misplaced,
     /// The edges meet in no arrangement: the faces are not one continuous picture.
     NeverMeets,
@@ -63,18 +63,18 @@ pub struct Certificate {
     pub layout: Layout,
     /// The twelve edges as given.
     pub edges: Vec<Edge>,
-    /// How well the faces fit together.
+    /// The fit of the faces.
     pub fit: FaceFit,
     /// The repair; nothing unless the fit is [`FaceFit::Misplaced`].
     pub repair: Repair,
-    /// Repairs that fit equally well: those that leave the same world turned as a whole and change as few faces, and last
-    /// the one that leaves its mirror image (the right one if text is reversed after `repair`). Empty unless the
+    /// Repairs that fit equally well: those that leave the same world turned as a whole and change as few faces, and
+    /// last the one that leaves its mirror image (the right one if text is reversed after `repair`). Empty unless the
     /// fit is [`FaceFit::Misplaced`].
     pub alternatives: Vec<Repair>,
     /// Faces that fit in other orientations too, because nothing changes along their edges.
     pub undecided: Vec<Face>,
-    /// How many times worse than the repaired arrangement the next best one fits that moves a face that is decided: above
-    /// 1.15, and the larger the surer.
+    /// The misfit of the next best arrangement that moves a decided face, divided by that of the repaired one: above
+    /// 1.15; the larger, the more certain.
     pub margin: f64,
 }
 
@@ -137,7 +137,8 @@ pub fn check(faces: &[Image; 6], layout: Layout) -> Result<Certificate, Environm
     Ok(Certificate { layout, edges, fit, repair, alternatives, undecided, margin })
 }
 
-/// The extent of an arrangement's changes: the fewest faces, of them the fewest mirrored, then the fewest moved and turned.
+/// The extent of an arrangement's changes: the fewest faces, of them the fewest mirrored, then the fewest moved and
+/// turned.
 fn key(arrangement: &Placements) -> (usize, usize, usize, usize) {
     let count =
         |is: fn(usize, usize) -> bool| arrangement.iter().enumerate().filter(|(file, p)| is(*file, **p)).count();

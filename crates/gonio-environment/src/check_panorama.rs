@@ -1,30 +1,31 @@
 //! Certifies an equirectangular picture: does it close at its sides and over its poles?
 //!
-//! In a correct panorama the left and the right edge are neighbours, and so are, in the top row and in the bottom
-//! one, pixels half a turn apart: a pole is one point. If that holds for columns instead of rows, the picture is turned by a
-//! quarter. Edges cannot tell whether it is upside down or mirrored: upside down, everything closes as before. A brighter
-//! lower half is a hint, and is reported as one.
+//! In a correct panorama the left and the right edge are neighbours, and so are, in the top row and in the bottom one,
+//! pixels half a turn apart: a pole is one point. If that holds for columns instead of rows, the picture is turned by a
+//! quarter. Edges cannot tell whether it is upside down or mirrored: upside down, everything closes as before. A
+//! brighter lower half is a hint, and is reported as one.
 
 use crate::panorama::Panorama;
 use crate::seams::encode;
 use gonio_image::Image;
 
-/// A seam shows if its difference is more than this many times that of the rows or columns beside it: one step of a row or
-/// column is as far as another, so that it is about 1 where the picture goes on, and 4 or more where rooms and made-up pictures were cut.
+/// A seam shows if its difference is more than this many times that of the rows or columns beside it: one step of a row
+/// or column is as far as another, so that it is about 1 where the picture goes on, and 4 or more where rooms and
+/// made-up pictures were cut.
 const SHOWS: f64 = 3.0;
 
 /// Differences in stops below this are those of 8 bits, and none.
 const FLOOR: f64 = 0.02;
 
-/// The lower half is called brighter if it is by so many stops: most rooms and all skies are darker below, by half a stop to
-/// three.
+/// The lower half is called brighter if it is by so many stops: most rooms and all skies are darker below, by half a
+/// stop to three.
 const HINT_STOPS: f64 = 1.0;
 
 /// A seam of a panorama.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seam {
-    /// Median of the difference across it, in stops (of each pixel the channel that differs most): the outline of a thing
-    /// that happens to lie on the seam does not count.
+    /// Median of the difference across it, in stops (of each pixel the channel that differs most): the outline of a
+    /// thing that happens to lie on the seam does not count.
     pub across: f64,
     /// The same between the rows or columns beside it.
     pub inside: f64,
@@ -48,7 +49,7 @@ pub struct PanoramaCertificate {
     pub bottom: Seam,
     /// Whether it closes only if columns are read as rows: it was turned by 90 degrees.
     pub is_turned: bool,
-    /// How many stops brighter the upper half is than the lower one, as a mean of logarithms.
+    /// The brightness of the upper half above that of the lower one, in stops, as a mean of logarithms.
     pub upper_is_brighter_by: f64,
 }
 

@@ -1,13 +1,13 @@
-//! The debug cubemap: every face says which one it is.
+//! The debug cubemap: every face is labelled.
 //!
-//! On each, as someone sees it who stands inside: the world's direction in large letters (`+X`), the name of its file in a
-//! layout (`posx`), arrows along the two axes that run in the face with the axis' letter, a grid of eighths, a border, and
-//! a mark in the upper left corner, so that faces that are turned or mirrored show. Upright is +Y on the four sides; the
+//! On each, as seen from inside: the world's direction in large letters (`+X`), the name of its file in a layout
+//! (`posx`), arrows along the two axes that run in the face with the axis' letter, a grid of eighths, a border, and a
+//! mark in the upper left corner, so that faces that are turned or mirrored show. Upright is +Y on the four sides; the
 //! top and the bottom are upright for one who looks straight ahead (-Z) and then raises or lowers the head.
 //!
-//! Hues tell the axes apart (X orange, Y green, Z blue), lightness the signs (light is positive). The hues are, or are near,
-//! those that M. Okabe and K. Ito, *Color Universal Design*, 2008, chose for people who lack one of the eye's three
-//! receptors.
+//! Hues tell the axes apart (X orange, Y green, Z blue), lightness the signs (light is positive). The hues are, or are
+//! near, those that M. Okabe and K. Ito, *Color Universal Design*, 2008, chose for people who lack one of the eye's
+//! three receptors.
 
 use crate::Cubemap;
 use crate::face::{Face, Layout};
@@ -18,8 +18,8 @@ use gonio_light::color::srgb_decode;
 /// The ends of a line.
 type Ends = (DVec2, DVec2);
 
-/// The debug cubemap with `size` texels an edge (0 counts as 1), with the file names of a layout. From about 64 texels on
-/// it can be read.
+/// The debug cubemap with `size` texels an edge (0 counts as 1), with the file names of a layout. From about 64 texels
+/// on it can be read.
 pub fn debug(size: u32, layout: Layout) -> Cubemap {
     let mut map = Cubemap::new(size, [0.0; 4]);
     for face in Face::ALL {
@@ -113,7 +113,7 @@ fn arrow(drawing: &mut FaceDrawing, letter: &str, towards: DVec2, middle: DVec2,
 mod tests {
     use super::*;
 
-    /// What someone sees who looks along a face's middle: forward, right, up.
+    /// The view from inside to a face's middle: forward, right, up.
     fn views() -> [(DVec3, DVec3, DVec3); 6] {
         let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
         [(x, z, y), (-x, -z, y), (y, x, z), (-y, x, -z), (-z, x, y), (z, -x, y)]

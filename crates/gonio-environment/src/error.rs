@@ -3,7 +3,7 @@
 use gonio_image::ImageError;
 use std::fmt;
 
-/// Describes why an environment could not be read, made or written: one sentence that says what is wrong and what to do.
+/// Describes why an environment could not be read, made or written: one sentence with the fault and the remedy.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EnvironmentError {
     /// The name of the file as the user knows it, if the error concerns one.

@@ -26,10 +26,10 @@ pub enum Face {
 named_enum! {
     /// The orientation of six pictures on the faces of a cube.
     pub enum Layout {
-        /// As OpenGL samples them: `texture(samplerCube, direction_in_world)` is right. The faces are left-handed
+        /// The layout that OpenGL samples: `texture(samplerCube, direction_in_world)` is right. The faces are left-handed
         /// (OpenGL 4.6, table 8.19), so that a viewer of images shows each as the mirror image of what is seen.
         OpenGl = "opengl",
-        /// As they look right in an image viewer, which is how most are published: sampled at (x, y, -z). `posx` is
+        /// The layout of most published faces, which look right in an image viewer: sampled at (x, y, -z). `posx` is
         /// to the right (+X), `posz` straight ahead (-Z).
         Photographic = "photographic",
     }
@@ -72,8 +72,8 @@ impl Face {
         self.axes()[2]
     }
 
-    /// Returns the position of this face's picture of a layout in OpenGL's layout: the face, and whether columns and rows
-    /// are reversed. The mapping is its own inverse.
+    /// Returns the position of this face's picture of a layout in OpenGL's layout: the face, and whether columns and
+    /// rows are reversed. The mapping is its own inverse.
     pub fn in_open_gl(self, layout: Layout) -> (Face, bool, bool) {
         match (layout, self) {
             (Layout::OpenGl, _) => (self, false, false),
@@ -84,15 +84,15 @@ impl Face {
         }
     }
 
-    /// Returns the direction of a point of a face: `s` and `t` from -1 to 1, from the first column to the last and from the
-    /// first row to the last. Its largest component is 1.
+    /// Returns the direction of a point of a face: `s` and `t` from -1 to 1, from the first column to the last and from
+    /// the first row to the last. Its largest component is 1.
     pub fn direction(self, s: f64, t: f64, layout: Layout) -> DVec3 {
         let [middle, along_s, along_t] = self.axes();
         layout.turn(middle + s * along_s + t * along_t)
     }
 
-    /// Returns the face that a direction meets, and the point on it: the inverse of [`Self::direction`]. Where two faces meet, the
-    /// earlier one of X, Y, Z counts. `None` for a direction of no length.
+    /// Returns the face that a direction meets, and the point on it: the inverse of [`Self::direction`]. Where two
+    /// faces meet, the earlier one of X, Y, Z counts. `None` for a direction of no length.
     pub fn from_direction(direction: DVec3, layout: Layout) -> Option<(Face, f64, f64)> {
         let d = layout.turn(direction);
         let size = d.abs();
@@ -115,7 +115,7 @@ impl Face {
 }
 
 impl Layout {
-    /// From the world to what OpenGL's table is asked, and back: it is its own inverse.
+    /// Converts a direction between the world and OpenGL's table: it is its own inverse.
     fn turn(self, d: DVec3) -> DVec3 {
         match self {
             Layout::OpenGl => d,
@@ -166,7 +166,7 @@ impl SolidAngles {
 mod tests {
     use super::*;
 
-    /// What the project's definition says in words, one by one.
+    /// The project's definition of each face.
     #[test]
     fn the_layouts_are_as_defined() {
         let gl = |face: Face, s, t| face.direction(s, t, Layout::OpenGl);

@@ -52,8 +52,8 @@ pub struct Harmonics {
 }
 
 impl Harmonics {
-    /// Projects an environment: each texel is weighted by the solid angle that it covers. Uses all threads; the result does
-    /// not depend on how many.
+    /// Projects an environment: each texel is weighted by the solid angle that it covers. Uses all threads; the result
+    /// does not depend on how many.
     pub fn from_cubemap(map: &Cubemap) -> Self {
         let size = map.size() as usize;
         let angles = SolidAngles::new(map.size());
@@ -84,15 +84,15 @@ impl Harmonics {
         Harmonics { coefficients: std::array::from_fn(|i| FACTORS[i] * coefficients[i]) }
     }
 
-    /// Returns the nine constants of the polynomial that [`irradiance`] evaluates, for a shader: the product of all factors
-    /// that do not depend on the normal.
+    /// Returns the nine constants of the polynomial that [`irradiance`] evaluates, for a shader: the product of all
+    /// factors that do not depend on the normal.
     pub fn polynomial(&self) -> [DVec3; 9] {
         std::array::from_fn(|i| COSINE[i] * FACTORS[i] * self.coefficients[i])
     }
 
-    /// Returns the irradiance on a surface with this unit normal (in the world), linear RGB: the integral of radiance times
-    /// cosine. `pi` under uniform radiance 1. Never negative. If the environment is turned, give the normal turned
-    /// back.
+    /// Returns the irradiance on a surface with this unit normal (in the world), linear RGB: the integral of radiance
+    /// times cosine. `pi` under uniform radiance 1. Never negative. If the environment is turned, give the normal
+    /// turned back.
     pub fn irradiance(&self, normal: DVec3) -> DVec3 {
         irradiance(&self.polynomial(), normal)
     }
@@ -104,8 +104,8 @@ impl Harmonics {
     }
 }
 
-/// `E(n)` from the nine constants of [`Harmonics::polynomial`], for a unit normal; the shaders' function of the same name
-/// does the same.
+/// `E(n)` from the nine constants of [`Harmonics::polynomial`], for a unit normal; the shaders' function of the same
+/// name does the same.
 pub fn irradiance(polynomial: &[DVec3; 9], normal: DVec3) -> DVec3 {
     let sum: DVec3 = polynomial.iter().zip(monomials(normal)).map(|(c, m)| m * *c).sum();
     sum.max(DVec3::ZERO)
@@ -140,9 +140,9 @@ mod tests {
         }
         for (i, row) in products.iter().enumerate() {
             for (j, product) in row.iter().enumerate() {
-                let wanted = if i == j { 1.0 } else { 0.0 };
+                let expected = if i == j { 1.0 } else { 0.0 };
                 // A texel's middle stands for the texel: an error of the square of its 0.03.
-                assert!((product - wanted).abs() < 5e-4, "{i} {j}: {product}");
+                assert!((product - expected).abs() < 5e-4, "{i} {j}: {product}");
             }
         }
     }
@@ -152,8 +152,8 @@ mod tests {
         let harmonics = Harmonics { coefficients: std::array::from_fn(|i| DVec3::splat(4.0 - i as f64)) };
         let n = DVec3::new(0.6, 0.48, 0.64);
         let m = monomials(n);
-        let wanted: f64 = (0..9).map(|i| COSINE[i] * FACTORS[i] * (4.0 - i as f64) * m[i]).sum();
-        assert!((harmonics.irradiance(n).x - wanted.max(0.0)).abs() < 1e-14 && wanted > 0.1);
+        let expected: f64 = (0..9).map(|i| COSINE[i] * FACTORS[i] * (4.0 - i as f64) * m[i]).sum();
+        assert!((harmonics.irradiance(n).x - expected.max(0.0)).abs() < 1e-14 && expected > 0.1);
         // Where the sum is negative there is no light.
         let negative =
             Harmonics { coefficients: std::array::from_fn(|i| if i == 0 { -DVec3::ONE } else { DVec3::ZERO }) };

@@ -62,8 +62,8 @@ impl Panorama {
         upper.lerp(lower, lower_share)
     }
 
-    /// Returns the pixel in column `x` of row `y`. Columns wrap around, and rows beyond a pole continue in the same row half
-    /// a turn further.
+    /// Returns the pixel in column `x` of row `y`. Columns wrap around, and rows beyond a pole continue in the same row
+    /// half a turn further.
     pub fn texel(&self, x: i64, y: i64) -> DVec3 {
         let (x, y) = over_the_pole(x, y, i64::from(self.image.width), i64::from(self.image.height));
         color(self.image.at(x as u32, y as u32))
@@ -103,8 +103,8 @@ impl Panorama {
     }
 }
 
-/// Returns the texel at (`x`, `y`), which may be outside: columns wrap around, and rows beyond a pole continue in the same
-/// row half a turn further. In [0, `width`) and [0, `height`).
+/// Returns the texel at (`x`, `y`), which may be outside: columns wrap around, and rows beyond a pole continue in the
+/// same row half a turn further. In [0, `width`) and [0, `height`).
 pub(crate) fn over_the_pole(x: i64, y: i64, width: i64, height: i64) -> (i64, i64) {
     let (x, y) = match y {
         y if y < 0 => (x + width / 2, (-1 - y).min(height - 1)),
@@ -117,8 +117,8 @@ pub(crate) fn over_the_pole(x: i64, y: i64, width: i64, height: i64) -> (i64, i6
 /// The number of texels of a crowded row that together are as wide as one is high.
 pub const CROWDED: f64 = 2.0;
 
-/// The first and the last rows of a panorama, those where texels crowd along the row by [`CROWDED`] or more, each averaged along
-/// itself over as many texels as are together as wide as one is high. About a third of the picture.
+/// The first and the last rows of a panorama, those where texels crowd along the row by [`CROWDED`] or more, each
+/// averaged along itself over as many texels as are together as wide as one is high. About a third of the picture.
 pub(crate) fn reduced_rows(panorama: &Panorama) -> (Vec<Pixel>, Vec<Pixel>) {
     let (width, height) = (panorama.image.width as usize, panorama.image.height as usize);
     let aspect = width as f64 / (2.0 * height as f64);
@@ -158,8 +158,8 @@ fn average_along(from: &[Pixel], reach: f64, to: &mut [Pixel]) {
     }
 }
 
-/// Returns the unit direction of a position in the picture: `u` from 0 at the left edge to 1 at the right one, `v` from 0 at the
-/// top edge to 1 at the bottom one.
+/// Returns the unit direction of a position in the picture: `u` from 0 at the left edge to 1 at the right one, `v` from
+/// 0 at the top edge to 1 at the bottom one.
 pub fn direction(u: f64, v: f64) -> DVec3 {
     let (sin_lon, cos_lon) = ((u - 0.5) * 2.0 * PI).sin_cos();
     let (sin_polar, cos_polar) = (v * PI).sin_cos();
@@ -187,7 +187,7 @@ mod tests {
 
     #[test]
     fn the_picture_lies_as_defined() {
-        let near = |d: DVec3, wanted: DVec3| assert!(d.abs_diff_eq(wanted, 1e-15), "{d} is not {wanted}");
+        let near = |d: DVec3, expected: DVec3| assert!(d.abs_diff_eq(expected, 1e-15), "{d} is not {expected}");
         near(direction(0.5, 0.5), DVec3::NEG_Z);
         near(direction(0.75, 0.5), DVec3::X);
         near(direction(0.25, 0.5), DVec3::NEG_X);

@@ -1,16 +1,16 @@
 //! All ways in which six pictures can lie on a cube, and the search for those whose edges meet.
 //!
-//! A picture lies on one of six faces, turned by one of four quarters, mirrored or not: 48 placements. There are also 48
-//! symmetries of the cube (24 turns and their mirror images), and each moves a given placement to another one. Edges decide
-//! only *up to* these 48: the first picture is therefore kept in its place, and 5! 8^5 = 3.9 million
+//! A picture lies on one of six faces, turned by one of four quarters, mirrored or not: 48 placements. There are also
+//! 48 symmetries of the cube (24 turns and their mirror images), and each moves a given placement to another one. Edges
+//! decide only *up to* these 48: the first picture is therefore kept in its place, and 5! 8^5 = 3.9 million
 //! arrangements are left, of which a search that gives up early visits a small part.
 
 use crate::face::Face;
 use crate::seams::Seams;
 use glam::{DMat3, DVec3};
 
-/// The placement of a file's picture: `8 * face + 4 * mirrored + quarters`. Its columns are mirrored first, then it is turned
-/// clockwise.
+/// The placement of a file's picture: `8 * face + 4 * mirrored + quarters`. Its columns are mirrored first, then it is
+/// turned clockwise.
 pub(crate) type Placement = usize;
 
 /// The placement of each of six files.
@@ -49,7 +49,7 @@ pub(crate) struct Cube {
 impl Cube {
     pub fn new() -> Self {
         let frames: Vec<DMat3> = (0..48).map(frame).collect();
-        let find = |wanted: DMat3| frames.iter().position(|f| *f == wanted).unwrap_or(0);
+        let find = |frame: DMat3| frames.iter().position(|f| *f == frame).unwrap_or(0);
         let mut moved = vec![[0; 48]; 48];
         let mut mover = vec![[0; 48]; 48];
         let mut mirrors = [false; 48];
@@ -92,8 +92,8 @@ impl Cube {
         self.edges.iter().map(move |&(a, side_a, b, side_b)| edge_misfit(seams, files[a], side_a, files[b], side_b))
     }
 
-    /// Returns the lowest misfit, and all arrangements (with the first file in its place) whose misfit is at most that times
-    /// `1 + relative`, plus `absolute`. The list is `None` if there are too many.
+    /// Returns the lowest misfit, and all arrangements (with the first file in its place) whose misfit is at most that
+    /// times `1 + relative`, plus `absolute`. The list is `None` if there are too many.
     pub fn search(&self, seams: &Seams, relative: f64, absolute: f64) -> (f64, Option<Vec<Placements>>) {
         let mut search = Search::new(self, seams);
         search.bound = self.misfit(seams, &AS_GIVEN);

@@ -38,8 +38,8 @@ const SUN_ILLUMINANCE: f64 = 128.0 / UNIT_KCD;
 /// Albedo of the ground, linear RGB: between the 0.1 of dark soil and the 0.2 of grass.
 const GROUND_ALBEDO: DVec3 = DVec3::new(0.14, 0.125, 0.08);
 
-/// So far below the horizon the haze hides half of the ground: as on a hill of 100 m where one sees 30 km far (contrast 2 %,
-/// H. Koschmieder, 1924: extinction 3.91 / 30 km, half after 5.3 km).
+/// The angle below the horizon at which the haze hides half of the ground: as on a hill of 100 m where one sees 30 km
+/// far (contrast 2 %, H. Koschmieder, 1924: extinction 3.91 / 30 km, half after 5.3 km).
 pub const HALF_VEILED_RAD: f64 = 1.08 * PI / 180.0;
 
 /// A clear sky, by the position of its sun and its haze.
@@ -147,8 +147,8 @@ fn rgb_from_xyz(xyz: DVec3) -> DVec3 {
 }
 
 impl Sky {
-    /// Renders the sky as a cubemap of `size` texels an edge (0 counts as 1). The sun's disc is antialiased and keeps all of
-    /// its light at any size.
+    /// Renders the sky as a cubemap of `size` texels an edge (0 counts as 1). The sun's disc is antialiased and keeps
+    /// all of its light at any size.
     pub fn cubemap(&self, size: u32) -> Cubemap {
         let model = Model::new(self);
         let sun = model.sun_radiance();
@@ -184,8 +184,8 @@ impl Sky {
     }
 }
 
-/// Returns the share of a direction that haze hides: all of it above the horizon (where the sky itself is
-/// that haze), nothing straight below. `y` is the direction's height; in a cubemap of this size no step is finer than a texel.
+/// Returns the share of a direction that haze hides: all of it above the horizon (where the sky itself is that haze),
+/// nothing straight below. `y` is the direction's height; in a cubemap of this size no step is finer than a texel.
 fn haze(y: f64, size: u32) -> f64 {
     if y >= 0.0 {
         return 1.0;
@@ -245,14 +245,16 @@ mod tests {
 
     #[test]
     fn the_zenith_is_as_published() {
-        // Sun overhead, turbidity 3: chi = (4/9 - 3/120) pi = 1.317723, tan = 3.868: Y = 7.1649 * 3.868 + 1.7727 kcd/m^2.
+        // Sun overhead, turbidity 3: chi = (4/9 - 3/120) pi = 1.317723, tan = 3.868: Y = 7.1649 * 3.868 + 1.7727
+        // kcd/m^2.
         let model = Model::new(&Sky { sun: DVec3::Y, turbidity: 3.0 });
         let got = luminance(model.radiance(DVec3::Y)) * UNIT_KCD;
         // Digits of the matrix, and of the numbers above.
         assert!((got - 29.486).abs() < 0.02, "{got}");
         // The same formula's x at the zenith: 3 * 0.00394 + 0.25886.
         assert!((model.zenith * model.perez(1.0, 0.0)).abs_diff_eq(DVec3::new(29.486, 0.27068, 0.28236), 0.01));
-        // Equation 3 at 60 degrees from the zenith and one radian from the sun, with the table's numbers for turbidity 3.
+        // Equation 3 at 60 degrees from the zenith and one radian from the sun, with the table's numbers for turbidity
+        // 3.
         assert!((model.perez(0.5, 1.0).x - 1.2037).abs() < 1e-4, "{}", model.perez(0.5, 1.0));
     }
 
@@ -286,13 +288,13 @@ mod tests {
         let sun = model.sun_radiance();
         // What the documentation says of it.
         assert!(sun.max_element() < SUN_MAX, "{sun}");
-        let wanted = sun * 2.0 * PI * (1.0 - SUN_RADIUS_RAD.cos());
+        let expected = sun * 2.0 * PI * (1.0 - SUN_RADIUS_RAD.cos());
         for size in [1, 16, 100, 512] {
             let mut map = Cubemap::new(size, [0.0; 4]);
             add_sun(&mut map, model.to_sun, sun);
             let got = map.mean_radiance() * 4.0 * PI;
             // Rounding to f32, and texels held below what half precision can store.
-            assert!((got / wanted - 1.0).abs().max_element() < 2e-3, "{size}: {got} is not {wanted}");
+            assert!((got / expected - 1.0).abs().max_element() < 2e-3, "{size}: {got} is not {expected}");
         }
     }
 
@@ -311,9 +313,9 @@ mod tests {
             }
         }
         assert!(Model::new(&sky).sun_radiance().max_element() < SUN_MAX);
-        let (got, wanted) = (map.sample(DVec3::NEG_Y), GROUND_ALBEDO / PI * falls);
+        let (got, expected) = (map.sample(DVec3::NEG_Y), GROUND_ALBEDO / PI * falls);
         // Both integrals take a midpoint for its surroundings, of a sky steep about its sun.
-        assert!((got / wanted - 1.0).abs().max_element() < 0.02, "{got} is not {wanted}");
+        assert!((got / expected - 1.0).abs().max_element() < 0.02, "{got} is not {expected}");
     }
 
     #[test]

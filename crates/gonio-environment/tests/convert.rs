@@ -87,13 +87,13 @@ fn every_filter_puts_everything_in_its_place() {
 #[test]
 fn a_picture_comes_back() {
     let pano = Panorama::from_function(512, 256, detailed);
-    for (filter, wanted) in [(Filter::Bilinear, 45.0), (Filter::Bicubic, 55.0)] {
+    for (filter, expected) in [(Filter::Bilinear, 45.0), (Filter::Bicubic, 55.0)] {
         let conversion = Conversion { filter: Some(filter), ..Conversion::default() };
         let map =
             conversion.cubemap(EnvironmentRef::Panorama(&pano), EnvironmentRef::Panorama(&pano).natural_cubemap_size());
         let back = conversion.panorama(EnvironmentRef::Cubemap(&map), 512, 256);
         let got = psnr(&pano.image.pixels, &back.image.pixels);
-        assert!(got >= wanted, "{filter}: {got} dB");
+        assert!(got >= expected, "{filter}: {got} dB");
     }
 }
 
@@ -200,7 +200,7 @@ fn layouts_are_the_same_environment() {
     let map = conversion.cubemap(EnvironmentRef::Panorama(&pano), 9);
     let faces = map.faces(Layout::Photographic);
     let middle = |face: Face| color(faces[face as usize].at(4, 4)) - DVec3::ONE;
-    for (face, wanted) in [
+    for (face, expected) in [
         (Face::PosZ, DVec3::NEG_Z),
         (Face::NegZ, DVec3::Z),
         (Face::PosX, DVec3::X),
@@ -209,7 +209,7 @@ fn layouts_are_the_same_environment() {
         (Face::NegY, DVec3::NEG_Y),
     ] {
         // Interpolated between pixels of 0.05 rad.
-        assert!(middle(face).abs_diff_eq(wanted, 2e-3), "{face:?}: {}", middle(face));
+        assert!(middle(face).abs_diff_eq(expected, 2e-3), "{face:?}: {}", middle(face));
     }
     // To the right of straight ahead is +X, on the left edge of the face to the right is -Z.
     let ahead = color(faces[Face::PosZ as usize].at(8, 4)) - DVec3::ONE;

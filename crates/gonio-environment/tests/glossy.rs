@@ -40,9 +40,9 @@ fn worst_split_error(mips: &GlossyMips, light: fn(DVec3) -> DVec3, f0: f64, roug
     let (mut worst, mut mean) = (0.0_f64, 0.0);
     for n in normals(24) {
         let v = view(n, cos_v);
-        let wanted = specular_integral(n, v, DVec3::splat(f0), roughness, light, 2048);
-        worst = worst.max((mips.reflected(n, v, DVec3::splat(f0), roughness) - wanted).abs().max_element());
-        mean += wanted.max_element() / 24.0;
+        let expected = specular_integral(n, v, DVec3::splat(f0), roughness, light, 2048);
+        worst = worst.max((mips.reflected(n, v, DVec3::splat(f0), roughness) - expected).abs().max_element());
+        mean += expected.max_element() / 24.0;
     }
     assert!(mean > 0.0);
     worst / mean
@@ -53,12 +53,12 @@ fn uniform_light_stays_what_it_is() {
     for size in [1, 16, 100, 512] {
         let mips = glossy(Cubemap::new(size, [0.25, 1.0, 300.0, 1.0]));
         let sizes: Vec<u32> = mips.levels().iter().map(Cubemap::size).collect();
-        let wanted: &[u32] = match size {
+        let expected: &[u32] = match size {
             1 | 16 => &[64, 32, 16, 8],
             100 => &[100, 50, 25, 12],
             _ => &[256, 128, 64, 32, 16, 8],
         };
-        assert_eq!(sizes, wanted);
+        assert_eq!(sizes, expected);
         for level in mips.levels() {
             for [r, g, b, a] in level.pixels() {
                 // Weights of a hundred samples in f32.
@@ -98,9 +98,9 @@ fn levels_are_the_integral_seen_along_the_normal() {
 #[test]
 fn the_split_sum_is_near_the_integral() {
     let mips = glossy(Cubemap::from_function(128, soft));
-    // The split takes light and BRDF for independent, and the lobe for round. In soft light a mirror seen along its normal
-    // is right but for the filtering; the error grows with roughness and towards grazing. The bounds are what was measured,
-    // and about a quarter of it; without the dominant direction, the white rough ones fail by far.
+    // The split takes light and BRDF for independent, and the lobe for round. In soft light a mirror seen along its
+    // normal is right but for the filtering; the error grows with roughness and towards grazing. The bounds are what
+    // was measured, and about a quarter of it; without the dominant direction, the white rough ones fail by far.
     for (f0, roughness, cos_v, bound) in [
         (1.0, 0.0, 1.0, 0.002),
         (1.0, 0.0, 0.2, 0.002),

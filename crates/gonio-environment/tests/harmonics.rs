@@ -36,9 +36,9 @@ fn worst_error(map: &Cubemap) -> f64 {
     let harmonics = Harmonics::from_cubemap(map);
     let (mut worst, mut largest): (f64, f64) = (0.0, 0.0);
     for n in normals(60) {
-        let wanted = brute_force(map, n);
-        worst = worst.max((harmonics.irradiance(n) - wanted).abs().max_element());
-        largest = largest.max(wanted.max_element());
+        let expected = brute_force(map, n);
+        worst = worst.max((harmonics.irradiance(n) - expected).abs().max_element());
+        largest = largest.max(expected.max_element());
     }
     assert!(largest > 0.0);
     worst / largest
@@ -63,22 +63,22 @@ fn single_lobes_are_scaled_by_the_cosine_lobe() {
     let harmonics = Harmonics::from_cubemap(&map);
     // In the documented order: 1, y, z, x.
     let slope = PI / 3.0;
-    let wanted = [PI * DVec3::ONE, slope * DVec3::Y, slope * DVec3::Z, slope * DVec3::X];
-    for (got, wanted) in harmonics.polynomial().into_iter().zip(wanted) {
-        assert!(got.abs_diff_eq(wanted, 1e-3), "{got} is not {wanted}");
+    let expected = [PI * DVec3::ONE, slope * DVec3::Y, slope * DVec3::Z, slope * DVec3::X];
+    for (got, expected) in harmonics.polynomial().into_iter().zip(expected) {
+        assert!(got.abs_diff_eq(expected, 1e-3), "{got} is not {expected}");
     }
     // Of second degree: x y keeps pi / 4.
     let second = Harmonics::from_cubemap(&Cubemap::from_function(64, |d| {
         DVec3::new(1.0 + d.x * d.y, 1.0 + d.y * d.z, 1.0 + (3.0 * d.z * d.z - 1.0))
     }));
     for n in normals(20) {
-        let wanted = PI * DVec3::ONE + 2.0 * PI / 3.0 * 0.5 * n;
+        let expected = PI * DVec3::ONE + 2.0 * PI / 3.0 * 0.5 * n;
         let got = harmonics.irradiance(n);
         // A texel's middle stands for the texel: 64 texels an edge leave 1e-3 of it.
-        assert!(got.abs_diff_eq(wanted, 1e-3), "{n}: {got} is not {wanted}");
-        let wanted = PI * DVec3::ONE + PI / 4.0 * DVec3::new(n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0);
+        assert!(got.abs_diff_eq(expected, 1e-3), "{n}: {got} is not {expected}");
+        let expected = PI * DVec3::ONE + PI / 4.0 * DVec3::new(n.x * n.y, n.y * n.z, 3.0 * n.z * n.z - 1.0);
         let got = second.irradiance(n);
-        assert!(got.abs_diff_eq(wanted, 1e-3), "{n}: {got} is not {wanted}");
+        assert!(got.abs_diff_eq(expected, 1e-3), "{n}: {got} is not {expected}");
     }
 }
 
@@ -92,14 +92,15 @@ fn light_of_low_frequency_is_exact() {
     assert!(error < 5e-4, "{error}");
     let harmonics = Harmonics::from_cubemap(&map);
     for d in normals(20) {
-        let wanted = DVec3::new(2.0 + d.x - 0.5 * d.y * d.z, 1.0 + d.z * d.z, 3.0 + d.x * d.y - d.x * d.x);
-        assert!(harmonics.radiance(d).abs_diff_eq(wanted, 2e-3), "{d}");
+        let expected = DVec3::new(2.0 + d.x - 0.5 * d.y * d.z, 1.0 + d.z * d.z, 3.0 + d.x * d.y - d.x * d.x);
+        assert!(harmonics.radiance(d).abs_diff_eq(expected, 2e-3), "{d}");
     }
 }
 
 #[test]
 fn smooth_environments_are_within_a_few_per_cent() {
-    // A sky over dark hills (a horizon at y = 0 would be an odd function, and exact), with a soft edge, three soft lamps, and a bright window.
+    // A sky over dark hills (a horizon at y = 0 would be an odd function, and exact), with a soft edge, three soft
+    // lamps, and a bright window.
     let smooth_step = |x: f64| 1.0 / (1.0 + (-x).exp());
     let sky = |d: DVec3| DVec3::new(0.3, 0.5, 1.0) * smooth_step(12.0 * d.y - 4.0) + DVec3::splat(0.1);
     let lamps = |d: DVec3| {
@@ -112,7 +113,8 @@ fn smooth_environments_are_within_a_few_per_cent() {
         ("lamps", worst_error(&Cubemap::from_function(32, lamps))),
         ("window", worst_error(&Cubemap::from_function(32, window))),
     ] {
-        // The paper's bound for any light is 9 % (of the largest irradiance, section 3), a few per cent for natural light.
+        // The paper's bound for any light is 9 % (of the largest irradiance, section 3), a few per cent for natural
+        // light.
         assert!(error < 0.05, "{name}: {error}");
         // They do have higher frequencies, or the comparison would say nothing.
         assert!(error > 1e-3, "{name}: {error}");

@@ -1,4 +1,5 @@
-//! Conversions at every level of instructions that this CPU has: equal to the baseline bit by bit, and to look-ups in f64.
+//! Conversions at every level of instructions that this CPU has: equal to the baseline bit by bit, and to look-ups in
+//! f64.
 
 use glam::{DMat3, DVec3};
 use gonio_environment::convert::{Conversion, EnvironmentRef, Filter};
@@ -13,8 +14,8 @@ fn turn() -> DMat3 {
     DMat3::from_rotation_y(0.7) * DMat3::from_rotation_x(-0.4) * DMat3::from_rotation_z(1.1)
 }
 
-/// Texels without any order, from 0 to 1000, by G. Marsaglia's xorshift, 2003. Every `odd`-th number is NaN, infinite, or
-/// too small for a normal f32.
+/// Texels without any order, from 0 to 1000, by G. Marsaglia's xorshift, 2003. Every `odd`-th number is NaN, infinite,
+/// or too small for a normal f32.
 fn noise(pixels: &mut [Pixel], odd: Option<usize>) {
     let mut state = 1_u32;
     for (i, value) in pixels.as_flattened_mut().iter_mut().enumerate() {
@@ -58,15 +59,15 @@ fn every_level_gives_the_bits_of_the_baseline() {
                     let conversion = Conversion { filter: Some(filter), source_from_target };
                     for &level in SimdLevel::available() {
                         for size in [1, 3, 8, 19] {
-                            let wanted = conversion.cubemap_at(SimdLevel::Baseline, from, size);
+                            let expected = conversion.cubemap_at(SimdLevel::Baseline, from, size);
                             let got = conversion.cubemap_at(level, from, size);
-                            let same = bits(got.pixels()) == bits(wanted.pixels());
+                            let same = bits(got.pixels()) == bits(expected.pixels());
                             assert!(same, "{name} to cubemap {size}, {filter}, {level:?}, {source_from_target}");
                         }
                         for (width, height) in [(1, 1), (5, 3), (23, 11)] {
-                            let wanted = conversion.panorama_at(SimdLevel::Baseline, from, width, height);
+                            let expected = conversion.panorama_at(SimdLevel::Baseline, from, width, height);
                             let got = conversion.panorama_at(level, from, width, height);
-                            let same = bits(&got.image.pixels) == bits(&wanted.image.pixels);
+                            let same = bits(&got.image.pixels) == bits(&expected.image.pixels);
                             assert!(same, "{name} to panorama {width}, {filter}, {level:?}, {source_from_target}");
                         }
                     }
@@ -79,8 +80,8 @@ fn every_level_gives_the_bits_of_the_baseline() {
 /// A difference from the look-up in f64, in units of what a place that is off by a hundred-thousandth of the source's
 /// width changes between texels that differ by 1000: what f32 leaves of a place.
 fn off(got: Pixel, from: EnvironmentRef<'_>, direction: DVec3) -> f64 {
-    let wanted = from.sample(direction);
-    (DVec3::new(got[0].into(), got[1].into(), got[2].into()) - wanted).abs().max_element() / 1000.0
+    let expected = from.sample(direction);
+    (DVec3::new(got[0].into(), got[1].into(), got[2].into()) - expected).abs().max_element() / 1000.0
 }
 
 #[test]
@@ -128,14 +129,14 @@ fn a_texel_that_is_no_number_spoils_its_neighbourhood_alone() {
         for &level in SimdLevel::available() {
             for filter in [Filter::Nearest, Filter::Bilinear, Filter::Bicubic] {
                 let conversion = Conversion { filter: Some(filter), ..Conversion::default() };
-                let wanted = conversion.cubemap_at(level, EnvironmentRef::Panorama(&clean), 24);
+                let expected = conversion.cubemap_at(level, EnvironmentRef::Panorama(&clean), 24);
                 let got = conversion.cubemap_at(level, EnvironmentRef::Panorama(&spoilt), 24);
                 let mut changed = 0;
                 for face in Face::ALL {
-                    for (i, (got, wanted)) in got.face(face).iter().zip(wanted.face(face)).enumerate() {
+                    for (i, (got, expected)) in got.face(face).iter().zip(expected.face(face)).enumerate() {
                         let d = cubemap::texel_direction(face, i as u32 % 24, i as u32 / 24, 24).normalize();
                         let is_near = d.angle_between(bad) < 4.0 * std::f64::consts::PI / 32.0;
-                        let is_same = bits(&[*got]) == bits(&[*wanted]);
+                        let is_same = bits(&[*got]) == bits(&[*expected]);
                         assert!(is_near || is_same, "{x} {y} {filter} {level:?} {face:?} {i}: {got:?}");
                         changed += usize::from(!is_same);
                     }

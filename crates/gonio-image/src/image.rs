@@ -45,7 +45,7 @@ pub struct EncodedPicture<T> {
     pub rgba: Vec<T>,
 }
 
-/// Describes why an image could not be read or written: one sentence that says what is wrong and what to do.
+/// Describes why an image could not be read or written: one sentence with the fault and the remedy.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ImageError {
     /// The name of the file as the user knows it, if the error concerns one.
@@ -125,8 +125,8 @@ impl DecodeLimits {
         }
     }
 
-    /// Returns a picture with room for its pixels, but none yet. Readers fill it row by row, so that a wrong header costs
-    /// no memory.
+    /// Returns a picture with room for its pixels, but none yet. Readers fill it row by row, so that a wrong header
+    /// costs no memory.
     pub(crate) fn unfilled(&self, width: u32, height: u32) -> Result<Image, ImageError> {
         let count = self.pixels(width.into(), height.into(), 1)?;
         let mut pixels = Vec::new();
@@ -158,9 +158,9 @@ mod tests {
         let limits = DecodeLimits { max_bytes: 8 << 30 };
         assert_eq!(limits.pixels(32768, 16384, 1), Ok(1 << 29));
         let refused = limits.pixels(32768, 16385, 1).map_err(|e| e.message);
-        let wanted =
+        let expected =
             "32768 x 16385 pixels are 8.0 GiB when decoded, and the limit is 8.0 GiB; make the picture smaller";
-        assert_eq!(refused, Err(wanted.to_owned()));
+        assert_eq!(refused, Err(expected.to_owned()));
         assert!(limits.pixels(u64::MAX, 3, 6).is_err());
         assert!(limits.pixels(0, 3, 1).is_err());
     }

@@ -1,7 +1,7 @@
 //! The sRGB transfer function by table: 8 and 16 bits to linear light and back.
 //!
-//! The curve itself is [`gonio_light::color`]'s; the tables are filled from it once. Encoding to 8 bits gives the nearest
-//! step of the exact curve.
+//! The curve itself is [`gonio_light::color`]'s; the tables are filled from it once. Encoding to 8 bits gives the
+//! nearest step of the exact curve.
 
 use gonio_light::color::{srgb_decode, srgb_encode};
 use std::sync::LazyLock;
@@ -28,7 +28,7 @@ pub struct Encoder {
 }
 
 /// Mantissa bits that choose an entry. Between two entries light grows by at most 1/128, which on the steepest part of
-/// the curve is 0.9 of a step: an entry holds at most two steps, and one comparison tells them apart.
+/// the curve is 0.9 of a step: an entry holds at most two steps, and one comparison distinguishes them.
 const BITS: u32 = 7;
 const SHIFT: u32 = 23 - BITS;
 /// Light below 2^-13 is less than half of the first step (1.5e-4).

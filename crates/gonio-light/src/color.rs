@@ -1,7 +1,7 @@
 //! Colour: sRGB, exposure, tone mapping.
 //!
-//! Everything takes and gives linear RGB with the sRGB primaries unless its name says `encoded`.
-//! Whatever is put in, what comes out is finite: NaN and negative light count as 0, infinite light as
+//! Everything takes and returns linear RGB with the sRGB primaries unless its name contains `encoded`.
+//! Results are always finite: NaN and negative light count as 0, infinite light as
 //! [`RADIANCE_CAP`].
 
 use glam::{DMat3, DVec3};

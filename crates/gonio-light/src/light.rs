@@ -47,12 +47,12 @@ pub enum LightKind {
     },
     /// Radiates equally in all directions.
     Point {
-        /// In world space.
+        /// The position, world space.
         position: DVec3,
     },
     /// A point light behind a cone.
     Spot {
-        /// In world space.
+        /// The position, world space.
         position: DVec3,
         /// Unit vector along the cone's axis, away from the light, in world space.
         axis: DVec3,
@@ -96,7 +96,7 @@ impl Light {
     pub fn incident(&self, position: DVec3, fallback: DVec3) -> Option<Incident> {
         let from = |light_position: DVec3| {
             let to_light = light_position - position;
-            // Two points at opposite ends of f64's range: too far to say how far, but not a
+            // Two points at opposite ends of f64's range: too far for their distance to be represented, but not a
             // directional light.
             let distance = vector::safe_length(to_light).min(f64::MAX);
             (vector::unit_or(to_light, fallback), distance, self.attenuation.at(distance))

@@ -66,7 +66,8 @@ fn slope_root(cos: f64, alpha: f64) -> f64 {
     (a2 + (1.0 - a2) * cos * cos).sqrt()
 }
 
-/// The weight of a sample of [`visible_facet`]: the share of its light that is not shadowed, `G_2 / G_1(V)`, in `[0, 1]`. `cos_v > 0`; 0 where `cos_l` is not positive.
+/// The weight of a sample of [`visible_facet`]: the share of its light that is not shadowed, `G_2 / G_1(V)`, in `[0,
+/// 1]`. `cos_v > 0`; 0 where `cos_l` is not positive.
 pub fn unshadowed_share(cos_v: f64, cos_l: f64, alpha: f64) -> f64 {
     if cos_l > 0.0 {
         let (root_v, root_l) = (slope_root(cos_v, alpha), slope_root(cos_l, alpha));
@@ -78,9 +79,9 @@ pub fn unshadowed_share(cos_v: f64, cos_l: f64, alpha: f64) -> f64 {
 
 /// The normal of a facet as the view sees them: of all facets that are turned to it, each as likely as it looks large.
 ///
-/// All in the local frame, normal along z: `view` a unit vector with `z > 0`, `u` and `v` in `[0, 1)`. `v` and `1/2 - v`
-/// (modulo 1) give mirror images about the plane of normal and view. Source: E. Heitz, *Sampling the GGX Distribution of
-/// Visible Normals*, JCGT 7(4), 2018.
+/// All in the local frame, normal along z: `view` a unit vector with `z > 0`, `u` and `v` in `[0, 1)`. `v` and `1/2 -
+/// v` (modulo 1) give mirror images about the plane of normal and view. Source: E. Heitz, *Sampling the GGX
+/// Distribution of Visible Normals*, JCGT 7(4), 2018.
 pub fn visible_facet(view: DVec3, alpha: f64, u: f64, v: f64) -> DVec3 {
     let stretched = DVec3::new(alpha * view.x, alpha * view.y, view.z).normalize();
     let across = stretched.x.hypot(stretched.y);
@@ -95,8 +96,8 @@ pub fn visible_facet(view: DVec3, alpha: f64, u: f64, v: f64) -> DVec3 {
     DVec3::new(alpha * facet.x, alpha * facet.y, facet.z.max(0.0)).normalize_or(DVec3::Z)
 }
 
-/// Point `index` of `count` spread evenly over the unit square: (i + 1/2) / count, and the bits of i read backwards as a
-/// fraction. Source: J. M. Hammersley 1960; T.-T. Wong, W.-S. Luk, P.-A. Heng, *Sampling with Hammersley and Halton
+/// Point `index` of `count` spread evenly over the unit square: (i + 1/2) / count, and the bits of i read backwards as
+/// a fraction. Source: J. M. Hammersley 1960; T.-T. Wong, W.-S. Luk, P.-A. Heng, *Sampling with Hammersley and Halton
 /// Points*, JGT 2(2), 1997.
 pub fn hammersley(index: u32, count: u32) -> (f64, f64) {
     let fraction = f64::from(index.reverse_bits()) / (f64::from(u32::MAX) + 1.0);
@@ -121,8 +122,8 @@ pub fn environment_brdf(cos_v: f64, roughness: f64) -> (f64, f64) {
     let view = DVec3::new((1.0 - cos_v * cos_v).sqrt(), 0.0, cos_v);
     let (mut scale, mut bias) = (0.0, 0.0);
     for i in 0..RADII {
-        // A facet's slope goes with sqrt(1 - u) at the disc's rim: steps of that root, of which du = 2 root droot, leave
-        // a smooth function. Steps of u itself err ten times as much.
+        // A facet's slope goes with sqrt(1 - u) at the disc's rim: steps of that root, of which du = 2 root droot,
+        // leave a smooth function. Steps of u itself err ten times as much.
         let root = (f64::from(i) + 0.5) / f64::from(RADII);
         let (u, weight) = (1.0 - root * root, 2.0 * root / f64::from(RADII * ANGLES));
         for j in 0..ANGLES {
@@ -139,12 +140,12 @@ pub fn environment_brdf(cos_v: f64, roughness: f64) -> (f64, f64) {
     (scale, bias)
 }
 
-/// The light that a rough mirror sends to the view, linear RGB: the integral of `f L <N.L>` over the hemisphere, what all
-/// approximations are held against.
+/// The light that a rough mirror sends to the view, linear RGB: the integral of `f L <N.L>` over the hemisphere, the
+/// reference for all approximations.
 ///
-/// `n` and `v` are unit vectors in the world, `v` to the eye; seen from below (`n.v <= 0`) it is 0. `radiance` is that from
-/// a unit direction in the world. `samples` facets (0 counts as 1) are looked at, those that the view sees; the error falls
-/// almost as `1 / samples` where the light is smooth.
+/// `n` and `v` are unit vectors in the world, `v` to the eye; seen from below (`n.v <= 0`) it is 0. `radiance` is that
+/// from a unit direction in the world. `samples` facets (0 counts as 1) that the view sees are evaluated; the error
+/// falls almost as `1 / samples` where the light is smooth.
 pub fn specular_integral(
     n: DVec3,
     v: DVec3,

@@ -80,23 +80,23 @@ named_enum! {
     what "number of refracting surfaces";
 }
 
-/// The most surfaces that the ray of sight meets inside of a body before it is let go where it then points. Each
-/// partial reflection inside carries a few per cent on; total ones may be many, and look alike after some.
+/// The most surfaces that a view ray meets inside a body before it leaves in its direction. Each partial reflection
+/// inside carries a few per cent on; total ones may be many, and look alike after some.
 pub const MOST_MEETINGS: usize = 4;
 
 /// Reflection and refraction of the environment by a surface. See the head of the module.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Optics {
-    /// From the lit surface (0) to a mirror (1), for the part that does not transmit.
+    /// The share of the mirror, from the lit surface (0) to a mirror (1), for the part that does not transmit.
     pub reflectivity: f64,
-    /// From an opaque surface (0) to a clear one (1), which shows nothing of its own light.
+    /// The share of the clear surface, from opaque (0) to clear (1), which shows nothing of its own light.
     pub transmission: f64,
     /// The Fresnel factor.
     pub fresnel: Fresnel,
     /// Multiplies what is let through, once however many surfaces count. Linear RGB, 0 to 1.
     pub tint: DVec3,
-    /// The absorption of the body, per world unit: light is weakened by `exp(-absorption d)` over the distance `d`. Counts between two
-    /// surfaces. Linear RGB, not negative.
+    /// The absorption of the body, per world unit: light is weakened by `exp(-absorption d)` over the distance `d`.
+    /// Counts between two surfaces. Linear RGB, not negative.
     pub absorption: DVec3,
     /// The index of blue light (486 nm, the green channel has the index itself) less that of red light (656 nm).
     pub dispersion: f64,
@@ -130,7 +130,7 @@ impl Optics {
         [index - 0.5 * self.dispersion, index, index + 0.5 * self.dispersion].map(|n| n.max(SMALLEST_INDEX))
     }
 
-    /// `w`: how much of the environment's reflection stands in the place of the lit surface, where the boundary has the
+    /// `w`: the share of the lit surface that the environment's reflection replaces, where the boundary has the
     /// Fresnel factor `f`.
     pub fn mirror_share(&self, f: f64) -> f64 {
         match self.fresnel {
@@ -148,7 +148,7 @@ impl Optics {
     }
 }
 
-/// Dispersion brings no index below this: a vacuum in which light goes twice as fast is no material any more.
+/// Dispersion brings no index below this: no material is a vacuum in which light is twice as fast.
 pub const SMALLEST_INDEX: f64 = 0.1;
 
 /// The reflected and the refracted ray at a boundary.
@@ -225,19 +225,19 @@ pub struct Meeting {
     pub distance: f64,
 }
 
-/// What lies nearer to a ray's origin inside of an object than this share of the diagonal of the box around the object is
-/// the surface that the ray starts from: more than what positions in f32 are rounded by, and far below what is seen.
+/// A surface nearer to a ray's origin inside an object than this share of the diagonal of the object's box is the
+/// surface that the ray starts from: more than the rounding of positions in f32, and far below what is visible.
 pub const NEAREST_MEETING: f64 = 1e-6;
 
 /// The body that a point belongs to, as rays inside of it find it.
 pub trait Body {
-    /// Where a ray from `origin` (world space) along `direction` (unit) next meets the body's surface from inside; none
-    /// where the body is open.
+    /// The next point at which a ray from `origin` (world space) along `direction` (unit) meets the body's surface from
+    /// inside; `None` if the body is open there.
     fn next_meeting(&self, origin: DVec3, direction: DVec3) -> Option<Meeting>;
 }
 
-/// The environment that a point shows. `environment` is `E`: linear radiance from a unit direction. `body` matters where two surfaces
-/// count and the point is seen from outside.
+/// The environment that a point shows. `environment` is `E`: linear radiance from a unit direction. `body` matters
+/// where two surfaces count and the point is seen from outside.
 pub fn sight(
     point: &ShadingPoint,
     index: f64,
@@ -273,8 +273,9 @@ pub fn sight(
 
 /// The radiance along a view ray that has entered a body at `origin` along `direction`.
 ///
-/// At each meeting the part that is not reflected goes out and shows the environment there; the reflected part goes
-/// on, at most [`MOST_MEETINGS`] times, then it is let go as it points. Every part is weakened by its way inside.
+/// At each meeting the part that is not reflected leaves and shows the environment there; the reflected part continues,
+/// at most [`MOST_MEETINGS`] times, and then leaves in its direction. Absorption weakens every part along its way
+/// inside.
 pub fn through_body(
     origin: DVec3,
     direction: DVec3,
@@ -302,7 +303,7 @@ pub fn through_body(
     sum + weight * environment(direction)
 }
 
-/// A ray that carries less is not followed: a quarter of a step of 8 bits.
+/// A ray with a smaller weight is not followed: a quarter of a step of 8 bits.
 pub const WEIGHT_THAT_COUNTS: f64 = 1e-3;
 
 /// The share of unpolarised light that a smooth boundary of two dielectrics reflects, in `[0, 1]`.
@@ -336,8 +337,8 @@ pub fn dielectric(cos_i: f64, eta: f64) -> f64 {
 
 /// Schlick's approximation `f0 + (1 - f0)(1 - cos)^5`, `cos` held in `[0, 1]`.
 ///
-/// For light that enters the denser medium; from inside it is right only with the cosine on the outer
-/// side, and it knows no total reflection. Source: C. Schlick, *An Inexpensive BRDF Model for
+/// It holds for light that enters the denser medium; from inside it needs the cosine on the outer
+/// side, and it lacks total reflection. Source: C. Schlick, *An Inexpensive BRDF Model for
 /// Physically-based Rendering*, Computer Graphics Forum 13(3), 1994, eq. (15).
 pub fn schlick(cos: f64, f0: f64) -> f64 {
     let x = 1.0 - unit_interval(cos);

@@ -5,7 +5,7 @@ use crate::vector;
 use glam::{DVec2, DVec3};
 
 named_enum! {
-    /// Anything of the equation that can be looked at alone.
+    /// A value of the equation that can be shown alone.
     pub enum Quantity {
         /// `N`, the shading normal, world space.
         Normal = "normal",
@@ -77,7 +77,7 @@ pub enum Encoding {
     Position,
     /// A distance: the scene's range of distances is mapped to [0, 1].
     Distance,
-    /// A factor in [0, 1], shown as it is (clamped).
+    /// A factor in [0, 1], shown clamped.
     Factor,
     /// A colour of light: shown like the picture itself.
     Color,
@@ -143,7 +143,7 @@ pub struct Geometry {
     pub depth: f64,
 }
 
-/// A quantity's value. Scalars stand in all three components; `uv` has 0 in the third.
+/// A quantity's value. Scalars fill all three components; `uv` has 0 in the third.
 pub type Value = DVec3;
 
 impl Terms {
@@ -206,8 +206,8 @@ impl Terms {
     }
 }
 
-/// Magnitude below which a number is noise. Rounding errors of terms of about 1 are smaller in f64 (2e-16 each), and so is what
-/// remains of a term that vanishes, such as a cosine to a high power.
+/// Magnitude below which a number is noise. Rounding errors of terms of about 1 are smaller in f64 (2e-16 each), and so
+/// is what remains of a term that vanishes, such as a cosine to a high power.
 const NOISE: f64 = 1e-12;
 
 /// Whether a number is displayed as 0: its magnitude is below 1e-12.

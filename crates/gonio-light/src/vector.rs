@@ -26,7 +26,7 @@ impl ShadingPoint {
     }
 }
 
-/// Below this length a vector has no direction, and the next best one stands in for it.
+/// Below this length a vector has no direction, and a fallback replaces it.
 pub const DEGENERATE_LENGTH: f64 = 1e-12;
 
 /// `|v|`, also where the squares of its components would overflow or vanish; infinite or NaN only if
@@ -86,7 +86,7 @@ pub fn any_orthonormal_vector(n: DVec3) -> DVec3 {
     DVec3::new(n.x * n.y * a, sign + n.y * n.y * a, -n.y)
 }
 
-/// Tangent and bitangent that stand upright on the unit normal `n`: the part of `tangent` across `n`,
+/// Tangent and bitangent perpendicular to the unit normal `n`: the part of `tangent` across `n`,
 /// at unit length ([`any_orthonormal_vector`] where there is none), and `n x tangent`.
 pub fn tangent_frame(n: DVec3, tangent: DVec3) -> (DVec3, DVec3) {
     let t = unit(tangent - n.dot(tangent) * n).unwrap_or_else(|| any_orthonormal_vector(n));

@@ -93,7 +93,8 @@ fn shares_are_those_of_the_definition() {
         let seen = optics::sight(&point(0.0), 1.5, &optics, &environment, None);
         optics.compose(lit, &seen)
     };
-    let near = |got: DVec3, wanted: [f64; 3]| assert!(got.abs_diff_eq(wanted.into(), 1e-12), "{got} not {wanted:?}");
+    let near =
+        |got: DVec3, expected: [f64; 3]| assert!(got.abs_diff_eq(expected.into(), 1e-12), "{got} not {expected:?}");
     near(shown(Optics::default()), [0.0, 0.0, 1.0]);
     near(shown(Optics { reflectivity: 0.3, ..Optics::default() }), [0.3, 0.0, 0.7]);
     near(shown(Optics { reflectivity: 0.5, fresnel: Fresnel::Exact, ..Optics::default() }), [0.02, 0.0, 0.98]);
@@ -131,12 +132,12 @@ fn a_ball_turns_the_view_by_twice_what_its_surface_does() {
         let inside = (angle.sin() / 1.5).asin();
         let turned = -2.0 * (angle - inside);
         let straight = -view_at(angle);
-        let wanted = DVec3::new(
+        let expected = DVec3::new(
             straight.x * turned.cos() - straight.y * turned.sin(),
             straight.x * turned.sin() + straight.y * turned.cos(),
             0.0,
         );
-        assert!(seen.transmitted.abs_diff_eq(wanted, 1e-9), "{degrees}: {} not {wanted}", seen.transmitted);
+        assert!(seen.transmitted.abs_diff_eq(expected, 1e-9), "{degrees}: {} not {expected}", seen.transmitted);
     }
     // Absorbed along the diameter: exp(-2 ln 2) = 1/4.
     let absorbing = Optics { absorption: DVec3::splat(std::f64::consts::LN_2), ..optics };
@@ -160,8 +161,8 @@ impl Body for Endless {
 fn endless_reflection_ends() {
     let optics = Optics { transmission: 1.0, surfaces: Surfaces::Two, absorption: DVec3::ONE, ..Optics::default() };
     let seen = optics::sight(&point(0.3), 1.5, &optics, &|_| DVec3::ONE, Some(&Endless));
-    let wanted = (-(MOST_MEETINGS as f64)).exp();
-    assert!(seen.transmitted.abs_diff_eq(DVec3::splat(wanted), 1e-12), "{} not {wanted}", seen.transmitted);
+    let expected = (-(MOST_MEETINGS as f64)).exp();
+    assert!(seen.transmitted.abs_diff_eq(DVec3::splat(expected), 1e-12), "{} not {expected}", seen.transmitted);
 }
 
 #[test]

@@ -72,7 +72,7 @@ mod tests {
         let body = |flat| ObjectBody { geometry: &geometry, object: 0, flat };
         let distance = |z: f64, d: DVec3| body(true).next_meeting(DVec3::new(1.0, 2.0, z), d).map(|m| m.distance);
         // A few roundings.
-        let near = |got: Option<f64>, wanted: f64| got.is_some_and(|got| (got - wanted).abs() < 1e-13);
+        let near = |got: Option<f64>, expected: f64| got.is_some_and(|got| (got - expected).abs() < 1e-13);
         assert!(near(distance(-1.0, DVec3::Z), 1.0) && near(distance(1.0, DVec3::Z), 3.0));
         // The box's diagonal is 28.6: within a millionth of it the wall is where the ray starts.
         let least = 1e-6 * (800.0_f64 + 16.0).sqrt();

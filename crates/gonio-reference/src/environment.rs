@@ -17,7 +17,7 @@ use std::f64::consts::FRAC_1_PI;
 /// The environment of a frame.
 pub(crate) struct Environment<'a> {
     loaded: &'a LoadedEnvironment,
-    how: Surroundings,
+    surroundings: Surroundings,
     /// The frame's filter chooses among smaller copies.
     has_levels: bool,
     /// The level of the background.
@@ -26,8 +26,8 @@ pub(crate) struct Environment<'a> {
     blurred: Option<&'a GlossyMips>,
     /// Diffuse light by the normal, where it counts.
     diffuse: Option<[DVec3; 9]>,
-    /// What rough mirrors show, where they count. Both are at hand before threads ask: what they are made by uses all
-    /// threads, and would wait for itself.
+    /// The environment in rough mirrors, if there are any. Both are computed before the threads start: computing them
+    /// uses all threads, which would deadlock.
     glossy: Option<(&'a GlossyMips, &'static BrdfTable)>,
 }
 
@@ -35,44 +35,46 @@ impl<'a> Environment<'a> {
     /// `None` where the frame has none. `sample_angle_rad` is the angle that a sample in the middle of the picture
     /// represents.
     ///
-    /// Not to be called for each pixel: what the environment makes at the first wish is made here.
+    /// Call it once per frame: it computes whatever the environment makes on demand.
     pub fn new(scene: &'a Scene, frame: &Frame, sample_angle_rad: f64) -> Option<Self> {
         let loaded: &LoadedEnvironment = scene.environment.as_ref()?;
-        let how = frame.surroundings?;
+        let surroundings = frame.surroundings?;
         let has_levels = matches!(frame.texture_filter, TextureFilter::Mipmap | TextureFilter::Anisotropic);
         let terms = &frame.equation.terms;
         let any_gloss = || scene.materials.iter().any(|m| m.material.specular != [0.0; 3]);
         Some(Environment {
             loaded,
-            how,
+            surroundings,
             has_levels,
             background_level: if has_levels { level(loaded.seen().full().size(), sample_angle_rad) } else { 0.0 },
-            blurred: (how.visible && how.blur > 0.0).then(|| loaded.seen_glossy()),
-            diffuse: (how.lights && terms.diffuse).then(|| loaded.harmonics().polynomial()),
-            glossy: (how.lights && terms.specular && any_gloss()).then(|| (loaded.glossy(), BrdfTable::get())),
+            blurred: (surroundings.visible && surroundings.blur > 0.0).then(|| loaded.seen_glossy()),
+            diffuse: (surroundings.lights && terms.diffuse).then(|| loaded.harmonics().polynomial()),
+            glossy: (surroundings.lights && terms.specular && any_gloss()).then(|| (loaded.glossy(), BrdfTable::get())),
         })
     }
 
     /// `E(D)`: linear radiance from a unit direction in the world.
     fn radiance(&self, direction: DVec3, level: f64) -> DVec3 {
-        self.how.intensity * self.loaded.mips.sample(self.how.environment_from_world * direction, level)
+        self.surroundings.intensity
+            * self.loaded.mips.sample(self.surroundings.environment_from_world * direction, level)
     }
 
-    /// The radiance behind the objects from a unit direction in the world; `None` where the background colours are seen.
+    /// The radiance behind the objects from a unit direction in the world; `None` where the background colours are
+    /// seen.
     pub fn background(&self, direction: impl FnOnce() -> DVec3) -> Option<DVec3> {
-        self.how.visible.then(|| {
-            let direction = self.how.environment_from_world * direction();
+        self.surroundings.visible.then(|| {
+            let direction = self.surroundings.environment_from_world * direction();
             let radiance = match self.blurred {
-                Some(blurred) => blurred.sample(direction, self.how.blur),
+                Some(blurred) => blurred.sample(direction, self.surroundings.blur),
                 None => self.loaded.seen().sample(direction, self.background_level),
             };
-            self.how.intensity * radiance
+            self.surroundings.intensity * radiance
         })
     }
 
     /// Whether a surface with these optics looks other than without the environment.
     pub fn touches(&self, optics: &Optics) -> bool {
-        self.how.lights || !optics.is_plain()
+        self.surroundings.lights || !optics.is_plain()
     }
 
     /// The environment's terms at a fragment. `point` is that of Phong and flat shading: the fragment itself.
@@ -98,20 +100,20 @@ impl<'a> Environment<'a> {
     /// `k_d` times the irradiance over pi; zero where the environment does not light.
     fn diffuse_light(&self, point: &ShadingPoint, surface: &Surface) -> DVec3 {
         self.diffuse.as_ref().map_or(DVec3::ZERO, |polynomial| {
-            let irradiance = harmonics::irradiance(polynomial, self.how.environment_from_world * point.normal);
-            surface.diffuse * irradiance * (self.how.intensity * FRAC_1_PI)
+            let irradiance = harmonics::irradiance(polynomial, self.surroundings.environment_from_world * point.normal);
+            surface.diffuse * irradiance * (self.surroundings.intensity * FRAC_1_PI)
         })
     }
 
     /// `k_s scale + bias` times the blurred environment about the middle of the mirror's lobe, by the split sum
-    /// ([`gonio_environment::prefilter`]); zero for a black `k_s`, as such surfaces are matte, and where the environment
-    /// does not light.
+    /// ([`gonio_environment::prefilter`]); zero for a black `k_s`, as such surfaces are matte, and where the
+    /// environment does not light.
     fn glossy_light(&self, point: &ShadingPoint, surface: &Surface) -> DVec3 {
         let Some((glossy, table)) = self.glossy.filter(|_| surface.specular != DVec3::ZERO) else { return DVec3::ZERO };
         let roughness = roughness_of_shininess(effective_shininess(surface.shininess));
         let (scale, bias) = table.lookup(point.normal.dot(point.view), roughness);
-        let middle = self.how.environment_from_world * dominant_direction(point.normal, point.view, roughness);
-        (surface.specular * scale + bias) * glossy.sample(middle, roughness) * self.how.intensity
+        let middle = self.surroundings.environment_from_world * dominant_direction(point.normal, point.view, roughness);
+        (surface.specular * scale + bias) * glossy.sample(middle, roughness) * self.surroundings.intensity
     }
 
     fn sight(
@@ -135,8 +137,8 @@ impl<'a> Environment<'a> {
         optics::sight(point, index, optics, &radiance, body)
     }
 
-    /// The levels of the environment for `R` and for `T`, by the angle between neighbouring samples. What comes out of a body is taken from the copy of the `T` that goes in, and all channels from
-    /// that of the middle one.
+    /// The levels of the environment for `R` and for `T`, by the angle between neighbouring samples. Light from a body
+    /// is looked up at the level of the `T` that enters it, and all channels at that of the middle one.
     fn levels(
         &self,
         shader: &Shader,

@@ -105,7 +105,7 @@ pub(crate) struct Triangle {
 /// The transformation of an object's vectors to world space.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placement {
-    /// For directions along the surface.
+    /// The matrix for directions along the surface.
     pub world_from_model: DMat3,
     /// -1 where `M` mirrors, else 1.
     pub handedness: f64,
@@ -121,7 +121,7 @@ pub(crate) struct WorldGeometry {
     pub normals: Vec<DVec3>,
     /// The triangles to draw.
     pub triangles: Vec<Triangle>,
-    /// By object.
+    /// The placement of each object.
     pub placements: Vec<Placement>,
     /// `None` where there is no triangle.
     pub tree: Option<Tree>,
@@ -275,13 +275,13 @@ fn build(boxes: &[Aabb], parameters: &BvhBuildParams) -> Bvh2 {
     bvh
 }
 
-/// Whether rays of sight go through the inside of an object.
+/// Whether view rays go through the inside of an object.
 pub(crate) fn is_looked_through(scene: &Scene, object: &Object) -> bool {
     let mut optics = object.parts.iter().filter_map(|part| scene.materials.get(part.material)).map(|m| &m.optics);
     optics.any(|o| o.transmission > 0.0 && o.surfaces == Surfaces::Two)
 }
 
-/// To f32, never upwards.
+/// Rounds to f32, never upwards.
 fn rounded_down(v: DVec3) -> Vec3A {
     let down = |x: f64| {
         let nearest = x as f32;

@@ -2,10 +2,10 @@
 //!
 //! Eye space is (right, up, along the viewing direction), so that a ray is the set of points `z (sx, sy, 1)`. A
 //! triangle is sheared until the ray is the z axis, `x' = x - sx z`, `y' = y - sy z`, and the signs of the three 2-D
-//! edge functions say on which side of each edge the ray passes (after Woop, Benthin, Wald: "Watertight Ray/Triangle
-//! Intersection", JCGT 2013). Both triangles at an edge compute its function from the same two numbers with only the
-//! sign exchanged, and rounding never turns the sign of `a b - c d`, so no ray passes between them. Where the function is 0 the edge
-//! belongs to one of the two by the top-left rule of rasterisers, so that no ray hits both.
+//! edge functions give the side of each edge on which the ray passes (after Woop, Benthin, Wald: "Watertight
+//! Ray/Triangle Intersection", JCGT 2013). Both triangles at an edge compute its function from the same two numbers
+//! with only the sign exchanged, and rounding never turns the sign of `a b - c d`, so no ray passes between them. Where
+//! the function is 0 the edge belongs to one of the two by the top-left rule of rasterisers, so that no ray hits both.
 
 use crate::geometry::WorldGeometry;
 use crate::samples::sample_width;
@@ -31,8 +31,8 @@ pub(crate) struct EyeSpace {
 pub(crate) trait RaySpace {
     /// Three corners in it.
     fn corners(&self, vertices: [u32; 3]) -> [DVec3; 3];
-    /// The footprint of a ray: the difference to a ray beside it on the right, and to one below. They are as far away as
-    /// the samples of the picture are from each other.
+    /// The footprint of a ray: the difference to a ray beside it on the right, and to one below. They are as far away
+    /// as the samples of the picture are from each other.
     fn steps(&self) -> [DVec2; 2];
 }
 

@@ -2,7 +2,7 @@
 //! there is no OpenGL.
 //!
 //! A ray goes from the eye through each sample of each pixel to the nearest triangle; there the light equation is
-//! evaluated as the object's shading says. Nothing is random and no value depends on the number of threads: the same
+//! evaluated at the points that the object's shading chooses. Nothing is random and no value depends on the number of threads: the same
 //! scene gives the same bytes.
 //!
 //! | module | content |
@@ -117,11 +117,13 @@ impl ReferenceScene {
         render::render(self, frame, views, progress)
     }
 
-    /// The whole sphere around the frame's camera as an equirectangular picture: linear, premultiplied, nothing clamped.
+    /// The whole sphere around the frame's camera as an equirectangular picture: linear, premultiplied, nothing
+    /// clamped.
     ///
-    /// The centre column is the world's -Z, the right half turns towards +X, the top row is +Y, wherever the camera looks;
-    /// only its position counts. There are no near and far planes: nothing in front of the eye is cut off. A background
-    /// without environment goes from its top colour at +Y to its bottom colour at -Y by the angle. Sizes of 0 count as 1.
+    /// The centre column is the world's -Z, the right half turns towards +X, the top row is +Y, wherever the camera
+    /// looks; only its position counts. There are no near and far planes: nothing in front of the eye is cut off. A
+    /// background without environment goes from its top colour at +Y to its bottom colour at -Y by the angle. Sizes of
+    /// 0 count as 1.
     pub fn panorama(&self, frame: &Frame, width: u32, height: u32) -> Picture {
         panorama::panorama(self, frame, width, height)
     }

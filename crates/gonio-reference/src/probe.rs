@@ -42,7 +42,8 @@ pub struct Probe {
     pub depth: f64,
     /// World space.
     pub position: DVec3,
-    /// Geometric normal (towards the triangle's front), the mesh's tangent (zero where it has none), texture coordinates.
+    /// Geometric normal (towards the triangle's front), the mesh's tangent (zero where it has none), texture
+    /// coordinates.
     #[serde(with = "GeometryReport")]
     pub geometry: Geometry,
     /// The triangle's front is seen.
@@ -58,8 +59,8 @@ pub struct Probe {
     pub opacity: f64,
     /// The textures that were read.
     pub texels: Vec<TexelReport>,
-    /// The equation at the pixel itself. Flat and Phong shading draw its total; Gouraud and flat per face do not, and
-    /// it stands here for comparison. What is seen of the environment (`terms.environment`) every shading takes from here.
+    /// The equation at the pixel itself. Flat and Phong shading draw its total; Gouraud and flat per face do not, so
+    /// it serves as a comparison. Every shading uses its environment (`terms.environment`).
     #[serde(with = "TermsReport")]
     pub terms: Terms,
     /// The equation where the shading evaluates it, if that is not at the pixel: at the three corners (Gouraud) or at

@@ -36,7 +36,7 @@ pub(crate) struct Surfaced<'a> {
     /// Index into the triangles.
     pub id: u32,
     pub fragment: Fragment<'a>,
-    /// In `[HOLE, 1]`.
+    /// The opacity, in `[HOLE, 1]`.
     pub opacity: f64,
 }
 
@@ -55,7 +55,7 @@ impl<'a> FrameContext<'a> {
         FrameContext { reference, frame, shader: Shader { geometry: reference.world(), frame, environment } }
     }
 
-    /// For a picture by the frame's camera.
+    /// The context of a picture by the frame's camera.
     pub fn of_camera(reference: &'a ReferenceScene, frame: &'a Frame) -> Self {
         let pixel_angle_rad = 2.0 * (0.5 * frame.camera.fov_y_rad).tan() / f64::from(frame.height);
         FrameContext::new(reference, frame, pixel_angle_rad)
@@ -106,8 +106,8 @@ impl<'a> FrameContext<'a> {
         seen.map_or_else(|| DVec4::from(self.frame.background.at(height)), |radiance| radiance.extend(1.0))
     }
 
-    /// The picture's premultiplied linear RGBA along one ray, and how many fragments were shaded for it. What is behind
-    /// is asked for where it is seen.
+    /// The picture's premultiplied linear RGBA along one ray, and the number of fragments that were shaded for it.
+    /// `behind` is called only where it is visible.
     pub fn radiance<'v>(
         &'v self,
         surfaces: impl Iterator<Item = Surfaced<'v>>,

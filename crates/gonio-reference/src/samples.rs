@@ -10,7 +10,7 @@
 ///
 /// 0 counts as 1.
 pub fn sample_positions(count: u32) -> Vec<[f64; 2]> {
-    /// From the pixel's centre, in sixteenths.
+    /// Offsets from the pixel's centre, in sixteenths.
     const STANDARD_2: &[[i8; 2]] = &[[4, 4], [-4, -4]];
     const STANDARD_4: &[[i8; 2]] = &[[-2, -6], [6, -2], [-6, 2], [2, 6]];
     const STANDARD_8: &[[i8; 2]] = &[[1, -3], [-1, 3], [5, 1], [-3, -5], [-5, 5], [-7, -1], [3, 7], [7, -7]];

@@ -1,4 +1,4 @@
-//! The equation at a fragment, evaluated where the object's shading says.
+//! The equation at a fragment, evaluated at the points that the object's shading chooses.
 
 use crate::environment::Environment;
 use crate::fragment::{Fragment, base_surface, corner, interpolate};
@@ -15,7 +15,7 @@ pub(crate) struct CornerLight {
     triangle: u32,
     turned: bool,
     pub sums: [LightSums; 3],
-    /// Every term, where a view asked for it.
+    /// All terms, if a view needs them.
     pub terms: Option<[Terms; 3]>,
 }
 
@@ -71,8 +71,8 @@ impl Shader<'_> {
         }))
     }
 
-    /// The point at which flat and Phong shading evaluate. For Gouraud shading the same as for Phong (without normal map): what a
-    /// view of the tangent, or a report that compares, shows.
+    /// The point at which flat and Phong shading evaluate. For Gouraud shading the same as for Phong (without normal
+    /// map): what a view of the tangent, or a report that compares, shows.
     pub fn fragment_point(&self, fragment: &Fragment) -> ShadingPoint {
         let weights = fragment.crossing.barycentrics;
         let geometric = fragment.geometric_normal * fragment.turn;
@@ -208,10 +208,10 @@ impl Shader<'_> {
 
     /// A debug view's value at the fragment: what [`Terms::quantity`] gives where the shading evaluates.
     ///
-    /// Flat and Phong: at the fragment. Gouraud and flat per face: place and triangle (position, depth, uv, geometric normal,
-    /// tangent) and all that is seen of the environment at the fragment; `k_d`, A, E and the two sums with the fragment's
-    /// material and the interpolated light; everything else at the corners (the centroid) with the material's bare
-    /// numbers, interpolated.
+    /// Flat and Phong: at the fragment. Gouraud and flat per face: place and triangle (position, depth, uv, geometric
+    /// normal, tangent) and all that is seen of the environment at the fragment; `k_d`, A, E and the two sums with the
+    /// fragment's material and the interpolated light; everything else at the corners (the centroid) with the
+    /// material's bare numbers, interpolated.
     pub fn quantity(
         &self,
         fragment: &Fragment,

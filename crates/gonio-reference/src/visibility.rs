@@ -237,7 +237,7 @@ mod tests {
     use super::*;
     use gonio_scene::Camera;
 
-    /// In whatever order the tree meets them.
+    /// The order in which the tree meets them does not matter.
     #[test]
     fn of_equally_near_triangles_the_first_drawn_wins() {
         let camera = Camera::looking_along(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 1.0, 0.1, 10.0);

@@ -127,13 +127,13 @@ fn an_environment_comes_back_as_it_was() {
     let lab = TestScene::new().environment(compass()).eye(EYE, [1.0, 2.0, -3.0]);
     let reference = ReferenceScene::new(&lab.scene);
     let drawn = reference.panorama(&lab.frame, 64, 32);
-    let wanted = Panorama::from_function(64, 32, on_cube);
+    let expected = Panorama::from_function(64, 32, on_cube);
     let mut compared = 0;
-    for (i, (got, wanted)) in drawn.pixels.iter().zip(&wanted.image.pixels).enumerate() {
+    for (i, (got, expected)) in drawn.pixels.iter().zip(&expected.image.pixels).enumerate() {
         let (x, y) = ((i % 64) as f64 + 0.5, (i / 64) as f64 + 0.5);
         if is_exact(gonio_environment::panorama::direction(x / 64.0, y / 32.0)) {
             // f32 of texels and of pixels.
-            assert!(rgb(*got).abs_diff_eq(rgb(*wanted), 1e-6), "{i}");
+            assert!(rgb(*got).abs_diff_eq(rgb(*expected), 1e-6), "{i}");
             compared += 1;
         }
     }
@@ -143,8 +143,8 @@ fn an_environment_comes_back_as_it_was() {
         let back = Cubemap::from_faces(faces, layout).unwrap();
         for face in Face::ALL {
             for (x, y) in (0..COMPASS_SIZE).flat_map(|y| (0..COMPASS_SIZE).map(move |x| (x, y))) {
-                let wanted = on_cube(texel_direction(face, x, y, COMPASS_SIZE));
-                assert!(rgb(back.at(face, x, y)).abs_diff_eq(wanted, 1e-6), "{layout} {face:?} {x},{y}");
+                let expected = on_cube(texel_direction(face, x, y, COMPASS_SIZE));
+                assert!(rgb(back.at(face, x, y)).abs_diff_eq(expected, 1e-6), "{layout} {face:?} {x},{y}");
             }
         }
     }
@@ -159,11 +159,11 @@ fn large_pixels_show_smaller_copies() {
     // What a pixel in the middle covers, in texels of the full copy.
     let panorama = reference.panorama(&lab.frame, 80, 40).at(13, 17);
     let direction = gonio_environment::panorama::direction(13.5 / 80.0, 17.5 / 40.0);
-    let wanted = mips.sample(direction, (128.0 * std::f64::consts::PI / 40.0).log2());
-    assert!(rgb(panorama).abs_diff_eq(wanted, 1e-6), "{panorama:?} is not {wanted}");
+    let expected = mips.sample(direction, (128.0 * std::f64::consts::PI / 40.0).log2());
+    assert!(rgb(panorama).abs_diff_eq(expected, 1e-6), "{panorama:?} is not {expected}");
     let face = reference.cube_face(&lab.frame, Face::PosY, Layout::OpenGl, 48).at(13, 17);
-    let wanted = mips.sample(texel_direction(Face::PosY, 13, 17, 48), (256.0 / 48.0_f64).log2());
-    assert!(rgb(face).abs_diff_eq(wanted, 1e-6), "{face:?} is not {wanted}");
+    let expected = mips.sample(texel_direction(Face::PosY, 13, 17, 48), (256.0 / 48.0_f64).log2());
+    assert!(rgb(face).abs_diff_eq(expected, 1e-6), "{face:?} is not {expected}");
 }
 
 #[test]
@@ -244,8 +244,9 @@ fn even_light_is_multiplied_by_the_material() {
             let lab = lab.object(square(9.0, 0.0), shading, material);
             lit(lab.environment(Cubemap::new(4, [1.0, 1.0, 0.5, 1.0])), 2.0)
         };
-        let near =
-            |got: DVec3, wanted: DVec3| assert!(got.abs_diff_eq(wanted, ROUNDING), "{shading}: {got} not {wanted}");
+        let near = |got: DVec3, expected: DVec3| {
+            assert!(got.abs_diff_eq(expected, ROUNDING), "{shading}: {got} not {expected}")
+        };
         let light = DVec3::new(2.0, 2.0, 1.0);
         // The irradiance is pi; a black k_s is matte, whatever its shininess.
         let lab = even(matte([0.5, 0.25, 1.0]));
@@ -263,8 +264,8 @@ fn even_light_is_multiplied_by_the_material() {
         assert_eq!(specular_of(0.0), specular_of(1.0), "{shading}");
         // What mirrors show stands in the place of all that is lit.
         let lab = lab.optics(Optics { reflectivity: 0.25, ..Optics::default() });
-        let wanted = 0.75 * (specular + light * DVec3::new(0.5, 0.25, 1.0)) + 0.25 * light;
-        near(DVec3::from_slice(&lab.middle()), wanted);
+        let expected = 0.75 * (specular + light * DVec3::new(0.5, 0.25, 1.0)) + 0.25 * light;
+        near(DVec3::from_slice(&lab.middle()), expected);
         // Each by its switch, and both by the environment's.
         let lab = lab.optics(Optics::default()).frame(|f| f.equation.terms.diffuse = false);
         near(DVec3::from_slice(&lab.middle()), specular);
@@ -320,9 +321,9 @@ fn a_blurred_background_is_that_of_a_rough_mirror() {
         let environment = lab.scene.environment.clone().unwrap();
         let picture = lab.draw().picture;
         for (x, y) in [(0, 0), (16, 16), (31, 7)] {
-            let (got, wanted) =
+            let (got, expected) =
                 (rgb(picture.at(x, y)), 0.5 * environment.seen_glossy().sample(ray_of(&lab, x, y), 0.4));
-            assert!(got.abs_diff_eq(wanted, ROUNDING), "{filter} {x},{y}: {got} is not {wanted}");
+            assert!(got.abs_diff_eq(expected, ROUNDING), "{filter} {x},{y}: {got} is not {expected}");
             let sharp = 0.5 * environment.seen().sample(ray_of(&lab, x, y), 0.0);
             assert!(!got.abs_diff_eq(sharp, 0.01), "{x},{y} is not blurred");
         }

@@ -86,16 +86,16 @@ fn colours_are_bent_by_indices_of_their_own() {
     let got = lab.middle();
     for (channel, (index, tint)) in [(1.3_f64, 0.5), (1.5, 1.0), (1.7, 0.25)].into_iter().enumerate() {
         let sine = 0.5_f64.sqrt() / index;
-        let wanted = on_cube(DVec3::new(-sine, 0.0, -(1.0 - sine * sine).sqrt()));
-        assert!(near(got[channel], tint * wanted[channel], ROUNDING), "{channel}: {got:?}");
+        let expected = on_cube(DVec3::new(-sine, 0.0, -(1.0 - sine * sine).sqrt()));
+        assert!(near(got[channel], tint * expected[channel], ROUNDING), "{channel}: {got:?}");
     }
     // What tells the channels apart is only in x: each colour alone.
     for (channel, index) in [1.3_f64, 1.5, 1.7].into_iter().enumerate() {
         let lab = lab_of_x(&lab);
         let sine = 0.5_f64.sqrt() / index;
-        let wanted = 1.0 - on_cube(DVec3::new(-sine, 0.0, -(1.0 - sine * sine).sqrt())).x;
+        let expected = 1.0 - on_cube(DVec3::new(-sine, 0.0, -(1.0 - sine * sine).sqrt())).x;
         let tint = [0.5, 1.0, 0.25][channel];
-        assert!(near(lab.middle()[channel], tint * wanted, ROUNDING), "{channel}: {:?}", lab.middle());
+        assert!(near(lab.middle()[channel], tint * expected, ROUNDING), "{channel}: {:?}", lab.middle());
     }
 }
 
@@ -130,10 +130,10 @@ fn a_ball_turns_the_view_as_on_paper() {
             }
             // Towards the axis, by twice what one surface turns; both angles inside are equal.
             let turned = 2.0 * (sine.asin() - (sine / 1.5).asin());
-            let wanted = turned.cos() * d - turned.sin() * away.normalize_or_zero();
+            let expected = turned.cos() * d - turned.sin() * away.normalize_or_zero();
             let got = rgb(picture.at(x, y)).normalize();
             // Set by the tessellation: chords of 2 degrees.
-            assert!(got.abs_diff_eq(wanted, 2e-3), "{x},{y}: {got} is not {wanted}");
+            assert!(got.abs_diff_eq(expected, 2e-3), "{x},{y}: {got} is not {expected}");
             compared += 1;
         }
         assert!(compared > 150, "{compared}");
@@ -167,11 +167,11 @@ fn a_slab_shifts_the_view_and_weakens_it() {
     for (x, y) in pixels() {
         let d = ray_of(&shifted, x, y);
         let cos_inside = (1.0 - (1.0 - d.z * d.z) / (1.52 * 1.52)).sqrt();
-        let wanted = on_cube(d) * optics.tint * (-absorption / cos_inside).exp();
+        let expected = on_cube(d) * optics.tint * (-absorption / cos_inside).exp();
         if is_exact(d) {
             let got = rgb(picture.at(x, y));
             // The index is an f32 in the scene.
-            assert!(got.abs_diff_eq(wanted, ROUNDING), "{x},{y}: {got} is not {wanted}");
+            assert!(got.abs_diff_eq(expected, ROUNDING), "{x},{y}: {got} is not {expected}");
             compared += 1;
         }
     }
@@ -211,9 +211,9 @@ fn a_right_angled_prism_sends_the_view_back() {
             if d.y.abs() > 5f64.to_radians().sin() || d.x.abs() > 0.1 {
                 continue;
             }
-            let wanted = on_cube(DVec3::new(d.x, -d.y, -d.z));
+            let expected = on_cube(DVec3::new(d.x, -d.y, -d.z));
             let got = rgb(picture.at(x, y));
-            assert!(got.abs_diff_eq(wanted, ROUNDING), "{shading} {x},{y}: {got} is not {wanted}");
+            assert!(got.abs_diff_eq(expected, ROUNDING), "{shading} {x},{y}: {got} is not {expected}");
             compared += 1;
         }
         assert!(compared > 50, "{shading}: {compared}");
@@ -303,8 +303,8 @@ fn facets_are_met_as_brute_force_meets_them() {
         if !exact {
             continue 'pixels;
         }
-        let (got, wanted) = (probe.terms.environment.sight.transmitted, (1.0 - first.reflectance) * sum);
-        assert!(got.abs_diff_eq(wanted, ROUNDING), "{x},{y}: {got} is not {wanted}");
+        let (got, expected) = (probe.terms.environment.sight.transmitted, (1.0 - first.reflectance) * sum);
+        assert!(got.abs_diff_eq(expected, ROUNDING), "{x},{y}: {got} is not {expected}");
         compared += 1;
     }
     assert!(compared > 50 && most == MOST_MEETINGS, "{compared} {most}");

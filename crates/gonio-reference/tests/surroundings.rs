@@ -18,15 +18,15 @@ const ROUNDING: f64 = 1e-6;
 
 const MIRROR: fn() -> Optics = || Optics { reflectivity: 1.0, ..Optics::default() };
 
-/// Each pixel's colour and direction, if `wanted` gives what it should be.
-fn compare(lab: &TestScene, wanted: impl Fn(DVec3) -> Option<DVec3>) -> u32 {
+/// Each pixel's colour and direction, if `expected` gives what it should be.
+fn compare(lab: &TestScene, expected: impl Fn(DVec3) -> Option<DVec3>) -> u32 {
     let picture = lab.draw().picture;
     let mut compared = 0;
     for (x, y) in (0..lab.frame.height).flat_map(|y| (0..lab.frame.width).map(move |x| (x, y))) {
         let direction = ray_of(lab, x, y);
-        let Some(wanted) = wanted(direction) else { continue };
+        let Some(expected) = expected(direction) else { continue };
         let got = rgb(picture.at(x, y));
-        assert!(got.abs_diff_eq(wanted, ROUNDING), "{x},{y} along {direction}: {got} is not {wanted}");
+        assert!(got.abs_diff_eq(expected, ROUNDING), "{x},{y} along {direction}: {got} is not {expected}");
         assert_eq!(picture.at(x, y)[3], 1.0);
         compared += 1;
     }
@@ -59,10 +59,10 @@ fn it_is_turned_and_made_brighter() {
         surroundings.environment_from_world = turn;
         surroundings.intensity = 2.5;
     });
-    let wanted = |d: DVec3| is_exact(turn * d).then(|| 2.5 * on_cube(turn * d));
-    assert!(compare(&lab, wanted) > 500);
+    let expected = |d: DVec3| is_exact(turn * d).then(|| 2.5 * on_cube(turn * d));
+    assert!(compare(&lab, expected) > 500);
     let mirror = lab.object(square(9.0, 0.0), Shading::Flat, Material::default()).optics(MIRROR());
-    assert!(compare(&mirror, |d| wanted(d * DVec3::new(1.0, 1.0, -1.0))) > 500);
+    assert!(compare(&mirror, |d| expected(d * DVec3::new(1.0, 1.0, -1.0))) > 500);
 }
 
 #[test]
@@ -137,8 +137,8 @@ fn the_sky_is_seen_through_transparent_surfaces() {
     let pane = Material { opacity: 0.4, emitted: [0.5, 0.25, 1.0], ..matte([0.0; 3]) };
     let lab = TestScene::new().object(square(9.0, 0.0), Shading::Flat, pane).environment(compass());
     // f32 of the material's numbers.
-    let wanted = |d: DVec3| f64::from(0.4_f32) * DVec3::new(0.5, 0.25, 1.0) + (1.0 - f64::from(0.4_f32)) * on_cube(d);
-    assert!(compare(&lab, |d| is_exact(d).then(|| wanted(d))) > 500);
+    let expected = |d: DVec3| f64::from(0.4_f32) * DVec3::new(0.5, 0.25, 1.0) + (1.0 - f64::from(0.4_f32)) * on_cube(d);
+    assert!(compare(&lab, |d| is_exact(d).then(|| expected(d))) > 500);
 }
 
 /// A ball, half mirror, half glass, lit; all views of one pixel add up to the picture.
@@ -192,8 +192,8 @@ fn the_views_add_up_to_the_picture() {
                 continue;
             }
             let (lit, w) = (v[0] + v[1] + v[2] + v[3], 0.3 * fresnel.y);
-            let wanted = 0.4 * ((1.0 - w) * lit + w * reflected) + 0.6 * (fresnel * reflected + transmitted);
-            assert!(total.abs_diff_eq(wanted, ROUNDING), "{shading} {i}: {total} is not {wanted}");
+            let expected = 0.4 * ((1.0 - w) * lit + w * reflected) + 0.6 * (fresnel * reflected + transmitted);
+            assert!(total.abs_diff_eq(expected, ROUNDING), "{shading} {i}: {total} is not {expected}");
             on_ball += 1;
         }
         assert!(on_ball > 100, "{shading}: {on_ball}");
@@ -284,15 +284,15 @@ fn smaller_copies_are_looked_up_as_far_as_directions_turn() {
         for (x, y) in [(16, 16), (3, 20), (30, 1)] {
             let d = ray_of(&labs[0], x, y);
             let (mirrored, bent) = (across(DVec3::Z)(d), into(d));
-            let wanted = [
+            let expected = [
                 (d, sky_level),
                 (mirrored, far(&labs[1], x, y, &across(DVec3::Z))),
                 (bent, far(&labs[2], x, y, &into)),
             ];
-            for (lab, (direction, level)) in labs.iter().zip(wanted) {
+            for (lab, (direction, level)) in labs.iter().zip(expected) {
                 let level = if has_levels { level } else { 0.0 };
-                let (got, wanted) = (rgb(lab.draw().picture.at(x, y)), mips.sample(direction, level));
-                assert!(got.abs_diff_eq(wanted, ROUNDING), "{filter} {x},{y}: {got} is not {wanted} of {level}");
+                let (got, expected) = (rgb(lab.draw().picture.at(x, y)), mips.sample(direction, level));
+                assert!(got.abs_diff_eq(expected, ROUNDING), "{filter} {x},{y}: {got} is not {expected} of {level}");
             }
         }
     }

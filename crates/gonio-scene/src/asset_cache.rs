@@ -24,7 +24,7 @@ pub struct AssetCache {
     pub(crate) environment: Option<(EnvironmentSettings, Arc<LoadedEnvironment>)>,
 }
 
-/// A model file's materials, as they stand in the file.
+/// A model file's materials, without overrides.
 #[derive(Clone, Debug)]
 pub(crate) struct CachedModel {
     /// The name that the user knows.
@@ -46,7 +46,7 @@ pub(crate) struct CachedMesh {
     pub normals: NormalChoice,
     /// Its surface is closed, and faces outwards.
     pub closed: bool,
-    /// At least one of the two is there.
+    /// The mesh without tangents; at least one of the two is `Some`.
     pub plain: Option<Arc<Mesh>>,
     pub with_tangents: Option<Arc<Mesh>>,
 }

@@ -1,4 +1,4 @@
-//! The same scene with coarser meshes: how the picture depends on the number of triangles.
+//! Levels of detail: the same scene with coarser meshes.
 
 use crate::asset_cache::{NormalChoice, with_normals};
 use crate::files::{self, BUILTIN};
@@ -12,22 +12,22 @@ use std::sync::{Arc, OnceLock};
 pub enum LevelOfDetail {
     /// Each mesh simplified to this share of its triangles, above 0, at most 1.
     Share(f64),
-    /// Each built-in sphere as one of about so many triangles: of the next of 8, 32, 72, ... 8 f².
+    /// Each built-in sphere with about this number of triangles: the nearest of 8, 32, 72, ... 8 f².
     Sphere(usize),
 }
 
 impl LevelOfDetail {
-    /// A mesh of an object in this detail; `None` where it stays what it is.
+    /// Returns a mesh of an object at this level of detail; `None` if it does not change.
     ///
-    /// Simplifying a large mesh takes seconds: it is meant to be done beside the window.
+    /// Simplifying a large mesh takes seconds, so it should run on a background thread.
     pub fn mesh_for(self, mesh: &Mesh, object: &ObjectSpec) -> Option<Mesh> {
         let other = match self {
             LevelOfDetail::Share(share) => {
-                let wanted = (share.clamp(0.0, 1.0) * mesh.triangle_count() as f64).round() as usize;
-                if wanted >= mesh.triangle_count() {
+                let count = (share.clamp(0.0, 1.0) * mesh.triangle_count() as f64).round() as usize;
+                if count >= mesh.triangle_count() {
                     return None;
                 }
-                simplify::simplify(mesh, wanted)
+                simplify::simplify(mesh, count)
             }
             LevelOfDetail::Sphere(triangles) => {
                 if !is_sphere(object) {
@@ -43,14 +43,14 @@ impl LevelOfDetail {
     }
 }
 
-/// Whether an object is a built-in sphere, of whatever triangles.
+/// Whether an object is a built-in sphere, with any number of triangles.
 pub fn is_sphere(object: &ObjectSpec) -> bool {
     let name = object.model.strip_prefix(BUILTIN).map(|name| name.replace('_', "-"));
     name.is_some_and(|name| matches!(name.as_str(), "sphere-smooth" | "sphere-coarse" | "sphere-coarse-averaged"))
         || files::sphere_of(&object.model).is_some()
 }
 
-/// The scene with other meshes, one for each object in order; what is beyond either's end stays as it is. A mesh has
+/// Returns the scene with other meshes, one for each object in order; surplus objects or meshes are ignored. A mesh has
 /// the parts of the one it replaces, or fewer.
 pub fn with_meshes(loaded: &Scene, meshes: &[Arc<Mesh>]) -> Scene {
     let mut next = loaded.clone();

@@ -1,9 +1,9 @@
 //! Differences of two pictures, as numbers and as a map in colours.
 //!
-//! `gonio diff` and the window say the same of the same two pictures, for both count here.
+//! `gonio diff` and the application report the same numbers, because both use this module.
 
-/// Black, violet, red, orange, yellow, white: brighter is more, also for eyes that see no colours. 8-bit steps; between
-/// them linear, at equal distances.
+/// Black, violet, red, orange, yellow, white, in 8-bit steps, at equal distances and interpolated linearly. The larger
+/// the difference, the brighter: it is readable without colour vision.
 pub const HEAT: [[f64; 3]; 7] = [
     [0.0, 0.0, 0.0],
     [48.0, 10.0, 92.0],
@@ -22,8 +22,8 @@ pub fn heat(share: f64) -> [u8; 3] {
     [0, 1, 2].map(|c| (HEAT[low][c] * (1.0 - t) + HEAT[low + 1][c] * t).round() as u8)
 }
 
-/// The colour of a signed share in [-1, 1]: blue where the first is brighter, grey where both are equal, orange where the
-/// second is. sRGB.
+/// The colour of a signed share in [-1, 1]: blue where the first is brighter, grey where both are equal, orange where
+/// the second is. sRGB.
 pub fn signed(share: f64) -> [u8; 3] {
     let share = share.clamp(-1.0, 1.0);
     let end = if share < 0.0 { SIGNED[0] } else { SIGNED[2] };
@@ -45,8 +45,8 @@ pub struct Spread {
     pub max: f64,
 }
 
-/// Whether a value is at most its limit. 1e-12 of it more is rounding: 102 / 255 - 100 / 255 is not
-/// exactly two steps.
+/// Whether a value is at most its limit, up to rounding (1e-12, relative): 102 / 255 - 100 / 255 is not exactly two
+/// steps.
 pub fn within(value: f64, limit: f64) -> bool {
     value <= limit * (1.0 + 1e-12)
 }
@@ -63,8 +63,8 @@ pub struct DifferenceStatistics {
 }
 
 impl DifferenceStatistics {
-    /// Adds a pixel, whose number is `index`: encoded values from 0 to 1. It counts as differing where a value differs by
-    /// more than `tolerance` steps.
+    /// Adds a pixel, whose number is `index`: encoded values from 0 to 1. It counts as differing where a value differs
+    /// by more than `tolerance` steps.
     pub fn add(&mut self, index: usize, a: &[f64], b: &[f64], tolerance: f64) {
         let mut largest = 0.0f64;
         for (a, b) in a.iter().zip(b) {
@@ -82,7 +82,7 @@ impl DifferenceStatistics {
         }
     }
 
-    /// This and what comes after it in the picture.
+    /// The statistics of this part of a picture and the next one.
     pub fn with(self, next: DifferenceStatistics) -> DifferenceStatistics {
         DifferenceStatistics {
             sum: self.sum + next.sum,
@@ -117,7 +117,7 @@ impl DifferenceStatistics {
     }
 }
 
-/// Compares pictures of four bytes a pixel by their colours, as displayed; what is longer is cut off.
+/// Compares pictures of four bytes per pixel by their colours, as displayed; the longer one is cut off.
 pub fn of_bytes(a: &[u8], b: &[u8], tolerance: f64) -> DifferenceStatistics {
     let mut tally = DifferenceStatistics::default();
     let scaled = |p: &[u8]| [p[0], p[1], p[2]].map(|v| f64::from(v) / 255.0);

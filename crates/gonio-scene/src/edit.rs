@@ -27,20 +27,19 @@ pub enum Edited {
 pub struct Applied {
     /// The scene with the new settings. It shares meshes, textures and environment with the scene before where it can.
     pub loaded: Scene,
-    /// Triangles have come, gone or moved, became transparent or opaque, or belong to other materials.
+    /// Whether triangles were added, removed or moved, became transparent or opaque, or have other materials.
     pub geometry_changed: bool,
-    /// A material, or the texture of one, is another.
+    /// Whether a material or one of its textures changed.
     pub materials_changed: bool,
 }
 
 /// Returns `loaded` with other settings.
 ///
-/// Needs no files for: picture, camera, background, equation; lights, as they come, go and change; how the environment
-/// takes part, and whether there is one; objects' places, shading and names, objects taken out, and copies of those that
-/// are there; the numbers of a material, and textures that were there before. It needs files for other models, normals,
-/// environments and textures that were never read.
+/// It needs no files for changes of the picture, camera, background, equation and lights; of the use of the
+/// environment; of objects' placement, shading and names; for removed and copied objects; for the numbers of a
+/// material, and textures that were read before. It needs files for other models, normals, environments and textures.
 ///
-/// An object without a name gets that of its model. Settings without lights stay dark.
+/// An object without a name gets that of its model. Settings without lights get no default lights.
 ///
 /// # Errors
 ///
@@ -86,7 +85,7 @@ fn is_same_thing(before: &ObjectSpec, now: &ObjectSpec) -> bool {
         && NormalChoice::for_object(before) == NormalChoice::for_object(now)
 }
 
-/// The same objects, where they are now.
+/// The same objects in their new places.
 fn moved(loaded: &Scene, scene: &SceneSettings) -> Scene {
     let mut next = loaded.clone();
     for (object, spec) in next.objects.iter_mut().zip(&scene.objects) {
@@ -97,7 +96,7 @@ fn moved(loaded: &Scene, scene: &SceneSettings) -> Scene {
     next
 }
 
-/// Other objects or materials, of what is known; `None` where something is not.
+/// Other objects or materials from the cache; `None` if it lacks something.
 fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> Option<Scene> {
     let mut cache = (*loaded.cache).clone();
     let mut binder = MaterialBinder::from_cache(&cache.textures);
@@ -117,10 +116,10 @@ fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> O
         diagnostics: loaded.diagnostics.clone(),
         ..Scene::default()
     };
-    let mut told: Vec<Diagnostic> = Vec::new();
-    assemble(&mut next, &scene.objects, &mut cache.meshes, &mesh_of_object, &first_material, &mut told);
-    told.retain(|new| !loaded.diagnostics.contains(new));
-    next.diagnostics.append(&mut told);
+    let mut new_diagnostics: Vec<Diagnostic> = Vec::new();
+    assemble(&mut next, &scene.objects, &mut cache.meshes, &mesh_of_object, &first_material, &mut new_diagnostics);
+    new_diagnostics.retain(|new| !loaded.diagnostics.contains(new));
+    next.diagnostics.append(&mut new_diagnostics);
     next.cache = Arc::new(cache);
     Some(next)
 }
@@ -129,7 +128,7 @@ fn are_same<T>(a: &[Arc<T>], b: &[Arc<T>]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| Arc::ptr_eq(a, b))
 }
 
-/// Whether both have the same triangles, of materials that hide or show what is behind alike, in whatever place.
+/// Whether both have the same triangles, opaque and transparent alike, wherever they are placed.
 fn has_same_triangles(before: &Scene, now: &Scene) -> bool {
     are_same(&before.meshes, &now.meshes)
         && before.objects.len() == now.objects.len()

@@ -11,9 +11,9 @@ pub struct LoadedEnvironment {
     pub name: String,
     /// The environment that is reflected and refracted, and that lights the objects.
     pub mips: CubeMips,
-    /// The environment behind the objects, where that is another one.
+    /// The environment behind the objects, if it is a different one.
     pub background: Option<CubeMips>,
-    /// Made when they are first asked for: seconds of work that a mirror does without.
+    /// Computed when first needed, which takes seconds; a mirror needs none of them.
     harmonics: OnceLock<Harmonics>,
     glossy: OnceLock<GlossyMips>,
     seen_glossy: OnceLock<GlossyMips>,
@@ -32,7 +32,7 @@ impl LoadedEnvironment {
         }
     }
 
-    /// The same with another one to be seen behind the objects.
+    /// Returns it with another environment behind the objects.
     pub fn with_background(mut self, map: Cubemap) -> Self {
         self.background = Some(CubeMips::new(map));
         self.seen_glossy = OnceLock::new();
@@ -70,9 +70,9 @@ pub struct Surroundings {
     pub environment_from_world: DMat3,
     /// Its radiance is multiplied by this, in the background too.
     pub intensity: f64,
-    /// It lights the objects: diffuse light and glossy reflection.
+    /// Whether it lights the objects: diffuse light and glossy reflection.
     pub lights: bool,
-    /// It is seen behind the objects, in the place of the background.
+    /// Whether it is seen behind the objects instead of the background.
     pub visible: bool,
     /// Blur of the background: 0 is sharp, 1 is what a surface of roughness 1 shows.
     pub blur: f64,
@@ -105,12 +105,12 @@ mod tests {
     fn angles_turn_as_documented() {
         let ahead = |rotate| world_from_environment(rotate) * DVec3::NEG_Z;
         // Two functions of pi / 2.
-        let near = |got: DVec3, wanted: DVec3| assert!(got.abs_diff_eq(wanted, 1e-15), "{got} is not {wanted}");
+        let near = |got: DVec3, expected: DVec3| assert!(got.abs_diff_eq(expected, 1e-15), "{got} is not {expected}");
         near(ahead([90.0, 0.0, 0.0]), DVec3::NEG_X);
         near(ahead([0.0, 90.0, 0.0]), DVec3::Y);
         near(ahead([0.0, 0.0, 90.0]), DVec3::NEG_Z);
         near(world_from_environment([0.0, 0.0, 90.0]) * DVec3::X, DVec3::Y);
-        // Yaw comes last: what was raised is then turned to the left.
+        // Yaw is applied last: the raised direction is then turned to the left.
         near(ahead([90.0, 45.0, 0.0]), DVec3::new(-0.5_f64.sqrt(), 0.5_f64.sqrt(), 0.0));
     }
 }

@@ -16,11 +16,11 @@ use std::f64::consts::TAU;
 /// The background: linear radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Background {
-    /// At the picture's top edge.
+    /// The colour at the picture's top edge.
     pub top: DVec3,
-    /// At its bottom edge.
+    /// The colour at its bottom edge.
     pub bottom: DVec3,
-    /// Nothing: alpha 0.
+    /// Whether it is transparent: alpha 0.
     pub transparent: bool,
 }
 
@@ -35,7 +35,7 @@ impl Background {
     }
 }
 
-/// Everything of a picture that is not geometry or material.
+/// The input of a renderer besides geometry and materials.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// Pixels, > 0.
@@ -52,13 +52,13 @@ pub struct Frame {
     pub lights: Vec<Light>,
     /// The form of the equation.
     pub equation: Equation,
-    /// The normal is turned to the viewer on back faces.
+    /// Whether the normal is turned to the viewer on back faces.
     pub two_sided: bool,
-    /// Behind everything.
+    /// The background.
     pub background: Background,
     /// The part of the environment; `None` where the scene has none.
     pub surroundings: Option<Surroundings>,
-    /// From light to the picture's numbers.
+    /// The conversion of light to the picture's numbers.
     pub output: OutputTransform,
     /// The filter of textures.
     pub texture_filter: TextureFilter,
@@ -112,8 +112,8 @@ impl Scene {
         })
     }
 
-    /// `frame` for an orbit to start from: a camera that was chosen to frame the objects from one side
-    /// steps back until they are in the picture from every side. A camera that was asked for stays.
+    /// `frame` at the start of an orbit: a camera that was chosen to frame the objects from one side
+    /// is moved back until they are in the picture from every side. Other cameras stay.
     pub fn orbit_start(&self, frame: &Frame) -> Frame {
         if !self.camera_was_framed {
             return frame.clone();
@@ -186,7 +186,7 @@ fn light_at(light: &LightSettings, time: f64) -> Light {
     };
     Light {
         kind,
-        // One that is off stays in its place, so that the others keep their numbers.
+        // A light that is off keeps its place, so that the others keep their numbers.
         color: if light.enabled { DVec3::from(light.color) * light.intensity } else { DVec3::ZERO },
         attenuation: Attenuation { constant: light.constant, linear: light.linear, quadratic: light.quadratic },
     }

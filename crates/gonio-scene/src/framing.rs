@@ -16,7 +16,7 @@ const FILLED: f64 = 0.92;
 const FAR_OVER_NEAR: f64 = 1e4;
 /// The default view: from the right of the front (+Z) ...
 const AZIMUTH_DEG: f64 = 25.0;
-/// ... and from above: a little for what stands upright, more for what lies flat, so that a table top is
+/// ... and from above: a little for upright objects, more for flat ones, so that a table top is
 /// seen as one. Between height / width of 0.6 and 0.2 the angle goes from the first to the second.
 const ELEVATION_DEG: (f64, f64) = (12.0, 27.0);
 
@@ -147,7 +147,7 @@ impl Fit {
         Fit { front: c.front, right: c.right, up: c.up, center, k_x, k_y, reach }
     }
 
-    /// Eye and point looked at, with the objects in the middle of the picture.
+    /// The eye and its target, with the objects in the middle of the picture.
     fn whole(&self, radius: f64) -> (DVec3, DVec3) {
         let [right, left, up, down, nearest] = self.reach;
         let target =

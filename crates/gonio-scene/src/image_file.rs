@@ -1,4 +1,4 @@
-//! Pictures of the disk, decoded to RGBA bytes.
+//! Picture files, decoded to RGBA bytes.
 
 use image::{ColorType, DynamicImage, ImageDecoder, ImageReader, Limits};
 use std::io::Cursor;
@@ -18,7 +18,7 @@ pub(crate) struct Decoded {
     pub has_alpha: bool,
 }
 
-/// A reader for the format that the content shows; where it does not (TGA), the name's ending does.
+/// A reader for the format that the content shows, or the name's extension if the content shows none (TGA).
 fn reader<'a>(bytes: &'a [u8], name: &str) -> Result<ImageReader<Cursor<&'a [u8]>>, String> {
     let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
     if reader.format().is_none()
@@ -29,8 +29,8 @@ fn reader<'a>(bytes: &'a [u8], name: &str) -> Result<ImageReader<Cursor<&'a [u8]
     Ok(reader)
 }
 
-/// Bytes that decoding takes as the file's header says, both while it is decoded and afterwards; `None` where the header
-/// cannot be read, or says more than [`decode`] accepts from any file.
+/// Bytes that decoding takes according to the file's header, both during decoding and afterwards; `None` if the header
+/// cannot be read, or exceeds what [`decode`] accepts from any file.
 pub(crate) fn memory(bytes: &[u8], name: &str) -> Option<u64> {
     let decoder = reader(bytes, name).ok()?.into_decoder().ok()?;
     let (width, height) = decoder.dimensions();
@@ -42,7 +42,7 @@ pub(crate) fn memory(bytes: &[u8], name: &str) -> Option<u64> {
     Some(if decoder.color_type() == ColorType::Rgba8 { rgba } else { decoder.total_bytes() + rgba })
 }
 
-/// Decodes by content; where the content does not tell (TGA), by the name's ending.
+/// Decodes a picture in the format that its content shows, or its name's extension if the content shows none (TGA).
 pub(crate) fn decode(bytes: &[u8], name: &str) -> Result<Decoded, String> {
     if bytes.is_empty() {
         return Err("the file is empty".into());

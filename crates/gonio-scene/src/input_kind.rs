@@ -14,7 +14,7 @@ pub(crate) enum InputKind {
 const READABLE: &str = "models (.obj .gltf .glb .dae .ply .stl .mesh .meshb, also .gz and .zst) and scene files (.toml) \
                         can be read";
 
-/// Detects the kind of the file `name` with these bytes; the error says why it cannot be read.
+/// Detects the kind of the file `name` with these bytes; the error is the reason why it cannot be read.
 pub(crate) fn detect(bytes: &[u8], name: &Path) -> Result<InputKind, ReadError> {
     if bytes.is_empty() {
         return Err(ReadError::new(format!("the file is empty; {READABLE}")));
@@ -53,7 +53,7 @@ fn has_toml_line(bytes: &[u8]) -> bool {
     !start.contains('\0') && start.lines().any(is_toml_line)
 }
 
-/// `a model` or `a scene file` where the content or the name of a file says so.
+/// `a model` or `a scene file`, if the content or the name of a file shows that it is one.
 pub(crate) fn is_model_or_scene(bytes: &[u8], name: &Path) -> Option<&'static str> {
     if bytes.is_empty() || compression::is_compressed(bytes) {
         return None;
@@ -89,12 +89,12 @@ pub(crate) fn format_of(bytes: &[u8], name: &str) -> Result<Format, String> {
 fn unknown(bytes: &[u8], extension: &str) -> String {
     const LOOKED_AT: usize = 4096;
     let is_binary = bytes[..bytes.len().min(LOOKED_AT)].contains(&0) && !encoding::is_wide(bytes);
-    let what = match (is_binary, extension) {
+    let description = match (is_binary, extension) {
         (true, _) => "unknown binary format".to_owned(),
         (false, "") => "unknown file format".to_owned(),
         (false, extension) => format!("unknown format of this .{extension} file"),
     };
-    format!("{what}; {READABLE}")
+    format!("{description}; {READABLE}")
 }
 
 fn is_toml_line(line: &str) -> bool {

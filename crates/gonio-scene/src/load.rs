@@ -24,9 +24,8 @@ use std::sync::Arc;
 /// models of a scene file are relative to its folder; in the result they are relative to the current
 /// one, so that [`load`] is given an empty base.
 ///
-/// Several inputs become one scene, models in the coordinates of their files; the first scene file
-/// among them gives picture, camera, background and equation. Models are only read as far as it takes to
-/// detect their format.
+/// Several inputs become one scene, with models in the coordinates of their files; the first scene file
+/// determines picture, camera, background and equation. Of models, only the format is detected.
 pub fn describe(inputs: &[&str], files: &dyn FileSource) -> Result<SceneFile, ReadError> {
     if inputs.is_empty() {
         return Err(ReadError::new("nothing to read: name a model, a scene file or builtin:suzanne"));
@@ -82,12 +81,12 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(SceneFile, bool)
     }
 }
 
-/// The text of a scene file as UTF-8: nothing of it may be lost.
+/// The text of a scene file as UTF-8, without replacements.
 fn scene_text(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
     let text = encoding::to_utf8(bytes);
     match text.diagnostics.first() {
         Some(damage) => {
-            let message = "a scene file must be UTF-8 or UTF-16 text, and here it is neither".to_owned();
+            let message = "a scene file must be UTF-8 or UTF-16 text, and this file is neither".to_owned();
             Err(ReadError { message, file: None, line: damage.line, column: damage.column, cause: None })
         }
         None => Ok(text.bytes),
@@ -96,7 +95,7 @@ fn scene_text(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
 
 fn not_utf8(bytes: &[u8], valid: usize) -> ReadError {
     let (line, column) = line_and_column(&String::from_utf8_lossy(&bytes[..valid]), valid);
-    ReadError::new("a scene file must be UTF-8 text, and here it is not").at(line, Some(column))
+    ReadError::new("a scene file must be UTF-8 text, and this file is not").at(line, Some(column))
 }
 
 /// A model's mesh with one choice of normals.
@@ -160,36 +159,36 @@ pub fn load_within(
     }
 
     // The needed (model, normals), each once.
-    let mut wanted: Vec<(usize, NormalChoice)> = Vec::new();
+    let mut needed: Vec<(usize, NormalChoice)> = Vec::new();
     let mut prepared_of_object = Vec::with_capacity(scene.objects.len());
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
         let key = (m, NormalChoice::for_object(object));
-        let index = wanted.iter().position(|k| *k == key).unwrap_or(wanted.len());
-        if index == wanted.len() {
-            wanted.push(key);
+        let index = needed.iter().position(|k| *k == key).unwrap_or(needed.len());
+        if index == needed.len() {
+            needed.push(key);
         }
         prepared_of_object.push(index);
     }
     // The last user of a model's mesh takes it; others get copies.
-    let mut meshes = Vec::with_capacity(wanted.len());
-    for (i, (m, _)) in wanted.iter().enumerate() {
+    let mut meshes = Vec::with_capacity(needed.len());
+    for (i, (m, _)) in needed.iter().enumerate() {
         let mesh = &mut models[*m].model.mesh;
-        let wanted_again = wanted[i + 1..].iter().any(|(other, _)| other == m);
-        meshes.push(if wanted_again { mesh.clone() } else { std::mem::take(mesh) });
+        let needed_again = needed[i + 1..].iter().any(|(other, _)| other == m);
+        meshes.push(if needed_again { mesh.clone() } else { std::mem::take(mesh) });
     }
     let (bound, prepared) = rayon::join(
         || binder.finish(),
         || {
             meshes
                 .into_par_iter()
-                .zip(&wanted)
+                .zip(&needed)
                 .map(|(mesh, &(_, normals))| prepare(mesh, normals))
                 .collect::<Vec<(PreparedMesh, Vec<Diagnostic>)>>()
         },
     );
     diagnostics.extend(bound.diagnostics);
     let mut meshes = Vec::with_capacity(prepared.len());
-    for ((mesh, mut found), &(model, normals)) in prepared.into_iter().zip(&wanted) {
+    for ((mesh, mut found), &(model, normals)) in prepared.into_iter().zip(&needed) {
         found.iter_mut().for_each(|d| *d = d.clone().in_file(&models[model].name));
         diagnostics.append(&mut found);
         let plain = Some(Arc::new(mesh.mesh));
@@ -258,8 +257,8 @@ fn complete(file: SceneFile, scene: &Scene) -> SceneSettings {
     SceneSettings { picture, camera, background, environment, equation, objects, lights }
 }
 
-/// Fills in `meshes` and `objects` of `loaded`, whose materials are there: objects in the scene's order, tangents where
-/// a normal map needs them. `mesh_of_object` indexes `cache`, `first_material` the materials.
+/// Fills in `meshes` and `objects` of `loaded`, which has its materials: objects in the scene's order, with tangents
+/// where a normal map needs them. `mesh_of_object` indexes `cache`, `first_material` the materials.
 pub(crate) fn assemble(
     loaded: &mut Scene,
     specs: &[ObjectSpec],
@@ -268,21 +267,21 @@ pub(crate) fn assemble(
     first_material: &[usize],
     diagnostics: &mut Vec<Diagnostic>,
 ) {
-    // A mesh of the cache with or without tangents, each once.
-    let mut wanted: Vec<(usize, bool)> = Vec::new();
+    // Meshes of the cache, with or without tangents, each once.
+    let mut needed: Vec<(usize, bool)> = Vec::new();
     let mut index_of_object = Vec::with_capacity(specs.len());
     for (&mesh, &first) in mesh_of_object.iter().zip(first_material) {
         let has_normal_map = |material: usize| loaded.materials.get(material).is_some_and(|m| m.maps.normal.is_some());
         let parts = cache[mesh].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
         let tangents = parts.iter().any(|part| part.triangle_count > 0 && has_normal_map(first + part.material));
-        let index = wanted.iter().position(|key| *key == (mesh, tangents)).unwrap_or(wanted.len());
-        if index == wanted.len() {
-            wanted.push((mesh, tangents));
+        let index = needed.iter().position(|key| *key == (mesh, tangents)).unwrap_or(needed.len());
+        if index == needed.len() {
+            needed.push((mesh, tangents));
         }
         index_of_object.push(index);
     }
     let lacking: Vec<usize> =
-        wanted.iter().filter(|(m, t)| *t && cache[*m].with_tangents.is_none()).map(|w| w.0).collect();
+        needed.iter().filter(|(m, t)| *t && cache[*m].with_tangents.is_none()).map(|w| w.0).collect();
     let made: Vec<Option<Mesh>> =
         lacking.par_iter().map(|&m| cache[m].plain.as_ref().and_then(|mesh| tangents::with_tangents(mesh))).collect();
     for (&m, made) in lacking.iter().zip(made) {
@@ -295,15 +294,16 @@ pub(crate) fn assemble(
         let message = "the normal map is ignored: the mesh has no texture coordinates";
         diagnostics.push(Diagnostic::warning(message).in_file(name));
     }
-    for &(m, tangents) in &wanted {
-        let of = &cache[m];
-        let [first, second] = if tangents { [&of.with_tangents, &of.plain] } else { [&of.plain, &of.with_tangents] };
+    for &(m, tangents) in &needed {
+        let cached = &cache[m];
+        let [first, second] =
+            if tangents { [&cached.with_tangents, &cached.plain] } else { [&cached.plain, &cached.with_tangents] };
         loaded.meshes.push(first.as_ref().or(second.as_ref()).cloned().unwrap_or_default());
     }
     // A mesh with tangents can replace the one without, which is kept only while it is drawn.
-    for (m, of) in cache.iter_mut().enumerate() {
-        if of.with_tangents.is_some() && !wanted.contains(&(m, false)) {
-            of.plain = None;
+    for (m, cached) in cache.iter_mut().enumerate() {
+        if cached.with_tangents.is_some() && !needed.contains(&(m, false)) {
+            cached.plain = None;
         }
     }
     let last_material = loaded.materials.len().saturating_sub(1);

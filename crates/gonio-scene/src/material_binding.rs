@@ -135,7 +135,7 @@ impl<'a> MaterialBinder<'a> {
         first
     }
 
-    /// Decodes the textures: these, the materials, and what is to be said.
+    /// Decodes the textures; returns them with the materials and the diagnostics.
     pub fn finish(self) -> Bound {
         bound(&self.pending, self.library.decode())
     }
@@ -232,13 +232,13 @@ impl Requests<'_, '_> {
         Some((self.library.request(map, purpose(map), key, &self.requester)?, map.clone()))
     }
 
-    /// As the user's file calls it.
+    /// The name of the texture's key in the user's file.
     fn key<'k>(&self, statement: &'k str, name: &'k str) -> &'k str {
         if self.format == Format::Obj { statement } else { name }
     }
 
-    /// A texture of metalness turns the base colour into a diffuse and a specular one; so does, as to the specular
-    /// one, a number that is neither 0 nor 1.
+    /// A texture of metalness turns the base colour into a diffuse and a specular colour. A number between 0 and 1 does
+    /// so for the specular colour only.
     fn metal(&mut self, pending: &mut PendingMaterial, with: &MaterialOverride) {
         let Some(from) = pending.material.metallic_roughness.clone() else { return };
         let base = pending.material.diffuse_map.clone();
@@ -248,13 +248,13 @@ impl Requests<'_, '_> {
             (None, Some(base)) if is_mixed && pending.specular.is_none() => (base, None),
             _ => return,
         };
-        // Both lie as the base colour does.
-        let lies = base.as_ref().unwrap_or(first).clone();
+        // Both are placed like the base colour.
+        let placement = base.as_ref().unwrap_or(first).clone();
         let key = self.key("map_Pm", "metalness texture");
         let metal = Metal::new(&from);
         let mut made = |purpose| {
             let job = self.library.request_of_two(first, other, purpose, key, &self.requester)?;
-            Some((job, lies.clone()))
+            Some((job, placement.clone()))
         };
         if with.diffuse.is_none()
             && from.metallic_map.is_some()

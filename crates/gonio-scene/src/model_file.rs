@@ -32,13 +32,13 @@ pub struct TextureFile {
 }
 
 impl ModelFile {
-    /// Reads the model that the user calls `input`: a path, or `builtin:NAME`.
+    /// Reads the model `input`: a path, or `builtin:NAME`.
     pub fn open(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<ModelFile, ReadError> {
         read(&files::resolve(Path::new(""), input), input, files, limits)
     }
 
-    /// The file that the model's materials call `name`, sought where a scene seeks it (beside the model, then beside
-    /// its material libraries, under the whole name and the bare one, in any case); or every place that was looked at.
+    /// The file that the model's materials call `name`, searched for as in a scene (beside the model, then beside
+    /// its material libraries, by its path and by its file name, ignoring case); or every place that was searched.
     pub fn texture(&self, name: &str, files: &dyn FileSource) -> Result<TextureFile, MissingSidecar> {
         let (path, bytes) = files::find(files, name, &self.texture_folders()).map_err(|e| e.missing)?;
         let is_builtin = path.to_str().is_some_and(|path| path.starts_with(BUILTIN));
@@ -60,8 +60,8 @@ impl ModelFile {
 
 /// Reads the model at `path`, which the user knows as `name`.
 ///
-/// It may be compressed (`.gz`, `.zst`). The file and those that it names may take `limits.max_bytes` together, unpacked
-/// as well. An error names the file, and a place in it where there is one.
+/// It may be compressed (`.gz`, `.zst`). The file and those that it names may take `limits.max_bytes` together,
+/// unpacked as well. An error names the file, and a place in it where there is one.
 pub fn read(path: &Path, name: &str, files: &dyn FileSource, limits: &Limits) -> Result<ModelFile, ReadError> {
     read_within(path, name, &Budgeted::new(files, limits.max_bytes), limits)
 }

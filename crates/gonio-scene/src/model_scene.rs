@@ -1,4 +1,4 @@
-//! Lights and cameras of model files, taken over into the scene.
+//! Lights and cameras of model files for the scene.
 
 use crate::color_value::Color;
 use crate::model_file::ModelFile;
@@ -8,7 +8,7 @@ use glam::{DMat4, DVec3};
 use gonio_light::vector::unit;
 use gonio_mesh::{Diagnostic, ModelCamera, ModelLight, ModelLightKind, ReadError};
 
-/// Lights whose sum at the centre of the objects lies between these are not scaled.
+/// Lights are not scaled if their sum at the centre of the objects is between these.
 const USUAL_LIGHT: (f64, f64) = (0.25, 4.0);
 
 /// Replaces `camera.from_model` by the values of that camera. Values that the scene gives itself stay.
@@ -17,20 +17,20 @@ pub(crate) fn take_camera(
     models: &[ModelFile],
     model_of_object: &[usize],
 ) -> Result<(), ReadError> {
-    let Some(wanted) = scene.camera.from_model.take() else { return Ok(()) };
+    let Some(name) = scene.camera.from_model.take() else { return Ok(()) };
     let mut cameras = Vec::new();
     for (object, &m) in scene.objects.iter().zip(model_of_object) {
         let matrix = world_from_model(object);
         cameras.extend(models[m].model.cameras.iter().map(|camera| (camera, matrix)));
     }
-    let by_number = wanted.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).and_then(|n| cameras.get(n));
-    let Some((camera, matrix)) = cameras.iter().find(|(camera, _)| camera.name == wanted).or(by_number) else {
+    let by_number = name.parse::<usize>().ok().and_then(|n| n.checked_sub(1)).and_then(|n| cameras.get(n));
+    let Some((camera, matrix)) = cameras.iter().find(|(camera, _)| camera.name == name).or(by_number) else {
         let names: Vec<&str> = cameras.iter().map(|(camera, _)| camera.name.as_str()).collect();
         let there_are = match names.as_slice() {
             [] => "the models have none".to_owned(),
             names => format!("the models have {}", names.join(", ")),
         };
-        return Err(ReadError::new(format!("camera.from_model: unknown camera `{wanted}`: {there_are}")));
+        return Err(ReadError::new(format!("camera.from_model: unknown camera `{name}`: {there_are}")));
     };
     let spec = &mut scene.camera;
     let from = spec_of(camera, *matrix);

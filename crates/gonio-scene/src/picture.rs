@@ -94,7 +94,7 @@ impl DisplayMap {
     pub fn for_view(view: Option<ViewSpec>, frame: &Frame) -> DisplayMap {
         let quantity = view.map_or(Quantity::Total, |v| v.quantity);
         let identity = DisplayMap::Affine { scale: DVec3::ONE, bias: DVec3::ZERO };
-        // The range [low, high] becomes [0, 1]; a range without extent is shown as it is.
+        // The range [low, high] becomes [0, 1]; a range without extent is not scaled.
         let range = |low: DVec3, high: DVec3| {
             let extent = high - low;
             let scale = DVec3::select(extent.cmpgt(DVec3::splat(1e-12)), 1.0 / extent, DVec3::ONE);

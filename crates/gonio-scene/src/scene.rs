@@ -49,15 +49,15 @@ impl Scene {
         }
     }
 
-    /// The materials of an object's model as they stand in its file, before the scene put anything in their place: those
-    /// that any triangle has. Empty in scenes that were built by hand.
+    /// The materials of an object's model that any triangle has, as in its file, without overrides of the
+    /// scene. Empty in scenes that were built by hand.
     pub fn materials_in_file(&self, object: usize) -> Vec<&Material> {
         let Some((model, _)) = self.settings.objects.get(object).and_then(|spec| self.cache.find(spec)) else {
             return Vec::new();
         };
-        let Some(of) = self.cache.models.get(model) else { return Vec::new() };
-        let used = |i: usize| of.used.get(i).copied().unwrap_or(false);
-        of.materials.iter().enumerate().filter(|(i, _)| used(*i)).map(|(_, material)| material).collect()
+        let Some(cached) = self.cache.models.get(model) else { return Vec::new() };
+        let used = |i: usize| cached.used.get(i).copied().unwrap_or(false);
+        cached.materials.iter().enumerate().filter(|(i, _)| used(*i)).map(|(_, material)| material).collect()
     }
 
     /// The smallest box around all vertices, world space; both corners 0 where there is no vertex.
@@ -75,7 +75,7 @@ impl Scene {
 
 /// The extent of all objects along directions.
 pub(crate) trait Extent {
-    /// For each direction (any length) the largest `direction . p` over all points `p`, world space.
+    /// Returns for each direction (of any length) the largest `direction . p` over all points `p`, world space.
     fn support(&self, directions: &[DVec3]) -> Vec<f64>;
 }
 
@@ -156,7 +156,7 @@ pub struct Maps {
     pub emitted: Option<BoundTexture>,
     /// Data, red channel.
     pub shininess: Option<BoundTexture>,
-    /// Where it is there, `shininess` is a texture of roughness: the exponent is that of this number times the texel
+    /// If it is `Some`, `shininess` is a texture of roughness: the exponent is that of this number times the texel
     /// ([`gonio_mesh::MetallicRoughness::shininess`]).
     pub roughness: Option<f32>,
     /// Data, red channel (alpha was moved there where the file has one).
@@ -181,7 +181,7 @@ pub struct BoundTexture {
 }
 
 impl BoundTexture {
-    /// A texture laid on as the texture coordinates say.
+    /// A texture at its texture coordinates, without transformation.
     pub fn plain(texture: usize) -> Self {
         BoundTexture { texture, scale: [1.0; 2], rotation: 0.0, offset: [0.0; 2], wrap: [Wrap::Repeat; 2] }
     }
@@ -195,7 +195,7 @@ impl BoundTexture {
 }
 
 impl SceneMaterial {
-    /// Whether what is behind shows through anywhere.
+    /// Whether any part shows what is behind it.
     pub fn is_transparent(&self) -> bool {
         self.material.opacity < 1.0 || self.maps.opacity.is_some()
     }

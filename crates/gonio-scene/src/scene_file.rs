@@ -48,13 +48,13 @@ named_enum! {
 named_enum! {
     /// A kind of light source.
     pub enum LightSourceKind {
-        /// From everywhere; adds to A.
+        /// Light from everywhere; adds to A.
         Ambient = "ambient",
         /// Parallel rays along `direction`.
         Directional = "directional",
-        /// From `position` in all directions.
+        /// Light from `position` in all directions.
         Point = "point",
-        /// From `position` within a cone about `direction`.
+        /// Light from `position` within a cone about `direction`.
         Spot = "spot",
     }
     default Point;
@@ -188,7 +188,7 @@ pub struct BackgroundSpec {
     pub top: Color,
     /// At the bottom edge of the picture; between them linear in light.
     pub bottom: Color,
-    /// Nothing at all: the picture gets an alpha channel.
+    /// Whether the background is transparent: the picture gets an alpha channel.
     pub transparent: bool,
 }
 
@@ -199,15 +199,15 @@ impl Default for BackgroundSpec {
     }
 }
 
-/// Light that comes from everywhere.
+/// Light from all directions.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct EnvironmentSpec {
     /// `debug`, `sky`, `room`; or a panorama, a cross, a strip, a KTX2 or DDS cubemap, a folder of six faces, one of six
     /// faces, or a pattern such as `sky_*.png`: relative to the scene file.
     pub image: String,
-    /// How faces lie in the picture: left out, photographic where six files, a cross or a strip are read, and OpenGL's
-    /// in KTX2 and DDS.
+    /// The layout of the faces; by default photographic for six files, a cross or a strip, and OpenGL's for KTX2 and
+    /// DDS.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub layout: Option<Layout>,
     /// Texels along an edge of the cubemap that a panorama is made into; left out, about as fine as the panorama is, and
@@ -217,9 +217,9 @@ pub struct EnvironmentSpec {
     /// Yaw, pitch and roll in degrees: turned about Z (roll), then X (pitch), then Y (yaw). A positive yaw turns what is
     /// straight ahead to the left, a positive pitch upwards.
     pub rotate: [f64; 3],
-    /// All of its light is multiplied by this.
+    /// The factor of its radiance.
     pub intensity: f64,
-    /// Whether it lights the objects: diffuse light and glossy reflection. Left out, it does where the scene has no
+    /// Whether it lights the objects: diffuse light and glossy reflection. By default it does if the scene has no
     /// lights of its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub light: Option<bool>,
@@ -227,7 +227,7 @@ pub struct EnvironmentSpec {
     pub visible: bool,
     /// Blur of the background, 0 to 1.
     pub blur: f64,
-    /// Another environment to be seen there; turned alike.
+    /// Another environment, seen behind the objects; it has the same rotation.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub background: Option<String>,
 }
@@ -265,22 +265,22 @@ pub struct EquationSpec {
     pub lafortune: [f64; 3],
     /// No specular light where N.L <= 0.
     pub gated: bool,
-    /// The specular term weighted by <N.L>. Left out: yes in the physical convention, no in the lab's.
+    /// Whether the specular term is weighted by <N.L>; by default in the physical convention only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cosine_weighted: Option<bool>,
     /// The normal is turned to the viewer on back faces.
     pub two_sided: bool,
-    /// `A` takes part.
+    /// Whether `A` is added.
     pub ambient: bool,
-    /// `E` takes part.
+    /// Whether `E` is added.
     pub emitted: bool,
-    /// The diffuse term takes part.
+    /// Whether the diffuse term is added.
     pub diffuse: bool,
-    /// The specular term takes part.
+    /// Whether the specular term is added.
     pub specular_term: bool,
-    /// `att` takes part (else it is 1).
+    /// Whether `att` is applied (otherwise it is 1).
     pub attenuation: bool,
-    /// `spot` takes part (else it is 1).
+    /// Whether `spot` is applied (otherwise it is 1).
     pub spot: bool,
 }
 
@@ -324,8 +324,8 @@ pub struct ObjectSpec {
     pub shading: Shading,
     /// The normals of the mesh.
     pub normals: Normals,
-    /// Of averaged normals: faces that differ by more than this many degrees are not averaged; 180, as without it,
-    /// averages all.
+    /// The largest angle, in degrees, between faces whose normals are averaged, for averaged normals; by default 180,
+    /// which averages all.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crease_angle: Option<f64>,
     /// Values that replace those of the model's materials.
@@ -378,26 +378,26 @@ pub struct MaterialOverride {
     /// Whether the model's textures are used at all.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub textures: Option<bool>,
-    /// A clear body of this medium: its index of refraction, transmission 1 and exact Fresnel factors, unless they are
-    /// given here too.
+    /// A clear body of this medium: its index of refraction, transmission 1 and exact Fresnel factors, unless other
+    /// values are given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub medium: Option<Medium>,
-    /// From the lit surface (0) to a mirror (1) of the environment.
+    /// The share of the mirror, from the lit surface (0) to a mirror (1) of the environment.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reflectivity: Option<f64>,
-    /// From an opaque surface (0) to a clear one (1), through which the environment is seen.
+    /// The share of the clear surface, from opaque (0) to clear (1), through which the environment is seen.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub transmission: Option<f64>,
     /// The Fresnel factor: none, exact or Schlick's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fresnel: Option<Fresnel>,
-    /// Colour of what is let through.
+    /// The colour of transmitted light.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tint: Option<Color>,
     /// Absorption in a body with two refracting surfaces, per world unit and channel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub absorption: Option<Color>,
-    /// Index of refraction for blue less that for red.
+    /// The index of refraction for blue minus that for red.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dispersion: Option<f64>,
     /// The refracting surfaces: one, as in the lab, or two.
@@ -412,7 +412,7 @@ impl MaterialOverride {
     }
 }
 
-/// A light. Which keys it takes depends on its kind; one too many is an error, one too few too.
+/// A light. Its kind determines its keys; a key of another kind is an error, and so is a missing one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LightSpec {

@@ -14,7 +14,7 @@ use gonio_environment::Layout;
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
 
-/// Everything of a scene that is not read from its models and pictures. Units and spaces are those of [`SceneFile`].
+/// The part of a scene that is not read from its models and pictures. Units and spaces are those of [`SceneFile`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SceneSettings {
     /// Size and encoding of the picture.
@@ -117,7 +117,7 @@ pub struct EnvironmentSettings {
     pub visible: bool,
     /// Blur of the background, 0 to 1.
     pub blur: f64,
-    /// Another environment to be seen there.
+    /// Another environment, seen behind the objects.
     pub background: Option<String>,
 }
 
@@ -129,7 +129,7 @@ impl Default for EnvironmentSettings {
 }
 
 impl EnvironmentSettings {
-    /// The environment of a scene file. `lights` is whether it lights the objects where the file does not say so.
+    /// The environment of a scene file. `lights` is the default of whether it lights the objects.
     pub fn new(spec: EnvironmentSpec, lights: bool) -> Self {
         let EnvironmentSpec { image, layout, size, rotate, intensity, light, visible, blur, background } = spec;
         let light = light.unwrap_or(lights);
@@ -138,7 +138,7 @@ impl EnvironmentSettings {
 }
 
 impl SceneFile {
-    /// Replaces the environment by that of another image. Its rotation, its intensity and how it takes part stay.
+    /// Replaces the image of the environment. Its rotation, its intensity and its use stay.
     pub fn set_environment(&mut self, image: &str) {
         let before = self.environment.take().unwrap_or_default();
         let image = image.to_owned();
@@ -147,7 +147,7 @@ impl SceneFile {
 }
 
 impl SceneSettings {
-    /// Replaces the environment by that of another image. Its rotation, its intensity and how it takes part stay.
+    /// Replaces the image of the environment. Its rotation, its intensity and its use stay.
     pub fn set_environment(&mut self, image: &str) {
         let before = self.environment.take();
         let before = before
@@ -210,7 +210,7 @@ impl From<EquationSpec> for EquationSettings {
 pub struct LightSettings {
     /// Ambient, directional, point or spot.
     pub kind: LightSourceKind,
-    /// For reports; may be empty.
+    /// The name in reports; may be empty.
     pub name: String,
     /// Whether it shines. A light that is off keeps its number.
     pub enabled: bool,
@@ -275,7 +275,7 @@ impl From<LightSpec> for LightSettings {
 /// The motion of a light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// Seconds until it is back, > 0.
+    /// Seconds until the light is back, > 0.
     pub period: f64,
     /// The path.
     pub path: MotionPath,
@@ -393,7 +393,7 @@ impl From<&EquationSettings> for EquationSpec {
 }
 
 impl From<&LightSettings> for LightSpec {
-    /// With the keys that lights of this kind have.
+    /// Sets only the keys of this kind of light.
     fn from(light: &LightSettings) -> Self {
         let (has_position, has_direction) = (light.kind.has_position(), light.kind.has_direction());
         let is_spot = light.kind == LightSourceKind::Spot;

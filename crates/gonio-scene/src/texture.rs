@@ -1,4 +1,5 @@
-//! Textures, decoded, with their smaller levels, sampled on the CPU as OpenGL defines it (OpenGL 4.6 core, section 8.14).
+//! Textures, decoded, with their smaller levels, sampled on the CPU as OpenGL defines it (OpenGL 4.6 core, section
+//! 8.14).
 
 use glam::{DVec2, DVec4};
 use gonio_image::srgb::{ENCODER, EXACT_FROM_8};
@@ -27,7 +28,7 @@ named_enum! {
 pub enum ColorSpace {
     /// sRGB colours (alpha linear): decoded before filtering.
     Srgb,
-    /// Data: taken as it is.
+    /// Data: not decoded.
     Data,
 }
 
@@ -44,7 +45,7 @@ pub struct Texture {
     pub rgba: Vec<u8>,
     /// The meaning of the numbers.
     pub color_space: ColorSpace,
-    /// The smaller levels, made when they are first asked for.
+    /// The smaller levels, computed when first needed.
     levels: OnceLock<Vec<MipLevel>>,
 }
 
@@ -69,15 +70,15 @@ impl PartialEq for Texture {
 }
 
 impl Texture {
-    /// A texture of `width * height * 4` bytes, first row the top one. What is missing of `rgba` is
-    /// taken as 0, what is too much is cut; an empty texture becomes one texel.
+    /// A texture of `width * height * 4` bytes, first row the top one. Missing bytes of `rgba` are
+    /// 0, surplus bytes are ignored; an empty texture becomes one texel.
     pub fn new(name: impl Into<String>, width: u32, height: u32, mut rgba: Vec<u8>, color_space: ColorSpace) -> Self {
         let (width, height) = (width.max(1), height.max(1));
         rgba.resize(width as usize * height as usize * 4, 0);
         Texture { name: name.into(), width, height, rgba, color_space, levels: OnceLock::new() }
     }
 
-    /// A picture file's texels, as colours: PNG, JPEG, BMP, TGA or GIF by its content. An error says what is wrong with
+    /// A picture file's texels, as colours: PNG, JPEG, BMP, TGA or GIF by its content. The error is a sentence about
     /// the file, without its name.
     pub fn decode(name: impl Into<String>, bytes: &[u8]) -> Result<Self, String> {
         let name = name.into();
@@ -189,9 +190,9 @@ struct LevelRef<'a> {
 impl Texture {
     /// The texture at `uv` in linear light, alpha last. (0, 0) is the picture's bottom left corner, v up.
     ///
-    /// `ddx` and `ddy` are the derivatives of `uv` along the screen's axes, per pixel; only the
-    /// filters with mipmaps look at them. `wraps` says what is beyond the edges,
-    /// along u and along v. Coordinates and derivatives that are not finite count as 0.
+    /// `ddx` and `ddy` are the derivatives of `uv` along the screen's axes, per pixel; only the filters with mipmaps
+    /// use them. `wraps` are the wrap modes along u and along v. Coordinates and derivatives that are not finite count
+    /// as 0.
     pub fn sample(&self, uv: DVec2, ddx: DVec2, ddy: DVec2, filter: TextureFilter, wraps: [Wrap; 2]) -> DVec4 {
         let [uv, ddx, ddy] = [uv, ddx, ddy].map(|v| if v.is_finite() { v } else { DVec2::ZERO });
         match filter {

@@ -1,4 +1,5 @@
-//! All textures of a scene: each file is searched for, read and decoded once, and made into a texture once for each use.
+//! All textures of a scene: each file is searched for, read and decoded once, and made into a texture once for each
+//! use.
 
 use crate::files::{self, Budget, FileBytes, FileSource};
 use crate::image_file::{self, Decoded};
@@ -56,7 +57,7 @@ struct Picture {
     bytes: FileBytes,
 }
 
-/// A texture to make: of which pictures, how, and who asked first.
+/// A texture to make from pictures, and its first request.
 struct Job {
     pictures: Vec<usize>,
     purpose: Purpose,
@@ -69,17 +70,17 @@ type Found = Result<usize, MissingSidecar>;
 /// A search: a name and folders.
 type Sought = (String, Vec<PathBuf>);
 
-/// The pictures found and textures made, kept so that other materials of the same models can be bound without the files. It has the
-/// pictures' paths and not their bytes: a file that is mapped may be overwritten by an editor.
+/// The pictures found and textures made, kept so that other materials of the same models can be bound without the
+/// files. It has the pictures' paths and not their bytes: a file that is mapped may be overwritten by an editor.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TextureCache {
     paths: Vec<PathBuf>,
     found: HashMap<Sought, Found>,
-    /// `None` where it could not be made, which was said then.
+    /// `None` if it could not be made, which was reported then.
     made: HashMap<(Vec<usize>, Purpose), Option<Arc<Texture>>>,
 }
 
-/// The textures that were asked for.
+/// The requested textures.
 pub(crate) struct TextureLibrary<'a> {
     /// The source of files and the budget; `None` where only the cache may be used.
     files: Option<(&'a dyn FileSource, &'a Budget)>,
@@ -114,8 +115,8 @@ impl TextureLibrary<'static> {
         TextureLibrary { pictures, found: cache.found.clone(), ..TextureLibrary::from_files(None) }
     }
 
-    /// The textures that were asked for, all of them known; `None` where one is not. What is to be said of them was
-    /// said when they were made.
+    /// The requested textures; `None` if the cache lacks one. Diagnostics about them were reported when they were
+    /// made.
     pub fn recall(self, cache: &TextureCache) -> Option<DecodedLibrary> {
         let mut textures = Vec::new();
         let mut texture_of_job = Vec::new();
@@ -152,7 +153,7 @@ impl<'a> TextureLibrary<'a> {
         }
     }
 
-    /// The job's number for a map, or `None` with a warning where the file is not to be found.
+    /// The job's number for a map, or `None` with a warning if the file is not found.
     pub fn request(
         &mut self,
         map: &TextureMap,
@@ -165,7 +166,7 @@ impl<'a> TextureLibrary<'a> {
     }
 
     /// The job's number for a texture made of two pictures, where both are found; the second may be left out, and
-    /// then stands for white.
+    /// then counts as white.
     pub fn request_of_two(
         &mut self,
         map: &TextureMap,
@@ -200,15 +201,15 @@ impl<'a> TextureLibrary<'a> {
             Err(missing) => (missing.clone(), None),
         };
         let MissingSidecar { tried, refused } = missing;
-        // One material of one model may be asked for several times: with overrides, for a derived texture.
+        // One material of one model may be requested several times: with overrides, for a derived texture.
         let asked = [requester.model, requester.material, key, &map.path].map(str::to_owned);
         if self.asked.insert((asked, map.line)) {
             if path.is_none() {
-                let why = match &refused {
+                let reason = match &refused {
                     Some(refused) => format!("was not read: {refused}"),
                     None => format!("was not found; looked for {} (upper or lower case)", tried.join(", ")),
                 };
-                let message = format!("the texture `{}` {why}. The material is used without it", map.path);
+                let message = format!("the texture `{}` {reason}. The material is used without it", map.path);
                 let mut diagnostic = about(map, key, requester);
                 diagnostic.message.push_str(&message);
                 self.diagnostics.push(diagnostic);
@@ -291,8 +292,8 @@ impl<'a> TextureLibrary<'a> {
                     texture_of_job.push(Some(textures.len()));
                     textures.push(Arc::new(texture));
                 }
-                Err(why) => {
-                    let message = format!("{why}; the material is used without it");
+                Err(error) => {
+                    let message = format!("{error}; the material is used without it");
                     self.diagnostics.push(about(Diagnostic::warning(""), message));
                     texture_of_job.push(None);
                 }
@@ -325,7 +326,8 @@ impl<'a> TextureLibrary<'a> {
             .zip(paid)
             .map(|(picture, paid)| {
                 let name = picture.path.display().to_string();
-                paid.and_then(|()| image_file::decode(&picture.bytes, &name)).map_err(|why| format!("{name}: {why}"))
+                paid.and_then(|()| image_file::decode(&picture.bytes, &name))
+                    .map_err(|error| format!("{name}: {error}"))
             })
             .collect()
     }
@@ -353,7 +355,7 @@ impl<'a> TextureLibrary<'a> {
     }
 }
 
-/// A warning that begins with who asks, to be completed.
+/// A warning that begins with the key and the material, to be completed.
 fn about(map: &TextureMap, key: &str, requester: &Requester<'_>) -> Diagnostic {
     let message = format!("{key} of material `{}`: ", requester.material);
     Diagnostic { line: map.line, ..Diagnostic::warning(message).in_file(requester.file) }

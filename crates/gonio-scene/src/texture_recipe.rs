@@ -4,8 +4,8 @@ use crate::image_file::Decoded;
 use gonio_image::srgb::{ENCODER, LINEAR_FROM_8};
 use gonio_mesh::{Channel, MetallicRoughness, TexelRule};
 
-/// The purpose of a texture, which determines the conversion of its numbers. Floats are kept as bits, so that uses can be
-/// compared.
+/// The purpose of a texture, which determines the conversion of its numbers. Floats are kept as bits, so that uses can
+/// be compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Purpose {
     /// sRGB.
@@ -16,12 +16,12 @@ pub(crate) enum Purpose {
     Opacity(Rule),
     /// A normal map with its strength.
     Normal(u32),
-    /// Heights, or a normal map after all; with its strength.
+    /// Heights, or a normal map if it is coloured; with its strength.
     Bump(u32),
-    /// Of metalness (first, where it has a picture) and base colour (last, or white): the diffuse colour, without the
+    /// The diffuse colour of metalness (first, if it has a picture) and base colour (last, or white), without the
     /// base colour's factor.
     MetalDiffuse(Metal),
-    /// The same: the specular colour, with everything in it.
+    /// The specular colour of the same, with all factors.
     MetalSpecular(Metal),
 }
 
@@ -85,7 +85,7 @@ impl Purpose {
     }
 }
 
-/// The texture's texels, and what is worth saying about the picture (to stand after its name).
+/// The texture's texels, and a note on the picture (to follow its name).
 pub(crate) fn cook(purpose: Purpose, sources: &[&Decoded]) -> (Decoded, Option<String>) {
     let mut picture = sources[0].clone();
     let mut note = None;

@@ -160,7 +160,7 @@ pub(crate) fn read_material(mut t: TableReader<'_>) -> Result<MaterialOverride, 
     t.finish().map(|()| material)
 }
 
-/// Also of an option's text, whose `heading` differs.
+/// Also reads an option's text, whose `heading` differs.
 pub(crate) fn read_light(mut t: TableReader<'_>) -> Result<LightSpec, Fault> {
     let kind = t.word("kind")?;
     let light = LightSpec {
@@ -215,8 +215,7 @@ impl SceneFile {
     pub fn to_toml_string(&self) -> String {
         let body = match toml::to_string(self) {
             Ok(body) => body,
-            // A scene has nothing that TOML lacks (checked by a test of every field); should that
-            // change, the file says so where it is read.
+            // A scene has nothing that TOML lacks, which a test of every field checks.
             Err(error) => format!("# the scene could not be written: {error}\n"),
         };
         format!(

@@ -175,7 +175,11 @@ pub(crate) fn check_material(at: &str, m: &MaterialOverride) -> Check {
         check_color(at, key, color.map(|c| c.0))?;
     }
     if m.tint.is_some_and(|t| t.0.iter().any(|v| *v > 1.0)) {
-        return fail(at, "tint", "`tint` must be 0 to 1 in each channel: a body lets no more light through than comes");
+        return fail(
+            at,
+            "tint",
+            "`tint` must be 0 to 1 in each channel: a body cannot transmit more light than it receives",
+        );
     }
     check_number(at, "dispersion", m.dispersion, |v| (-1.0..=1.0).contains(&v), "must be -1 to 1")
 }

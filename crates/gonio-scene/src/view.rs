@@ -53,9 +53,9 @@ named_enum! {
     pub enum SpecialView {
         /// The texture coordinates: eight by eight squares for each unit, red growing with u and green with v.
         UvChecker = "uv-checker",
-        /// How many fragments were shaded at each pixel.
+        /// The number of fragments shaded at each pixel.
         Overdraw = "overdraw",
-        /// Nothing but the background, for overlays by themselves.
+        /// The background only, for overlays by themselves.
         Nothing = "nothing",
     }
     default UvChecker;
@@ -76,8 +76,8 @@ named_enum! {
     what "overlay";
 }
 
-/// The overlays of a view: lines of one and a half pixels, hidden where a surface is in front of them, in colours of their
-/// own whatever the exposure is.
+/// The overlays of a view: lines of one and a half pixels, hidden where a surface is in front of them, in colours of
+/// their own whatever the exposure is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Overlays {

@@ -1,8 +1,8 @@
 //! Looking up a source at many places.
 //!
-//! A lookup waits for memory far longer than it computes: neighbouring pixels of a target are often rows of texels apart.
-//! So a row is filled in runs of a few blocks: the places of the next run are found, and their texels asked for, before
-//! the texels of the present run are mixed.
+//! A lookup waits for memory far longer than it computes: neighbouring pixels of a target are often rows of texels
+//! apart. So a row is filled in runs of a few blocks: the places of the next run are found, and their texels asked for,
+//! before the texels of the present run are mixed.
 
 use super::lanes::{Directions, LANES, first_eight, turned};
 use super::output_grid::OutputGrid;
@@ -12,8 +12,8 @@ use fearless_simd::{f32x4, f32x8, i32x8};
 use glam::Mat3;
 use gonio_image::Pixel;
 
-/// Eight places: the texel to the left of and above each, in a plane (a cubemap's face), and how far beyond it the place
-/// is, in [0, 1).
+/// Eight places: the texel to the left of and above each, in a plane (a cubemap's face), and how far beyond it the
+/// place is, in [0, 1).
 #[derive(Clone, Copy)]
 pub(super) struct Cells<S: Simd> {
     pub plane: i32x8<S>,
@@ -45,7 +45,7 @@ pub(super) struct Block {
     top: [i32; LANES],
     right_share: [f32; LANES],
     lower_share: [f32; LANES],
-    /// Which piece of the source's memory all windows lie in; `None` where some window goes over an edge.
+    /// The piece of the source's memory that contains all windows; `None` if a window crosses an edge.
     piece: Option<u8>,
 }
 
@@ -211,8 +211,8 @@ pub(super) fn fill_rows<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
     }
 }
 
-/// Fills `K` rows as [`fill_rows`] does, where the rows below them look `rows_ahead` rows further down in the source: one
-/// prefetch brings a line of the cache for eight lookups, and long before it is looked up.
+/// Fills `K` rows as [`fill_rows`] does, where the rows below them look `rows_ahead` rows further down in the source:
+/// one prefetch brings a line of the cache for eight lookups, and long before it is looked up.
 #[inline(always)]
 pub(super) fn fill_rows_downwards<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
     simd: S,
@@ -259,9 +259,9 @@ pub(super) fn fill_block(pixels: &mut [Pixel], look_up: impl FnOnce(&mut [Pixel;
 
 /// A filter over a window of `N` x `N` texels.
 pub(super) trait Mix<const N: usize> {
-    /// How many columns and rows of the window lie before the texel to the left of and above a place.
+    /// The number of columns and rows of the window before the texel to the left of and above a place.
     const BEFORE: i32;
-    /// Is added to places first.
+    /// The offset that is added to places first.
     const SHIFT: f32;
 
     /// A pixel from a window whose rows begin `stride` texels apart.
@@ -328,8 +328,8 @@ fn catmull_rom(t: f32) -> [f32; 4] {
     [0.5 * (-t3 + 2.0 * t2 - t), 0.5 * (3.0 * t3 - 5.0 * t2 + 2.0), 0.5 * (-3.0 * t3 + 4.0 * t2 + t), 0.5 * (t3 - t2)]
 }
 
-/// Fills a row: each pixel is the mean of k x k bilinear lookups, spread evenly over it, where k is such that they are no
-/// farther apart than the source's texels are there. Eight pixels together have the largest k of theirs.
+/// Fills a row: each pixel is the mean of k x k bilinear lookups, spread evenly over it, where k is such that they are
+/// no farther apart than the source's texels are there. Eight pixels together have the largest k of theirs.
 #[inline(always)]
 pub(super) fn fill_row_by_area<S: Simd>(
     simd: S,
@@ -402,5 +402,5 @@ fn unit<S: Simd>([x, y, z]: Directions<S>) -> Directions<S> {
     [x * scale, y * scale, z * scale]
 }
 
-/// More than that along a pixel are not made: a million lookups.
+/// The most lookups along a side of a pixel, of which there are then a million.
 pub const MOST_ALONG: usize = 1024;

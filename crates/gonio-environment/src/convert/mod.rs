@@ -1,4 +1,4 @@
-//! From panoramas to cubemaps, back, and from each to its like: any size, turned if wanted, without seams.
+//! From panoramas to cubemaps, back, and from each to its like: any size and rotation, without seams.
 //!
 //! For each pixel of the target its direction, turned into the source, is looked up there; eight pixels at a time, rows
 //! shared out among all threads, with the fastest instructions that the CPU has ([`crate::simd`]). The result depends
@@ -86,7 +86,7 @@ impl EnvironmentRef<'_> {
         }
     }
 
-    /// Linear radiance from a direction, bilinear, in f64: what a conversion is held against.
+    /// Linear radiance from a direction, bilinear, in f64: the reference for conversions.
     pub fn sample(&self, direction: DVec3) -> DVec3 {
         match self {
             EnvironmentRef::Cubemap(map) => map.sample(direction),
@@ -115,8 +115,8 @@ impl EnvironmentRef<'_> {
     }
 }
 
-/// From this many texels to a pixel on, bilinear lookups leave texels out. (A panorama and the cubemap that is usual for
-/// it, a quarter as wide, have 1.3 in the middle of a face and 0.6 at its corners.)
+/// From this many texels to a pixel on, bilinear lookups leave texels out. (A panorama and the cubemap that is usual
+/// for it, a quarter as wide, have 1.3 in the middle of a face and 0.6 at its corners.)
 const COARSER: f64 = 1.5;
 
 impl Conversion {
@@ -126,7 +126,7 @@ impl Conversion {
         self.filter.unwrap_or(if shrinks { Filter::Area } else { Filter::Bilinear })
     }
 
-    /// Whether directions stay what they are.
+    /// Whether the rotation is the identity.
     pub fn is_not_turned(&self) -> bool {
         self.source_from_target == DMat3::IDENTITY
     }
@@ -143,7 +143,7 @@ impl Conversion {
         map
     }
 
-    /// [`Self::cubemap_at`] into one that is there already.
+    /// [`Self::cubemap_at`] into an existing cubemap.
     pub fn fill_cubemap_at(&self, level: SimdLevel, from: EnvironmentRef<'_>, map: &mut Cubemap) {
         if let EnvironmentRef::Cubemap(source) = from
             && source.size() == map.size()
@@ -228,7 +228,7 @@ impl<F: TexelSource, T: OutputGrid> Kernel for Row<'_, F, T> {
 }
 
 impl<F: TexelSource, T: OutputGrid> Row<'_, F, T> {
-    /// Fills the row by a filter that looks at one place for each pixel.
+    /// Fills the row by a filter with one lookup per pixel.
     #[inline(always)]
     fn mix<S: Simd, const N: usize, M: Mix<N>>(self, simd: S) {
         let Row { source, target, turn, row, pixels, .. } = self;

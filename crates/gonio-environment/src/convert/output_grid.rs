@@ -17,23 +17,23 @@ pub(super) trait OutputGrid: Sync {
     /// Returns the height of a pixel in the middle, in radians.
     fn pixel_angle(&self) -> f64;
 
-    /// Of a cubemap the size of its faces.
+    /// The size of the faces of a cubemap; `None` for a panorama.
     fn sides(&self) -> Option<usize> {
         None
     }
 
-    /// A row; of a cubemap they go on from face to face.
+    /// A row; those of a cubemap continue from face to face.
     fn row(&self, row: usize) -> Self::Row;
 
-    /// The directions, of any length, of eight places in a row: at the columns `first` + `across`, where 0 is the middle
-    /// of the first pixel, and `down` pixels below the row's middle.
+    /// The directions, of any length, of eight places in a row: at the columns `first` + `across`, where 0 is the
+    /// middle of the first pixel, and `down` pixels below the row's middle.
     fn directions<S: Simd>(&self, row: &Self::Row, first: f32, across: f32x8<S>, down: f32) -> Directions<S>;
 }
 
 /// The six faces of a cubemap, OpenGL's layout.
 pub(super) struct CubeGrid {
     size: usize,
-    /// Of a texel, where the face is from -1 to 1.
+    /// The width of a texel, where the face is from -1 to 1.
     step: f32,
 }
 
@@ -102,7 +102,7 @@ impl PanoramaGrid {
 /// A row of a panorama.
 #[derive(Clone, Copy)]
 pub(super) struct PanoramaRow {
-    /// From the top, in rows.
+    /// The distance from the top, in rows.
     row: f32,
     /// The sine and the cosine of the angle between the row's middle and the upper pole.
     polar: [f32; 2],

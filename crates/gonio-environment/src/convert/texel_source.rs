@@ -13,7 +13,8 @@ use gonio_image::Pixel;
 use std::borrow::Cow;
 use std::f32::consts::PI;
 
-/// The positions at which eight directions meet a source: a plane (a cubemap's face), and texels from the middle of its first one.
+/// The positions at which eight directions meet a source: a plane (a cubemap's face), and texels from the middle of its
+/// first one.
 #[derive(Clone, Copy)]
 pub(super) struct Places<S: Simd> {
     plane: i32x8<S>,
@@ -41,8 +42,8 @@ pub(super) trait TexelSource: Sync {
     /// Texels from a row to the next, in every piece.
     fn stride(&self) -> usize;
 
-    /// The piece that eight windows of `N` x `N` texels lie in, and where in it each begins. `None` where a window goes
-    /// over an edge.
+    /// The piece that contains eight windows of `N` x `N` texels, and the index of their first texels. `None` if a
+    /// window crosses an edge.
     fn piece<S: Simd, const N: usize>(&self, plane: i32x8<S>, x: i32x8<S>, y: i32x8<S>) -> Option<(u8, u32x8<S>)>;
 
     /// A window whose first texel is (`x`, `y`). Neighbours are those on the sphere.
@@ -57,7 +58,7 @@ fn is_countable(texels: usize) -> bool {
     i32::try_from(texels).is_ok()
 }
 
-/// Which of eight numbers lie in [0, `end`).
+/// Whether each of eight numbers is in [0, `end`).
 #[inline(always)]
 fn below<S: Simd>(number: i32x8<S>, end: i32) -> fearless_simd::mask32x8<S> {
     // As numbers without sign, what is before 0 is far beyond the end.
@@ -152,13 +153,13 @@ impl TexelSource for CubeSource<'_> {
     }
 }
 
-/// A panorama, whose crowded rows about the poles may be averaged. Its pieces: the picture, the averaged rows at the top,
-/// and those at the bottom.
+/// A panorama, whose crowded rows about the poles may be averaged. Its pieces: the picture, the averaged rows at the
+/// top, and those at the bottom.
 pub(super) struct PanoramaSource<'a> {
     panorama: &'a Panorama,
     width: i32,
     height: i32,
-    /// How many rows at the top, and how many at the bottom, were averaged along themselves as far as texels crowd; 0
+    /// The number of rows at the top, and at the bottom, that were averaged along themselves where texels crowd; 0
     /// without the area filter.
     rows_averaged: i32,
     /// The first rows, averaged, ...
@@ -187,14 +188,14 @@ impl<'a> PanoramaSource<'a> {
         self.height as u32
     }
 
-    /// How many columns a place is from the middle of the first one, from the longitude in radians.
+    /// The distance of a place from the middle of the first column, in columns, from the longitude in radians.
     #[inline(always)]
     pub fn across<S: Simd>(&self, longitude: f32x8<S>) -> f32x8<S> {
         // Straight ahead is the middle: 0 radians, exactly.
         longitude * (self.width as f32 / (2.0 * PI)) + (0.5 * self.width as f32 - 0.5)
     }
 
-    /// How many rows a place is from the middle of the first one, from the angle below the horizon in radians.
+    /// The distance of a place from the middle of the first row, in rows, from the angle below the horizon in radians.
     #[inline(always)]
     pub fn down<S: Simd>(&self, below: f32x8<S>) -> f32x8<S> {
         below * (self.height as f32 / PI) + (0.5 * self.height as f32 - 0.5)
@@ -220,7 +221,7 @@ impl<'a> PanoramaSource<'a> {
         self.row(y as i32).get(x as usize).copied().unwrap_or_default()
     }
 
-    /// Where eight windows begin in a piece that has the rows from `from` to before `to`.
+    /// The first texels of eight windows in a piece that has the rows from `from` to before `to`.
     #[inline(always)]
     fn in_rows<S: Simd, const N: usize>(&self, from: i32, to: i32, x: i32x8<S>, y: i32x8<S>) -> Option<u32x8<S>> {
         let n = N as i32;

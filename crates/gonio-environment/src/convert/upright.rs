@@ -43,16 +43,16 @@ const SIDES: [Face; 4] = [Face::PosX, Face::NegX, Face::PosZ, Face::NegZ];
 
 /// The columns of the sides, eight at a time. The last eight repeat the last column where fewer are left.
 struct SideColumns {
-    /// Of each side the column of the panorama to the left of where each looks.
+    /// The column of the panorama to the left of each place, for each side.
     left: [Vec<[i32; LANES]>; 4],
-    /// Of each side how far beyond that column each looks, in columns.
+    /// The distance of each place from that column, in columns, for each side.
     right_share: [Vec<[f32; LANES]>; 4],
     /// One over the distance of the side from the vertical axis there, for a cube with half edge 1.
     nearness: Vec<[f32; LANES]>,
 }
 
 impl SideColumns {
-    /// Of sides of `size` texels, in a panorama `width` wide.
+    /// The columns for sides of `size` texels and a panorama `width` wide.
     fn new(size: usize, width: u32) -> Self {
         let blocks = size.div_ceil(LANES);
         let s = |i: usize| (2 * i.min(size - 1) + 1) as f64 / size as f64 - 1.0;

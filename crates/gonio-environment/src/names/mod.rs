@@ -4,27 +4,27 @@
 //! between separators (`_`, `-`, `.`, space); upper and lower case are the same. Six files are a set where everything
 //! else of their names is the same.
 //!
-//! **By axes.** `posx`, `px`, `x+` and so on are OpenGL's and Direct3D's faces. humus.name gives its photographs away as
-//! `posx.jpg`..., three.js's examples have `px.jpg`..., Babylon.js `_px`, Filament's `cmgen` writes `px`..., AMD's
+//! **By axes.** `posx`, `px`, `x+` and so on are OpenGL's and Direct3D's faces. humus.name gives its photographs away
+//! as `posx.jpg`..., three.js's examples have `px.jpg`..., Babylon.js `_px`, Filament's `cmgen` writes `px`..., AMD's
 //! CubeMapGen and cmft write `posx` or numbers. In the photographic layout `posz` is straight ahead (-Z), in OpenGL's
 //! it is the face that is sampled at +Z; the name is the same.
 //!
-//! **By words.** `right left top bottom front back` are read as `posx negx posy negy posz negz`: front is straight ahead
-//! in the photographic layout. It is how learnopengl.com's and most tutorials' skyboxes are uploaded, and in a viewer
-//! the plain meaning: what is on the picture called right is to the right of what is on the one called front. That is
-//! a guess all the same. Unity calls its six textures `Front [+Z]`, `Left [+X]`, `Right [-X]`: seen from inside, what
-//! Unity calls left is to the *right* of the front. Words cannot tell the two apart; edges can, and `check` finds that
-//! left and right are swapped.
+//! **By words.** `right left top bottom front back` are read as `posx negx posy negy posz negz`: front is straight
+//! ahead in the photographic layout. It is how learnopengl.com's and most tutorials' skyboxes are uploaded, and in a
+//! viewer the plain meaning: what is on the picture called right is to the right of what is on the one called front.
+//! That is a guess all the same. Unity calls its six textures `Front [+Z]`, `Left [+X]`, `Right [-X]`: seen from
+//! inside, what Unity calls left is to the *right* of the front. Words cannot tell the two apart; edges can, and
+//! `check` finds that left and right are swapped.
 //!
-//! **By Quake's letters.** `rt lf ft bk up dn` come from Quake II's sky (id Software, `gl_warp.c`) and are used with the
-//! same meaning by Half-Life, Source, Quake III, and by what map makers give away. There `rt` is the face at the world's
-//! +X, which is ahead of a player who has not turned, `ft` is at -Y, to his right; `up` and `dn` join `rt` with their
-//! lower and upper edge. So `rt` is straight ahead here, `ft` to the right, `lf` behind, `bk` to the left, and nothing
-//! is turned. A set that somebody named by these letters in the plain sense (`ft` ahead, `rt` to the right of it) does
-//! not fit together then: `check` says which faces are where, and repairs it.
+//! **By Quake's letters.** `rt lf ft bk up dn` come from Quake II's sky (id Software, `gl_warp.c`) and are used with
+//! the same meaning by Half-Life, Source, Quake III, and by what map makers give away. There `rt` is the face at the
+//! world's +X, which is ahead of a player who has not turned, `ft` is at -Y, to his right; `up` and `dn` join `rt` with
+//! their lower and upper edge. So `rt` is straight ahead here, `ft` to the right, `lf` behind, `bk` to the left, and
+//! nothing is turned. A set that somebody named by these letters in the plain sense (`ft` ahead, `rt` to the right of
+//! it) does not fit together then: `check` reports which faces are where, and repairs it.
 //!
-//! **By numbers.** `0` to `5` or `1` to `6`, also `00`, `c00` (CubeMapGen), are in OpenGL's order +X -X +Y -Y +Z -Z: the
-//! order of layers in OpenGL, Direct3D and Vulkan. That a tool counts otherwise cannot be seen.
+//! **By numbers.** `0` to `5` or `1` to `6`, also `00`, `c00` (CubeMapGen), are in OpenGL's order +X -X +Y -Y +Z -Z:
+//! the order of layers in OpenGL, Direct3D and Vulkan. That a tool counts otherwise cannot be seen.
 //!
 //! Not among them: Unreal and Godot, which take six faces as one strip or one cubemap file, and Blender, which has
 //! panoramas only.
@@ -53,7 +53,7 @@ named_enum! {
 }
 
 /// Words of a convention for the faces in the order of [`Face::ALL`]; each list is a way of writing that is used for
-/// all six. The face is the same in both layouts: a layout says how the picture lies on it.
+/// all six. The face is the same in both layouts: a layout determines how the picture lies on it.
 pub const TABLE: &[(NamingScheme, [&str; 6])] = &[
     (NamingScheme::Axes, ["posx", "negx", "posy", "negy", "posz", "negz"]),
     (NamingScheme::Axes, ["pos_x", "neg_x", "pos_y", "neg_y", "pos_z", "neg_z"]),
@@ -85,13 +85,13 @@ pub struct Assignment {
     pub files: [usize; 6],
     /// The naming scheme.
     pub convention: NamingScheme,
-    /// The name with `*` where the faces' words stand: `sky_*.png`.
+    /// The name with `*` in place of the faces' words: `sky_*.png`.
     pub pattern: String,
     /// Notes on ignored files and on guesses about the names. Sentences without final full stop.
     pub notes: Vec<String>,
 }
 
-/// Endings of files that may be pictures. Those that cannot be read are told when they are, not here.
+/// Extensions of files that may be pictures. Unsupported ones are reported by the reader.
 const PICTURES: &[&str] = &[
     "png", "jpg", "jpeg", "jfif", "hdr", "pic", "rgbe", "exr", "ktx2", "ktx", "dds", "tga", "bmp", "tif", "tiff",
     "webp", "gif", "avif", "psd", "vtf",
@@ -125,7 +125,7 @@ pub fn siblings(name: &str) -> Vec<[String; 6]> {
     found
 }
 
-/// One way to understand a name: a word of a row of the table, and where it stands.
+/// One reading of a name: a word of a row of the table, and its place.
 #[derive(Clone, Debug)]
 struct Reading {
     row: usize,
@@ -133,7 +133,7 @@ struct Reading {
     /// The bytes of the word in the name.
     start: usize,
     end: usize,
-    /// What separates the words of the name is the same to all.
+    /// The name without the word, with one separator.
     key: String,
 }
 
@@ -225,7 +225,7 @@ fn choose<S: AsRef<str>>(names: &[S], member: Option<&str>) -> Result<Assignment
     let mut complete: Vec<(usize, [usize; 6])> = Vec::new();
     for ((row, _), faces) in sets.iter().filter(|(_, faces)| faces.iter().all(|f| !f.is_empty())) {
         let files = one_of_each(names, faces)?;
-        // Two rows may say the same of the same files (`up`, `down`).
+        // Two rows may assign the same files alike (`up`, `down`).
         if !complete.iter().any(|(_, other)| *other == files) {
             complete.push((*row, files));
         }
@@ -303,7 +303,7 @@ fn assigned<S: AsRef<str>>(names: &[S], pictures: &[usize], row: usize, files: [
     Assignment { files, convention, pattern: pattern(names, row, files), notes }
 }
 
-/// At most three names.
+/// A list of at most three names.
 fn shortened(names: &[&str]) -> String {
     let shown = names.iter().take(3).map(|n| format!("`{n}`")).collect::<Vec<_>>().join(", ");
     if names.len() > 3 { format!("{shown}, ...") } else { shown }
@@ -316,7 +316,7 @@ fn pattern<S: AsRef<str>>(names: &[S], row: usize, files: [usize; 6]) -> String 
     reading.map_or_else(|| name.to_owned(), |r| format!("{}*{}", &name[..r.start], &name[r.end..]))
 }
 
-/// Why there is no set: the one that lacks the fewest faces, and what it lacks.
+/// The error of an incomplete set: the one that lacks the fewest faces.
 fn incomplete<S: AsRef<str>>(
     names: &[S],
     sets: &BTreeMap<(usize, String), Faces>,
@@ -339,8 +339,8 @@ fn incomplete<S: AsRef<str>>(
         .filter(|(_, files)| files.is_empty())
         .map(|(face, _)| {
             let word = TABLE[*row].1[face as usize];
-            let wanted = reading.as_ref().map_or_else(|| word.to_owned(), |r| r.spelled(present, word));
-            format!("`{}` (`{wanted}`)", face.name())
+            let file_name = reading.as_ref().map_or_else(|| word.to_owned(), |r| r.spelled(present, word));
+            format!("`{}` (`{file_name}`)", face.name())
         })
         .collect();
     // A face that is there under another kind of name is the likeliest reason.

@@ -65,8 +65,8 @@ fn the_delicate_words_mean_what_the_documentation_says() {
     assert_eq!(at(&from_one, "5.png"), Some(Face::PosZ));
 }
 
-/// Quake II's sky box as its source defines it: face by face the axis, where columns and rows run, in a world with Z up.
-/// What is straight ahead of a player who has not turned is +X, to his right -Y.
+/// Quake II's sky box as its source defines it: face by face the axis, where columns and rows run, in a world with Z
+/// up. Straight ahead of a player who has not turned is +X, to the right -Y.
 #[test]
 fn quakes_letters_fit_together_as_its_source_lays_them() {
     // From Quake's world to ours: ahead (+X) is -Z, left (+Y) is -X, up (+Z) is +Y.

@@ -82,7 +82,7 @@ impl Header {
                         )));
                     }
                 },
-                // Both may stand several times, and then multiply.
+                // Both may occur several times, and then multiply.
                 "EXPOSURE" => exposure *= positive(key, value)?,
                 "COLORCORR" => {
                     let mut words = value.split_whitespace();
@@ -146,7 +146,7 @@ fn next_line<'a>(rest: &mut &'a [u8]) -> Result<std::borrow::Cow<'a, str>, Image
     Ok(String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line)))
 }
 
-/// In which order the pixels come.
+/// The order of the pixels.
 struct Order {
     /// The number of scan lines, and the number of pixels in each.
     scans: u32,

@@ -13,7 +13,7 @@ use std::io::Read;
 /// The first bytes of a KTX2 file.
 pub(crate) const MAGIC: &[u8] = b"\xABKTX 20\xBB\r\n\x1a\n";
 
-/// Formats of Vulkan (registry `VkFormat`): number, how it is stored, what integers mean. `None`: the file says.
+/// Formats of Vulkan (registry `VkFormat`): number, storage, meaning of integers. `None`: the file states it.
 const FORMATS: &[(u32, Texel, Option<Transfer>)] = &[
     (9, Texel::Bytes { size: 1, rgb: [0; 3] }, None),
     (15, Texel::Bytes { size: 1, rgb: [0; 3] }, Some(Transfer::Srgb)),
@@ -175,14 +175,14 @@ impl Header {
         }
     }
 
-    /// The largest level's first `wanted` bytes or more, unpacked.
-    fn largest_level<'a>(&self, file: Bytes<'a>, wanted: u64) -> Result<Cow<'a, [u8]>, ImageError> {
-        let what = "the largest level";
-        let packed = file.part(file.u64(80)?, file.u64(88)?, what)?;
+    /// The largest level's first `needed` bytes or more, unpacked.
+    fn largest_level<'a>(&self, file: Bytes<'a>, needed: u64) -> Result<Cow<'a, [u8]>, ImageError> {
+        let part = "the largest level";
+        let packed = file.part(file.u64(80)?, file.u64(88)?, part)?;
         let unpack = |reader: &mut dyn Read, how: &str| {
-            // No more than is needed is unpacked, whatever the file says.
+            // No more than is needed is unpacked, whatever the file states.
             let mut level = Vec::new();
-            reader.take(wanted).read_to_end(&mut level).map_err(|e| {
+            reader.take(needed).read_to_end(&mut level).map_err(|e| {
                 ImageError::new(format!("its largest level cannot be unpacked ({how}: {e}); the file is damaged"))
             })?;
             Ok(Cow::Owned(level))
@@ -221,7 +221,7 @@ impl Header {
         Ok(None)
     }
 
-    /// A 2-D picture may be stored bottom up or right to left, and says so; a cubemap may not.
+    /// A 2-D picture may be stored bottom up or right to left, as its metadata states; a cubemap may not.
     fn put_upright(&self, file: Bytes<'_>, image: &mut Image, notes: &mut Vec<String>) -> Result<(), ImageError> {
         let orientation = self.value(file, "KTXorientation")?.unwrap_or(b"rd");
         let width = image.width as usize;

@@ -99,7 +99,7 @@ pub struct Decoded {
 ///
 /// # Errors
 ///
-/// An unsupported format or variant (the message says what to convert it to); a file that is cut off or damaged; a
+/// An unsupported format or variant (the message names a format to convert it to); a file that is cut off or damaged; a
 /// size beyond `limits`, before anything is allocated.
 pub fn decode(name: &str, bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, ImageError> {
     let decode = match FileFormat::detect(bytes) {
@@ -120,7 +120,7 @@ fn unknown(bytes: &[u8]) -> ImageError {
     if bytes.is_empty() {
         return ImageError::new("the file is empty; get it again");
     }
-    // (where it stands, what stands there, what it is)
+    // (offset, bytes, description)
     const OTHERS: &[(usize, &[u8], &str)] = &[
         (0, b"\xABKTX 11\xBB", "a KTX file of version 1"),
         (8, b"WEBP", "a WebP picture"),
@@ -139,9 +139,9 @@ fn unknown(bytes: &[u8]) -> ImageError {
         (0, b"P6", "a portable pixmap"),
         (0, b"version https://git-lfs", "a pointer of Git LFS and not the file itself (type: git lfs pull)"),
     ];
-    let what = OTHERS.iter().find(|(at, magic, _)| bytes.get(*at..).is_some_and(|b| b.starts_with(magic)));
-    match what {
-        Some((_, _, what)) => ImageError::new(format!("this is {what}; {READ}")),
+    let other = OTHERS.iter().find(|(at, magic, _)| bytes.get(*at..).is_some_and(|b| b.starts_with(magic)));
+    match other {
+        Some((_, _, description)) => ImageError::new(format!("this is {description}; {READ}")),
         None => ImageError::new(format!("this is not a known picture format; {READ}")),
     }
 }
@@ -151,7 +151,7 @@ fn unknown(bytes: &[u8]) -> ImageError {
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
-    /// `length` bytes from `start` on, or an error that says which part of the file they would have been.
+    /// `length` bytes from `start` on, or an error that names the missing part of the file.
     fn part(&self, start: u64, length: u64, what: &str) -> Result<&'a [u8], ImageError> {
         let range = usize::try_from(start).ok().zip(start.checked_add(length).and_then(|e| usize::try_from(e).ok()));
         range.and_then(|(start, end)| self.0.get(start..end)).ok_or_else(|| {
@@ -180,7 +180,7 @@ impl<'a> Bytes<'a> {
 pub const INFINITE_LIGHT: f32 = 65504.0;
 
 /// Makes NaN and negative numbers 0 and infinite ones [`INFINITE_LIGHT`], sets the fourth number of every pixel to 1,
-/// and says in one sentence each how many there were.
+/// and counts them in one warning each.
 fn tidy(pictures: &mut [&mut [Pixel]], warnings: &mut Vec<String>) {
     let mut counts = [0_usize; 3];
     for pixels in pictures {
@@ -189,14 +189,14 @@ fn tidy(pictures: &mut [&mut [Pixel]], warnings: &mut Vec<String>) {
         counts = add(counts, here);
     }
     let [nan, infinite, negative] = counts;
-    let mut tell = |count: usize, what: &str, now: &str| match count {
+    let mut warn = |count: usize, what: &str, now: &str| match count {
         0 => {}
         1 => warnings.push(format!("one number is {what} and counts as {now}")),
         n => warnings.push(format!("{n} numbers are {what} and count as {now}")),
     };
-    tell(nan, "NaN", "0");
-    tell(infinite, "infinite", &INFINITE_LIGHT.to_string());
-    tell(negative, "negative", "0");
+    warn(nan, "NaN", "0");
+    warn(infinite, "infinite", &INFINITE_LIGHT.to_string());
+    warn(negative, "negative", "0");
 }
 
 fn tidy_chunk(pixels: &mut [Pixel]) -> [usize; 3] {

@@ -193,7 +193,7 @@ impl Block {
         }
     }
 
-    /// Decodes all blocks of a picture, whose size is given by `image`; blocks may stand over its edges.
+    /// Decodes all blocks of a picture, whose size is given by `image`; blocks may extend beyond its edges.
     pub(super) fn decode(self, bytes: &[u8], image: &mut Image, transfer: Transfer) {
         let width = image.width as usize;
         let blocks_of_row = bytes.par_chunks_exact(width.div_ceil(4) * self.size());

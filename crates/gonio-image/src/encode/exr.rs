@@ -1,9 +1,10 @@
 //! OpenEXR, ZIP-compressed in blocks of 16 scan lines.
 //!
-//! [`encode`] and [`encode_layers`] use the crate `exr`, which would add more to a web page than all other code that saves
-//! files. [`encode_compact`] is a writer of our own, for 32-bit floats with premultiplied alpha. Source: *Technical
-//! Introduction to OpenEXR* and *OpenEXR File Layout* (Kainz, Bogart, Stanczyk, Hillman; Academy Software Foundation),
-//! with their ZIP compression: blocks of 16 lines, bytes split into first and second halves, differences, zlib.
+//! [`encode`] and [`encode_layers`] use the crate `exr`, which would add more to a web page than all other code that
+//! saves files. [`encode_compact`] is a writer of our own, for 32-bit floats with premultiplied alpha. Source:
+//! *Technical Introduction to OpenEXR* and *OpenEXR File Layout* (Kainz, Bogart, Stanczyk, Hillman; Academy Software
+//! Foundation), with their ZIP compression: blocks of 16 lines, bytes split into first and second halves, differences,
+//! zlib.
 
 use super::{Encoded, beyond_half, half};
 use crate::image::Image;
@@ -196,7 +197,7 @@ fn packed(lines: &[[f32; 4]], width: usize) -> Vec<u8> {
     }
     let mut encoder = ZlibEncoder::new(Vec::new(), Compression::fast());
     let zipped = encoder.write_all(&split).and_then(|()| encoder.finish()).unwrap_or_default();
-    // What packing makes larger is stored as it is, unsplit: so readers tell by the size.
+    // A block that compression would enlarge is stored unchanged, which readers see by its size.
     if zipped.is_empty() || zipped.len() >= plain.len() { plain } else { zipped }
 }
 

@@ -48,7 +48,7 @@ pub fn encode(image: &Image) -> Result<Encoded, ImageError> {
     Ok(Encoded { bytes, warnings })
 }
 
-/// The pixel's mantissas and their exponent, each rounded to the nearest; what is no light is 0.
+/// The pixel's mantissas and their exponent, each rounded to the nearest; NaN and negative light are 0.
 fn rgbe([r, g, b, _]: &Pixel) -> [u8; 4] {
     // Written so that NaN becomes 0.
     let light = [*r, *g, *b].map(|x| if x > 0.0 { f64::from(x.min(LARGEST)) } else { 0.0 });
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn mantissas_are_the_nearest() {
-        for (light, wanted) in [
+        for (light, expected) in [
             ([1.0, 0.5, 0.0], [128, 64, 0, 129]),
             ([255.0, 1.0, 0.4], [255, 1, 0, 136]),
             // Rounds up to 256, which is 128 of the next exponent.
@@ -140,7 +140,7 @@ mod tests {
             ([f32::NAN, -1.0, 0.0], [0; 4]),
             ([f32::MAX, 0.0, 0.0], [255, 0, 0, 255]),
         ] {
-            assert_eq!(rgbe(&[light[0], light[1], light[2], 1.0]), wanted, "{light:?}");
+            assert_eq!(rgbe(&[light[0], light[1], light[2], 1.0]), expected, "{light:?}");
         }
     }
 

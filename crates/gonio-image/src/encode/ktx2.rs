@@ -179,7 +179,7 @@ fn descriptor(layout: &Layout) -> Vec<u8> {
         0,
     ];
     for (i, channel) in [0, 1, 2, 15].into_iter().enumerate() {
-        // Alpha is never sRGB-encoded, which its qualifier `linear` (0x10) says where the others are.
+        // Alpha is never sRGB-encoded, which its qualifier `linear` (0x10) states if the others are.
         let linear = if channel == 15 && layout.transfer == 2 { 0x10 } else { 0 };
         words.push((bits * i as u32) | ((bits - 1) << 16) | ((channel | layout.qualifiers | linear) << 24));
         // Where in the block it is sampled.

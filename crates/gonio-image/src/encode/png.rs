@@ -266,7 +266,7 @@ mod tests {
         }
     }
 
-    /// Colour type and bytes, and whether the file says sRGB.
+    /// Colour type and bytes, and whether the file states sRGB.
     fn read(file: &[u8]) -> (ColorType, Vec<u8>, bool) {
         let mut reader = png::Decoder::new(io::Cursor::new(file)).read_info().unwrap_or_else(|e| panic!("{e}"));
         let mut bytes = vec![0; reader.output_buffer_size().unwrap_or_default()];

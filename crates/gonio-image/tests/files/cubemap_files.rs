@@ -156,7 +156,7 @@ fn dds_that_is_not_read_is_named() {
         }
         refusal(&file)
     };
-    for (changes, wanted) in [
+    for (changes, expected) in [
         (&[(128, 83)][..], "its pixels are BC5"),
         (&[(128, 9999)], "its pixels are in the DXGI format 9999"),
         (&[(132, 4)], "it holds a volume"),
@@ -167,7 +167,7 @@ fn dds_that_is_not_read_is_named() {
         (&[(84, u32::from_le_bytes(*b"ETC2"))], "its pixels are `ETC2`"),
     ] {
         let message = with(changes);
-        assert!(message.starts_with(wanted), "{changes:?}: {message}");
+        assert!(message.starts_with(expected), "{changes:?}: {message}");
     }
 }
 
@@ -248,11 +248,11 @@ fn what_is_written_comes_back() {
         let decoded = read(&encoded.bytes);
         assert_eq!((decoded.format, decoded.high_dynamic_range), (FileFormat::Ktx2, format != Ktx2Format::Srgb8));
         assert_eq!(decoded.notes, ["of 3 mip levels the largest is read"]);
-        for (found, wanted) in faces(&decoded).iter().zip(levels[0].faces()) {
-            for (found, wanted) in found.pixels.iter().flatten().zip(wanted.iter().flatten()) {
+        for (found, expected) in faces(&decoded).iter().zip(levels[0].faces()) {
+            for (found, expected) in found.pixels.iter().flatten().zip(expected.iter().flatten()) {
                 // Half a step of 11 bits, or of 255 steps where the curve is steepest (2.3 to 1).
-                let tolerance = [wanted / 2048.0, 0.0, 2.3 / 510.0][format as usize];
-                assert!((found - wanted).abs() <= tolerance, "{format:?}: {found} is not {wanted}");
+                let tolerance = [expected / 2048.0, 0.0, 2.3 / 510.0][format as usize];
+                assert!((found - expected).abs() <= tolerance, "{format:?}: {found} is not {expected}");
             }
         }
     }
@@ -274,9 +274,9 @@ fn what_does_not_fit_is_told() {
 fn packed_levels_are_unpacked() {
     for scheme in [2, 3] {
         let decoded = read(&packed(scheme));
-        for (found, wanted) in faces(&decoded).iter().zip(cube(4).faces()) {
-            for (found, wanted) in found.pixels.iter().flatten().zip(wanted.iter().flatten()) {
-                assert!((found - wanted).abs() <= wanted / 2048.0, "{scheme}: {found} is not {wanted}");
+        for (found, expected) in faces(&decoded).iter().zip(cube(4).faces()) {
+            for (found, expected) in found.pixels.iter().flatten().zip(expected.iter().flatten()) {
+                assert!((found - expected).abs() <= expected / 2048.0, "{scheme}: {found} is not {expected}");
             }
         }
     }
@@ -293,16 +293,16 @@ fn pictures_and_what_integers_mean_are_as_the_file_says() {
     put(&mut file, 24, 6);
     put(&mut file, 36, 1);
     let reds = |file: &[u8]| picture(&read(file)).pixels.iter().map(|p| p[0]).collect::<Vec<_>>();
-    let wanted: Vec<f32> = map.pixels.iter().map(|p| p[0]).collect();
-    assert_eq!(reds(&file), wanted);
+    let expected: Vec<f32> = map.pixels.iter().map(|p| p[0]).collect();
+    assert_eq!(reds(&file), expected);
     // Bottom up.
     let at = file.windows(3).position(|w| w == b"rd\0").unwrap_or_default();
     file[at + 1] = b'u';
-    assert_eq!(reds(&file), wanted.iter().rev().copied().collect::<Vec<_>>());
+    assert_eq!(reds(&file), expected.iter().rev().copied().collect::<Vec<_>>());
     // R8G8B8A8_UNORM, which the descriptor calls linear (1) or sRGB (2).
     file[at + 1] = b'd';
     put(&mut file, 12, 37);
-    assert_eq!(reds(&file), wanted);
+    assert_eq!(reds(&file), expected);
     let transfer = 80 + 24 + 14;
     assert_eq!(file[transfer], 2);
     file[transfer] = 1;
@@ -318,7 +318,7 @@ fn ktx2_that_is_not_read_is_named() {
         put(&mut file, at, number);
         refusal(&file)
     };
-    for (at, number, wanted) in [
+    for (at, number, expected) in [
         (12, 157, "its pixels are ASTC"),
         (12, 147, "its pixels are ETC2 or EAC"),
         (12, 141, "its pixels are BC5"),
@@ -336,7 +336,7 @@ fn ktx2_that_is_not_read_is_named() {
         (88, 100, "its largest level is too short"),
     ] {
         let message = with(at, number);
-        assert!(message.starts_with(wanted), "{at} {number}: {message}");
+        assert!(message.starts_with(expected), "{at} {number}: {message}");
     }
     let huge = {
         let mut file = file.clone();

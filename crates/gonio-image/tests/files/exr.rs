@@ -44,10 +44,10 @@ fn what_is_written_comes_back() {
     assert_eq!(picture(&decoded), &image);
     assert!(decoded.notes.is_empty() && decoded.warnings.is_empty(), "{decoded:?}");
     let half = encode(&image, ExrPrecision::Half).unwrap_or_else(|e| panic!("{e}"));
-    for (found, wanted) in picture(&read(&half.bytes)).pixels.iter().zip(&image.pixels) {
-        for (found, wanted) in found.iter().zip(wanted) {
+    for (found, expected) in picture(&read(&half.bytes)).pixels.iter().zip(&image.pixels) {
+        for (found, expected) in found.iter().zip(expected) {
             // Half a step of 11 bits of mantissa.
-            assert!((found - wanted).abs() <= wanted / 2048.0, "{found} is not {wanted}");
+            assert!((found - expected).abs() <= expected / 2048.0, "{found} is not {expected}");
         }
     }
 }
@@ -148,8 +148,8 @@ fn numbers_that_are_no_light_are_told_and_tamed() {
         ("B", floats(&[0.0, f32::NEG_INFINITY, 1e-45])),
     ];
     let decoded = read(&file(vec![layer("", (3, 1), &list)], window(0, 0, 3, 1)));
-    let wanted = [[0.0, 65504.0, 0.0, 1.0], [1.0, 1e30, 0.0, 1.0], [0.0, 0.0, 1e-45, 1.0]];
-    assert_eq!(picture(&decoded).pixels, wanted);
+    let expected = [[0.0, 65504.0, 0.0, 1.0], [1.0, 1e30, 0.0, 1.0], [0.0, 0.0, 1e-45, 1.0]];
+    assert_eq!(picture(&decoded).pixels, expected);
     assert_eq!(
         decoded.warnings,
         [

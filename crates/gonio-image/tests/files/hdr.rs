@@ -30,12 +30,12 @@ fn what_is_written_another_reader_reads_alike() {
         let decoded = read(&encoded.bytes);
         assert_eq!((decoded.format, decoded.high_dynamic_range), (FileFormat::Hdr, true));
         let ours = picture(&decoded);
-        for ((ours, other), wanted) in ours.pixels.iter().zip(other.pixels()).zip(&image.pixels) {
+        for ((ours, other), expected) in ours.pixels.iter().zip(other.pixels()).zip(&image.pixels) {
             assert_eq!(ours[..3], other.0);
-            let brightest = wanted[..3].iter().copied().fold(0.0, f32::max);
-            for (found, wanted) in ours.iter().zip(wanted) {
+            let brightest = expected[..3].iter().copied().fold(0.0, f32::max);
+            for (found, expected) in ours.iter().zip(expected) {
                 // Half a step of a mantissa of 8 bits whose first is set.
-                assert!((found - wanted).abs() <= brightest / 256.0, "{ours:?} is not {wanted:?}");
+                assert!((found - expected).abs() <= brightest / 256.0, "{ours:?} is not {expected:?}");
             }
         }
         // What was read is written as it was.
@@ -98,7 +98,7 @@ fn what_is_not_honoured_is_told() {
 #[test]
 fn what_makes_no_sense_is_refused() {
     let one = &[1, 2, 3, 136];
-    for (header, pixels, wanted) in [
+    for (header, pixels, expected) in [
         ("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n", &one[..], "the colours are CIE XYZ"),
         ("#?RADIANCE\nFORMAT=other\n\n-Y 1 +X 1\n", one, "unsupported pixel format `other`"),
         ("#?RADIANCE\nEXPOSURE=0\n\n-Y 1 +X 1\n", one, "invalid EXPOSURE `0` in the header"),
@@ -114,7 +114,7 @@ fn what_makes_no_sense_is_refused() {
         ("#?RADIANCE\n\n-Y 1 +X 2\n", &[9, 0, 0, 136, 1, 1, 1, 5], "a run of this .hdr is longer"),
     ] {
         let message = refusal(&file(header, pixels));
-        assert!(message.starts_with(wanted), "{message}");
+        assert!(message.starts_with(expected), "{message}");
     }
 }
 

@@ -26,8 +26,8 @@ fn png_of_every_kind_is_decoded_to_linear_light() {
         assert_eq!((decoded.format, decoded.high_dynamic_range), (FileFormat::Png, false));
         assert_eq!(decoded.notes.contains(&"alpha is ignored".to_owned()), has_alpha, "{color:?}");
         for (pixel, from) in picture(&decoded).pixels.iter().zip(steps.chunks_exact(channels)) {
-            let wanted = if channels < 3 { [from[0]; 3] } else { [from[0], from[1], from[2]] };
-            assert_eq!(pixel[..3], wanted.map(linear8), "{color:?}");
+            let expected = if channels < 3 { [from[0]; 3] } else { [from[0], from[1], from[2]] };
+            assert_eq!(pixel[..3], expected.map(linear8), "{color:?}");
             assert_eq!(pixel[3], 1.0);
         }
     };
@@ -47,8 +47,8 @@ fn png_of_16_bits_is_decoded_exactly() {
     {
         let decoded = read(&png(&bytes, (96 / channels as u32 / 2, 2), color));
         for (pixel, from) in picture(&decoded).pixels.iter().zip(numbers.chunks_exact(channels)) {
-            let wanted = if channels == 1 { [from[0]; 3] } else { [from[0], from[1], from[2]] };
-            assert_eq!(pixel[..3], wanted.map(|n| srgb_decode(f64::from(n) / 65535.0) as f32), "{color:?}");
+            let expected = if channels == 1 { [from[0]; 3] } else { [from[0], from[1], from[2]] };
+            assert_eq!(pixel[..3], expected.map(|n| srgb_decode(f64::from(n) / 65535.0) as f32), "{color:?}");
         }
     }
 }
@@ -77,9 +77,9 @@ fn interlaced_png_is_put_together() {
     file.extend(b"\0\0\0\x1eIDAT\x78\xda\x63\xe0\x12\x91\x63\x70\x0b\x88\x62\xd0\x30\xb2\x61\x48\xc9\xab\x68\xea\x99");
     file.extend(b"\xb6\x60\xd5\x16\x00\x30\xd6\x06\xaf\xcc\x15\xef\x99\0\0\0\0IEND\xae\x42\x60\x82");
     let decoded = read(&file);
-    let wanted: Vec<f32> = (1..=18).map(|i| linear8(10 * i)).collect();
+    let expected: Vec<f32> = (1..=18).map(|i| linear8(10 * i)).collect();
     let found: Vec<f32> = picture(&decoded).pixels.iter().flat_map(|p| [p[0], p[1], p[2]]).collect();
-    assert_eq!(found, wanted);
+    assert_eq!(found, expected);
 }
 
 #[test]
@@ -110,9 +110,9 @@ fn jpeg_is_decoded_to_linear_light() {
     assert_eq!((image.width, image.height), (40, 24));
     for y in 0..24 {
         for x in 0..40 {
-            for (found, wanted) in image.at(x, y).iter().zip(steps(x, y)) {
+            for (found, expected) in image.at(x, y).iter().zip(steps(x, y)) {
                 // Best quality: a few steps, set by the writer's rounding and the halved resolution of its chroma.
-                let off = (gonio_light::color::srgb_encode((*found).into()) * 255.0 - f64::from(wanted)).abs();
+                let off = (gonio_light::color::srgb_encode((*found).into()) * 255.0 - f64::from(expected)).abs();
                 assert!(off < 12.0, "{x} {y}: {off}");
             }
         }
@@ -134,11 +134,11 @@ fn png_comes_back_to_the_step() {
     let sixteen = encode(&image, &transform, Depth::Sixteen).unwrap_or_else(|e| panic!("{e}"));
     for (file, steps) in [(eight, 255.0), (sixteen, 65535.0)] {
         let decoded = read(&file);
-        for (found, wanted) in picture(&decoded).pixels.iter().zip(&image.pixels) {
-            for (found, wanted) in found.iter().zip(wanted).take(3) {
+        for (found, expected) in picture(&decoded).pixels.iter().zip(&image.pixels) {
+            for (found, expected) in found.iter().zip(expected).take(3) {
                 let step = |x: f32| gonio_light::color::srgb_encode(x.into()) * steps;
                 // Half a step of rounding.
-                assert!((step(*found) - step(wanted / 8.0)).abs() < 0.51, "{found} is not {wanted}");
+                assert!((step(*found) - step(expected / 8.0)).abs() < 0.51, "{found} is not {expected}");
             }
         }
     }
@@ -153,9 +153,9 @@ fn tone_maps_and_direct_numbers_are_those_of_the_definition() {
             let bytes = rows8(&image, &transform);
             for (rgb, pixel) in bytes.chunks_exact(3).zip(&image.pixels) {
                 let light = glam::DVec3::new(pixel[0].into(), pixel[1].into(), pixel[2].into());
-                for (found, wanted) in rgb.iter().zip((transform.encode(light) * 255.0).to_array()) {
+                for (found, expected) in rgb.iter().zip((transform.encode(light) * 255.0).to_array()) {
                     // Half a step, and where 2^0.5 is an f32 a little more.
-                    assert!((f64::from(*found) - wanted).abs() < 0.5001, "{tone_map} {encoding}");
+                    assert!((f64::from(*found) - expected).abs() < 0.5001, "{tone_map} {encoding}");
                 }
             }
         }

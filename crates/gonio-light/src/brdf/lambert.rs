@@ -8,7 +8,7 @@
 //!
 //! *Source*: J. H. Lambert, *Photometria* (1760), the cosine law; the factor `1/pi` because the
 //! integral of the cosine over the hemisphere is `pi`. *The seed's print* (Appendix 6) is the same.
-//! *Normalised variant*: it is normalised as it stands: its albedo is `a` from every view direction.
+//! *Normalised variant*: already normalised: its albedo is `a` from every view direction.
 //! *Limits*: no highlight; no dependence on the view.
 
 use super::Surface;

@@ -95,7 +95,7 @@ pub fn above_horizon(n: DVec3, v: DVec3, l: DVec3) -> bool {
 pub struct BrdfSettings {
     /// The BRDF.
     pub kind: BrdfKind,
-    /// With the factor that keeps the lobe's albedo at most `b`.
+    /// Whether it has the factor that keeps the lobe's albedo at most `b`.
     pub normalised: bool,
     /// Diagonal of Lafortune's matrix `A` in the local frame (tangent, bitangent, normal);
     /// (1, 1, -1) makes it Phong's lobe.

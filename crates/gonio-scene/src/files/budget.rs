@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// The memory that one input may take together with all files that it refers to: bytes read, bytes unpacked, pictures
-/// decoded. Nothing is given back: what the total does not allow is refused in whatever order threads ask.
+/// decoded. Nothing is returned to it, so whether the total is exceeded does not depend on the order of threads.
 pub struct Budget {
     limit: u64,
     spent: Mutex<Spent>,
@@ -36,8 +36,8 @@ impl Budget {
         self.lock().spend(bytes, self.limit)
     }
 
-    /// Runs `make` with the bytes that are left, and spends the size of what it makes. Nobody else spends meanwhile, so
-    /// that several threads together never hold more than the limit.
+    /// Runs `make` with the number of bytes left, and spends the size of the result. Other threads wait meanwhile, so
+    /// that all together never exceed the limit.
     pub fn make<T, E>(&self, make: impl FnOnce(u64) -> Result<(T, u64), E>) -> Result<T, E>
     where
         E: From<OverLimit>,
@@ -48,7 +48,7 @@ impl Budget {
         Ok(made)
     }
 
-    /// The limit in a refusal of someone who was given only what is left.
+    /// The error of a reader whose limit was what is left.
     pub fn over(&self, needed: Option<u64>, left: u64) -> OverLimit {
         OverLimit { needed, left, limit: self.limit }
     }
@@ -71,7 +71,7 @@ impl Budget {
         Ok(bytes)
     }
 
-    /// Nothing that is done under the lock can leave it half done.
+    /// No code under the lock can panic between two changes, so a poisoned lock is still consistent.
     fn lock(&self) -> MutexGuard<'_, Spent> {
         self.spent.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -88,7 +88,7 @@ impl Spent {
     }
 }
 
-/// Files that are paid for from a [`Budget`]. Built-in files are free: the program holds them anyway.
+/// Files whose size is charged to a [`Budget`]. Built-in files are free, because the program contains them anyway.
 pub struct Budgeted<S> {
     inner: S,
     budget: Budget,
@@ -129,7 +129,7 @@ mod tests {
     #![allow(clippy::unwrap_used)]
     use super::*;
 
-    /// Files of as many bytes as their names say.
+    /// Files whose sizes are their names.
     struct Sized;
 
     impl FileSource for Sized {

@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Smaller files are read: mapping costs more than it saves.
 const WORTH_MAPPING: u64 = 1 << 16;
 
-/// The ordinary files of the disk. Large ones are mapped into memory, not read: what is not looked at is not loaded, and
+/// The ordinary files of the disk. Large ones are mapped into memory, not read: unused parts are not loaded, and
 /// nothing is copied.
 ///
 /// Devices, pipes and sockets are refused without being opened, because a model may name them: reading them may wait
@@ -32,8 +32,8 @@ impl FileSource for Disk {
             return Err(over(Some(size), most));
         }
         if size >= WORTH_MAPPING {
-            // SAFETY: the map is only read, and lives as long as its bytes are used. That no other program shortens or
-            // rewrites the file meanwhile cannot be had from an operating system (as with any program that maps files):
+            // SAFETY: the map is only read, and lives as long as its bytes are used. No operating system prevents
+            // another program from shortening or rewriting the file meanwhile (as with any program that maps files):
             // readers check every number where they use it, so that changed bytes give a wrong model or an error; a
             // shortened file ends the process with a signal.
             if let Ok(map) = unsafe { memmap2::MmapOptions::new().len(size as usize).map(&file) } {
@@ -96,7 +96,7 @@ fn open_without_waiting(path: &Path) -> Result<File, Error> {
     options.open(path)
 }
 
-/// Reads a file that says it is empty: one that is being written may have grown since; one that still says so and has
+/// Reads a file whose size is 0: one that is being written may have grown since; one whose size is still 0 and that has
 /// data is generated while it is read.
 fn read_empty(file: &File, most: u64) -> Result<FileBytes, Error> {
     let mut bytes = Vec::new();
@@ -132,8 +132,8 @@ fn over(needed: Option<u64>, most: u64) -> Error {
 pub const STANDARD_INPUT: &str = "-";
 
 /// The disk, with standard input as the file [`STANDARD_INPUT`], and the pipes among the inputs that a user named:
-/// `/dev/stdin`, `/dev/fd/63`, which shells make of `<(command)`. Each of these is read to its end when it is first
-/// wanted, and kept, because it cannot be read twice.
+/// `/dev/stdin`, `/dev/fd/63`, which shells make of `<(command)`. Each of these is read to its end when first
+/// needed, and kept, because it cannot be read twice.
 #[derive(Default)]
 pub struct DiskAndInput {
     /// The paths that may be pipes.

@@ -1,7 +1,6 @@
 //! The files of a scene: on disk, or built in.
 //!
-//! Sources are wrapped in one another: [`Budgeted`] limits the memory that all files together take, [`Sandbox`] the
-//! folders that they may lie in.
+//! Sources are wrapped in one another: [`Budgeted`] limits the memory of all files together, [`Sandbox`] the folders.
 
 mod budget;
 mod builtin;
@@ -25,10 +24,10 @@ use std::sync::Arc;
 
 /// Reads a scene's files. The web page has its own. Paths of built-in files never come here.
 pub trait FileSource: Send + Sync {
-    /// The bytes of a file, or why they cannot be had (without the path). A file of more than `most` bytes is refused
-    /// with [`FileRefusal::OverLimit`], and no more than `most` bytes and one are read to find that out.
+    /// The bytes of a file, or the reason why it cannot be read (without the path). A file of more than `most` bytes is
+    /// refused with [`FileRefusal::OverLimit`], and no more than `most` bytes and one are read to find that out.
     fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error>;
-    /// The bytes of a file however large it is: for files that the program has chosen itself.
+    /// The bytes of a file of any size, for files that the program itself chose.
     fn read(&self, path: &Path) -> Result<FileBytes, Error> {
         self.read_within(path, u64::MAX)
     }
@@ -39,8 +38,8 @@ pub trait FileSource: Send + Sync {
     fn builtin(&self, name: &str) -> Option<FileBytes> {
         builtin(name).map(FileBytes::from_static)
     }
-    /// Whether a built-in file that cannot be had now is on its way: what was read without it is not what it will be,
-    /// and is to be read again when it has come.
+    /// Whether a built-in file that is missing now is being downloaded: whatever was read without it must be read again
+    /// afterwards.
     fn is_coming(&self, _name: &str) -> bool {
         false
     }
@@ -67,13 +66,13 @@ impl FileBytes {
         FileBytes(Place::Shared(bytes))
     }
 
-    /// A copy of one's own.
+    /// A copy of the bytes.
     pub fn into_vec(self) -> Vec<u8> {
         self.to_vec()
     }
 }
 
-/// Their number alone: a file may be large.
+/// Prints only their number: a file may be large.
 impl fmt::Debug for FileBytes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "FileBytes({})", self.len())
@@ -193,7 +192,7 @@ pub(crate) fn list(files: &dyn FileSource, folder: &Path) -> Vec<PathBuf> {
 ///
 /// # Errors
 ///
-/// Every place that was looked at, and the first reason for which a file there is not read.
+/// All places that were searched, and the first reason why a file there was not read.
 pub(crate) fn find(files: &dyn FileSource, name: &str, folders: &[PathBuf]) -> Result<(PathBuf, FileBytes), NotFound> {
     let name = name.trim().replace('\\', "/");
     let bare = name.rsplit('/').next().unwrap_or(&name);
@@ -238,7 +237,7 @@ pub(crate) struct NotFound {
 }
 
 impl NotFound {
-    /// Notes why the file at `path` is not read, where it is more than that there is none.
+    /// Notes why the file at `path` is not read, unless it does not exist.
     fn note(&mut self, path: &Path, error: &Error) {
         use ErrorKind::{InvalidFilename, InvalidInput, IsADirectory, NotADirectory, NotFound};
         let refusal = FileRefusal::in_error(error);
@@ -278,7 +277,7 @@ fn in_any_case(files: &dyn FileSource, folder: &Path, part: &str) -> Option<Path
     })
 }
 
-/// The files beside one model, with those that were found.
+/// The files beside one model.
 pub(crate) struct SidecarFolder<'a> {
     files: &'a dyn FileSource,
     budget: &'a Budget,
@@ -286,18 +285,18 @@ pub(crate) struct SidecarFolder<'a> {
     folder: PathBuf,
     /// The material libraries that were found, in order.
     pub found: Vec<PathBuf>,
-    /// The first that was found and needs more memory than what is left.
+    /// The error of the first file that needs more memory than what is left.
     pub over_limit: Option<ReadError>,
 }
 
 impl<'a> SidecarFolder<'a> {
-    /// The files beside `model`, which are paid for from `budget` when they are read from `files`.
+    /// The files beside `model`, charged to `budget` when they are read from `files`.
     pub fn new(model: &Path, files: &'a dyn FileSource, budget: &'a Budget) -> Self {
         let folder = model.parent().map(Path::to_owned).unwrap_or_default();
         SidecarFolder { files, budget, folder, found: Vec::new(), over_limit: None }
     }
 
-    /// Readers get copies. The first is paid for by reading; one under another name is not.
+    /// Readers get copies. Reading charges the first; a copy under another name is charged here.
     fn pay_for_copy(&self, path: &PathBuf, bytes: &FileBytes) -> Result<(), OverLimit> {
         if self.found.contains(path) { self.budget.spend(bytes.len() as u64) } else { Ok(()) }
     }

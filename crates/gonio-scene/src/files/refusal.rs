@@ -3,7 +3,8 @@
 use std::fmt;
 use std::io::Error;
 
-/// A reason for which a file that exists is not read. Travels inside an [`Error`]; [`FileRefusal::in_error`] takes it out again.
+/// A reason for which a file that exists is not read. Travels inside an [`Error`]; [`FileRefusal::in_error`] takes it
+/// out again.
 ///
 /// Displayed, it is the predicate of a sentence whose subject is the file: "is a pipe, not a file".
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,8 +15,8 @@ pub enum FileRefusal {
     Pipe,
     /// A socket, which cannot be opened as a file.
     Socket,
-    /// A file that says it is empty and is not: those of `/proc` are generated while they are read, without end in the
-    /// worst case.
+    /// A file with data although its size is 0: the files of `/proc` are generated while they are read, in the worst
+    /// case without end.
     Generated,
     /// More memory than the limit allows.
     OverLimit(OverLimit),
@@ -36,7 +37,7 @@ impl From<FileRefusal> for Error {
     }
 }
 
-/// A refusal as a whole sentence, for messages that say which file it is about.
+/// A refusal as a whole sentence, for messages that name the file.
 #[derive(Debug)]
 struct Refused(FileRefusal);
 
@@ -59,7 +60,7 @@ impl fmt::Display for FileRefusal {
             ),
             FileRefusal::OverLimit(over) => over.fmt(f),
             FileRefusal::OutsideSandbox => {
-                f.write_str("lies outside the folder of the input, and the sandbox forbids reading it")
+                f.write_str("is outside the folder of the input, and the sandbox forbids reading it")
             }
         }
     }
@@ -68,7 +69,7 @@ impl fmt::Display for FileRefusal {
 /// A request for more memory than is left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OverLimit {
-    /// Bytes requested; `None` where the end was not reached, so that only "more than what is left" is known.
+    /// Bytes requested; `None` if the end was not reached: more than what is left.
     pub needed: Option<u64>,
     /// Bytes that were left.
     pub left: u64,
@@ -85,7 +86,7 @@ impl fmt::Display for OverLimit {
         if self.left == self.limit {
             write!(f, ", and the limit is {}", Size(self.limit))
         } else {
-            write!(f, ", and of the limit of {}, {} are left", Size(self.limit), Size(self.left))
+            write!(f, ", but only {} of the limit of {} are left", Size(self.left), Size(self.limit))
         }
     }
 }
@@ -109,13 +110,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_refusal_says_how_much_is_needed_and_how_much_is_left() {
+    fn a_refusal_names_the_bytes_needed_and_left() {
         let text = |needed, left, limit| OverLimit { needed, left, limit }.to_string();
         assert_eq!(text(Some(3 << 30), 2 << 30, 2 << 30), "needs 3.0 GiB of memory, and the limit is 2.0 GiB");
         assert_eq!(text(None, 1023, 1023), "needs more than 1023 bytes of memory, and the limit is 1023 bytes");
         assert_eq!(
             text(Some(1536), 1 << 10, 1 << 20),
-            "needs 1.5 KiB of memory, and of the limit of 1.0 MiB, 1.0 KiB are left"
+            "needs 1.5 KiB of memory, but only 1.0 KiB of the limit of 1.0 MiB are left"
         );
     }
 

@@ -1,35 +1,35 @@
-//! A wall around the folders of the inputs.
+//! Restricts reading to the folders of the inputs.
 
 use super::{FileBytes, FileRefusal, FileSource};
 use std::ffi::OsString;
 use std::io::Error;
 use std::path::{Component, Path, PathBuf};
 
-/// Only the inputs that a user named, and what lies in their folders: models and scenes cannot read anything else,
-/// whatever paths they name and wherever links in these folders lead.
+/// A source of the inputs that a user named and the files in their folders only: models and scenes cannot read anything
+/// else, whatever paths they name and wherever links in these folders lead.
 ///
 /// Paths are compared after all links and `..` are resolved, and files are opened by their resolved paths. A file that
 /// a hard link brings into the folder counts as being in it, and so does one that another program moves there while it
 /// is being opened.
 pub struct Sandbox<S> {
     inner: S,
-    /// As the user named them: they are read wherever they lie.
+    /// As the user named them; they may be anywhere.
     inputs: Vec<PathBuf>,
-    /// Resolved.
+    /// Resolved paths.
     folders: Vec<PathBuf>,
 }
 
 impl<S: FileSource> Sandbox<S> {
-    /// `inner`, confined to `inputs` and their folders. The folder of a file is the one that it lies in; a folder or a
-    /// pattern of files (`sky_*.png`) stands for itself. What is not a file (a pipe, standard input, a built-in name)
-    /// has no folder, and brings nothing along.
+    /// `inner`, confined to `inputs` and their folders. A file allows the folder that it is in; a folder or a
+    /// pattern of files (`sky_*.png`) allows itself. Other inputs (a pipe, standard input, a built-in name) allow no
+    /// folder.
     pub fn new<'i>(inner: S, inputs: impl IntoIterator<Item = &'i str>) -> Self {
         let inputs: Vec<PathBuf> = inputs.into_iter().map(PathBuf::from).collect();
         let folders = inputs.iter().filter_map(|input| folder_of(input)).collect();
         Sandbox { inner, inputs, folders }
     }
 
-    /// The resolved path, where it lies in one of the folders; of what does not exist, where it would lie there.
+    /// The resolved path, if it is in one of the folders, or would be if the file existed.
     fn inside(&self, path: &Path) -> Result<PathBuf, FileRefusal> {
         let resolved = resolved(path).ok_or(FileRefusal::OutsideSandbox)?;
         let is_inside = self.folders.iter().any(|folder| resolved.starts_with(folder));
@@ -58,7 +58,7 @@ impl<S: FileSource> FileSource for Sandbox<S> {
     }
 }
 
-/// The folder that an input opens, resolved.
+/// The folder that an input allows, resolved.
 fn folder_of(input: &Path) -> Option<PathBuf> {
     let is_pattern = || input.file_name().is_some_and(|name| name.to_string_lossy().contains('*'));
     match std::fs::metadata(input) {
@@ -77,8 +77,8 @@ fn or_here(path: &Path) -> &Path {
     if path.as_os_str().is_empty() { Path::new(".") } else { path }
 }
 
-/// `path` without links and `..`. Of a path that does not exist, the longest beginning that exists is resolved; `None`
-/// where the rest has `..` in it, or nothing exists at all.
+/// `path` without links and `..`. If it does not exist, its longest existing prefix is resolved; `None` if the rest
+/// contains `..`, or no prefix exists.
 fn resolved(path: &Path) -> Option<PathBuf> {
     let mut rest: Vec<OsString> = Vec::new();
     let mut begin = path;
@@ -87,7 +87,7 @@ fn resolved(path: &Path) -> Option<PathBuf> {
             resolved.extend(rest.iter().rev());
             return Some(resolved);
         }
-        // A link that leads to nothing is not followed by hand: where it would lead is not known.
+        // A dangling link is refused, because its target cannot be resolved.
         if begin.is_symlink() {
             return None;
         }

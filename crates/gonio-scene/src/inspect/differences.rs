@@ -7,7 +7,7 @@ use crate::texture_library::TextureUse;
 use gonio_mesh::{Format, Material, Model, NormalSource};
 use serde::Serialize;
 
-/// Something of the file that other programs read in another way.
+/// A feature of the file that other programs read differently.
 #[derive(Debug, PartialEq, Eq, Serialize)]
 pub struct ReaderDifference {
     /// The feature of the file.
@@ -26,11 +26,11 @@ struct Known {
 
 const KNOWN: [Known; 9] = [
     Known {
-        is_there: |file, _| says(&file.model, "concave"),
+        is_there: |file, _| mentions(&file.model, "concave"),
         difference: ReaderDifference {
             feature: "concave polygons",
-            others: "three.js and tobj cut every polygon as a fan, which covers what lies outside of concave ones",
-            here: "cut inside their outline",
+            others: "three.js and tobj triangulate every polygon as a fan, which covers area outside of concave ones",
+            here: "triangulated inside their outline",
         },
     },
     Known {
@@ -45,7 +45,7 @@ const KNOWN: [Known; 9] = [
         is_there: |file, _| file.model.mesh.normal_source == NormalSource::None && !has_smoothing(&file.model),
         difference: ReaderDifference {
             feature: "no normals",
-            others: "three.js makes flat ones, tobj none",
+            others: "three.js makes flat normals, tobj none",
             here: "averaged, weighted by angle; flat ones with `normals = \"flat\"`",
         },
     },
@@ -53,7 +53,7 @@ const KNOWN: [Known; 9] = [
         is_there: |file, _| materials(file).any(|m| is_black_beside_map(m, "diffuse")),
         difference: ReaderDifference {
             feature: "Kd 0 0 0 beside map_Kd",
-            others: "three.js multiplies both, which is black (unless told ignoreZeroRGBs)",
+            others: "three.js multiplies both, which is black (unless ignoreZeroRGBs is set)",
             here: "the texture is shown, as in Blender",
         },
     },
@@ -69,7 +69,7 @@ const KNOWN: [Known; 9] = [
         is_there: |file, _| materials(file).any(|m| writes(m, "opacity", "Tr")),
         difference: ReaderDifference {
             feature: "Tr",
-            others: "some older exporters mean opacity by it",
+            others: "some older exporters write the opacity",
             here: "1 - Tr is the opacity; d decides where both are written",
         },
     },
@@ -79,23 +79,23 @@ const KNOWN: [Known; 9] = [
         },
         difference: ReaderDifference {
             feature: "materials without their library",
-            others: "three.js and tobj say nothing and take a default",
-            here: "a warning names every place where it was sought",
+            others: "three.js and tobj use a default without a warning",
+            here: "a warning lists every place that was searched",
         },
     },
     Known {
         is_there: |_, textures| textures.iter().any(|t| t.found.as_deref().is_some_and(|f| !same_place(f, &t.name))),
         difference: ReaderDifference {
-            feature: "textures that are not where the file says",
-            others: "most programs look only there",
-            here: "also sought by bare name beside the model and its library, letters in any case",
+            feature: "textures that are not at the path in the file",
+            others: "most programs search only there",
+            here: "also searched for by file name beside the model and its library, ignoring case",
         },
     },
     Known {
         is_there: |file, _| file.model.mesh.colors.iter().any(|c| c[..3] != [1.0; 3]),
         difference: ReaderDifference {
             feature: "vertex colors",
-            others: "tobj gives the numbers as they are written",
+            others: "tobj returns the numbers as written",
             here: "taken as sRGB, as three.js does, and multiplied with the diffuse color",
         },
     },
@@ -113,8 +113,8 @@ fn materials(file: &ModelFile) -> impl Iterator<Item = &Material> {
     file.model.materials.iter()
 }
 
-/// Whether the reader said something with this word.
-fn says(model: &Model, word: &str) -> bool {
+/// Whether a diagnostic or an element of the file contains this word.
+fn mentions(model: &Model, word: &str) -> bool {
     model.diagnostics.iter().any(|d| d.message.contains(word)) || model.contents.iter().any(|(w, _)| w.contains(word))
 }
 

@@ -1,4 +1,4 @@
-//! Materials as they were understood: each value, and where it came from.
+//! Materials as they were read: each value and its source.
 
 use crate::model_file::ModelFile;
 use gonio_mesh::{AmbientRule, Material, PropertySource, TexelRule, TextureMap, Wrap};
@@ -28,13 +28,13 @@ pub struct ValueReport {
     pub property: &'static str,
     /// The value in use.
     pub value: String,
-    /// The line that says it, from 1.
+    /// The line that sets it, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u64>,
     /// The value in the file.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub written: String,
-    /// Why the value is another than what is written, or where it comes from if nothing is.
+    /// The reason why the value differs from the one in the file, or its source if the file has none.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub rule: String,
 }

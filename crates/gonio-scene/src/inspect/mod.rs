@@ -53,11 +53,11 @@ pub struct Inspection {
     pub cameras: Vec<ModelCamera>,
     /// Known differences to other programs.
     pub differences: Vec<ReaderDifference>,
-    /// Everything odd, with line and column where there are such.
+    /// Warnings and notes, with line and column if they have a place.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// So many of something.
+/// A count with its name.
 #[derive(Debug, Serialize)]
 pub struct NamedCount {
     /// The format's own name.
@@ -114,13 +114,13 @@ pub struct NormalReport {
 /// A picture inside the file.
 #[derive(Debug, Serialize)]
 pub struct ImageReport {
-    /// In the file.
+    /// Its name in the file.
     pub name: String,
-    /// As it is stored there.
+    /// Its size in the file.
     pub bytes: usize,
 }
 
-/// Reads the model called `input` (a path, `builtin:NAME`) and tells all about it.
+/// Reads the model called `input` (a path, `builtin:NAME`) and reports its content.
 pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Inspection, ReadError> {
     let files = &Budgeted::new(files, limits.max_bytes);
     let mut file = model_file::read_within(&files::resolve(Path::new(""), input), input, files, limits)?;
@@ -227,7 +227,7 @@ fn memory(mesh: &Mesh) -> Vec<NamedCount> {
     there.map(|(what, bytes)| NamedCount { what: what.to_owned(), count: bytes as u64 }).collect()
 }
 
-/// As [`crate::load`] makes them for a picture, by default.
+/// The normals that [`crate::load`] makes by default.
 fn normals(mesh: Mesh) -> NormalReport {
     let (mesh, diagnostics) = with_normals(mesh, NormalChoice::default());
     NormalReport { source: mesh.normal_source, notes: diagnostics.into_iter().map(|d| d.message).collect() }

@@ -291,50 +291,50 @@ fn a_light_can_be_off() {
 
 #[test]
 fn errors_say_where_in_the_text() {
-    let says = |text: &str, expected: &str| {
+    let check_message = |text: &str, expected: &str| {
         assert_eq!(LightSpec::from_option_text(text).unwrap_err(), expected);
     };
-    says(
+    check_message(
         "point position=1,2,3 colr=1,1,1",
         "`point position=1,2,3 colr=1,1,1`, at 22: unknown key `colr` in a light; did you mean `color`? Known keys: \
          name, enabled, position, direction, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, \
          motion, period, amplitude, center, axis, points",
     );
-    says(
+    check_message(
         "pont position=1,2,3",
         "`pont position=1,2,3`: `kind`: invalid kind of light `pont`: expected one of ambient, directional, \
          point, spot; did you mean `point`?",
     );
-    says(
+    check_message(
         "point position=1,2",
         "`point position=1,2`, at 16: `position`: expected three numbers [x, y, z], found a list of 2",
     );
-    says(
+    check_message(
         "position=1,2,3",
         "`position=1,2,3`: a light begins with its kind of light: ambient, directional, point or spot",
     );
-    says(
+    check_message(
         "point position=1,2,3 position=1,2,3",
         "`point position=1,2,3 position=1,2,3`, at 22: `position` is given twice",
     );
-    says("point position=", "`point position=`, at 7: `position` has no value: expected key=value");
-    says("point", "`point`: this point light needs `position`");
-    says(
+    check_message("point position=", "`point position=`, at 7: `position` has no value: expected key=value");
+    check_message("point", "`point`: this point light needs `position`");
+    check_message(
         "ambient position=1,2,3",
         "`ambient position=1,2,3`, at 18: `position` does not belong to an ambient light; it takes kind, name, color, \
          intensity",
     );
-    says(
+    check_message(
         "point position=1,2,3 period=2",
         "`point position=1,2,3 period=2`, at 22: a light that moves needs motion=oscillate, motion=circle or \
          motion=path",
     );
-    says(
+    check_message(
         "point position=1,2,3 motion=circle center=0,0,0 period=-2",
         "`point position=1,2,3 motion=circle center=0,0,0 period=-2`, at 56: `period` must be greater than 0, in \
          seconds, not -2",
     );
-    says(
+    check_message(
         "ambient intensity=nan",
         "`ambient intensity=nan`, at 19: `intensity` must be finite and not negative, not NaN",
     );
@@ -374,28 +374,28 @@ fn names_of_materials_stand_first() {
     assert_eq!((all.tint, all.absorption), (Some(Color([1.0, 0.9, 0.8])), Some(Color::grey(0.1))));
     assert_eq!(all.transmission, Some(0.5));
 
-    let says = |text: &str, expected: &str| {
+    let check_message = |text: &str, expected: &str| {
         assert_eq!(MaterialOverride::from_option_text(text).unwrap_err(), expected);
     };
-    says(
+    check_message(
         "glas",
         "`glas`: `glas` has no value: expected key=value or one of mirror, air, water, ice, glass, diamond; did you \
          mean `glass`?",
     );
-    says(
+    check_message(
         "velvet",
         "`velvet`: `velvet` has no value: expected key=value or one of mirror, air, water, ice, glass, diamond",
     );
-    says("glass water", "`glass water`, at 7: `medium` is given twice");
-    says("glass medium=water", "`glass medium=water`, at 7: `medium` is given twice");
-    says("mirror reflectivity=2", "`mirror reflectivity=2`, at 8: `reflectivity` is given twice");
-    says("reflectivity=2", "`reflectivity=2`, at 14: `reflectivity` must be 0 to 1, not 2");
-    says("dispersion=3", "`dispersion=3`, at 12: `dispersion` must be -1 to 1, not 3");
-    says(
+    check_message("glass water", "`glass water`, at 7: `medium` is given twice");
+    check_message("glass medium=water", "`glass medium=water`, at 7: `medium` is given twice");
+    check_message("mirror reflectivity=2", "`mirror reflectivity=2`, at 8: `reflectivity` is given twice");
+    check_message("reflectivity=2", "`reflectivity=2`, at 14: `reflectivity` must be 0 to 1, not 2");
+    check_message("dispersion=3", "`dispersion=3`, at 12: `dispersion` must be -1 to 1, not 3");
+    check_message(
         "tint=1,1,2",
-        "`tint=1,1,2`, at 6: `tint` must be 0 to 1 in each channel: a body lets no more light through than comes",
+        "`tint=1,1,2`, at 6: `tint` must be 0 to 1 in each channel: a body cannot transmit more light than it receives",
     );
-    says(
+    check_message(
         "medium=glas",
         "`medium=glas`, at 8: `medium`: invalid medium `glas`: expected one of air, water, ice, glass, diamond; \
          did you mean `glass`?",

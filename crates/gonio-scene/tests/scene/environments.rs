@@ -195,12 +195,12 @@ fn built_in_environments_need_no_file() {
 
 #[test]
 fn what_is_wrong_is_told_with_its_file() {
-    let ends = |text: String, wanted: &str| assert!(text.ends_with(wanted), "{text}");
+    let ends = |text: String, message: &str| assert!(text.ends_with(message), "{text}");
     let none = Memory::default();
     assert_eq!(refused(&none, "skyy"), "skyy: there is no such file or folder; did you mean `sky`, which is built in?");
     ends(refused(&none, "sky/day.png"), "check the path, or use debug, sky or room to try things out");
-    let wanted = "unknown built-in environment `rom`: expected one of debug, sky, room; did you mean `room`?";
-    ends(refused(&none, "builtin:rom"), wanted);
+    let message = "unknown built-in environment `rom`: expected one of debug, sky, room; did you mean `room`?";
+    ends(refused(&none, "builtin:rom"), message);
     ends(refused(&none, "builtin:suzanne"), "unknown built-in environment `suzanne`: expected one of debug, sky, room");
     ends(refused(&none, "sky_*.png"), "no file matches this pattern");
     let five = Face::ALL[..5].iter().fold(Memory::default(), |m, f| m.with(&format!("a/{}.png", f.name()), face(*f)));
@@ -237,11 +237,11 @@ fn models_and_environments_are_told_apart() {
         refused(&files, "s.toml"),
         "s.toml: this is a scene file, not a picture; to draw it, name it as the input"
     );
-    let told = |name: &str| describe(&[name], &files).unwrap_err().to_string();
+    let messages = |name: &str| describe(&[name], &files).unwrap_err().to_string();
     let remedy = "not a model; to surround a model by it, name it as the environment";
-    assert_eq!(told("p.png"), format!("p.png: this is a PNG image, {remedy}"));
-    assert_eq!(told("sky"), format!("sky: this is a built-in environment, {remedy}"));
-    assert!(told("skyy").contains("there is no such file"));
+    assert_eq!(messages("p.png"), format!("p.png: this is a PNG image, {remedy}"));
+    assert_eq!(messages("sky"), format!("sky: this is a built-in environment, {remedy}"));
+    assert!(messages("skyy").contains("there is no such file"));
 }
 
 #[test]
@@ -257,8 +257,8 @@ fn what_is_asked_for_in_vain_is_told() {
     // Six files are no cross.
     let reading = EnvironmentReadOptions { arrangement: Some(Arrangement::Cross), ..EnvironmentReadOptions::default() };
     let error = open("a", reading, Path::new(""), &files, &Limits::default()).map(|o| o.map).unwrap_err();
-    let wanted = "a: this is already faces and cannot be read as cross; leave the arrangement out";
-    assert_eq!(error.to_string(), wanted);
+    let message = "a: this is already faces and cannot be read as cross; leave the arrangement out";
+    assert_eq!(error.to_string(), message);
 }
 
 /// A scene file in a folder, and what it may be surrounded by.
@@ -326,8 +326,8 @@ fn another_background_leaves_the_light_as_it_is() {
     let (scene, _) = scene("image = \"faces\"\nbackground = \"debug\"\nsize = 4");
     let environment = scene.environment.as_ref().unwrap();
     assert!(*environment.mips.full() == map(Layout::Photographic));
-    let wanted = gonio_environment::debug::debug(4, Layout::OpenGl);
-    assert!(*environment.seen().full() == wanted && environment.seen().full() != environment.mips.full());
+    let message = gonio_environment::debug::debug(4, Layout::OpenGl);
+    assert!(*environment.seen().full() == message && environment.seen().full() != environment.mips.full());
 }
 
 #[test]
@@ -346,17 +346,17 @@ fn panoramas_become_cubemaps_as_fine_and_at_most_usual() {
 
 #[test]
 fn a_layout_that_nobody_named_is_told() {
-    let told = |environment: &str| -> Vec<String> {
+    let messages = |environment: &str| -> Vec<String> {
         let diagnostics = scene(environment).0.diagnostics;
         diagnostics.into_iter().map(|d| d.message).filter(|m| m.contains("read in the layout")).collect()
     };
     let photographic = "the faces are read in the layout `photographic`; if the world looks mirrored, set the \
                         layout `opengl`";
-    assert_eq!(told("image = \"faces\""), [photographic]);
-    let by_format = told("image = \"../k.ktx2\"");
+    assert_eq!(messages("image = \"faces\""), [photographic]);
+    let by_format = messages("image = \"../k.ktx2\"");
     assert!(matches!(&by_format[..], [one] if one.contains("`opengl`")), "{by_format:?}");
-    assert!(told("image = \"faces\"\nlayout = \"photographic\"").is_empty());
-    assert!(told("image = \"p.png\"").is_empty() && told("image = \"debug\"").is_empty());
+    assert!(messages("image = \"faces\"\nlayout = \"photographic\"").is_empty());
+    assert!(messages("image = \"p.png\"").is_empty() && messages("image = \"debug\"").is_empty());
 }
 
 #[test]
@@ -373,20 +373,26 @@ fn mirrors_and_glass_without_surroundings_are_warned_about() {
 
 #[test]
 fn keys_of_an_environment_are_checked() {
-    let says = |text: &str, expected: &str| {
+    let check_message = |text: &str, expected: &str| {
         let text = format!("[[object]]\nmodel = \"builtin:cube\"\n[environment]\n{text}");
         assert_eq!(toml_file::read(&text).unwrap_err().to_string(), expected);
     };
-    says("blur = 0.5\n", "3:1: the environment needs `image`: debug, sky, room, a picture or a folder of six faces");
-    says("image = \"sky\"\nblur = 2\n", "5:8: `blur` must be 0 to 1, not 2");
-    says("image = \"sky\"\nsize = 0\n", "5:8: `size` must be 1 to 8192 texels, not 0");
-    says("image = \"sky\"\nintensity = -1\n", "5:13: `intensity` must be 0 to 1000000, not -1");
-    says("image = \"sky\"\nrotate = [1, 2]\n", "5:10: `rotate`: expected three numbers [x, y, z], found a list of 2");
-    says(
+    check_message(
+        "blur = 0.5\n",
+        "3:1: the environment needs `image`: debug, sky, room, a picture or a folder of six faces",
+    );
+    check_message("image = \"sky\"\nblur = 2\n", "5:8: `blur` must be 0 to 1, not 2");
+    check_message("image = \"sky\"\nsize = 0\n", "5:8: `size` must be 1 to 8192 texels, not 0");
+    check_message("image = \"sky\"\nintensity = -1\n", "5:13: `intensity` must be 0 to 1000000, not -1");
+    check_message(
+        "image = \"sky\"\nrotate = [1, 2]\n",
+        "5:10: `rotate`: expected three numbers [x, y, z], found a list of 2",
+    );
+    check_message(
         "image = \"sky\"\nlayout = \"open-gl\"\n",
         "5:10: `layout`: invalid layout of faces `open-gl`: expected one of opengl, photographic; did you mean `opengl`?",
     );
-    says(
+    check_message(
         "imag = \"sky\"\n",
         "4:1: unknown key `imag` in [environment]; did you mean `image`? Known keys: image, layout, size, rotate, \
          intensity, light, visible, blur, background",

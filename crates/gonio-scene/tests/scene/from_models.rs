@@ -218,7 +218,7 @@ fn an_inspection_tells_where_everything_came_from() {
     assert!(value("specular").rule.contains("not written"), "{:?}", value("specular"));
     let features: Vec<&str> = report.differences.iter().map(|d| d.feature).collect();
     assert!(features.contains(&"Kd 0 0 0 beside map_Kd"), "{features:?}");
-    assert!(features.contains(&"textures that are not where the file says"), "{features:?}");
+    assert!(features.contains(&"textures that are not at the path in the file"), "{features:?}");
     let line = inspect::explain_line("t.obj", 10, &files, &Limits::default()).unwrap();
     assert!(line.text.starts_with("f 1/1/1"), "{line:?}");
     let error = inspect::explain_line("art/wood.png", 1, &files, &Limits::default()).unwrap_err().to_string();
@@ -248,10 +248,10 @@ fn a_sphere_has_as_many_triangles_as_it_says() {
 
 #[test]
 fn numbers_that_cannot_be_are_refused_with_those_that_can() {
-    let why = opened("builtin:sphere-100", Normals::File).err().unwrap_or_default();
-    assert!(why.contains("72") && why.contains("128"), "{why}");
-    let why = opened("builtin:sphere-08", Normals::File).err().unwrap_or_default();
-    assert!(why.contains("sphere-N"), "{why}");
+    let error = opened("builtin:sphere-100", Normals::File).err().unwrap_or_default();
+    assert!(error.contains("72") && error.contains("128"), "{error}");
+    let error = opened("builtin:sphere-08", Normals::File).err().unwrap_or_default();
+    assert!(error.contains("sphere-N"), "{error}");
 }
 
 #[test]
@@ -274,9 +274,9 @@ fn a_scene_in_another_detail_is_the_same_scene() {
     let spec = &monkey.settings.objects[0];
     assert!(LevelOfDetail::Sphere(100).mesh_for(&monkey.meshes[0], spec).is_none(), "no sphere");
     assert!(LevelOfDetail::Share(1.0).mesh_for(&monkey.meshes[0], spec).is_none(), "all of it");
-    let wanted = monkey.meshes[0].triangle_count() / 4;
+    let quarter = monkey.meshes[0].triangle_count() / 4;
     let mesh = LevelOfDetail::Share(0.25).mesh_for(&monkey.meshes[0], spec).unwrap_or_else(|| panic!("fewer"));
-    assert!(mesh.triangle_count() <= wanted + 1);
+    assert!(mesh.triangle_count() <= quarter + 1);
     assert_eq!(mesh.normals.len(), mesh.positions.len());
     assert_eq!(mesh, simplify::simplify(&monkey.meshes[0], mesh.triangle_count()));
 }

@@ -12,7 +12,7 @@ const OBJECT: &str = "[[object]]\nmodel = \"builtin:cube\"\n";
 
 /// `text` after a valid object (two lines) gives exactly this message.
 #[track_caller]
-fn says(text: &str, expected: &str) {
+fn check_message(text: &str, expected: &str) {
     let whole = format!("{OBJECT}{text}");
     match read(&whole) {
         Err(error) => assert_eq!(error.to_string(), expected, "{whole}"),
@@ -22,22 +22,22 @@ fn says(text: &str, expected: &str) {
 
 #[test]
 fn unknown_keys_get_the_nearest_known_one() {
-    says(
+    check_message(
         "[[light]]\nkind = \"ambient\"\ncolr = [1, 1, 1]\n",
         "5:1: unknown key `colr` in [[light]]; did you mean `color`? Known keys: kind, name, enabled, position, \
          direction, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, motion",
     );
-    says(
+    check_message(
         "[lights]\n",
         "3:2: unknown key `lights` in a scene; did you mean `light`? Known keys: picture, camera, background, \
          environment, equation, object, light",
     );
-    says(
+    check_message(
         "[picture]\n  xyzzy = 3\n",
         "4:3: unknown key `xyzzy` in [picture]. Known keys: width, height, samples, color, tone_map, exposure, \
          texture_filter",
     );
-    says(
+    check_message(
         "[object.material]\nshinyness = 3\n",
         "4:1: unknown key `shinyness` in [object.material]; did you mean `shininess`? Known keys: ambient, diffuse, \
          specular, emitted, shininess, refraction_index, opacity, textures, medium, reflectivity, \
@@ -47,20 +47,23 @@ fn unknown_keys_get_the_nearest_known_one() {
 
 #[test]
 fn wrong_types_name_the_key() {
-    says("[camera]\nfov_y = \"wide\"\n", "4:9: `fov_y`: expected a number, found a string");
-    says("[camera]\nposition = [1, 2]\n", "4:12: `position`: expected three numbers [x, y, z], found a list of 2");
-    says(
+    check_message("[camera]\nfov_y = \"wide\"\n", "4:9: `fov_y`: expected a number, found a string");
+    check_message(
+        "[camera]\nposition = [1, 2]\n",
+        "4:12: `position`: expected three numbers [x, y, z], found a list of 2",
+    );
+    check_message(
         "[camera]\nposition = [1, 2, 3, 4]\n",
         "4:12: `position`: expected three numbers [x, y, z], found a list of 4",
     );
-    says(
+    check_message(
         "[camera]\nposition = [1, \"2\", 3]\n",
         "4:16: `position`: expected three numbers [x, y, z], found a string among them",
     );
-    says("[picture]\nwidth = 10.5\n", "4:9: `width`: expected a whole number of at least 0, found 10.5");
-    says("[picture]\nwidth = -1\n", "4:9: `width`: expected a whole number of at least 0, found -1");
-    says("[equation]\ngated = 1\n", "4:9: `gated`: expected true or false, found a number");
-    says("[[object]]\nmodel = 3\n", "4:9: `model`: expected a string, found a number");
+    check_message("[picture]\nwidth = 10.5\n", "4:9: `width`: expected a whole number of at least 0, found 10.5");
+    check_message("[picture]\nwidth = -1\n", "4:9: `width`: expected a whole number of at least 0, found -1");
+    check_message("[equation]\ngated = 1\n", "4:9: `gated`: expected true or false, found a number");
+    check_message("[[object]]\nmodel = 3\n", "4:9: `model`: expected a string, found a number");
     let whole = read("camera = 3\n[[object]]\nmodel = \"builtin:cube\"\n").unwrap_err();
     assert_eq!(whole.to_string(), "1:10: [camera]: expected a table, found a number");
     let whole = read("[object]\nmodel = \"builtin:cube\"\n").unwrap_err();
@@ -69,80 +72,95 @@ fn wrong_types_name_the_key() {
 
 #[test]
 fn words_and_colours() {
-    says(
+    check_message(
         "shading = \"gouraut\"\n",
         "3:11: `shading`: invalid shading `gouraut`: expected one of flat, flat-per-face, gouraud, phong; did you mean \
          `gouraud`?",
     );
-    says(
+    check_message(
         "[equation]\nconvention = \"xyzzy\"\n",
         "4:14: `convention`: invalid convention `xyzzy`: expected one of lab, physical",
     );
-    says(
+    check_message(
         "[background]\ntop = \"#12345\"\n",
         "4:7: `top`: invalid colour `#12345`: expected #rrggbb (sRGB), r,g,b (linear) or one linear number",
     );
-    says(
+    check_message(
         "[background]\ntop = 1\n",
         "4:7: `top`: expected a colour, [r, g, b] in linear light or \"#rrggbb\" in sRGB, found a number",
     );
-    says("[background]\ntop = [1, -1, 0]\n", "4:7: `top` is a colour: its numbers must be finite and not negative");
+    check_message(
+        "[background]\ntop = [1, -1, 0]\n",
+        "4:7: `top` is a colour: its numbers must be finite and not negative",
+    );
 }
 
 #[test]
 fn values_out_of_range() {
-    says("[camera]\nfov_y = 180\n", "4:9: `fov_y` must be greater than 0 and less than 180 degrees, not 180");
-    says("[camera]\nnear = 0\n", "4:8: `near` must be greater than 0 and finite, not 0");
-    says("[camera]\nnear = 2\nfar = 1\n", "5:7: `far` must be greater than `near`, but 1 is not greater than 2");
-    says("[camera]\nposition = [nan, 0, 0]\n", "4:12: `position` must have finite numbers, not [NaN, 0.0, 0.0]");
-    says("[camera]\nup = [0, 0, 0]\n", "4:6: `up` is a direction and must not be zero");
-    says(
+    check_message("[camera]\nfov_y = 180\n", "4:9: `fov_y` must be greater than 0 and less than 180 degrees, not 180");
+    check_message("[camera]\nnear = 0\n", "4:8: `near` must be greater than 0 and finite, not 0");
+    check_message(
+        "[camera]\nnear = 2\nfar = 1\n",
+        "5:7: `far` must be greater than `near`, but 1 is not greater than 2",
+    );
+    check_message(
+        "[camera]\nposition = [nan, 0, 0]\n",
+        "4:12: `position` must have finite numbers, not [NaN, 0.0, 0.0]",
+    );
+    check_message("[camera]\nup = [0, 0, 0]\n", "4:6: `up` is a direction and must not be zero");
+    check_message(
         "[camera]\nposition = [1, 1, 1]\ntarget = [1, 1, 1]\n",
         "5:10: the camera's `target` is its `position`; it must look somewhere",
     );
-    says(
+    check_message(
         "[camera]\ntarget = [1, 1, 1]\npitch = 3\n",
         "5:9: the camera has both `target` and `pitch`; it looks at a target or along yaw and pitch",
     );
-    says("[picture]\nwidth = 16385\n", "4:9: `width` of the picture must be 1 to 16384 pixels, not 16385");
-    says(
+    check_message("[picture]\nwidth = 16385\n", "4:9: `width` of the picture must be 1 to 16384 pixels, not 16385");
+    check_message(
         "[picture]\nwidth = 16384\nheight = 16384\n",
         "4:9: a picture of 16384x16384 is too large; at most 67108864 pixels",
     );
-    says("[picture]\nsamples = 3\n", "4:11: `samples` must be 1, 2, 4, 8 or 16, not 3");
-    says("[picture]\nexposure = inf\n", "4:12: `exposure` must be -64 to 64 stops, not inf");
-    says("scale = [1, 0, 1]\n", "3:9: `scale` must not be 0 along any axis; a flat model has no inside to light");
-    says("material = { shininess = 0.5 }\n", "3:26: `shininess` must be 1 to 1000000, not 0.5");
-    says("[[object]]\nname = \"x\"\n", "3:1: this object needs `model`, a file or `builtin:NAME`");
+    check_message("[picture]\nsamples = 3\n", "4:11: `samples` must be 1, 2, 4, 8 or 16, not 3");
+    check_message("[picture]\nexposure = inf\n", "4:12: `exposure` must be -64 to 64 stops, not inf");
+    check_message(
+        "scale = [1, 0, 1]\n",
+        "3:9: `scale` must not be 0 along any axis; a flat model has no inside to light",
+    );
+    check_message("material = { shininess = 0.5 }\n", "3:26: `shininess` must be 1 to 1000000, not 0.5");
+    check_message("[[object]]\nname = \"x\"\n", "3:1: this object needs `model`, a file or `builtin:NAME`");
     assert!(read("").unwrap_err().to_string().starts_with("1:1: the scene has no object; add [[object]]"));
 }
 
 #[test]
 fn lights_take_the_keys_of_their_kind() {
-    says(
+    check_message(
         "[[light]]\nkind = \"ambient\"\nposition = [0, 0, 0]\n",
         "5:12: `position` does not belong to an ambient light; it takes kind, name, color, intensity",
     );
-    says(
+    check_message(
         "[[light]]\nkind = \"directional\"\ndirection = [0, -1, 0]\nlinear = 1\n",
         "6:10: `linear` does not belong to a directional light; it takes kind, name, direction, color, intensity",
     );
-    says("[[light]]\nposition = [0, 0, 0]\n", "3:1: this light needs `kind`, one of ambient, directional, point, spot");
-    says("[[light]]\nkind = \"point\"\n", "3:1: this point light needs `position`");
-    says(
+    check_message(
+        "[[light]]\nposition = [0, 0, 0]\n",
+        "3:1: this light needs `kind`, one of ambient, directional, point, spot",
+    );
+    check_message("[[light]]\nkind = \"point\"\n", "3:1: this point light needs `position`");
+    check_message(
         "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\n",
         "3:1: this spot light needs `direction`, the way its light travels",
     );
     let spot = "[[light]]\nkind = \"spot\"\nposition = [0, 0, 0]\ndirection = [0, -1, 0]\n";
-    says(
+    check_message(
         &format!("{spot}inner_angle = 40\nouter_angle = 30\n"),
         "7:15: `inner_angle` must not be greater than `outer_angle`, but 40 is greater than 30",
     );
-    says(
+    check_message(
         &format!("{spot}outer_angle = 91\n"),
         "7:15: `outer_angle` must be 0 to 90 degrees (half of the cone), not 91",
     );
-    says(&format!("{spot}intensity = -1\n"), "7:13: `intensity` must be finite and not negative, not -1");
+    check_message(&format!("{spot}intensity = -1\n"), "7:13: `intensity` must be finite and not negative, not -1");
     let fault = read(&format!("{OBJECT}{spot}constant = 0\n")).unwrap_err().to_string();
     assert!(fault.starts_with("7:12: one of `constant`, `linear` and `quadratic` must be greater"), "{fault}");
 }
@@ -150,22 +168,22 @@ fn lights_take_the_keys_of_their_kind() {
 #[test]
 fn motions_take_the_keys_of_their_kind() {
     let point = "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\n[light.motion]\n";
-    says(&format!("{point}period = 2\n"), "6:1: this motion needs `kind`, one of oscillate, circle, path");
-    says(&format!("{point}kind = \"circle\"\n"), "6:1: this motion needs `period`, in seconds");
-    says(&format!("{point}kind = \"circle\"\nperiod = 2\n"), "6:1: the motion `circle` needs `center`");
-    says(
+    check_message(&format!("{point}period = 2\n"), "6:1: this motion needs `kind`, one of oscillate, circle, path");
+    check_message(&format!("{point}kind = \"circle\"\n"), "6:1: this motion needs `period`, in seconds");
+    check_message(&format!("{point}kind = \"circle\"\nperiod = 2\n"), "6:1: the motion `circle` needs `center`");
+    check_message(
         &format!("{point}kind = \"oscillate\"\nperiod = 0\namplitude = [0, 0, 1]\n"),
         "8:10: `period` must be greater than 0, in seconds, not 0",
     );
-    says(
+    check_message(
         &format!("{point}kind = \"oscillate\"\nperiod = 1\ncenter = [0, 0, 1]\n"),
         "9:10: `center` does not belong to the motion `oscillate`; it takes kind, period, amplitude",
     );
-    says(
+    check_message(
         &format!("{point}kind = \"path\"\nperiod = 1\npoints = [[0, 0, 0], [inf, 0, 1]]\n"),
         "9:22: `points` must have finite numbers, not [inf, 0.0, 1.0]",
     );
-    says(
+    check_message(
         &format!("{point}kind = \"path\"\nperiod = 1\npoints = [[1, 0, 0], [0, 0, 1]]\n"),
         "5:12: a light on a path starts at the first of `points`; leave `position` out or make it the same",
     );
@@ -182,7 +200,7 @@ fn what_is_not_toml_is_pointed_at() {
 
 #[test]
 fn columns_are_bytes_and_a_byte_order_mark_is_none() {
-    says("name = \"\u{e9}\" # \u{e9}\nmaterial = { opacity = 2 }\n", "4:24: `opacity` must be 0 to 1, not 2");
+    check_message("name = \"\u{e9}\" # \u{e9}\nmaterial = { opacity = 2 }\n", "4:24: `opacity` must be 0 to 1, not 2");
     let error = read("\u{feff}[picture]\nwidth = 0\n").unwrap_err();
     assert_eq!((error.line, error.column), (Some(2), Some(9)));
 }
@@ -374,5 +392,5 @@ fn scene_files_may_be_utf_16() {
     let mut damaged = utf_16("[camera]\n# ");
     damaged.extend([0x00, 0xD8]);
     let error = describe(&["s.toml"], &Memory::default().with("s.toml", damaged)).unwrap_err().to_string();
-    assert_eq!(error, "s.toml:2:3: a scene file must be UTF-8 or UTF-16 text, and here it is neither");
+    assert_eq!(error, "s.toml:2:3: a scene file must be UTF-8 or UTF-16 text, and this file is neither");
 }
