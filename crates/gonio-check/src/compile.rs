@@ -172,7 +172,7 @@ pub(crate) fn first_message(messages: &[CompilerMessage], broken: &BrokenProgram
 pub(crate) fn strictness(vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Vec<String> {
     let said = |stage: &ParsedStage<'_>, problem: &Problem| {
         let (file, line, _) = stage.text.place(problem.span.line, problem.span.column);
-        format!("{file}:{line}: {}; other compilers may refuse it", problem.message)
+        format!("{file}:{line}: {}; other compilers may reject it", problem.message)
     };
     let mut warnings: Vec<String> = Vec::new();
     for stage in [vertex, fragment] {

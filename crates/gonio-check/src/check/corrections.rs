@@ -83,18 +83,17 @@ impl Blank {
 
     fn sentence(self) -> &'static str {
         match self {
-            Blank::Nothing => "nothing is drawn; is gl_Position what the exercise asks for?",
+            Blank::Nothing => "nothing is drawn: check the value of gl_Position",
             Blank::Black => {
-                "the picture is black in every scene; some vector, colour or strength is 0 that should \
-                             not be"
+                "the picture is black in every scene: look for a vector, colour or strength that is 0 and should not \
+                 be"
             }
             Blank::NoNumber => {
-                "every pixel is NaN in every scene; look for a division of 0 by 0, or for a normalised vector of \
-                 length 0"
+                "every pixel is NaN in every scene: look for 0 divided by 0, or for a vector of length 0 that is \
+                 normalised"
             }
             Blank::Flat => {
-                "the picture has a single colour in every scene; no term depends on the position or the \
-                            normal"
+                "the picture has a single colour in every scene: no term depends on the position or the normal"
             }
         }
     }

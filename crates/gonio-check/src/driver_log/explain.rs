@@ -15,16 +15,15 @@ const fn usual(signs: &'static [&'static [&'static str]], means: &'static str) -
 const USUAL: &[Usual] = &[
     usual(
         &[&["gl_fragcolor"], &["gl_fragdata"]],
-        "`gl_FragColor` does not exist any more from version 330 core on: declare `out vec4 FragColor;` and write to \
-         that.",
+        "`gl_FragColor` was removed in version 330 core: declare `out vec4 FragColor;` and write to that.",
     ),
     usual(
         &[&["texture2d"], &["texturecube"]],
-        "`texture2D` and `textureCube` are called `texture` from version 330 core on.",
+        "`texture2D` and `textureCube` are called `texture` since version 330 core.",
     ),
     usual(
         &[&["`attribute'"], &["'attribute'"], &["\"attribute\""], &["'varying'"], &["`varying'"], &["\"varying\""]],
-        "`attribute` and `varying` are words of old GLSL: from version 330 core on write `in` and `out`.",
+        "`attribute` and `varying` were removed in version 330 core: write `in` and `out`.",
     ),
     usual(
         &[
@@ -66,11 +65,11 @@ const USUAL: &[Usual] = &[
             &["no `main'"],
             &["doesn't contain a main"],
         ],
-        "There is no `void main()`: every shader needs one, spelt exactly so.",
+        "There is no `void main()`: every shader needs one, spelled exactly like this.",
     ),
     usual(
         &[&["must write to gl_position"], &["gl_position", "not written"], &["does not write to `gl_position"]],
-        "The vertex shader never writes `gl_Position`: that is where the vertex goes.",
+        "The vertex shader never writes to `gl_Position`, the position of the vertex.",
     ),
     usual(
         &[
@@ -91,11 +90,11 @@ const USUAL: &[Usual] = &[
             &["implicitly sized"],
             &["array", "unsized"],
         ],
-        "An array needs its size when it is declared, a constant: `vec3 lights[4];`.",
+        "An array needs a constant size where it is declared: `vec3 lights[4];`.",
     ),
     usual(
         &[&["index", "out of bounds"], &["index", "out of range"], &["index", "bounds"], &["array index"]],
-        "The index is outside the array or matrix; the first element has index 0, the last one less than the size.",
+        "The index is out of range: the first element has index 0, and the last one has the size minus 1.",
     ),
     usual(
         &[
@@ -113,8 +112,8 @@ const USUAL: &[Usual] = &[
             &["no field"],
             &["not a member"],
         ],
-        "There is no such component or field after the dot: a vec3 has x y z (or r g b) and no w; a struct has only its own \
-         fields.",
+        "What follows the dot is not a component or member: a vec3 has x, y, z (or r, g, b) but no w; a struct has \
+         only the members that it declares.",
     ),
     usual(
         &[
@@ -124,7 +123,7 @@ const USUAL: &[Usual] = &[
             &["constructor", "too many"],
             &["too much data"],
         ],
-        "Too many values in the parentheses: vec3 takes three numbers, or vectors that together have three.",
+        "Too many values in the parentheses: vec3 takes three numbers, or vectors with three components in total.",
     ),
     usual(
         &[
@@ -140,8 +139,8 @@ const USUAL: &[Usual] = &[
     ),
     usual(
         &[&["initializer", "type"], &["initializer of type"], &["cannot initialize"]],
-        "The value on the right has another type than the variable on the left: make it one, for example `vec3(v4)` or \
-         `v4.xyz` for a vec4, `vec4(v3, 1.0)` for a vec3.",
+        "The value on the right has a different type from the variable on the left: convert it, for example with \
+         `vec3(v4)` or `v4.xyz` for a vec4, `vec4(v3, 1.0)` for a vec3.",
     ),
     usual(
         &[
@@ -157,8 +156,8 @@ const USUAL: &[Usual] = &[
             &["assignment to varying"],
             &["const", "assign"],
         ],
-        "`{name}` cannot be changed: an `in`, a `uniform` and a `const` are read only. Copy it into a variable of its own and \
-         change that.",
+        "`{name}` cannot be changed: `in`, `uniform` and `const` variables are read-only. Copy it to a variable of \
+         your own and change that.",
     ),
     usual(
         &[
@@ -172,9 +171,9 @@ const USUAL: &[Usual] = &[
             &["no matching constructor"],
             &["parameter types do not match"],
         ],
-        "No function `{name}` takes arguments of these types: look at the type of each. `dot`, `reflect`, `cross` \
-         and `max` take two arguments of one type (vec3 and vec3), `texture` a sampler and a vec2 (a vec3 for a \
-         cubemap).",
+        "No function `{name}` takes arguments of these types: check the type of each. `dot`, `reflect`, `cross` and \
+         `max` take two arguments of the same type (vec3 and vec3), `texture` takes a sampler and a vec2 (a vec3 for \
+         a cubemap).",
     ),
     usual(
         &[
@@ -205,12 +204,12 @@ const USUAL: &[Usual] = &[
             &["declared with type", "but", "input"],
             &["interface", "mismatch"],
         ],
-        "`{name}` is declared in both stages, but not with the same type: make the vertex shader's `out` and the fragment \
-         shader's `in` alike.",
+        "`{name}` is declared in both stages with different types: the vertex shader's `out` and the fragment \
+         shader's `in` must match.",
     ),
     usual(
         &[&["interpolation qualif"], &["flat", "must"], &["qualified as flat"]],
-        "`flat` must be in both stages or in neither; an integer varying requires it.",
+        "`flat` must be written in both stages or in neither; an integer varying requires it.",
     ),
     usual(
         &[
@@ -263,8 +262,9 @@ const USUAL: &[Usual] = &[
             &["matrix multiplication"],
             &["multiply"],
         ],
-        "The two sides of the operator do not fit: vectors must have the same size (vec3 with vec3), mat4 multiplies a vec4 (write \
-         `vec4(v, 1.0)`), numbers need a point (`2.0` for `2`).",
+        "The two sides of the operator do not match: vectors must have the same size (vec3 with vec3), a mat4 \
+         multiplies a vec4 (write `vec4(v, 1.0)`), and floats are written with a decimal point (`2.0` instead of \
+         `2`).",
     ),
     usual(
         &[
@@ -276,7 +276,7 @@ const USUAL: &[Usual] = &[
             &["cannot convert", "int", "float"],
             &["global implicit"],
         ],
-        "A float is expected, not an integer: write it with a point, `2.0` for `2`.",
+        "Expected a float, found an integer: write it with a decimal point, `2.0` instead of `2`.",
     ),
     usual(
         &[
@@ -293,8 +293,8 @@ const USUAL: &[Usual] = &[
             &["conversion"],
             &["does not match variable"],
         ],
-        "The value and the variable have different types: take a part of the value (`v4.xyz`, `vec3(v4)`) or fill up \
-         (`vec4(v3, 1.0)`).",
+        "The value and the variable have different types: take some components of the value (`v4.xyz`, `vec3(v4)`) or \
+         add the missing ones (`vec4(v3, 1.0)`).",
     ),
     usual(
         &[
@@ -315,7 +315,7 @@ const USUAL: &[Usual] = &[
             &["must be scalar boolean"],
             &["scalar boolean"],
         ],
-        "A condition must be true or false: compare something, for example `if (x > 0.0)`.",
+        "A condition must be a bool: write a comparison, for example `if (x > 0.0)`.",
     ),
     usual(
         &[&["sampler", "uniform"], &["sampler", "must be"], &["opaque"]],
@@ -327,15 +327,15 @@ const USUAL: &[Usual] = &[
     ),
     usual(
         &[&["in", "out", "qualifier", "not"], &["storage qualifier"], &["qualifier"]],
-        "A word in front of the declaration does not fit here: `in`, `out` and `uniform` belong outside of functions, each once, \
-         and `layout(location = 0)` in a fragment shader's `in` needs version 410.",
+        "This declaration has a qualifier that is not allowed here: `in`, `out` and `uniform` belong outside of \
+         functions, each once, and `layout(location = 0)` on an `in` of a fragment shader needs version 410.",
     ),
     usual(
         &[&["used uninitialized"], &["might be used before"], &["uninitialized"], &["use of uninitialised"]],
-        "`{name}` is read before anything is written to it: its value is undefined then.",
+        "`{name}` is read before it is assigned a value.",
     ),
-    usual(&[&["recursion"], &["recursive"]], "A function calls itself; GLSL does not allow that."),
-    usual(&[&["#include"], &["extension", "include"]], "GLSL has no `#include`: put the text into the file."),
+    usual(&[&["recursion"], &["recursive"]], "A function calls itself, which GLSL does not allow."),
+    usual(&[&["#include"], &["extension", "include"]], "GLSL has no `#include`: paste the text of that file here."),
     usual(
         &[
             &["extension", "not supported"],
@@ -343,7 +343,7 @@ const USUAL: &[Usual] = &[
             &["unknown extension"],
             &["unsupported extension"],
         ],
-        "This computer does not have that extension: leave the `#extension` line out.",
+        "The graphics driver does not have that extension: remove the `#extension` line.",
     ),
     usual(
         &[
@@ -353,7 +353,7 @@ const USUAL: &[Usual] = &[
             &["unexpected character"],
             &["illegal non-ascii"],
         ],
-        "There is a character that GLSL does not know, perhaps a quotation mark, a dash or a space copied from a web \
+        "There is a character that GLSL does not allow, perhaps a quotation mark, a dash or a space copied from a web \
          page or a text document: retype it.",
     ),
     usual(
@@ -368,7 +368,7 @@ const USUAL: &[Usual] = &[
             &["$undefined"],
             &["premature end"],
         ],
-        "The text ends too early: a `}`, a `*/` or an `#endif` is missing.",
+        "The file ends too early: a `}`, a `*/` or an `#endif` is missing.",
     ),
     usual(
         &[&["linking with uncompiled"], &["uncompiled"], &["not successfully compiled"], &["unspecialized shader"]],
@@ -381,8 +381,8 @@ const UNDECLARED: &str = "`{name}` is not declared here: declare it (`uniform`, 
                           line), or check its spelling, including capitals.";
 
 /// What a message of syntax means.
-const SYNTAX: &str = "The compiler cannot read this. Often a semicolon or a bracket is missing at the end of the \
-                      line before.";
+const SYNTAX: &str = "The compiler cannot parse this. Often a semicolon or a bracket is missing at the end of the \
+ previous line.";
 
 /// A plain explanation of a usual message; `None` for others.
 #[must_use]

@@ -156,7 +156,7 @@ mod tests {
             ("`lightPos' undeclared", "`lightPos` is not declared"),
             (
                 "initializer of type vec4 cannot be assigned to variable of type vec3",
-                "another type than the variable on the left",
+                "a different type from the variable on the left",
             ),
             ("value of type vec4 cannot be assigned to variable of type vec3", "different types"),
             ("syntax error, unexpected NEW_IDENTIFIER, expecting ',' or ';'", "semicolon or a bracket"),
@@ -174,7 +174,7 @@ mod tests {
             ),
             ("`c' redeclared", "`c` is declared twice"),
             ("illegal use of reserved word `input'", "`input` is reserved in GLSL"),
-            ("if-statement condition must be scalar boolean", "A condition must be true or false"),
+            ("if-statement condition must be scalar boolean", "A condition must be a bool"),
             ("GLSL 7.77 is not supported. Supported versions are: 1.10", "does not support that `#version`"),
             ("#version must appear on the first line", "must be the first line"),
             ("vertex shader lacks `main'", "There is no `void main()`"),
@@ -184,13 +184,13 @@ mod tests {
             ),
             (
                 "vertex shader output `v' declared as type `vec3', but fragment shader input declared as type `vec4'",
-                "`v` is declared in both stages, but not with the same type",
+                "`v` is declared in both stages with different types",
             ),
             (
                 "uniform `u' declared as type `vec3' and type `vec4'",
                 "uniform `u` is declared in both stages with different types",
             ),
-            ("invalid swizzle / mask `w'", "after the dot"),
+            ("invalid swizzle / mask `w'", "follows the dot"),
             ("cannot dereference non-array / non-matrix / non-vector", "Square brackets"),
             ("`c' used uninitialized", "`c` is read before"),
             ("no precision specified in this scope for type `float'", "precision mediump float"),
@@ -199,18 +199,18 @@ mod tests {
             ("unable to find compatible overloaded function \"dot(vec3, vec4)\"", "No function `dot`"),
             ("too little data in type constructor", "Too few values"),
             ("too much data in type constructor", "Too many values"),
-            ("implicit cast from \"int\" to \"float\"", "with a point"),
+            ("implicit cast from \"int\" to \"float\"", "with a decimal point"),
             ("cannot convert from \"vec4\" to \"vec3\"", "different types"),
             ("incompatible types in initialization", "different types"),
-            ("assignment to varying n", "read only"),
+            ("assignment to varying n", "read-only"),
             ("global variable gl_FragColor is removed after version 420 core", "out vec4 FragColor"),
             ("declaration of \"c\" conflicts with previous declaration at 0(2)", "`c` is declared twice"),
             ("\"v\" not declared as an output from the previous stage", "the vertex shader has no `out`"),
-            ("array index out of bounds", "outside the array"),
+            ("array index out of bounds", "index is out of range"),
             // AMD and Intel
             ("Undeclared identifier: x", "`x` is not declared"),
             ("Not supported when use core profile: gl_FragColor", "out vec4 FragColor"),
-            ("Implicit conversion from int to float", "with a point"),
+            ("Implicit conversion from int to float", "with a decimal point"),
             // glslang, ANGLE, Apple
             ("'x' : undeclared identifier", "`x` is not declared"),
             ("Use of undeclared identifier 'x'", "`x` is not declared"),
@@ -220,7 +220,7 @@ mod tests {
             ),
             ("'' :  syntax error, unexpected IDENTIFIER, expecting COMMA or SEMICOLON", "semicolon or a bracket"),
             ("'assign' :  l-value required \"n\" (can't modify shader input)", "`n` cannot be changed"),
-            ("'xyzq' : vector swizzle selectors not from the same set", "after the dot"),
+            ("'xyzq' : vector swizzle selectors not from the same set", "follows the dot"),
             ("'constructor' : not enough data provided for construction", "Too few values"),
             (
                 "'*' :  wrong operand types: no operation '*' exists that takes a left-hand operand",
@@ -229,11 +229,11 @@ mod tests {
             ("'dot' : no matching overloaded function found", "No function `dot`"),
             ("'c' : redefinition", "`c` is declared twice"),
             ("'input' : Reserved word.", "`input` is reserved in GLSL"),
-            ("'' : boolean expression expected", "A condition must be true or false"),
+            ("'' : boolean expression expected", "A condition must be a bool"),
             ("version not supported", "does not support that `#version`"),
-            ("'[' :  array index out of range '5'", "outside the array"),
+            ("'[' :  array index out of range '5'", "index is out of range"),
             ("'' :  syntax error, unexpected end of file, expecting RIGHT_BRACE", "ends too early"),
-            ("'attribute' : not supported in this stage: fragment", "words of old GLSL"),
+            ("'attribute' : not supported in this stage: fragment", "were removed in version 330 core"),
             ("'sampler2D' : sampler/image types can only be used in uniform variables", "A sampler can only be"),
             ("'float' : type requires declaration of default precision qualifier", "precision mediump float"),
             ("missing main()", "There is no `void main()`"),
@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn a_message_comes_home() {
+    fn messages_are_placed_in_the_source() {
         let stage =
             StageText::whole("a.frag", "#version 330\nuniform vec3 lightPos;\nvoid main() {\n  x = lightPso;\n}\n");
         // gonio put two lines in front.
@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn a_missing_semicolon_is_looked_for_in_the_line_before() {
+    fn a_missing_semicolon_is_found_in_the_previous_line() {
         let stage = StageText::whole("a.frag", "void main()\n{\n  float a = 1.0 // one\n\n  b = a;\n}\n");
         let explanation =
             |line| to_messages(&format!("0:{line}(3): error: syntax error, unexpected NEW_IDENTIFIER"), &stage, 1);

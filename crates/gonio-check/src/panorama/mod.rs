@@ -133,7 +133,7 @@ pub fn verdict(
     let mut sentences: Vec<String> = verdict.mistakes.iter().map(|mistake| mistake.name.clone()).collect();
     match unexplained.len() {
         0 => {}
-        6 => sentences.push("no face is right, and no known mistake explains it".to_owned()),
+        6 => sentences.push("no face is right, and no known mistake explains the faces".to_owned()),
         _ => {
             let s = if unexplained.len() == 1 { "face" } else { "faces" };
             sentences.push(format!("no known mistake explains the {s} {}", names(unexplained)));

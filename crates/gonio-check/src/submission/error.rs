@@ -74,7 +74,7 @@ pub(super) fn list(names: &[String]) -> String {
 impl fmt::Display for IntakeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoFiles => write!(f, "there are no files: name a vertex and a fragment shader"),
+            Self::NoFiles => write!(f, "there are no files: hand in a vertex and a fragment shader"),
             Self::Empty { file } => write!(f, "{file} is empty: save the shader in your editor and hand it in again"),
             Self::Binary { file, because } => {
                 write!(f, "{file} is not a text file ({because}): hand in the shader's source as plain text")
@@ -85,7 +85,7 @@ impl fmt::Display for IntakeError {
             ),
             Self::TooLarge { file, bytes } => write!(
                 f,
-                "{file} has {bytes} bytes, more than the {} that a shader may have: hand in the shader's source alone",
+                "{file} has {bytes} bytes, more than the limit of {}: hand in only the shader's source",
                 super::text::LARGEST
             ),
             Self::NoShader { files } => write!(
@@ -96,13 +96,13 @@ impl fmt::Display for IntakeError {
             ),
             Self::MissingStage { missing, found } => write!(
                 f,
-                "the {missing} shader is missing, there is only {} ({}): hand in both stages",
+                "the {missing} shader is missing; found only {} ({}): hand in both stages",
                 list(found),
                 missing.other()
             ),
             Self::SameStageTwice { stage, found } => write!(
                 f,
-                "{} are all {stage} shaders and there is no {} shader: hand in one of each",
+                "{} are all {stage} shaders, and there is no {} shader: hand in one of each",
                 list(found),
                 stage.other()
             ),

@@ -210,15 +210,15 @@ fn names_come_along_and_corrected_files_are_told() {
 fn each_error_is_a_sentence() {
     let big = " ".repeat(text::LARGEST + 1);
     for (list, message) in [
-        (vec![], "there are no files: name a vertex and a fragment shader"),
-        (vec![("a.vert", V)], "the fragment shader is missing, there is only a.vert (vertex): hand in both stages"),
+        (vec![], "there are no files: hand in a vertex and a fragment shader"),
+        (vec![("a.vert", V)], "the fragment shader is missing; found only a.vert (vertex): hand in both stages"),
         (
             vec![("a.frag", F), ("b.md", "")],
-            "the vertex shader is missing, there is only a.frag (fragment): hand in both stages",
+            "the vertex shader is missing; found only a.frag (fragment): hand in both stages",
         ),
         (
             vec![("a.vert", V), ("b.vert", V)],
-            "a.vert, b.vert are all vertex shaders and there is no fragment shader: hand in one of each",
+            "a.vert, b.vert are all vertex shaders, and there is no fragment shader: hand in one of each",
         ),
         (vec![("a.vert", V), ("a.frag", "")], "a.frag is empty: save the shader in your editor and hand it in again"),
         (
@@ -227,8 +227,7 @@ fn each_error_is_a_sentence() {
         ),
         (
             vec![("a.vert", V), ("a.frag", &big)],
-            "a.frag has 10485761 bytes, more than the 10485760 that a shader may have: hand in the shader's source \
-             alone",
+            "a.frag has 10485761 bytes, more than the limit of 10485760: hand in only the shader's source",
         ),
         (
             vec![("a.md", ""), ("main.cpp", "int main() {}")],

@@ -182,7 +182,7 @@ pub fn lit() -> Vec<TestScene> {
             target: Vec3::new(0.4, -0.3, -0.6),
             fov_y_rad: 0.42,
             light: TestLight { position: Vec3::new(1.6, 2.2, 1.2), ..LAB_LIGHT },
-            ..base("stretched", "a model that is stretched, turned and moved")
+            ..base("stretched", "a model that is stretched, rotated and moved")
         },
         TestScene {
             shape: TestShape::Sphere,
@@ -208,7 +208,7 @@ pub fn lit() -> Vec<TestScene> {
             eye: Vec3::new(-0.4, 0.6, 2.5),
             target: Vec3::new(0.2, 0.1, 0.0),
             light: TestLight { position: Vec3::new(0.2, 0.1, 0.0) + direction * distance, ambient: 0.35, ..LAB_LIGHT },
-            ..base(name, "the same light at three distances, with much ambient light")
+            ..base(name, "the same light at three distances, with strong ambient light")
         });
     }
     all.push(TestScene {
@@ -218,7 +218,7 @@ pub fn lit() -> Vec<TestScene> {
         up: Vec3::new(0.5, 1.0, 0.2),
         fov_y_rad: 0.5,
         light: TestLight { position: Vec3::new(-1.5, 1.2, -2.0), ..LAB_LIGHT },
-        ..base("turned", "another camera, turned and tilted")
+        ..base("turned", "another camera, rotated and tilted")
     });
     all.push(TestScene {
         shape: TestShape::Sphere,
@@ -228,7 +228,7 @@ pub fn lit() -> Vec<TestScene> {
         light: TestLight { position: Vec3::new(1.2, 0.6, 1.4), ambient: 0.2, ..LAB_LIGHT },
         material: Vec3::new(0.85, 0.4, 0.15),
         shininess: 12.0,
-        ..base("coloured", "another material, whose colour is strong")
+        ..base("coloured", "another material with a strong colour")
     });
     // Those that tell most stand first: hypotheses are ranked in them.
     const TELLING: [&str; 4] = ["stretched", "coarse", "behind", "far"];
@@ -248,7 +248,7 @@ pub fn lit_by_two() -> Vec<TestScene> {
         light: TestLight { position: Vec3::new(1.9, 1.2, 0.6), ..LAB_LIGHT },
         other: Some(other),
         shininess: 8.0,
-        ..base("two lights", "two lights of different place and strength")
+        ..base("two lights", "two lights with different positions and strengths")
     };
     let mut second = both.clone();
     second.name = "second light".to_owned();
@@ -284,7 +284,7 @@ pub fn mirrored() -> Vec<TestScene> {
             world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.6, 1.2, 0.3]),
             eye: Vec3::new(1.9, 1.1, 2.0),
             target: Vec3::new(0.4, -0.3, -0.6),
-            ..base("stretched", "a model that is stretched, turned and moved")
+            ..base("stretched", "a model that is stretched, rotated and moved")
         },
         TestScene {
             shape: TestShape::Sphere,
@@ -299,7 +299,7 @@ pub fn mirrored() -> Vec<TestScene> {
             target: Vec3::new(0.6, 0.4, -0.5),
             up: Vec3::new(0.5, 1.0, 0.2),
             refraction_index: 1.33,
-            ..base("turned", "another camera, turned and tilted")
+            ..base("turned", "another camera, rotated and tilted")
         },
     ]
 }
@@ -337,7 +337,7 @@ pub fn cameras() -> Vec<TestScene> {
     vec![
         camera(
             "turned",
-            "a camera that is turned to the side and looks down",
+            "a camera that is rotated to the side and looks down",
             [1.1, 0.7, 1.0],
             [0.2, -0.1, -0.4],
             [0.0, 1.0, 0.0],
@@ -357,7 +357,7 @@ pub fn cameras() -> Vec<TestScene> {
             world_from_model: placed([2.0, -1.1, 0.6], [15.0, -35.0, 60.0], [0.9, 0.6, 1.2]),
             ..camera(
                 "off centre",
-                "everything far from the origin, and the camera looks past it",
+                "everything far from the origin, with the camera looking past it",
                 [2.6, -0.2, 1.7],
                 [2.3, -0.9, 0.2],
                 [0.0, 1.0, 0.0],
@@ -368,7 +368,7 @@ pub fn cameras() -> Vec<TestScene> {
             world_from_model: Mat4::IDENTITY,
             ..camera(
                 "lab",
-                "the lab's own scene: M is the identity, the camera has not turned",
+                "the lab's own scene: M is the identity, and the camera is not rotated",
                 [0.0, 0.0, 2.0],
                 [0.0, 0.0, 1.0],
                 [0.0, 1.0, 0.0],
@@ -379,7 +379,7 @@ pub fn cameras() -> Vec<TestScene> {
             world_from_model: Mat4::IDENTITY,
             ..camera(
                 "to the right",
-                "the same, and the camera has walked to the right",
+                "the same, with the camera moved to the right",
                 [0.5, 0.0, 2.0],
                 [0.5, 0.0, 1.0],
                 [0.0, 1.0, 0.0],
