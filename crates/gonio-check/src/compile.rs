@@ -28,13 +28,13 @@ impl<'a> ParsedStage<'a> {
         ParsedStage { text, parsed, checked, translated, target }
     }
 
-    /// The text of the stage, putting out what it looks up there.
+    /// Returns the stage changed to output the result of this lookup.
     pub fn showing(&self, lookup: Lookup) -> String {
         let bound = Some(LoopBound::STUDENTS);
         gonio_glsl::translate_showing(&self.parsed, &self.checked, self.target, bound, Some(lookup)).text
     }
 
-    /// Returns the places where it looks up a cubemap.
+    /// Returns the cubemap lookups.
     pub fn lookups(&self) -> Vec<Lookup> {
         gonio_glsl::lookups(&self.parsed)
     }
@@ -44,12 +44,12 @@ impl<'a> ParsedStage<'a> {
         self.parsed.problems.iter().chain(&self.checked.problems)
     }
 
-    /// The limit of size or depth that it exceeds: no driver must see it then.
+    /// Returns the limit of size or depth that the shader exceeds, if any. It must not be given to a driver then.
     pub fn refusal(&self) -> Option<&Problem> {
         self.parsed.refusal().or(self.checked.refusal())
     }
 
-    /// A problem at its place in the student's file.
+    /// Converts a problem to a message with its position in the student's file.
     pub fn message(&self, problem: &Problem) -> CompilerMessage {
         let (file, line, column) = self.text.place(problem.span.line, problem.span.column);
         CompilerMessage {
@@ -63,23 +63,23 @@ impl<'a> ParsedStage<'a> {
     }
 }
 
-/// Most messages of one kind that are told: what follows from the first is no help.
+/// Most messages of one kind. Errors that follow from the first one do not help.
 const MOST_MESSAGES: usize = 12;
 
-/// Compiles and links, unless our own reader refuses one of the two for its size or depth: drivers have no such limits, and
-/// crash in our process.
+/// Compiles and links, unless a shader exceeds a limit of size or depth: drivers have no such limits and would crash
+/// this process.
 pub fn compile(gl: &Gl, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Result<UserProgram, BrokenProgram> {
     if vertex.refusal().is_some() || fragment.refusal().is_some() {
         let log = |stage: &ParsedStage<'_>| stage.refusal().map(|problem| problem.message.clone());
         return Err(BrokenProgram { vertex_log: log(vertex), fragment_log: log(fragment), ..BrokenProgram::default() });
     }
     let program = UserProgram::new(gl, &vertex.translated.text, &fragment.translated.text)?;
-    // Where the translation corrected what every compiler refuses, the student's own text tells.
+    // The translation may have corrected an error that every compiler reports in the student's own text.
     let refused = |stage: &ParsedStage<'_>| stage.problems().any(|problem| problem.severity == Severity::Error);
     if refused(vertex) || refused(fragment) {
         UserProgram::new(gl, &vertex.text.text, &fragment.text.text)?;
     }
-    // This driver may be more lenient than all others: what the version does not have is wrong in any case.
+    // This driver may be lenient: a construct that the version does not have is wrong in any case.
     let missing = |stage: &ParsedStage<'_>| {
         let is_missing = |p: &Problem| p.severity == Severity::Error && NOT_IN_VERSION.contains(&p.code);
         stage.problems().any(is_missing).then(String::new)
@@ -90,10 +90,11 @@ pub fn compile(gl: &Gl, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) ->
     }
 }
 
-/// Problems that Mesa does not see: `texture2D` in `#version 300 es` (GLSL ES 3.00, section 8.8 has no such function; the
-/// reference compiler and browsers refuse it).
+/// Problems that Mesa does not report: `texture2D` in `#version 300 es` (GLSL ES 3.00, section 8.8, has no such
+/// function; the reference compiler and browsers reject it).
 const NOT_IN_VERSION: [&str; 1] = ["old-function"];
-/// A varying that is read and that the vertex shader does not have: the specification has it refused, and not every driver does.
+/// Reports a varying that the vertex shader does not write. The specification requires an error, but not every driver
+/// reports one.
 pub(crate) fn does_not_link(exercise: &str, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Option<Verdict> {
     let problems = gonio_glsl::check_pair(&vertex.checked, &fragment.checked);
     let refused = |p: &&Problem| p.severity == Severity::Error && p.code == "not-given";
@@ -109,8 +110,8 @@ pub(crate) fn does_not_link(exercise: &str, vertex: &ParsedStage<'_>, fragment: 
     Some(verdict)
 }
 
-/// What the driver says, at the student's lines; what our own reader found comes first where it is on the same line or where
-/// the driver names none, for it is said in plain words.
+/// Returns the driver's messages at the student's lines. A message of gonio's own parser precedes it on the same
+/// line, or if the driver names no line, because it is easier to understand.
 pub fn compiler_messages(
     broken: &BrokenProgram,
     vertex: &ParsedStage<'_>,
@@ -120,7 +121,7 @@ pub fn compiler_messages(
     for (stage, log) in [(vertex, &broken.vertex_log), (fragment, &broken.fragment_log)] {
         let Some(log) = log else { continue };
         if let Some(refusal) = stage.refusal().filter(|refusal| refusal.limit != Some(Limit::SyntaxErrors)) {
-            // What else is wrong may follow from it.
+            // Further messages may follow from this one.
             told.push(stage.message(refusal));
             continue;
         }

@@ -12,7 +12,7 @@ pub enum Outcome {
     Correct,
     /// Something is wrong, named or not.
     Wrong,
-    /// A compiler refuses it.
+    /// A compiler rejects it.
     DoesNotCompile,
     /// The answer could not be judged; the summary says what is missing.
     Unsure,
@@ -28,13 +28,13 @@ pub struct FoundMistake {
     /// The share of the difference that it explains together with the other mistakes, 0 to 1.
     #[serde(deserialize_with = "or_infinite")]
     pub share_explained: f64,
-    /// The student's file and line that look like it, where they were found.
+    /// The student's file, if the mistake was located.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// See `file`; from 1.
+    /// The line in that file, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u32>,
-    /// The line itself.
+    /// The text of the line.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quoted: Option<String>,
     /// The symptom in the picture.
@@ -46,13 +46,13 @@ pub struct FoundMistake {
     /// Mistakes whose pictures are the same: it may be any of them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub or: Vec<String>,
-    /// The lab's own solutions do the same.
+    /// Whether the lab's own solutions do the same.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub lab_does_it: bool,
 }
 
 impl FoundMistake {
-    /// A mistake with its id, its name and its share of the difference, 0 to 1.
+    /// Creates a mistake with its id, its name and its share of the difference, 0 to 1.
     pub fn new(id: impl Into<String>, name: impl Into<String>, share_explained: f64) -> Self {
         FoundMistake {
             id: id.into(),
@@ -69,8 +69,8 @@ impl FoundMistake {
         }
     }
 
-    /// A mistake of the catalogue. What looks the same, and whether the lab does it too, is for who
-    /// compared pictures to say.
+    /// Creates a mistake of the catalogue. The caller, who compared the pictures, adds mistakes that look the same
+    /// and whether the lab does it too.
     pub fn from_catalogue(mistake: &Mistake, share_explained: f64) -> Self {
         let Mistake { id, name, looks_like, fix, lecture_section, .. } = mistake;
         FoundMistake::new(id, name, share_explained).taught(looks_like, fix, lecture_section)
@@ -96,15 +96,15 @@ impl FoundMistake {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TermState {
-    /// As the reference has it.
+    /// The same as in the reference.
     Right,
-    /// Not so.
+    /// Different from the reference.
     Wrong,
-    /// Its strength is not given from outside, so it cannot be looked at alone.
+    /// Its strength is not an input, so it cannot be tested alone.
     NotSeparable,
 }
 
-/// A term and how it fares.
+/// The verdict on a term.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TermVerdict {
     /// `ambient`, `diffuse` or `specular`.
@@ -113,10 +113,10 @@ pub struct TermVerdict {
     pub state: TermState,
 }
 
-/// A test scene and how it fares.
+/// The verdict on a test scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SceneVerdict {
-    /// The test scene's word.
+    /// The id of the test scene.
     pub scene: String,
     /// The reason for this scene: what it shows that others do not.
     pub shows: Cow<'static, str>,
@@ -135,15 +135,15 @@ pub struct SceneVerdict {
 pub struct CompilerMessage {
     /// The student's file.
     pub file: String,
-    /// From 1.
+    /// Counted from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub line: Option<u32>,
-    /// From 1.
+    /// Counted from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub column: Option<u32>,
-    /// Compiler messages.
+    /// The text of the message.
     pub text: String,
-    /// The line itself.
+    /// The text of the line.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub quoted: Option<String>,
     /// The explanation.
@@ -154,7 +154,7 @@ pub struct CompilerMessage {
 /// A variable of the program and its role.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BoundVariable {
-    /// OpenGL's name for it.
+    /// Its name in OpenGL.
     pub name: String,
     /// Its type.
     #[serde(rename = "type")]
@@ -166,59 +166,59 @@ pub struct BoundVariable {
 /// The result of a check.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
-    /// The exercise's word.
+    /// The id of the exercise.
     pub exercise: String,
     /// The outcome of a check.
     pub verdict: Outcome,
-    /// In one sentence.
+    /// The verdict in one sentence.
     pub summary: String,
     /// The mistakes, the most significant first.
     pub mistakes: Vec<FoundMistake>,
-    /// The next best explanation, where a name was given or nearly so.
+    /// The next best explanation, if the verdict names a mistake or nearly does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub runner_up: Option<RunnerUp>,
-    /// Right, but worth knowing: `id: sentence`.
+    /// Peculiarities that are right but worth knowing.
     pub peculiarities: Vec<Peculiarity>,
     /// Problems that may occur on other drivers.
     pub warnings: Vec<String>,
-    /// Term by term.
+    /// The verdicts on single terms.
     pub terms: Vec<TermVerdict>,
-    /// Situation by test scene.
+    /// The verdicts on test scenes.
     pub scenes: Vec<SceneVerdict>,
     /// Properties that need no reference, tested on programs that compute light.
     #[serde(default)]
     pub properties: Vec<PropertyVerdict>,
-    /// Where it does not compile.
+    /// Messages of the compiler, if it does not compile.
     pub messages: Vec<CompilerMessage>,
     /// Variables and their roles.
     pub bound: Vec<BoundVariable>,
-    /// Right answers are 1, wrong ones by the share of test scenes that are right; 0 where it does not compile.
+    /// 1 for right answers; for wrong ones the share of test scenes that are right; 0 if it does not compile.
     #[serde(deserialize_with = "or_infinite")]
     pub score: f64,
 }
 
-/// Whether something holds that has to hold of every light equation.
+/// The state of a property that every light equation has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PropertyState {
-    /// It does.
+    /// The program has it.
     Right,
-    /// It does not.
+    /// The program does not have it.
     Wrong,
-    /// The program does not take from outside what would have to be varied.
+    /// The quantity that would have to be varied is not an input of the program.
     NotApplicable,
 }
 
-/// What was tried with the student's program alone, without any reference.
+/// The result of a test with the student's program alone, without a reference.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PropertyVerdict {
-    /// A stable kebab-case word.
+    /// A stable id in kebab-case.
     pub id: String,
-    /// The property that holds or does not, in one sentence.
+    /// The property, or its violation, in one sentence.
     pub sentence: String,
-    /// Which of the two.
+    /// The state of the property.
     pub state: PropertyState,
-    /// The test scenes in which it does not hold.
+    /// The test scenes in which it is violated.
     pub scenes: Vec<String>,
 }
 
@@ -232,12 +232,12 @@ pub struct RunnerUp {
     pub share_explained: f64,
 }
 
-/// Something right that is done in another way.
+/// Something right that is done by another method.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Peculiarity {
     /// The mistake's id in the catalogue.
     pub id: String,
-    /// In half a sentence.
+    /// The peculiarity in half a sentence.
     pub name: String,
 }
 
@@ -247,12 +247,12 @@ pub fn join_names<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
 }
 
 impl Verdict {
-    /// The names of all mistakes that were found, as a summary.
+    /// Returns the names of all mistakes as a summary.
     pub fn mistake_names(&self) -> String {
         join_names(self.mistakes.iter().map(|mistake| mistake.name.as_str()))
     }
 
-    /// A verdict that says no more than this.
+    /// Creates a verdict with only an outcome and a summary.
     pub fn new(exercise: &str, verdict: Outcome, summary: impl Into<String>) -> Self {
         Verdict {
             exercise: exercise.to_owned(),
@@ -271,27 +271,27 @@ impl Verdict {
         }
     }
 
-    /// The verdict on a check that was stopped after a number of seconds.
+    /// Creates the verdict on a check that was stopped after a number of seconds.
     pub fn endless(exercise: &str, seconds: u64) -> Self {
         let summary =
             format!("the check did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 
-    /// The verdict on a check whose process crashed.
+    /// Creates the verdict on a check whose process crashed.
     pub fn crashed(exercise: &str) -> Self {
         let summary = "the check crashed: the graphics driver here cannot compile or run this shader";
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 
-    /// The verdict on a check that was stopped because of its memory use.
+    /// Creates the verdict on a check that was stopped because of its memory use.
     pub fn too_large(exercise: &str) -> Self {
         let summary = "the check was stopped because it took more than a gigabyte of memory; is there a giant array?";
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 }
 
-/// A number as JSON has it, which knows no infinite ones: it writes `null` for them, and for what is no number.
+/// Reads a number. JSON has no infinity and no NaN: `null` is written for them.
 fn or_infinite<'de, T, D>(deserializer: D) -> Result<T, D::Error>
 where
     T: Deserialize<'de> + From<f32>,
@@ -324,7 +324,7 @@ mod tests {
                 .map_err(|e| e.to_string())
         };
         assert_eq!(read(&verdict), Ok(verdict.clone()));
-        // What a program divides by zero is no number in JSON.
+        // NaN, the result of 0 / 0, has no JSON number.
         verdict.scenes = vec![scene(f32::NAN)];
         assert_eq!(read(&verdict).map(|read| read.scenes[0].worst), Ok(f32::INFINITY));
     }

@@ -1,7 +1,7 @@
-//! Names cut into words.
+//! Splits names into words, and finds the known word that is nearest to a misspelt one.
 
-/// The words of a name, in small letters: cut at what is no letter or digit, where small letters turn to capitals,
-/// and between letters and digits. `objectVertexShader_2` gives `object vertex shader 2`.
+/// Splits a name into words in lower case: at characters that are not letters or digits, before capitals, and between
+/// letters and digits. `objectVertexShader_2` gives `object vertex shader 2`.
 pub fn words_of(name: &str) -> Vec<String> {
     let chars: Vec<char> = name.chars().collect();
     let mut words: Vec<String> = Vec::new();
@@ -25,14 +25,14 @@ pub fn words_of(name: &str) -> Vec<String> {
     words
 }
 
-/// The word most like a given one, however little.
+/// Returns the word that is most similar to `given`, however different it is.
 pub fn most_like<'a>(given: &str, words: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     words.min_by_key(|word| distance(&given.to_lowercase(), &word.to_lowercase()))
 }
 
-/// The nearest of `known`, where it is near enough to have been meant: at most a third of the letters differ.
+/// Returns the nearest of `known`, if at most a third of the letters differ.
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    // Longer words are nobody's typing error, and comparing them takes long.
+    // Longer words are not typing errors, and comparing them takes long.
     if word.chars().count() > 48 {
         return None;
     }
@@ -48,10 +48,10 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     (found.0.0 <= allowed).then_some(found.1)
 }
 
-/// The number of insertions, deletions, substitutions and swaps of neighbours between two words, of which the first 100
-/// characters count.
+/// Returns the number of insertions, deletions, substitutions and transpositions between two words, of which the
+/// first 100 characters count.
 pub fn distance(a: &str, b: &str) -> usize {
-    // Longer than any name a person writes: do not spend the square of it.
+    // Real names are shorter, and the comparison takes the product of the lengths.
     let cut = |word: &str| word.chars().take(100).collect::<String>();
     strsim::osa_distance(&cut(a), &cut(b))
 }
@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_cut_where_a_reader_would() {
+    fn names_are_split_into_words() {
         for (name, words) in [
             ("light_pos", "light pos"),
             ("lightPos", "light pos"),
@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_too_far_away_was_not_meant() {
+    fn distant_words_are_not_suggested() {
         assert_eq!(nearest("TEXTURE2D", ["TEXTURE2", "TEXTURE_2D"]), Some("TEXTURE_2D"));
         assert_eq!(nearest("shininess", ["position", "normal"]), None);
         assert_eq!(most_like("shininess", ["position", "shine"].into_iter()), Some("shine"));

@@ -12,7 +12,7 @@ use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise};
 use gonio_gl::HeadlessContext;
 use submissions::submissions;
 
-/// What contradicts itself in a verdict, in words.
+/// Returns the contradictions in a verdict.
 fn contradictions(verdict: &Verdict) -> Vec<String> {
     let mut found = Vec::new();
     let state = |term: &str| verdict.terms.iter().find(|known| known.term == term).map(|known| known.state);
@@ -75,7 +75,7 @@ fn no_submission_contradicts_itself() {
     let is_lit = |exercise: &str| TASKS.iter().any(|task| task.exercise == exercise && task.model.is_lit());
     let all = submissions("wrong").into_iter().filter(|s| is_lit(&s.exercise) && !s.name.contains("broken"));
     let (mut checked, mut wrong) = (0, Vec::new());
-    // Every second one, and all of which a term is a part.
+    // Every second one, and all whose name contains a term.
     let chosen = |(index, name): (usize, &str)| index % 2 == 0 || TERMS.iter().any(|term| name.contains(term));
     for (_, submission) in all.enumerate().filter(|(index, s)| chosen((*index, &s.name))) {
         let verdict = submission.check(&mut checker);
@@ -102,7 +102,7 @@ void main() {
 }
 ";
 
-/// Two lights; `{sum}` is what is made of them, `{normal}` of the normal.
+/// Two lights; `{sum}` is the expression of the sum, `{normal}` that of the normal.
 const FRAGMENT: &str = "#version 330 core
 struct Light { vec3 light_pos; float ambient_strength, diffuse_strength, specular_strength, constant, linear, quadratic; };
 uniform Light lights[2];
@@ -171,7 +171,7 @@ fn each_is_broken_by_what_breaks_it() {
         for id in broken {
             assert_eq!(state(&verdict, id), PropertyState::Wrong, "{normal} {sum}: {id}");
         }
-        // Where nothing is a number, nothing else can be told.
+        // If all pixels are NaN, no other property can be tested.
         for id in ALL.iter().filter(|id| !broken.contains(id) && !broken.contains(&"finite")) {
             assert_eq!(state(&verdict, id), PropertyState::Right, "{normal} {sum}: {id}");
         }

@@ -18,7 +18,7 @@ use gonio_glsl::Stage;
 use std::collections::BTreeMap;
 use submissions::{Submission, submissions};
 
-/// The words of a list in `expected.toml`.
+/// Returns a list of `expected.toml`.
 fn list(submission: &Submission, key: &str) -> Vec<String> {
     let words = submission.expected.get(key).and_then(toml::Value::as_array).cloned().unwrap_or_default();
     words.iter().map(|word| word.as_str().unwrap().to_owned()).collect()
@@ -41,7 +41,7 @@ fn what_is_right_is_never_called_wrong() {
     }
 }
 
-/// Whether the names are those expected, or ones that no picture tells from them.
+/// Whether the named mistakes are the expected ones, or ones that no picture distinguishes from them.
 fn is_named(submission: &Submission, verdict: &Verdict) -> bool {
     let (wanted, also) = (list(submission, "mistakes"), list(submission, "also_right"));
     let answers = |want: &String| {
@@ -141,7 +141,7 @@ impl Case {
         )
     }
 
-    /// `file:line` of an answer.
+    /// Returns the `file:line` of a mistake.
     fn found(&self, source: &Analysis, id: &str) -> Option<String> {
         let place = source.line(id, self.model)?;
         let text = match place.stage {
@@ -214,7 +214,7 @@ fn pairs_are_found_at_their_lines() {
     assert!(right as f64 >= 0.9 * all as f64, "{right} of {all}: {wrong_ones:#?}");
 }
 
-/// Of the ids of the model, those that the source is sure of.
+/// Returns the mistakes of the model solution that the source supports most.
 fn sure(case: &Case) -> Vec<String> {
     let source = case.read();
     let ids = mistakes::for_model(case.model).filter(|mistake| !mistake.harmless).map(|mistake| mistake.id.clone());

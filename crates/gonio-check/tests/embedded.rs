@@ -1,4 +1,4 @@
-//! The same verdict in OpenGL ES 3, which is what a browser has, as in OpenGL.
+//! Verdicts are the same in OpenGL ES 3, which browsers have, as in OpenGL; loops without end give a verdict in both.
 #![allow(clippy::unwrap_used)]
 
 mod submissions;
@@ -9,10 +9,10 @@ use gonio_gl::HeadlessContext;
 use gonio_gl::headless::HeadlessOptions;
 use submissions::{Submission, submissions};
 
-/// Submissions of each exercise and kind: all of them would take minutes.
+/// Number of submissions of each exercise and kind: all of them would take minutes.
 const OF_EACH: usize = 4;
 
-/// Of each exercise some right ones and some wrong ones, from all over the list.
+/// Returns some right and some wrong submissions of each exercise, spread over the list.
 fn sample() -> Vec<Submission> {
     let mut sample = Vec::new();
     for kind in ["correct", "wrong"] {
@@ -30,7 +30,8 @@ fn sample() -> Vec<Submission> {
     sample
 }
 
-/// What has to be the same: the word, the names, their lines, and for what does not compile the lines of the messages.
+/// The parts of a verdict that must be the same: outcome, mistakes with their lines, and for shaders that do not
+/// compile the lines of the messages.
 #[derive(Debug, PartialEq)]
 struct Essentials {
     verdict: Outcome,
@@ -45,7 +46,7 @@ impl Essentials {
             verdict: verdict.verdict,
             mistakes: verdict.mistakes.into_iter().map(|m| (m.id, m.file, m.line)).collect(),
             peculiarities: verdict.peculiarities.into_iter().map(|p| p.id).collect(),
-            // What a compiler complains of after its first message is its own affair.
+            // Compilers differ in the messages after the first.
             messages: verdict.messages.into_iter().take(1).map(|m| (m.file, m.line)).collect(),
         }
     }
@@ -62,7 +63,7 @@ fn essentials(sample: &[Submission], es: bool) -> Vec<Essentials> {
 fn verdicts_are_the_same_in_opengl_es() {
     let sample = sample();
     assert!(sample.len() >= 60, "{}", sample.len());
-    // Each context is current in a thread of its own.
+    // Each context is current in its own thread.
     let (desktop, embedded) = std::thread::scope(|scope| {
         let desktop = scope.spawn(|| essentials(&sample, false));
         let embedded = essentials(&sample, true);
@@ -77,7 +78,8 @@ fn verdicts_are_the_same_in_opengl_es() {
     assert!(differ.is_empty(), "{} of {}:\n{}", differ.len(), sample.len(), differ.join("\n"));
 }
 
-/// The right answer of exercise 04 with more text: `globals` before `main` and `body` at its beginning, in one stage.
+/// Returns the right answer of exercise 04 with more text: `globals` before `main` and `body` at its start, in one
+/// stage.
 fn changed(stage: &str, globals: &str, body: &str) -> Submission {
     let right =
         submissions("correct").into_iter().find(|submission| submission.name == "ex04/correct/lab-plain").unwrap();
@@ -90,7 +92,7 @@ fn changed(stage: &str, globals: &str, body: &str) -> Submission {
     Submission { files, name: String::new(), exercise: right.exercise, expected: toml::Table::new() }
 }
 
-/// Loops that never end: what stands before `main`, and what in it.
+/// Loops that never end: the text before `main`, and the text in it.
 const ENDLESS: &[(&str, &str)] = &[
     ("", "while (true) { }"),
     ("", "for (;;) ;"),
@@ -104,7 +106,7 @@ const ENDLESS: &[(&str, &str)] = &[
     ("#define FOREVER for (;;) { }", "FOREVER"),
 ];
 
-/// Loops that end, and change nothing.
+/// Loops that end and change nothing.
 const ENDING: &[(&str, &str)] = &[
     ("", "for (int i = 0; i < 500; i++) { if (i > 400) continue; }"),
     ("", "int i = 0; while (i < 20000) i++;"),
@@ -131,7 +133,7 @@ fn every_loop_is_judged_by_whether_it_ends(es: bool) {
             assert_eq!(verdict.verdict, Outcome::Unsure, "{stage}: {body}: {}", verdict.summary);
             assert!(verdict.summary.contains("never ends"), "{stage}: {body}: {}", verdict.summary);
         }
-        // What ends is no mistake, and is no variable of the student's.
+        // Loops that end are not mistakes, and add no variables to the verdict.
         for (globals, body) in ENDING {
             let verdict = changed(stage, globals, body).check(&mut checker);
             assert_eq!(verdict.verdict, Outcome::Correct, "{stage}: {body}: {}", verdict.summary);

@@ -13,13 +13,13 @@ use crate::verdict::{FoundMistake, Outcome, Peculiarity, TermState, Verdict};
 use gonio_gl::GlError;
 use gonio_render::user_program::UserProgram;
 
-/// More names at once than a student can use.
+/// A student cannot use more names at once.
 const MOST_NAMES: usize = 4;
-/// Where a picture fits everything that puts the light out, a name needs this support by the source.
+/// Too many mistakes would explain a black picture, so a name needs this support by the source.
 const SUPPORTED_FROM: f32 = 0.85;
 
-/// What the source shows beyond doubt, whatever else a program does. The rules for other mistakes take a fog's distance, a
-/// shadow's cosine or a second light for the exercise's.
+/// Mistakes that the source proves, whatever else a program does. The rules for other mistakes would mistake the
+/// distance of a fog, the cosine of a shadow or a second light for those of the exercise.
 const BEYOND_DOUBT: &[&str] = &[
     "normal-by-model-matrix",
     "normal-by-model-view",
@@ -54,10 +54,10 @@ const BEYOND_DOUBT: &[&str] = &[
     "output-normal",
 ];
 
-/// Mistakes that no model of the catalogue has, and the source shows.
+/// Mistakes that no model solution can express but the source shows.
 const WITHOUT_MODEL: &[&str] = &["ambient-in-cone", "attenuation-other-formula"];
 
-/// A picture that says nothing about mistakes.
+/// A picture that does not distinguish mistakes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Blank {
     Nothing,
@@ -105,7 +105,7 @@ fn is_flat(tile: &[[f32; 4]]) -> bool {
     drawn.all(|pixel| pixel.iter().zip(first).take(3).all(|(a, b)| (a - b).abs() <= PIXEL_TOLERANCE))
 }
 
-/// A verdict without a name, or with one that any picture without light would get, is told what the source shows.
+/// Names mistakes that the source shows, if the pictures name none or are blank.
 pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &Analysis, task: &Task) {
     if verdict.verdict != Outcome::Wrong {
         return;
@@ -114,7 +114,7 @@ pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence
     let blank = evidence.and_then(|evidence| Blank::recognise(&evidence.seen, evidence.scenes.len()));
     if let Some(blank) = blank.filter(|_| task.model.is_lit()) {
         let is_supported = |id: &str| source.support(id, model) >= SUPPORTED_FROM;
-        // Everything that puts the light out explains it, so only the source can name it.
+        // Too many mistakes would explain a blank picture, so only the source can name one.
         if !verdict.mistakes.iter().all(|found| is_supported(&found.id)) || verdict.mistakes.is_empty() {
             verdict.mistakes.clear();
             verdict.peculiarities.clear();
@@ -139,18 +139,19 @@ pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence
     }
 }
 
-/// Of programs that do more than any exercise asks.
+/// Returns the mistakes that no model solution can express, in programs that do more than the exercise asks.
 fn without_model<'a>(source: &'a Analysis, task: &'a Task) -> impl Iterator<Item = FoundMistake> + 'a {
     let is_asked = |id: &str| task.model.is_lit() && (task.attenuated || !id.starts_with("attenuation"));
     let is_shown = |id: &str| source.support(id, task.model) >= SURE && source.line(id, task.model).is_some();
     WITHOUT_MODEL.iter().filter(move |id| is_asked(id) && is_shown(id)).filter_map(|id| named(id, 0.0))
 }
 
-/// Most look-ups of a program that are tried: of a mirror and a glass there are two.
+/// Most lookups of a program that are tested; a mirror and glass together have two.
 const MOST_LOOKUPS: usize = 4;
 
-/// Another verdict on a program that looks a cubemap up and is wrong without a name: of what it looks up alone. `None` where that
-/// tells no more, or where no look-up flows into the colour.
+/// Judges the cubemap lookups of a program alone, if it is wrong without a named mistake: a tint, a texture or fog
+/// over a mirror is a choice, not a mistake with the direction. Returns `None` if that explains no more, or if no
+/// lookup flows into the colour.
 pub(super) fn judge_lookups(
     checker: &mut ShaderChecker,
     task: &'static Task,
@@ -192,16 +193,16 @@ pub(super) fn judge_lookups(
     Ok(best)
 }
 
-/// The interface of exercise 08. Whoever takes these names has its word that V comes as the camera has it.
+/// The interface of exercise 08, where V includes the translation of the camera.
 const GIVEN: [&str; 4] = ["position", "V", "P", "cubemapSampler"];
 const MOVES: &str = "skybox-keeps-translation";
 
-/// Many programs take the translation out of V before they send it, and their shaders are right to leave it as it comes: where names
-/// show that a shader was written for another program than ours, that is taken for granted, and said.
+/// Accepts a skybox that keeps the translation of V, with a warning, if its names show that it was written for
+/// another program: many programs remove the translation before they set V.
 pub(super) fn trust_other_programs(verdict: &mut Verdict, source: &Analysis) {
     let of_another = verdict.bound.iter().any(|bound| bound.role.is_some() && !GIVEN.contains(&bound.name.as_str()));
     let moves = |verdict: &Verdict| verdict.mistakes.iter().any(|found| found.id == MOVES);
-    // Whoever makes a V without translation knows that it comes with one.
+    // A shader that removes the translation somewhere expects a V with one.
     if verdict.verdict != Outcome::Wrong || !of_another || !moves(verdict) || source.turns_only() {
         return;
     }
@@ -224,11 +225,11 @@ pub(super) fn trust_other_programs(verdict: &mut Verdict, source: &Analysis) {
     }
 }
 
-/// Makes the terms that could be looked at alone agree with the verdict and its mistakes, which the summary names too.
+/// Makes the verdicts on single terms agree with the mistakes, which the summary names too.
 ///
-/// Terms are looked at in a few scenes only, with a tolerance for outlines, and by strengths from outside, which a mistake
-/// may mix up. So a mistake with one term makes that term wrong. Where such mistakes explain everything, the other terms are
-/// right, and all are where the verdict is that the program is right.
+/// Terms are tested alone in a few scenes, with a tolerance for outlines, and by strengths that a mistake may mix up.
+/// So a mistake with one term makes that term wrong. If such mistakes explain everything, the other terms are right;
+/// if the program is right, all are.
 pub(super) fn agree_terms(verdict: &mut Verdict) {
     let blamed: Vec<Option<&str>> = verdict.mistakes.iter().map(|mistake| term_of(&mistake.id)).collect();
     let is_explained = verdict.mistakes.iter().all(|mistake| mistake.share_explained >= 1.0);
@@ -262,7 +263,7 @@ mod tests {
     fn a_mistake_with_a_term_makes_it_wrong_and_no_other() {
         let wrong = Outcome::Wrong;
         assert_eq!(agreed(wrong, [Right, Wrong, Right], &[("specular-missing", 1.0)]), [Right, Right, Wrong]);
-        // What is not explained stays what the pictures say.
+        // A term that no mistake explains keeps the state that the pictures show.
         assert_eq!(agreed(wrong, [Right, Wrong, Right], &[("specular-missing", 0.97)]), [Right, Wrong, Wrong]);
         let both = [("specular-missing", 1.0), ("normal-reversed", 1.0)];
         assert_eq!(agreed(wrong, [Right, Wrong, Right], &both), [Right, Wrong, Wrong]);

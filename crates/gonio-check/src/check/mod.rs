@@ -1,4 +1,4 @@
-//! From a student's files to a verdict.
+//! Checks a student's files and returns a verdict.
 
 mod corrections;
 
@@ -21,11 +21,11 @@ use std::rc::Rc;
 pub struct CheckOptions {
     /// The pair to check if there are several, by the name of its file or variable.
     pub pair: Option<String>,
-    /// Pass what the lab's own solutions do too.
+    /// Accept what the lab's own solutions do too.
     pub as_the_lab: bool,
 }
 
-/// An exercise, as far as the checker has to know it.
+/// The parts of an exercise that the checker needs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ShaderExercise<'a> {
     /// The identifier, such as `ex04`.
@@ -37,7 +37,7 @@ pub struct ShaderExercise<'a> {
 }
 
 impl<'a> ShaderExercise<'a> {
-    /// An exercise without start files.
+    /// Creates an exercise without start files.
     #[must_use]
     pub fn new(id: &'a str) -> Self {
         ShaderExercise { id, ..ShaderExercise::default() }
@@ -172,14 +172,14 @@ pub fn check(
     Ok((verdict, evidence))
 }
 
-/// Whether the submission is still the start files, letter for letter.
+/// Whether the submission still equals the start files, character by character.
 fn is_unchanged(exercise: &ShaderExercise<'_>, submission: &Submission) -> bool {
     let is_same = |start: Option<&str>, text: &str| start.is_some_and(|start| start.lines().eq(text.lines()));
     is_same(exercise.start_vertex, &submission.vertex.text)
         && is_same(exercise.start_fragment, &submission.fragment.text)
 }
 
-/// Names that were found stay: they are what there is to do first. Guesses do not.
+/// Says in the summary that the files are unchanged. Mistakes that were named remain, guesses do not.
 fn tell_unchanged(verdict: &mut Verdict) {
     verdict.summary = match verdict.mistakes.first() {
         Some(first) => {
@@ -191,8 +191,8 @@ fn tell_unchanged(verdict: &mut Verdict) {
     verdict.peculiarities.clear();
 }
 
-/// Where colours are none of the vertices', a camera can be judged all the same: by how far away things are drawn.
-/// `None` where the colours tell, or places tell no more.
+/// Judges a camera by the distances of what is drawn, if the colours are not those of the vertices. Returns `None` if
+/// the colours suffice or the distances explain no more.
 fn by_places(
     checker: &mut ShaderChecker,
     verdict: &Verdict,
@@ -218,12 +218,13 @@ fn by_places(
     Ok(Some((by_places, evidence)))
 }
 
-/// From this support by the source on a mistake counts that the picture leaves open.
+/// Least support by the source for a mistake that the picture does not decide.
 pub(crate) const SURE: f32 = 0.95;
 
-/// What pictures leave open, and the source tells: which of two names, and what looks right because it is another right way.
+/// Decides by the source what the pictures leave open: which of two names applies, and whether a picture that looks
+/// right is right by another method.
 fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: ModelSolution) {
-    // A diffuse term without its cosine is light from everywhere, and so is ambient light alone.
+    // A diffuse term without its cosine looks like ambient light alone.
     let flat = "diffuse-without-cosine";
     let missing = "diffuse-missing";
     if let Some(found) = verdict.mistakes.iter_mut().find(|found| found.id == flat)
@@ -234,7 +235,7 @@ fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: ModelSolution)
         *found = FoundMistake { or: vec![flat.to_owned()], ..other };
         verdict.summary = found.name.clone();
     }
-    // The product of diffuse and specular light is specular light weighted by the cosine.
+    // The product of diffuse and specular light looks like specular light weighted by the cosine.
     let weighted = verdict.peculiarities.iter().any(|p| p.id == "specular-cosine-weighted");
     let product = "terms-multiplied";
     if verdict.verdict == Outcome::Correct
@@ -242,7 +243,7 @@ fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: ModelSolution)
         && source.support(product, model) > SURE
         && let Some(mistake) = mistakes::for_model(model).find(|mistake| mistake.id == product)
     {
-        // The pictures are those of a right answer: only the source shows it.
+        // The picture looks right, so only the source shows the mistake.
         let found = FoundMistake::from_catalogue(mistake, 0.0);
         verdict.verdict = Outcome::Wrong;
         verdict.score = 0.5;
@@ -251,7 +252,7 @@ fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: ModelSolution)
     }
 }
 
-/// For ambient, diffuse and specular: whether the vertex shader passes it on and the fragment shader never uses it.
+/// For ambient, diffuse and specular: whether the vertex shader outputs it but the fragment shader never uses it.
 fn unused_terms(fragment: &ParsedStage<'_>) -> [bool; 3] {
     let unused = |word: &str| {
         let inputs = fragment.checked.interface.inputs.iter();
@@ -260,7 +261,7 @@ fn unused_terms(fragment: &ParsedStage<'_>) -> [bool; 3] {
     ["amb", "diff", "spec"].map(unused)
 }
 
-/// A mistake that only the source shows; `sentence` says how to fix it there.
+/// Creates a mistake that only the source shows; `sentence` tells how to fix it there.
 fn in_source(id: &str, sentence: String, model: ModelSolution) -> Option<FoundMistake> {
     let mistake = mistakes::for_model(model).find(|mistake| mistake.id == id)?;
     Some(FoundMistake { fix: sentence, ..FoundMistake::from_catalogue(mistake, 0.0) })

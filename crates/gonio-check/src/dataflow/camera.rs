@@ -1,48 +1,48 @@
-//! A camera's matrix that a program builds itself: what each of its numbers is.
+//! Analyses a view matrix that a program builds itself: the meaning of each of its components.
 
 use super::graph::{Graph, Id, Op, component};
 use super::reading::Reading;
 use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp;
 
-/// A vector that a camera's matrix is made of.
+/// A vector that a view matrix is built from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Axis {
     Right,
     Up,
     Front,
-    /// Up as it was given: only roughly upwards.
+    /// The given up vector, which is only roughly upwards.
     GivenUp,
-    /// Where the camera is.
+    /// The position of the camera.
     Eye,
     /// The point that the camera looks at.
     Target,
-    /// Front and a place, added up.
+    /// The sum of Front and a position.
     Mixed,
 }
 
-/// A number of a matrix.
+/// A component of a matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Value {
     /// A component of an axis, with its sign.
     Of(Axis, f64, usize),
-    /// The dot product of an axis with the camera's place, with its sign.
+    /// The dot product of an axis with the camera's position, with its sign.
     Dot(Axis, f64),
     Number(f64),
 }
 
-/// A number of a matrix and the node that says so.
+/// A component of a matrix and the node that determines it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Entry {
     pub at: Id,
     pub value: Value,
 }
 
-/// Calls within one another.
+/// Most levels of recursion.
 const DEEPEST: usize = 60;
 
 impl Reading {
-    /// Which axis a node is, and its sign.
+    /// Returns the axis that a node is, and its sign.
     pub(crate) fn axis(&self, id: Id) -> Option<(Axis, f64)> {
         self.axis_within(id, DEEPEST)
     }
@@ -72,7 +72,7 @@ impl Reading {
                 let (found, sign) = of(axis)?;
                 match graph.scalar(*number) {
                     Some(number) => Some((found, sign * number.signum())),
-                    // Divided by its own length, perhaps.
+                    // It may be divided by its own length.
                     None => Some((found, sign)),
                 }
             }
@@ -103,13 +103,13 @@ impl Reading {
         }
     }
 
-    /// Front made of yaw and pitch.
+    /// Returns Front if it is computed from yaw and pitch.
     fn made_of_angles(&self, id: Id) -> Option<(Axis, f64)> {
         let mistakes = self.graph.reachable(&[id], |_| true);
         mistakes.iter().any(|id| self.role(*id) == Some(Role::Yaw)).then_some((Axis::Front, 1.0))
     }
 
-    /// The number of a matrix in a column and a row.
+    /// Returns the component of a matrix in a column and a row.
     pub(crate) fn entry(&self, matrix: Id, column: usize, row: usize) -> Option<Entry> {
         self.entry_within(matrix, column, row, DEEPEST)
     }
@@ -146,7 +146,7 @@ impl Reading {
                     let diagonal = graph.scalar(*one)?;
                     return number(if column == row { diagonal } else { 0.0 });
                 }
-                // Parts fill the columns one after the other.
+                // The parts of a constructor fill the columns in order.
                 let mut place = column * side + row;
                 for part in parts {
                     let width = usize::from(graph.node(*part).width);
@@ -164,14 +164,14 @@ impl Reading {
         }
     }
 
-    /// What is only read from a variable stands where the matrix is made.
+    /// A component that is only read from a variable is located at the construction of the matrix.
     fn within(&self, matrix: Id, part: Id, entry: Entry) -> Entry {
         let is_variable = |id: Id| matches!(self.graph.op(id), Op::Copy(..));
         let is_read = is_variable(part) || entry.at != part && is_variable(entry.at);
         if is_read { Entry { at: matrix, ..entry } } else { entry }
     }
 
-    /// A component of a vector, or a number itself.
+    /// Returns a component of a vector, or the number itself.
     fn part(&self, id: Id, row: usize, depth: usize) -> Option<Entry> {
         let depth = depth.checked_sub(1)?;
         let graph = &self.graph;
@@ -224,7 +224,7 @@ impl Reading {
         }
     }
 
-    /// A single number.
+    /// Returns the meaning of a scalar.
     fn scalar_entry(&self, id: Id, depth: usize) -> Option<Entry> {
         let depth = depth.checked_sub(1)?;
         let graph = &self.graph;
@@ -242,7 +242,7 @@ impl Reading {
         Some(Entry { at: id, value })
     }
 
-    /// The axis that a row or a column of a matrix is.
+    /// Returns the axis that a row or column of a matrix holds.
     fn line(&self, matrix: Id, index: usize, is_row: bool, depth: usize) -> Option<(Axis, f64)> {
         let of = |along: usize| {
             let (column, row) = if is_row { (along, index) } else { (index, along) };
@@ -281,7 +281,7 @@ fn cross((a, sign_a): (Axis, f64), (b, sign_b): (Axis, f64)) -> Option<(Axis, f6
     })
 }
 
-/// Whether a node is made of anything of a camera's.
+/// Whether a node depends on anything of a camera.
 pub(crate) fn is_of_camera(reading: &Reading, id: Id) -> bool {
     let is = |id: &Id| {
         matches!(
@@ -301,7 +301,7 @@ pub(crate) fn is_of_camera(reading: &Reading, id: Id) -> bool {
     reading.graph.reachable(&[id], |_| true).iter().any(is)
 }
 
-/// The factors of a product of matrices and a vector, from left to right; what is no product is one.
+/// Returns the factors of a product of matrices and a vector, from left to right; anything else is one factor.
 pub(crate) fn factors(graph: &Graph, id: Id) -> Vec<Id> {
     let (mut open, mut found) = (vec![id], Vec::new());
     while let Some(id) = open.pop() {

@@ -1,23 +1,24 @@
-//! `if` and `switch`, on symbols: where two ways leave two values behind, the value is a choice between them.
+//! Executes `if` and `switch` symbolically: where two branches leave different values, the value is a choice between
+//! them.
 
 use super::graph::{Graph, Id, Op};
 use super::run::{Flow, Runner};
 use gonio_glsl::ast::{BinaryOp, Expr};
 use gonio_glsl::{Span, Statement, StatementKind, Type};
 
-/// Places where a `switch` is entered; of others nothing is known.
+/// Most entries of a `switch` that are followed.
 const MOST_WAYS: usize = 32;
 
-/// A place where a `switch` is entered.
+/// An entry of a `switch`.
 struct Way<'a> {
-    /// The values that lead there.
+    /// The values of its labels.
     labels: Vec<&'a Expr>,
     is_default: bool,
-    /// All statements from there on: who leaves no `break` at their end goes on with the next label's.
+    /// All statements from there on: without a `break`, execution continues with those of the next label.
     body: &'a [Statement],
 }
 
-/// The ways through a `switch` in their order. Labels with nothing between them are one way.
+/// Returns the entries of a `switch` in order. Adjacent labels are one entry.
 fn ways(body: &[Statement]) -> Vec<Way<'_>> {
     let mut ways: Vec<Way> = Vec::new();
     let mut follows_label = false;
@@ -59,7 +60,8 @@ impl<'a> Runner<'a> {
         )
     }
 
-    /// As a chain of `if`s, one for each place where it is entered; `default` is the last `else`, wherever it stands.
+    /// Executes a `switch` as a chain of `if`s, one for each entry; `default` is the last `else`, wherever it is
+    /// written.
     pub(crate) fn switch(&mut self, value: &'a Expr, body: &'a [Statement]) -> Flow {
         let span = value.span;
         let value = self.expression(value);
@@ -73,7 +75,7 @@ impl<'a> Runner<'a> {
         let Some((way, others)) = ways.split_first() else {
             return default.map_or(Flow::Next, |way| self.way(way));
         };
-        // Each way lies within the one before, as deep as an `else if` would.
+        // Each branch is nested in the previous one, like an `else if`.
         let flow = if self.enter() {
             let test = self.leads_to(value, way);
             self.either(test, value.1, |runner| runner.way(way), |runner| runner.first_of(value, others, default))
@@ -91,7 +93,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// Whether the value is one of a way's labels.
+    /// Returns the node that compares the value with the labels of an entry.
     fn leads_to(&mut self, (value, span): (Id, Span), way: &Way<'a>) -> Id {
         let mut any = None;
         for label in &way.labels {
@@ -105,8 +107,8 @@ impl<'a> Runner<'a> {
         any.unwrap_or(Graph::UNKNOWN)
     }
 
-    /// Both ways, one after the other from the same beginning; what differs after them is a choice. Only one, where the test
-    /// is known.
+    /// Executes both branches from the same state; values that differ afterwards become a choice. If the test is
+    /// known, only one branch is executed.
     fn either(
         &mut self,
         test: Id,
@@ -127,7 +129,7 @@ impl<'a> Runner<'a> {
         for (index, scope) in after.into_iter().enumerate() {
             for (name, a) in scope {
                 let Some(b) = self.scopes.get(index).and_then(|scope| scope.get(&name)).copied() else { continue };
-                // A branch that left does not go on with its locals, but outputs stay as they are.
+                // A branch that left does not continue with its locals, but its outputs count.
                 let merged = match (first == Flow::Next, second == Flow::Next) {
                     (false, true) if index > 0 => b,
                     (true, false) if index > 0 => a,

@@ -1,4 +1,4 @@
-//! Expressions, on symbols.
+//! Evaluates expressions symbolically.
 
 use super::graph::{Graph, Id, Op, component};
 use super::run::{Roles, Runner};
@@ -6,19 +6,19 @@ use crate::roles::Role;
 use gonio_glsl::ast::{BinaryOp, Call, Function, Literal, UnaryOp};
 use gonio_glsl::{Expr, ExprKind, Span, Type};
 
-/// The role of an input, or of a part of one: `lights[0].position`, `matrices.M` of a block.
+/// Returns the role of an input or of a part of one: `lights[0].position`, `matrices.M` of a block.
 pub(crate) fn role(roles: &Roles, name: &str) -> Option<Role> {
     let found = |name: &str| roles.get(name).or_else(|| roles.get(&format!("{name}[0]"))).copied();
     found(name).or_else(|| {
         let (front, index) = name.strip_suffix(']')?.rsplit_once('[')?;
-        // The elements of an array of colours are the lights' from the first on.
+        // Element i of an array of colours belongs to light i.
         let role = found(front)?;
         Some(role.with_light(role.light()? + index.parse::<u32>().ok()?))
     })
 }
 
 impl<'a> Runner<'a> {
-    /// The node of an expression; its effects are done.
+    /// Evaluates an expression with its side effects and returns its node.
     pub(crate) fn expression(&mut self, expr: &'a Expr) -> Id {
         let id = if self.enter() { self.expression_within(expr) } else { Graph::UNKNOWN };
         self.leave();
@@ -105,7 +105,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// Inputs are nodes where they are read, not where they are declared.
+    /// Creates the nodes of inputs where they are read, not where they are declared.
     fn read(&mut self, id: Id, span: Span) -> Id {
         match self.graph.op(id) {
             op @ (Op::Input { .. } | Op::Interpolated(_)) => {
@@ -125,7 +125,7 @@ impl<'a> Runner<'a> {
         let single = letters.chars().next().filter(|_| letters.len() == 1).and_then(component);
         if let Some(index) = single {
             match self.graph.op(self.graph.plain(base)) {
-                // One number for all letters, or one for each.
+                // One number for all components, or one for each.
                 Op::Construct(parts) if parts.iter().all(|part| self.graph.node(*part).width == 1) => {
                     if let Some(part) = if parts.len() == 1 { parts.first() } else { parts.get(index) } {
                         return *part;
@@ -141,7 +141,7 @@ impl<'a> Runner<'a> {
                         }
                         None if before == Graph::UNKNOWN => before,
                         None => {
-                            // One write less a step, but a hostile shader may have many.
+                            // Each step removes one write, but a hostile shader may have many.
                             if !self.enter() {
                                 self.leave();
                                 return Graph::UNKNOWN;
@@ -181,7 +181,7 @@ impl<'a> Runner<'a> {
     }
 
     fn element(&mut self, base: Id, index: Id, span: Span, ty: Option<&Type>) -> Id {
-        // Where it is not known which, the first stands for all.
+        // If the index is unknown, the first element represents all.
         let known = self.graph.scalar(index).map(|index| index.max(0.0) as usize);
         match self.graph.op(self.graph.plain(base)) {
             Op::Array(parts) => parts.get(known.unwrap_or(0)).copied().unwrap_or(Graph::UNKNOWN),
@@ -251,7 +251,7 @@ impl<'a> Runner<'a> {
         value
     }
 
-    /// `dot(vec3(a, b, c), vec3(1.0, d, d * d))` is meant as a sum.
+    /// Expands `dot(vec3(a, b, c), vec3(1.0, d, d * d))` to the sum that it means.
     fn sum_of_products(&mut self, a: Id, b: Id, span: Span, ty: Option<&Type>) -> Option<Id> {
         let parts = |id: Id| match self.graph.op(self.graph.plain(id)) {
             Op::Construct(parts) if parts.iter().all(|part| self.graph.node(*part).width == 1) => Some(parts.clone()),
@@ -304,7 +304,7 @@ impl<'a> Runner<'a> {
                     Some(scope) => {
                         scope.insert(name.clone(), id);
                     }
-                    // GLSL's own, such as gl_Position.
+                    // A built-in function or variable such as gl_Position.
                     None => {
                         self.scopes[0].insert(name.clone(), id);
                     }

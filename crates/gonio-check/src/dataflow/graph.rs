@@ -1,42 +1,44 @@
-//! The values of a program as a graph: each node refers to earlier ones, and to its place in the source.
+//! The values of a program as a graph: each node refers to earlier ones and to its position in the source. Nodes with
+//! values that are known without running the shader are folded.
 
 use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp;
 use gonio_glsl::{Components, Scalar, Span, Stage, Type};
 
-/// A node's number; its parts have smaller ones, so that whatever is known of all parts can be found in one pass.
+/// The index of a node. Operands have smaller indices, so that one pass can derive properties of all nodes from those
+/// of their operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Id(pub u32);
 
 /// The operation of a node.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Op {
-    /// Nothing is known of it.
+    /// An unknown value.
     Unknown,
-    /// Known without running the shader.
+    /// A value that is known without running the shader.
     Number(Components),
     /// An attribute, a uniform, or a part of one: `light.light_pos`.
     Input {
         name: String,
         role: Option<Role>,
     },
-    /// What the vertex shader gave, between three vertices.
+    /// An output of the vertex shader, interpolated.
     Interpolated(Id),
-    /// What was written to a variable of that name.
+    /// The value of a variable of this name.
     Copy(Id, String),
     Neg(Id),
     Binary(BinaryOp, Id, Id),
-    /// One of GLSL's own functions.
+    /// A call of a built-in function.
     Call(String, Vec<Id>),
-    /// A vector or matrix made of parts.
+    /// A vector or matrix constructed from parts.
     Construct(Vec<Id>),
     /// `.xyz`
     Swizzle(Id, String),
-    /// `[..]`, of what is no array of ours.
+    /// `[..]` of a vector, a matrix or an unknown array.
     Index(Id, Option<usize>),
-    /// One or the other.
+    /// A choice: condition, value if true, value if false.
     Select(Id, Id, Id),
-    /// A vector of which some letters were written, or a matrix with a column written, `[3]`.
+    /// A vector with some components replaced, or a matrix with a column replaced, `[3]`.
     Write(Id, String, Id),
     Struct(Vec<(String, Id)>),
     Array(Vec<Id>),
@@ -47,15 +49,15 @@ pub(crate) struct Node {
     pub op: Op,
     pub stage: Stage,
     pub span: Span,
-    /// Components: 1 to 4, or those of a matrix; 0 where it has none or they are not known.
+    /// Number of components: 1 to 4, or those of a matrix; 0 if it has none or they are unknown.
     pub width: u8,
     pub is_matrix: bool,
     pub is_integer: bool,
-    /// Its value, where that is known without running the shader.
+    /// Its value, if it is known without running the shader.
     pub number: Option<Components>,
 }
 
-/// No honest program comes near.
+/// Far above the size of any real program.
 const MOST_NODES: usize = 40_000;
 
 #[derive(Clone, Debug, Default)]
@@ -70,7 +72,7 @@ impl Graph {
         graph
     }
 
-    /// What stands for everything that is not known.
+    /// The node of all unknown values.
     pub const UNKNOWN: Id = Id(0);
 
     pub fn push(&mut self, op: Op, stage: Stage, span: Span, ty: Option<&Type>) -> Id {
@@ -85,7 +87,7 @@ impl Graph {
         Id(self.nodes.len() as u32 - 1)
     }
 
-    /// A node made of a known one, of its type.
+    /// Adds a node with the type of another node.
     pub fn push_like(&mut self, op: Op, like: Id, stage: Stage, span: Span) -> Id {
         let Node { width, is_matrix, is_integer, .. } = *self.node(like);
         let id = self.push(op, stage, span, None);
@@ -98,7 +100,7 @@ impl Graph {
     }
 
     pub fn node(&self, id: Id) -> &Node {
-        // Ids come from `push` only.
+        // Ids come only from `push`.
         &self.nodes[id.0 as usize]
     }
 
@@ -110,7 +112,7 @@ impl Graph {
         self.node(id).number.as_ref()
     }
 
-    /// The number, where it is one component, or several equal ones.
+    /// Returns the number, if the node has one component or several equal ones.
     pub fn scalar(&self, id: Id) -> Option<f64> {
         let number = self.number(id)?;
         let first = *number.first()?;
@@ -136,7 +138,7 @@ impl Graph {
         }
     }
 
-    /// The node without the variables that it was written to.
+    /// Returns the node without the variables that it was assigned to.
     pub fn plain(&self, mut id: Id) -> Id {
         while let Op::Copy(inner, _) = self.op(id) {
             id = *inner;
@@ -144,7 +146,7 @@ impl Graph {
         id
     }
 
-    /// The node without variables, stages, and changes of the number of components.
+    /// Returns the node without variables, stages, and changes of the number of components.
     pub fn core(&self, mut id: Id) -> Id {
         loop {
             id = match self.op(id) {
@@ -165,7 +167,7 @@ impl Graph {
         }
     }
 
-    /// Whether two nodes are the same value, read twice perhaps.
+    /// Whether two nodes have the same value, perhaps read twice.
     pub fn is_same(&self, a: Id, b: Id) -> bool {
         let (a, b) = (self.plain(a), self.plain(b));
         a == b
@@ -174,14 +176,14 @@ impl Graph {
                 && self.op(a) == self.op(b)
     }
 
-    /// The one number that all of the first three components are: `vec4(i, i, i, 1.0)`.
+    /// Returns the node that the first three components share: `vec4(i, i, i, 1.0)`.
     pub fn repeated(&self, parts: &[Id]) -> Option<Id> {
         let first = *parts.first()?;
         let is_grey = parts.len() >= 3 && parts[1..3].iter().all(|part| self.is_same(*part, first));
         (is_grey && self.node(first).width == 1).then_some(first)
     }
 
-    /// The call of a function of that name, without variables around it.
+    /// Returns the arguments if the node is a call of this function, without variables around it.
     pub fn call(&self, id: Id, name: &str) -> Option<&[Id]> {
         match self.op(self.plain(id)) {
             Op::Call(called, parts) if called == name => Some(parts),
@@ -189,7 +191,7 @@ impl Graph {
         }
     }
 
-    /// Everything that these are made of, they themselves included, in the order of their numbers.
+    /// Returns all nodes that these depend on, including themselves, in order of their indices.
     pub fn reachable(&self, from: &[Id], into: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut seen = vec![false; self.len()];
         let mut open: Vec<Id> = from.to_vec();
@@ -202,22 +204,22 @@ impl Graph {
     }
 }
 
-/// `.xyz`, `.rgb`, `.xyzw`: the first components in their order.
+/// Whether a swizzle selects the first components in order: `.xyz`, `.rgb`, `.xyzw`.
 pub(crate) fn is_leading(letters: &str) -> bool {
     letters.len() >= 3 && ["xyzw", "rgba", "stpq"].iter().any(|set| set.starts_with(letters))
 }
 
-/// The component that a letter means.
+/// Returns the component that a letter names.
 pub(crate) fn component(letter: char) -> Option<usize> {
     ["xyzw", "rgba", "stpq"].iter().find_map(|set| set.find(letter))
 }
 
-/// The value of a node about to be made.
+/// Returns the value of a node that is about to be created, if it is known.
 fn folded(graph: &Graph, op: &Op, ty: Option<&Type>) -> Option<Components> {
     let of = |id: &Id| graph.number(*id);
     match op {
         Op::Number(number) => Some(number.clone()),
-        // A switch that the exercise does not know is off: `if (useNormalMap)`.
+        // Unknown switches are off: `if (useNormalMap)`.
         Op::Input { role: None, .. } if ty == Some(&Type::Scalar(Scalar::Bool)) => Some(vec![0.0]),
         Op::Copy(a, _) | Op::Interpolated(a) => of(a).cloned(),
         Op::Neg(a) => Some(of(a)?.iter().map(|x| -x).collect()),

@@ -1,10 +1,9 @@
-//! Which matrix a node is: a product of M, V and P, each perhaps inverted or transposed.
+//! Identifies matrices: products of M, V and P, each possibly inverted or transposed.
 
 use super::graph::{Graph, Id, Op};
 use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp;
 
-/// One of the three.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Base {
     Model,
@@ -19,11 +18,11 @@ pub(crate) struct Factor {
     pub is_transposed: bool,
 }
 
-/// A product, from left to right; none is the identity.
+/// A product from left to right; an empty one is the identity.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Matrix {
     pub factors: Vec<Factor>,
-    /// Whether its translation was taken away: `mat3(M)`.
+    /// Whether its translation was removed: `mat3(M)`.
     pub is_turn: bool,
 }
 
@@ -54,14 +53,14 @@ impl Matrix {
         self.factors.iter().any(|factor| factor.base == base)
     }
 
-    /// The bases in their order, where none is inverted or transposed.
+    /// Returns the bases in order, if none is inverted or transposed.
     pub fn bases(&self) -> Option<Vec<Base>> {
         let plain = self.factors.iter().all(|f| !f.is_inverse && !f.is_transposed);
         plain.then(|| self.factors.iter().map(|f| f.base).collect())
     }
 }
 
-/// The matrix of every node, where it is known.
+/// Returns the matrix of each node, if it is known.
 pub(crate) fn matrices(graph: &Graph) -> Vec<Option<Matrix>> {
     let mut found: Vec<Option<Matrix>> = Vec::with_capacity(graph.len());
     for id in graph.ids() {
@@ -101,7 +100,7 @@ fn matrix(graph: &Graph, found: &[Option<Matrix>], id: Id) -> Option<Matrix> {
             if graph.number(id).is_some() {
                 return Some(Matrix::default());
             }
-            // `mat3(M[0].xyz, M[1].xyz, M[2].xyz)` too.
+            // Also `mat3(M[0].xyz, M[1].xyz, M[2].xyz)`.
             let mut of_parts = parts.iter().filter_map(|part| of_columns(graph, found, *part));
             let mut matrix = of_parts.next()?;
             matrix.is_turn |= graph.node(id).width == 9 || parts.len() > 1;

@@ -1,10 +1,10 @@
-//! Where in the student's source a mistake stands, and which numbers are written there: by following every value of the
+//! Locates mistakes in the student's source, and finds the constants written there, by following each value of the
 //! parsed program from the outputs back to attributes and uniforms.
 //!
-//! The pair is run on symbols (`run`, `eval`), which gives a graph of all values (`graph`). Of each node it is found what
-//! matrix (`matrix`), what vector (`vector`) and which terms of the light equation (`terms`) it is. A rule for each
-//! mistake (`rules`) names the node at fault. Whatever the source is, this returns: loops, calls and depth are limited, and
-//! beyond them nothing is known.
+//! The shaders are executed symbolically (`run`, `eval`), which gives a graph of all values (`graph`). Each node is
+//! classified: which matrix (`matrix`), which vector (`vector`) and which terms of the light equation (`terms`) it
+//! is. A rule for each mistake (`rules`) names the node at fault. This returns for any source: loops, calls and depth
+//! are limited, and values beyond the limits are unknown.
 
 pub(crate) mod camera;
 mod choice;
@@ -21,10 +21,10 @@ pub(crate) use reading::Reading;
 
 use gonio_glsl::{Checked, Parsed};
 
-/// A stage of the student's, parsed and with its names and types known.
+/// A parsed and type-checked shader of a student.
 #[derive(Clone, Copy, Debug)]
 pub struct Shader<'a> {
-    /// As it was read.
+    /// The syntax tree.
     pub parsed: &'a Parsed,
     /// Names and types.
     pub checked: &'a Checked,

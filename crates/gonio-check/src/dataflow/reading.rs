@@ -1,4 +1,5 @@
-//! A program, read: what its vectors, matrices and numbers are, and which of them its colour is made of.
+//! The analysis of a program: the meaning of its vectors, matrices and numbers, and which of them its colour depends
+//! on.
 
 use super::Shader;
 use super::graph::{Graph, Id, Op};
@@ -17,15 +18,15 @@ pub(crate) struct Reading {
     vectors: Vec<Option<Vector>>,
     bits: Vec<Bits>,
     products: Vec<Vec<Product>>,
-    /// All that the colour depends on.
+    /// All nodes that the colour depends on.
     pub lit: Vec<Id>,
-    /// All that the colour's value is made of, vectors and what is within them left out.
+    /// All nodes that the value of the colour is computed from, except those within vectors.
     pub tree: Vec<Id>,
-    /// Those of `tree` that each of them is a part of.
+    /// For each node, the nodes of `tree` that it is an operand of.
     parents: Vec<Vec<Id>>,
-    /// All that the colour is chosen by.
+    /// All conditions that choose the colour.
     tests: Vec<Id>,
-    /// All that the place on the screen depends on.
+    /// All nodes that the position on the screen depends on.
     pub placed: Vec<Id>,
 }
 
@@ -52,7 +53,7 @@ impl Reading {
         let outputs: Vec<Id> = colour.into_iter().collect();
         let lit = graph.reachable(&outputs, |_| true);
         let all = graph.reachable(&outputs, |id| terms::is_open(&graph, &vectors, id));
-        // Not what a value is chosen by.
+        // Without the conditions that choose a value.
         let mut is_value = vec![false; graph.len()];
         for id in &outputs {
             is_value[id.0 as usize] = true;
@@ -99,7 +100,7 @@ impl Reading {
         self.products.get(id.0 as usize).map_or(&[], Vec::as_slice)
     }
 
-    /// The products that the colour is the sum of.
+    /// Returns the products whose sum is the colour.
     pub fn sum(&self) -> &[Product] {
         self.colour.map_or(&[], |colour| self.products(colour))
     }
@@ -115,7 +116,7 @@ impl Reading {
         }
     }
 
-    /// The two sides of such an operation.
+    /// Returns the operands if the node is this operation.
     pub fn sides(&self, id: Id, wanted: BinaryOp) -> Option<(Id, Id)> {
         match self.graph.op(id) {
             Op::Binary(op, a, b) if *op == wanted => Some((*a, *b)),
@@ -123,7 +124,7 @@ impl Reading {
         }
     }
 
-    /// Calls of a function among what the colour's value is made of.
+    /// Returns the calls of a function that the value of the colour is computed from.
     pub fn calls<'s>(&'s self, wanted: &'s str) -> impl Iterator<Item = (Id, &'s [Id])> + 's {
         self.tree.iter().filter_map(move |id| match self.graph.op(*id) {
             Op::Call(name, parts) if name == wanted => Some((*id, parts.as_slice())),
@@ -131,7 +132,7 @@ impl Reading {
         })
     }
 
-    /// The dot products with those bits, with their operands.
+    /// Returns the dot products with these bits, with their operands.
     pub fn dots(&self, bits: Bits) -> Vec<(Id, Id, Id)> {
         self.calls("dot")
             .filter_map(|(id, parts)| match parts {
@@ -141,7 +142,7 @@ impl Reading {
             .collect()
     }
 
-    /// The powers of cosines.
+    /// Returns the powers of cosines.
     pub fn powers(&self) -> Vec<(Id, Id, Id)> {
         self.calls("pow")
             .filter_map(|(id, parts)| match parts {
@@ -151,7 +152,8 @@ impl Reading {
             .collect()
     }
 
-    /// What goes around a cosine before it meets anything but numbers: clamps, absolute values, added numbers, powers.
+    /// Returns the operations on a cosine until it meets anything but numbers: clamps, absolute values, added
+    /// numbers, powers.
     pub fn around(&self, id: Id) -> Vec<Id> {
         let mut found: Vec<Id> = Vec::new();
         let mut open = vec![id];
@@ -183,22 +185,22 @@ impl Reading {
         found
     }
 
-    /// Whether something is chosen by a cosine of that kind, as by `if (dot(N, L) > 0.0)`.
+    /// Whether a cosine of this kind chooses a value, as in `if (dot(N, L) > 0.0)`.
     pub fn is_tested(&self, bits: Bits) -> bool {
         self.tests.iter().any(|id| self.bits(*id) & bits != 0)
     }
 
-    /// Whether it is within a power of a cosine.
+    /// Whether a node is within a power of a cosine.
     pub fn is_in_power(&self, id: Id) -> bool {
         self.around(id).iter().any(|around| self.graph.call(*around, "pow").is_some() && self.bits(*around) == SPECULAR)
     }
 
-    /// Dot products of normal and light that are not within a power.
+    /// Returns the dot products of normal and light that are not within a power.
     pub fn diffuse_dots(&self) -> Vec<(Id, Id, Id)> {
         self.dots(DIFFUSE).into_iter().filter(|(id, ..)| !self.is_in_power(*id)).collect()
     }
 
-    /// Dot products that the highlight is made from.
+    /// Returns the dot products that the highlight is computed from.
     pub fn specular_dots(&self) -> Vec<(Id, Id, Id)> {
         self.dots(DIFFUSE | SPECULAR)
             .into_iter()
@@ -206,17 +208,17 @@ impl Reading {
             .collect()
     }
 
-    /// Whether a cosine with those bits is computed and does not flow into the colour.
+    /// Whether a cosine with these bits is computed but does not flow into the colour.
     pub fn computes_unused(&self, bits: Bits) -> bool {
         let is_of_light = |id: Id| {
             let Some(parts) = self.graph.call(id, "dot") else { return false };
             parts.iter().all(|part| self.vector(*part).is_some()) && self.bits(id) & bits != 0
         };
-        // `lit` is in the order of its numbers.
+        // `lit` is sorted by index.
         self.graph.ids().any(|id| is_of_light(id) && self.lit.binary_search_by_key(&id.0, |lit| lit.0).is_err())
     }
 
-    /// Of every node, whether a cosine between a spot light's axis and the direction to it flows into it.
+    /// Returns for each node whether a cosine between the axis of a spot light and the direction to it flows into it.
     pub fn of_cones(&self) -> Vec<bool> {
         let is = |id: Id, wanted: &dyn Fn(VectorKind) -> bool| self.vector(id).is_some_and(|v| wanted(v.kind));
         let is_cone = |id: Id| match self.graph.call(id, "dot") {
@@ -227,7 +229,7 @@ impl Reading {
             _ => false,
         };
         let mut found = Vec::with_capacity(self.graph.len());
-        // Parts come before what is made of them.
+        // Operands precede the nodes that use them.
         for id in self.graph.ids() {
             let has = |part: Id| found.get(part.0 as usize).copied().unwrap_or(false);
             found.push(is_cone(id) || self.graph.parts(id).into_iter().any(has));
@@ -235,7 +237,7 @@ impl Reading {
         found
     }
 
-    /// What stands where a normal belongs.
+    /// Returns the nodes that are used as a normal.
     pub fn normals(&self) -> Vec<Id> {
         let mut found = Vec::new();
         for (_, a, b) in self.diffuse_dots() {
@@ -250,7 +252,7 @@ impl Reading {
         for id in &self.lit {
             match self.graph.op(*id) {
                 Op::Call(name, parts) if matches!(name.as_str(), "reflect" | "refract") => found.extend(parts.get(1)),
-                // 2 (N.L) N, in the formula.
+                // 2 (N.L) N in the formula of the reflection.
                 Op::Binary(BinaryOp::Multiply, a, b)
                     if self.vector(*id).is_some_and(|v| v.kind == VectorKind::AlongNormal) =>
                 {
@@ -262,7 +264,7 @@ impl Reading {
         for (_, a, b) in self.specular_dots() {
             found.extend([a, b].iter().filter(|id| self.vector(**id).is_some_and(|v| v.is_normal())));
         }
-        // Component by component.
+        // Written component by component.
         for id in self.tree.iter().filter(|id| self.bits(**id) == DIFFUSE) {
             if let Some((a, b)) = self.sides(*id, BinaryOp::Multiply) {
                 found.extend([a, b].iter().filter(|id| self.vector(**id).is_some_and(|v| v.is_normal())));
@@ -271,7 +273,7 @@ impl Reading {
         found
     }
 
-    /// What turns the sign of a cosine, if something does.
+    /// Returns the node that negates a cosine, if there is one.
     pub fn turned_after(&self, dot: Id) -> Option<Id> {
         self.around(dot).into_iter().find(|id| match self.graph.op(*id) {
             Op::Neg(inner) => self.graph.plain(*inner) == dot,
@@ -279,7 +281,8 @@ impl Reading {
         })
     }
 
-    /// Whether the light is computed in the view's space, or a reflected direction there taken back into the world.
+    /// Whether the light is computed in view space, or a direction reflected there is transformed back to world
+    /// space.
     pub fn is_in_view(&self) -> bool {
         let ends = |ids: Vec<Id>| ids.into_iter().filter_map(|id| self.vector(id)).any(|v| v.end == Space::View);
         let back = || {
@@ -288,11 +291,11 @@ impl Reading {
             looked_up
                 .any(|v| matches!(v.kind, VectorKind::Reflected(_) | VectorKind::Refracted(_)) && v.end == Space::World)
         };
-        // A mirror's direction has to come back into the world; a highlight's need not.
+        // The direction of a mirror must be transformed back to world space; that of a highlight need not be.
         ends(self.lights()) || self.lights().is_empty() && ends(self.eyes()) && (!self.looks_up_cube() || back())
     }
 
-    /// Whether both vectors of the diffuse cosine are turned round, or a refracted direction and its normal.
+    /// Whether both vectors of the diffuse cosine are negated, or a refracted direction and its normal.
     pub fn signs_cancel(&self) -> bool {
         let is_turned = |id: Id| self.vector(id).is_some_and(|v| v.sign < 0.0);
         let cosine = self.diffuse_dots().iter().any(|(dot, a, b)| {
@@ -309,7 +312,7 @@ impl Reading {
             })
     }
 
-    /// What stands where the direction to the light belongs.
+    /// Returns the nodes that are used as the direction to the light.
     pub fn lights(&self) -> Vec<Id> {
         let mut found = Vec::new();
         for (_, a, b) in self.diffuse_dots() {
@@ -327,7 +330,7 @@ impl Reading {
             .collect()
     }
 
-    /// What stands where the direction to the eye belongs.
+    /// Returns the nodes that are used as the direction to the eye.
     pub fn eyes(&self) -> Vec<Id> {
         let mut found: Vec<Id> = Vec::new();
         for (_, a, b) in self.specular_dots() {
@@ -351,7 +354,7 @@ impl Reading {
         found
     }
 
-    /// Where the cubemap is looked up: the call and the direction.
+    /// Returns the cubemap lookups: the call and the direction.
     pub fn lookups(&self) -> Vec<(Id, Id)> {
         self.lit
             .iter()
@@ -362,7 +365,7 @@ impl Reading {
             .collect()
     }
 
-    /// Whether one of them is a cubemap's.
+    /// Whether one of the lookups samples a cubemap.
     fn looks_up_cube(&self) -> bool {
         self.lookups().into_iter().any(|(call, _)| match self.graph.op(call) {
             Op::Call(_, parts) => {
@@ -372,7 +375,8 @@ impl Reading {
         })
     }
 
-    /// The last variable called so among what the colour's value is made of for which that holds of its value.
+    /// Returns the last variable with this word in its name, among those that the colour is computed from, whose
+    /// value satisfies the condition.
     pub fn named(&self, word: &str, is: impl Fn(Id) -> bool) -> Option<Id> {
         self.tree.iter().copied().rfind(|id| match self.graph.op(*id) {
             Op::Copy(inner, name) => name.to_lowercase().contains(word) && is(*inner),
@@ -380,12 +384,12 @@ impl Reading {
         })
     }
 
-    /// A variable called so that holds 0.
+    /// Returns a variable with this word in its name that holds 0.
     pub fn dark(&self, word: &str) -> Option<Id> {
         self.named(word, |inner| self.graph.scalar(inner) == Some(0.0))
     }
 
-    /// The outermost variable that a value was written to.
+    /// Returns the outermost variable that a value was assigned to.
     pub fn variable(&self, id: Id) -> Option<(Id, &str)> {
         match self.graph.op(id) {
             Op::Copy(_, name) => Some((id, name)),
@@ -393,12 +397,12 @@ impl Reading {
         }
     }
 
-    /// What the colour is before it is put out: without variables, stages, and the alpha.
+    /// Returns the colour before it is output: without variables, stages and alpha.
     pub fn shade(&self) -> Option<Id> {
         self.colour.map(|colour| self.graph.core(colour))
     }
 
-    /// The node where the terms of the light meet: a sum, or what stands in its place.
+    /// Returns the node where the terms of the light are combined: a sum, or what is written in its place.
     pub fn meeting(&self) -> Option<Id> {
         let mut id = self.colour?;
         let mut best = None;
@@ -407,7 +411,7 @@ impl Reading {
             id = self.graph.core(id);
             let next = match self.graph.op(id) {
                 Op::Binary(BinaryOp::Add, a, b) => {
-                    // Nothing is added where the sum begins.
+                    // The sum starts with 0.
                     match [a, b].iter().find(|part| self.graph.scalar(***part) == Some(0.0)) {
                         Some(zero) => {
                             if *zero == a {
@@ -434,7 +438,7 @@ impl Reading {
         }
     }
 
-    /// The statement that the colour comes from: the last one that does more than hand on.
+    /// Returns the statement that determines the colour: the last one that does more than pass it on.
     pub fn put_out(&self) -> Option<Id> {
         let graph = &self.graph;
         let mut id = self.colour?;
@@ -453,7 +457,7 @@ impl Reading {
                 },
             };
             match handed_on {
-                // A normal or a place is put out here, and not where it was handed on.
+                // A normal or position is output here, not where it was passed on.
                 Some(next) if next != Graph::UNKNOWN && is_colour(graph, next) => id = next,
                 _ => return Some(id),
             }
@@ -461,7 +465,7 @@ impl Reading {
     }
 }
 
-/// Whether a varying is called as a colour or a part of one.
+/// Whether the name of a varying is that of a colour or a part of one.
 fn is_colour(graph: &Graph, id: Id) -> bool {
     match graph.op(id) {
         Op::Copy(_, name) => {

@@ -1,4 +1,4 @@
-//! Runs a pair of shaders on symbols instead of numbers: what comes out is a graph of what every output is made of.
+//! Executes a pair of shaders symbolically. The result is a graph of the values that each output is computed from.
 
 use super::Shader;
 use super::graph::{Graph, Id, Op};
@@ -7,39 +7,39 @@ use gonio_glsl::ast::{Condition, Declaration, Declarator, Expr, Function, Interf
 use gonio_glsl::{Span, Stage, Statement, StatementKind, Storage, Type};
 use std::collections::{BTreeMap, HashMap};
 
-/// A program, and the nodes it puts out.
+/// A program and the nodes that it outputs.
 pub(crate) struct Program {
     pub graph: Graph,
-    /// `gl_Position`, where it is written.
+    /// `gl_Position`, if it is written.
     pub position: Option<Id>,
-    /// The fragment's colour, where it is written.
+    /// The colour of the fragment, if it is written.
     pub colour: Option<Id>,
 }
 
-/// Statements and expressions run, over all: loops and calls in calls end here.
+/// Most statements and expressions that are executed; this bounds nested loops and calls.
 const MOST_STEPS: usize = 60_000;
-/// Keeping the values of so many names for later is a step.
+/// Number of saved names that cost one step.
 const NAMES_A_STEP: usize = 16;
-/// Expressions, statements and calls within one another.
+/// Most levels of expressions, statements and calls.
 const MOST_DEEP: usize = 220;
-/// Calls in calls.
+/// Most levels of calls.
 const MOST_CALLS: usize = 12;
-/// Rounds of a loop whose count is known; of others one is run.
+/// Most iterations of a loop whose count is known; other loops are executed once.
 const MOST_ROUNDS: usize = 8;
 
-/// In the order of their names: what comes first of several that could be named is the same in every run.
+/// Sorted by name, so that every run names the same one of several candidates.
 type Scope = BTreeMap<String, Id>;
 
-/// What inputs mean, by their names.
+/// The roles of inputs by name.
 pub(crate) type Roles = HashMap<String, Role>;
 
-/// What a statement leaves to be done.
+/// The control flow after a statement.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Flow {
     Next,
-    /// No statement after it in the loop or the `switch` is run.
+    /// Continues after the loop or `switch`.
     Broke,
-    /// No statement after it in the function, or in the loop, is run.
+    /// Continues after the function or the iteration.
     Left,
 }
 
@@ -48,13 +48,13 @@ pub(crate) struct Runner<'a> {
     pub(crate) stage: Stage,
     pub(crate) roles: &'a Roles,
     pub(crate) functions: HashMap<&'a str, Vec<&'a Function>>,
-    /// The first are the globals, the others those of the function that runs.
+    /// The first scope holds the globals, the others belong to the current function.
     pub(crate) scopes: Vec<Scope>,
     structs: HashMap<&'a str, &'a [(String, Option<Type>)]>,
-    /// Returned values of the function that runs, each with its condition.
+    /// The returned values of the current function, each with its condition.
     returned: Vec<(Option<Id>, Id)>,
     pub(crate) conditions: Vec<Id>,
-    /// Where `main` ends early: the condition and what the globals are there.
+    /// Early ends of `main`: the condition and the values of the globals.
     exits: Vec<(Id, Scope)>,
     steps: usize,
     deep: usize,
@@ -70,7 +70,7 @@ impl Program {
         let mut colours = Runner::new(&mut graph, fragment, Stage::Fragment, &roles, &outputs).run(fragment);
         let named = ["gl_FragColor", "gl_FragData"].iter().find_map(|name| colours.remove(*name));
         let declared = fragment.checked.interface.outputs.iter();
-        // Not a second one, such as a brightness for blooming.
+        // Not a second output, such as a brightness for bloom.
         let mut known =
             declared.filter_map(|output| colours.get(&output.name).copied()).filter(|id| *id != Graph::UNKNOWN);
         let colour = known.next().or(named.filter(|id| *id != Graph::UNKNOWN));
@@ -78,7 +78,7 @@ impl Program {
     }
 }
 
-/// The roles of attributes and uniforms of both stages.
+/// Returns the roles of the attributes and uniforms of both stages.
 fn roles(vertex: &Shader, fragment: &Shader, names: &NamesFile) -> Roles {
     let mut declared: Vec<Declared> = Vec::new();
     for input in vertex.checked.interface.inputs.iter().filter(|input| input.is_used) {
@@ -160,7 +160,7 @@ impl<'a> Runner<'a> {
         runner
     }
 
-    /// Runs `main`, and gives all globals after it: outputs by their names, members of blocks by `Block.member`.
+    /// Executes `main` and returns the globals afterwards: outputs by name, members of blocks by `Block.member`.
     fn run(mut self, shader: &Shader<'a>) -> BTreeMap<String, Id> {
         let main = self.functions.get("main").and_then(|found| found.first().copied());
         if let Some(body) = main.and_then(|main| main.body.as_ref()) {
@@ -196,7 +196,7 @@ impl<'a> Runner<'a> {
         self.push(Op::Input { name: name.to_owned(), role }, span, ty)
     }
 
-    /// What the vertex shader gave, member by member.
+    /// Interpolates an output of the vertex shader, member by member.
     fn interpolated(&mut self, given: Id, span: Span, depth: usize) -> Id {
         if let Op::Struct(fields) = self.graph.op(self.graph.plain(given)).clone()
             && depth < 8
@@ -264,7 +264,7 @@ impl<'a> Runner<'a> {
         Type::named(&ty.name)
     }
 
-    /// The members of a struct, in their order.
+    /// Returns the members of a struct in order.
     pub(crate) fn members(&self, name: &str) -> Option<&'a [(String, Option<Type>)]> {
         self.structs.get(name).copied()
     }
@@ -276,14 +276,14 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// One step more, one level deeper; whether that is allowed. Then `leave` has to follow.
+    /// Takes a step and enters a level. Returns whether that is allowed; `leave` must follow in either case.
     pub(crate) fn enter(&mut self) -> bool {
         self.steps += 1;
         self.deep += 1;
         self.steps < MOST_STEPS && self.deep < MOST_DEEP
     }
 
-    /// Steps for a copy of the outermost scopes: a branch costs more where there are thousands of names.
+    /// Charges steps for a copy of the outermost scopes: a branch costs more if there are thousands of names.
     pub(crate) fn pay_for(&mut self, scopes: usize) {
         let names: usize = self.scopes.iter().take(scopes).map(Scope::len).sum();
         self.steps += names / NAMES_A_STEP;
@@ -410,7 +410,7 @@ impl<'a> Runner<'a> {
         Flow::Next
     }
 
-    /// Runs a function of the shader; the values of its parameters after it come along.
+    /// Executes a function of the shader. Returns its value and those of its parameters afterwards.
     pub(crate) fn call(&mut self, function: &'a Function, args: &[Id], span: Span) -> (Id, Vec<Id>) {
         let Some(body) = function.body.as_ref().filter(|_| self.calls < MOST_CALLS) else {
             return (Graph::UNKNOWN, args.to_vec());

@@ -5,11 +5,11 @@ use super::vector::{Vector, VectorKind};
 use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp;
 
-/// What a number has in it, one bit each.
+/// The factors that a number contains, one bit each.
 pub(crate) type Bits = u16;
 /// The cosine between normal and light.
 pub(crate) const DIFFUSE: Bits = 1;
-/// The cosine that makes the highlight, or a power of it.
+/// The cosine of the highlight, or a power of it.
 pub(crate) const SPECULAR: Bits = 2;
 /// The ambient strength.
 pub(crate) const AMBIENT: Bits = 4;
@@ -18,22 +18,22 @@ pub(crate) const ATTENUATION: Bits = 8;
 pub(crate) const ALBEDO: Bits = 16;
 pub(crate) const DIFFUSE_STRENGTH: Bits = 32;
 pub(crate) const SPECULAR_STRENGTH: Bits = 64;
-/// A uniform that may be anything.
+/// A uniform of unknown meaning.
 pub(crate) const OTHER: Bits = 128;
 
 /// A product.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Product {
     pub bits: Bits,
-    /// How often the material's colour is in it.
+    /// Number of factors that are the material's colour.
     pub albedo: u8,
     pub factors: Vec<Id>,
 }
 
-/// Sums with more products are not taken apart.
+/// Most products of a sum that is expanded.
 const MOST_PRODUCTS: usize = 40;
 
-/// Whether the colour is made of this node's parts as a number is, not as a vector.
+/// Whether the operands of this node are numbers that the colour is computed from, not vectors.
 pub(crate) fn is_open(graph: &Graph, vectors: &[Option<Vector>], id: Id) -> bool {
     let vector = vectors.get(id.0 as usize).copied().flatten();
     if vector.is_some_and(|vector| vector.kind != VectorKind::Constant && graph.number(id).is_none()) {
@@ -48,20 +48,20 @@ pub(crate) fn is_open(graph: &Graph, vectors: &[Option<Vector>], id: Id) -> bool
     }
 }
 
-/// The parts that a number's value is made of: not what it is chosen by.
+/// Returns the operands that a number is computed from, without conditions.
 pub(crate) fn value_parts(graph: &Graph, id: Id) -> Vec<Id> {
     match graph.op(id) {
         Op::Select(_, a, b) => vec![*a, *b],
         Op::Binary(BinaryOp::Multiply, a, b) if [a, b].iter().any(|side| graph.scalar(**side) == Some(0.0)) => {
             Vec::new()
         }
-        // Not the lengths that make a dot product a cosine.
+        // Without the lengths that normalise a dot product.
         Op::Binary(BinaryOp::Divide, a, b) if is_cosine_by_lengths(graph, *a, *b).is_some() => vec![*a],
         _ => graph.parts(id),
     }
 }
 
-/// What every node has in it.
+/// Returns the factors that each node contains.
 pub(crate) fn bits(graph: &Graph, vectors: &[Option<Vector>]) -> Vec<Bits> {
     let mut found: Vec<Bits> = Vec::with_capacity(graph.len());
     for id in graph.ids() {
@@ -82,7 +82,7 @@ pub(crate) fn bits(graph: &Graph, vectors: &[Option<Vector>]) -> Vec<Bits> {
             },
             Op::Binary(BinaryOp::Divide, a, b) if is_cosine_by_lengths(graph, *a, *b).is_some() => of(*a),
             Op::Binary(BinaryOp::Multiply, a, b) => match (vector(*a), vector(*b)) {
-                // Component by component.
+                // Written component by component.
                 (Some(a), Some(b)) if a.is_normal() && b.is_light() || b.is_normal() && a.is_light() => DIFFUSE,
                 _ => all(),
             },
@@ -94,7 +94,8 @@ pub(crate) fn bits(graph: &Graph, vectors: &[Option<Vector>]) -> Vec<Bits> {
     found
 }
 
-/// Where a dot product is divided by its vectors' lengths, `dot(a, b) / (length(a) * length(b))`: those vectors.
+/// If a dot product is divided by the lengths of its vectors, `dot(a, b) / (length(a) * length(b))`, returns the
+/// vectors.
 pub(crate) fn is_cosine_by_lengths(graph: &Graph, dot: Id, by: Id) -> Option<Vec<Id>> {
     let operands = graph.call(dot, "dot")?;
     let mut open = vec![by];
@@ -140,7 +141,7 @@ fn by_name(name: &str, otherwise: Bits) -> Bits {
 
 fn dot(a: Option<Vector>, b: Option<Vector>) -> Bits {
     let (Some(a), Some(b)) = (a, b) else {
-        // Of what is not known in a highlight, it is the eye's place.
+        // An unknown vector in a highlight is the position of the eye.
         return match a.or(b) {
             Some(v) if matches!(v.kind, VectorKind::Reflected(_) | VectorKind::Half) => SPECULAR,
             Some(v) if v.is_normal() || v.is_light() => DIFFUSE,
@@ -148,7 +149,7 @@ fn dot(a: Option<Vector>, b: Option<Vector>) -> Bits {
         };
     };
     let either = |is: &dyn Fn(&Vector) -> bool| is(&a) || is(&b);
-    // A spot light's cone: its axis against the direction to it.
+    // The cone of a spot light: the cosine of its axis and the direction to it.
     if a.is_light() && b.is_light() {
         return 0;
     }
@@ -163,14 +164,15 @@ fn dot(a: Option<Vector>, b: Option<Vector>) -> Bits {
     }
 }
 
-/// A power of a cosine is a highlight; that of a colour, a gamma curve; of a half Lambert, still diffuse.
+/// Returns the factors of a power: a power of a cosine is a highlight, of a colour a gamma curve, of a half Lambert
+/// term still diffuse.
 fn power(graph: &Graph, base_bits: Bits, base: Id, exponent: Id) -> Bits {
     let is_cosine = base_bits & (DIFFUSE | SPECULAR) == base_bits && graph.node(base).width == 1;
     let is_half = matches!(graph.op(graph.plain(base)), Op::Binary(BinaryOp::Add, ..));
     if base_bits == 0 || !is_cosine || is_half && graph.scalar(exponent) == Some(2.0) { base_bits } else { SPECULAR }
 }
 
-/// The products that each of these nodes, in the order of their numbers, is the sum of.
+/// Returns for each of these nodes, sorted by index, the products whose sum it is.
 pub(crate) fn products(graph: &Graph, vectors: &[Option<Vector>], bits: &[Bits], tree: &[Id]) -> Vec<Vec<Product>> {
     let mut found: Vec<Vec<Product>> = vec![Vec::new(); graph.len()];
     for id in tree {

@@ -6,11 +6,11 @@ use crate::roles::Role;
 use gonio_glsl::Components;
 use gonio_glsl::ast::BinaryOp;
 
-/// The space that a place is in.
+/// The space of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Space {
     Model,
-    /// By M without its translation.
+    /// Multiplied by M without its translation.
     Untranslated,
     World,
     View,
@@ -18,18 +18,18 @@ pub(crate) enum Space {
     Other,
 }
 
-/// What a normal was multiplied by.
+/// The matrix that a normal was multiplied by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum By {
     Nothing,
-    /// The inverse transpose of M: right, in the world.
+    /// The inverse transpose of M, which is right in world space.
     NormalMatrix,
-    /// The same with V: right in the view's space. Whether M itself was taken.
+    /// The same with V, which is right in view space, or M and V themselves.
     View {
         by_model: bool,
     },
     Model,
-    /// M, as if it were a point.
+    /// M, with the normal as a point.
     Translated,
     Whole,
     Other,
@@ -39,25 +39,25 @@ pub(crate) enum By {
 pub(crate) enum VectorKind {
     Point(Space),
     Normal(By),
-    /// The light's place; the number of the light, none where it is written down.
+    /// The position of a light, with its number; `None` for a constant.
     Light(Option<u32>),
     LightDirection,
     Eye,
     Front,
-    /// From a place of that space.
+    /// The direction from a position in this space.
     ToLight(Option<u32>, Space),
     ToEye(Space),
     LightMinusNormal,
-    /// The normal times a number that has a cosine in it.
+    /// The normal times a number that contains a cosine.
     AlongNormal,
-    /// Of the direction that comes from the light or goes to it.
+    /// The reflection of this direction.
     Reflected(Incoming),
     Refracted(Incoming),
     Half,
     Constant,
 }
 
-/// What a reflected direction is made from.
+/// The incident direction of a reflection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Incoming {
     Light,
@@ -68,21 +68,21 @@ pub(crate) enum Incoming {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Vector {
     pub kind: VectorKind,
-    /// -1 where it points the other way.
+    /// -1 if it points the other way.
     pub sign: f64,
     pub is_unit: bool,
-    /// Whether it is between vertices and was not normalised since.
+    /// Whether it is interpolated between vertices and not normalised since.
     pub is_between: bool,
-    /// The fourth component, where it has one.
+    /// The fourth component, if there is one.
     pub w: Option<f64>,
-    /// Of a light, an eye, or a direction to one: the space that its place is in; of a reflected direction: the world, if it
-    /// was taken back there.
+    /// The space of the position of a light or an eye, or of a direction to one; for a reflected direction, world
+    /// space if it was transformed back there.
     pub end: Space,
-    /// The node that made it what it is.
+    /// The node that gives it its meaning.
     pub at: Id,
-    /// The node that turned it round, if one did.
+    /// The node that negated it, if any.
     pub turned_at: Option<Id>,
-    /// Of a reflected one: the direction that went in.
+    /// The incident direction of a reflected one.
     pub incoming: Option<Id>,
 }
 
@@ -102,7 +102,7 @@ impl Vector {
     }
 
     fn turned(self, at: Id) -> Self {
-        // From a place in the view's space it is towards the eye.
+        // From a position in view space it points to the eye.
         if self.kind == VectorKind::Point(Space::View) {
             return Vector { kind: VectorKind::ToEye(Space::View), end: Space::View, at, ..self };
         }
@@ -113,7 +113,7 @@ impl Vector {
         matches!(self.kind, VectorKind::Normal(_))
     }
 
-    /// What stands for the direction to the light, right or wrong.
+    /// Whether it is used as the direction to the light, right or wrong.
     pub fn is_light(&self) -> bool {
         matches!(
             self.kind,
@@ -126,7 +126,7 @@ impl Vector {
     }
 }
 
-/// The meaning of every node that is a vector, where it is known.
+/// Returns the meaning of each node that is a vector, if it is known.
 pub(crate) fn vectors(graph: &Graph, matrices: &[Option<Matrix>]) -> Vec<Option<Vector>> {
     let mut vectors = Vectors { graph, matrices, found: Vec::with_capacity(graph.len()) };
     for id in graph.ids() {
@@ -169,7 +169,7 @@ impl Vectors<'_> {
             }
             Op::Copy(a, name) => {
                 let mut vector = self.classify(*a)?;
-                // A place written down is the light's or the eye's if its name says so.
+                // A constant position is that of the light or the eye if its name says so.
                 if vector.kind == VectorKind::Constant
                     && let Some(kind) = named_place(name)
                 {
@@ -184,7 +184,7 @@ impl Vectors<'_> {
                     _ => Vector { is_between: true, ..vector },
                 })
             }
-            // The camera's place, out of its matrix.
+            // The position of the camera, from its matrix.
             Op::Index(a, Some(3)) => {
                 let factors = &self.matrix(*a)?.factors;
                 let is_camera = matches!(factors[..], [f] if f.base == Base::View && f.is_inverse && !f.is_transposed);
@@ -199,9 +199,9 @@ impl Vectors<'_> {
             Op::Binary(op, a, b) => self.binary(id, *op, *a, *b),
             Op::Call(name, parts) => self.called(id, name, parts),
             Op::Select(_, a, b) => match (self.classify(*a), self.classify(*b)) {
-                // Of a normal and the same turned round, to face the eye.
+                // A normal that is flipped to face the eye.
                 (Some(a), Some(b)) if a.kind == b.kind => Some(if a.sign < b.sign { b } else { a }),
-                // Of a sun's direction and the one to a lamp, the latter tells more.
+                // Between the direction of a sun and that to a lamp, the latter is more specific.
                 (Some(a), Some(b)) => Some(if matches!(b.kind, VectorKind::ToLight(..)) { b } else { a }),
                 (a, b) => a.or(b),
             },
@@ -271,11 +271,11 @@ impl Vectors<'_> {
                 let divisor = self.graph.plain(b);
                 match self.graph.op(divisor) {
                     Op::Call(name, _) if is_length(name) => Some(Vector { is_unit: true, is_between: false, ..vector }),
-                    // Never divided by 0.
+                    // Protected against a division by 0.
                     Op::Call(name, parts) if name == "max" && parts.iter().any(|part| self.is_measured(*part)) => {
                         Some(Vector { is_unit: true, is_between: false, ..vector })
                     }
-                    // Out of homogeneous coordinates.
+                    // From homogeneous coordinates.
                     Op::Swizzle(..) => Some(vector),
                     _ => self.scaled(id, vector, b),
                 }
@@ -396,7 +396,7 @@ impl Vectors<'_> {
         let kind = match vector.kind {
             VectorKind::Point(space) => VectorKind::Point(moved(space, matrix, vector.w)),
             VectorKind::Normal(before) => VectorKind::Normal(normal_by(before, matrix, vector.w)),
-            // A light's or an eye's place is where it is, whatever the space.
+            // The position of a light or an eye does not depend on the space.
             VectorKind::Light(_) | VectorKind::LightDirection | VectorKind::Eye | VectorKind::Front => {
                 let into_view = matrix.bases().is_some_and(|bases| bases[..] == [Base::View]);
                 let end = if into_view { Space::View } else { vector.end };
@@ -450,7 +450,7 @@ fn normal_by(before: By, matrix: &Matrix, w: Option<f64>) -> By {
         return By::Other;
     }
     match (before, first) {
-        // Out of the view's space again.
+        // Back from view space.
         (By::View { by_model }, None) if view_turned => {
             if by_model {
                 By::Model
@@ -473,7 +473,7 @@ fn is_length(name: &str) -> bool {
     matches!(name, "length" | "sqrt" | "distance")
 }
 
-/// What a place written down is, by the name of what holds it.
+/// Returns the meaning of a constant position by the name of its variable.
 fn named_place(name: &str) -> Option<VectorKind> {
     let name = name.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| name.contains(word));

@@ -1,8 +1,8 @@
-//! The usual messages of GLSL compilers in plain words.
+//! Explains the usual messages of GLSL compilers in plain words.
 
-/// One kind of message: texts that all must be in it (small letters), and what it means.
+/// A kind of message: the texts that identify it, in lower case, and its explanation.
 struct Usual {
-    /// Any one of these lists, whole.
+    /// Any one of these lists identifies it, if all of its texts occur in the message.
     signs: &'static [&'static [&'static str]],
     means: &'static str,
 }
@@ -11,7 +11,7 @@ const fn usual(signs: &'static [&'static [&'static str]], means: &'static str) -
     Usual { signs, means }
 }
 
-/// The first that fits is told: what is special stands before what is general. `{name}` is the name in the message.
+/// The first match is used, so special cases precede general ones. `{name}` is the name in the message.
 const USUAL: &[Usual] = &[
     usual(
         &[&["gl_fragcolor"], &["gl_fragdata"]],
@@ -376,21 +376,21 @@ const USUAL: &[Usual] = &[
     ),
 ];
 
-/// What an undeclared name means.
+/// The explanation of an undeclared name.
 const UNDECLARED: &str = "`{name}` is not declared here: declare it (`uniform`, `in`, or a variable before this \
                           line), or check its spelling, including capitals.";
 
-/// What a message of syntax means.
+/// The explanation of a syntax error.
 const SYNTAX: &str = "The compiler cannot parse this. Often a semicolon or a bracket is missing at the end of the \
  previous line.";
 
-/// A plain explanation of a usual message; `None` for others.
+/// Returns a plain explanation of a usual message; `None` for others.
 #[must_use]
 pub fn explain(text: &str) -> Option<String> {
     let lower = text.to_lowercase();
     let fits = |usual: &&Usual| usual.signs.iter().any(|signs| signs.iter().all(|sign| lower.contains(sign)));
     let usual = USUAL.iter().find(fits).map(|usual| usual.means);
-    // A name may hold any sign, so these two go by the whole message.
+    // A name may contain any of the texts, so these two kinds are identified by the whole message.
     let means = if is_undeclared(text) && !usual.is_some_and(|means| means.contains("330 core on")) {
         UNDECLARED
     } else if let Some(means) = usual {
@@ -406,7 +406,7 @@ pub fn explain(text: &str) -> Option<String> {
     })
 }
 
-/// Whether a message says that a name is not declared.
+/// Whether a message reports an undeclared name.
 pub(super) fn is_undeclared(text: &str) -> bool {
     let lower = text.to_lowercase();
     [
@@ -422,7 +422,7 @@ pub(super) fn is_undeclared(text: &str) -> bool {
         || lower.ends_with("undeclared")
 }
 
-/// Whether a message says that the text cannot be read.
+/// Whether a message reports a syntax error.
 pub(super) fn is_syntax(text: &str) -> bool {
     let lower = text.to_lowercase();
     ["syntax error", "unexpected", "expected token", "expecting", "expected ", "parse error"]
@@ -430,7 +430,7 @@ pub(super) fn is_syntax(text: &str) -> bool {
         .any(|sign| lower.contains(sign))
 }
 
-/// The names that a message has in quotation marks, or behind its last colon.
+/// Returns the names that a message has in quotation marks or after its last colon.
 pub(super) fn quoted_names(text: &str) -> Vec<String> {
     let mut names = Vec::new();
     let mut rest = text;
@@ -439,7 +439,7 @@ pub(super) fn quoted_names(text: &str) -> Vec<String> {
         let Some(close) = inside.find(['\'', '"', '`']) else { break };
         // `dot(vec3, vec4)` is `dot`.
         let name = inside[..close].split(['(', '[']).next().unwrap_or_default().trim();
-        // glslang's words for what is being done.
+        // glslang quotes these for operations.
         if is_name(name) && !matches!(name, "assign" | "constructor" | "return" | "initializer") {
             names.push(name.to_owned());
         }

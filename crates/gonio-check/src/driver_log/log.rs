@@ -1,11 +1,11 @@
-//! The logs of compilers and linkers, each driver's in its own way, as lines with a place.
+//! Reads the logs of compilers and linkers, in the formats of all drivers, as messages with positions.
 
-/// The severity.
+/// The severity of a message of a driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LogSeverity {
-    /// It does not compile.
+    /// The shader does not compile.
     Error,
-    /// It compiles.
+    /// The shader compiles.
     Warning,
     /// A remark.
     Note,
@@ -14,21 +14,21 @@ pub enum LogSeverity {
 /// One message of a log.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LogLine {
-    /// The driver's line, where it names one.
+    /// The line of the compiled text, if the driver names one.
     pub line: Option<u32>,
-    /// The driver's column, where it names one.
+    /// The column, if the driver names one.
     pub column: Option<u32>,
-    /// The severity.
+    /// The severity of a message of a driver.
     pub severity: LogSeverity,
     /// The message without location and severity.
     pub text: String,
 }
 
-/// More messages than a person reads; a hostile shader's log may have a million.
+/// A person reads fewer messages; the log of a hostile shader may have a million.
 const MOST: usize = 200;
 
-/// Reads a log. Lines that say nothing (`2 errors generated.`) are left out; lines that belong to the one before are
-/// joined to it.
+/// Reads a log. Lines without information (`2 errors generated.`) are skipped; continuation lines are joined to the
+/// line before.
 #[must_use]
 pub fn read_log(log: &str) -> Vec<LogLine> {
     let mut lines: Vec<LogLine> = Vec::new();
@@ -36,13 +36,13 @@ pub fn read_log(log: &str) -> Vec<LogLine> {
         if lines.len() >= MOST {
             break;
         }
-        // The driver's zero byte at the end.
+        // The driver ends the log with a zero byte.
         let line = raw.trim_end_matches(['\0', '\r', ' ', '\t']);
         if line.trim().is_empty() || is_frame(line.trim()) {
             continue;
         }
         let read = read_line(line.trim_start());
-        // glslang says so behind each error.
+        // glslang appends this to each error.
         if read.as_ref().is_some_and(|(read, _)| read.text.ends_with(": compilation terminated")) {
             continue;
         }
@@ -55,7 +55,7 @@ pub fn read_log(log: &str) -> Vec<LogLine> {
         };
         let is_new = !lines.contains(&read);
         match lines.last_mut() {
-            // Mesa puts each candidate into a line with a place of its own.
+            // Mesa writes each candidate on a line with its own position.
             Some(before) if goes_on && before.line == read.line => join(before, &read.text),
             _ if is_new => lines.push(read),
             _ => {}
@@ -71,7 +71,7 @@ fn join(before: &mut LogLine, text: &str) {
     }
 }
 
-/// Headings, rulers, counts and carets.
+/// Whether a line is a heading, a ruler, a count or a caret.
 fn is_frame(line: &str) -> bool {
     let lower = line.to_ascii_lowercase();
     let rules = line.chars().all(|c| matches!(c, '-' | '=' | '^' | '~' | ' ' | '*'));
@@ -95,21 +95,21 @@ fn is_frame(line: &str) -> bool {
     rules || counts || headings
 }
 
-/// A line without a place that goes on with the one before.
+/// Whether a line without a position continues the message before it.
 fn belongs(before: &LogLine, line: &str) -> bool {
     line.starts_with([' ', '\t']) || before.text.ends_with(':') || before.text.ends_with(',')
 }
 
-/// A message that names no place: a linker's, mostly.
+/// Creates a message without a position, mostly a linker's.
 fn unplaced(line: &str) -> LogLine {
     let (severity, text) = severity(line).unwrap_or((LogSeverity::Error, line));
     LogLine { line: None, column: None, severity, text: text.to_owned() }
 }
 
-/// One line with a place; and whether it only goes on with the one before.
+/// Reads a line with a position. Also returns whether it only continues the message before it.
 fn read_line(line: &str) -> Option<(LogLine, bool)> {
     let placed = |number: u32, column: Option<u32>, severity: LogSeverity, text: &str| LogLine {
-        // Drivers write 0 where they know none.
+        // Drivers write 0 if they know no line.
         line: Some(number).filter(|&number| number > 0),
         column: column.filter(|&column| column > 0),
         severity,
@@ -124,15 +124,15 @@ fn read_line(line: &str) -> Option<(LogLine, bool)> {
         let (level, rest) = self::severity(rest).unwrap_or((level, rest));
         return Some((placed(number, column, level, rest), false));
     }
-    // The place first: Mesa, NVIDIA, Mali.
+    // The position first: Mesa, NVIDIA, Mali.
     let (number, column, rest) = place(line)?;
     let (level, text) = severity(rest).unwrap_or((LogSeverity::Error, rest));
     let goes_on = text.starts_with("   ");
     Some((placed(number, column, level, text), goes_on))
 }
 
-/// `error:`, `WARNING:`, `: error C1008:`, `preprocessor error:`, `error(#143)` in front of a text; spaces behind are
-/// left, for they tell Mesa's candidates.
+/// Splits `error:`, `WARNING:`, `: error C1008:`, `preprocessor error:` or `error(#143)` from a text. Spaces after it
+/// are kept, because they mark Mesa's candidates.
 fn severity(text: &str) -> Option<(LogSeverity, &str)> {
     let trimmed = text.trim_start_matches([' ', ':']);
     let lower: String = trimmed.chars().take(20).flat_map(char::to_lowercase).collect();
@@ -163,13 +163,13 @@ fn severity(text: &str) -> Option<(LogSeverity, &str)> {
     None
 }
 
-/// `0:12(5):`, `0(12) :`, `0:12:`, `0:12:5:`, `name.frag:12:`; line, column and the rest.
+/// Splits `0:12(5):`, `0(12) :`, `0:12:`, `0:12:5:` or `name.frag:12:` into line, column and the rest.
 fn place(text: &str) -> Option<(u32, Option<u32>, &str)> {
     let text = text.trim_start();
-    // The string's number or the file's name.
+    // The number of the string or the name of the file.
     let name = text.find([':', '('])?;
     let source = text.get(..name)?;
-    // NVIDIA's linker leaves it out: `(0) : error`.
+    // NVIDIA's linker omits it: `(0) : error`.
     let is_source = is_number(source) || source.contains('.') || source.is_empty() && text.starts_with('(');
     if source.contains(char::is_whitespace) || !is_source {
         return None;

@@ -1,4 +1,4 @@
-//! The compiler's and the linker's messages, brought home to the student's file and explained.
+//! Messages of compilers and linkers, placed in the student's file and explained.
 
 mod explain;
 mod log;
@@ -10,27 +10,27 @@ use crate::submission::{StageText, without_comments};
 use crate::words::distance;
 use std::collections::BTreeSet;
 
-/// One message at its place in the student's file.
+/// A message of a driver with its position in the student's file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DriverMessage {
     /// The severity.
     pub severity: LogSeverity,
     /// The student's file.
     pub file: String,
-    /// Its line, where the driver named one.
+    /// The line, if the driver named one.
     pub line: Option<u32>,
-    /// Its column, where the driver named one.
+    /// The column, if the driver named one.
     pub column: Option<u32>,
     /// The driver's message.
     pub text: String,
-    /// The student's line.
+    /// The text of the student's line.
     pub quoted: Option<String>,
-    /// An explanation and a remedy, for common messages.
+    /// An explanation and a fix, for common messages.
     pub explanation: Option<String>,
 }
 
-/// The messages of one stage's log. `first_line` is the line of the compiled text on which the stage's text begins,
-/// from 1 (gonio may put lines in front).
+/// Returns the messages of one stage's log. `first_line` is the line of the compiled text on which the stage's text
+/// begins, from 1 (gonio may insert lines before it).
 #[must_use]
 pub fn to_messages(log: &str, stage: &StageText, first_line: u32) -> Vec<DriverMessage> {
     let mut messages: Vec<DriverMessage> = Vec::new();
@@ -55,7 +55,7 @@ pub fn to_messages(log: &str, stage: &StageText, first_line: u32) -> Vec<DriverM
     messages
 }
 
-/// The messages of a link's log. A message that names a variable is placed where a stage declares it.
+/// Returns the messages of a linker's log. A message that names a variable is placed at its declaration.
 #[must_use]
 pub fn link_messages(log: &str, vertex: &StageText, fragment: &StageText) -> Vec<DriverMessage> {
     read_log(log)
@@ -82,7 +82,7 @@ pub fn link_messages(log: &str, vertex: &StageText, fragment: &StageText) -> Vec
         .collect()
 }
 
-/// The line and column of a global variable's declaration.
+/// Returns the line and column of the declaration of a global variable.
 fn declaration(stage: &StageText, name: &str) -> Option<(u32, u32)> {
     let qualifiers = ["in", "out", "uniform", "varying", "attribute"];
     let code = without_comments(&stage.text);
@@ -98,7 +98,7 @@ fn declaration(stage: &StageText, name: &str) -> Option<(u32, u32)> {
     None
 }
 
-/// The words of a line and where they begin.
+/// Returns the identifiers of a line and their columns.
 fn identifiers(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let is_outside = |c: char| !(c.is_ascii_alphanumeric() || c == '_');
     let mut next = 0;
@@ -110,7 +110,7 @@ fn identifiers(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
-/// For a name that is not declared: one of the shader's own that is spelt nearly so.
+/// Suggests a similar name of the shader for an undeclared one.
 fn similar_name(text: &str, stage: &StageText) -> Option<String> {
     if !explain::is_undeclared(text) {
         return None;
@@ -123,7 +123,7 @@ fn similar_name(text: &str, stage: &StageText) -> Option<String> {
     near.then(|| format!("Did you mean `{word}`?"))
 }
 
-/// For a message of syntax: the line before, if it lacks its semicolon.
+/// Points to the line before a syntax error, if its semicolon is missing.
 fn before(text: &str, line: Option<u32>, lines: &[&str], stage: &StageText) -> Option<String> {
     if !explain::is_syntax(text) {
         return None;
@@ -251,7 +251,7 @@ mod tests {
     fn messages_are_placed_in_the_source() {
         let stage =
             StageText::whole("a.frag", "#version 330\nuniform vec3 lightPos;\nvoid main() {\n  x = lightPso;\n}\n");
-        // gonio put two lines in front.
+        // gonio inserted two lines before the text.
         let messages =
             to_messages("0:6(7): error: `lightPso' undeclared\n0:90(1): error: late\nerror: nowhere\n", &stage, 3);
         let first = &messages[0];
@@ -260,7 +260,7 @@ mod tests {
         assert!(first.explanation.as_ref().unwrap().ends_with("Did you mean `lightPos`?"), "{first:?}");
         assert_eq!((messages[1].line, messages[1].quoted.as_deref()), (Some(88), None));
         assert_eq!((messages[2].line, messages[2].column), (None, None));
-        // A line in front of the text, and one without a column.
+        // A line before the text, and a message without a column.
         let messages = to_messages("0(1) : error C0000: syntax error", &stage, 3);
         assert_eq!((messages[0].line, messages[0].column), (Some(1), None));
     }

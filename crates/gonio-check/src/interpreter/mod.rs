@@ -1,9 +1,9 @@
-//! The lit models on the CPU: the same text that the driver compiles, worked out over many points at once.
+//! Evaluates the lit model solutions on the CPU, from the text that the driver compiles, over many points at once.
 //!
-//! A software driver takes milliseconds for a hypothesis, most of them for starting and reading back, and it works out every
-//! way of every line whether it is chosen or not. Here only what a hypothesis changes is worked out again, so that
-//! thousands can be held against a picture in the time of one check. Which pixels there are, and of which triangle, the
-//! driver tells once (`stage::surface`); and what a verdict names is drawn by the driver in the end.
+//! A software driver takes milliseconds for a hypothesis, mostly to start and to read back, and it evaluates all
+//! variants of each line. The interpreter evaluates only what a hypothesis changes, so that thousands of hypotheses
+//! can be compared with a picture during one check. The driver determines once which triangle each pixel shows
+//! (`testbench`), and it draws the hypothesis that a verdict names.
 
 mod plan;
 mod run;

@@ -1,4 +1,4 @@
-//! A model's text as a list of steps, each of which gives one variable its value.
+//! A model solution as a list of steps, each of which computes one variable.
 
 use super::value::BuiltinFunction;
 use crate::mistakes::Hypotheses;
@@ -9,19 +9,18 @@ use std::collections::HashMap;
 /// A uniform that a model reads.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ModelUniform {
-    /// OpenGL's name: `light.light_pos`.
+    /// Its name in OpenGL: `light.light_pos`.
     pub name: String,
     /// Its type.
     pub glsl_type: String,
 }
 
-/// An expression.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Node {
     Number(f32),
-    /// A variable, by its number.
+    /// A variable, by its index.
     Slot(usize),
-    /// A uniform, by its number.
+    /// A uniform, by its index.
     Input(usize),
     /// An attribute: 0 is the position, 1 the normal.
     Attribute(usize),
@@ -37,7 +36,7 @@ pub(super) enum Node {
 }
 
 impl Node {
-    /// Calls `f` for this and all within it.
+    /// Calls `f` for this node and all nodes within it.
     pub fn each(&self, f: &mut impl FnMut(&Node)) {
         f(self);
         match self {
@@ -53,7 +52,7 @@ impl Node {
     }
 }
 
-/// What a step may write, with what it reads.
+/// An expression that a step may compute, with the variables and uniforms that it reads.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Way {
     pub node: Node,
@@ -73,16 +72,15 @@ impl Way {
     }
 }
 
-/// The action of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Act {
-    /// Works out one of its ways: the first is the model's own.
+    /// Evaluates one of its variants; the first is that of the model itself.
     Write(Vec<Way>),
-    /// Takes a variable from the vertices to the pixels.
+    /// Interpolates a variable from the vertices to the pixels.
     Interpolate(usize),
 }
 
-/// Gives one variable its value.
+/// Computes one variable.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Step {
     pub slot: usize,
@@ -92,26 +90,27 @@ pub(super) struct Step {
     pub act: Act,
 }
 
-/// A model, ready to be worked out.
+/// A model solution prepared for evaluation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EvaluationPlan {
-    /// What is given from outside.
+    /// The uniforms that it reads.
     pub inputs: Vec<ModelUniform>,
     pub(super) steps: Vec<Step>,
-    /// How many variables there are.
+    /// Number of variables.
     pub(super) slots: usize,
-    /// The variable that is put out.
+    /// The variable that is the output colour.
     pub(super) colour: usize,
 }
 
 impl EvaluationPlan {
-    /// Of a model with all its hypotheses; `None` where its text uses what is not known here, as mirrors do with their textures.
+    /// Prepares a model solution with all its hypotheses. Returns `None` if its text uses a feature that the
+    /// interpreter lacks, such as the textures of mirrors.
     pub fn new(hypotheses: &Hypotheses) -> Option<EvaluationPlan> {
         Reader::read(hypotheses)
     }
 }
 
-/// Names of variables and their numbers.
+/// Indices of variables by name.
 type Frame = HashMap<String, usize>;
 
 pub(super) struct Reader<'a> {
@@ -121,7 +120,7 @@ pub(super) struct Reader<'a> {
     steps: Vec<Step>,
     slots: usize,
     stage: Stage,
-    /// The first is that of globals, the last that of the function that is read.
+    /// The first frame holds the globals, the last the variables of the current function.
     frames: Vec<Frame>,
     functions: HashMap<String, Function>,
     outputs: Vec<String>,
@@ -187,7 +186,7 @@ impl<'a> Reader<'a> {
         slot
     }
 
-    /// Statements one after the other; what is returned, if anything is.
+    /// Reads statements in order. Returns the returned expression, if any.
     fn body(&mut self, statements: &[Statement]) -> Option<Option<Node>> {
         for statement in statements {
             match &statement.kind {
@@ -198,7 +197,7 @@ impl<'a> Reader<'a> {
                 }
                 StatementKind::Expression(Expr { kind: ExprKind::Assign { op: None, target, value }, .. }) => {
                     let ExprKind::Name(name) = &target.kind else { return None };
-                    // Where a pixel lies the driver tells.
+                    // The driver determines the pixels.
                     if name != "gl_Position" {
                         self.write(name, value)?;
                     }
@@ -223,7 +222,7 @@ impl<'a> Reader<'a> {
         Some(())
     }
 
-    /// `way_x == 1 ? (a) : way_x == 2 ? (b) : (own)`: the model's own first.
+    /// Reads `way_x == 1 ? (a) : way_x == 2 ? (b) : (own)`. The variant of the model itself comes first.
     fn ways(&mut self, value: &Expr) -> Option<(Option<usize>, Vec<Way>)> {
         let (mut line, mut ways, mut rest) = (None, Vec::new(), value);
         while let ExprKind::Ternary { condition, then, otherwise } = &rest.kind
@@ -301,7 +300,7 @@ impl<'a> Reader<'a> {
             let slot = self.step(None, Act::Write(vec![Way::new(argument)]));
             frame.insert(param.name.clone(), slot);
         }
-        // A model's functions call none that calls them.
+        // The functions of model solutions are not recursive.
         if self.frames.len() > 8 {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Works a plan out.
+//! Evaluates a plan.
 
 use super::plan::{Act, EvaluationPlan, Node, Step, Way};
 use super::value::resized;
@@ -9,46 +9,47 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::rc::Rc;
 
-/// The vertices of what is drawn, test scene by test scene.
+/// The vertices of the meshes, test scene by test scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Points {
-    /// Where each test scene's lie.
+    /// The range of each test scene.
     pub spans: Vec<Range<usize>>,
-    /// Position and normal: a plane a component.
+    /// Position and normal, one plane for each component.
     pub attributes: [Rc<Value>; 2],
 }
 
-/// The pixels that are drawn, test scene by test scene.
+/// The covered pixels, test scene by test scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fragments {
-    /// Where each test scene's lie.
+    /// The range of each test scene.
     pub spans: Vec<Range<usize>>,
     /// The three vertices of the triangle that a pixel shows: indices into [`Points`].
     pub corners: Vec<[u32; 3]>,
-    /// How much of each, corrected for perspective; together 1.
+    /// Weights of the vertices with perspective correction; their sum is 1.
     pub shares: Vec<[f32; 3]>,
 }
 
-/// What is given to a model: several casts, each with what every input holds.
+/// The values of all uniforms of a model solution.
 pub type InputSet = Vec<Rc<Value>>;
 
-/// A model that is worked out over one set of pixels: the model itself once, and of each hypothesis what it changes.
+/// Evaluates a model solution over one set of pixels: the model itself once, and for each hypothesis only what it
+/// changes.
 pub struct Run {
     plan: Rc<EvaluationPlan>,
     points: Rc<Points>,
     drawn: Fragments,
     input_sets: Rc<Vec<InputSet>>,
-    /// Which inputs are not the same in all casts.
+    /// For each uniform, whether it differs between the input sets.
     varying: Vec<bool>,
     /// The value of each variable in each input set.
     own: Vec<PerSet>,
 }
 
-/// A variable's value in each cast: one where it is the same in all.
+/// The value of a variable in each input set; one value if it is the same in all.
 type PerSet = Vec<Rc<Value>>;
 
 impl Run {
-    /// Works out the model itself.
+    /// Evaluates the model itself.
     pub fn new(plan: Rc<EvaluationPlan>, points: Rc<Points>, drawn: Fragments, input_sets: Rc<Vec<InputSet>>) -> Self {
         let varying = (0..plan.inputs.len())
             .map(|input| input_sets.windows(2).any(|pair| pair[0].get(input) != pair[1].get(input)))
@@ -62,7 +63,8 @@ impl Run {
         run
     }
 
-    /// What the model puts out under a hypothesis, in each cast: red, green and blue. `choices` are ways of lines, from 1.
+    /// Returns the output of the model under a hypothesis for each input set: red, green and blue. `choices` are the
+    /// variants of lines, from 1.
     pub fn colours(&self, choices: &BTreeMap<usize, usize>) -> Vec<Rc<Value>> {
         let mut changed: Vec<Option<PerSet>> = vec![None; self.plan.slots];
         for step in &self.plan.steps {
@@ -158,7 +160,7 @@ fn binary(op: BinaryOp, a: &Value, b: &Value, spans: &Spans) -> Option<Value> {
     })
 }
 
-/// `vec3(x)`, `vec4(v, 1.0)`: the components one after the other; a single number stands for all.
+/// Evaluates `vec3(x)` and `vec4(v, 1.0)`: the components in order; a single number is repeated.
 fn vector(width: usize, parts: &[Rc<Value>], spans: &Spans) -> Value {
     if let [only] = parts
         && only.width() == 1

@@ -1,4 +1,4 @@
-//! Values at many points at once.
+//! Values at many points at once, and the GLSL functions on them (GLSL 3.30, chapter 8).
 
 use glam::{Mat3, Mat4};
 use std::ops::Range;
@@ -6,15 +6,15 @@ use std::ops::Range;
 /// Up to four numbers, or a matrix, at every point.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// The same at all points of a test scene: numbers, and how many of them count.
+    /// The same at all points of a test scene: the number of components, and the components.
     Same(usize, Vec<[f32; 4]>),
-    /// Others at every point: one plane a component.
+    /// Different at each point: one plane for each component.
     Each(Vec<Vec<f32>>),
-    /// A matrix in each test scene; one of three columns is the upper left part.
+    /// A matrix for each test scene; with three columns, the upper left part is used.
     Matrix(usize, Vec<Mat4>),
 }
 
-/// Where the points of each test scene lie.
+/// The range of points of each test scene.
 pub type Spans = [Range<usize>];
 
 /// A component over a span: one number, or a slice.
@@ -24,7 +24,7 @@ enum Part<'a> {
 }
 
 impl Value {
-    /// How many components there are.
+    /// Number of components.
     pub fn width(&self) -> usize {
         match self {
             Value::Same(width, _) | Value::Matrix(width, _) => *width,
@@ -32,12 +32,12 @@ impl Value {
         }
     }
 
-    /// A number of every test scene.
+    /// Creates a number that is the same in all test scenes.
     pub fn number(number: f32, test_scenes: usize) -> Self {
         Value::Same(1, vec![[number; 4]; test_scenes])
     }
 
-    /// A single number stands for all components.
+    /// Returns a component over a range; a single number is repeated.
     fn part(&self, component: usize, test_scene: usize, span: &Range<usize>) -> Part<'_> {
         match self {
             Value::Same(width, numbers) => {
@@ -52,7 +52,7 @@ impl Value {
         }
     }
 
-    /// A component over all points.
+    /// Returns a component over all points.
     pub fn plane(&self, component: usize, spans: &Spans) -> Vec<f32> {
         if let Value::Each(planes) = self
             && let Some(plane) = planes.get(if planes.len() == 1 { 0 } else { component })
@@ -68,7 +68,7 @@ impl Value {
         plane
     }
 
-    /// These components, in this order.
+    /// Returns these components, in this order.
     pub fn swizzle(&self, components: &[usize]) -> Value {
         match self {
             Value::Same(_, numbers) => {
@@ -82,7 +82,7 @@ impl Value {
         }
     }
 
-    /// One number for each, component by component.
+    /// Applies a function to each component.
     pub fn map(&self, f: impl Fn(f32) -> f32 + Copy) -> Value {
         match self {
             Value::Same(width, numbers) => Value::Same(*width, numbers.iter().map(|n| n.map(f)).collect()),
@@ -93,7 +93,7 @@ impl Value {
         }
     }
 
-    /// Of two, component by component; a single number goes with each.
+    /// Combines two values component by component; a single number is repeated.
     pub fn zip(&self, other: &Value, spans: &Spans, f: impl Fn(f32, f32) -> f32 + Copy) -> Value {
         let width = self.width().max(other.width());
         if let (Value::Same(wa, a), Value::Same(wb, b)) = (self, other) {
@@ -116,7 +116,7 @@ impl Value {
         Value::Each((0..width).map(plane).collect())
     }
 
-    /// The sum of the products of the components.
+    /// Returns the dot product.
     pub fn dot(&self, other: &Value, spans: &Spans) -> Value {
         let product = self.zip(other, spans, |a, b| a * b);
         match product {
@@ -138,7 +138,7 @@ impl Value {
         }
     }
 
-    /// A matrix times a matrix or a vector; `None` where this is no matrix.
+    /// Multiplies a matrix by a matrix or a vector; `None` if `self` is not a matrix.
     pub fn transform(&self, other: &Value, spans: &Spans) -> Option<Value> {
         let Value::Matrix(size, matrices) = self else { return None };
         Some(match other {
@@ -173,9 +173,9 @@ impl Value {
         })
     }
 
-    /// Where the condition is not 0 the one, else the other.
+    /// Selects `then` where the condition is not 0, and `otherwise` elsewhere.
     pub fn select(&self, then: &Value, otherwise: &Value, spans: &Spans) -> Value {
-        // No number stays no number: so the choice is made where both are known.
+        // Both are evaluated before the choice, because NaN must not spread to the other one.
         let width = then.width().max(otherwise.width());
         let plane = |component: usize| {
             let condition = self.plane(0, spans);
@@ -186,39 +186,39 @@ impl Value {
     }
 }
 
-/// A function that a model's text may call.
+/// A function that model solutions may call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BuiltinFunction {
-    /// Length 1.
+    /// `normalize(v)`
     Normalize,
-    /// The square root of the sum of squares.
+    /// `length(v)`
     Length,
-    /// The length of the difference.
+    /// `distance(a, b)`
     Distance,
-    /// The sum of products.
+    /// `dot(a, b)`
     Dot,
-    /// Mirrored at a plane.
+    /// `reflect(i, n)`
     Reflect,
-    /// The larger.
+    /// `max(a, b)`
     Max,
-    /// The smaller.
+    /// `min(a, b)`
     Min,
-    /// Without sign.
+    /// `abs(x)`
     Abs,
-    /// A power.
+    /// `pow(x, y)`
     Pow,
-    /// A square root.
+    /// `sqrt(x)`
     Sqrt,
-    /// Between two limits.
+    /// `clamp(x, low, high)`
     Clamp,
-    /// The inverse of a matrix.
+    /// `inverse(m)`
     Inverse,
-    /// Rows for columns.
+    /// `transpose(m)`
     Transpose,
 }
 
 impl BuiltinFunction {
-    /// By its name.
+    /// Finds a function by its name.
     pub fn by_name(name: &str) -> Option<Self> {
         Some(match name {
             "normalize" => Self::Normalize,
@@ -238,7 +238,7 @@ impl BuiltinFunction {
         })
     }
 
-    /// How many arguments it takes.
+    /// Number of arguments.
     pub fn arguments(self) -> usize {
         match self {
             Self::Normalize | Self::Length | Self::Abs | Self::Sqrt | Self::Inverse | Self::Transpose => 1,
@@ -247,7 +247,7 @@ impl BuiltinFunction {
         }
     }
 
-    /// What it gives of these, of which there must be as many as it takes.
+    /// Evaluates the function; `None` if the number of arguments is wrong.
     pub fn call(self, arguments: &[std::rc::Rc<Value>], spans: &Spans) -> Option<Value> {
         let a: &Value = arguments.first()?;
         let length = |a: &Value| a.dot(a, spans).map(f32::sqrt);
@@ -267,10 +267,10 @@ impl BuiltinFunction {
                 let twice = a.dot(n, spans).map(|d| 2.0 * d);
                 a.zip(&n.zip(&twice, spans, |n, d| n * d), spans, |a, n| a - n)
             }
-            // As drivers have it, what is no number loses against one.
+            // Like drivers, prefer a number to NaN.
             (Self::Max, Some(b)) => a.zip(b, spans, f32::max),
             (Self::Min, Some(b)) => a.zip(b, spans, f32::min),
-            // As drivers have it: the power of a negative number is no number.
+            // Like on drivers, the power of a negative number is NaN.
             (Self::Pow, Some(b)) => a.zip(b, spans, |a, b| (b * a.log2()).exp2()),
             (Self::Clamp, Some(low)) => a.zip(low, spans, f32::max).zip(arguments.get(2)?, spans, f32::min),
             _ => return None,
@@ -283,7 +283,7 @@ fn matrices(value: &Value, f: impl Fn(&Mat4) -> Mat4) -> Option<Value> {
     Some(Value::Matrix(*size, matrices.iter().map(f).collect()))
 }
 
-/// `mat3(m)` or `mat4(m)`: the upper left part, filled up with 1.
+/// Evaluates `mat3(m)` or `mat4(m)`: the upper left part, extended by the identity.
 pub fn resized(value: &Value, size: usize) -> Option<Value> {
     let Value::Matrix(_, matrices) = value else { return None };
     let resize = |m: &Mat4| if size == 3 { Mat4::from_mat3(Mat3::from_mat4(*m)) } else { *m };

@@ -1,23 +1,24 @@
-//! One program for all hypotheses of a model: each line that the catalogue changes selects its variant by a uniform.
+//! Builds one program for all hypotheses of a model solution: each line that the catalogue changes selects its
+//! variant by a uniform.
 //!
-//! Compiling a program costs a software driver as much as drawing a hundred small pictures with it, and there are a hundred
-//! mistakes: so there is one program, and a hypothesis is a few integers.
+//! A software driver compiles a program in the time in which it draws a hundred small pictures, and there are a
+//! hundred mistakes. So there is one program, and a hypothesis is a few integers.
 
 use super::{Mistake, ModelSolution};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-/// A hypothesis about a program: changes of different lines of a model, mistakes or harmless peculiarities.
+/// A hypothesis about a program: changes to different lines of a model solution, mistakes or harmless peculiarities.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Hypothesis {
-    /// Of each line that is changed: its number among the model's changeable ones, and which way (from 1).
+    /// For each changed line, by its index among the changeable ones: the variant, from 1.
     pub choices: BTreeMap<usize, usize>,
     /// Indices into [`Hypotheses::mistakes`].
     pub mistakes: Vec<usize>,
 }
 
 impl Hypothesis {
-    /// Both at once; `None` where they change the same line.
+    /// Combines two hypotheses; `None` if they change the same line.
     pub fn and(&self, other: &Hypothesis) -> Option<Hypothesis> {
         if other.choices.keys().any(|line| self.choices.contains_key(line)) {
             return None;
@@ -29,21 +30,21 @@ impl Hypothesis {
     }
 }
 
-/// A model with all its changes.
+/// A model solution with all its hypotheses.
 pub struct Hypotheses {
-    /// The model.
+    /// The model solution.
     pub model: ModelSolution,
     /// The mistakes that can be made in it, harmless ones included.
     pub mistakes: Vec<&'static Mistake>,
-    /// Each way to make each mistake: the index of the mistake stands in `mistakes`.
+    /// One hypothesis for each way to make each mistake.
     pub singles: Vec<Hypothesis>,
-    /// The changeable lines' variables; the uniform `way_NAME` chooses among the ways of each.
+    /// The variables of the changeable lines; the uniform `way_NAME` selects the variant of each.
     pub variables: Vec<String>,
     sources: [String; 2],
     alternatives: Vec<Vec<String>>,
 }
 
-/// The variable that a line writes, and what it writes: `vec3 N = normalize(v);` is ("N", "normalize(v)").
+/// Splits an assignment into its variable and its value: `vec3 N = normalize(v);` is ("N", "normalize(v)").
 fn assignment(line: &str) -> Option<(&str, &str)> {
     let code = line.split("//").next()?.trim();
     let (left, right) = code.strip_suffix(';')?.split_once(" = ")?;
@@ -51,7 +52,8 @@ fn assignment(line: &str) -> Option<(&str, &str)> {
 }
 
 impl Hypotheses {
-    /// Of a model: a mistake that names a variable that the model does not write is left out (a test holds that there is none).
+    /// Collects the hypotheses of a model solution. A mistake that names a variable which the model does not write is
+    /// left out; a test ensures that there is none.
     pub fn for_model(model: ModelSolution) -> Self {
         let sources = model.sources();
         let written: Vec<&str> =
@@ -78,7 +80,7 @@ impl Hypotheses {
         all
     }
 
-    /// The line and the way of a change, new where it was not there.
+    /// Returns the line and the variant of a change, and adds the variant if it is new.
     fn choice(&mut self, variable: &str, text: &str) -> (usize, usize) {
         let line = self.variables.iter().position(|known| known == variable).unwrap_or_else(|| {
             self.variables.push(variable.to_owned());
@@ -93,12 +95,12 @@ impl Hypotheses {
         (line, way + 1)
     }
 
-    /// The uniform that chooses among the ways of a line.
+    /// Returns the uniform that selects the variant of a line.
     pub fn uniform(&self, line: usize) -> String {
         format!("way_{}", self.variables[line])
     }
 
-    /// Whether what a hypothesis writes has a word in it.
+    /// Whether the changes of a hypothesis contain a word.
     pub fn mentions(&self, hypothesis: &Hypothesis, word: &str) -> bool {
         hypothesis.choices.iter().any(|(line, way)| {
             let ways = self.alternatives.get(*line);
@@ -106,7 +108,7 @@ impl Hypotheses {
         })
     }
 
-    /// What a hypothesis writes to a variable, of the model's text or of one of its ways; `None` where no line writes it.
+    /// Returns the value that a hypothesis assigns to a variable; `None` if no line assigns one.
     pub fn text_of(&self, variable: &str, hypothesis: &Hypothesis) -> Option<&str> {
         let chosen = self.variables.iter().position(|known| known == variable).and_then(|line| {
             let way = hypothesis.choices.get(&line)?.checked_sub(1)?;
@@ -116,8 +118,8 @@ impl Hypotheses {
         chosen.or_else(|| lines().filter_map(assignment).find(|(name, _)| *name == variable).map(|(_, text)| text))
     }
 
-    /// Vertex and fragment shader that are every hypothesis, `#version 330 core`: with all uniforms `way_...` at 0 the model
-    /// itself.
+    /// Returns a vertex and a fragment shader for all hypotheses, `#version 330 core`. With all uniforms `way_...` at
+    /// 0 they are the model solution itself.
     pub fn sources(&self) -> [String; 2] {
         self.sources.each_ref().map(|source| {
             self.rewritten(
@@ -136,7 +138,7 @@ impl Hypotheses {
         })
     }
 
-    /// The model with one hypothesis written into it, as a person would read it.
+    /// Returns the model solution with one hypothesis applied, as a person would write it.
     pub fn written(&self, hypothesis: &Hypothesis) -> [String; 2] {
         self.sources.each_ref().map(|source| {
             self.rewritten(

@@ -1,17 +1,17 @@
-//! Mistakes with single faces of a cubemap, made from the table of faces: turned, mirrored, swapped.
+//! Mistakes with single faces of a cubemap, generated from the table of faces: rotated, mirrored, swapped.
 
 use super::{Mistake, ModelSolution};
 use std::collections::BTreeMap;
 
-/// The six faces in OpenGL's order: the word of each, and its name for people.
+/// The six faces in OpenGL's order: id and name.
 pub const FACES: [(&str, &str); 6] =
     [("posx", "+X"), ("negx", "-X"), ("posy", "+Y"), ("negy", "-Y"), ("posz", "+Z"), ("negz", "-Z")];
 
 /// The section of the lecture that teaches which face shows what.
 pub const LECTURE_SECTION: &str = "Equirectangular to cubemap";
 
-/// What can be done to a square picture but leaving it as it is: the word, what is said of it, and where (s, t) of the
-/// picture that is there lie in the one that should be, as GLSL.
+/// The orientations of a square picture other than the right one: id, description, and the coordinates (s, t) of the
+/// actual picture in the expected one, as GLSL.
 pub const TURNS: [(&str, &str, [&str; 2]); 7] = [
     ("turned-left", "rotated by 90 degrees to the left", ["-t", "s"]),
     ("turned-half", "rotated by 180 degrees", ["-s", "-t"]),
@@ -22,7 +22,7 @@ pub const TURNS: [(&str, &str, [&str; 2]); 7] = [
     ("transposed-back", "mirrored about its other diagonal: rows and columns are swapped", ["-t", "-s"]),
 ];
 
-/// The table of the specification: where s and t stand on each face, as GLSL.
+/// Returns the direction of a point on a face, by the table of the specification, as GLSL.
 fn direction(face: usize, s: &str, t: &str) -> String {
     let less = |x: &str| x.strip_prefix('-').map_or_else(|| format!("-{x}"), str::to_owned);
     let [x, y, z] = match face {
@@ -49,17 +49,17 @@ fn mistake(id: String, name: String, looks_like: &str, fix: &str, change: BTreeM
     }
 }
 
-/// The id of a face that is turned: `face-posy-turned-left`.
+/// Returns the id of a rotated face: `face-posy-turned-left`.
 pub fn turned_id(face: usize, turn: usize) -> String {
     format!("face-{}-{}", FACES[face % 6].0, TURNS[turn % 7].0)
 }
 
-/// The id of two faces that are swapped, the earlier one first: `faces-posz-negz-swapped`.
+/// Returns the id of two swapped faces, the earlier one first: `faces-posz-negz-swapped`.
 pub fn swapped_id(a: usize, b: usize) -> String {
     format!("faces-{}-{}-swapped", FACES[a.min(b) % 6].0, FACES[a.max(b) % 6].0)
 }
 
-/// All of them.
+/// Returns all mistakes with single faces.
 pub fn mistakes() -> Vec<Mistake> {
     let mut all = Vec::new();
     for (face, (word, name)) in FACES.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The catalogue of mistakes: each a small change to one of the models, with its name, its symptom and its fix.
+//! The catalogue of mistakes: each changes one of the model solutions slightly, and has a name, a symptom and a fix.
 
 mod compose;
 pub mod faces;
@@ -9,20 +9,20 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// A mistake, or a harmless peculiarity, in the models that it can be made in.
+/// A mistake or a harmless peculiarity.
 #[derive(Clone, Debug, Default, Deserialize, Serialize, PartialEq, Eq)]
 #[serde(deny_unknown_fields)]
 pub struct Mistake {
-    /// A stable kebab-case word.
+    /// A stable id in kebab-case.
     pub id: String,
     /// The mistake in half a sentence.
     pub name: String,
-    /// The models in which it can be made.
+    /// The model solutions in which it can be made.
     pub models: Vec<ModelSolution>,
-    /// A right answer that looks different.
+    /// Whether it is right, although the source differs.
     #[serde(default)]
     pub harmless: bool,
-    /// The lab's own solutions do the same.
+    /// Whether the lab's own solutions do the same.
     #[serde(default)]
     pub lab_does_it: bool,
     /// The symptom in the picture; empty for harmless peculiarities.
@@ -31,29 +31,29 @@ pub struct Mistake {
     /// How to fix it; empty for harmless peculiarities.
     #[serde(default)]
     pub fix: String,
-    /// The section of the lecture that teaches it; empty for what is harmless.
+    /// The section of the lecture that teaches it; empty for harmless peculiarities.
     #[serde(default)]
     pub lecture_section: String,
-    /// Its picture is no sum of terms: strengths that have to be found are one factor for all.
+    /// Whether its picture is not a sum of terms, so that only one common factor can be fitted.
     #[serde(default)]
     pub whole: bool,
     /// Other ids whose pictures are the same in principle.
     #[serde(default)]
     pub looks_the_same_as: Vec<String>,
-    /// Ways to make it: what is written to which variable of the model instead.
+    /// Ways to make it: the variables of the model solution and the values assigned instead.
     pub change: Vec<BTreeMap<String, String>>,
 }
 
 /// The terms of the light equation, in the order of [`crate::verdict::Verdict::terms`].
 pub const TERMS: [&str; 3] = ["ambient", "diffuse", "specular"];
 
-/// The one term that a mistake is made with, by its id: `specular-missing` is the specular term's. `None` for what concerns
-/// several terms, such as a normal, or none.
+/// Returns the term that a mistake concerns, by its id: `specular-missing` concerns the specular term. `None` for
+/// mistakes that concern several terms, such as those with a normal, or none.
 pub fn term_of(id: &str) -> Option<&'static str> {
     TERMS.into_iter().find(|term| id.strip_prefix(term).is_some_and(|rest| rest.starts_with('-')))
 }
 
-/// The bank's files: one for all that is light, and those of single exercises.
+/// The files of the catalogue: one for all lighting exercises, and those of single exercises.
 const TEXTS: [&str; 3] = [
     include_str!("../../../../exercises/mistakes.toml"),
     include_str!("../../../../exercises/ex01-camera/mistakes.toml"),
@@ -65,10 +65,11 @@ struct File {
     mistake: Vec<Mistake>,
 }
 
-/// All of them, in the order of the files, and those of single faces; an id stands more than once where it is another change in another model.
+/// Returns all mistakes in the order of the files, followed by those of single faces. An id occurs more than once if
+/// its change differs between model solutions.
 pub fn all() -> &'static [Mistake] {
     static ALL: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
-        // The files are part of the program; a test reads them.
+        // The files are embedded in the program, and a test reads them.
         let files = TEXTS.iter().filter_map(|text| toml::from_str::<File>(text).ok());
         files.flat_map(|file| file.mistake).chain(faces::mistakes()).collect()
     });
@@ -80,12 +81,12 @@ pub fn for_model(model: ModelSolution) -> impl Iterator<Item = &'static Mistake>
     all().iter().filter(move |mistake| mistake.models.contains(&model.with_mistakes_of()))
 }
 
-/// The first of that id.
+/// Returns the first mistake with this id.
 pub fn find(id: &str) -> Option<&'static Mistake> {
     all().iter().find(|mistake| mistake.id == id)
 }
 
-/// A right answer that hypotheses are changes of.
+/// A right answer that hypotheses change: written so that each quantity has a line of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ModelSolution {
@@ -95,15 +96,15 @@ pub enum ModelSolution {
     Gouraud,
     /// A mirror.
     Reflection,
-    /// Glass, through one surface.
+    /// Glass with one refracting surface.
     Refraction,
-    /// The sky around everything.
+    /// A skybox.
     Skybox,
     /// A camera built from its position, Front and Up.
     Camera,
-    /// The same without colours: what is drawn is how far everything is. Its mistakes are the camera's.
+    /// The same with the distance as colour. Its mistakes are those of the camera.
     Places,
-    /// The faces of a cubemap, from a panorama.
+    /// The faces of a cubemap, computed from a panorama.
     Panorama,
 }
 
@@ -114,7 +115,7 @@ macro_rules! shader {
 }
 
 impl ModelSolution {
-    /// Every one that has mistakes of its own.
+    /// All model solutions with mistakes of their own.
     pub const ALL: [ModelSolution; 7] = [
         ModelSolution::Phong,
         ModelSolution::Gouraud,
@@ -125,7 +126,7 @@ impl ModelSolution {
         ModelSolution::Panorama,
     ];
 
-    /// Vertex and fragment shader, `#version 330 core`.
+    /// Returns the vertex and the fragment shader, `#version 330 core`.
     pub fn sources(self) -> [&'static str; 2] {
         match self {
             ModelSolution::Phong => [shader!("phong.vert"), shader!("phong.frag")],
@@ -144,12 +145,12 @@ impl ModelSolution {
         matches!(self, ModelSolution::Phong | ModelSolution::Gouraud)
     }
 
-    /// Whether it puts out what a cubemap gives in a direction.
+    /// Whether its colour is a cubemap lookup.
     pub fn is_looked_up(self) -> bool {
         matches!(self, ModelSolution::Skybox | ModelSolution::Reflection | ModelSolution::Refraction)
     }
 
-    /// The model whose mistakes apply to this one.
+    /// Returns the model solution whose mistakes apply to this one.
     pub fn with_mistakes_of(self) -> ModelSolution {
         match self {
             ModelSolution::Places => ModelSolution::Camera,
@@ -157,13 +158,13 @@ impl ModelSolution {
         }
     }
 
-    /// Whether it is about where things are drawn: two mistakes then have a picture that neither of them hints at.
+    /// Whether it concerns positions on the screen: the picture of two mistakes then resembles neither of them alone.
     pub fn is_of_places(self) -> bool {
         matches!(self, ModelSolution::Camera | ModelSolution::Places)
     }
 }
 
-/// Mistakes that are another model, or more than any model has, and not a change of a line.
+/// Returns the mistakes that are not a change of one line: another model solution, or more than any of them computes.
 pub fn structural() -> Vec<Mistake> {
     let mistake = |(id, name, looks_like, fix): &(&str, &str, &str, &str)| Mistake {
         id: (*id).to_owned(),
@@ -219,20 +220,20 @@ mod tests {
     }
 
     #[test]
-    fn ids_are_kebab_case_and_stand_once_a_model() {
+    fn ids_are_kebab_case_and_unique_in_each_model() {
         let mut seen = BTreeSet::new();
         for mistake in all() {
             let word =
                 |word: &str| !word.is_empty() && word.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit());
             assert!(mistake.id.split('-').all(word), "{}", mistake.id);
             for model in &mistake.models {
-                assert!(seen.insert((mistake.id.clone(), *model)), "{} stands twice for {model:?}", mistake.id);
+                assert!(seen.insert((mistake.id.clone(), *model)), "{} occurs twice for {model:?}", mistake.id);
             }
         }
     }
 
     #[test]
-    fn everything_that_is_wrong_says_how_to_mend_it() {
+    fn every_mistake_has_a_symptom_and_a_fix() {
         for mistake in all().iter().filter(|mistake| !mistake.harmless) {
             for text in [&mistake.looks_like, &mistake.fix, &mistake.lecture_section] {
                 assert!(!text.is_empty(), "{}", mistake.id);

@@ -1,4 +1,4 @@
-//! Draws cubemap faces: a square or a cube, a panorama, a small target.
+//! Draws the faces of a cubemap with a program, from a panorama.
 
 use super::tiles::Tiles;
 use crate::mistakes::Hypothesis;
@@ -10,9 +10,9 @@ use gonio_environment::{Conversion, Panorama, convert};
 use gonio_gl::{Gl, GlError};
 use gonio_render::user_program::{FloatTexture, Stream, StreamMesh, TileTarget, UserProgram};
 
-/// A panorama as a texture needs no more columns: a face then has a quarter of them.
+/// Most columns of the panorama's texture. A face has a quarter of them.
 const MOST_COLUMNS: u32 = 1024;
-/// Columns and rows of the panorama that shaders are tried with.
+/// Columns and rows of the panorama that shaders are tested with.
 const SMOOTH: [u32; 2] = [128, 64];
 const PANORAMA_UNIT: u32 = 0;
 
@@ -21,15 +21,15 @@ pub struct FaceBench {
     square: StreamMesh,
     cube: StreamMesh,
     panorama: FloatTexture,
-    /// All six at once.
+    /// The target for all six faces.
     together: TileTarget,
-    /// One, whose first pixel is the target's: programs may ask for gl_FragCoord.
+    /// The target for one face: a program may use gl_FragCoord, which starts at 0 only here.
     alone: TileTarget,
     side: u32,
 }
 
 impl FaceBench {
-    /// With the colours that mirrors are tried in: smooth, so that rounding does not count, and without any symmetry.
+    /// Uses the colours that mirrors are tested with: smooth, so that rounding does not matter, and without symmetry.
     pub fn smooth(gl: &Gl, side: u32) -> Result<Self, GlError> {
         let colours = |direction: DVec3| {
             let [r, g, b] = crate::testbench::radiance(direction.as_vec3());
@@ -38,7 +38,7 @@ impl FaceBench {
         FaceBench::new(gl, side, &Panorama::from_function(SMOOTH[0], SMOOTH[1], colours))
     }
 
-    /// With a panorama that is made smaller where it is larger than is wanted.
+    /// Uses a panorama, reduced if it is too large.
     pub fn of_panorama(gl: &Gl, side: u32, panorama: &Panorama) -> Result<Self, GlError> {
         let (width, height) = (panorama.image.width, panorama.image.height);
         if width <= MOST_COLUMNS && height <= MOST_COLUMNS {
@@ -68,7 +68,7 @@ impl FaceBench {
         })
     }
 
-    /// A student's program: a draw for each of the first `faces`, each alone; the others stay black.
+    /// Draws a student's program, with one draw call for each of the first `faces`; the others remain black.
     pub fn draw_student(
         &self,
         program: &UserProgram,
@@ -99,7 +99,7 @@ impl FaceBench {
 
     /// Draws the model under a hypothesis.
     pub fn draw_model(&self, model: &CompiledModel, hypothesis: &Hypothesis) -> Result<Tiles, GlError> {
-        // Without a choice it is the one program of all hypotheses.
+        // With the empty hypothesis, this is the program of all hypotheses.
         let made = model.program(&Hypothesis::default())?;
         let (program, bindings) = (&made.program, &made.bindings);
         let feed = feed(program, bindings);
@@ -136,7 +136,7 @@ impl FaceBench {
         }
     }
 
-    /// The first row of OpenGL's pictures is the faces' first: t = -1.
+    /// The first row that OpenGL returns is the first row of a face: t = -1.
     fn tiles(&self, pixels: &[[f32; 4]]) -> Tiles {
         let side = self.side as usize;
         let face = |face: usize| {
@@ -149,7 +149,7 @@ impl FaceBench {
     }
 }
 
-/// Locations of attributes, and the streams that feed them.
+/// Returns the locations of attributes and the streams that feed them.
 fn feed(program: &UserProgram, bindings: &Bindings) -> Vec<(u32, usize)> {
     let stream = |role: Role| match role {
         Role::Position => Some(0),

@@ -1,5 +1,5 @@
-//! Finds the mistakes in six faces: mistakes with all of them by a hypothesis of the catalogue, with single ones by
-//! orientation.
+//! Finds the mistakes in six faces: those with all faces by hypotheses of the catalogue, those with single faces by
+//! their orientation.
 
 use super::tiles::{Fit, Tiles, Tolerance, WAYS};
 use crate::mistakes::faces::{FACES, swapped_id, turned_id};
@@ -7,20 +7,20 @@ use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use crate::search::SourceSupport;
 use gonio_gl::GlError;
 
-/// What faces are compared with.
+/// The parameters of the search.
 pub struct FaceTask<'a> {
-    /// The model's.
+    /// The hypotheses of the model solution.
     pub hypotheses: &'a Hypotheses,
     /// The tolerance of the comparison.
     pub tolerance: Tolerance,
-    /// Evidence in the source where pictures do not decide.
+    /// The support of the source, used if the pictures do not decide.
     pub source_support: &'a SourceSupport,
 }
 
 /// Draws the faces under a hypothesis.
 pub type Predict<'a> = dyn FnMut(&Hypothesis) -> Result<Tiles, GlError> + 'a;
 
-/// Where each face's picture belongs and in which way it lies; `None` where it is like none.
+/// For each picture, the face that it shows and its orientation; `None` if it resembles no face.
 pub type Placed = [Option<(usize, usize)>; 6];
 
 const AS_IT_SHOULD: Placed = [Some((0, 0)), Some((1, 0)), Some((2, 0)), Some((3, 0)), Some((4, 0)), Some((5, 0))];
@@ -32,7 +32,7 @@ pub struct Explanation {
     pub global: Vec<String>,
     /// Ids of mistakes with single faces.
     pub local: Vec<String>,
-    /// Ids that explain it just as well as the one that is named.
+    /// Ids of mistakes that explain the pictures equally well.
     pub or: Vec<String>,
     /// Faces that nothing explains.
     pub unexplained: Vec<usize>,
@@ -45,7 +45,7 @@ pub struct Explanation {
 }
 
 impl Explanation {
-    /// Looks for the one with the fewest mistakes.
+    /// Finds the explanation with the fewest mistakes.
     pub fn find(task: &FaceTask<'_>, seen: &Tiles, predict: &mut Predict<'_>) -> Result<Self, GlError> {
         let reference = predict(&Hypothesis::default())?;
         let held = std::array::from_fn(|face| seen.fit(face, &reference, face, 0, task.tolerance));
@@ -80,7 +80,7 @@ impl Explanation {
             }
         }
         if candidates.iter().all(|candidate| candidate.cost() > 1) {
-            // With one of them, and faces that lie otherwise; or with two of them.
+            // One hypothesis with faces in other orientations, or two hypotheses.
             for (single, tiles) in singles.iter().zip(&drawn) {
                 candidates.push(Candidate::new((*single).clone(), search.place(tiles), tiles));
             }
@@ -100,7 +100,7 @@ impl Explanation {
         Ok(found)
     }
 
-    /// Whether nothing is wrong.
+    /// Whether all faces are right.
     pub fn is_right(&self) -> bool {
         self.global.is_empty() && self.local.is_empty() && self.unexplained.is_empty()
     }
@@ -118,14 +118,14 @@ impl Candidate {
         Candidate { hypothesis, placed, tiles: tiles.clone() }
     }
 
-    /// Mistakes, and far more for faces that are like none.
+    /// Returns the number of mistakes, with a much higher cost for faces that resemble none.
     fn cost(&self) -> usize {
         let unexplained = self.placed.iter().filter(|placed| placed.is_none()).count();
         self.hypothesis.mistakes.len() + local(&self.placed).len() + 10 * unexplained
     }
 }
 
-/// The ids of what is wrong with single faces.
+/// Returns the ids of the mistakes with single faces.
 fn local(placed: &Placed) -> Vec<String> {
     let mut ids = Vec::new();
     let moved: Vec<usize> = (0..6).filter(|&face| placed[face].is_some_and(|(of, _)| of != face)).collect();
@@ -135,7 +135,7 @@ fn local(placed: &Placed) -> Vec<String> {
         if is_swapped && face < of {
             ids.push(swapped_id(face, of));
         } else if !is_swapped {
-            // One that has another's picture, or a circle of three and more.
+            // A face with the picture of another, or a cycle of three or more.
             ids.push(format!("face-{}-shows-{}", FACES[face].0, FACES[of].0));
         }
     }
@@ -153,7 +153,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// Hypotheses about all faces at once.
+    /// Returns the hypotheses about all faces at once.
     fn of_all_faces(&self) -> impl Iterator<Item = &'a Hypothesis> {
         let hypotheses = self.task.hypotheses;
         hypotheses.singles.iter().filter(move |single| {
@@ -173,7 +173,7 @@ impl<'a> Search<'a> {
             && self.place(tiles) == AS_IT_SHOULD
     }
 
-    /// Where each face belongs: as it should lie wherever nothing else is clearly better.
+    /// Identifies each picture. The expected face and orientation win unless another is clearly better.
     fn place(&self, tiles: &Tiles) -> Placed {
         std::array::from_fn(|face| {
             let fit = |of: usize, way: usize| self.seen.fit(face, tiles, of, way, self.task.tolerance);
@@ -181,14 +181,14 @@ impl<'a> Search<'a> {
             let mut fitting: Vec<((usize, usize), Fit)> =
                 all.map(|(of, way)| ((of, way), fit(of, way))).filter(|(_, fit)| self.fits(fit)).collect();
             let best = fitting.iter().map(|(_, fit)| fit.square).fold(f64::INFINITY, f64::min);
-            // Rounding alone tells nothing.
+            // Differences within rounding are ignored.
             fitting.retain(|(_, fit)| fit.square <= 1.5 * best + 1e-6);
             let rank = |(of, way): &(usize, usize)| (*of != face, *way != 0, *of, *way);
             fitting.into_iter().map(|(place, _)| place).min_by_key(rank)
         })
     }
 
-    /// Takes the explanation with the fewest mistakes; of several the one that the source supports.
+    /// Takes the explanation with the fewest mistakes; among equals, the one that the source supports most.
     fn choose(&self, candidates: Vec<Candidate>, found: &mut Explanation) {
         let Some(least) = candidates.iter().map(Candidate::cost).min() else { return };
         let ids = |candidate: &Candidate| -> Vec<String> {
@@ -198,11 +198,11 @@ impl<'a> Search<'a> {
         let support = |candidate: &Candidate| -> f32 {
             let ids = ids(candidate);
             let sum: f32 = ids.iter().map(|id| (self.task.source_support)(id, ModelSolution::Panorama)).sum();
-            // Nothing speaks for or against single faces.
+            // The source has no evidence about single faces.
             if ids.is_empty() { 0.5 } else { sum / ids.len() as f32 }
         };
         let mut equal: Vec<&Candidate> = candidates.iter().filter(|candidate| candidate.cost() == least).collect();
-        // Stable: where the source is silent, the catalogue's order stays.
+        // The sort is stable: without evidence in the source, the order of the catalogue remains.
         equal.sort_by(|a, b| support(b).total_cmp(&support(a)));
         let Some(best) = equal.first() else { return };
         found.global = ids(best);

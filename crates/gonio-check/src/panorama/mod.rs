@@ -1,8 +1,8 @@
-//! A panorama as six faces: whether each is what it should be, and what is wrong with it.
+//! Checks a panorama that was converted to six faces.
 //!
-//! Six pictures are held against gonio's own, drawn from the same panorama. What is wrong with all of them at once (the
-//! panorama upside down, a wrong angle) is a hypothesis of the catalogue, as in other exercises. What is wrong with one (turned,
-//! mirrored, in another's place) is found face by face: each is compared with all six in all eight ways.
+//! Six pictures are compared with gonio's own, drawn from the same panorama. A mistake with all of them (the panorama
+//! upside down, a wrong angle) is a hypothesis of the catalogue, as in other exercises. A mistake with one (rotated,
+//! mirrored, in the place of another) is found face by face: each is compared with all six in all eight orientations.
 
 mod bench;
 mod explain;
@@ -24,7 +24,7 @@ use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict, join_names};
 use gonio_gl::GlError;
 use gonio_render::user_program::UserProgram;
 
-/// Checks a program that draws the faces, one draw each.
+/// Checks a program that draws the faces, with one draw call each.
 pub(crate) fn check(
     checker: &mut ShaderChecker,
     exercise: &str,
@@ -46,7 +46,7 @@ pub(crate) fn check(
         return unsure("the shaders do not read a panorama: declare `uniform sampler2D panorama;`");
     }
     let bench = FaceBench::smooth(checker.gl(), TILE)?;
-    // With a face's number one draws a square; with a view matrix a cube around the camera.
+    // A program with a face number draws a square, one with a view matrix a cube around the camera.
     let is_cube = !has(Role::Face) && (has(Role::View) || has(Role::ViewProjection) || has(Role::ModelViewProjection));
     let fixed = crate::search::fixed(&bindings);
     let drawn = crate::search::drawn_unless_endless(program, &fixed, &[1, 6], |fixed, faces| {
@@ -70,7 +70,7 @@ pub(crate) fn check(
     Ok((verdict, Some(evidence)))
 }
 
-/// Faces of less than this part of the sharpness that is possible are blurred.
+/// Faces with less than this share of the possible sharpness are blurred.
 const BLURRED: f64 = 0.45;
 
 fn found(id: &str, share: f64) -> FoundMistake {
@@ -90,7 +90,7 @@ fn found(id: &str, share: f64) -> FoundMistake {
     }
 }
 
-/// The verdict and its pictures; `atlas` makes pictures of light of what was compared.
+/// Returns the verdict and its pictures; `atlas` converts the compared pictures to linear light.
 pub fn verdict(
     exercise: &str,
     explanation: &Explanation,
@@ -120,7 +120,7 @@ pub fn verdict(
         names.join(", ")
     };
     let unexplained = &explanation.unexplained;
-    // What explains few faces is no explanation of all.
+    // A hypothesis that explains only a few faces is not an explanation.
     if unexplained.len() <= 2 {
         let share = 1.0 - unexplained.len() as f64 / 6.0;
         let ids = explanation.global.iter().chain(&explanation.local);
@@ -171,7 +171,7 @@ fn scenes(explanation: &Explanation) -> Vec<SceneVerdict> {
     explanation.held.iter().enumerate().map(scene).collect()
 }
 
-/// What is right but for its sharpness; `sharpness` is that of the pictures against what is possible.
+/// Reports blurred faces; `sharpness` is relative to the possible sharpness.
 pub fn blur(verdict: &mut Verdict, sharpness: f64) {
     if sharpness >= BLURRED {
         return;

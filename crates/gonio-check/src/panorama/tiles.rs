@@ -1,36 +1,36 @@
-//! Six small square pictures, and how two of them compare, turned and mirrored in all ways.
+//! Six small square pictures, and their comparison in all orientations.
 
 use crate::search::{PIXEL_TOLERANCE, PIXELS_TOLERANCE};
 use crate::testbench::Atlas;
 use gonio_environment::Face;
 use gonio_light::color::{srgb_decode, srgb_encode};
 
-/// The ways in which a square picture can lie: as it is, and seven others.
+/// Number of orientations of a square picture: the right one and seven others.
 pub const WAYS: usize = 8;
 
 /// Six pictures, rows from the top (t = -1), in OpenGL's order of faces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tiles {
-    /// Pixels along a side.
+    /// Side length in pixels.
     pub side: usize,
-    /// `side * side` each.
+    /// `side * side` pixels of each face.
     pub faces: [Vec<[f32; 3]>; 6],
 }
 
 /// The tolerance of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// Of a channel.
+    /// The tolerance of a channel.
     pub pixel: f32,
     /// The share of pixels that may differ by more.
     pub share: f64,
 }
 
 impl Tolerance {
-    /// Of what is drawn here: as in all exercises.
+    /// The tolerance for pictures drawn here, as in all exercises.
     pub const DRAWN: Tolerance = Tolerance { pixel: PIXEL_TOLERANCE, share: PIXELS_TOLERANCE };
-    /// Of files: other people's filters and the rounding of JPEG, after both are made smaller. Measured on nearest, bilinear
-    /// and bicubic conversions of the exercise's panorama.
+    /// The tolerance for files, which other programs filter and JPEG rounds, after both pictures are reduced.
+    /// Measured on nearest, bilinear and bicubic conversions of the exercise's panorama.
     pub const FILES: Tolerance = Tolerance { pixel: 0.1, share: 0.1 };
 }
 
@@ -45,10 +45,10 @@ pub struct Fit {
     pub worst: f32,
 }
 
-/// Where a way takes a pixel's column and row from.
+/// Returns the column and row that an orientation reads a pixel from.
 fn source(way: usize, side: usize, x: usize, y: usize) -> (usize, usize) {
     let last = side - 1;
-    // In the order of `mistakes::faces::TURNS`, after what is as it should be.
+    // In the order of `mistakes::faces::TURNS`, after the right orientation.
     match way {
         0 => (x, y),
         1 => (last - y, x),
@@ -71,7 +71,7 @@ fn difference(a: &[f32; 3], b: &[f32; 3]) -> f32 {
 }
 
 impl Tiles {
-    /// The comparison of a face with another one in a given orientation.
+    /// Compares a face with another one in a given orientation.
     pub fn fit(&self, face: usize, other: &Tiles, of: usize, way: usize, tolerance: Tolerance) -> Fit {
         let side = self.side;
         let (mut beyond, mut square, mut worst) = (0_usize, 0.0, 0.0_f32);
@@ -88,7 +88,7 @@ impl Tiles {
         Fit { beyond: beyond as f64 / count, square: square / count, worst }
     }
 
-    /// The same pictures laid otherwise: of each face which one lies there, and in which way.
+    /// Rearranges the pictures: for each face, the face to show and its orientation.
     pub fn laid(&self, placed: &[Option<(usize, usize)>; 6]) -> Tiles {
         let side = self.side;
         let face = |face: usize| {
@@ -107,22 +107,22 @@ impl Tiles {
         Tiles { side: self.side, faces }
     }
 
-    /// As a screen's numbers (sRGB): differences of dark colours count as they are seen.
+    /// Encodes the pictures as sRGB, so that differences of dark colours count as they are seen.
     pub fn encoded(&self) -> Tiles {
         self.map(|linear| srgb_encode(linear.into()) as f32)
     }
 
-    /// Back from [`Tiles::encoded`].
+    /// Decodes the result of [`Tiles::encoded`].
     pub fn decoded(&self) -> Tiles {
         self.map(|encoded| srgb_decode(encoded.into()) as f32)
     }
 
-    /// Light that pictures of 8 bits can hold.
+    /// Clamps the pictures to the range of 8 bits.
     pub fn held_to_screens(&self) -> Tiles {
         self.map(|linear| linear.clamp(0.0, 1.0))
     }
 
-    /// Of fewer pixels, each the mean of those that it covers, by how much of them it does.
+    /// Reduces the pictures; each pixel is the mean of those that it covers, weighted by area.
     pub fn smaller(&self, side: usize) -> Tiles {
         let from = self.side;
         let side = side.clamp(1, from.max(1));
@@ -152,7 +152,7 @@ impl Tiles {
         Tiles { side, faces: self.faces.each_ref().map(face) }
     }
 
-    /// Each pixel mixed with its neighbours (1 2 1 along both axes): what filters of other people do differently is gone.
+    /// Blurs the pictures (1 2 1 along both axes) to remove the differences between other programs' filters.
     pub fn softened(&self) -> Tiles {
         let side = self.side;
         let face = |face: &Vec<[f32; 3]>| {
@@ -174,7 +174,7 @@ impl Tiles {
         Tiles { side, faces: self.faces.each_ref().map(face) }
     }
 
-    /// How much neighbouring pixels differ: the mean of the squares.
+    /// Returns the mean of the squared differences of neighbouring pixels.
     pub fn sharpness(&self) -> f64 {
         let side = self.side;
         let (mut sum, mut count) = (0.0, 0.0);
@@ -192,14 +192,14 @@ impl Tiles {
         if count > 0.0 { sum / count } else { 0.0 }
     }
 
-    /// Whether two faces are the same picture, and not of one colour.
+    /// Whether two faces show the same picture, which is not a single colour.
     pub fn all_are_one(&self, tolerance: Tolerance) -> bool {
         let same = (1..6).all(|face| self.fit(face, self, 0, 0, tolerance).beyond <= tolerance.share);
         let first = self.faces[0].first().copied().unwrap_or_default();
         same && self.faces[0].iter().any(|pixel| difference(pixel, &first) > 2.0 * tolerance.pixel)
     }
 
-    /// For pages and sheets: as a viewer of images shows the faces.
+    /// Converts the pictures to an atlas for reports, in the orientation of image viewers.
     pub fn atlas(&self) -> Atlas {
         let rows = |face: &Vec<[f32; 3]>| -> Vec<[f32; 4]> {
             let rows = face.chunks_exact(self.side.max(1)).rev().flatten();
@@ -214,7 +214,7 @@ mod tests {
     use super::*;
     use crate::mistakes::faces::TURNS;
 
-    /// Each pixel knows its place.
+    /// Creates pictures in which each pixel has a different colour.
     fn numbered() -> Tiles {
         let face = |face: usize| (0..16).map(|i| [face as f32, (i % 4) as f32, (i / 4) as f32]).collect();
         Tiles { side: 4, faces: std::array::from_fn(face) }

@@ -1,4 +1,5 @@
-//! The roles of a shader's variables together: each by its own name first, then what the others leave open.
+//! Determines the roles of a shader's variables together: each by its own name first, then by what the others leave
+//! open.
 
 use super::role::Role;
 use super::rules::{self, Shape, shape};
@@ -6,7 +7,7 @@ use super::words::Words;
 use super::{Declared, How, VariableKind};
 use std::collections::BTreeMap;
 
-/// A variable with its name taken apart.
+/// A variable with its parsed name.
 struct Read<'a> {
     declared: &'a Declared,
     shape: Shape,
@@ -53,7 +54,7 @@ impl<'a> Read<'a> {
     }
 }
 
-/// A name without its index, and the index.
+/// Splits a name into the part before its index and the index.
 fn without_index(part: &str) -> (&str, Option<u32>) {
     match part.split_once('[') {
         Some((name, index)) => (name, index.trim_end_matches(']').parse().ok()),
@@ -61,14 +62,14 @@ fn without_index(part: &str) -> (&str, Option<u32>) {
     }
 }
 
-/// What a struct's name adds to its field's.
+/// Adds the words of a struct's name to those of its field.
 fn inherit(words: &mut Words, container: &Words, shape: Shape) {
-    // `fog.color` is no colour of the object's.
+    // `fog.color` is not the object's colour.
     if container.has("blocked") && !["light", "material", "camera"].iter().any(|known| container.has(known)) {
         words.tokens.push("blocked");
     }
     if shape == Shape::Matrix {
-        // `camera.projection` is no matrix of the camera and the projection; `camera.matrix` is the camera's.
+        // `camera.projection` is the projection alone; `camera.matrix` is the matrix of the camera.
         if !words.tokens.iter().any(|token| !matches!(*token, "matrix" | "mat")) {
             words.tokens.extend(container.tokens.iter().filter(|token| **token != "transform"));
         }
@@ -86,7 +87,7 @@ fn inherit(words: &mut Words, container: &Words, shape: Shape) {
     }
 }
 
-/// The role of each variable. `given` are those of `names.toml`; those not `open` are not looked at.
+/// Returns the role of each variable. `given` are those of `names.toml`; variables that are not `open` are ignored.
 pub(super) fn roles(declared: &[&Declared], given: &[Option<Role>], open: &[bool]) -> Vec<Option<(Role, How)>> {
     let mut all: Vec<Read<'_>> = declared.iter().map(|declared| Read::new(declared)).collect();
     for ((read, given), open) in all.iter_mut().zip(given).zip(open) {
@@ -111,7 +112,7 @@ fn by_name(read: &Read<'_>) -> Option<Role> {
     }
 }
 
-/// Among attributes whose names say nothing: the first vec3 is the position, the next the normal; a vec2 is the
+/// Assigns roles to attributes with unclear names: the first vec3 is the position, the next the normal; a vec2 is the
 /// texture coordinate.
 fn attributes_by_type(all: &mut [Read<'_>]) {
     for role in [Role::Position, Role::Normal, Role::TexCoord] {
@@ -137,7 +138,7 @@ fn attributes_by_type(all: &mut [Read<'_>]) {
 
 fn matrices(all: &mut [Read<'_>]) {
     let has = |all: &[Read<'_>], roles: &[Role]| all.iter().any(|read| roles.iter().any(|role| read.is(*role)));
-    // three.js: `normalMatrix` beside `modelViewMatrix` belongs to that one.
+    // In three.js, `normalMatrix` beside `modelViewMatrix` belongs to that matrix.
     if has(all, &[Role::ModelView]) {
         for read in all.iter_mut().filter(|read| read.open && read.is(Role::NormalMatrix)) {
             let says_model = ["model", "world", "object", "m"].iter().any(|word| read.words.has(word));
@@ -146,14 +147,14 @@ fn matrices(all: &mut [Read<'_>]) {
             }
         }
     }
-    // `camMatrix` without a projection beside it brings its own.
+    // `camMatrix` without a projection beside it includes the projection.
     let projects = has(all, &[Role::Projection, Role::ViewProjection, Role::ModelViewProjection]);
     if !projects && has(all, &[Role::Model]) {
         for read in all.iter_mut().filter(|read| read.open && read.is(Role::View) && read.words.has("camera")) {
             read.found = Some((Role::ViewProjection, How::Use));
         }
     }
-    // `transform` and `u_matrix` say nothing: what the others lack.
+    // `transform` and `u_matrix` are the matrix that is missing among the others.
     let projects = has(all, &[Role::Projection, Role::ViewProjection, Role::ModelViewProjection]);
     let role = if projects { Role::Model } else { Role::ModelViewProjection };
     if has(all, &[role]) || !projects && has(all, &[Role::View, Role::ModelView]) {
@@ -171,7 +172,8 @@ fn matrices(all: &mut [Read<'_>]) {
     }
 }
 
-/// A camera's `Position`, `Front`, `Up`, `Right` and `WorldUp`: names that say nothing alone, and something together.
+/// Assigns roles to `Position`, `Front`, `Up`, `Right` and `WorldUp` of a camera: names that are unclear alone and
+/// clear together.
 fn camera(all: &mut [Read<'_>]) {
     let has = |all: &[Read<'_>], role: Role| all.iter().any(|read| read.is(role));
     let axes = [Role::ViewFront, Role::WorldUp, Role::ViewRight, Role::ViewTarget];
@@ -201,7 +203,7 @@ fn camera(all: &mut [Read<'_>]) {
             read.found = Some((role, How::Use));
         }
     }
-    // Beside Right, or beside another that is the world's, Up is the camera's own.
+    // Beside Right, or beside the world's up vector, Up is the camera's own.
     let ups = all.iter().filter(|read| read.is(Role::WorldUp)).count();
     if ups > 1 || has(all, Role::ViewRight) {
         let is_own = |read: &&mut Read<'_>| read.open && read.is(Role::WorldUp) && !read.words.has("world");
@@ -211,7 +213,7 @@ fn camera(all: &mut [Read<'_>]) {
     }
 }
 
-/// `viewDir` holds the camera's place, as students use it, unless another variable does.
+/// Treats `viewDir` as the position of the camera, as students use it, unless another variable holds that.
 fn view(all: &mut [Read<'_>]) {
     let is_dir = |read: &Read<'_>| read.is(Role::ViewPos) && read.words.has("dir") && !read.words.has("pos");
     if all.iter().any(|read| read.is(Role::ViewPos) && !is_dir(read)) {
@@ -221,8 +223,8 @@ fn view(all: &mut [Read<'_>]) {
     }
 }
 
-/// `diffuseColor` alone is the material's; beside `objectColor` it is the light's. `ratio` is one of refraction where
-/// there is an environment.
+/// Resolves colours and ratios: `diffuseColor` alone is the material's; beside `objectColor` it is the light's.
+/// `ratio` is that of refraction if there is an environment.
 fn terms(all: &mut [Read<'_>]) {
     let has_color = all.iter().any(|read| read.is(Role::MaterialColor));
     let has_cube = all.iter().any(|read| read.shape == Shape::SamplerCube);
@@ -247,7 +249,7 @@ fn terms(all: &mut [Read<'_>]) {
 }
 
 fn samplers(all: &mut [Read<'_>]) {
-    // The only one of its type can be but one thing.
+    // The only sampler of a type has only one possible role.
     for (shape, role) in [(Shape::SamplerCube, Role::Cubemap), (Shape::Sampler2D, Role::DiffuseTexture)] {
         let mut of_type =
             all.iter_mut().filter(|read| read.shape == shape && read.declared.kind == VariableKind::Uniform);
@@ -259,7 +261,7 @@ fn samplers(all: &mut [Read<'_>]) {
             only.found = Some((role, How::Type));
         }
     }
-    // Of `texture1` and `texture2` one is the object's colour; of `diffuseMap` and `tex` the one that says so.
+    // One of `texture1` and `texture2` is the object's colour; of `diffuseMap` and `tex`, it is the one named so.
     let says_so = |read: &Read<'_>| ["diffuse", "albedo", "color"].iter().any(|word| read.words.has(word));
     let is_open = |read: &Read<'_>| read.is(Role::DiffuseTexture) && read.open;
     let first = all
@@ -288,22 +290,23 @@ fn number_lights(all: &mut [Read<'_>]) {
     }
 }
 
-/// What a name says of its light.
+/// The light that a name refers to.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Place {
-    /// The struct's name without numbers; empty where the variable stands alone.
+    /// The name of the struct without numbers; empty for a variable outside of structs.
     pub(super) group: String,
     /// The index in brackets, from 0.
     pub(super) bracket: Option<u32>,
-    /// A number in the name, from 0 or from 1 as the student likes.
+    /// A number in the name; students count from 0 or from 1.
     pub(super) number: Option<u32>,
-    /// Whether the name says that it is another light's: `otherLightPos`.
+    /// Whether the name refers to another light: `otherLightPos`.
     pub(super) is_another: bool,
 }
 
 type RoleKind = std::mem::Discriminant<Role>;
 
-/// The lights' indices: from 0 without gaps, and each struct its own lights where two say the same thing.
+/// Returns the indices of lights, from 0 without gaps. If two structs have the same quantity, each has its own
+/// lights.
 fn light_indices(lights: &[(Role, Place)]) -> Vec<u32> {
     let mut sizes: BTreeMap<&str, usize> = BTreeMap::new();
     for (_, place) in lights {
@@ -312,7 +315,7 @@ fn light_indices(lights: &[(Role, Place)]) -> Vec<u32> {
     let mut groups: BTreeMap<(u8, std::cmp::Reverse<usize>, &str), Vec<usize>> = BTreeMap::new();
     for (at, (_, place)) in lights.iter().enumerate() {
         let lower = place.group.to_lowercase();
-        // The order of OpenGL's list is the driver's; this one is not.
+        // This order does not depend on the driver, unlike that of OpenGL's list.
         let rank = if lower.contains("dir") {
             1
         } else if lower.contains("spot") {
@@ -320,7 +323,7 @@ fn light_indices(lights: &[(Role, Place)]) -> Vec<u32> {
         } else {
             0
         };
-        // The light of which most is said is the first: another's place may stand beside it.
+        // The light with the most variables is the first one: a position beside it may belong to another.
         let said = sizes.get(place.group.as_str()).copied().unwrap_or(0);
         groups.entry((rank, std::cmp::Reverse(said), &place.group)).or_default().push(at);
     }
@@ -337,14 +340,14 @@ fn light_indices(lights: &[(Role, Place)]) -> Vec<u32> {
         for &at in members {
             indices[at] = indices[at].saturating_add(offset);
         }
-        // A student has a handful of lights; a hostile shader's thousands need no order.
+        // A student has a handful of lights; the order of a hostile shader's thousands does not matter.
         taken.extend(members.iter().take(1000).map(|&at| (kind(at), indices[at])));
     }
     indices
 }
 
-/// A place alone beside a struct, and not called another's: it is the struct's, `lightPos` in the vertex shader and
-/// `light.position` in the fragment shader.
+/// Whether a group is only a position beside a struct, and not named as another light's. It belongs to the struct:
+/// `lightPos` in the vertex shader and `light.position` in the fragment shader.
 fn is_only_a_place(lights: &[(Role, Place)], members: &[usize]) -> bool {
     members.iter().all(|&at| {
         let (role, place) = &lights[at];
@@ -358,7 +361,7 @@ fn within_group(lights: &[(Role, Place)], members: &[usize], indices: &mut [u32]
     let mut numbers: Vec<u32> = members.iter().filter_map(|&at| numbered(at)).collect();
     numbers.sort_unstable();
     numbers.dedup();
-    // `lightPos` beside `lightPos2` is the first.
+    // `lightPos` beside `lightPos2` is the first light.
     let mut bare: Vec<RoleKind> = Vec::new();
     for &at in members {
         if lights[at].1.number.is_none() && lights[at].1.bracket.is_none() {

@@ -1,4 +1,4 @@
-//! `names.toml`: what a student's names mean, where gonio cannot tell.
+//! Reads `names.toml`, which assigns roles to names that gonio does not recognise.
 
 use super::role::Role;
 use serde::Deserialize;
@@ -25,7 +25,7 @@ pub enum Meaning {
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NamesFile {
-    /// Name as in the shader, and its meaning.
+    /// The meanings by the names in the shader.
     pub names: BTreeMap<String, Meaning>,
 }
 
@@ -57,7 +57,7 @@ impl NamesFile {
     /// Reads the text of a `names.toml`.
     ///
     /// # Errors
-    /// A [`NamesError`] where it is no TOML, has another table than `[names]`, or names no role.
+    /// Returns a [`NamesError`] if it is not TOML, has another table than `[names]`, or names an unknown role.
     pub fn parse(text: &str) -> Result<Self, NamesError> {
         let document: Document = toml::from_str(text).map_err(|error| NamesError {
             line: line_at(text, error.span().map_or(0, |span| span.start)),
@@ -75,7 +75,7 @@ impl NamesFile {
         let error = |message: String| NamesError { line, message };
         let meaning = match value {
             Value::String(role) => Meaning::Role(role.parse().map_err(|unknown| error(format!("{unknown}")))?),
-            // `light.place = "light-pos"` is a table in TOML.
+            // TOML reads `light.place = "light-pos"` as a table.
             Value::Table(fields) => {
                 for (field, value) in fields {
                     self.take(format!("{name}.{field}"), value, line)?;
@@ -101,7 +101,7 @@ impl NamesFile {
         Ok(())
     }
 
-    /// What is said of a name; `lights[0]` and `lights` are one.
+    /// Returns the meaning of a name; `lights[0]` and `lights` are the same.
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&Meaning> {
         self.names.get(name).or_else(|| self.names.get(name.strip_suffix("[0]")?))

@@ -1,7 +1,7 @@
-//! From what a shader declares to what it means.
+//! Determines the role of each variable that a shader declares.
 //!
-//! A name is cut into words (`words`), the words and the type give a role (`rules`), and the neighbours decide what
-//! they leave open (`context`). What a `names.toml` says goes before everything.
+//! A name is split into words (`words`), the words and the type give a role (`rules`), and the other variables decide
+//! what they leave open (`context`). `names.toml` takes precedence.
 
 mod context;
 mod file;
@@ -20,33 +20,34 @@ use std::fmt;
 /// Whether a variable is an attribute or a uniform.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VariableKind {
-    /// Per vertex.
+    /// An attribute of vertices.
     Attribute,
-    /// From the program.
+    /// A uniform that the program sets.
     Uniform,
 }
 
 /// A variable as OpenGL lists it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Declared {
-    /// OpenGL's name: `light.light_pos`, `lights[1].position`, `u_light_pos`, `colors[0]`.
+    /// Its name in OpenGL: `light.light_pos`, `lights[1].position`, `u_light_pos`, `colors[0]`.
     pub name: String,
-    /// `vec3`, `mat4`, `samplerCube`.
+    /// Its type: `vec3`, `mat4`, `samplerCube`.
     pub glsl_type: String,
-    /// Elements of an array, 1 where it is none. A role with a light's index then means the lights from there on.
+    /// Number of elements, 1 if it is not an array. The elements of an array with the role of a light belong to
+    /// consecutive lights.
     pub array: u32,
     /// Attribute or uniform.
     pub kind: VariableKind,
 }
 
 impl Declared {
-    /// A uniform that is no array.
+    /// Creates a uniform that is not an array.
     #[must_use]
     pub fn uniform(name: impl Into<String>, glsl_type: impl Into<String>) -> Self {
         Self { name: name.into(), glsl_type: glsl_type.into(), array: 1, kind: VariableKind::Uniform }
     }
 
-    /// An attribute.
+    /// Creates an attribute.
     #[must_use]
     pub fn attribute(name: impl Into<String>, glsl_type: impl Into<String>) -> Self {
         Self { kind: VariableKind::Attribute, ..Self::uniform(name, glsl_type) }
@@ -58,9 +59,9 @@ impl Declared {
 pub enum How {
     /// Its name.
     Name,
-    /// Its type: nothing else of that type is left.
+    /// Its type: no other variable of that type is left.
     Type,
-    /// Its name and those that it stands beside.
+    /// Its name and the variables beside it.
     Use,
     /// `names.toml`.
     NamesFile,
@@ -82,7 +83,7 @@ impl fmt::Display for How {
 pub struct Bound {
     /// The variable.
     pub declared: Declared,
-    /// The explanation.
+    /// The role.
     pub role: Role,
     /// The evidence for the role.
     pub how: How,
@@ -100,25 +101,25 @@ pub struct Fixed {
 /// The roles of a pair of shaders' variables.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Bindings {
-    /// Those with a role, in the given order.
+    /// Variables with a role, in the given order.
     pub bound: Vec<Bound>,
-    /// Those with a value of the student's own.
+    /// Variables with a value from `names.toml`.
     pub fixed: Vec<Fixed>,
-    /// Those that nothing is known of.
+    /// Variables without a role.
     pub unknown: Vec<Declared>,
-    /// Names in `names.toml` that no variable has.
+    /// Names in `names.toml` that are not names of variables.
     pub unused: Vec<String>,
 }
 
 impl Bindings {
-    /// The variable of a role.
+    /// Returns the variable with a role.
     #[must_use]
     pub fn variable(&self, role: Role) -> Option<&Declared> {
         self.bound.iter().find(|bound| bound.role == role).map(|bound| &bound.declared)
     }
 }
 
-/// Gives each variable its role. OpenGL's own variables (`gl_...`) are left out.
+/// Determines the role of each variable. OpenGL's own variables (`gl_...`) are ignored.
 #[must_use]
 pub fn bind(declared: &[Declared], file: &NamesFile) -> Bindings {
     let mut bindings = Bindings { unused: file.names.keys().cloned().collect(), ..Bindings::default() };
@@ -131,7 +132,7 @@ pub fn bind(declared: &[Declared], file: &NamesFile) -> Bindings {
             _ => None,
         })
         .collect();
-    // A variable with a value of its own is no neighbour.
+    // A variable with a fixed value does not influence the others.
     let is_open: Vec<bool> = told.iter().map(Option::is_none).collect();
     let found = context::roles(&own, &given, &is_open);
     for ((declared, told), found) in own.into_iter().zip(told).zip(found) {

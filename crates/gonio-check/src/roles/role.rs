@@ -1,4 +1,4 @@
-//! The roles that a shader's variable can have.
+//! The roles of a shader's variables.
 
 use std::fmt;
 use std::str::FromStr;
@@ -6,9 +6,9 @@ use std::str::FromStr;
 /// The meaning of an attribute or a uniform. Numbers are a light's index, from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Role {
-    /// Attribute: a vertex's place, in the model's space.
+    /// Attribute: the position of a vertex in model space.
     Position,
-    /// Attribute: a vertex's normal, in the model's space.
+    /// Attribute: the normal of a vertex in model space.
     Normal,
     /// Attribute: texture coordinates.
     TexCoord,
@@ -32,25 +32,25 @@ pub enum Role {
     NormalMatrix,
     /// The inverse transpose of V M.
     NormalMatrixOfModelView,
-    /// The camera's place, in world space.
+    /// The position of the camera, in world space.
     ViewPos,
     /// The direction that the camera looks in, in world space.
     ViewFront,
-    /// The camera's own Up, perpendicular to where it looks, in world space.
+    /// The camera's own Up, perpendicular to Front, in world space.
     ViewUp,
     /// The approximate up direction of the camera, in world space.
     WorldUp,
     /// The camera's own Right, in world space.
     ViewRight,
-    /// A place that the camera looks at, in world space.
+    /// The point that the camera looks at, in world space.
     ViewTarget,
-    /// The camera's turn to the side in degrees: -90 is straight ahead, towards -Z.
+    /// The yaw of the camera in degrees: -90 looks towards -Z.
     Yaw,
-    /// The camera's turn upwards in degrees.
+    /// The pitch of the camera in degrees.
     Pitch,
-    /// A light's place, in world space.
+    /// The position of a light, in world space.
     LightPos(u32),
-    /// A light's place, in view space.
+    /// The position of a light, in view space.
     LightPosInView(u32),
     /// The direction in which a light shines.
     LightDirection(u32),
@@ -76,7 +76,7 @@ pub enum Role {
     AttenuationQuadratic(u32),
     /// All three of them in one vector, the constant first.
     Attenuation(u32),
-    /// How many lights there are.
+    /// Number of lights.
     LightCount,
     /// The exponent of the specular term.
     Shininess,
@@ -88,7 +88,7 @@ pub enum Role {
     MaterialDiffuse,
     /// The material's specular reflectance.
     MaterialSpecular,
-    /// Light that the material gives off.
+    /// Light that the material emits.
     Emitted,
     /// Index of refraction, such as 1.52.
     RefractionIndex,
@@ -110,11 +110,11 @@ pub enum Role {
     Panorama,
     /// Width and height of the picture in pixels.
     Resolution,
-    /// Which face of a cubemap is drawn, 0 to 5.
+    /// The index of the cubemap face that is drawn, 0 to 5.
     Face,
 }
 
-/// A role's name, with how it is made where it belongs to a light.
+/// A role, or a function from a light's index to one.
 enum Named {
     Plain(Role),
     Light(fn(u32) -> Role),
@@ -179,12 +179,12 @@ const NAMES: [(&str, Named); 53] = [
 ];
 
 impl Role {
-    /// Every role, those of lights for light 0.
+    /// Returns all roles, those of lights for light 0.
     pub fn all() -> impl Iterator<Item = Self> {
         NAMES.iter().map(|(_, named)| named.with_light(0))
     }
 
-    /// The light that it belongs to.
+    /// Returns the index of the light that the role belongs to.
     #[must_use]
     pub const fn light(self) -> Option<u32> {
         match self {
@@ -206,7 +206,7 @@ impl Role {
         }
     }
 
-    /// The same role of another light; a role of no light stays as it is.
+    /// Returns the same role of another light; roles without a light are unchanged.
     #[must_use]
     pub fn with_light(self, light: u32) -> Self {
         if self.light().is_none() {
@@ -216,7 +216,7 @@ impl Role {
         NAMES.iter().find(|(_, named)| of_first(named)).map_or(self, |(_, named)| named.with_light(light))
     }
 
-    /// Whether it is an attribute's.
+    /// Whether it is a role of attributes.
     #[must_use]
     pub const fn is_attribute(self) -> bool {
         matches!(self, Self::Position | Self::Normal | Self::TexCoord | Self::Color | Self::Tangent)
@@ -233,7 +233,7 @@ impl Named {
 }
 
 impl fmt::Display for Role {
-    /// The written name; from the second light on with its index, `light-pos-1`.
+    /// Writes the name; from the second light on with its index, `light-pos-1`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let first = self.with_light(0);
         let name = NAMES.iter().find(|(_, named)| named.with_light(0) == first).map_or("", |&(name, _)| name);
@@ -244,12 +244,12 @@ impl fmt::Display for Role {
     }
 }
 
-/// A word that names no role.
+/// An unknown role.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownRole {
     /// The word.
     pub given: String,
-    /// The name most like it.
+    /// The most similar name of a role.
     pub nearest: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! What a name's words mean for a variable of its type, on its own; `context` then looks at its neighbours.
+//! Derives a role from the words of a name and the type of its variable alone; `context` then considers the others.
 
 use super::role::Role;
 use super::words::Words;
@@ -11,11 +11,11 @@ pub(super) enum Shape {
     Matrix,
     Sampler2D,
     SamplerCube,
-    /// Flags and what gonio never sets.
+    /// Other types, which gonio never sets.
     Other,
 }
 
-/// The shape of a type by its GLSL name.
+/// Returns the shape of a type by its GLSL name.
 pub(super) fn shape(glsl_type: &str) -> Shape {
     match glsl_type {
         "float" | "int" | "uint" | "double" | "half" => Shape::Scalar,
@@ -27,7 +27,7 @@ pub(super) fn shape(glsl_type: &str) -> Shape {
     }
 }
 
-/// Words that must be there, words that must not, and the role then, of a light's index.
+/// Words that must occur, words that must not, and the resulting role for the index of a light.
 struct Rule {
     all: &'static [&'static str],
     none: &'static [&'static str],
@@ -38,7 +38,8 @@ const fn rule(all: &'static [&'static str], none: &'static [&'static str], role:
     Rule { all, none, role }
 }
 
-/// A vector's, first match first. `struct` marks a field of a light's struct whose own name does not say *light*.
+/// The rules for vectors; the first match counts. `struct` marks a field of a light's struct whose own name does not
+/// contain *light*.
 const VECTORS: &[Rule] = &[
     rule(&["light", "pos", "view", "space"], &["world"], Role::LightPosInView),
     rule(&["light", "pos", "camera", "space"], &["world"], Role::LightPosInView),
@@ -62,7 +63,7 @@ const VECTORS: &[Rule] = &[
     rule(&["camera", "front"], &[], |_| Role::ViewFront),
     rule(&["camera", "dir"], &[], |_| Role::ViewFront),
     rule(&["front"], &["light", "struct", "color"], |_| Role::ViewFront),
-    // Students call the camera's place a direction.
+    // Students call the position of the camera a direction.
     rule(&["view", "dir"], &[], |_| Role::ViewPos),
     rule(&["view"], &["color", "screen", "size"], |_| Role::ViewPos),
     rule(&["camera"], &["color", "screen", "size"], |_| Role::ViewPos),
@@ -144,7 +145,7 @@ const ATTRIBUTES: &[Rule] = &[
     rule(&["coord"], &[], |_| Role::Position),
 ];
 
-/// An attribute's role by its name.
+/// Returns the role of an attribute by its name.
 pub(super) fn attribute(shape: Shape, words: &Words) -> Option<Role> {
     if shape != Shape::Vector || says_axis(words) {
         return None;
@@ -152,12 +153,12 @@ pub(super) fn attribute(shape: Shape, words: &Words) -> Option<Role> {
     first(ATTRIBUTES, words, 0)
 }
 
-/// A uniform's role by its name and type.
+/// Returns the role of a uniform by its name and type.
 pub(super) fn uniform(shape: Shape, words: &Words, light: u32) -> Option<Role> {
     if shape == Shape::Matrix {
         return matrix(words);
     }
-    // `faceId` is no name of anything else.
+    // `faceId` has no other meaning.
     let is_only_face =
         shape == Shape::Scalar && words.tokens.iter().all(|t| matches!(*t, "face" | "blocked" | "index"));
     if words.has("face") && is_only_face {
@@ -187,16 +188,16 @@ pub(super) fn uniform(shape: Shape, words: &Words, light: u32) -> Option<Role> {
         Shape::SamplerCube => SAMPLERS_CUBE,
         Shape::Matrix | Shape::Other => return None,
     };
-    // A colour is no vec2 and a picture's size no vec4, but the names are clear enough.
+    // A colour is never a vec2 and a picture's size never a vec4, but the names are clear enough.
     first(rules, words, light)
 }
 
-/// Words of a camera's axes, which say nothing of anything else.
+/// Whether the words are those of a camera's axes, which have no other meaning.
 fn says_axis(words: &Words) -> bool {
     ["up", "right", "target"].iter().any(|word| words.has(word))
 }
 
-/// A camera's axis, or what it looks at. `context` tells the camera's own Up from what is roughly upwards.
+/// Returns the axis of a camera or its target. `context` distinguishes the camera's own Up from the world's.
 fn axis(words: &Words) -> Option<Role> {
     const OF_CAMERAS: [&str; 10] = ["up", "right", "target", "view", "camera", "world", "pos", "dir", "front", "at"];
     if !words.tokens.iter().all(|token| OF_CAMERAS.contains(token)) {
@@ -215,9 +216,9 @@ fn first(rules: &[Rule], words: &Words, light: u32) -> Option<Role> {
     rules.iter().find(fits).map(|rule| (rule.role)(light))
 }
 
-/// A matrix's role: which of M, V and P it holds.
+/// Returns the role of a matrix: which of M, V and P it contains.
 fn matrix(words: &Words) -> Option<Role> {
-    // A matrix of a light is one of shadows.
+    // The matrix of a light is for shadows.
     if words.has("blocked") || words.has("light") || words.has("tex") || says_axis(words) {
         return None;
     }
@@ -225,14 +226,14 @@ fn matrix(words: &Words) -> Option<Role> {
         return Some(role);
     }
     let spelt = |word: &str| words.has(word);
-    // Beside words, a letter is a prefix (`mModel`, `u_model`); alone, it is the matrix (`M`, `u_M`, `itM`).
+    // Beside words a letter is a prefix (`mModel`, `u_model`); alone it is the matrix (`M`, `u_M`, `itM`).
     let has_words =
         ["model", "world", "object", "view", "camera", "proj", "normal", "mv", "vp", "mvp"].iter().any(|w| spelt(w));
     let letter = |c: char| !has_words && words.letters.contains(&c);
     let joined =
         |c: &str| words.tokens.iter().any(|token| matches!(*token, "m" | "mv" | "vp" | "mvp") && token.contains(c));
     let m = spelt("model") || spelt("world") || spelt("object") || joined("m") || letter('m') || letter('w');
-    // `cameraMatrix` may be P V as well: `context` decides.
+    // `cameraMatrix` may also be P V; `context` decides.
     let v = spelt("view") || spelt("camera") || joined("v") || letter('v');
     let p = spelt("proj") || joined("p") || letter('p');
     let inverse_transpose = spelt("inverse") && (spelt("transpose") || spelt("trans") || letter('t'))
@@ -259,7 +260,7 @@ fn matrix(words: &Words) -> Option<Role> {
     }
 }
 
-/// `world_from_model`, `modelToWorld`.
+/// Returns the role of names such as `world_from_model` and `modelToWorld`.
 fn between_spaces(order: &[&str]) -> Option<Role> {
     let at = order.iter().position(|word| matches!(*word, "from" | "to"))?;
     let space = |word: Option<&&str>| {

@@ -1,10 +1,10 @@
-//! The dialects of students and tutorials, each as a shader's list of variables and what they must come to.
+//! The naming styles of students and tutorials, each as the variables of a shader with their expected roles.
 
 #![allow(clippy::unwrap_used)]
 
 use super::*;
 
-/// `type name role` a line; `in` in front for an attribute; `-` where nothing must be known.
+/// Each line is `type name role`, after `in` for an attribute; `-` means no role.
 fn check(title: &str, table: &str, wrong: &mut Vec<String>) -> usize {
     let mut declared = Vec::new();
     let mut roles = Vec::new();
@@ -18,10 +18,10 @@ fn check(title: &str, table: &str, wrong: &mut Vec<String>) -> usize {
         declared.push(Declared { kind, ..Declared::uniform(*name, *glsl_type) });
         roles.push(if *role == "-" { None } else { Some(role.parse::<Role>().unwrap()) });
     }
-    // The driver lists them in any order; only attributes told by their type depend on it.
-    for turned in [false, true] {
+    // Drivers list variables in any order; only attributes recognised by type depend on it.
+    for reversed in [false, true] {
         let mut list = declared.clone();
-        if turned {
+        if reversed {
             list.sort_by_key(|d| (d.kind == VariableKind::Uniform).then(|| std::cmp::Reverse(d.name.clone())));
         }
         let bindings = bind(&list, &NamesFile::default());
@@ -30,11 +30,8 @@ fn check(title: &str, table: &str, wrong: &mut Vec<String>) -> usize {
             let shown = |role: Option<Role>| role.map_or("-".to_owned(), |role| role.to_string());
             if found != *role {
                 let Declared { glsl_type, name, .. } = declared;
-                wrong.push(format!(
-                    "{title}: {glsl_type} {name}: {} for {}, turned {turned}",
-                    shown(found),
-                    shown(*role)
-                ));
+                let (found, role) = (shown(found), shown(*role));
+                wrong.push(format!("{title}: {glsl_type} {name}: {found} for {role}, reversed {reversed}"));
             }
         }
         assert_eq!(bindings.bound.len() + bindings.unknown.len(), declared.len());
@@ -487,7 +484,7 @@ fn the_file_goes_before_the_names() {
     let file = NamesFile::parse("[names]\nlightPos = \"view-pos\"\n").unwrap();
     let bindings = bind(&list, &file);
     assert_eq!(bindings.bound[0].role, Role::ViewPos);
-    // And is a neighbour: the camera's place is known, so this is its direction.
+    // It influences others: the position of the camera is known, so this is its direction.
     assert_eq!(bindings.bound[1].role, Role::ViewFront);
 }
 

@@ -1,11 +1,11 @@
-//! A variable's name as words with one meaning each, whatever the dialect: `u_lightPos`, `LightPosition_worldspace`,
-//! `lights[1].pos` and `posLumiere` all say *light* and *pos*.
+//! Splits the name of a variable into words with one meaning each, in any naming style: `u_lightPos`,
+//! `LightPosition_worldspace`, `lights[1].pos` and `posLumiere` all mean *light* and *pos*.
 
 use crate::words::words_of;
 
-/// Spellings and what they mean. What stands here with an empty meaning says nothing.
+/// Spellings and their meanings. Words with an empty meaning are ignored.
 const MEANINGS: &[(&str, &str)] = &[
-    // What is lit, by what, seen by whom.
+    // Object, light and viewer.
     (
         "light lights lighting lightning lamp lamps lampe lum luminaire lumiere lumieres lumière lumières sun soleil spotlight spot pointlight licht lightsource",
         "light",
@@ -91,7 +91,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("env environment environnement envmap", "env"),
     ("reflect reflection reflexion", "reflect"),
     ("panorama pano equirect equirectangular equi latlong hdr hdri spherical skydome", "panorama"),
-    // The rest.
+    // Others.
     ("time now temps elapsed clock seconds", "time"),
     ("resolution viewport screen window fenetre", "screen"),
     ("size dim dimensions", "size"),
@@ -100,7 +100,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("to", "to"),
     ("clip ndc", "clip"),
     ("k", "strength"),
-    // Says that the name is of something else than its other words.
+    // Words that change the meaning of the others.
     (
         "shadow shadows property properties props depth bone bones joint prev previous fog near far radius cutoff cut \
          off inner outer cos angle use has is enable enabled show min max bias offset scale scaling threshold mouse width height aspect fov noise \
@@ -117,16 +117,16 @@ const MEANINGS: &[(&str, &str)] = &[
     ),
 ];
 
-/// A name's words.
+/// The words of a name.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Words {
-    /// What the words mean, once each.
+    /// The meanings of the words, without duplicates.
     pub(super) tokens: Vec<&'static str>,
     /// A number in the name.
     pub(super) number: Option<u32>,
     /// Single letters in order, capital or not: `M`, `V`, `P`, `N`.
     pub(super) letters: Vec<char>,
-    /// The meanings in order, those of `from` and `to` included.
+    /// The meanings in order, including `from` and `to`.
     pub(super) order: Vec<&'static str>,
 }
 
@@ -144,7 +144,7 @@ impl Words {
         }
     }
 
-    /// The words of one part of a name (no dots, no brackets).
+    /// Splits one part of a name (without dots and brackets) into words.
     pub(super) fn split(name: &str) -> Self {
         let mut words = Self::default();
         let parts = words_of(name);
@@ -164,7 +164,7 @@ impl Words {
                 at += 1;
                 continue;
             }
-            // `lPos`, `l_dir`: the light's.
+            // `lPos` and `l_dir` belong to a light.
             let is_light = word == "l"
                 && parts.get(at).and_then(|next| meaning(next)).is_some_and(|m| matches!(m, "pos" | "dir" | "color"));
             match word.chars().next() {
@@ -183,14 +183,14 @@ impl Words {
         if let Some(meanings) = cut(word) {
             return meanings.into_iter().for_each(|meaning| self.add(meaning));
         }
-        // A letter for a space or a kind in front: `WeyePos`, `MvertPos`, `vnormal`.
+        // A prefix letter for a space or a kind: `WeyePos`, `MvertPos`, `vnormal`.
         let mut rest = word.chars();
         rest.next();
         let rest = rest.as_str();
         if let Some(meanings) = meaning(rest).filter(|_| rest.len() > 2).map(|m| vec![m]).or_else(|| cut(rest)) {
             return meanings.into_iter().for_each(|meaning| self.add(meaning));
         }
-        // A word of the student's own beside one that is known: `bunnytexture`.
+        // An unknown word joined to a known one: `bunnytexture`.
         let known =
             MEANINGS.iter().flat_map(|(spellings, meaning)| spellings.split_whitespace().map(move |s| (s, *meaning)));
         let mut best = ("", "");
@@ -211,13 +211,13 @@ fn meaning(word: &str) -> Option<&'static str> {
         .map(|&(_, meaning)| meaning)
 }
 
-/// Words written together: `lightpos`, `texcoord`. Every piece must be known and have three letters or be a matrix.
+/// Splits joined words: `lightpos`, `texcoord`. Each piece must be known and have three letters or be a matrix.
 fn cut(word: &str) -> Option<Vec<&'static str>> {
-    // Longer than any name a person writes.
+    // Real names are shorter.
     if word.len() > 60 || !word.is_ascii() {
         return None;
     }
-    // best[end]: how the first `end` letters are cut, by the fewest pieces.
+    // best[end]: the split of the first `end` letters with the fewest pieces.
     let mut best: Vec<Option<Vec<&'static str>>> = vec![None; word.len() + 1];
     best[0] = Some(Vec::new());
     for end in 1..=word.len() {

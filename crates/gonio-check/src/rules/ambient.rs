@@ -59,7 +59,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
         }
         "ambient-strength-missing" => Answer::at_or(reading.meeting().filter(|_| !is_there(AMBIENT)), 0.7, known),
         "terms-multiplied" => {
-            // A highlight times the cosine, or only where there is one, is no mistake beside a diffuse term.
+            // A highlight that is multiplied by the cosine or gated by it is not a mistake beside a diffuse term.
             if reading.sum().iter().any(|p| p.bits & LIT == DIFFUSE && p.bits & AMBIENT == 0) {
                 return Some(Not);
             }
@@ -96,7 +96,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
             let is_lit = is_there(LIT);
             let found = reading.tree.iter().copied().rfind(is_normal).filter(|_| !is_lit);
             match (found, reading.put_out()) {
-                // The line that puts it out.
+                // The line that outputs it.
                 (Some(_), Some(id)) => At(id, 1.0),
                 _ => Not,
             }
@@ -112,7 +112,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
     })
 }
 
-/// Where the ambient term is multiplied by what a spot light's cone leaves of its light, or is only there within the cone.
+/// Finds an ambient term that the cone of a spot light affects.
 fn in_cone(reading: &Reading) -> Answer {
     let of_cones = reading.of_cones();
     let of_cone = |id: Id| of_cones.get(id.0 as usize).copied().unwrap_or(false);
@@ -141,7 +141,7 @@ fn twice(reading: &Reading) -> Answer {
     if reading.colour.is_none_or(|colour| of_ambient(colour).is_empty()) {
         return Silent;
     }
-    // Each light has its own.
+    // Each light has its own ambient term.
     let is_shared = |a: Id, b: Id| {
         let of_b = of_ambient(b);
         of_ambient(a).iter().any(|one| of_b.iter().any(|other| reading.graph.is_same(*one, *other)))
@@ -158,7 +158,7 @@ fn twice(reading: &Reading) -> Answer {
 fn albedo_missing(reading: &Reading) -> Answer {
     let products = reading.sum();
     if products.iter().any(|p| p.albedo > 0) {
-        // Of several terms, the one without.
+        // Among several terms, the one without the factor.
         let bare = products.iter().find(|p| p.albedo == 0 && p.bits & (LIT | AMBIENT) != 0);
         let Some(product) = bare else { return Not };
         let factor = product.factors.iter().find(|id| reading.bits(**id) & (LIT | AMBIENT) != 0);
@@ -170,7 +170,8 @@ fn albedo_missing(reading: &Reading) -> Answer {
     }
 }
 
-/// Where the light is computed in that stage: for vertices the line that hands it on, for fragments that of the cosine.
+/// Locates the lighting computation in a stage: for vertices the line that passes it on, for fragments that of the
+/// cosine.
 fn per(reading: &Reading, stage: Stage) -> Answer {
     let dots = reading.diffuse_dots();
     let Some((dot, ..)) = dots.iter().find(|(dot, ..)| reading.graph.node(*dot).stage == stage) else {
@@ -186,7 +187,7 @@ fn per(reading: &Reading, stage: Stage) -> Answer {
     At(handed_on.unwrap_or(*dot), 1.0)
 }
 
-/// Whether what is put out is a vector as it is.
+/// Whether the output is a vector of this kind, unchanged.
 pub(super) fn puts_out(reading: &Reading, kind: impl Fn(VectorKind) -> bool) -> bool {
     reading.shade().and_then(|id| reading.vector(id)).is_some_and(|vector| kind(vector.kind))
 }

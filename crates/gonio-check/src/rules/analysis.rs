@@ -1,4 +1,5 @@
-//! Analyses the source of a pair of shaders: the mistakes that it makes and where, and the constants written in it.
+//! Analyses the source of a pair of shaders: its mistakes and their lines, the constants written in it, and the roles
+//! of matrices by their use.
 
 use super::constants::{self, SourceConstants};
 use super::{Answer, answer, power_under_maximum};
@@ -8,36 +9,36 @@ use crate::roles::{NamesFile, Role};
 use gonio_glsl::ast::BinaryOp;
 use gonio_glsl::{Span, Stage};
 
-/// An expression of the student's.
+/// An expression in the student's source.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// In which shader.
+    /// The shader.
     pub stage: Stage,
-    /// Where.
+    /// The position in the shader.
     pub span: Span,
-    /// From 0 to 1, how far the source shows the mistake there.
+    /// The confidence that the mistake is made there, 0 to 1.
     pub confidence: f32,
 }
 
-/// A pair of shaders that has been read; all questions can be asked of it.
+/// The analysis of a pair of shaders.
 pub struct Analysis {
     pub(super) reading: Reading,
 }
 
 impl Analysis {
-    /// Reads a pair. `names` says what names mean where nothing else tells.
+    /// Analyses a pair. `names` assigns roles to names that are otherwise unclear.
     #[must_use]
     pub fn new(vertex: &Shader, fragment: &Shader, names: &NamesFile) -> Self {
         Analysis { reading: Reading::new(vertex, fragment, names) }
     }
 
-    /// Constants in the source where a uniform could be, as far as they flow into the colour.
+    /// Returns constants in the source that could be uniforms, if they flow into the colour.
     #[must_use]
     pub fn constants(&self) -> SourceConstants {
         constants::constants(&self.reading)
     }
 
-    /// Whether V is cut down to its rotation somewhere, used or not.
+    /// Whether V is reduced to its rotation anywhere, used or not.
     #[must_use]
     pub fn turns_only(&self) -> bool {
         let graph = &self.reading.graph;
@@ -48,14 +49,14 @@ impl Analysis {
         })
     }
 
-    /// Matrices whose names say nothing, and what they must be for the position to be what it is.
+    /// Returns the roles of matrices with unclear names by their use in the position.
     #[must_use]
     pub fn matrices_by_use(&self) -> Vec<(String, Role)> {
         matrices_by_use(&self.reading)
     }
 
-    /// The place in the source that looks like a mistake of the catalogue, or where what is missing belongs. `None` where the
-    /// source does not tell.
+    /// Returns the expression that makes a mistake of the catalogue, or the place where something is missing. `None`
+    /// if the source does not show it.
     #[must_use]
     pub fn line(&self, id: &str, model: ModelSolution) -> Option<Place> {
         match answer(&self.reading, id, model) {
@@ -64,8 +65,8 @@ impl Analysis {
         }
     }
 
-    /// How far the source supports a mistake: 1 if the very expression is there, 0 if it is there and right, 0.5 if the source
-    /// does not tell.
+    /// Returns the support of the source for a mistake: 1 if the very expression is there, 0 if the expression is
+    /// right, 0.5 if the source does not decide.
     #[must_use]
     pub fn support(&self, id: &str, model: ModelSolution) -> f32 {
         match answer(&self.reading, id, model) {
@@ -75,7 +76,7 @@ impl Analysis {
         }
     }
 
-    /// Mistakes that no picture shows: id, place, and a sentence for the student.
+    /// Returns the mistakes that no picture shows: id, place, and a sentence for the student.
     #[must_use]
     pub fn in_source_only(&self) -> Vec<(&'static str, Place, String)> {
         let found = power_under_maximum(&self.reading).and_then(|node| self.place(node, 1.0));
@@ -84,7 +85,7 @@ impl Analysis {
         found.map(|place| ("specular-power-of-negative", place, sentence.to_owned())).into_iter().collect()
     }
 
-    /// Whether the function that is called at that place looks something up that flows into the colour.
+    /// Whether the result of the lookup at this position flows into the colour.
     #[must_use]
     pub fn puts_out_lookup(&self, name: Span) -> bool {
         let graph = &self.reading.graph;
@@ -94,8 +95,8 @@ impl Analysis {
         })
     }
 
-    /// Where a panorama is looked up at an angle that jumps from one edge to the other, by a function that chooses its
-    /// mipmap by how fast that changes: harmless as long as there are no mipmaps.
+    /// Finds a lookup of a panorama whose u jumps from one edge to the other, by a function that selects the mipmap
+    /// by derivatives: harmless as long as there are no mipmaps.
     #[must_use]
     pub fn seam_by_mipmaps(&self) -> Option<(Place, String)> {
         let graph = &self.reading.graph;
@@ -117,7 +118,8 @@ impl Analysis {
     }
 }
 
-/// The names of uniforms and what they must be. Empty where names say it all, or where the position is no plain product.
+/// Returns the roles that matrices with unclear names must have. Empty if all names are clear, or if the position is
+/// not a product.
 fn matrices_by_use(reading: &Reading) -> Vec<(String, Role)> {
     let Some(position) = reading.position else { return Vec::new() };
     let mut factors = Vec::new();
@@ -131,7 +133,7 @@ fn matrices_by_use(reading: &Reading) -> Vec<(String, Role)> {
         _ if others_project => return Vec::new(),
         [None] => &[Role::ModelViewProjection],
         [Some(Role::Projection), None] => &[Role::Projection, Role::ModelView],
-        // `camera * transform`: with nothing to project with, it is in the first.
+        // `camera * transform`: without a projection, the first factor contains it.
         [None | Some(Role::View | Role::ViewProjection), None] | [None, Some(Role::Model)] => {
             &[Role::ViewProjection, Role::Model]
         }
@@ -150,7 +152,8 @@ fn matrices_by_use(reading: &Reading) -> Vec<(String, Role)> {
     factors.into_iter().zip(meant).filter_map(changed).collect()
 }
 
-/// The uniforms of a product from left to right, without the vector at its end; whether it is one.
+/// Collects the uniforms of a product from left to right, without the vector at its end. Returns whether the node is
+/// such a product.
 fn product(reading: &Reading, id: Id, factors: &mut Vec<(String, Option<Role>)>, depth: usize) -> bool {
     let graph = &reading.graph;
     if depth > 16 || factors.len() > 3 {

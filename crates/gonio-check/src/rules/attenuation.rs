@@ -56,7 +56,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
     })
 }
 
-/// The vector whose length a node is, as if both ends were subtracted.
+/// Returns the vector whose length a node is, as the difference of both ends.
 pub(super) fn measured(reading: &Reading, id: Id) -> Option<Vector> {
     match reading.graph.op(id) {
         Op::Call(name, parts) => match (name.as_str(), &parts[..]) {
@@ -105,17 +105,17 @@ fn distance(reading: &Reading, wanted: impl Fn(Vector) -> bool) -> Answer {
     }
 }
 
-/// A part of what is divided by: a constant times a power of the distance.
+/// A summand of the divisor: a constant times a power of the distance.
 pub(super) struct Part {
-    /// How often the distance is in it.
+    /// The power of the distance.
     pub degree: f64,
-    /// Of the constant, where it is a uniform.
+    /// The role of the constant, if it is a uniform.
     pub role: Option<Role>,
-    /// The constant, where it is written down.
+    /// The constant, if it is a number in the source.
     pub number: Option<f64>,
 }
 
-/// What the light is divided by for the distance.
+/// The divisor of the light that depends on the distance.
 pub(super) struct Falloff {
     pub at: Id,
     pub parts: Vec<Part>,
@@ -131,7 +131,7 @@ impl Falloff {
     }
 }
 
-/// The first quotient by something with a distance in it.
+/// Returns the first quotient whose divisor contains a distance.
 pub(super) fn falloff(reading: &Reading) -> Option<Falloff> {
     let (quotient, divided) = reading.tree.iter().find_map(|id| {
         let by = match reading.graph.op(*id) {
@@ -146,7 +146,7 @@ pub(super) fn falloff(reading: &Reading) -> Option<Falloff> {
         let bits = reading.bits(by);
         (bits & ATTENUATION != 0 && bits & (DIFFUSE | SPECULAR | AMBIENT) == 0).then_some((*id, by))
     })?;
-    // The sum, if it is one; the distance itself is right.
+    // The sum, if it is one; the distance itself is not at fault.
     let sum = reading.graph.core(divided);
     let at = if matches!(reading.graph.op(sum), Op::Call(..)) { quotient } else { sum };
     Some(Falloff { at, parts: parts(reading, divided) })
@@ -172,7 +172,7 @@ fn parts(reading: &Reading, sum: Id) -> Vec<Part> {
     parts
 }
 
-/// Which power of a distance it is.
+/// Returns the power of the distance.
 fn degree(reading: &Reading, id: Id) -> Option<f64> {
     match reading.graph.op(id) {
         Op::Call(name, parts) => match (name.as_str(), &parts[..]) {
@@ -197,7 +197,7 @@ fn missing(reading: &Reading) -> Answer {
     if is_used {
         return Not;
     }
-    // A number where it should be.
+    // A number is in the place of the distance.
     let named = reading.tree.iter().copied().find(|id| match reading.graph.op(*id) {
         Op::Copy(inner, name) => is_attenuation(name) && reading.graph.number(*inner).is_some(),
         _ => false,
@@ -208,7 +208,7 @@ fn missing(reading: &Reading) -> Answer {
     }
 }
 
-/// Light that fades with the distance, and is divided by nothing that grows with it.
+/// Finds light that decreases with distance without a division by the distance.
 fn other_formula(reading: &Reading) -> Answer {
     let fades = |p: &crate::dataflow::terms::Product| p.bits & ATTENUATION != 0 && p.bits & (DIFFUSE | SPECULAR) != 0;
     if falloff(reading).is_some() || !reading.sum().iter().any(fades) {
@@ -222,7 +222,7 @@ fn other_formula(reading: &Reading) -> Answer {
     Answer::at_or(found, 1.0, Silent)
 }
 
-/// The sum of constants times powers of the distance that multiplies.
+/// Finds a polynomial of the distance that is multiplied instead of divided by.
 fn not_inverted(reading: &Reading) -> Answer {
     if falloff(reading).is_some() {
         return Not;

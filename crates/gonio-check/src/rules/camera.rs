@@ -7,7 +7,7 @@ use crate::dataflow::matrix::Base;
 use crate::dataflow::{Id, Op};
 use gonio_glsl::ast::BinaryOp;
 
-/// How sure a place is that is only the matrix as a whole.
+/// The confidence of a place that is only the matrix as a whole.
 const SOMEWHERE: f32 = 0.4;
 
 pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
@@ -44,9 +44,9 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
 /// The expression for the position on the screen.
 struct Product {
     at: Id,
-    /// From left to right, with what each is; a camera's matrix in two factors counts once.
+    /// The factors from left to right with their meaning; a view matrix in two factors counts once.
     parts: Vec<(Id, Option<Base>)>,
-    /// The factors of a camera's matrix that the program builds.
+    /// The factors of a view matrix that the program builds.
     view: Option<Vec<Id>>,
     is_reversed: bool,
 }
@@ -55,7 +55,7 @@ impl Product {
     fn find(reading: &Reading) -> Option<Self> {
         let graph = &reading.graph;
         let mut at = graph.core(reading.position?);
-        // `P * V * M * p / w`, and what was set afterwards.
+        // `P * V * M * p / w`, and later assignments to components.
         while let Op::Binary(BinaryOp::Divide, inner, _) | Op::Write(inner, ..) = graph.op(at) {
             at = graph.core(*inner);
         }
@@ -71,7 +71,7 @@ impl Product {
                 let view = product.view.get_or_insert_default();
                 let is_known = view.contains(&id);
                 view.push(id);
-                // Rotation and translation are one matrix; the same one again is another.
+                // Rotation and translation are one matrix; a repeated factor is another one.
                 if is_known || product.parts.last().is_none_or(|(_, last)| *last != Some(Base::View)) {
                     product.parts.push((id, Some(Base::View)));
                 }
@@ -99,7 +99,7 @@ impl Product {
     }
 }
 
-/// A division by w on the way to the screen.
+/// Finds a division by w before the output.
 fn divided(reading: &Reading) -> Answer {
     let graph = &reading.graph;
     let is_w = |id: Id| match graph.op(graph.plain(id)) {
@@ -118,7 +118,7 @@ fn divided(reading: &Reading) -> Answer {
     Answer::at_or(reading.placed.iter().copied().find(is), 1.0, Not)
 }
 
-/// `vec4(clip.xyz, 1.0)` as the place on the screen.
+/// Finds `vec4(clip.xyz, 1.0)` as the output position.
 fn w_set(reading: &Reading) -> Answer {
     let graph = &reading.graph;
     let Some(position) = reading.position else { return Silent };
@@ -130,7 +130,7 @@ fn w_set(reading: &Reading) -> Answer {
     if w == Some(1.0) { At(position, 0.9) } else { Not }
 }
 
-/// A camera's matrix that the program builds.
+/// A view matrix that the program builds.
 struct View<'a> {
     reading: &'a Reading,
     product: &'a Product,
@@ -141,14 +141,14 @@ impl View<'_> {
         self.product.view.as_deref().unwrap_or_default()
     }
 
-    /// The first factor whose number there is what is looked for.
+    /// Returns the first factor whose component at these positions satisfies the condition.
     fn find(&self, places: &[(usize, usize)], is: impl Fn(Value) -> bool) -> Option<Id> {
         let entries =
             self.factors().iter().flat_map(|id| places.iter().filter_map(|(c, r)| self.reading.entry(*id, *c, *r)));
         entries.into_iter().find(|Entry { value, .. }| is(*value)).map(|entry| entry.at)
     }
 
-    /// Cross products among what the matrix is made of that give this axis with this sign.
+    /// Returns the cross product in the matrix that gives this axis with this sign.
     fn cross(&self, wanted: Axis, sign: f64) -> Option<Id> {
         let reading = self.reading;
         reading.placed.iter().copied().find(|id| {
@@ -204,7 +204,7 @@ impl View<'_> {
         self.factors().first().map(|id| self.reading.graph.plain(*id))
     }
 
-    /// Whether every number is known, and as it should be.
+    /// Whether all components are known and right.
     fn is_right(&self) -> bool {
         let [matrix] = self.factors() else { return false };
         let axes = [(Axis::Right, 1.0), (Axis::Up, 1.0), (Axis::Front, -1.0)];
@@ -217,7 +217,7 @@ impl View<'_> {
         })
     }
 
-    /// In a product the rotation stands to the left of the translation.
+    /// Finds a product with the translation to the left of the rotation.
     fn translation_first(&self) -> Option<Id> {
         let first = *self.factors().first()?;
         let reading = self.reading;
@@ -229,7 +229,7 @@ impl View<'_> {
         reading.placed.iter().copied().find(is_both).or(Some(self.product.at))
     }
 
-    /// A cross product that gives Right and that nothing normalises.
+    /// Finds a cross product for Right that is not normalised.
     fn right_not_normalised(&self) -> Option<Id> {
         let reading = self.reading;
         let is_right = |id: Id| reading.axis(id).is_some_and(|(axis, _)| axis == Axis::Right);
@@ -245,7 +245,7 @@ impl View<'_> {
         })
     }
 
-    /// Where Front is turned round, or taken from the target to the camera: right for the matrix' third axis.
+    /// Finds a Front that is negated or points from the target to the camera, which is right for the third axis.
     fn backwards(&self) -> Option<Id> {
         let reading = self.reading;
         let is = |id: &Id| {
@@ -255,7 +255,7 @@ impl View<'_> {
         reading.placed.iter().copied().find(is)
     }
 
-    /// Front and the camera's place in one sum; or the place alone where Front belongs.
+    /// Finds the sum of Front and the camera's position, or the position alone in the place of Front.
     fn mixed(&self) -> Option<Id> {
         let reading = self.reading;
         let is = |id: &Id| {

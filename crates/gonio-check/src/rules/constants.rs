@@ -1,4 +1,4 @@
-//! Numbers that stand in the source where a uniform could be.
+//! Finds constants in the source that could be uniforms.
 
 use super::attenuation::falloff;
 use crate::dataflow::terms::{DIFFUSE, SPECULAR};
@@ -7,39 +7,39 @@ use crate::dataflow::{Id, Op, Reading};
 use glam::Vec3;
 use gonio_glsl::ast::BinaryOp;
 
-/// Numbers that stand in the student's source where a uniform could be.
+/// Constants in the student's source that could be uniforms.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SourceConstants {
-    /// In the world.
+    /// The position of the light, in world space.
     pub light_position: Option<Vec3>,
-    /// Where the light comes from outside: another place of a light that is written all the same.
+    /// The position of another light that is a constant, if the light is an input.
     pub other_light: Option<Vec3>,
-    /// The exponent.
+    /// The exponent of the highlight.
     pub shininess: Option<f32>,
-    /// kc, kl, kq, where all three are there.
+    /// kc, kl and kq of the attenuation.
     pub attenuation: [Option<f32>; 3],
-    /// Against air.
+    /// The index of refraction against air.
     pub refraction_index: Option<f32>,
-    /// Where the light is a direction from outside: whether it is used as the one towards the light.
+    /// If the light is an input direction: whether it is used as the direction towards the light.
     pub points_to_light: Option<bool>,
-    /// A direction towards the light that is written down, and that nothing calls a place.
+    /// A constant direction towards the light that no name calls a position.
     pub sun: Option<ConstantSun>,
 }
 
-/// A direction towards the light, of length 1.
+/// A constant unit vector towards the light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConstantSun {
-    /// In the world, or in the view's space.
+    /// The direction, in world space or view space.
     pub to_light: Vec3,
-    /// The light turns with the camera.
+    /// Whether it is in view space, so that the light rotates with the camera.
     pub in_view: bool,
 }
 
-/// All of them that flow into the colour.
+/// Returns the constants that flow into the colour.
 pub(super) fn constants(reading: &Reading) -> SourceConstants {
     let sun = sun(reading);
     SourceConstants {
-        // A direction is no place.
+        // A direction is not a position.
         light_position: light_position(reading).filter(|_| sun.is_none()),
         other_light: other_light(reading),
         shininess: shininess(reading),
@@ -57,7 +57,7 @@ fn vec3(reading: &Reading, id: Id) -> Option<Vec3> {
     }
 }
 
-/// The first place written down that a direction to the light starts from.
+/// Returns the first constant position from which a direction to the light is computed.
 fn light_position(reading: &Reading) -> Option<Vec3> {
     let lights = reading.lights();
     for light in &lights {
@@ -69,7 +69,7 @@ fn light_position(reading: &Reading) -> Option<Vec3> {
             (VectorKind::Light(None), _) => vec3(reading, vector.at),
             _ => None,
         };
-        // The first counts: the diffuse term's.
+        // The first one, that of the diffuse term, counts.
         if found.is_some() || matches!(vector.kind, VectorKind::ToLight(Some(_), _) | VectorKind::Light(Some(_))) {
             return found;
         }
@@ -77,14 +77,14 @@ fn light_position(reading: &Reading) -> Option<Vec3> {
     if !lights.is_empty() {
         return None;
     }
-    // A direction written down that meets the normal.
+    // A constant direction in a dot product with the normal.
     reading.diffuse_dots().iter().flat_map(|(_, a, b)| [*a, *b]).find_map(|id| {
         let vector = reading.vector(id).filter(|v| v.kind == VectorKind::Constant)?;
         vec3(reading, vector.at)
     })
 }
 
-/// A place written down that a direction to the light starts from, where others come from outside.
+/// Returns a constant position of a light, if the positions of other lights are inputs.
 fn other_light(reading: &Reading) -> Option<Vec3> {
     let lights = reading.lights();
     let kinds = || lights.iter().filter_map(|light| reading.vector(*light));
@@ -97,13 +97,13 @@ fn other_light(reading: &Reading) -> Option<Vec3> {
     })
 }
 
-/// How a direction from outside is used: as it is, or turned round. The first counts: the diffuse term's.
+/// Returns whether an input direction is used unchanged or negated. The first use, that of the diffuse term, counts.
 fn points_to_light(reading: &Reading) -> Option<bool> {
     let vectors = reading.lights().into_iter().filter_map(|light| reading.vector(light));
     vectors.filter(|vector| vector.kind == VectorKind::LightDirection).map(|vector| vector.sign > 0.0).next()
 }
 
-/// A direction that is written down and meets the normal, if nothing on its way calls it a place.
+/// Returns a constant direction in a dot product with the normal, if no name calls it a position.
 fn sun(reading: &Reading) -> Option<ConstantSun> {
     let of_dots = reading.diffuse_dots().into_iter().flat_map(|(_, a, b)| [a, b]);
     let slots: Vec<Id> = reading.lights().into_iter().chain(of_dots).collect();
@@ -122,7 +122,7 @@ fn sun(reading: &Reading) -> Option<ConstantSun> {
     Some(ConstantSun { to_light: towards.try_normalize()?, in_view })
 }
 
-/// The variables that a vector went through since it was made.
+/// Returns the variables that a vector was assigned to.
 fn names(reading: &Reading, mut id: Id) -> Vec<&str> {
     let mut names = Vec::new();
     loop {
@@ -138,7 +138,7 @@ fn names(reading: &Reading, mut id: Id) -> Vec<&str> {
     }
 }
 
-/// The exponent of a cosine, however it is written: `pow`, `exp2(log2(x) * c)`, or multiplied by itself.
+/// Returns the exponent of a cosine, in any form: `pow`, `exp2(log2(x) * c)`, or repeated multiplication.
 fn shininess(reading: &Reading) -> Option<f32> {
     let is_highlight = |id: Id| reading.bits(id) & (DIFFUSE | SPECULAR) == SPECULAR;
     let mut best: Option<f64> = None;
@@ -159,7 +159,7 @@ fn shininess(reading: &Reading) -> Option<f32> {
             }
             _ => None,
         };
-        // Neither a half Lambert's square nor what is still to be multiplied by itself.
+        // Neither the square of a half Lambert term nor a partial product.
         let found = found.filter(|(_, exponent)| exponent.is_finite() && *exponent > 0.0);
         let found = found.filter(|(base, _)| is_highlight(*id) || is_highlight(*base));
         exponents[id.0 as usize] = found;
@@ -173,7 +173,7 @@ fn shininess(reading: &Reading) -> Option<f32> {
     best.map(|exponent| exponent as f32)
 }
 
-/// `1.0 - cosine`: how much is mirrored at an edge, and no highlight.
+/// Whether a node is `1.0 - cosine`, the Fresnel term at an edge, which is not a highlight.
 fn is_rest(reading: &Reading, base: Id) -> bool {
     let core = reading.graph.core(base);
     reading.sides(core, BinaryOp::Subtract).is_some_and(|(one, _)| reading.graph.number(one).is_some())
@@ -196,7 +196,7 @@ fn attenuation(reading: &Reading) -> [Option<f32>; 3] {
                 found[place] = Some(found[place].unwrap_or(0.0) + number as f32);
             }
         }
-        // A bare 1 / d^2 has no constants that could have been uniforms.
+        // A plain 1 / d^2 has no constants that could be uniforms.
         if falloff.parts.len() < 2 {
             return [None; 3];
         }
@@ -204,7 +204,7 @@ fn attenuation(reading: &Reading) -> [Option<f32>; 3] {
     found
 }
 
-/// Of the object against air: the inverse of a ratio below 1.
+/// Returns the index of refraction against air: the inverse of a ratio below 1.
 fn refraction_index(reading: &Reading) -> Option<f32> {
     let ratio = reading.lit.iter().find_map(|id| match reading.graph.op(*id) {
         Op::Call(name, parts) if name == "refract" => reading.graph.scalar(*parts.get(2)?),

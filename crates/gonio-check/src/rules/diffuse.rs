@@ -45,7 +45,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
     })
 }
 
-/// What is said where the diffuse term is there, and right in what was asked.
+/// Returns the answer for a diffuse term that is right in this respect.
 fn known(reading: &Reading) -> Answer {
     if reading.diffuse_dots().is_empty() { Silent } else { Not }
 }
@@ -60,7 +60,7 @@ pub(super) fn is_clamped(reading: &Reading, dot: Id) -> bool {
         })
 }
 
-/// The innermost of what goes around a diffuse cosine for which that holds.
+/// Returns the innermost operation around a diffuse cosine that satisfies the condition.
 fn around(reading: &Reading, is: impl Fn(&Reading, Id) -> bool) -> Answer {
     for (dot, ..) in reading.diffuse_dots() {
         let is_meant = |id: &Id| !matches!(reading.graph.op(*id), Op::Copy(..)) && is(reading, *id);
@@ -71,7 +71,7 @@ fn around(reading: &Reading, is: impl Fn(&Reading, Id) -> bool) -> Answer {
     known(reading)
 }
 
-/// A number added to the cosine itself, or to it times a number.
+/// Whether a number is added to the cosine or a multiple of it.
 fn is_half_lambert(reading: &Reading, id: Id) -> bool {
     let Some((a, b)) = reading.sides(id, BinaryOp::Add) else { return false };
     let is_number = |id: Id| reading.graph.scalar(id).is_some_and(|n| (0.3..=1.0).contains(&n));
@@ -98,7 +98,7 @@ fn without_cosine(reading: &Reading) -> Answer {
     if !reading.dots(DIFFUSE).is_empty() && reading.sum().iter().any(|product| product.bits & DIFFUSE != 0) {
         return Not;
     }
-    // A number in a variable called so.
+    // A number in a variable with that name.
     let named = reading.tree.iter().copied().find(|id| match reading.graph.op(*id) {
         Op::Copy(inner, name) => {
             let name = name.to_lowercase();
@@ -113,7 +113,7 @@ fn without_cosine(reading: &Reading) -> Answer {
     Answer::at_or(reading.meeting(), 0.7, Silent)
 }
 
-/// The sum where a term comes in that has no distance in it, though others have.
+/// Returns the sum that adds a term without a distance, if other terms have one.
 pub(super) fn unattenuated(reading: &Reading, term: u16) -> Answer {
     let both = DIFFUSE | SPECULAR;
     let bits = || reading.sum().iter().map(|product| product.bits).filter(|bits| bits & AMBIENT == 0);

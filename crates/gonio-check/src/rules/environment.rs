@@ -28,7 +28,7 @@ pub(super) fn answer(reading: &Reading, id: &str, model: ModelSolution) -> Optio
     })
 }
 
-/// A direction from the surface to the eye that goes into `reflect` or `refract`.
+/// Finds a direction from the surface to the eye as an argument of `reflect` or `refract`.
 fn reversed(reading: &Reading) -> Answer {
     let looked_up: Vec<Vector> = reading
         .lookups()
@@ -40,8 +40,8 @@ fn reversed(reading: &Reading) -> Answer {
         return if looked_up.is_empty() { Silent } else { Not };
     };
     let Some(id) = vector.incoming else { return At(vector.at, 1.0) };
-    // A variable that is called by the direction of the eye's ray was computed the wrong way; one called by the eye lacks
-    // its sign where it is used.
+    // A variable named after the direction from the eye was computed the wrong way; one named after the eye needs a
+    // sign where it is used.
     let name = reading.variable(id).map(|(_, name)| name.to_lowercase()).unwrap_or_default();
     let is_ray = name == "i" || ["inc", "ray", "regard", "from", "look", "in_"].iter().any(|word| name.contains(word));
     let made = reading.vector(id).map(|v| v.turned_at.unwrap_or(v.at));
@@ -54,7 +54,7 @@ fn looked_up(reading: &Reading, wanted: impl Fn(VectorKind) -> bool) -> Answer {
     let lookups = reading.lookups();
     let found = lookups.iter().find(|(_, id)| reading.vector(*id).is_some_and(|v| wanted(v.kind)));
     match found {
-        // A variable that is right for other things is not at fault.
+        // A variable that is right elsewhere is not at fault.
         Some((lookup, direction)) => match reading.graph.op(*direction) {
             Op::Copy(inner, _) if matches!(reading.graph.op(*inner), Op::Call(..) | Op::Binary(..)) => At(*lookup, 1.0),
             _ => At(*direction, 1.0),
@@ -82,7 +82,7 @@ fn called(reading: &Reading, wrong: &str, right: &str) -> Answer {
     }
 }
 
-/// The third argument of `refract`: the variable that holds it, or itself.
+/// Returns the third argument of `refract`: the variable that holds it, or the expression.
 fn ratio(reading: &Reading, wanted: impl Fn(&Reading, Id) -> bool) -> Answer {
     let ratios: Vec<Id> = reading
         .lit
@@ -115,7 +115,7 @@ fn is_inverted(reading: &Reading, id: Id) -> bool {
     }
 }
 
-/// Where a component of the direction that is looked up changes its sign.
+/// Finds the node that negates a component of the lookup's direction.
 fn negated(reading: &Reading, components: &[usize], model: ModelSolution) -> Answer {
     let graph = &reading.graph;
     let is_negative = |id: Id| match graph.op(graph.plain(id)) {
@@ -156,7 +156,7 @@ fn negated(reading: &Reading, components: &[usize], model: ModelSolution) -> Ans
                     }
                     if graph.number(*a).is_some() || graph.node(*a).is_matrix { *b } else { *a }
                 }
-                // All three, in a sky.
+                // All three components, in a skybox.
                 Op::Neg(inner) => {
                     if model == ModelSolution::Skybox && components == [1] {
                         return At(id, 0.8);
@@ -175,7 +175,7 @@ fn negated(reading: &Reading, components: &[usize], model: ModelSolution) -> Ans
     if lookups.is_empty() { Silent } else { Not }
 }
 
-/// The part of a constructor that gives one of these components.
+/// Returns the argument of a constructor that gives one of these components.
 fn component_of(graph: &crate::dataflow::Graph, parts: &[Id], components: &[usize]) -> Option<Id> {
     let mut at = 0;
     for part in parts {
@@ -188,14 +188,14 @@ fn component_of(graph: &crate::dataflow::Graph, parts: &[Id], components: &[usiz
     None
 }
 
-/// A sky that is not looked up by the box's own place.
+/// Finds a skybox lookup in a direction other than the position on the box.
 fn sky_direction(reading: &Reading) -> Answer {
     for (_, direction) in reading.lookups() {
         let Some(vector) = reading.vector(direction) else { continue };
         if vector.kind == VectorKind::Point(Space::Model) && vector.sign > 0.0 {
             return Not;
         }
-        // What is handed from stage to stage was written wrongly.
+        // The value that is passed between the stages is wrong.
         let mut id = direction;
         while let Op::Copy(inner, _) | Op::Swizzle(inner, _) = reading.graph.op(id) {
             id = *inner;

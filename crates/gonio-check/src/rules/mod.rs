@@ -1,4 +1,4 @@
-//! For each mistake, the expression that makes it.
+//! Finds the expression that makes a mistake.
 
 mod ambient;
 mod analysis;
@@ -24,11 +24,11 @@ use crate::mistakes::ModelSolution;
 /// The evidence in the source for a mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Answer {
-    /// Here it stands, or should stand what is missing; from 0 to 1 how far the source shows it.
+    /// The expression, or the place where something is missing; with the support of the source, 0 to 1.
     At(Id, f32),
-    /// The source has it right.
+    /// The source is right in this respect.
     Not,
-    /// Nothing can be told.
+    /// The source does not decide.
     Silent,
 }
 
@@ -63,7 +63,7 @@ pub(super) fn answer(reading: &Reading, id: &str, model: ModelSolution) -> Answe
 }
 
 impl Reading {
-    /// The variable that holds a direction, or itself; a sign in front of it is not at fault.
+    /// Returns the variable that holds a direction, or the expression, without a sign before it.
     fn spot(&self, mut id: Id) -> Id {
         while let Op::Neg(inner) = self.graph.op(id) {
             id = *inner;
@@ -71,7 +71,7 @@ impl Reading {
         id
     }
 
-    /// The deepest sum, product or quotient for which that holds of its two sides, in either order.
+    /// Returns the deepest sum, product or quotient whose operands satisfy the condition in either order.
     fn deepest(&self, ops: &[gonio_glsl::ast::BinaryOp], is: impl Fn(Id, Id) -> bool) -> Option<Id> {
         self.tree.iter().copied().find(|id| match self.graph.op(*id) {
             Op::Binary(op, a, b) if ops.contains(op) => is(*a, *b) || is(*b, *a),
@@ -80,7 +80,7 @@ impl Reading {
     }
 }
 
-/// A power of a cosine that may be negative, with the clamp around the power instead of within.
+/// Returns a power of a cosine that may be negative, with the clamp around the power instead of inside.
 pub(super) fn power_under_maximum(reading: &Reading) -> Option<Id> {
     let At(..) = specular::not_clamped(reading) else { return None };
     reading.powers().into_iter().map(|(power, ..)| power).find(|power| {

@@ -1,4 +1,4 @@
-//! Mistakes with a panorama's angles and with single faces of a cubemap.
+//! Mistakes with the angles of a panorama and with single faces of a cubemap.
 
 use super::{Answer, At, Not, Silent};
 use crate::dataflow::Reading;
@@ -8,7 +8,8 @@ use crate::roles::Role;
 use gonio_glsl::ast::BinaryOp;
 use std::f64::consts::{PI, TAU};
 
-/// Pictures tell these mistakes; the source tells where, and does not say by itself that it is wrong there.
+/// The support for mistakes that only pictures show: the source shows where they would be made, but not whether they
+/// are.
 const WHERE: f32 = 0.45;
 
 pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
@@ -24,7 +25,7 @@ pub(super) fn answer(reading: &Reading, id: &str) -> Answer {
         "longitude-divided-by-pi" => Answer::at_or(scaled(reading, "atan", |by| near(by, PI)), 1.0, Not),
         "latitude-divided-by-two-pi" => match latitude_by_two_pi(reading) {
             Some(at) => At(at, 1.0),
-            // Of two angles that atan makes the latitude is the later one.
+            // Among two angles from atan, the latitude is the later one.
             None => there(scaled(reading, "atan", |by| near(by, TAU))),
         },
         "panorama-upside-down" | "latitude-asin-acos" => {
@@ -62,7 +63,7 @@ fn call(reading: &Reading, name: &str) -> Option<Id> {
     reading.lit.iter().copied().find(|id| matches!(reading.graph.op(*id), Op::Call(called, _) if called == name))
 }
 
-/// The call that makes an angle of the height.
+/// Returns the call that computes the latitude.
 fn height(reading: &Reading) -> Option<Id> {
     call(reading, "asin").or_else(|| call(reading, "acos"))
 }
@@ -72,7 +73,7 @@ fn latitude_by_two_pi(reading: &Reading) -> Option<Id> {
     scaled(reading, "asin", by).or_else(|| scaled(reading, "acos", by))
 }
 
-/// The vector whose height an angle is made of.
+/// Returns the vector whose latitude is computed.
 fn direction(reading: &Reading) -> Option<Id> {
     let graph = &reading.graph;
     let mut id = height(reading)?;
@@ -87,7 +88,7 @@ fn direction(reading: &Reading) -> Option<Id> {
     None
 }
 
-/// A direction multiplied by (1, 1, -1).
+/// Finds a direction multiplied by (1, 1, -1).
 fn mirrored_in_z(reading: &Reading) -> Option<Id> {
     let graph = &reading.graph;
     let is = |id: Id| graph.number(id).is_some_and(|number| number.as_slice() == [1.0, 1.0, -1.0]);
@@ -97,13 +98,13 @@ fn mirrored_in_z(reading: &Reading) -> Option<Id> {
     })
 }
 
-/// Where the place on the face is first read in the fragment shader.
+/// Returns the first use of the position on the face in the fragment shader.
 fn coordinate(reading: &Reading) -> Option<Id> {
     let is = |id: &Id| matches!(reading.graph.op(*id), Op::Interpolated(_)) && reading.graph.node(*id).width == 2;
     reading.lit.iter().copied().find(is)
 }
 
-/// Where a component of the place on the face is turned round.
+/// Finds the negation of a component of the position on the face.
 fn turned_component(reading: &Reading, wanted: usize) -> Option<Id> {
     let graph = &reading.graph;
     let is_place = |id: Id| graph.node(id).width == 2 || matches!(reading.role(graph.plain(id)), Some(Role::Position));
@@ -118,7 +119,7 @@ fn turned_component(reading: &Reading, wanted: usize) -> Option<Id> {
     })
 }
 
-/// Which component of a direction a number is, and its sign.
+/// Returns the component of a direction that a number is, and its sign.
 fn side(graph: &Graph, id: Id) -> Option<(usize, f64)> {
     match graph.op(graph.plain(id)) {
         Op::Neg(inner) => side(graph, *inner).map(|(axis, sign)| (axis, -sign)),
@@ -132,7 +133,7 @@ fn side(graph: &Graph, id: Id) -> Option<(usize, f64)> {
     }
 }
 
-/// The longitude, by what its two arguments are.
+/// Returns the call that computes the longitude, by its two arguments.
 fn arctangent(reading: &Reading, is: impl Fn(Id, (usize, f64), (usize, f64)) -> bool) -> Answer {
     let graph = &reading.graph;
     let Some(id) = call(reading, "atan") else { return Silent };
@@ -144,7 +145,7 @@ fn arctangent(reading: &Reading, is: impl Fn(Id, (usize, f64), (usize, f64)) -> 
     }
 }
 
-/// Where an angle is divided by a number that is meant.
+/// Returns the division of an angle by a number that satisfies the condition.
 fn scaled(reading: &Reading, angle: &str, is: impl Fn(f64) -> bool) -> Option<Id> {
     let graph = &reading.graph;
     let is_angle = |id: Id| graph.call(id, angle).is_some();
@@ -158,18 +159,18 @@ fn scaled(reading: &Reading, angle: &str, is: impl Fn(f64) -> bool) -> Option<Id
     })
 }
 
-/// The case of a face that an id names, the first that there is: `if (face == 2) return ...`.
+/// Returns the first case of the face that an id names: `if (face == 2) return ...`.
 fn face(reading: &Reading, id: &str) -> Option<Id> {
     let is_named = |word: &str| id.split('-').any(|part| part == word);
     (0..6).filter(|&number| is_named(FACES[number].0)).find_map(|number| case(reading, number))
 }
 
-/// A choice by the face's number.
+/// A branch on the number of the face.
 struct Chosen {
-    /// What the face is compared with.
+    /// The numbers that the face is compared with.
     numbers: Vec<f64>,
     test: Id,
-    /// The value for these faces, and for the others.
+    /// The value for these faces.
     then: Id,
     other: Id,
 }
@@ -185,7 +186,7 @@ fn case(reading: &Reading, number: usize) -> Option<Id> {
             }
         }
     }
-    // Where a case writes several variables, the direction, or else what it writes first; not what it leaves as it was.
+    // If a case assigns several variables, the direction, otherwise the first changed one.
     let of = |number: usize| {
         let fitting = chosen.iter().filter(|chosen| chosen.numbers.contains(&(number as f64)));
         fitting.min_by_key(|chosen| {
@@ -194,9 +195,9 @@ fn case(reading: &Reading, number: usize) -> Option<Id> {
         })
     };
     let is_choice = |id: Id| matches!(graph.op(graph.plain(id)), Op::Select(..));
-    // What is left over of two, or of all, is the other side of the one before.
+    // The last case is the other branch of the previous one.
     let left_over = || of(number.checked_sub(1)?).map(|chosen| chosen.other).filter(|other| !is_choice(*other));
-    // In another order of cases, what all the others leave: `default`.
+    // In another order of cases, the remaining one: `default`.
     let last = || {
         let is_only_one = (0..6).all(|other| of(other).is_some() != (other == number));
         chosen.iter().map(|chosen| chosen.other).find(|other| is_only_one && !is_choice(*other))
@@ -204,10 +205,10 @@ fn case(reading: &Reading, number: usize) -> Option<Id> {
     of(number).map(|chosen| chosen.then).or_else(left_over).or_else(last)
 }
 
-/// The numbers that a test compares the face with: `face == 2`, `face == 2 || face == 3`.
+/// Returns the numbers that a test compares the face with: `face == 2`, `face == 2 || face == 3`.
 fn compared(reading: &Reading, test: Id) -> Vec<f64> {
     let graph = &reading.graph;
-    // `int(face)` is the face as well.
+    // `int(face)` is the face too.
     let is_face = |id: Id| reading.role(graph.core(id)) == Some(Role::Face);
     let mut numbers = Vec::new();
     let mut open = vec![test];

@@ -1,4 +1,4 @@
-//! Mistakes with the position: in the light, and on the screen.
+//! Mistakes with the position, for lighting and on the screen.
 
 use super::{Answer, At, Not, Silent};
 use crate::dataflow::Reading;
@@ -27,7 +27,7 @@ pub(super) fn answer(reading: &Reading, id: &str, model: ModelSolution) -> Optio
     })
 }
 
-/// A place that a direction or a distance is taken from.
+/// A position that a direction or distance is computed from.
 struct Place {
     read: Id,
     made: Id,
@@ -36,7 +36,7 @@ struct Place {
 
 fn places(reading: &Reading) -> Vec<Place> {
     let mut found = Vec::new();
-    // The position taken for the normal is another mistake.
+    // A position used as the normal is a different mistake.
     let normals: Vec<Id> = reading.normals().into_iter().filter_map(|id| Some(reading.vector(id)?.at)).collect();
     let mut add = |id: Id| {
         if let Some(vector) = reading.vector(id)
@@ -67,7 +67,7 @@ fn places(reading: &Reading) -> Vec<Place> {
     found
 }
 
-/// Where a place was made; if that was for the screen, where it was taken from there.
+/// Returns the node that computes a position; for a position on the screen, the node that uses it.
 fn behind_screen(reading: &Reading, mut id: Id, at: Id) -> Id {
     loop {
         let inner = match reading.graph.op(id) {
@@ -100,7 +100,7 @@ fn in_space(reading: &Reading, wanted: Space, model: ModelSolution) -> Answer {
             })
             .collect();
     }
-    // Where a place in the world is at hand, the other was taken by mistake.
+    // If a position in world space is available, the other one is used by mistake.
     let has_both = wanted == Space::Model && found.iter().any(|place| place.space == Space::World);
     match found.iter().find(|place| place.space == wanted) {
         Some(place) => At(if has_both { place.read } else { place.made }, 1.0),
@@ -109,7 +109,7 @@ fn in_space(reading: &Reading, wanted: Space, model: ModelSolution) -> Answer {
     }
 }
 
-/// The product that makes the place on the screen, with its matrices from left to right.
+/// Returns the product that computes the position on the screen, with its matrices from left to right.
 fn product(reading: &Reading) -> Option<(Id, Vec<Base>)> {
     let graph = &reading.graph;
     let mut id = reading.position?;
@@ -147,7 +147,7 @@ fn screen(reading: &Reading, wanted: impl Fn(&[Base]) -> bool) -> Answer {
     }
 }
 
-/// The product with V whole, of a place.
+/// Returns the product of a position with the complete V.
 fn sky(reading: &Reading) -> Answer {
     let is_whole = |id: Id| reading.matrix(id).is_some_and(|m| m.has(Base::View) && !m.is_turn);
     let found = reading.placed.iter().copied().find(|id| match reading.sides(*id, BinaryOp::Multiply) {

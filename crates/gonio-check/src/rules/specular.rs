@@ -55,7 +55,7 @@ fn known(reading: &Reading) -> Answer {
     if reading.specular_dots().is_empty() { Silent } else { Not }
 }
 
-/// Whether the reflected direction and the one that it is held against are both turned round.
+/// Whether the reflected direction and the one that it is compared with are both negated.
 pub(super) fn signs_cancel(reading: &Reading) -> bool {
     reading.specular_dots().into_iter().any(|(_, a, b)| {
         [(a, b), (b, a)].into_iter().any(|(one, other)| match (reading.vector(one), reading.vector(other)) {
@@ -76,7 +76,7 @@ fn reflect_sign(reading: &Reading) -> Answer {
         .filter_map(|id| reading.vector(id))
         .filter(|vector| matches!(vector.kind, VectorKind::Reflected(Incoming::Light | Incoming::Eye)))
         .collect();
-    // Of a reversed light the opposite is as right as can be.
+    // The opposite of a reversed light direction is right.
     let is_reversed = reading
         .diffuse_dots()
         .into_iter()
@@ -90,7 +90,7 @@ fn reflect_sign(reading: &Reading) -> Answer {
     }
 }
 
-/// A power whose base may be negative.
+/// Finds a power whose base may be negative.
 pub(super) fn not_clamped(reading: &Reading) -> Answer {
     for (_, base, _) in reading.powers() {
         let base = reading.graph.plain(base);
@@ -122,7 +122,7 @@ fn dots(reading: &Reading, wanted: impl Fn(Id, Id) -> bool) -> Answer {
     Answer::at_or(found.map(|(dot, ..)| dot), 1.0, known(reading))
 }
 
-/// Whether it is multiplied by itself, which is a power too.
+/// Whether a node is multiplied by itself, which is a power too.
 fn is_squared(reading: &Reading, id: Id) -> bool {
     let plain = |id: Id| reading.graph.plain(id);
     let around: Vec<Id> = std::iter::once(id).chain(reading.around(id)).map(plain).collect();
@@ -137,7 +137,7 @@ fn without_power(reading: &Reading) -> Answer {
     let Some((dot, ..)) = dots.iter().find(|(dot, ..)| !reading.is_in_power(*dot) && !is_squared(reading, *dot)) else {
         return known(reading);
     };
-    // A variable that is only called otherwise was to be the power.
+    // A variable with only another name was meant to hold the power.
     let is_alias = |id: &Id| match reading.graph.op(*id) {
         Op::Copy(inner, _) => matches!(reading.graph.op(*inner), Op::Copy(..)),
         _ => false,
@@ -145,7 +145,7 @@ fn without_power(reading: &Reading) -> Answer {
     if let Some(alias) = reading.around(*dot).into_iter().find(is_alias) {
         return At(alias, 0.9);
     }
-    // The line of the clamp is where the power belongs.
+    // The power belongs in the line of the clamp.
     let is_clamp = |id: &Id| matches!(reading.graph.op(*id), Op::Call(name, _) if name == "max" || name == "clamp");
     At(reading.around(*dot).into_iter().rfind(is_clamp).unwrap_or(*dot), 0.9)
 }
@@ -199,7 +199,7 @@ fn half(reading: &Reading, wanted: impl Fn(Vector) -> bool) -> Answer {
     }
 }
 
-/// The direction to a light that the highlight has and the diffuse term has not.
+/// Finds a direction to a light that the highlight uses but the diffuse term does not.
 fn other_light(reading: &Reading) -> Answer {
     let lights = |id: Id| match reading.vector(id).map(|v| (v.kind, v.at)) {
         Some((VectorKind::ToLight(light, _), at)) => Some((light, at)),
@@ -218,7 +218,7 @@ fn other_light(reading: &Reading) -> Answer {
         return Silent;
     }
     let is_left_out = diffuse.iter().any(|light| specular.iter().all(|(of, _)| of != light));
-    // Of two lights' terms, one that stands for the other's: the later one was copied.
+    // If the terms of two lights use the same direction, the later one was copied.
     let again = |at: &usize| specular[..*at].iter().any(|(light, _)| *light == specular[*at].0);
     let copied = || (0..specular.len()).filter(again).find(|_| is_left_out).and_then(|at| specular.get(at));
     let found = specular.iter().find(|(light, _)| !diffuse.contains(light)).or_else(copied);

@@ -7,7 +7,7 @@ use crate::roles::{NamesFile, Role};
 use glam::Vec3;
 use gonio_glsl::{Stage, check, parse};
 
-/// A pair from sources.
+/// Analyses a pair of shaders.
 fn read(vertex: &str, fragment: &str) -> Analysis {
     let (mut vertex, mut fragment) = (parse(vertex), parse(fragment));
     let checked = [check(&mut vertex, Stage::Vertex), check(&mut fragment, Stage::Fragment)];
@@ -16,7 +16,7 @@ fn read(vertex: &str, fragment: &str) -> Analysis {
     Analysis::new(&shaders[0], &shaders[1], &NamesFile::default())
 }
 
-/// A fragment shader with the model's vertex shader before it.
+/// Analyses a fragment shader with the vertex shader of the model solution.
 fn fragment(head: &str, body: &str) -> Analysis {
     let given = "in vec3 world_position; in vec3 v_normal; out vec4 FragColor; uniform vec3 u_view_pos;";
     let text = format!("#version 330 core\n{given}\n{head}\nvoid main() {{\n{body}\n}}\n");
@@ -31,7 +31,7 @@ fn the_models_themselves_make_no_mistake() {
         let [vertex, fragment] = model.sources();
         let source = read(vertex, fragment);
         for mistake in crate::mistakes::for_model(model).filter(|mistake| !mistake.harmless) {
-            // Where a picture tells that it is made, the source tells at most where.
+            // For mistakes that only pictures show, the source shows at most the place.
             let line = source.line(&mistake.id, model).filter(|place| place.confidence >= 0.5);
             assert_eq!(line, None, "{model:?} {}", mistake.id);
             assert!(source.support(&mistake.id, model) <= 0.5, "{model:?} {}", mistake.id);
@@ -41,9 +41,9 @@ fn the_models_themselves_make_no_mistake() {
 
 #[test]
 fn every_mistake_put_into_its_model_is_found_at_its_line() {
-    // The change of a line of the model is the mistake; what it makes of other lines is not.
+    // The changed line of the model solution is the mistake; its effects on other lines are not.
     let elsewhere = [
-        // In the line that hands the normal on, not where it is transformed.
+        // In the line that passes the normal on, not where it is transformed.
         "normal-not-normalised-in-vertex",
     ];
     let (mut right, mut wrong, mut all) = (0, Vec::new(), 0);
@@ -70,7 +70,7 @@ fn every_mistake_put_into_its_model_is_found_at_its_line() {
                 let Some(line) = line else { continue };
                 all += 1;
                 let found = read(&sources[0], &sources[1]).line(&mistake.id, model).map(|place| place.span.line);
-                // What is wrong with a camera is told where it stands in the matrix.
+                // Mistakes with a camera are located in the matrix.
                 let is_elsewhere = model == ModelSolution::Camera || elsewhere.contains(&mistake.id.as_str());
                 if found == Some(line) || is_elsewhere && found.is_some() {
                     right += 1;
@@ -99,9 +99,9 @@ fn exponents_that_are_written_are_found() {
         ("float square(float x) { return x * x; }", "square(square(square(square(square(c)))))", Some(32.0)),
         ("float raised(float x) { for (int i = 0; i < 5; i++) x *= x; return x; }", "raised(c)", Some(32.0)),
         ("uniform float shininess;", "pow(c, shininess)", None),
-        // Never put out.
+        // Never output.
         ("uniform float shininess;", "0.0 * pow(c, 32.0) + pow(c, shininess)", None),
-        // Not of a cosine.
+        // Not a power of a cosine.
         ("", "pow(1.0 + world_position.x, 2.2) * c", None),
         ("", "c", None),
     ] {
@@ -222,7 +222,7 @@ fn a_maximum_around_the_power_is_told() {
         ("clamp(pow(dot(R, V), 32.0), 0.0, 1.0)", true),
         ("pow(max(dot(R, V), 0.0), 32.0)", false),
         ("max(pow(max(dot(R, V), 0.0), 32.0), 0.0)", false),
-        // That one a picture shows.
+        // A picture shows this one.
         ("pow(dot(R, V), 32.0)", false),
     ] {
         let source = fragment(
@@ -242,7 +242,8 @@ fn a_maximum_around_the_power_is_told() {
     }
 }
 
-/// The line of what a `face` is given, in a function of `face` and `st` whose lines begin with the second; 0 where none is found.
+/// Returns the line of the mistake in a function of `face` and `st` whose lines begin with the second; 0 if none is
+/// found.
 fn line_of_face(head: &str, lines: &[&str], id: &str) -> u32 {
     let text = format!(
         "#version 330 core\nin vec2 st; uniform int face; uniform sampler2D panorama; out vec4 FragColor; {head} vec3 ray() {{\n{}\n}}\n\
@@ -308,11 +309,11 @@ fn the_case_of_a_face_is_found_however_it_is_chosen() {
         "return vec3(x, y, z);",
     ];
     assert_eq!(found("", &apart), [4, 6, 8], "number by number");
-    // A `switch` over something else says nothing of a face.
+    // A `switch` over another value has no faces.
     assert_eq!(found("uniform int mode;", &["switch (mode) { case 0: return st.xyx; } return st.yxy;"]), [0, 0, 0]);
 }
 
-/// Each branch keeps what all names were before it; a few thousand of both were gigabytes and minutes.
+/// Each branch saves the values of all names; a few thousand of both would take gigabytes and minutes.
 #[test]
 fn many_branches_among_many_names_are_given_up() {
     let is_read = |names: usize, branch: &str| {
@@ -398,7 +399,7 @@ fn matrices_are_told_by_how_they_are_multiplied() {
     let roles: Vec<Role> = found.into_iter().map(|(_, role)| role).collect();
     assert_eq!(roles, [Role::Projection, Role::View, Role::Model]);
     assert_eq!(by_use("uniform mat4 all;", "all * p"), [("all".to_owned(), Role::ModelViewProjection)]);
-    // What names say stays, in whatever order: it may be the mistake.
+    // Roles from names remain, in any order: the order may be the mistake.
     assert_eq!(by_use("uniform mat4 P, V, M;", "M * V * P * p"), []);
     assert_eq!(by_use("uniform mat4 M, thing;", "M * thing * p"), []);
     assert_eq!(by_use("uniform mat4 one, two;", "one * two * two * one * p"), []);
@@ -447,7 +448,7 @@ fn who_cuts_the_translation_off_knows_that_it_comes() {
     assert!(!turns("gl_Position = P * V * vec4(position, 1.0);"));
 }
 
-/// The ids of mistakes that a file's string literals name: kebab-case words of letters.
+/// Returns the ids of mistakes in the string literals of a file: kebab-case words of letters.
 fn ids(text: &str) -> impl Iterator<Item = &str> {
     let is_word = |word: &str| !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase());
     text.split('"').skip(1).step_by(2).filter(move |word| word.contains('-') && word.split('-').all(is_word))
@@ -458,7 +459,7 @@ fn every_id_in_the_sources_is_in_the_catalogue() {
     let source = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let structural = crate::mistakes::structural();
     let is_known = |id: &str| crate::mistakes::find(id).is_some() || structural.iter().any(|mistake| mistake.id == id);
-    // A peculiarity, which no mistake is.
+    // The id of a peculiarity.
     let others = ["lookup-mixed"];
     let (mut found, mut unknown) = (0, Vec::new());
     for folder in ["rules", "check", "panorama"] {

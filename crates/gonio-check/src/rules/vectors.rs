@@ -47,11 +47,11 @@ fn by(reading: &Reading, wanted: impl Fn(By) -> Option<f32>) -> Answer {
     })
 }
 
-/// Of all that stands where a normal belongs, the first that is meant.
+/// Returns the first node used as a normal that satisfies the condition.
 fn slots(reading: &Reading, wanted: impl Fn(Vector, Id) -> Option<(Id, f32)>) -> Answer {
     let mut slots = reading.normals();
     if slots.is_empty() {
-        // Perhaps it is only put out.
+        // The normal may only be output.
         slots = reading.lookups().into_iter().map(|(_, id)| id).collect();
         slots.extend(reading.tree.iter().rev());
         slots.retain(|id| reading.vector(*id).is_some_and(|v| v.is_normal()));
@@ -65,7 +65,7 @@ fn slots(reading: &Reading, wanted: impl Fn(Vector, Id) -> Option<(Id, f32)>) ->
     }
 }
 
-/// Where the varying is read.
+/// Returns the node that reads the varying.
 fn interpolated(reading: &Reading, mut id: Id) -> Id {
     loop {
         id = match reading.graph.op(id) {
@@ -95,7 +95,7 @@ pub(super) fn direction_answer(reading: &Reading, id: &str, model: ModelSolution
         "light-direction-minus-normal" => light(&|v| v.kind == VectorKind::LightMinusNormal),
         "light-position-as-direction" => light(&|v| matches!(v.kind, VectorKind::Light(Some(_))))
             .or(|| match light(&|v| v.kind == VectorKind::Light(None)) {
-                // A place that is written down may be meant as a direction.
+                // A constant position may be meant as a direction.
                 At(id, _) => At(id, 0.9),
                 answer => answer,
             })
@@ -124,7 +124,7 @@ fn eyes(reading: &Reading, model: ModelSolution) -> Vec<Id> {
     found
 }
 
-/// The first variable that a direction was written to, before it was normalised and written to others.
+/// Returns the first variable that a direction was assigned to, before it was normalised and assigned to others.
 fn source(reading: &Reading, slot: Id) -> Id {
     let (mut id, mut best) = (slot, slot);
     loop {
@@ -156,7 +156,7 @@ fn first(reading: &Reading, slots: &[Id], wanted: &dyn Fn(Vector) -> bool) -> An
     }
 }
 
-/// Where a direction to the light or the eye was turned round, or subtracted the wrong way.
+/// Finds a direction to the light or the eye that is negated, or a difference in the wrong order.
 fn reversed(reading: &Reading, slots: &[Id]) -> Answer {
     let towards: Vec<Vector> = slots
         .iter()
@@ -170,7 +170,7 @@ fn reversed(reading: &Reading, slots: &[Id]) -> Answer {
     }
 }
 
-/// A direction that is written down: the light's, if it meets the normal.
+/// Finds a constant direction in a dot product with the normal, which is used as the light's.
 fn constant_light(reading: &Reading) -> Answer {
     for (_, a, b) in reading.diffuse_dots() {
         for (one, other) in [(a, b), (b, a)] {

@@ -1,17 +1,17 @@
-//! When two pictures are the same, and how much of a difference another picture explains.
+//! Compares pictures: whether they are the same, and how much of a difference a prediction explains.
 
 use crate::testbench::Atlas;
 
-/// A channel's difference that counts: one step of 8 bits. Set by what a framebuffer can show; the arithmetic of drivers
-/// differs by a hundredth of it.
+/// The least difference of a channel that counts: one step of 8 bits, the least that a framebuffer can show. The
+/// arithmetic of drivers differs by a hundredth of it.
 pub const PIXEL_TOLERANCE: f32 = 1.0 / 255.0;
 
-/// The share of a picture's pixels that may differ by more. Set by outlines: where matrices are multiplied in another order,
-/// a triangle's edge may fall on the other side of a pixel's middle.
+/// The share of pixels that may differ by more, because of outlines: if matrices are multiplied in another order, the
+/// edge of a triangle may fall on the other side of a pixel's centre.
 pub const PIXELS_TOLERANCE: f64 = 0.01;
 
-/// How two pixels differ: 0 to 1. Above 1 nothing is told apart, as in a framebuffer; below 0 it is, for a negative term takes
-/// away from others. No number (NaN) is the same as no number.
+/// Returns the difference of two pixels, 0 to 1. Values above 1 are equal, as in a framebuffer; values below 0 are
+/// not, because a negative term darkens others. NaN equals NaN.
 pub fn pixel_difference(a: &[f32; 4], b: &[f32; 4]) -> f32 {
     match (Atlas::is_drawn(a), Atlas::is_drawn(b)) {
         (false, false) => return 0.0,
@@ -21,7 +21,7 @@ pub fn pixel_difference(a: &[f32; 4], b: &[f32; 4]) -> f32 {
     a.iter().zip(b).take(3).map(|(&a, &b)| channel_difference(a, b)).fold(0.0, f32::max)
 }
 
-/// How two numbers of a channel differ: 0 to 1.
+/// Returns the difference of two values of a channel, 0 to 1.
 pub fn channel_difference(a: f32, b: f32) -> f32 {
     match (a.is_nan(), b.is_nan()) {
         (true, true) => 0.0,
@@ -30,7 +30,7 @@ pub fn channel_difference(a: f32, b: f32) -> f32 {
     }
 }
 
-/// A test scene's differences, added up.
+/// The accumulated differences of a test scene.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SceneDifference {
     drawn: usize,
@@ -40,7 +40,7 @@ pub struct SceneDifference {
 }
 
 impl SceneDifference {
-    /// One pixel more.
+    /// Adds a pixel.
     pub fn add(&mut self, difference: f32) {
         self.drawn += 1;
         self.beyond += usize::from(difference > PIXEL_TOLERANCE);
@@ -48,7 +48,7 @@ impl SceneDifference {
         self.worst = self.worst.max(difference);
     }
 
-    /// So many pixels that only one of the two pictures has.
+    /// Adds pixels that only one of the two pictures has.
     pub fn add_lost(&mut self, count: usize) {
         self.drawn += count;
         self.beyond += count;
@@ -70,7 +70,7 @@ impl FromIterator<SceneDifference> for Comparison {
     }
 }
 
-/// Two atlases side by side, test scene by test scene.
+/// The comparison of two atlases, test scene by test scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// For each test scene, the share of pixels beyond [`PIXEL_TOLERANCE`], of those drawn in either picture.
@@ -82,7 +82,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Compares as many test scenes as there are.
+    /// Compares the first `test_scenes` test scenes.
     pub fn new(a: &Atlas, b: &Atlas, test_scenes: usize) -> Self {
         let tally = |tile: usize| {
             let mut tally = SceneDifference::default();
@@ -96,7 +96,7 @@ impl Comparison {
         (0..test_scenes).map(tally).collect()
     }
 
-    /// Of the first test scenes alone.
+    /// Returns the comparison of the first test scenes alone.
     pub fn first(&self, test_scenes: usize) -> Comparison {
         let count = test_scenes.min(self.beyond.len());
         Comparison {
@@ -106,19 +106,19 @@ impl Comparison {
         }
     }
 
-    /// Whether a test scene's pictures are the same.
+    /// Whether the pictures of a test scene are the same.
     pub fn agrees(&self, test_scene: usize) -> bool {
         self.beyond.get(test_scene).is_some_and(|&share| share <= PIXELS_TOLERANCE)
     }
 
-    /// Whether all are.
+    /// Whether the pictures of all test scenes are the same.
     pub fn is_same(&self) -> bool {
         self.beyond.iter().all(|&share| share <= PIXELS_TOLERANCE)
     }
 
-    /// How much of this difference is explained by a prediction that leaves `residual`: 1 where nothing is left, 0 where as much is
-    /// left as there was, never less. Every test scene counts for as much as it differs by, but none for more than ten times
-    /// another that differs at all.
+    /// Returns the share of this difference that a prediction with this residual explains: 1 without a residual, 0 if
+    /// it is as large as the difference or larger. A test scene is weighted by its difference, but at most ten times
+    /// as much as another.
     pub fn explained_by(&self, residual: &Comparison) -> f64 {
         let floor = 0.1 * self.squares.iter().copied().fold(0.0, f64::max);
         let (mut all, mut left) = (0.0, 0.0);

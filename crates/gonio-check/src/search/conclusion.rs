@@ -1,4 +1,4 @@
-//! From what was found to what is said.
+//! Derives the verdict from the result of the search.
 
 use super::compare::Comparison;
 use super::parameterisation::Parameterisation;
@@ -13,14 +13,14 @@ use crate::verdict::{
 
 /// The highest score of a wrong answer, however many scenes are right.
 const MOST_FOR_WRONG: f64 = 0.9;
-/// A runner-up is told from this share on.
+/// Least share of a runner-up that is reported.
 const RUNNER_UP_FROM: f64 = 0.25;
-/// A name is given from this share of the difference on, where some of it is left over.
+/// Least share of the difference that a named mistake explains, if some of the difference remains.
 const NAMED_FROM: f64 = 0.985;
-/// ... and by that much more than the next best.
+/// A named mistake explains more than the next best one, by this share.
 const CLEARER_BY: f64 = 0.01;
 
-/// Variables and their roles, for people.
+/// Returns the variables and their roles for the verdict.
 pub fn bound(bindings: &Bindings) -> Vec<BoundVariable> {
     let known = bindings.bound.iter().map(|b| (&b.declared, Some(b.role.to_string())));
     let unknown = bindings.unknown.iter().map(|declared| (declared, None));
@@ -34,7 +34,7 @@ pub fn bound(bindings: &Bindings) -> Vec<BoundVariable> {
         .collect()
 }
 
-/// Uniforms whose values `names.toml` gives.
+/// Returns the uniforms with values from `names.toml`.
 pub fn fixed(bindings: &Bindings) -> Vec<(String, Vec<f32>)> {
     bindings.fixed.iter().map(|fixed| (fixed.declared.name.clone(), fixed.values.clone())).collect()
 }
@@ -50,7 +50,7 @@ pub fn mistake(id: &str, share: f64) -> Option<FoundMistake> {
         .map(|known| FoundMistake::from_catalogue(&known, share))
 }
 
-/// Everything but what was bound.
+/// Returns the verdict without the bound variables.
 pub fn verdict(
     task: &Task,
     search: &Search<'_>,
@@ -87,7 +87,7 @@ pub fn verdict(
         };
         return verdict;
     }
-    // Nothing of it could be explained by a name that was made up: say what fails, and stop there.
+    // No name would explain the difference, so the verdict only lists the scenes that differ.
     if !names_well {
         let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
         verdict.summary =
@@ -136,7 +136,7 @@ fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&SearchEntry>) -> 
         let name = "The light is computed for each vertex (Gouraud shading)".to_owned();
         all.push(Peculiarity { id: "light-per-vertex".to_owned(), name });
     }
-    // Who goes ahead of the exercise is not wrong; diffuse light belongs to a highlight as a matter of course.
+    // Terms of later exercises are not wrong; diffuse light beside a highlight is usual.
     const AHEAD: [(usize, &str, &str); 2] = [
         (0, "ambient-added", "Ambient light is added, which the exercise does not ask for"),
         (2, "specular-added", "A highlight is added, which the exercise does not ask for"),
@@ -150,11 +150,11 @@ fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&SearchEntry>) -> 
     all
 }
 
-/// Terms that have no strength, and that the exercise asks for or the source computes in vain.
+/// Returns the terms without strength that the exercise asks for or the source computes but never uses.
 fn missing_terms(task: &Task, best: &Tried<'_>, unused_terms: [bool; 3]) -> Vec<String> {
     const WORDS: [&str; 3] = ["ambient-missing", "diffuse-missing", "specular-missing"];
     let absent = |strength: &Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
-    // Light from everywhere where diffuse light belongs is diffuse light without its cosine.
+    // Ambient light in the place of diffuse light is diffuse light without its cosine.
     let flat = !task.wanted[0] && best.strengths[0].is_some_and(|s| s.iter().any(|s| *s > 1e-2));
     let word = |term: usize| if term == 1 && flat { "diffuse-without-cosine" } else { WORDS[term] };
     (0..3)
@@ -165,7 +165,7 @@ fn missing_terms(task: &Task, best: &Tried<'_>, unused_terms: [bool; 3]) -> Vec<
         .collect()
 }
 
-/// Mistakes that leave just as little over in the place of this one: no picture tells them apart.
+/// Returns the mistakes that leave an equally small residual in the place of this one: no picture distinguishes them.
 fn alternatives(found: &Found<'_>, best: &Tried<'_>, id: &str) -> Vec<String> {
     let others: Vec<&str> = best.wrong().into_iter().filter(|other| *other != id).collect();
     let same = |tried: &&Tried<'_>| {
@@ -189,7 +189,7 @@ fn alternatives(found: &Found<'_>, best: &Tried<'_>, id: &str) -> Vec<String> {
     names
 }
 
-/// Scene by scene: `held` compares with the right answer.
+/// Returns the verdicts on test scenes; `held` is the comparison with the right answer.
 fn scenes(testbench: &Testbench, held: &Comparison) -> Vec<SceneVerdict> {
     testbench
         .test_scenes()
@@ -206,7 +206,8 @@ fn scenes(testbench: &Testbench, held: &Comparison) -> Vec<SceneVerdict> {
         .collect()
 }
 
-/// Term by term, by the test scenes with one term alone. `held` compares with the right answer in all test scenes.
+/// Returns the verdicts on terms by the test scenes with one term alone; `held` is the comparison with the right
+/// answer in all test scenes.
 pub fn terms(
     testbench: &Testbench,
     parameterisation: &Parameterisation,
@@ -228,11 +229,12 @@ pub fn terms(
         .collect()
 }
 
-/// The model's number among the search's, and what of it is peculiar.
+/// Returns the right answer that a verdict compares a program with: the index of the model solution in the search,
+/// and its peculiarities.
 ///
-/// Where a mistake explains the program, it is the program without that mistake. The right answer that is nearest would not
-/// do: nothing is nearer to a program without its highlight than one whose normals are so short that none shows, and then
-/// the diffuse term is the one that differs.
+/// If a mistake explains the program, this is the program without that mistake, not the nearest right answer: to a
+/// program without its highlight, the nearest one has normals so short that no highlight shows, and then the diffuse
+/// term would differ.
 pub(super) fn right_answer(search: &Search<'_>, found: &Found<'_>) -> (usize, Hypothesis) {
     let nearest = (found.nearest_right.model, found.nearest_right.hypothesis.clone());
     let is_named = |explained: f64, is_same: bool| is_same || explained >= NAMED_FROM;
@@ -241,7 +243,7 @@ pub(super) fn right_answer(search: &Search<'_>, found: &Found<'_>) -> (usize, Hy
     };
     let kind = search.entries[best.model].model;
     let is_right = search.entries[best.model].is_right;
-    // Also in a way that only wrong answers take, where nothing shows that it is wrong.
+    // The same with a base that only wrong answers have, if nothing shows that it is wrong.
     if best.wrong().is_empty() && (is_right || search.entries[best.model].word.is_none()) {
         return (best.model, best.hypothesis.clone());
     }

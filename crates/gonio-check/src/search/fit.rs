@@ -1,31 +1,32 @@
-//! Strengths that a program does not take from outside: they are found in its pictures.
+//! Fits the strengths of terms that are not inputs of a program to its pictures.
 //!
-//! Light is linear in the strength of each term. So where a program's own strengths are unknown, its picture is
-//! `known + sum of strength_t * term_t`, and the strengths are what brings the model nearest (least squares, each channel by
-//! itself). Two numbers a channel hardly ever make a wrong picture right, for they hold in all test scenes together.
+//! Light is linear in the strength of each term. If the strengths of a program are unknown, its picture is `known +
+//! sum of strength_t * term_t`, and least squares gives the strengths that bring the model nearest to it, for each
+//! channel. Two free values per channel hardly ever make a wrong picture right, because they apply to all test
+//! scenes.
 
 use crate::testbench::Atlas;
 use gonio_render::user_program::NOT_DRAWN;
 
-/// The strengths found, and the picture that they give.
+/// The fitted strengths and the predicted picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// For each term, for red, green and blue.
+    /// For each term, the strengths for red, green and blue.
     pub strengths: Vec<[f64; 3]>,
-    /// The picture that the model draws with them.
+    /// The picture of the model with these strengths.
     pub predicted: Atlas,
 }
 
-/// A channel's numbers at the pixels that count.
+/// The values of a channel at the pixels that count.
 pub type Plane = Vec<f32>;
 
-/// The strengths that bring `known + sum strength * (term - known)` nearest to `seen`, of one channel.
+/// Returns the strengths that bring `known + sum strength * (term - known)` nearest to `seen`, for one channel.
 pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
     let count = terms.len();
     let (mut matrix, mut right) = (vec![0.0_f64; count * count], vec![0.0_f64; count]);
     let mut beyond_known = vec![0.0_f64; count];
     for (index, (&s, &k)) in seen.iter().zip(known).enumerate() {
-        // What is overexposed tells only that it is bright.
+        // Overexposed pixels are excluded: their value is unknown.
         if !(s.is_finite() && k.is_finite() && s < 1.0) {
             continue;
         }
@@ -46,7 +47,7 @@ pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
     solve(matrix, right)
 }
 
-/// Brings `known + sum strength * term` nearest to `seen`, in the test scenes that `known` and `terms` have.
+/// Fits `known + sum strength * term` to `seen`, in the test scenes of `known` and `terms`.
 pub fn fit(seen: &Atlas, known: &Atlas, terms: &[Atlas]) -> Fit {
     let is_everywhere = |index: usize, s: &[f32; 4], k: &[f32; 4]| {
         Atlas::is_drawn(s) && Atlas::is_drawn(k) && terms.iter().all(|term| Atlas::is_drawn(&term.pixels[index]))
@@ -77,10 +78,10 @@ pub fn fit(seen: &Atlas, known: &Atlas, terms: &[Atlas]) -> Fit {
     Fit { strengths: found, predicted }
 }
 
-/// Solves a small symmetric system; unknowns that the equations say nothing of are 0, and so are negative ones.
+/// Solves a small symmetric system. Undetermined and negative unknowns become 0.
 fn solve(mut matrix: Vec<f64>, mut right: Vec<f64>) -> Vec<f64> {
     let count = right.len();
-    // Terms may differ by twenty orders of magnitude, where a vector that should have been normalised was not.
+    // Terms may differ by twenty orders of magnitude if a vector was not normalised.
     let sizes: Vec<f64> = (0..count).map(|i| matrix[i * count + i].sqrt()).collect();
     let mut free: Vec<bool> = sizes.iter().map(|&size| size > 1e-6 && size.is_finite()).collect();
     let scale = |i: usize| if free[i] { sizes[i] } else { 1.0 };
@@ -105,7 +106,7 @@ fn solve(mut matrix: Vec<f64>, mut right: Vec<f64>) -> Vec<f64> {
             right[i] = 0.0;
         }
         let solution = eliminate(&mut matrix, &mut right);
-        // Light does not take away: a strength below 0 is none.
+        // Light is not negative: a strength below 0 becomes 0.
         let Some(worst) =
             (0..count).filter(|&i| free[i] && solution[i] < -1e-6).min_by(|&a, &b| solution[a].total_cmp(&solution[b]))
         else {
@@ -115,7 +116,7 @@ fn solve(mut matrix: Vec<f64>, mut right: Vec<f64>) -> Vec<f64> {
     }
 }
 
-/// Gauss's elimination with a pivot; rows without one give 0.
+/// Gaussian elimination with pivoting; rows without a pivot give 0.
 fn eliminate(matrix: &mut [f64], right: &mut [f64]) -> Vec<f64> {
     let count = right.len();
     for column in 0..count {

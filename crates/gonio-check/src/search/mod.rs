@@ -1,4 +1,5 @@
-//! The checker: draws a student's program in test scenes that tell mistakes apart, and looks for what explains it.
+//! Draws a student's program in test scenes that distinguish mistakes, and searches for the hypothesis that explains
+//! the pictures.
 
 mod compare;
 mod conclusion;
@@ -30,13 +31,13 @@ use on_cpu::CpuComparer;
 use ranking::{Found, Search, SearchEntry};
 use std::collections::HashMap;
 
-/// A pair of shaders that runs here, and what is known of it beside its pictures.
+/// The information from the source of a pair of shaders that the search uses.
 pub struct Prepared {
     /// Uniforms that the source declares, used or not.
     pub declared: Vec<Declared>,
-    /// Roles of names that nothing else determines.
+    /// Roles of names that are otherwise unclear.
     pub names: NamesFile,
-    /// Constants in the source where a uniform could be.
+    /// Constants in the source that could be uniforms.
     pub constants: SourceConstants,
     /// For ambient, diffuse and specular: whether the source computes it but never uses it.
     pub unused_terms: [bool; 3],
@@ -51,17 +52,17 @@ pub type SourceSupport = Box<dyn Fn(&str, ModelSolution) -> f32>;
 /// The pictures of a check, for reports beside a verdict.
 #[derive(Clone, Debug)]
 pub struct Evidence {
-    /// The student's.
+    /// The pictures of the student's program.
     pub seen: Atlas,
-    /// The right answer's.
+    /// The pictures of the right answer.
     pub reference: Atlas,
     /// The picture that the named mistakes predict, if any.
     pub predicted: Option<Atlas>,
-    /// The test scenes' words, in order.
+    /// The names of the test scenes, in order.
     pub scenes: Vec<String>,
 }
 
-/// Checks pairs of shaders, one after the other, in one context. What it compiles is kept.
+/// Checks pairs of shaders in one context. Compiled model solutions are kept.
 pub struct ShaderChecker {
     gl: Gl,
     models: HashMap<ModelSolution, CompiledModel>,
@@ -74,24 +75,24 @@ impl ShaderChecker {
         ShaderChecker { gl: gl.clone(), models: HashMap::new(), testbenches: HashMap::new() }
     }
 
-    /// The context.
+    /// Returns the OpenGL context.
     pub fn gl(&self) -> &Gl {
         &self.gl
     }
 
-    /// A model, compiled when it is first asked for.
+    /// Returns a model solution, which is compiled on first use.
     pub fn model(&mut self, model: ModelSolution) -> &CompiledModel {
         let gl = &self.gl;
         self.models.entry(model).or_insert_with(|| CompiledModel::new(gl, model))
     }
 
-    /// A fragment shader for this context that shows how far away everything is, whatever colours there are.
+    /// Returns a fragment shader for this context that shows distances, for programs with any colours.
     pub fn places_fragment(&self) -> String {
         let [_, fragment] = ModelSolution::Places.sources();
         crate::testbench::for_context(&self.gl, fragment)
     }
 
-    /// The right answer as this program would have drawn it: with its own strengths, and in its own way.
+    /// Draws the right answer with the strengths and the method of this program.
     fn reference(
         &self,
         task: &Task,
@@ -105,7 +106,7 @@ impl ShaderChecker {
             let drawn = search.drawn(right_model, right, search.test_scenes)?;
             return Ok(drawn.atlas.unwrap_or_else(|| search.seen.clone()));
         };
-        // A term that is not there would have been there with its whole strength.
+        // A missing term would have its full strength.
         let strength = |term: usize| match strengths[term] {
             Some(found) if found.iter().any(|s| *s > 1e-3) => found,
             _ => [if task.wanted[term] || unused_terms[term] { 1.0 } else { 0.0 }; 3],
@@ -127,7 +128,7 @@ impl ShaderChecker {
         Ok(())
     }
 
-    /// Checks a program that was linked. Errors are the driver's, not the student's.
+    /// Checks a linked program. Errors are the driver's, not the student's.
     pub fn check(
         &mut self,
         task: &'static Task,
@@ -187,7 +188,7 @@ impl ShaderChecker {
         let mut verdict = conclusion::verdict(task, &search, &found, &held, prepared.unused_terms);
         if task.model.is_lit() {
             let (model, right) = conclusion::right_answer(&search, &found);
-            // Where nothing can be looked at alone there is nothing to draw.
+            // Without a term that can be tested alone there is nothing to draw.
             let alone = match parameterisation.to_find {
                 [true, true, true] => None,
                 _ => search.drawn(model, right, all)?.atlas,
@@ -218,7 +219,7 @@ impl ShaderChecker {
     }
 }
 
-/// The ways that an answer may take, the usual one first.
+/// Returns the variants of an answer that the search starts from, the usual one first.
 fn entries(task: &Task, parameterisation: &Parameterisation) -> Vec<SearchEntry> {
     let mut entries: Vec<SearchEntry> = Vec::new();
     let right = parameterisation.right_lights();
@@ -229,7 +230,7 @@ fn entries(task: &Task, parameterisation: &Parameterisation) -> Vec<SearchEntry>
         entries.push(SearchEntry { model, lights, is_right: word.is_none(), word });
     }
     for &lights in parameterisation.wrong_lights() {
-        // A light that cannot be switched may be there for the one term that is wrong, or for nothing.
+        // A light that cannot be switched off may exist for the wrong term only, or for nothing.
         let word = match lights {
             Lights::First if parameterisation.second == Second::Switched => Some("second-light-missing"),
             Lights::Second => Some("lights-overwritten"),
@@ -241,15 +242,15 @@ fn entries(task: &Task, parameterisation: &Parameterisation) -> Vec<SearchEntry>
     entries
 }
 
-/// A picture, for this purpose: its pixels' numbers.
+/// A picture whose values can be compared.
 pub(crate) trait Numbers {
-    /// Whether each number is the other picture's, bit for bit.
+    /// Whether both pictures have the same bits.
     fn equals(&self, other: &Self) -> bool;
 }
 
 impl Numbers for crate::testbench::Atlas {
     fn equals(&self, other: &Self) -> bool {
-        // By bits, for NaN is no difference.
+        // Compared by bits, because NaN differs from itself.
         let bits = |atlas: &Self| atlas.pixels.iter().flatten().map(|number| number.to_bits()).collect::<Vec<_>>();
         bits(self) == bits(other)
     }
@@ -262,11 +263,12 @@ impl Numbers for crate::panorama::Tiles {
     }
 }
 
-/// Draws the student's program by `draw`, which is given fixed uniforms and the number of test scenes: each of `counts`, of
-/// which the last is the whole. `None` where a vertex or fragment took more turns than [`gonio_glsl::LoopBound::STUDENTS`].
+/// Draws the student's program with `draw`, which is given fixed uniforms and the number of test scenes: each of
+/// `counts`, of which the last is all. Returns `None` if a vertex or fragment exceeded
+/// [`gonio_glsl::LoopBound::STUDENTS`].
 ///
-/// Such vertices and fragments are drawn or not by a uniform: two pictures that differ tell of them. The first test scene is
-/// tried alone, for a program with an endless loop takes long in each.
+/// A uniform determines whether such vertices and fragments are drawn, so two pictures that differ reveal them. The
+/// first test scene is drawn alone first, because a program with an endless loop is slow in each.
 pub(crate) fn drawn_unless_endless<T: Numbers>(
     program: &UserProgram,
     fixed: &[(String, Vec<f32>)],
@@ -296,7 +298,7 @@ pub(crate) fn drawn_unless_endless<T: Numbers>(
     Ok(seen)
 }
 
-/// The verdict on such a program.
+/// Returns the verdict on a program with an endless loop.
 pub(crate) fn endless_verdict(exercise: &str) -> Verdict {
     Verdict::new(exercise, Outcome::Unsure, "a loop in a shader never ends")
 }

@@ -1,4 +1,4 @@
-//! Hypotheses held against a program's picture on the CPU, thousands of them in a second.
+//! Compares hypotheses with a program's picture on the CPU, thousands per second.
 
 use super::compare::{Comparison, SceneDifference, channel_difference};
 use super::fit::{Plane, strengths};
@@ -21,7 +21,7 @@ pub enum ComparisonDetail {
     Full,
 }
 
-/// A model with what a student's program is given, and the picture that it is held against.
+/// A model solution with its inputs, and the picture that it is compared with.
 pub struct CpuComparer<'a> {
     testbench: &'a Testbench,
     model: &'a CompiledModel,
@@ -29,7 +29,7 @@ pub struct CpuComparer<'a> {
     test_scenes: usize,
     plan: Rc<EvaluationPlan>,
     points: Rc<Points>,
-    /// The terms whose strengths have to be found.
+    /// The terms whose strengths are fitted.
     terms: Vec<usize>,
     /// For each light, the inputs without those terms, and then with each of them alone.
     input_sets: Rc<Vec<InputSet>>,
@@ -37,11 +37,11 @@ pub struct CpuComparer<'a> {
     whole: Rc<Vec<InputSet>>,
     /// For each light, whether the hypothesis applies to it.
     is_changed: Vec<bool>,
-    /// By what is written to `gl_Position`.
+    /// The covered pixels by the expression assigned to `gl_Position`.
     known: RefCell<HashMap<(String, ComparisonDetail), Rc<CoveredPixels>>>,
 }
 
-/// The pixels that a way of placing vertices draws, and the program's picture there.
+/// The pixels that an expression for `gl_Position` covers, and the program's picture there.
 struct CoveredPixels {
     by_terms: Run,
     whole: OnceCell<Run>,
@@ -103,7 +103,7 @@ impl<'a> CpuComparer<'a> {
         let colours = self.colours(run, hypothesis);
         let spans = &covered.surface.drawn.spans;
         let count = if is_whole { 1 } else { self.terms.len() };
-        // What is to be found is a factor for it all: then nothing is known.
+        // A common factor is fitted, so no part of the picture is known.
         let first_term = usize::from(!is_whole);
         let mut predicted: Vec<Plane> = Vec::with_capacity(3);
         let (mut found, mut shows) = (vec![Vec::with_capacity(3); count], vec![false; count]);
@@ -133,7 +133,7 @@ impl<'a> CpuComparer<'a> {
         Ok((covered.comparison(&predicted), strengths))
     }
 
-    /// What the model puts out, light by light and cast by cast.
+    /// Returns the colours of the model for each light and input set.
     fn colours(&self, run: &Run, hypothesis: &Hypothesis) -> Vec<Rc<Value>> {
         let changed = run.colours(&hypothesis.choices);
         if self.is_changed.iter().all(|is_changed| *is_changed) {
@@ -199,7 +199,7 @@ impl CoveredPixels {
     }
 }
 
-/// A cast's channel, of all lights together; there are `input_sets` casts a light.
+/// Returns a channel of an input set, summed over all lights; there are `input_sets` sets for each light.
 fn added(
     colours: &[Rc<Value>],
     set: usize,
@@ -215,7 +215,7 @@ fn added(
     sum
 }
 
-/// What every input of a model holds.
+/// Returns the values of all uniforms of a model solution.
 fn given(
     plan: &EvaluationPlan,
     testbench: &Testbench,
@@ -260,7 +260,7 @@ fn given(
     plan.inputs.iter().map(|input| Rc::new(value(&input.name, &input.glsl_type))).collect()
 }
 
-/// No uniform of the stage but a number out of the student's source.
+/// The uniform for the exponent that is a constant in the student's source.
 const WRITTEN_EXPONENT: &str = "written_exponent";
 
 #[cfg(test)]
@@ -275,7 +275,7 @@ mod tests {
     use crate::testbench::Testbench;
     use gonio_gl::HeadlessContext;
 
-    /// The share of pixels that may differ: half of what a verdict allows. Set by rounding, at the edge of what counts as a difference.
+    /// The share of pixels that may differ because of rounding: half of what a verdict allows.
     const MOST_BEYOND: f64 = 0.005;
 
     #[test]
@@ -286,7 +286,7 @@ mod tests {
             let task = Task::find(exercise).unwrap();
             let (test_scenes, [whole, _]) = task.test_scenes();
             let testbench = Testbench::new(context.gl(), test_scenes).unwrap();
-            // Nothing is given from outside: every strength has to be found.
+            // Without inputs, every strength is fitted.
             let parameterisation =
                 Parameterisation::new(task, &Bindings::default(), &Bindings::default(), &SourceConstants::default());
             for model in [Some(task.model), task.other.map(|(model, _)| model)].into_iter().flatten() {

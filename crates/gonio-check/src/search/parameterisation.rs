@@ -7,13 +7,13 @@ use crate::rules::{ConstantSun, SourceConstants};
 use crate::testbench::{TestLight, TestScene};
 use glam::{Mat3, Vec3};
 
-/// The exponent that the lab's programs have.
+/// The exponent in the lab's programs.
 const USUAL_EXPONENT: f32 = 32.0;
 
-/// A light that is a direction and no place.
+/// A light with a direction instead of a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Sun {
-    /// Given from outside.
+    /// The direction is an input.
     Given {
         /// Whether it is used as the direction towards the light.
         points_to_light: bool,
@@ -24,37 +24,37 @@ enum Sun {
 /// Whether a program has a second light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Second {
-    /// It has not.
+    /// There is no second light.
     None,
-    /// It has, and the light can be switched off from outside.
+    /// There is one that can be switched off.
     Switched,
-    /// It has no more than the light's place.
+    /// Only the position of the second light is an input.
     Always,
 }
 
-/// Which lights a model is lit by, and in which of them a hypothesis holds.
+/// The lights of a model solution, and those to which a hypothesis applies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lights {
-    /// There is only one.
+    /// One light.
     One,
-    /// Both, added up.
+    /// The sum of both.
     Both,
     /// Only the first of two.
     First,
     /// Only the second of two.
     Second,
-    /// Both, with an ambient term that belongs to neither.
+    /// Both, with one ambient term that belongs to neither.
     OneAmbient,
-    /// Both, with one ambient term for all that is counted again for each.
+    /// Both, with a common ambient term that is added for each.
     EachAmbient,
-    /// Both, and the first of them is as it should be.
+    /// Both, with the mistake only in the second.
     WrongInSecond,
-    /// Both, and the second of them is as it should be.
+    /// Both, with the mistake only in the first.
     WrongInFirst,
 }
 
 impl Lights {
-    /// The lights that count, each with whether the hypothesis holds in it.
+    /// Returns the lights, each with whether the hypothesis applies to it.
     pub fn each(self) -> &'static [(usize, bool)] {
         match self {
             Lights::One | Lights::First => &[(0, true)],
@@ -66,7 +66,8 @@ impl Lights {
     }
 }
 
-/// Which inputs of a program can be varied, and the values of the others.
+/// The parameterisation of a program: whether its quantities are inputs that can be varied, and the values of the
+/// others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameterisation {
     /// For ambient, diffuse and specular: whether the strength is not an input, so that it must be fitted.
@@ -75,7 +76,7 @@ pub struct Parameterisation {
     given: [bool; 3],
     /// For the same terms: the usual strength in the exercise.
     usual: [f32; 3],
-    /// Whether the material's colour is given from outside.
+    /// Whether the material's colour is an input.
     material: bool,
     light_position: Option<Vec3>,
     shininess: Option<f32>,
@@ -83,21 +84,21 @@ pub struct Parameterisation {
     pub written_exponent: Option<f32>,
     attenuation: [Option<f32>; 3],
     refraction_index: Option<f32>,
-    /// Whether there is a second light.
+    /// The second light.
     pub second: Second,
-    /// Which of ambient, diffuse, specular and attenuation are separate inputs of the second light.
+    /// Whether ambient, diffuse, specular and attenuation are separate inputs of the second light.
     own: [bool; 4],
-    /// Whether it has a colour of its own.
+    /// Whether it has its own colour.
     coloured: bool,
-    /// Whether the number of lights is given.
+    /// Whether the number of lights is an input.
     counted: bool,
     other_light: Option<Vec3>,
     sun: Option<Sun>,
-    /// Nothing says which way is up: the program has Y written in it.
+    /// Whether the up direction is not an input, so that the program assumes Y.
     upright: bool,
 }
 
-/// Whether a role tells which way is up for the camera.
+/// Whether a role determines the up direction of the camera.
 fn says_up(role: Role) -> bool {
     matches!(
         role,
@@ -112,21 +113,22 @@ fn says_up(role: Role) -> bool {
 }
 
 impl Parameterisation {
-    /// Of a program that takes what is bound, and declares strengths and colours that it may not use.
+    /// Determines the parameterisation of a program with these bindings, which may declare strengths and colours
+    /// without using them.
     pub fn new(task: &Task, bindings: &Bindings, declared: &Bindings, constants: &SourceConstants) -> Self {
         let has = |wanted: &dyn Fn(Role) -> bool| bindings.bound.iter().any(|bound| wanted(bound.role));
         let bindings_or_source = |wanted: &dyn Fn(Role) -> bool| {
             bindings.bound.iter().chain(&declared.bound).any(|bound| wanted(bound.role))
         };
-        // Only one exercise gives strengths; elsewhere one that is declared and not used is a leftover.
+        // Only one exercise has strengths as inputs; elsewhere an unused declaration is a leftover.
         let has_or_declares =
             |wanted: &dyn Fn(Role) -> bool| has(wanted) || (task.attenuated && bindings_or_source(wanted));
         let is_material = |role| {
             matches!(role, Role::MaterialColor | Role::MaterialAmbient | Role::MaterialDiffuse | Role::MaterialSpecular)
         };
-        // Where a texture gives the colour, a colour that is declared and not used is a leftover.
+        // If a texture gives the colour, an unused declaration of a colour is a leftover.
         let is_textured = has(&|role| role == Role::DiffuseTexture);
-        // One for the highlight alone is none of the object's.
+        // A colour for the highlight alone is not the object's.
         let is_whole = |role| is_material(role) && role != Role::MaterialSpecular;
         let material = if is_textured { has(&is_whole) } else { bindings_or_source(&is_whole) };
         let given = [
@@ -134,19 +136,19 @@ impl Parameterisation {
             has_or_declares(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_))),
             has_or_declares(&|role| matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_))),
         ];
-        // A term that the exercise does not ask for may be there or not.
+        // A term that the exercise does not ask for is optional.
         let to_find =
             std::array::from_fn(|term| task.model.is_lit() && !(given[term] && material && task.wanted[term]));
         let lit_from_outside =
             has(&|role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_) | Role::LightDirection(_)));
         let of_second = |wanted: &dyn Fn(Role) -> bool| {
             bindings.bound.iter().any(|bound| {
-                // An array's elements are the lights' from the first on.
+                // Element i of an array belongs to light i.
                 let last = bound.role.light().map(|first| first.saturating_add(bound.declared.array.max(1) - 1));
                 last.is_some_and(|last| last >= 1) && wanted(bound.role)
             })
         };
-        // A direction alone is a sun's, and the exercises know lamps: it stays dark.
+        // A direction alone is that of a sun, but the exercises have lamps: it stays dark.
         let is_place = |role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_));
         let coloured = of_second(&|role| matches!(role, Role::LightColor(_)));
         let own = [
@@ -171,15 +173,15 @@ impl Parameterisation {
             Second::Always
         };
         let fixed = |given: bool, written: Option<f32>, usual: f32| (!given).then(|| written.unwrap_or(usual));
-        // Beside a place, a direction is where a lamp is turned to.
+        // Beside a position, a direction is the axis of a lamp.
         let is_given = has(&|role| matches!(role, Role::LightDirection(_))) && !has(&is_place);
-        // The place of the exercise's own lamp is no direction.
+        // The position of the exercise's lamp is not a direction.
         let is_lamp = |sun: &ConstantSun| sun.to_light.dot(task.light_position.normalize_or_zero()) > 0.9999;
         let sun = match constants.sun.filter(|sun| !lit_from_outside && !is_lamp(sun)) {
             Some(sun) => Some(Sun::Constant(sun)),
             None => is_given.then(|| Sun::Given { points_to_light: constants.points_to_light.unwrap_or(false) }),
         };
-        // A sun is as bright here as there.
+        // The light of a sun does not decrease with distance.
         let usual = if task.attenuated && sun.is_none() { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
         Parameterisation {
             to_find,
@@ -187,8 +189,8 @@ impl Parameterisation {
             usual: [0.0, 1.0, if task.wanted[2] { 1.0 } else { 0.0 }],
             material,
             light_position: (!lit_from_outside).then(|| constants.light_position.unwrap_or(task.light_position)),
-            // The exercises give the exponent: another one that is written is no choice but a mistake.
-            // The lab's own, written for one light and taken from outside for another, is one and the same.
+            // The exercises prescribe the exponent, so another constant is a mistake. The lab's own exponent, a
+            // constant for one light and an input for another, is the same.
             shininess: match constants.shininess {
                 Some(exponent) if exponent == USUAL_EXPONENT => constants.shininess,
                 _ => fixed(has(&|role| role == Role::Shininess), None, USUAL_EXPONENT),
@@ -218,7 +220,7 @@ impl Parameterisation {
         }
     }
 
-    /// In which ways a right answer may be lit: where the ambient term is not said to be a light's, it may be each one's or none's.
+    /// Returns the lights of right answers: an ambient term without a light may belong to each light or to none.
     pub fn right_lights(&self) -> &'static [Lights] {
         match self.second {
             Second::None => &[Lights::One],
@@ -227,7 +229,7 @@ impl Parameterisation {
         }
     }
 
-    /// In which other ways an answer is looked at: what is wrong with one of two lights alone.
+    /// Returns the lights of wrong answers: mistakes with one of two lights.
     pub fn wrong_lights(&self) -> &'static [Lights] {
         match self.second {
             Second::None => &[],
@@ -238,28 +240,28 @@ impl Parameterisation {
         }
     }
 
-    /// Whether the second light can be dimmed by itself.
+    /// Whether the second light can be dimmed alone.
     pub fn dims_second(&self) -> bool {
         self.second == Second::Switched && (self.coloured || self.own[1])
     }
 
-    /// Whether a program knows of another light than the one that it is lit by.
+    /// Whether a program has another light than the one that lights it.
     pub fn knows_another(&self) -> bool {
         self.second != Second::None || self.other_light.is_some()
     }
 
-    /// Whether the light stands where the source says and nowhere else.
+    /// Whether the position of the light is a constant in the source.
     pub fn has_written_light(&self) -> bool {
         self.light_position.is_some() || self.other_light.is_some()
     }
 
-    /// Whether some strengths have to be found.
+    /// Whether some strengths must be fitted.
     pub fn must_find(&self) -> bool {
         self.to_find.iter().any(|find| *find)
     }
 
-    /// Changes a test scene for the model, lit by one of the lights: of the terms whose strengths have to be found, all but
-    /// `term` are dark.
+    /// Changes a test scene for the model, lit by one of the lights: among the terms whose strengths are fitted, all
+    /// but `term` are dark.
     pub fn apply_to_model(&self, test_scene: &mut TestScene, lights: Lights, light: usize, term: Option<usize>) {
         self.apply_for(test_scene, lights, light, |index, given, strength| {
             if term != Some(index) {
@@ -272,7 +274,8 @@ impl Parameterisation {
         });
     }
 
-    /// Changes a test scene for the model, lit by one of the lights: terms whose strengths have to be found are of equal strength.
+    /// Changes a test scene for the model, lit by one of the lights: terms whose strengths are fitted have equal
+    /// strengths.
     pub fn apply_whole(&self, test_scene: &mut TestScene, lights: Lights, light: usize) {
         let usual = |index: usize, given: bool, strength: f32| if given { strength } else { self.usual[index] };
         self.apply_for(test_scene, lights, light, usual);
@@ -286,7 +289,7 @@ impl Parameterisation {
         strength_of: impl Fn(usize, bool, f32) -> f32,
     ) {
         self.apply(test_scene);
-        // The last of the lights that there are.
+        // The last light.
         let is_second = light > 0 && !(lights == Lights::Second && self.counted && test_scene.other.is_none());
         let is_missing = is_second && test_scene.other.is_none();
         if is_second {
@@ -310,7 +313,7 @@ impl Parameterisation {
         }
     }
 
-    /// Changes a test scene to what the program can be given.
+    /// Changes a test scene to the inputs that the program has.
     pub fn apply(&self, test_scene: &mut TestScene) {
         if !self.material {
             test_scene.material = Vec3::ONE;
@@ -342,7 +345,7 @@ impl Parameterisation {
         match self.second {
             Second::None => test_scene.other = self.other_light.map(|position| TestLight { position, ..light.dark() }),
             Second::Always => test_scene.other = Some(TestLight { position: elsewhere, ..light }),
-            // What it has not of its own it shares with the first.
+            // The second light shares the quantities that are not its own with the first.
             Second::Switched => {
                 if let Some(other) = &mut test_scene.other {
                     other.diffuse = if self.own[1] { other.diffuse } else { light.diffuse };

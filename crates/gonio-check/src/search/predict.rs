@@ -1,4 +1,4 @@
-//! Predictions by the driver: the picture of a model under a hypothesis.
+//! Predicts the picture of a model solution under a hypothesis by drawing it.
 
 use super::fit::{Fit, fit};
 use super::parameterisation::{Lights, Parameterisation};
@@ -12,31 +12,32 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
-/// A model with its hypotheses, and the programs that were made of it.
+/// A model solution with its hypotheses and compiled programs.
 pub struct CompiledModel {
     /// Its hypotheses.
     pub hypotheses: Hypotheses,
-    /// The same on the CPU, where the model can be worked out there.
+    /// Its plan for the CPU, if the interpreter supports it.
     pub plan: Option<Rc<EvaluationPlan>>,
     gl: Gl,
-    /// Where it can: one program a hypothesis that was drawn. Where not: one that is every hypothesis, under no choice.
+    /// With a plan, one program for each hypothesis that was drawn; otherwise one program for all hypotheses, with an
+    /// empty key.
     programs: RefCell<HashMap<BTreeMap<usize, usize>, Rc<ModelProgram>>>,
 }
 
-/// A program and what its uniforms mean.
+/// A program and the roles of its uniforms.
 pub struct ModelProgram {
-    /// Linked.
+    /// The linked program.
     pub program: UserProgram,
-    /// But for those that choose among hypotheses.
+    /// The uniforms except those that select hypotheses.
     pub bindings: Bindings,
 }
 
 /// The picture that a model draws, and the strengths that were fitted for it.
 #[derive(Clone, Debug)]
 pub struct Prediction {
-    /// In all test scenes.
+    /// The pictures of all test scenes.
     pub atlas: Atlas,
-    /// See [`Strengths`].
+    /// The fitted strengths.
     pub strengths: Strengths,
 }
 
@@ -45,16 +46,16 @@ pub struct Prediction {
 pub type Strengths = [Option<[f64; 3]>; 3];
 
 impl CompiledModel {
-    /// Reads it. What the driver makes of it shows when it is drawn.
+    /// Prepares a model solution; the driver compiles it when it is drawn.
     pub fn new(gl: &Gl, model: ModelSolution) -> Self {
         let hypotheses = Hypotheses::for_model(model);
-        // The CPU knows how surfaces are lit, and not where else they are drawn.
+        // The interpreter evaluates lighting, but not other positions on the screen.
         let is_lit_surface = !model.is_of_places() && model != ModelSolution::Panorama;
         let plan = is_lit_surface.then(|| EvaluationPlan::new(&hypotheses)).flatten().map(Rc::new);
         CompiledModel { hypotheses, plan, gl: gl.clone(), programs: RefCell::default() }
     }
 
-    /// 330 core, or 300 es where the context is such.
+    /// Returns the program for a hypothesis, in version 330 core or 300 es as the context needs.
     pub fn program(&self, hypothesis: &Hypothesis) -> Result<Rc<ModelProgram>, GlError> {
         let is_own = self.plan.is_some();
         let choices = if is_own { hypothesis.choices.clone() } else { BTreeMap::new() };
@@ -65,7 +66,7 @@ impl CompiledModel {
         let [vertex, fragment] = sources.map(|source| for_context(&self.gl, &source));
         let program = UserProgram::new(&self.gl, &vertex, &fragment)
             .map_err(|broken| GlError::new(format!("gonio's own shader does not compile on this driver: {broken}")))?;
-        // Those that choose among hypotheses have words of the equation in their names.
+        // The names of uniforms that select hypotheses contain words of the equation.
         let known: Vec<Declared> = declared(&program)
             .into_iter()
             .filter(|declared| !declared.name.starts_with("way_") && declared.name != "written_exponent")
@@ -76,7 +77,7 @@ impl CompiledModel {
         Ok(program)
     }
 
-    /// What it is given: nothing but hypotheses changes afterwards.
+    /// Computes the inputs; afterwards only hypotheses change.
     pub fn inputs(&self, parameterisation: &Parameterisation, lights: Lights) -> ModelInputs {
         ModelInputs {
             terms: (0..3).filter(|&term| parameterisation.to_find[term]).collect(),
@@ -86,7 +87,8 @@ impl CompiledModel {
         }
     }
 
-    /// Draws it without the terms whose strengths have to be found, or with one of them alone, or with all; light is added up.
+    /// Draws the model solution without the terms whose strengths are fitted, with one of them alone, or with all;
+    /// light is summed.
     fn draw(
         &self,
         testbench: &Testbench,
@@ -114,7 +116,7 @@ impl CompiledModel {
         sum.ok_or_else(|| GlError::new("a model without any light"))
     }
 
-    /// What it draws. `seen` is what strengths are found for.
+    /// Draws a hypothesis; strengths are fitted to `seen`.
     pub fn predict(
         &self,
         testbench: &Testbench,
@@ -141,7 +143,7 @@ impl CompiledModel {
         let Fit { strengths: found, predicted } = fit(seen, &known, &atlases);
         let mut strengths = [None; 3];
         for ((term, strength), atlas) in inputs.terms.iter().zip(found).zip(&atlases) {
-            // Of a term that this hypothesis does not put out, no strength can be told.
+            // The strength of a term that this hypothesis does not output cannot be fitted.
             let shows =
                 atlas.pixels.iter().zip(&known.pixels).any(|(a, b)| a[0] != b[0] || a[1] != b[1] || a[2] != b[2]);
             strengths[*term] = shows.then_some(strength);
@@ -149,12 +151,12 @@ impl CompiledModel {
         Ok(Prediction { atlas: predicted, strengths })
     }
 
-    /// Whether its picture is no sum of terms.
+    /// Whether its picture is not a sum of terms.
     pub fn is_whole(&self, hypothesis: &Hypothesis) -> bool {
         hypothesis.mistakes.iter().any(|&mistake| self.hypotheses.mistakes[mistake].whole)
     }
 
-    /// What it draws with strengths that were found already.
+    /// Draws a hypothesis with known strengths.
     pub fn predict_with(
         &self,
         testbench: &Testbench,
@@ -176,14 +178,14 @@ impl CompiledModel {
         Ok(atlas)
     }
 
-    /// What chooses a hypothesis, for whoever draws it alone.
+    /// Returns the uniforms that select a hypothesis, for callers that draw it alone.
     pub fn ways_of(&self, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
         let way = |line: usize| hypothesis.choices.get(&line).copied().unwrap_or(0);
         let lines = if self.plan.is_some() { 0..0 } else { 0..self.hypotheses.variables.len() };
         lines.map(|line| (self.hypotheses.uniform(line), vec![way(line) as f32])).collect()
     }
 
-    /// What chooses a hypothesis, where one program is all of them.
+    /// Returns the uniforms that select a hypothesis, if one program has all of them.
     fn ways(&self, inputs: &ModelInputs, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
         let mut ways = self.ways_of(hypothesis);
         ways.push(("written_exponent".to_owned(), vec![inputs.exponent]));
@@ -191,37 +193,37 @@ impl CompiledModel {
     }
 }
 
-/// What the names mean that models have for what belongs to no one: the place of the light that is not being added.
+/// Returns the roles of names that only model solutions have: the position of the light that is not being added.
 pub fn model_names() -> NamesFile {
     let meaning = crate::roles::Meaning::Role(crate::roles::Role::LightPos(1));
     NamesFile { names: [("other_light_pos".to_owned(), meaning)].into() }
 }
 
-/// Which terms of those whose strengths have to be found are lit.
+/// The terms that are lit, among those whose strengths are fitted.
 #[derive(Clone, Copy)]
 pub enum Lit {
-    /// None of them.
+    /// No such term.
     Known,
-    /// One alone.
+    /// One term alone.
     Term(usize),
-    /// All.
+    /// All terms.
     Whole,
 }
 
-/// The inputs of a model in every test scene.
+/// The inputs of a model solution in each test scene.
 pub struct ModelInputs {
-    /// Terms whose strengths have to be found.
+    /// Terms whose strengths are fitted.
     pub terms: Vec<usize>,
-    /// What may be varied.
+    /// The parameterisation of the student's program.
     pub parameterisation: Parameterisation,
-    /// The exponent that stands in the student's source.
+    /// The constant exponent in the student's source.
     pub exponent: f32,
     /// The lights.
     pub lights: Lights,
 }
 
 impl ModelInputs {
-    /// Changes a test scene to what the model is given for one of its lights.
+    /// Changes a test scene to the inputs of the model for one of its lights.
     pub fn apply(&self, test_scene: &mut TestScene, light: usize, lit: Lit) {
         match lit {
             Lit::Known => self.parameterisation.apply_to_model(test_scene, self.lights, light, None),
@@ -230,13 +232,13 @@ impl ModelInputs {
         }
     }
 
-    /// Whether some strengths have to be found.
+    /// Whether some strengths must be fitted.
     pub fn must_find(&self) -> bool {
         !self.terms.is_empty()
     }
 }
 
-/// What a program uses, as names are found for it.
+/// Returns the variables that a program uses.
 pub fn declared(program: &UserProgram) -> Vec<Declared> {
     let of = |kind: VariableKind| {
         move |variable: &gonio_render::user_program::ProgramVariable| Declared {

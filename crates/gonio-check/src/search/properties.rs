@@ -9,29 +9,29 @@ use glam::{EulerRot, Quat};
 use gonio_gl::GlError;
 use gonio_render::user_program::UserProgram;
 
-/// So many of the first test scenes are looked at: a stretched torus and a coarse sphere.
+/// Number of test scenes that are used: a stretched torus and a coarse sphere.
 const TEST_SCENES: usize = 2;
-/// The share of pixels that may differ. Set by outlines: where the world is turned, matrices are others, and so are their
-/// rounding errors.
+/// The share of pixels that may differ, because of outlines: in a rotated world, matrices and their rounding errors
+/// differ.
 const MOST_BEYOND: f64 = 0.02;
 /// Attenuations grow by this factor to leave no light but the ambient one.
 const FAR: f32 = 1e9;
 
-/// A student's program and what it may be given.
+/// A student's program and its inputs.
 pub struct Student<'a> {
-    /// Where it is drawn.
+    /// The testbench that draws it.
     pub testbench: &'a Testbench,
     /// The program.
     pub program: &'a UserProgram,
     /// The roles of its variables.
     pub bindings: &'a Bindings,
-    /// Uniforms with values of the student's own.
+    /// Uniforms with values from `names.toml`.
     pub fixed: &'a [(String, Vec<f32>)],
-    /// What may be varied.
+    /// The parameterisation of the program.
     pub parameterisation: &'a Parameterisation,
 }
 
-/// The words, what is right and what is wrong.
+/// The ids, and the sentences if the property holds and if it does not.
 const WORDS: [(&str, &str, &str); 5] = [
     (
         "finite",
@@ -73,7 +73,7 @@ impl Student<'_> {
         self.testbench.draw(self.program, &inputs, self.fixed, TEST_SCENES)
     }
 
-    /// All of them; `seen` is what the program draws in `test_scenes` test scenes.
+    /// Tests all properties; `seen` is the program's picture in `test_scenes` test scenes.
     pub fn properties(&self, seen: &Atlas, test_scenes: usize) -> Result<Vec<PropertyVerdict>, GlError> {
         let finite = (0..test_scenes).filter(|&tile| {
             let is_number = |p: &[f32; 4]| p.iter().take(3).all(|c| c.is_finite());
@@ -95,7 +95,7 @@ impl Student<'_> {
     }
 
     fn turned(&self, seen: &Atlas) -> Result<Option<Vec<usize>>, GlError> {
-        // A light that is written down stays where it is.
+        // A constant light does not move.
         if self.parameterisation.has_written_light() {
             return Ok(None);
         }
@@ -183,8 +183,8 @@ impl Student<'_> {
     }
 }
 
-/// The tiles in which a picture is not what it has to be. Where it is overexposed, or no number, nothing can be told; `None` where
-/// it is so everywhere.
+/// Returns the tiles in which a picture is not as expected. Overexposed pixels and NaN are ignored; `None` if there
+/// are no others.
 fn failing(seen: &Atlas, expected: impl Fn(usize, usize, usize) -> f32) -> Option<Vec<usize>> {
     let counted = |tile: usize| {
         let (mut all, mut beyond) = (0_usize, 0_usize);
@@ -208,13 +208,13 @@ fn failing(seen: &Atlas, expected: impl Fn(usize, usize, usize) -> f32) -> Optio
     counts.iter().any(|(all, _)| *all > 0).then(|| (0..TEST_SCENES).filter(fails).collect())
 }
 
-/// Where nothing has a name, what does not hold says at least where to look.
+/// If no mistake is named, the summary reports the violated properties.
 pub fn tell(verdict: &mut Verdict) {
     if verdict.verdict != Outcome::Wrong || !verdict.mistakes.is_empty() {
         return;
     }
     let wrong = verdict.properties.iter().filter(|property| property.state == PropertyState::Wrong);
-    // That pixels are no numbers is among the warnings already.
+    // NaN is already among the warnings.
     let told: Vec<&str> = wrong.filter(|p| p.id != "finite").map(|property| property.sentence.as_str()).collect();
     if !told.is_empty() {
         verdict.summary = format!("{}; {}", verdict.summary, told.join("; "));

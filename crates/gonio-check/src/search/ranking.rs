@@ -13,7 +13,7 @@ use gonio_gl::GlError;
 /// A hypothesis that was tried.
 #[derive(Clone, Debug)]
 pub struct Tried<'a> {
-    /// In which of the models that were handed in.
+    /// The index of the model solution.
     pub model: usize,
     /// Its mistakes and harmless peculiarities.
     pub mistakes: Vec<&'a Mistake>,
@@ -21,7 +21,7 @@ pub struct Tried<'a> {
     pub hypothesis: Hypothesis,
     /// The residual difference.
     pub residual: Comparison,
-    /// The strengths that were found for it.
+    /// The fitted strengths.
     pub strengths: Strengths,
     /// The picture that it draws, if the driver drew it.
     pub atlas: Option<Atlas>,
@@ -30,23 +30,23 @@ pub struct Tried<'a> {
 }
 
 impl Tried<'_> {
-    /// The words of what is wrong.
+    /// Returns the ids of the mistakes without harmless peculiarities.
     pub fn wrong(&self) -> Vec<&str> {
         self.mistakes.iter().filter(|m| !m.harmless).map(|m| m.id.as_str()).collect()
     }
 
-    /// How many strengths were found to be there: of two equal predictions that with fewer is the simpler.
+    /// Returns the number of strengths above 0. Of two equal predictions, the one with fewer terms is simpler.
     fn terms_found(&self) -> usize {
         self.strengths.iter().flatten().filter(|strength| strength.iter().any(|s| s.abs() > 1e-3)).count()
     }
 
-    /// Of the test scene that it explains best: how much.
+    /// Returns the largest share of a test scene's difference that it explains.
     pub(super) fn best_share(&self, difference: &Comparison) -> f64 {
         let share = |(seen, residual): (&f64, &f64)| if *seen > 1e-6 { 1.0 - residual / seen } else { 0.0 };
         difference.squares.iter().zip(&self.residual.squares).map(share).fold(0.0, f64::max)
     }
 
-    /// Simpler and better first.
+    /// Orders simpler and better explanations first.
     pub(super) fn order(&self, other: &Self) -> std::cmp::Ordering {
         let key = |tried: &Self| {
             let wrong = tried.mistakes.iter().filter(|m| !m.harmless).count();
@@ -64,9 +64,9 @@ impl Tried<'_> {
 
 /// The result of the search.
 pub struct Found<'a> {
-    /// The right answer that is nearest.
+    /// The nearest right answer.
     pub nearest_right: Tried<'a>,
-    /// The best of all that was tried, best first, each set of mistakes once.
+    /// All tried hypotheses, best first, each set of mistakes once.
     pub ranking: Vec<Tried<'a>>,
 }
 
@@ -74,7 +74,7 @@ pub struct Found<'a> {
 pub type Support<'s> = &'s dyn Fn(&str, usize) -> f32;
 
 impl Found<'_> {
-    /// Of those that leave nothing over and are equally simple, the source tells which.
+    /// Orders equally simple explanations without a residual by the support of the source.
     fn prefer(&mut self, support: Support<'_>) {
         let Some(first) = self.ranking.first().filter(|first| first.residual.is_same()) else { return };
         let (model, count) = (first.model, first.wrong().len());
@@ -85,21 +85,21 @@ impl Found<'_> {
             let each = tried.wrong().into_iter().map(|id| support(id, model));
             each.sum::<f32>()
         };
-        // Stable: where the source is silent, the catalogue's order stays.
+        // The sort is stable: without evidence in the source, the order of the catalogue remains.
         self.ranking[..end].sort_by(|a, b| support(b).total_cmp(&support(a)));
     }
 }
 
-/// The first test scenes of every exercise tell most: in those many hypotheses are ranked ...
+/// Hypotheses are ranked in this many test scenes; the first ones of each exercise distinguish most.
 const TELLING: usize = 4;
-/// ... and so many of the best are then tried in all.
+/// Number of the best hypotheses that are then tried in all test scenes.
 pub(super) const KEPT: usize = 16;
-/// Most that are tried again with every peculiarity.
+/// Most mistakes that are tried again with every peculiarity.
 const TRIED_AGAIN: usize = 10;
-/// Most that the driver is asked to draw before a verdict.
+/// Most hypotheses that the driver draws before a verdict.
 const MOST_DRAWN: usize = 12;
 
-/// What there is to be explained: what the plain model leaves over.
+/// The difference to explain: the residual of the plain model solution.
 pub(super) struct Difference {
     pub(super) full: Comparison,
     pub(super) coarse: Comparison,
@@ -111,39 +111,39 @@ impl Difference {
     }
 }
 
-/// A way to answer, right or wrong, that answers may be changes of.
+/// A variant of the answer, right or wrong, that hypotheses change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchEntry {
-    /// The function.
+    /// The model solution.
     pub model: ModelSolution,
     /// The lights that it covers.
     pub lights: Lights,
-    /// Whether an answer may be so.
+    /// Whether it is a right answer.
     pub is_right: bool,
-    /// The word for it, where it is a mistake.
+    /// The id of the mistake, if it is one.
     pub word: Option<&'static str>,
 }
 
-/// Everything that a search looks at.
+/// The inputs of a search.
 pub struct Search<'a> {
-    /// Where.
+    /// The testbench that draws programs.
     pub testbench: &'a Testbench,
-    /// The right answer first, then others that answers may be changes of.
+    /// The variants of the answer, the right one first.
     pub entries: &'a [SearchEntry],
-    /// The model of each.
+    /// The model solution of each variant.
     pub models: &'a [&'a CompiledModel],
-    /// What each model is given.
+    /// The inputs of each model solution.
     pub model_inputs: &'a [ModelInputs],
-    /// Each model on the CPU, where it can be worked out there.
+    /// The comparer of each model solution on the CPU, if the interpreter supports it.
     pub comparers: &'a [Option<CpuComparer<'a>>],
-    /// What the program draws.
+    /// The pictures of the student's program.
     pub seen: &'a Atlas,
-    /// How many test scenes count: those with one term alone do not where strengths have to be found.
+    /// Number of test scenes that count: those with one term alone do not if strengths are fitted.
     pub test_scenes: usize,
 }
 
 impl<'a> Search<'a> {
-    /// Tries many at a glance, and the best of them closely.
+    /// Ranks many hypotheses at low resolution, and tries the best in full.
     pub(super) fn best_of(
         &self,
         model: usize,
@@ -180,7 +180,7 @@ impl<'a> Search<'a> {
         Ok(tried)
     }
 
-    /// On the CPU where that can be, else by the driver.
+    /// Tries a hypothesis on the CPU if possible, otherwise by the driver.
     fn unrated(&self, model: usize, hypothesis: Hypothesis, detail: ComparisonDetail) -> Result<Tried<'a>, GlError> {
         let Some(comparers) = self.comparers.get(model).and_then(Option::as_ref) else {
             let test_scenes =
@@ -192,7 +192,7 @@ impl<'a> Search<'a> {
         Ok(Tried { model, mistakes, hypothesis, residual, strengths, atlas: None, explained: 0.0 })
     }
 
-    /// By the driver.
+    /// Tries a hypothesis by the driver.
     pub fn drawn(&self, model: usize, hypothesis: Hypothesis, test_scenes: usize) -> Result<Tried<'a>, GlError> {
         let compiled = self.models[model];
         let prediction =
@@ -207,7 +207,7 @@ impl<'a> Search<'a> {
         hypothesis.mistakes.iter().map(|&index| self.models[model].hypotheses.mistakes[index]).collect()
     }
 
-    /// What was worked out on the CPU is drawn by the driver before it is said: until the best of all is one that was drawn.
+    /// Draws the best hypotheses with the driver, until the best one of all is a drawn one.
     fn confirm(&self, found: &mut Found<'a>, difference: &Comparison, support: Support<'_>) -> Result<(), GlError> {
         for _ in 0..MOST_DRAWN {
             found.prefer(support);
@@ -223,7 +223,7 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// All sets of at most three peculiarities that go together, the empty one first.
+    /// Returns all compatible sets of at most three peculiarities, the empty one first.
     pub(super) fn peculiar(&self, model: usize) -> Vec<Hypothesis> {
         let hypotheses = &self.models[model].hypotheses;
         let single: Vec<&Hypothesis> =
@@ -252,13 +252,13 @@ impl<'a> Search<'a> {
             .singles
             .iter()
             .filter(|h| h.mistakes.iter().all(|&m| !hypotheses.mistakes[m].harmless))
-            // Where there is no other light, nothing comes from it.
+            // Without another light, mistakes with it are skipped.
             .filter(move |h| another || !hypotheses.mentions(h, "other_light_pos"))
     }
 
-    /// Looks for the simplest explanation; where pictures are silent, what the source looks like decides.
+    /// Finds the simplest explanation; the support of the source decides between equal ones.
     pub fn run(&self, support: Support<'_>) -> Result<Found<'a>, GlError> {
-        // Most answers are right, and right in the usual way.
+        // Most answers are right in the usual way.
         let plain = self.drawn(0, Hypothesis::default(), self.test_scenes)?;
         if plain.residual.is_same() {
             return Ok(Found { nearest_right: plain.clone(), ranking: vec![plain] });
@@ -267,7 +267,7 @@ impl<'a> Search<'a> {
         let difference = Difference { full: plain.residual.clone(), coarse };
         let mut nearest_right = plain.clone();
         let mut all = vec![plain];
-        // Right in another way?
+        // Try right answers by other methods.
         let mut bases: Vec<(usize, Hypothesis)> = Vec::new();
         for model in 0..self.models.len() {
             let sets = self.peculiar(model).into_iter();
@@ -286,7 +286,7 @@ impl<'a> Search<'a> {
             if let Some(best) = tried.first().filter(|best| !best.mistakes.is_empty()) {
                 bases.push((model, best.hypothesis.clone()));
             }
-            // So common that it is never left to chance.
+            // This peculiarity is so common that it is always tried.
             let common = tried.iter().find(|t| t.mistakes.len() == 1 && t.mistakes[0].id == "normal-kept-unnormalised");
             if let Some(common) = common.filter(|common| bases.iter().all(|(_, base)| *base != common.hypothesis)) {
                 bases.push((model, common.hypothesis.clone()));
@@ -297,7 +297,7 @@ impl<'a> Search<'a> {
                 return Ok(self.found(nearest_right, all));
             }
         }
-        // One mistake, plain or together with what is peculiar.
+        // Try one mistake, plain or with peculiarities.
         let mut singles = Vec::new();
         for (model, base) in &bases {
             let with_base = self.wrong(*model).filter_map(|one| one.and(base)).collect();
@@ -324,7 +324,7 @@ impl<'a> Search<'a> {
         Ok(found)
     }
 
-    /// The best singles once more, with every set of peculiarities.
+    /// Tries the best single mistakes again with every set of peculiarities.
     fn with_every_peculiarity(
         &self,
         singles: &[Tried<'a>],

@@ -7,19 +7,19 @@ use super::ranking::{Difference, KEPT, Search, Support, Tried};
 use crate::mistakes::Hypothesis;
 use gonio_gl::GlError;
 
-/// Most singles to which a second mistake is sought.
+/// Most single mistakes that are combined with a second one.
 const FIRSTS: usize = 14;
-/// From this support by the source on a mistake is a suspect.
+/// Least support by the source for a suspect.
 const SUSPECTED_FROM: f32 = 0.9;
-/// More suspects than this are no help: the source is of another kind than the exercise's.
+/// Most suspects. With more, the source is too different from the exercise's.
 const MOST_SUSPECTS: usize = 12;
-/// More mistakes than this at once are not told apart by any picture.
+/// Most mistakes at once; no picture distinguishes more.
 const MOST_AT_ONCE: usize = 6;
-/// A mistake that explains less than this of what the others leave over is not added.
+/// Least share of the remaining residual that an added mistake must explain.
 const WORTH: f64 = 0.02;
 
 impl<'a> Search<'a> {
-    /// Two mistakes at once: to each of the best, the one that explains most of what it leaves over.
+    /// Tries pairs: for each of the best single mistakes, the one that explains most of its residual.
     pub(super) fn pairs(&self, difference: &Difference, singles: &[Tried<'a>]) -> Result<Vec<Tried<'a>>, GlError> {
         if self.models.iter().all(|model| model.hypotheses.model.is_of_places()) {
             return self.all_pairs(difference);
@@ -27,9 +27,9 @@ impl<'a> Search<'a> {
         let mut firsts: Vec<&Tried<'a>> = Vec::new();
         let mut by_share: Vec<&Tried<'a>> = singles.iter().collect();
         by_share.sort_by(|a, b| b.best_share(&difference.full).total_cmp(&a.best_share(&difference.full)));
-        // Those that explain most of it all, and those that explain most of some test scene.
+        // Those that explain most of the whole difference, and those that explain most of some test scene.
         for tried in singles.iter().take(4 * FIRSTS).zip(by_share).flat_map(|(a, b)| [a, b]) {
-            // A mistake's ways count each for itself, what is peculiar beside it does not.
+            // The variants of a mistake count separately, but not its peculiarities.
             let alone = self.without_peculiarities(tried);
             let known = firsts.iter().any(|o| o.model == tried.model && self.without_peculiarities(o) == alone);
             if !known && firsts.len() < FIRSTS {
@@ -47,13 +47,13 @@ impl<'a> Search<'a> {
             let mut best: Option<Tried<'a>> = None;
             let mut both: Vec<Hypothesis> = Vec::new();
             for second in seconds {
-                // What is peculiar may stand on the second's line, or be taken for it.
+                // A peculiarity may be on the line of the second mistake, or be mistaken for it.
                 for one in [&first.hypothesis, &alone] {
                     both.extend(one.and(second).filter(|way| !both.contains(way)));
                 }
             }
             for mut tried in self.best_of(first.model, both, difference)? {
-                // What the first leaves over may be small beside what it explains.
+                // The residual of the first may be small compared with what it explains.
                 let of_the_rest = first.residual.explained_by(&tried.residual);
                 tried.explained = tried.explained.min(0.5 + 0.5 * of_the_rest).max(tried.explained * of_the_rest);
                 if best.as_ref().is_none_or(|best| tried.order(best).is_lt()) {
@@ -75,11 +75,11 @@ impl<'a> Search<'a> {
         Ok(pairs)
     }
 
-    /// Of two mistakes that leave nothing over each once more, with any other in the place of the second: of what leaves just as
-    /// little over no picture tells which it is, and the verdict says so.
+    /// Replaces each mistake of a pair without a residual by any other one. If the residual is as small, no picture
+    /// distinguishes the two, and the verdict says so.
     pub(super) fn in_their_place(&self, pair: &Tried<'a>, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
         let model = pair.model;
-        // Where the driver has to draw each, it would take too long.
+        // This would take too long if the driver drew each.
         if self.comparers.get(model).and_then(Option::as_ref).is_none() {
             return Ok(Vec::new());
         }
@@ -107,15 +107,15 @@ impl<'a> Search<'a> {
         Ok(same)
     }
 
-    /// Every two mistakes of the first model: where things are drawn elsewhere, a picture with one of two mistakes is no
-    /// nearer to the one with both.
+    /// Tries all pairs of mistakes of the first model solution: if things are drawn elsewhere, a picture with one of
+    /// two mistakes is no nearer to the picture with both.
     fn all_pairs(&self, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
         let singles: Vec<&Hypothesis> = self.wrong(0).collect();
         let later = |at: usize| singles.iter().skip(at + 1);
         let both = singles.iter().enumerate().flat_map(|(at, one)| {
             later(at).filter(|other| other.mistakes != one.mistakes).filter_map(|other| one.and(other))
         });
-        // At a glance: in one test scene.
+        // Rank them in one test scene.
         let first = difference.full.first(1);
         let at_a_glance = |both: Hypothesis| {
             let tried = self.drawn(0, both, 1)?;
@@ -139,16 +139,17 @@ impl<'a> Search<'a> {
         Ok(again)
     }
 
-    /// Of single mistakes those that show, each picture once: in this exercise many may look the same, or like nothing.
+    /// Returns the single mistakes that show in this exercise, each picture once.
     fn distinct(&self, model: usize, difference: &Difference) -> Result<Vec<Hypothesis>, GlError> {
-        // Where strengths have to be found, hypotheses that fit badly all end without the term: they look the same, and are not.
+        // With fitted strengths, bad hypotheses all end without the term: their pictures are equal although the
+        // mistakes are not.
         if self.model_inputs[model].must_find() {
             return Ok(self.wrong(model).cloned().collect());
         }
         let picture = |comparison: &Comparison| -> Vec<i64> {
             comparison.squares.iter().map(|square| (square * 1e7).round() as i64).collect()
         };
-        // What leaves over exactly as much as no mistake at all is not to be seen.
+        // A mistake with the residual of the plain model solution does not show.
         let mut known = std::collections::BTreeSet::from([picture(&difference.coarse)]);
         let wrong = self.wrong(model).cloned();
         let tried: Vec<_> =
@@ -156,8 +157,8 @@ impl<'a> Search<'a> {
         Ok(tried.into_iter().filter(|t| known.insert(picture(&t.residual))).map(|t| t.hypothesis).collect())
     }
 
-    /// From each base, the mistakes that the source shows: added one by one, each time the one that explains most of what is
-    /// left over.
+    /// Adds the mistakes that the source shows to each base, one by one, each time the one that explains most of the
+    /// residual.
     pub(super) fn guided(
         &self,
         bases: &[(usize, Hypothesis)],

@@ -7,23 +7,23 @@ use glam::Vec3;
 /// The task that an exercise sets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Task {
-    /// The exercise's word: `ex04`.
+    /// The id of the exercise: `ex04`.
     pub exercise: &'static str,
     /// The right answer.
     pub model: ModelSolution,
-    /// Another way to compute it, and the word for doing so where it is a mistake.
+    /// Another method, with the id of the mistake if it is one.
     pub other: Option<(ModelSolution, Option<&'static str>)>,
-    /// Whether ambient, diffuse and specular light must be there.
+    /// Whether ambient, diffuse and specular light are required.
     pub wanted: [bool; 3],
-    /// Whether light fades with distance.
+    /// Whether light decreases with distance.
     pub attenuated: bool,
-    /// Where the lab's own light is, for programs that have it written in them.
+    /// The position of the lab's own light, for programs with a constant position.
     pub light_position: Vec3,
 }
 
 const LAMP: Vec3 = Vec3::new(0.5, 0.5, -0.7);
 
-/// All exercises of which a pair of shaders is the answer.
+/// All exercises that are answered with a pair of shaders.
 pub const TASKS: &[Task] = &[
     task("ex01", ModelSolution::Camera, None, [false; 3]),
     task(
@@ -53,7 +53,7 @@ pub const TASKS: &[Task] = &[
     Task {
         attenuated: true,
         light_position: Vec3::new(1.0, 2.0, 1.5),
-        // The exercise does not say where the equation is to be computed.
+        // The exercise does not prescribe the stage that computes the equation.
         ..task("ex07", ModelSolution::Phong, Some((ModelSolution::Gouraud, None)), [true, true, true])
     },
     task("ex08", ModelSolution::Skybox, None, [false; 3]),
@@ -62,7 +62,7 @@ pub const TASKS: &[Task] = &[
     task("s1", ModelSolution::Panorama, None, [false; 3]),
 ];
 
-/// Exercise 01 by its places alone: for programs whose colours are none of the vertices'.
+/// Exercise 01 judged by distances alone, for programs whose colours are not those of the vertices.
 pub const PLACES: &Task = &task("ex01", ModelSolution::Places, None, [false; 3]);
 
 const fn task(
@@ -80,8 +80,8 @@ impl Task {
         TASKS.iter().find(|task| task.exercise == exercise)
     }
 
-    /// Where it is tried: whole, then those for programs with several lights, and then with one term alone; and how many of the
-    /// first and of the second kind.
+    /// Returns the test scenes: complete ones, then those for programs with several lights, then those with one term
+    /// alone. Also returns the number of scenes of the first and second kind.
     pub fn test_scenes(&self) -> (Vec<TestScene>, [usize; 2]) {
         let mut all = match self.model {
             ModelSolution::Phong | ModelSolution::Gouraud => scene::lit(),

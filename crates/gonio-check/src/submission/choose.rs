@@ -1,4 +1,4 @@
-//! Which of several shaders are the pair.
+//! Chooses the pair among several shaders.
 
 use super::error::{IntakeError, list};
 use super::stage::stage_of_word;
@@ -6,19 +6,19 @@ use super::text::StageText;
 use crate::words::words_of;
 use gonio_glsl::Stage;
 
-/// One shader that was found.
+/// A shader that was found.
 #[derive(Clone, Debug)]
 pub(super) struct Candidate {
     pub(super) stage: Stage,
     pub(super) text: StageText,
-    /// The variable that a program gives it to.
+    /// The variable of the program that holds it.
     pub(super) variable: Option<String>,
-    /// A remark that matters only if it is chosen.
+    /// A warning that is reported only if it is chosen.
     pub(super) warning: Option<String>,
 }
 
 impl Candidate {
-    /// Its name in messages: file, or file and variable.
+    /// Returns its name for messages: the file, or file and variable.
     fn shown(&self) -> String {
         match &self.variable {
             Some(variable) if !variable.is_empty() => format!("{} `{variable}`", self.text.file),
@@ -27,7 +27,8 @@ impl Candidate {
         }
     }
 
-    /// The words of its name that are no stage's and no filling; two shaders with the same belong together.
+    /// Returns the words of its name except those of stages and filler words; two shaders with the same words belong
+    /// together.
     fn stem(&self) -> Vec<String> {
         let base = self.text.file.rsplit(['/', '\\']).next().unwrap_or_default();
         let name = match &self.variable {
@@ -69,14 +70,14 @@ impl Candidate {
         words
     }
 
-    /// The folder, without those that only say the stage.
+    /// Returns the folder, without folders that only name the stage.
     fn folder(&self) -> String {
         let file = self.text.file.replace('\\', "/");
         let folder = file.rsplit_once('/').map_or("", |(folder, _)| folder);
         folder.split('/').filter(|part| stage_of_word(&part.to_lowercase()).is_none()).collect::<Vec<_>>().join("/")
     }
 
-    /// Everything that a caller's word may be found in, in small letters and without marks.
+    /// Returns the text in which a requested name is searched, in lower case and without punctuation.
     fn searched(&self) -> String {
         plain(&format!("{} {}", self.text.file, self.variable.as_deref().unwrap_or_default()))
     }
@@ -86,17 +87,17 @@ fn plain(text: &str) -> String {
     text.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
-/// What every candidate is measured by, prepared once.
+/// The properties of a candidate that the score uses, computed once.
 struct Measured<'a> {
     candidate: &'a Candidate,
     order: usize,
-    /// How many of its stage stand before it.
+    /// Number of shaders of the same stage before it.
     rank: usize,
     stem: Vec<String>,
     folder: String,
     wanted: bool,
     hint: usize,
-    /// The object rather than the things around it.
+    /// Prefers the object to its surroundings.
     liking: i32,
 }
 
@@ -150,7 +151,8 @@ impl<'a> Measured<'a> {
     }
 }
 
-/// How well two belong together and to what was asked for; the greatest wins, of equals the last.
+/// The score of a pair: how well the two belong together and match the request. The greatest wins, the last among
+/// equals.
 type Score = (usize, usize, bool, bool, bool, i32, usize, bool, usize);
 
 fn score(vertex: &Measured<'_>, fragment: &Measured<'_>) -> Score {
@@ -163,16 +165,17 @@ fn score(vertex: &Measured<'_>, fragment: &Measured<'_>) -> Score {
         vertex.candidate.text.file == fragment.candidate.text.file,
         vertex.liking + fragment.liking + i32::from(vertex.folder == fragment.folder),
         prefix,
-        // Of pairs without names the last complete one: the second vertex shader goes with the second fragment shader.
+        // Among pairs without names, the last complete one: the second vertex shader belongs to the second fragment
+        // shader.
         vertex.rank == fragment.rank,
         vertex.order.min(fragment.order),
     )
 }
 
-/// Beyond so many of one stage only the last are looked at: pairs grow with the square.
+/// Most shaders of a stage; only the last ones are considered, because the number of pairs grows with the square.
 const MOST: usize = 300;
 
-/// The pair: vertex, fragment, and warnings.
+/// Chooses the pair. Returns vertex shader, fragment shader and warnings.
 pub(super) fn choose(
     candidates: &[Candidate],
     wanted: Option<&str>,

@@ -1,15 +1,15 @@
-//! Why files cannot be taken as a pair of shaders.
+//! Errors in files that should be a pair of shaders.
 
 use gonio_glsl::Stage;
 use std::fmt;
 
-/// Why files cannot be taken as a pair of shaders. Each message says what, where and what to do.
+/// An error in files that should be a pair of shaders. Each message tells what is wrong, where, and what to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum IntakeError {
-    /// Nothing was handed in.
+    /// There are no files.
     NoFiles,
-    /// A file without any text.
+    /// A file without text.
     Empty {
         /// The file.
         file: String,
@@ -18,7 +18,7 @@ pub enum IntakeError {
     Binary {
         /// The file.
         file: String,
-        /// What shows it, for example "a zero byte at offset 8".
+        /// The reason, for example "a zero byte at offset 8".
         because: String,
     },
     /// A file of a word processor.
@@ -35,33 +35,33 @@ pub enum IntakeError {
     },
     /// No file holds a shader.
     NoShader {
-        /// What was looked at.
+        /// The names of the files.
         files: Vec<String>,
     },
     /// One stage only.
     MissingStage {
         /// The stage that no file holds.
         missing: Stage,
-        /// What was found of the other stage.
+        /// The shaders of the other stage.
         found: Vec<String>,
     },
     /// Two or more of one stage and none of the other.
     SameStageTwice {
         /// The stage that was found.
         stage: Stage,
-        /// Where.
+        /// The names of the shaders.
         found: Vec<String>,
     },
-    /// No pair is called what the caller asked for.
+    /// No pair has the requested name.
     NotFound {
-        /// What was asked for.
+        /// The requested name.
         wanted: String,
-        /// What there is.
+        /// The names of the pairs.
         candidates: Vec<String>,
     },
 }
 
-/// Names for a sentence: the first eight, and how many more.
+/// Lists names for a sentence: the first eight, and the number of others.
 pub(super) fn list(names: &[String]) -> String {
     const SHOWN: usize = 8;
     let mut text = names.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");

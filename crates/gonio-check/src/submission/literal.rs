@@ -1,7 +1,7 @@
-//! Shaders inside a program: its string literals, put together as the program's compiler would.
+//! Finds shaders in a program: its string literals, joined as its compiler would.
 //!
-//! C and C++ (escapes, `\`-continuation, neighbours that are joined, `R"x(...)x"`), JavaScript (`+`, templates, arrays
-//! joined by lines), Python (three quotes, prefixes), Java, C#, Go and Rust where they write the same; and the
+//! C and C++ (escapes, `\`-continuation, adjacent literals, `R"x(...)x"`), JavaScript (`+`, templates, arrays joined
+//! by line ends), Python (triple quotes, prefixes), Java, C#, Go and Rust if they use the same syntax; and the
 //! `<script>` elements of a web page.
 
 use super::stage;
@@ -10,10 +10,10 @@ use super::text::Builder;
 /// A text found in a program.
 #[derive(Clone, Debug)]
 pub(super) struct Literal {
-    /// The variable or key that it is given to; empty where none was seen.
+    /// The variable or key that holds it; empty if there is none.
     pub(super) variable: String,
     pub(super) text: Builder,
-    /// Values that the program puts in were left out.
+    /// Whether values that the program inserts were left out.
     pub(super) has_holes: bool,
 }
 
@@ -30,7 +30,7 @@ pub(super) enum Language {
     Html,
 }
 
-/// The language of a file by its ending; `None` where it is no program's.
+/// Returns the language of a file by its extension; `None` if it is not a program's.
 pub(super) fn language(file: &str) -> Option<Language> {
     let ending = file.rsplit_once('.')?.1.to_lowercase();
     match ending.as_str() {
@@ -43,7 +43,7 @@ pub(super) fn language(file: &str) -> Option<Language> {
     }
 }
 
-/// The texts of a program that hold a `main`, in order.
+/// Returns the texts of a program that contain a `main`, in order.
 pub(super) fn shaders(source: &str, language: Language) -> Vec<Literal> {
     let mut scanner = Scanner::new(source, language);
     scanner.run();
@@ -52,13 +52,13 @@ pub(super) fn shaders(source: &str, language: Language) -> Vec<Literal> {
         glsl && main
     });
     for literal in &mut scanner.found {
-        // Some compilers want `#version` first; an opening quote is often followed by an empty line.
+        // Some compilers require `#version` first; an opening quote is often followed by an empty line.
         literal.text.trim_start();
     }
     scanner.found
 }
 
-/// What stood between the last literal and the present place.
+/// The code between the last literal and the current position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Between {
     /// White space and comments, or one `+`.
@@ -75,13 +75,13 @@ struct Scanner<'a> {
     language: Language,
     line: u32,
     column: u32,
-    /// The word being read and the one before; what a literal may be called.
+    /// The current word, and the previous one, which may be the name of a literal.
     word: String,
     name: String,
-    /// The name in front of the last `=`, `:` or `(`.
+    /// The name before the last `=`, `:` or `(`.
     target: String,
     between: Between,
-    /// The target's value is added to: `source += "..."`.
+    /// Whether the literal is appended: `source += "..."`.
     adds: bool,
     current: Option<Literal>,
     /// Whether the current literal is a whole shader.
@@ -140,7 +140,7 @@ impl<'a> Scanner<'a> {
                 if !(self.previous.is_alphanumeric() || self.previous == '_') {
                     self.word.clear();
                 }
-                // A name longer than any is no name.
+                // Longer words are not names.
                 if self.word.len() < 200 {
                     self.word.push(c);
                 }
@@ -183,20 +183,20 @@ impl<'a> Scanner<'a> {
         while self.rest.len() > stop && self.next().is_some() {}
     }
 
-    /// A character of the program itself.
+    /// Reads a character of code.
     fn code(&mut self, c: char) {
         if !self.word.is_empty() {
             self.settle_word();
         }
         match c {
-            // `vs: string = "..."`: the type is no name.
+            // In `vs: string = "..."` the type is not the name.
             '=' if matches!(self.name.as_str(), "string" | "str" | "String") && !self.target.is_empty() => {
                 self.name.clear();
                 self.between = Between::Code;
             }
             '=' | ':' | '(' | '{' => {
                 if !self.name.is_empty() {
-                    // `shader(gl.VERTEX_SHADER, "...")` says more than `shader`, see the comma below.
+                    // `shader(gl.VERTEX_SHADER, "...")` is more specific than `shader`; see the comma below.
                     self.target = std::mem::take(&mut self.name);
                 }
                 self.adds = c == '=' && self.previous == '+';
@@ -209,7 +209,7 @@ impl<'a> Scanner<'a> {
                 }
                 self.between = Between::Code;
             }
-            // Joined, or written to a stream one after the other.
+            // Concatenated, or written to a stream one after the other.
             '+' | '<' if self.between == Between::Nothing => {}
             '\\' => {}
             c if c.is_whitespace() => {}
@@ -222,13 +222,13 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// A word of the program has ended.
+    /// Ends a word of code.
     fn settle_word(&mut self) {
         let word = std::mem::take(&mut self.word);
         if word.is_empty() {
             return;
         }
-        // Prefixes and suffixes of literals, and types, are no names.
+        // Prefixes and suffixes of literals, and types, are not names.
         if !matches!(
             word.as_str(),
             "R" | "u8" | "u8R" | "L" | "LR" | "r" | "f" | "b" | "fr" | "rf" | "s" | "string_literals"
@@ -251,7 +251,7 @@ impl<'a> Scanner<'a> {
         let mut has_holes = false;
         let read = match (self.language, c) {
             (Language::C, '"') if matches!(prefix.as_str(), "R" | "u8R" | "LR" | "uR" | "UR") => self.raw(&mut piece),
-            // A character; in `1'000` it separates digits.
+            // A character literal; in `1'000` it separates digits.
             (Language::C, '\'') => {
                 self.character();
                 return true;
@@ -263,7 +263,7 @@ impl<'a> Scanner<'a> {
             }
             (Language::C, '"') => {
                 self.next();
-                // C#'s `@"..."` and Rust's strings run over lines.
+                // C#'s `@"..."` and Rust's strings may span lines.
                 self.quoted(&mut piece, "\"", true, false, &mut has_holes)
             }
             (Language::Python, '"' | '\'') => {
@@ -288,7 +288,7 @@ impl<'a> Scanner<'a> {
         true
     }
 
-    /// A piece of text belongs to the literal before, or begins a new one.
+    /// Appends a piece to the current literal, or begins a new one.
     fn take(&mut self, piece: Builder, has_holes: bool) {
         let of_piece = Wholeness::measure(&piece.text);
         let variable = if self.target.is_empty() { self.name.clone() } else { self.target.clone() };
@@ -296,13 +296,13 @@ impl<'a> Scanner<'a> {
             (_, None) => false,
             (Between::Code, Some(current)) => self.adds && current.variable == variable,
             (Between::Nothing, _) => true,
-            // An array of lines goes on until the shader is whole.
+            // An array of lines continues until the shader is complete.
             (Between::Comma, _) => !self.whole.is_whole() && (self.whole.begun || !of_piece.is_whole()),
         };
         match &mut self.current {
             Some(current) if join => {
                 if self.between == Between::Comma && self.language != Language::C {
-                    // JavaScript's and Python's arrays are joined by line ends.
+                    // Arrays of JavaScript and Python are joined by line ends.
                     current.text.push('\n', self.line, self.column);
                 }
                 current.text.append(&piece);
@@ -318,7 +318,7 @@ impl<'a> Scanner<'a> {
         self.between = Between::Nothing;
     }
 
-    /// `'x'`, or a digit separator.
+    /// Reads `'x'` or a digit separator.
     fn character(&mut self) {
         self.next();
         if self.previous.is_alphanumeric() {
@@ -340,7 +340,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// `"delimiter( ... )delimiter"`, at its first quote.
+    /// Reads `"delimiter( ... )delimiter"` from its first quote.
     fn raw(&mut self, piece: &mut Builder) -> bool {
         let Some(open) = self.rest.bytes().take(18).position(|b| b == b'(') else {
             self.next();
@@ -360,7 +360,7 @@ impl<'a> Scanner<'a> {
         true
     }
 
-    /// The inside of a literal up to `end`. Without `lines`, an end of line that is not continued ends it too.
+    /// Reads the content of a literal up to `end`. Without `lines`, a line end that is not continued ends it too.
     fn quoted(&mut self, piece: &mut Builder, end: &str, escapes: bool, lines: bool, has_holes: &mut bool) -> bool {
         while !self.rest.is_empty() {
             if self.rest.starts_with(end) {
@@ -380,16 +380,16 @@ impl<'a> Scanner<'a> {
                         piece.push(c, line, column);
                     }
                 }
-                // Not closed: no literal, or a mistake that the program's compiler would name.
+                // Not closed: not a literal, or an error that the program's compiler reports.
                 '\n' if !lines => return false,
                 _ => piece.push(c, line, column),
             }
         }
-        // Never closed: over lines it may be the file's end that is missing.
+        // Never closed: if it spans lines, the end of the file may be missing.
         lines
     }
 
-    /// `${...}`, braces within counted.
+    /// Skips `${...}`, counting nested braces.
     fn skip_hole(&mut self) {
         let mut depth = 0u32;
         while let Some(c) = self.next() {
@@ -402,7 +402,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// What stands behind a backslash; `None` where that is nothing (a continued line).
+    /// Returns the character of an escape sequence; `None` for a continued line.
     fn escape(&mut self) -> Option<char> {
         Some(match self.next()? {
             '\n' => return None,
@@ -427,7 +427,7 @@ impl<'a> Scanner<'a> {
         char::from_u32(value).filter(|&c| c != '\0')
     }
 
-    /// `<script id="vertex-shader" type="x-shader/x-vertex">...</script>`.
+    /// Reads `<script id="vertex-shader" type="x-shader/x-vertex">...</script>`.
     fn script(&mut self) -> bool {
         if !self.rest.get(..7).is_some_and(|tag| tag.eq_ignore_ascii_case("<script")) {
             return false;
@@ -457,13 +457,13 @@ impl<'a> Scanner<'a> {
     }
 }
 
-/// Whether a text has a `main` whose braces are closed, counted piece by piece.
+/// Whether a text has a `main` with closed braces, counted piece by piece.
 #[derive(Clone, Copy, Debug, Default)]
 struct Wholeness {
     open: usize,
     close: usize,
     main: bool,
-    /// There is a directive or a statement, as no name of a shader has.
+    /// Whether there is a directive or a statement, which the name of a shader never contains.
     begun: bool,
 }
 

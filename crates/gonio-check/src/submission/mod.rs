@@ -1,7 +1,7 @@
-//! From files as students hand them in to a pair of shaders.
+//! Finds the pair of shaders in the files that students hand in.
 //!
-//! Any names and endings; one file with both stages; a program whose strings hold them; a whole folder. What was
-//! guessed, corrected or left aside is a warning; what cannot be used is one [`IntakeError`].
+//! Files may have any names and extensions: one file with both stages, a program whose strings hold them, a whole
+//! folder. Guesses, corrections and ignored files are warnings; unusable files are one [`IntakeError`].
 
 mod choose;
 mod error;
@@ -30,7 +30,7 @@ pub struct SourceFile {
 }
 
 impl SourceFile {
-    /// A file of that name and content.
+    /// Creates a file.
     #[must_use]
     pub fn new(name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Self {
         Self { name: name.into(), bytes: bytes.into() }
@@ -51,32 +51,32 @@ pub struct Submission {
 }
 
 impl Submission {
-    /// The pair in these files. Of several pairs it is the object's, then the last.
+    /// Finds the pair in these files. Among several pairs, the object's is preferred, then the last.
     ///
     /// # Errors
-    /// An [`IntakeError`] where there is no pair.
+    /// Returns an [`IntakeError`] if there is no pair.
     pub fn gather(files: Vec<SourceFile>) -> Result<Self, IntakeError> {
         Self::gather_with(files, None, &[])
     }
 
-    /// The pair whose file or variable is called `wanted` (a part is enough, capitals and marks do not count).
+    /// Finds the pair whose file or variable is called `wanted` (a part is enough; case and punctuation are ignored).
     ///
     /// # Errors
-    /// An [`IntakeError`] where there is no pair, or none of that name.
+    /// Returns an [`IntakeError`] if there is no pair, or none with that name.
     pub fn gather_choosing(files: Vec<SourceFile>, wanted: &str) -> Result<Self, IntakeError> {
         Self::gather_with(files, Some(wanted), &[])
     }
 
-    /// The pair that is `wanted`; otherwise the one whose names hold one of `hints` (the earlier hint counts more, for
-    /// example `["ex04", "phong", "diffuse"]`); otherwise as [`gather`](Self::gather).
+    /// Finds the `wanted` pair; otherwise the one whose names contain one of `hints` (earlier hints take precedence,
+    /// for example `["ex04", "phong", "diffuse"]`); otherwise as [`gather`](Self::gather).
     ///
     /// # Errors
-    /// An [`IntakeError`] where there is no pair, or none of the wanted name.
+    /// Returns an [`IntakeError`] if there is no pair, or none with the requested name.
     pub fn gather_with(files: Vec<SourceFile>, wanted: Option<&str>, hints: &[&str]) -> Result<Self, IntakeError> {
         if files.is_empty() {
             return Err(IntakeError::NoFiles);
         }
-        // One that is not a shader among two was meant to be one; among many it is something else.
+        // If there are only two files, one that is not a shader was meant to be one.
         let mut intake = Intake { few: files.len() <= 2, ..Intake::default() };
         for file in &files {
             intake.take(file);
@@ -85,21 +85,21 @@ impl Submission {
     }
 }
 
-/// What of a pair a file holds.
+/// The parts of a submission that a file contains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Holds {
     /// A vertex shader.
     pub vertex: bool,
     /// A fragment shader.
     pub fragment: bool,
-    /// The roles of names.
+    /// A `names.toml`.
     pub names: bool,
 }
 
-/// What of a pair this file holds. One whose stage nothing tells counts as both.
+/// Returns the parts of a submission that a file contains. A shader of unknown stage counts as both.
 ///
 /// # Errors
-/// An [`IntakeError`] where it was meant to be a shader and cannot be read.
+/// Returns an [`IntakeError`] if the file should be a shader and cannot be read.
 pub fn holds(file: &SourceFile) -> Result<Holds, IntakeError> {
     if kind(&file.name) == FileKind::Perhaps && text::decode(&file.name, &file.bytes).is_err() {
         return Ok(Holds::default());
@@ -113,31 +113,31 @@ pub fn holds(file: &SourceFile) -> Result<Holds, IntakeError> {
     Ok(Holds { vertex: has(Stage::Vertex), fragment: has(Stage::Fragment), names: intake.names.is_some() })
 }
 
-/// What has been found so far.
+/// The shaders and messages found so far.
 #[derive(Default)]
 struct Intake {
     candidates: Vec<Candidate>,
     names: Option<String>,
-    /// File and what had to be corrected in it; told only of files that are taken.
+    /// Files and their corrections; reported only for files that are used.
     corrected: Vec<(String, String)>,
-    /// Shaders of no stage that can be told.
+    /// Shaders of unknown stage.
     undecided: Vec<(String, String)>,
     few: bool,
     left_aside: Vec<String>,
-    /// Of files that should have been shaders; they count only where no pair is found without them.
+    /// Errors of files that should have been shaders; they matter only if no pair is found without them.
     errors: Vec<IntakeError>,
 }
 
-/// What a file's name says about its use.
+/// The use of a file by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FileKind {
     Names,
-    /// Of no interest, and not worth a word.
+    /// Ignored without a warning.
     Silent,
-    /// No shader.
+    /// Not a shader; ignored with a warning.
     Aside,
     Program(literal::Language),
-    /// The ending says that it is a shader.
+    /// A shader by its extension.
     Shader,
     /// A shader if its content is one.
     Perhaps,
@@ -218,7 +218,7 @@ impl Intake {
     fn take_program(&mut self, name: &str, text: &str, language: literal::Language) {
         let found = literal::shaders(text, language);
         if found.is_empty() {
-            // A shader under a program's name (`shader.h` to be included as it is, `vertex.c`).
+            // A shader with the name of a program (`shader.h`, to be included unchanged, or `vertex.c`).
             let code = stage::without_comments(text);
             if code.contains("gl_Position") || code.contains("gl_FragColor") || code.contains("#version") {
                 self.take_plain(name, text.to_owned(), &code, false);
@@ -244,7 +244,8 @@ impl Intake {
 
     fn take_shader(&mut self, name: &str, text: String, surely: bool) {
         let code = stage::without_comments(&text);
-        // A program's strings under a shader's name: `vertex.glsl` with `const char* vs = "..."` or `R"(...)"`.
+        // Strings of a program in a file named as a shader: `vertex.glsl` with `const char* vs = "..."` or
+        // `R"(...)"`.
         if code.contains('"') {
             let before = self.candidates.len();
             let found = literal::shaders(&text, literal::Language::C);
@@ -265,11 +266,11 @@ impl Intake {
         self.take_plain(name, text, &code, surely);
     }
 
-    /// A file that is one stage, if it is one.
+    /// Takes a file that is a single stage.
     fn take_plain(&mut self, name: &str, text: String, code: &str, surely: bool) {
         let (glsl, main) = stage::looks_like_glsl(code);
         let named = stage::hint_from_name(name) != stage::StageHint::Nothing;
-        // Without a `main` it may still be the student's shader: then its name must say so.
+        // Without a `main` it is a shader only if its name says so.
         if !(main && glsl || named && (surely || glsl)) {
             return;
         }
@@ -282,7 +283,7 @@ impl Intake {
         }
     }
 
-    /// One shader that could be either stage is the one that its partner is not.
+    /// Assigns a shader of unknown stage to the stage that its partner is not.
     fn tell_undecided_by_partner(&mut self) {
         let has = |stage| self.candidates.iter().any(|c| c.stage == stage);
         let missing = match (has(Stage::Vertex), has(Stage::Fragment)) {
@@ -303,7 +304,7 @@ impl Intake {
         }
     }
 
-    /// Of several shaders that their names call vertex shaders, one that puts out a colour and no position is the fragment
+    /// Among several shaders named as vertex shaders, one that outputs a colour and no position is the fragment
     /// shader: `vertex lighting.glsl`.
     fn tell_misnamed_by_content(&mut self) {
         if self.candidates.len() < 2 || self.candidates.iter().any(|found| found.stage == Stage::Fragment) {
@@ -330,7 +331,7 @@ impl Intake {
         self.tell_misnamed_by_content();
         let chosen = match choose::choose(&self.candidates, wanted, hints) {
             Ok(chosen) => chosen,
-            // A file that could not be read is the better reason.
+            // An unreadable file is the better explanation.
             Err(error) => {
                 return Err(match (self.errors.into_iter().next(), error) {
                     (Some(unreadable), _) => unreadable,

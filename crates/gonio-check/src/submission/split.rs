@@ -1,11 +1,11 @@
-//! One file that holds both stages, cut in two.
+//! Splits a file that contains both stages.
 
 use super::stage;
 use super::text::{Builder, number};
 use crate::words::words_of;
 use gonio_glsl::Stage;
 
-/// The vertex and the fragment stage of a text that holds both; `None` where it does not.
+/// Returns the vertex and the fragment stage of a text that contains both; `None` if it does not.
 pub(super) fn split(text: &str, code: &str) -> Option<(Builder, Builder)> {
     let lines: Vec<&str> = text.lines().collect();
     let code_lines: Vec<&str> = code.lines().collect();
@@ -14,7 +14,7 @@ pub(super) fn split(text: &str, code: &str) -> Option<(Builder, Builder)> {
         .or_else(|| by_repetition(&lines, &code_lines))
 }
 
-/// The stage that a line of its own announces: `#shader vertex`, `-- fragment`, `// VERTEX SHADER`, `#pragma vertex`,
+/// Returns the stage that a heading announces: `#shader vertex`, `-- fragment`, `// VERTEX SHADER`, `#pragma vertex`,
 /// `[vertex]`, `@vs`.
 fn marker(line: &str) -> Option<Stage> {
     let line = line.trim();
@@ -47,7 +47,7 @@ fn marker(line: &str) -> Option<Stage> {
     named
 }
 
-/// Sections announced by a line each. What stands before the first belongs to both.
+/// Splits sections with headings. The text before the first one belongs to both.
 fn by_markers(lines: &[&str], code_lines: &[&str]) -> Option<(Builder, Builder)> {
     let marks: Vec<(usize, Stage)> =
         lines.iter().enumerate().filter_map(|(i, line)| marker(line).map(|stage| (i, stage))).collect();
@@ -72,8 +72,8 @@ fn both_have_main(stages: (Builder, Builder)) -> Option<(Builder, Builder)> {
     (has_main(&stages.0) && has_main(&stages.1)).then_some(stages)
 }
 
-/// `#ifdef VERTEX ... #endif #ifdef FRAGMENT ... #endif`, or with `#else`: the whole text for both stages, each with
-/// its word defined.
+/// Splits `#ifdef VERTEX ... #endif #ifdef FRAGMENT ... #endif`, also with `#else`: both stages get the whole text,
+/// with their word defined.
 fn by_conditions(lines: &[&str], code_lines: &[&str]) -> Option<(Builder, Builder)> {
     let mut defines: [Option<&str>; 2] = [None, None];
     let mut alternative = false;
@@ -99,7 +99,7 @@ fn by_conditions(lines: &[&str], code_lines: &[&str]) -> Option<(Builder, Builde
         [None, None] => false,
         _ => alternative,
     };
-    // With only one word, the other stage is the one without it.
+    // With only one such word, the other stage is the one without it.
     let mains = code_lines.iter().map(|line| mains_in(line)).sum::<usize>();
     if !enough || mains < 2 {
         return None;
@@ -110,7 +110,7 @@ fn by_conditions(lines: &[&str], code_lines: &[&str]) -> Option<(Builder, Builde
         let head = version.map_or(0, |line| line + 1);
         builder.push_lines(lines, 0, head);
         if let Some(define) = define {
-            // The line that gonio adds is placed at the `#version` before it.
+            // The added line gets the position of the `#version` before it.
             builder.push_line(&format!("#define {define} 1"), number(head.max(1)));
         }
         builder.push_lines(lines, head, lines.len());
@@ -128,7 +128,7 @@ fn is_version(code_line: &str) -> bool {
     code_line.trim_start().strip_prefix('#').is_some_and(|rest| rest.trim_start().starts_with("version"))
 }
 
-/// Two texts one after the other: cut at the second `#version`, or behind the first `main`.
+/// Splits two consecutive shaders at the second `#version`, or after the first `main`.
 fn by_repetition(lines: &[&str], code_lines: &[&str]) -> Option<(Builder, Builder)> {
     let versions: Vec<usize> =
         code_lines.iter().enumerate().filter(|(_, line)| is_version(line)).map(|(i, _)| i).collect();
@@ -149,7 +149,7 @@ fn by_repetition(lines: &[&str], code_lines: &[&str]) -> Option<(Builder, Builde
     }
 }
 
-/// The line after the one on which the first `main` closes.
+/// Returns the line after the end of the first `main`.
 fn behind_first_main(code_lines: &[&str]) -> Option<usize> {
     let start = code_lines.iter().position(|line| mains_in(line) > 0)?;
     let mut depth = 0i64;
@@ -232,7 +232,7 @@ mod tests {
         for text in [V, F, "", "// vertex shader\nvoid main(){}\n", "#version 330\n#version 330\nvoid main(){}\n"] {
             assert_eq!(cut(text), None, "{text}");
         }
-        // A heading and a remark about the other stage are no sections.
+        // A heading and a comment about the other stage are not sections.
         assert_eq!(cut(&format!("// Vertex shader\n{V}// fragment shader\n// has its own file\n")), None);
     }
 

@@ -1,9 +1,9 @@
-//! Which stage a text is of: told from its name, and from its content where the name is silent or contradicts it.
+//! Determines the stage of a text from its name, and from its content if the name is unclear or contradicts it.
 
 use crate::words::words_of;
 use gonio_glsl::Stage;
 
-/// The stage that one word names.
+/// Returns the stage that a word names.
 pub(super) fn stage_of_word(word: &str) -> Option<Stage> {
     match word {
         "vertex" | "vertices" | "vert" | "vs" | "vsh" | "vshader" | "vertexshader" | "vertshader" | "vshad"
@@ -16,7 +16,7 @@ pub(super) fn stage_of_word(word: &str) -> Option<Stage> {
     }
 }
 
-/// What a name says.
+/// The stage that a name suggests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum StageHint {
     Nothing,
@@ -33,9 +33,9 @@ fn join(hint: impl Iterator<Item = Stage>) -> StageHint {
     })
 }
 
-/// What a name's words say: a file's (with its folders), or a variable's.
+/// Returns the stage that a name suggests: that of a file (with its folders) or a variable.
 ///
-/// The ending counts most, then the words of the name, then single letters, then the folder.
+/// The extension takes precedence, then the words of the name, then single letters, then the folder.
 pub(super) fn hint_from_name(name: &str) -> StageHint {
     let path = name.replace('\\', "/");
     let (folder, base) = path.rsplit_once('/').unwrap_or(("", &path));
@@ -61,7 +61,8 @@ fn hint_from_words(name: &str) -> StageHint {
     }
 }
 
-/// What `v` and `f` say: little, for `light v2` is a second version.
+/// Returns the stage that the letters `v` and `f` suggest. They are weak evidence, because `light v2` is a second
+/// version.
 fn hint_from_letters(name: &str) -> StageHint {
     join(words_of(name).iter().filter_map(|word| match word.as_str() {
         "v" => Some(Stage::Vertex),
@@ -76,7 +77,7 @@ fn hint_from_whole_words(name: &str) -> StageHint {
     if hint != StageHint::Nothing {
         return hint;
     }
-    // Words written together: `vertexlighting`, `myfragshader`.
+    // Joined words: `vertexlighting`, `myfragshader`.
     join(words.iter().flat_map(|word| {
         let vertex = word.contains("vertex") || word.starts_with("vert") && !word.starts_with("vertical");
         let fragment = word.contains("frag");
@@ -84,7 +85,7 @@ fn hint_from_whole_words(name: &str) -> StageHint {
     }))
 }
 
-/// Whether a name tells its stage by a single letter and by nothing else.
+/// Whether only a single letter of a name suggests its stage.
 fn is_said_by_letters_alone(name: &str) -> bool {
     let path = name.replace('\\', "/");
     let base = path.rsplit('/').next().unwrap_or_default();
@@ -92,18 +93,18 @@ fn is_said_by_letters_alone(name: &str) -> bool {
     !by_ending && hint_from_whole_words(base) == StageHint::Nothing && hint_from_letters(base) != StageHint::Nothing
 }
 
-/// How the content of a text speaks for a stage.
+/// The evidence in a text for a stage.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Evidence {
-    /// Only a vertex shader can hold it.
+    /// It contains what only a vertex shader can contain.
     pub(super) vertex: bool,
-    /// Only a fragment shader can hold it.
+    /// It contains what only a fragment shader can contain.
     pub(super) fragment: bool,
-    /// A fragment shader usually holds it.
+    /// It contains what fragment shaders usually contain.
     pub(super) rather_fragment: bool,
 }
 
-/// Reads a text whose comments are blanked out.
+/// Collects the evidence in a text without comments.
 pub(super) fn evidence(code: &str) -> Evidence {
     let mut found = Evidence::default();
     let mut previous = ["", ""];
@@ -124,7 +125,7 @@ pub(super) fn evidence(code: &str) -> Evidence {
     found
 }
 
-/// The stage of a text: its name's, unless only its content speaks clearly. With a warning where the two disagree.
+/// Returns the stage of a text: that of its name, unless the content clearly contradicts it, which gives a warning.
 pub(super) fn tell(shown: &str, name: &str, code: &str) -> (Option<Stage>, Option<String>) {
     let found = evidence(code);
     let by_content = match (found.vertex, found.fragment) {
@@ -163,13 +164,13 @@ pub(super) fn tell(shown: &str, name: &str, code: &str) -> (Option<Stage>, Optio
     }
 }
 
-/// The words of a source text, in order.
+/// Returns the identifiers of a source, in order.
 pub(super) fn identifiers(code: &str) -> impl Iterator<Item = &str> {
     code.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
         .filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_'))
 }
 
-/// Whether a text whose comments are blanked out looks like GLSL, and whether it has a `main`.
+/// Whether a text without comments looks like GLSL, and whether it has a `main`.
 pub(super) fn looks_like_glsl(code: &str) -> (bool, bool) {
     let (mut main, mut glsl) = (false, code.contains("#version"));
     let mut previous = "";
@@ -182,7 +183,7 @@ pub(super) fn looks_like_glsl(code: &str) -> (bool, bool) {
     (glsl, main)
 }
 
-/// Blanks comments out; every other character keeps its line and column.
+/// Replaces comments by spaces; all other characters keep their line and column.
 pub fn without_comments(text: &str) -> String {
     let mut code = String::with_capacity(text.len());
     let mut chars = text.chars().peekable();
@@ -192,7 +193,7 @@ pub fn without_comments(text: &str) -> String {
                 code.push(' ');
                 while let Some(c) = chars.next_if(|&c| c != '\n') {
                     code.push(' ');
-                    // A backslash joins the next line to the comment.
+                    // A backslash continues the comment on the next line.
                     if c == '\\' && chars.next_if_eq(&'\n').is_some() {
                         code.push('\n');
                     }
@@ -278,14 +279,14 @@ mod tests {
             ("vertex.frag", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
             ("a.frag", "attribute vec3 p;void main(){gl_Position=vec4(0);}", Some(Vertex), true),
             ("a.vert", "void main(){gl_FragColor=vec4(0);}", Some(Fragment), true),
-            // A version is no stage.
+            // A version is not a stage.
             ("final v2.glsl", "out vec4 c;void main(){c=vec4(0);}", Some(Fragment), false),
             ("light_v2.txt", "void main(){gl_FragColor=vec4(0);}", Some(Fragment), false),
             ("final v2.glsl", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
             ("phong_f.glsl", "void main(){gl_Position=vec4(0);}", Some(Vertex), false),
             ("phong_v.glsl", "in vec3 p;void main(){}", Some(Vertex), false),
             ("phong_v.frag", "void main(){}", Some(Fragment), false),
-            // A slip inside a stage is the compiler's to name.
+            // The compiler reports errors inside a stage.
             ("a.vert", "out vec4 c;void main(){}", Some(Vertex), false),
             ("a.frag", "out vec4 c;void main(){gl_Position=c;}", Some(Fragment), false),
         ] {

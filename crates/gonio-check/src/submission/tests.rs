@@ -1,4 +1,4 @@
-//! Submissions as students hand them in.
+//! Tests of submissions as students hand them in, and of shaders in programs.
 
 #![allow(clippy::unwrap_used)]
 
@@ -12,7 +12,7 @@ fn files(list: &[(&str, &str)]) -> Vec<SourceFile> {
     list.iter().map(|(name, text)| SourceFile::new(*name, *text)).collect()
 }
 
-/// A stage of that number, so that it can be told which one was taken.
+/// Returns a shader with a number, to tell shaders apart.
 fn v(mark: u32) -> String {
     format!("// {mark}\n{V}")
 }
@@ -25,7 +25,7 @@ fn gathered(list: &[(&str, &str)]) -> Submission {
     Submission::gather(files(list)).unwrap_or_else(|error| panic!("{error}: {list:?}"))
 }
 
-/// Which files were taken.
+/// Returns the files that were used.
 fn taken(submission: &Submission) -> (&str, &str) {
     (&submission.vertex.file, &submission.fragment.file)
 }
@@ -81,7 +81,7 @@ fn content_mends_names() {
     let partner = gathered(&[("a.glsl", "uniform vec3 x;\nvoid main() { }"), ("b.glsl", V)]);
     assert_eq!(taken(&partner), ("b.glsl", "a.glsl"));
     assert!(partner.warnings[0].contains("taken as the fragment shader"), "{:?}", partner.warnings);
-    // Without `main`, the name still says what it was meant to be: the compiler will say the rest.
+    // Without `main`, the name determines the stage; the compiler reports the rest.
     assert_eq!(taken(&gathered(&[("a.vert", "in vec3 p;"), ("a.frag", F)])), ("a.vert", "a.frag"));
 }
 
@@ -92,7 +92,7 @@ fn one_file_may_hold_both() {
     assert_eq!((submission.vertex.text.as_str(), submission.fragment.text.as_str()), (V, F));
     assert_eq!(submission.fragment.place(3, 15), ("phong.shader", 8, 15));
     assert_eq!(submission.warnings, [""; 0]);
-    // And a stage written as a C++ string to be included.
+    // A stage written as a C++ string to be included.
     let submission = gathered(&[("a.vert", &format!("R\"({V})\"")), ("a.frag", F)]);
     assert_eq!(submission.vertex.text, V);
     assert_eq!(submission.vertex.place(2, 1), ("a.vert", 2, 1));
@@ -175,7 +175,7 @@ fn a_folder_with_many_files() {
 
 #[test]
 fn pairs_belong_together() {
-    // The vertex stage is shared: the fragment stage of the hint.
+    // The vertex shader is shared; the fragment shader is that of the hint.
     let shared = files(&[("basic.vert", V), ("phong.frag", F), ("gouraud.frag", F)]);
     let submission = Submission::gather_with(shared, None, &["phong"]).unwrap();
     assert_eq!(taken(&submission), ("basic.vert", "phong.frag"));
@@ -192,7 +192,7 @@ fn pairs_belong_together() {
         let submission = Submission::gather_with(files(&list), None, &[exercise]).unwrap();
         assert!(submission.vertex.file.starts_with(exercise) && submission.fragment.file.starts_with(exercise));
     }
-    // Files go before the strings of a program.
+    // Files take precedence over the strings of a program.
     let program = format!("auto vs = R\"({})\"; auto fs = R\"({})\";", v(1), f(1));
     assert_eq!(taken(&gathered(&[("s.vert", V), ("main.cpp", &program), ("s.frag", F)])), ("s.vert", "s.frag"));
 }

@@ -1,8 +1,8 @@
-//! A stage's text and where each of its characters stands in the student's own file.
+//! The text of a stage, decoded from the bytes of a file, and the position of each of its characters in that file.
 
 use super::error::IntakeError;
 
-/// From here on, to the end of the text's line, the text stands at one stretch in the file.
+/// The start of a piece of the text that is contiguous in the file, up to the end of the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Stretch {
     text_line: u32,
@@ -11,28 +11,28 @@ struct Stretch {
     file_column: u32,
 }
 
-/// One stage's text, as the compiler shall see it, with the way back to the student's file.
+/// The text of a stage for the compiler, with positions in the student's file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StageText {
-    /// The text: lines end in `\n`, nothing else is changed.
+    /// The text, with lines that end in `\n` and otherwise unchanged.
     pub text: String,
-    /// The file that it stands in, named as the student named it.
+    /// The file, as the student named it.
     pub file: String,
-    /// In the text's order; empty where the text is the whole file, line by line.
+    /// In order of the text; empty if the text is the whole file.
     stretches: Vec<Stretch>,
 }
 
 impl StageText {
-    /// A text that is the whole of its file.
+    /// Creates a text that is a whole file.
     #[must_use]
     pub fn whole(file: impl Into<String>, text: impl Into<String>) -> Self {
         Self { text: text.into(), file: file.into(), stretches: Vec::new() }
     }
 
-    /// The file, line and column of a line and column of the text, all from 1, columns in characters.
+    /// Returns the file, line and column of a line and column of the text, all from 1, columns in characters.
     ///
-    /// Column 0 means the line as a whole and gives the column of its first character. A place behind the end of the
-    /// text gives the last place known in the file.
+    /// Column 0 means the whole line and gives the column of its first character. A position after the end of the
+    /// text gives the last known position in the file.
     #[must_use]
     pub fn place(&self, line: u32, column: u32) -> (&str, u32, u32) {
         let (line, column) = (line.max(1), column.max(1));
@@ -50,7 +50,7 @@ impl StageText {
         }
     }
 
-    /// A line of the text, from 1, without its end.
+    /// Returns a line of the text, from 1, without its end.
     #[must_use]
     pub fn line(&self, line: u32) -> Option<&str> {
         self.text.lines().nth(usize::try_from(line.checked_sub(1)?).ok()?)
@@ -64,7 +64,7 @@ pub(super) struct Builder {
     stretches: Vec<Stretch>,
     line: u32,
     column: u32,
-    /// Where the next character must stand in the file to go on with the present stretch.
+    /// The position in the file at which the next character continues the current piece.
     next_in_file: Option<(u32, u32)>,
 }
 
@@ -73,7 +73,7 @@ impl Builder {
         Self { text: String::new(), stretches: Vec::new(), line: 1, column: 1, next_in_file: None }
     }
 
-    /// Appends a character that stands at `line` and `column` of the file.
+    /// Appends a character with its position in the file.
     pub(super) fn push(&mut self, c: char, line: u32, column: u32) {
         if self.column == 1 || self.next_in_file != Some((line, column)) {
             self.stretches.push(Stretch {
@@ -94,14 +94,14 @@ impl Builder {
         }
     }
 
-    /// Appends lines of the file from `first` (from 0) up to but without `end`.
+    /// Appends lines of the file from `first` (from 0) up to `end`, exclusive.
     pub(super) fn push_lines(&mut self, lines: &[&str], first: usize, end: usize) {
         for (index, text) in lines.iter().enumerate().take(end).skip(first) {
             self.push_line(text, number(index + 1));
         }
     }
 
-    /// Appends one line and its end, standing at `line` of the file.
+    /// Appends a line with its end, from `line` of the file.
     pub(super) fn push_line(&mut self, text: &str, line: u32) {
         let mut column = 1u32;
         for c in text.chars() {
@@ -113,7 +113,7 @@ impl Builder {
 
     /// Appends the text of another builder.
     pub(super) fn append(&mut self, other: &Builder) {
-        // The stretches of the other begin anew at its lines' starts, so they only have to be moved.
+        // The pieces of the other begin at line starts, so they are only shifted.
         let (line, column) = (self.line - 1, self.column - 1);
         self.stretches.extend(other.stretches.iter().map(|s| Stretch {
             text_line: s.text_line.saturating_add(line),
@@ -126,7 +126,7 @@ impl Builder {
         self.next_in_file = other.next_in_file;
     }
 
-    /// Leaves out the white space that the text begins with.
+    /// Removes leading white space.
     pub(super) fn trim_start(&mut self) {
         if !self.text.starts_with(char::is_whitespace) {
             return;
@@ -147,7 +147,7 @@ impl Builder {
     }
 }
 
-/// A count as a line or column number.
+/// Converts a count to a line or column number.
 pub(super) fn number(count: usize) -> u32 {
     u32::try_from(count).unwrap_or(u32::MAX)
 }
@@ -155,7 +155,7 @@ pub(super) fn number(count: usize) -> u32 {
 /// The largest file that is read, in bytes.
 pub(super) const LARGEST: usize = 10 * 1024 * 1024;
 
-/// The file's text with lines ending in `\n`, and what had to be done to get it.
+/// Decodes a file to text with lines that end in `\n`. Also returns a warning if it had to be corrected.
 pub(super) fn decode(file: &str, bytes: &[u8]) -> Result<(String, Option<String>), IntakeError> {
     let file_owned = || file.to_owned();
     if bytes.len() > LARGEST {
@@ -201,7 +201,7 @@ fn utf8_or_latin1(file: &str, bytes: &[u8]) -> Result<(String, Option<String>), 
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok((text.to_owned(), None)),
         Err(error) => {
-            // Latin-1 is text with an accent here and there: mostly ASCII, and no control characters but white space.
+            // Latin-1 text is mostly ASCII, with a few accents and no control characters except white space.
             let controls = bytes.iter().filter(|b| b.is_ascii_control() && !b.is_ascii_whitespace()).count();
             let foreign = bytes.iter().filter(|b| !b.is_ascii()).count();
             if controls > 0 || foreign * 5 > bytes.len() {

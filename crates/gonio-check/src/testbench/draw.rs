@@ -1,4 +1,4 @@
-//! A program drawn in all test scenes at once.
+//! Draws programs in all test scenes at once, and determines which triangle each pixel shows.
 
 use super::{CUBEMAP_UNIT, SKY_SIDE, TestScene, TestShape, WHITE_UNIT, numbers_of_array, samplers, sky_faces, unit};
 use crate::interpreter::{Fragments, Points, Value};
@@ -9,18 +9,18 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// Pixels along a side of a test scene's picture: enough for a hundred triangles, and cheap on a driver without a GPU.
+/// Side length of a test scene's picture in pixels: enough for a hundred triangles, and cheap without a GPU.
 pub const TILE: u32 = 32;
 
-/// All test scenes' pictures, one after the other, linear RGBA; [`NOT_DRAWN`] where nothing is.
+/// The pictures of all test scenes in order, linear RGBA; [`NOT_DRAWN`] where nothing is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Atlas {
-    /// `TILE * TILE` a test scene, the bottom row first.
+    /// `TILE * TILE` pixels for each test scene, the bottom row first.
     pub pixels: Vec<[f32; 4]>,
 }
 
 impl Atlas {
-    /// One test scene's pixels.
+    /// Returns the pixels of one test scene.
     pub fn tile(&self, index: usize) -> &[[f32; 4]] {
         let size = (TILE * TILE) as usize;
         self.pixels.get(index * size..(index + 1) * size).unwrap_or_default()
@@ -33,7 +33,7 @@ impl Atlas {
     }
 }
 
-/// Everything that programs are drawn with, but for themselves.
+/// The meshes, textures, scenes and target that programs are drawn with.
 pub struct Testbench {
     pub(super) gl: Gl,
     meshes: Vec<StreamMesh>,
@@ -42,12 +42,12 @@ pub struct Testbench {
     white: FloatTexture,
     pub(super) target: TileTarget,
     test_scenes: Vec<TestScene>,
-    /// By what is written to `gl_Position`.
+    /// The covered pixels by the expression assigned to `gl_Position`.
     pub(super) surfaces: RefCell<HashMap<String, Rc<CoverageMap>>>,
 }
 
 impl Testbench {
-    /// For these test scenes.
+    /// Creates a testbench with these test scenes.
     pub fn new(gl: &Gl, test_scenes: Vec<TestScene>) -> Result<Self, GlError> {
         let mesh = |shape: TestShape| {
             let mesh = shape.mesh();
@@ -76,12 +76,12 @@ impl Testbench {
         })
     }
 
-    /// Where programs are drawn.
+    /// Returns the test scenes.
     pub fn test_scenes(&self) -> &[TestScene] {
         &self.test_scenes
     }
 
-    /// Works out once what a program's attributes and uniforms hold in every test scene, each changed by `change` beforehand.
+    /// Computes the attributes and uniforms of a program in each test scene, after `change` has changed it.
     pub fn inputs(&self, program: &UserProgram, bindings: &Bindings, change: impl Fn(&mut TestScene)) -> ProgramInputs {
         let feed = bindings
             .bound
@@ -122,8 +122,8 @@ impl Testbench {
         self.target.error().map_or(Ok(()), Err)
     }
 
-    /// Draws a program in the first `count` test scenes; `fixed` are uniforms that hold the same in all. Whether OpenGL complained
-    /// of it is to be asked: [`Testbench::complaint`].
+    /// Draws a program in the first `count` test scenes; `fixed` are uniforms with the same value in all. Errors of
+    /// OpenGL are reported by [`Testbench::complaint`].
     pub fn draw(
         &self,
         program: &UserProgram,
@@ -158,7 +158,7 @@ pub struct ProgramInputs {
     values: Vec<Vec<(usize, Vec<f32>)>>,
 }
 
-/// Which stream of a mesh an attribute reads.
+/// Returns the stream of a mesh that an attribute reads.
 pub fn stream_of(role: Role) -> Option<usize> {
     match role {
         Role::Position => Some(0),
@@ -169,17 +169,17 @@ pub fn stream_of(role: Role) -> Option<usize> {
     }
 }
 
-/// The pixels that a way of placing vertices draws.
+/// The pixels that an expression for `gl_Position` covers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CoverageMap {
-    /// Situation by test scene: which vertices each pixel lies between.
+    /// For each test scene, the vertices and weights of each pixel.
     pub drawn: Fragments,
-    /// The number in the atlas of each of these pixels.
+    /// The index of each pixel in the atlas.
     pub places: Vec<u32>,
 }
 
 impl CoverageMap {
-    /// Those of its pixels that are kept, of the first test scenes.
+    /// Returns the pixels of the first test scenes that satisfy the condition.
     pub fn filtered(&self, test_scenes: usize, keep: impl Fn(u32) -> bool) -> CoverageMap {
         let mut kept = CoverageMap::default();
         for span in self.drawn.spans.iter().take(test_scenes) {
@@ -195,7 +195,7 @@ impl CoverageMap {
     }
 }
 
-/// The meshes again, with a number for every triangle.
+/// The meshes with a number for each triangle.
 pub(super) struct Numbered {
     meshes: Vec<StreamMesh>,
     indices: Vec<Vec<u32>>,
@@ -226,7 +226,8 @@ impl Numbered {
     }
 }
 
-/// A program that puts out the corners' shares and the triangle's number; `place` is what a model writes to `gl_Position`.
+/// Returns a program that outputs the weights of the vertices and the number of the triangle; `place` is the
+/// expression that a model assigns to `gl_Position`.
 fn sources(place: &str) -> [String; 2] {
     let vertex = format!(
         "#version 330 core\nin vec3 position;\nin vec3 corner;\nin float triangle;\n\
@@ -240,7 +241,8 @@ fn sources(place: &str) -> [String; 2] {
 }
 
 impl Testbench {
-    /// Which pixels are drawn where a model writes `place` to `gl_Position`, in all test scenes. Asked once of the driver.
+    /// Returns the pixels that are covered if a model assigns `place` to `gl_Position`, in all test scenes. The
+    /// driver determines them once.
     pub fn surface(&self, place: &str) -> Result<Rc<CoverageMap>, GlError> {
         if let Some(known) = self.surfaces.borrow().get(place) {
             return Ok(Rc::clone(known));
@@ -294,7 +296,7 @@ impl Testbench {
         surface
     }
 
-    /// The vertices of the first test scenes' meshes, one after the other.
+    /// Returns the vertices of the meshes of the first test scenes.
     pub fn points(&self, test_scenes: usize) -> Points {
         let mut spans = Vec::new();
         let mut planes = [vec![Vec::new(); 3], vec![Vec::new(); 3]];

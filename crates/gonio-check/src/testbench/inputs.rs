@@ -1,14 +1,14 @@
-//! What programs read in a test scene: the value of each uniform with a known role, the texture of each sampler, and the
-//! environment that mirrors and skies are tested in.
+//! The inputs of programs in a test scene: the value of each uniform with a known role, the texture of each sampler,
+//! and the environment that mirrors and skies are tested in.
 
 use super::TestScene;
 use crate::roles::{Bindings, Role, VariableKind};
 use glam::{Mat4, Vec3};
 use gonio_render::user_program::UserProgram;
 
-/// The numbers for a uniform of this meaning and type; `None` where the test scene has nothing to say of it.
+/// Returns the value of a uniform with this role and type; `None` if the test scene has none.
 pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Vec<f32>> {
-    // Lights that a program has besides are dark.
+    // Additional lights are dark.
     let light_of = |index: u32| match (index, test_scene.other) {
         (0, _) => test_scene.light,
         (1, Some(other)) => other,
@@ -23,7 +23,7 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
     };
     let point = |p: Vec3| vec![p.x, p.y, p.z, 1.0];
     let direction = |p: Vec3| vec![p.x, p.y, p.z, 0.0];
-    // A strength may be written as a number or as a grey colour.
+    // A strength may be declared as a number or as a grey colour.
     let grey = |x: f32| match glsl_type {
         "float" | "int" => vec![x],
         _ => vec![x, x, x, 1.0],
@@ -77,8 +77,7 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
     })
 }
 
-/// The numbers of an array, element after element: those of lights are the lights' from the first on, others hold all the
-/// same.
+/// Returns the value of an array: elements of lights belong to consecutive lights, others are all the same.
 pub fn numbers_of_array(role: Role, glsl_type: &str, elements: u32, test_scene: &TestScene) -> Option<Vec<f32>> {
     if elements <= 1 {
         return numbers(role, glsl_type, test_scene);
@@ -97,15 +96,16 @@ pub fn numbers_of_array(role: Role, glsl_type: &str, elements: u32, test_scene: 
     elements.collect::<Option<Vec<_>>>().map(|elements| elements.concat())
 }
 
-/// Where the sky is.
+/// The texture unit of the environment.
 pub const CUBEMAP_UNIT: u32 = 0;
-/// Where the white texture is.
+/// The texture unit of the white texture.
 pub const WHITE_UNIT: u32 = 1;
-/// No honest array of samplers is longer.
+/// Longer arrays of samplers are not supported.
 const MOST_ELEMENTS: u32 = 64;
 
-/// The unit of a sampler of that type: each type its own, for no unit may be read in two ways. What gonio has no texture for
-/// reads an empty unit, which is black; a 2D texture that nothing is known of is white, as a shadow map without shadows is.
+/// Returns the texture unit of a sampler of this type. Each type has its own, because a unit cannot be read in two
+/// ways. A type without a texture reads an empty unit, which is black; an unknown 2D texture is white, like a shadow
+/// map without shadows.
 pub fn unit(glsl_type: &str) -> Option<u32> {
     const EMPTY: [&str; 8] = [
         "sampler2DShadow",
@@ -127,7 +127,7 @@ pub fn unit(glsl_type: &str) -> Option<u32> {
     }
 }
 
-/// The numbers and units of all samplers of a program, of those too that nothing is known of.
+/// Returns the indices and units of all samplers of a program, including unknown ones.
 pub fn samplers(program: &UserProgram, bindings: &Bindings) -> Vec<(usize, Vec<f32>)> {
     let unknown = bindings.unknown.iter().filter(|declared| declared.kind == VariableKind::Uniform);
     let all = bindings.bound.iter().map(|bound| &bound.declared).chain(unknown);
@@ -138,17 +138,18 @@ pub fn samplers(program: &UserProgram, bindings: &Bindings) -> Vec<(usize, Vec<f
     .collect()
 }
 
-/// Texels along a face's side.
+/// Side length of a face in texels.
 pub const SKY_SIDE: usize = 32;
 
-/// The light from a direction, linear RGB, each between 0.05 and 0.95.
+/// Returns the light from a direction, linear RGB, each between 0.05 and 0.95. It is smooth and has no symmetry, so
+/// that each direction looks different.
 pub fn radiance(direction: Vec3) -> [f32; 3] {
     let d = direction.normalize();
     let wave = |frequency: Vec3, phase: f32| 0.5 + 0.45 * (d.dot(frequency) + phase).sin();
     [wave(Vec3::new(1.9, 0.7, 0.4), 0.3), wave(Vec3::new(-0.5, 2.1, 0.8), 1.1), wave(Vec3::new(0.6, -0.9, 2.3), -0.7)]
 }
 
-/// Six faces in OpenGL's layout (specification, table of cube map coordinates), rows from t = 0.
+/// Returns the six faces in OpenGL's layout (specification, table of cube map coordinates), rows from t = 0.
 pub fn sky_faces() -> [Vec<[f32; 4]>; 6] {
     let place = |face: usize, s: f32, t: f32| match face {
         0 => Vec3::new(1.0, -t, -s),

@@ -1,19 +1,19 @@
-//! Coarse meshes with smooth normals: what is wrong between vertices shows on them.
+//! Coarse meshes with smooth normals, which show mistakes with interpolation.
 
 use std::f32::consts::{PI, TAU};
 
-/// The mesh to draw.
+/// The shape of a test mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TestShape {
     /// Radius 1 around the origin, 8 segments and 6 rings. Its normals are its positions.
     Sphere,
-    /// Radii 0.7 and 0.3 around the y axis, 14 by 8: its normals are nothing like its positions.
+    /// Radii 0.7 and 0.3 around the y axis, 14 by 8. Its normals differ from its positions.
     Torus,
-    /// From -1 to 1: a skybox.
+    /// A cube from -1 to 1, for skyboxes.
     Cube,
-    /// A small one, its corners in five colours: what the first exercise draws.
+    /// A small pyramid with corners in five colours, as the first exercise draws it.
     Pyramid,
-    /// The same within a globe of many colours: wherever a camera looks, its picture tells where that is.
+    /// The pyramid in a globe of many colours, so that the picture identifies every direction of the camera.
     Landmarks,
 }
 
@@ -22,12 +22,12 @@ impl TestShape {
     pub const ALL: [TestShape; 5] =
         [TestShape::Sphere, TestShape::Torus, TestShape::Cube, TestShape::Pyramid, TestShape::Landmarks];
 
-    /// Its index in [`TestShape::ALL`].
+    /// Returns its index in [`TestShape::ALL`].
     pub fn index(self) -> usize {
         self as usize
     }
 
-    /// Its vertices and triangles.
+    /// Returns its vertices and triangles.
     pub fn mesh(self) -> TestMesh {
         match self {
             TestShape::Sphere => sphere(8, 6),
@@ -39,22 +39,22 @@ impl TestShape {
     }
 }
 
-/// A mesh as it is handed to students' programs.
+/// A mesh for students' programs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TestMesh {
-    /// x y z in the model's space.
+    /// Positions x, y, z in model space.
     pub positions: Vec<f32>,
-    /// Unit vectors.
+    /// Unit normals.
     pub normals: Vec<f32>,
-    /// u v.
+    /// Texture coordinates u, v.
     pub tex_coords: Vec<f32>,
-    /// Linear RGB; white on all that is lit.
+    /// Linear RGB; white on lit meshes.
     pub colors: Vec<f32>,
-    /// Three a triangle.
+    /// Three indices for each triangle.
     pub indices: Vec<u32>,
 }
 
-/// A grid of `across + 1` by `down + 1` vertices, two triangles a cell.
+/// Creates a grid of `across + 1` by `down + 1` vertices, with two triangles in each cell.
 fn grid(across: usize, down: usize, vertex: impl Fn(f32, f32) -> ([f32; 3], [f32; 3])) -> TestMesh {
     let mut mesh = TestMesh::default();
     for row in 0..=down {
@@ -96,7 +96,7 @@ pub fn torus(around: usize, tube: usize) -> TestMesh {
     })
 }
 
-/// Eight shared corners, normals outwards from the middle: only positions count in a skybox.
+/// Creates a cube with eight shared corners and normals from its centre: only positions matter in a skybox.
 fn cube() -> TestMesh {
     let mut mesh = TestMesh::default();
     for corner in 0..8_u32 {
@@ -114,7 +114,7 @@ fn cube() -> TestMesh {
     mesh
 }
 
-/// Four corners of its base and the top, shared; normals outwards from the middle.
+/// Creates a pyramid with shared corners and normals from its centre.
 fn pyramid() -> TestMesh {
     let mut mesh = TestMesh::default();
     let corners = [
@@ -137,7 +137,7 @@ fn pyramid() -> TestMesh {
     mesh
 }
 
-/// The pyramid, and around it a globe of radius 3 in the colours of the surroundings.
+/// Creates the pyramid, and around it a globe of radius 3 in the colours of the environment.
 fn landmarks() -> TestMesh {
     let (mut mesh, globe) = (pyramid(), sphere(12, 8));
     let first = (mesh.positions.len() / 3) as u32;

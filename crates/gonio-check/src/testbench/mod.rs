@@ -10,7 +10,7 @@ pub use inputs::{CUBEMAP_UNIT, SKY_SIDE, WHITE_UNIT, numbers, numbers_of_array, 
 pub use mesh::{TestMesh, TestShape};
 pub use scene::{TestLight, TestScene};
 
-/// Our own programs are written as 330 core; as 300 es they are the same with another first line.
+/// Converts one of gonio's own shaders from 330 core to 300 es if the context needs it.
 pub fn for_context(gl: &gonio_gl::Gl, source: &str) -> String {
     if gonio_render::user_program::is_embedded(gl) {
         source.replacen("#version 330 core\n", "#version 300 es\nprecision highp float;\nprecision highp int;\n", 1)

@@ -1,15 +1,15 @@
-//! Scenes made to tell mistakes apart: what each is good for stands beside it.
+//! The test scenes. Each has a comment or a text about the mistakes that it distinguishes.
 
 use super::TestShape;
 use glam::{Mat3, Mat4, Quat, Vec3};
 
-/// So far away, in the world's units, that its rays are parallel: to 1/10000 of a radian all over a model.
+/// The distance of a sun in world units: its rays are parallel to 1/10000 of a radian all over a model.
 const SUN_DISTANCE: f32 = 1e5;
 
-/// A light and how it fades. Positions in the world.
+/// A light of a test scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TestLight {
-    /// In the world.
+    /// The position, in world space.
     pub position: Vec3,
     /// Strengths of the terms, 0 to 1.
     pub ambient: f32,
@@ -19,26 +19,27 @@ pub struct TestLight {
     pub specular: f32,
     /// kc, kl, kq of 1 / (kc + kl d + kq d^2).
     pub attenuation: [f32; 3],
-    /// The brightness of the light's colour, for programs that have one. Models know strengths alone, so it is 1 for
-    /// them.
+    /// The brightness of the light's colour, for programs that have one. Model solutions only have strengths, so it
+    /// is 1 for them.
     pub brightness: f32,
-    /// Whether a program that takes a direction instead of a place takes the one towards the light, not the one from it.
+    /// Whether a program with a direction instead of a position expects the direction towards the light, not the one
+    /// from it.
     pub points_to_light: bool,
 }
 
 impl TestLight {
-    /// The same light, switched off.
+    /// Returns the same light, switched off.
     pub fn dark(self) -> Self {
         TestLight { ambient: 0.0, diffuse: 0.0, specular: 0.0, brightness: 0.0, ..self }
     }
 
-    /// The same light as a sun: endlessly far away from `centre`, in the world, and as bright there as here.
+    /// Returns the same light as a sun, infinitely far from `centre` in world space, with the same brightness there.
     pub fn as_sun(self, centre: Vec3) -> Self {
         let position = centre + (self.position - centre).normalize_or(Vec3::Y) * SUN_DISTANCE;
         TestLight { position, ..self }
     }
 
-    /// Whether it gives any light.
+    /// Whether it emits no light.
     pub fn is_dark(&self) -> bool {
         self.ambient == 0.0 && self.diffuse == 0.0 && self.specular == 0.0
     }
@@ -47,64 +48,65 @@ impl TestLight {
 /// A scene of one object, a light or two, and a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TestScene {
-    /// A word for tables.
+    /// A short name for tables.
     pub name: String,
     /// The reason for this scene: what it shows that others do not.
     pub shows: &'static str,
     /// The mesh to draw.
     pub shape: TestShape,
-    /// M.
+    /// M: world from model.
     pub world_from_model: Mat4,
-    /// In the world.
+    /// The position, in world space.
     pub eye: Vec3,
     /// The point that the camera looks at, in world space.
     pub target: Vec3,
-    /// Which way is up in the picture, in the world.
+    /// The up direction of the picture, in world space.
     pub up: Vec3,
-    /// Radians, from the lower to the upper edge.
+    /// The vertical field of view in radians.
     pub fov_y_rad: f32,
     /// The light.
     pub light: TestLight,
-    /// Another one, which only programs with several lights are given.
+    /// Another light, for programs with several lights.
     pub other: Option<TestLight>,
-    /// Linear RGB.
+    /// The colour of the material, linear RGB.
     pub material: Vec3,
     /// The exponent of the highlight.
     pub shininess: f32,
     /// The object's refractive index against air.
     pub refraction_index: f32,
-    /// Seconds.
+    /// The time in seconds.
     pub time: f32,
 }
 
 impl TestScene {
-    /// V.
+    /// Returns V.
     pub fn view_from_world(&self) -> Mat4 {
         glam::camera::rh::view::look_at_mat4(self.eye, self.target, self.up)
     }
 
-    /// Where the camera looks: a unit vector in the world.
+    /// Returns the direction of the camera: a unit vector in world space.
     pub fn front(&self) -> Vec3 {
         (self.target - self.eye).normalize()
     }
 
-    /// The camera's own Right: a unit vector in the world.
+    /// Returns the camera's own Right: a unit vector in world space.
     pub fn right(&self) -> Vec3 {
         self.front().cross(self.up).normalize()
     }
 
-    /// P, of a square picture.
+    /// Returns P for a square picture.
     pub fn clip_from_view(&self) -> Mat4 {
         glam::camera::rh::proj::opengl::perspective(self.fov_y_rad, 1.0, 0.1, 100.0)
     }
 
-    /// A place for a second light: the first one's, carried round the object.
+    /// Returns a position for a second light: that of the first, rotated around the object.
     pub fn elsewhere(&self) -> Vec3 {
         let centre = self.world_from_model.w_axis.truncate();
         centre + Quat::from_rotation_y(2.0) * (self.light.position - centre)
     }
 
-    /// The whole world turned about its origin: object, lights and camera together, so that the picture stays.
+    /// Returns the scene with the whole world rotated about its origin: object, lights and camera together, so that
+    /// the picture remains.
     #[must_use]
     pub fn turned(&self, turn: Quat) -> Self {
         let turned = |light: TestLight| TestLight { position: turn * light.position, ..light };
@@ -119,18 +121,18 @@ impl TestScene {
         }
     }
 
-    /// The inverse transpose of M.
+    /// Returns the inverse transpose of M.
     pub fn normal_matrix(&self) -> Mat4 {
         self.world_from_model.inverse().transpose()
     }
 
-    /// The inverse transpose of V M, for normals in the view's space.
+    /// Returns the inverse transpose of V M, for normals in view space.
     pub fn view_normal_matrix(&self) -> Mat3 {
         Mat3::from_mat4((self.view_from_world() * self.world_from_model).inverse().transpose())
     }
 }
 
-/// The lab's own values.
+/// The values of the lab's own light.
 pub const LAB_LIGHT: TestLight = TestLight {
     position: Vec3::new(1.0, 2.0, 1.5),
     ambient: 0.1,
@@ -166,7 +168,7 @@ fn placed(at: [f32; 3], turn_deg: [f32; 3], scale: [f32; 3]) -> Mat4 {
     Mat4::from_scale_rotation_translation(scale.into(), turn, at.into())
 }
 
-/// For programs that compute light: the nine scenes, whole, and then some with one term alone.
+/// Returns the nine scenes for programs that compute light.
 pub fn lit() -> Vec<TestScene> {
     let mut all = vec![
         TestScene {
@@ -230,13 +232,14 @@ pub fn lit() -> Vec<TestScene> {
         shininess: 12.0,
         ..base("coloured", "another material with a strong colour")
     });
-    // Those that tell most stand first: hypotheses are ranked in them.
+    // The scenes that distinguish most come first: hypotheses are ranked in them.
     const TELLING: [&str; 4] = ["stretched", "coarse", "behind", "far"];
     all.sort_by_key(|s| TELLING.iter().position(|name| *name == s.name).unwrap_or(TELLING.len()));
     all
 }
 
-/// For programs with several lights: two of different place and strength, and the second one alone.
+/// Returns the scenes for programs with several lights: two lights with different positions and strengths, and the
+/// second one alone.
 pub fn lit_by_two() -> Vec<TestScene> {
     let other =
         TestLight { position: Vec3::new(-1.3, 0.4, 1.5), ambient: 0.04, diffuse: 0.35, specular: 0.6, ..LAB_LIGHT };
@@ -257,7 +260,7 @@ pub fn lit_by_two() -> Vec<TestScene> {
     vec![both, second]
 }
 
-/// The same with one of the terms alone, for verdicts term by term. Of use where strengths are given from outside.
+/// Returns the scenes with one term alone, for verdicts on single terms, if strengths are inputs.
 pub fn isolated(whole: &[TestScene]) -> Vec<TestScene> {
     let mut all = Vec::new();
     for test_scene in whole.iter().filter(|s| ["stretched", "behind", "turned"].contains(&s.name.as_str())) {
@@ -276,7 +279,7 @@ pub fn isolated(whole: &[TestScene]) -> Vec<TestScene> {
     all
 }
 
-/// For mirrors and glass.
+/// Returns the scenes for mirrors and glass.
 pub fn mirrored() -> Vec<TestScene> {
     vec![
         TestScene { shape: TestShape::Sphere, ..base("front", "a sphere in the middle") },
@@ -304,7 +307,7 @@ pub fn mirrored() -> Vec<TestScene> {
     ]
 }
 
-/// For skies: cameras that look elsewhere, and one that has moved.
+/// Returns the scenes for skyboxes: cameras with several directions, and one that has moved.
 pub fn skies() -> Vec<TestScene> {
     let sky = |name: &str, shows, eye: [f32; 3], towards: [f32; 3], up: [f32; 3]| TestScene {
         shape: TestShape::Cube,
@@ -322,7 +325,8 @@ pub fn skies() -> Vec<TestScene> {
     ]
 }
 
-/// For cameras: turned, above, tilted, off centre, on models far from the identity.
+/// Returns the scenes for cameras: rotated, from above, tilted, off centre, with model matrices far from the
+/// identity.
 pub fn cameras() -> Vec<TestScene> {
     let model = placed([0.3, -0.2, -0.4], [40.0, 25.0, 15.0], [0.8, 1.1, 0.6]);
     let camera = |name: &str, shows, eye: [f32; 3], target: [f32; 3], up: [f32; 3]| TestScene {
@@ -402,7 +406,7 @@ pub fn cameras() -> Vec<TestScene> {
     ]
 }
 
-/// What the camera of a cubemap's face sees, of OpenGL's order: 90 degrees, from the origin.
+/// Returns the view of a cubemap's face, in OpenGL's order: 90 degrees, from the origin.
 pub fn face(face: usize) -> TestScene {
     let (ahead, up) = match face {
         0 => (Vec3::X, Vec3::NEG_Y),
@@ -422,5 +426,5 @@ pub fn face(face: usize) -> TestScene {
     }
 }
 
-/// 45 radians, which is what the lab hands over, from the lower to the upper edge: 58.3 degrees.
+/// The vertical field of view: 45 radians, which the lab passes, equal 58.3 degrees.
 const FOV_Y_RAD: f32 = 1.0177;

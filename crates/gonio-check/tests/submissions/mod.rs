@@ -1,4 +1,4 @@
-//! The submissions of crates/gonio-check/corpus, as tests read them: its README.md explains `expected.toml`.
+//! Reads the submissions of crates/gonio-check/corpus; its README.md explains `expected.toml`.
 #![allow(dead_code, reason = "each test uses a part")]
 
 use gonio_check::submission::SourceFile;
@@ -7,7 +7,7 @@ use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise};
 use gonio_fixtures::tables_below;
 use std::path::Path;
 
-/// A submission, and what is expected of it.
+/// A submission with the expected result.
 pub struct Submission {
     /// Table and case: `ex04/wrong/view-space`.
     pub name: String,
