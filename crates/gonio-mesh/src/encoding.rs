@@ -168,13 +168,13 @@ pub(crate) fn xml_to_text(bytes: &[u8]) -> (Cow<'_, str>, Vec<Diagnostic>) {
         Err(invalid) => invalid,
     };
     let (line, column) = LineIndex::new(bytes).place(invalid.valid_up_to());
-    let why = if is_declared(&["UTF-8", "UTF8", "US-ASCII", "ASCII"]) {
+    let reason = if is_declared(&["UTF-8", "UTF8", "US-ASCII", "ASCII"]) {
         "is not UTF-8".to_owned()
     } else {
         format!("has the encoding {}, which is not supported", quote(declared))
     };
     let message = format!(
-        "the text {why}: characters beyond ASCII are read as Windows-1252; save it as UTF-8 if names are wrong"
+        "the text {reason}: characters beyond ASCII are read as Windows-1252; save it as UTF-8 if names are wrong"
     );
     (windows_1252(bytes), vec![Diagnostic::warning(message).at(line, Some(column))])
 }

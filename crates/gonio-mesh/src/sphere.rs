@@ -16,8 +16,8 @@ pub fn triangle_count(frequency: u32) -> usize {
 
 /// Returns the frequency, from 1 to [`MOST_FREQUENCY`], whose sphere has a number of triangles closest to `triangles`.
 pub fn nearest_frequency(triangles: usize) -> u32 {
-    let wanted = (triangles as f64 / 8.0).sqrt().round();
-    (wanted as u32).clamp(1, MOST_FREQUENCY)
+    let frequency = (triangles as f64 / 8.0).sqrt().round();
+    (frequency as u32).clamp(1, MOST_FREQUENCY)
 }
 
 /// Returns the unit sphere around the origin: an octahedron whose edges are divided into `frequency` segments (clamped

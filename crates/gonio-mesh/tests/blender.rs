@@ -1,4 +1,4 @@
-//! What Blender writes: expected sizes, and agreement with a second reader (tobj).
+//! Files that Blender wrote: expected sizes, and agreement with a second reader (tobj).
 
 #![allow(clippy::unwrap_used, missing_docs)]
 

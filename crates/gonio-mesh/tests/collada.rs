@@ -1,4 +1,4 @@
-//! COLLADA: small documents with what they must give beside them, effects one by one, lights, cameras, hostile files.
+//! COLLADA: small documents with their expected results, effects one by one, lights, cameras, hostile files.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -25,7 +25,7 @@ fn document(name: &str) -> Model {
 }
 
 #[test]
-fn every_file_gives_what_is_expected() {
+fn every_file_has_its_expected_result() {
     assert_as_expected(cases("collada.txt", "dae", 63), |case| summary::summary(&read(&case.bytes)));
 }
 
@@ -91,7 +91,7 @@ fn with_effect(images: &str, profile: &str) -> String {
     )
 }
 
-/// The material of an effect with this content of its shader, and what is said.
+/// The material of an effect whose shader has this content, and the messages.
 fn material(shader: &str, content: &str) -> (Material, Vec<String>) {
     const PARAMETERS: &str = r#"<newparam sid="pic"><sampler2D><source>surface</source></sampler2D></newparam>
 <newparam sid="surface"><surface type="2D"><init_from>image</init_from></surface></newparam>
@@ -103,8 +103,8 @@ fn material(shader: &str, content: &str) -> (Material, Vec<String>) {
 }
 
 fn quiet(shader: &str, content: &str) -> Material {
-    let (material, said) = material(shader, content);
-    assert_eq!(said, [""; 0], "{content}");
+    let (material, messages) = material(shader, content);
+    assert_eq!(messages, [""; 0], "{content}");
     material
 }
 
@@ -140,7 +140,7 @@ fn every_value_of_an_effect_arrives() {
 }
 
 #[test]
-fn what_is_absent_is_documented() {
+fn defaults_are_documented() {
     let lambert = quiet("lambert", "");
     assert_eq!((lambert.ambient, lambert.diffuse), (AmbientRule::FollowsDiffuse, [0.8; 3]));
     assert_eq!((lambert.specular, lambert.emitted, lambert.shininess), ([0.0; 3], [0.0; 3], 32.0));
@@ -172,14 +172,14 @@ fn the_four_opaque_rules() {
 }
 
 #[test]
-fn what_would_be_invisible_is_opaque() {
-    let (found, said) = material("phong", "<transparency><float>0</float></transparency>");
+fn invisible_materials_become_opaque() {
+    let (found, messages) = material("phong", "<transparency><float>0</float></transparency>");
     assert_eq!(found.opacity, 1.0);
     let expected = "17:15: warning: the material \"M\" would be invisible (<transparency> 0, A_ONE): treated as \
          opaque, because programs confuse the two";
-    assert_eq!(said, [expected]);
-    let (found, said) = material("phong", "<transparent opaque=\"RGB_ZERO\"><color>1 1 1 1</color></transparent>");
-    assert_eq!((found.opacity, said.len()), (1.0, 1));
+    assert_eq!(messages, [expected]);
+    let (found, messages) = material("phong", "<transparent opaque=\"RGB_ZERO\"><color>1 1 1 1</color></transparent>");
+    assert_eq!((found.opacity, messages.len()), (1.0, 1));
 }
 
 #[test]
@@ -204,18 +204,18 @@ fn small_shininess_is_a_part_of_128() {
     let content = |value: &str| {
         format!("<specular><color>1 1 1 1</color></specular><shininess><float>{value}</float></shininess>")
     };
-    let (found, said) = material("phong", &content("0.5"));
+    let (found, messages) = material("phong", &content("0.5"));
     assert_eq!(found.shininess, 64.0);
     let rule = "between 0 and 1: multiplied by 128";
     assert_eq!(
-        said,
+        messages,
         [format!("17:55: note: the shininess of \"M\" is 0.5, {rule} (some programs write it as a fraction)")]
     );
     assert_eq!(found.sources[1].rule, rule);
     assert_eq!(quiet("phong", &content("1.5")).shininess, 1.5);
     let zero = quiet("phong", &content("0"));
     assert_eq!((zero.shininess, zero.sources[1].rule.as_str()), (1.0, "raised to the minimum of 1"));
-    // Nothing is said where there is no highlight.
+    // Without a highlight there is no message.
     assert_eq!(quiet("phong", "<shininess><float>0.001</float></shininess>").shininess, 1.0);
 }
 
@@ -235,24 +235,27 @@ fn textures_take_the_place_of_colours() {
 
 #[test]
 fn textures_that_lead_nowhere_are_reported() {
-    let (found, said) = material("phong", "<diffuse><texture texture=\"nothing\" texcoord=\"uv\"/></diffuse>");
+    let (found, messages) = material("phong", "<diffuse><texture texture=\"nothing\" texcoord=\"uv\"/></diffuse>");
     assert_eq!((found.diffuse_map, found.diffuse), (None, [0.8; 3]));
     assert_eq!(
-        said,
+        messages,
         ["17:10: warning: this texture refers to \"nothing\", which is neither a sampler nor an image: it is ignored"]
     );
     // The picture itself, as old programs write it.
     let found = quiet("phong", "<diffuse><texture texture=\"image\" texcoord=\"uv\"/></diffuse>");
     assert_eq!(found.diffuse_map.unwrap().path, "a.png");
-    let (found, said) = material("phong", "<diffuse><param ref=\"nothing\"/></diffuse>");
+    let (found, messages) = material("phong", "<diffuse><param ref=\"nothing\"/></diffuse>");
     assert_eq!(found.diffuse, [0.8; 3]);
-    assert_eq!(said, ["17:10: warning: diffuse of \"M\" refers to \"nothing\", which is not a color: it is ignored"]);
-    let (_, said) = material(
+    assert_eq!(
+        messages,
+        ["17:10: warning: diffuse of \"M\" refers to \"nothing\", which is not a color: it is ignored"]
+    );
+    let (_, messages) = material(
         "phong",
         "<diffuse><texture texture=\"pic\" texcoord=\"uv\"/></diffuse><specular><texture texture=\"pic\" texcoord=\"uw\"/></specular>",
     );
     assert_eq!(
-        said,
+        messages,
         ["17:68: warning: textures of \"M\" use the texture coordinates \"uv\" and \"uw\": using \"uv\" for all"]
     );
 }
@@ -285,18 +288,18 @@ fn pictures_in_the_document() {
         with_effect(image, "<technique><phong><diffuse><texture texture=\"image\"/></diffuse></phong></technique>")
             .as_bytes(),
     );
-    let said: Vec<String> = model.unwrap().diagnostics.iter().map(ToString::to_string).collect();
-    assert_eq!(said, ["2:35: warning: the data of this image is not hexadecimal: it is ignored"]);
+    let messages: Vec<String> = model.unwrap().diagnostics.iter().map(ToString::to_string).collect();
+    assert_eq!(messages, ["2:35: warning: the data of this image is not hexadecimal: it is ignored"]);
 }
 
 #[test]
 fn materials_without_an_effect_are_the_default_one() {
     let model = read(with_effect("", "<technique/>").as_bytes()).unwrap();
     assert_eq!(model.materials, [Material { name: "M".to_owned(), ..Material::default() }]);
-    let said: Vec<String> = model.diagnostics.iter().map(ToString::to_string).collect();
+    let messages: Vec<String> = model.diagnostics.iter().map(ToString::to_string).collect();
     let expected =
         "12:18: warning: the material \"M\" has no readable profile_COMMON effect: using the default material";
-    assert_eq!(said, [expected]);
+    assert_eq!(messages, [expected]);
 }
 
 #[test]
@@ -369,8 +372,8 @@ fn lights_of_every_kind() {
     let right_angle = std::f32::consts::FRAC_PI_2;
     assert_eq!(wide.kind, ModelLightKind::Spot { inner_angle_rad: right_angle, outer_angle_rad: right_angle });
     assert_eq!((wide.color, wide.attenuation), ([1.0; 3], [1.0, 0.0, 0.0]));
-    let said: Vec<&str> = model.diagnostics.iter().map(|d| d.message.as_str()).collect();
-    assert_eq!(said, ["the light \"x\" has the unknown type \"area\": it is left out"]);
+    let messages: Vec<&str> = model.diagnostics.iter().map(|d| d.message.as_str()).collect();
+    assert_eq!(messages, ["the light \"x\" has the unknown type \"area\": it is left out"]);
 }
 
 #[test]
@@ -397,12 +400,12 @@ fn cameras_of_every_kind() {
     assert_eq!(y.clip, [Some(0.2), None]);
     assert!((x.fov_y_rad.unwrap() - 2.0 * (9.0_f64 / 16.0).atan()).abs() < 1e-12);
     assert_eq!(o.fov_y_rad, None);
-    let said: Vec<&str> = model.diagnostics.iter().map(|d| d.message.as_str()).collect();
+    let messages: Vec<&str> = model.diagnostics.iter().map(|d| d.message.as_str()).collect();
     let expected = [
         "this camera has an xfov but no aspect_ratio: using 16:9",
         "the camera \"f\" has invalid parameters: it is left out",
     ];
-    assert_eq!(said, expected);
+    assert_eq!(messages, expected);
 }
 
 /// A document whose scene holds these nodes; `#g` is a triangle.

@@ -1,4 +1,4 @@
-//! OBJ files with one oddity each, and what the reader must make of them: the table `obj.txt`. The expectations were written
+//! OBJ files with one oddity each, and the expected results: the table `obj.txt`. The expectations were written
 //! by hand: sizes, parts, triangles and every diagnostic, or the error.
 
 #![allow(clippy::unwrap_used, missing_docs)]
@@ -73,7 +73,7 @@ fn files() -> Vec<(String, Vec<u8>)> {
 }
 
 #[test]
-fn every_file_gives_what_is_expected() {
+fn every_file_has_its_expected_result() {
     assert_as_expected(cases(), |case| summary(&read(&case.bytes)));
 }
 
@@ -151,9 +151,9 @@ fn limits_are_kept() {
 
 /// A line without end is no reason to take memory without end.
 #[test]
-fn a_polygon_has_a_most_of_corners_and_is_an_error_where_it_stands() {
+fn polygons_beyond_the_limit_of_corners_are_errors_with_a_place() {
     const MOST: usize = 4_194_304;
-    let said = |face: &str, limits| {
+    let error = |face: &str, limits| {
         let text = format!("v 0 0 0\nv 1 0 0\nv 1 1 0\n{face}\n");
         obj::read(text.as_bytes(), &mut Libraries, &limits).unwrap_err().to_string()
     };
@@ -162,11 +162,11 @@ fn a_polygon_has_a_most_of_corners_and_is_an_error_where_it_stands() {
     for blank in [" ", "\t"] {
         let face = format!("f{}", format!("{blank}1").repeat(MOST + 1));
         let expected = format!("4:{}: f has more than 4194304 corners, which is the limit", at + 1);
-        assert_eq!(said(&face, Limits::default()), expected);
+        assert_eq!(error(&face, Limits::default()), expected);
     }
     let few = Limits { max_triangles: 3, ..Limits::default() };
     let rest = "f 1 2 3\n".repeat(1000);
-    assert_eq!(said(&format!("f 1 2 3 1 2 3\n{rest}"), few), "4: contains more than 3 triangles, which is the limit");
+    assert_eq!(error(&format!("f 1 2 3 1 2 3\n{rest}"), few), "4: contains more than 3 triangles, which is the limit");
 }
 
 #[test]

@@ -62,7 +62,7 @@ impl Sidecars for Library {
     }
 }
 
-fn told(model: &Model) -> Vec<String> {
+fn messages_of(model: &Model) -> Vec<String> {
     model.diagnostics.iter().map(ToString::to_string).collect()
 }
 
@@ -71,10 +71,10 @@ fn models_and_places_are_those_of_the_same_text_in_utf_8() {
     for (format, text) in ALL {
         let read = |bytes: &[u8], library: Vec<u8>| format.read(bytes, &mut Library(library), &Limits::default());
         let expected = read(text.as_bytes(), MTL.into()).unwrap();
-        assert!(!told(&expected).is_empty(), "{format:?} has nothing to tell");
+        assert!(!messages_of(&expected).is_empty(), "{format:?} has no messages");
         for (bytes, library) in encoded(text).into_iter().zip(encoded(MTL)) {
             let model = read(&bytes, library).unwrap();
-            assert_eq!(told(&model), told(&expected), "{format:?}");
+            assert_eq!(messages_of(&model), messages_of(&expected), "{format:?}");
             assert_eq!(format!("{:?}", model.mesh.parts), format!("{:?}", expected.mesh.parts));
             assert_eq!(format!("{:?}", model.materials), format!("{:?}", expected.materials));
             assert_eq!(
@@ -96,9 +96,9 @@ fn errors_are_those_of_the_same_text_in_utf_8() {
         let cut: String = text.chars().take(text.chars().count() * 7 / 10).collect();
         let read =
             |bytes: &[u8]| -> Result<Model, ReadError> { format.read(bytes, &mut NoSidecars, &Limits::default()) };
-        let expected = read(cut.as_bytes()).map(|model| told(&model)).map_err(|error| error.to_string());
+        let expected = read(cut.as_bytes()).map(|model| messages_of(&model)).map_err(|error| error.to_string());
         for bytes in encoded(&cut) {
-            let found = read(&bytes).map(|model| told(&model)).map_err(|error| error.to_string());
+            let found = read(&bytes).map(|model| messages_of(&model)).map_err(|error| error.to_string());
             assert_eq!(found, expected, "{format:?}");
         }
     }
@@ -106,12 +106,12 @@ fn errors_are_those_of_the_same_text_in_utf_8() {
 
 #[test]
 fn material_libraries_are_read_in_every_encoding() {
-    let (expected, said) = mtl::read(MTL.as_bytes());
-    assert_eq!((expected[0].name.as_str(), said.len()), ("ж", 1));
+    let (expected, messages) = mtl::read(MTL.as_bytes());
+    assert_eq!((expected[0].name.as_str(), messages.len()), ("ж", 1));
     for bytes in encoded(MTL) {
         let (materials, diagnostics) = mtl::read(&bytes);
         assert_eq!(format!("{materials:?}"), format!("{expected:?}"));
-        assert_eq!(diagnostics, said);
+        assert_eq!(diagnostics, messages);
         let explained = gonio_mesh::explain::mtl_line(&bytes, 4).unwrap();
         assert_eq!(explained.text, "map_Kd ж.png");
     }
@@ -125,9 +125,9 @@ fn damage_is_reported_with_its_place() {
         bytes.extend(b"\n\0 \0x");
         let line = text.matches('\n').count() + 2;
         let Ok(model) = format.read(&bytes, &mut Library(MTL.into()), &Limits::default()) else { continue };
-        let said = &told(&model)[0];
+        let message = &messages_of(&model)[0];
         let what = "warning: 1 invalid code unit of UTF-16 (little-endian), replaced by U+FFFD: the file is damaged";
-        assert_eq!(*said, format!("{line}:2: {what}"), "{format:?}");
+        assert_eq!(*message, format!("{line}:2: {what}"), "{format:?}");
     }
 }
 
@@ -161,7 +161,7 @@ fn is_always(format: Format, text: &str) {
 }
 
 #[test]
-fn gltf_says_what_it_is_anywhere() {
+fn gltf_is_detected_by_keys_in_any_order() {
     let buffers = format!(r#""buffers": [{{"byteLength": 1, "uri": "data:,{}"}}]"#, "A".repeat(LONG));
     let nodes = format!(r#""nodes": [{}{{}}]"#, r#"{"name": "\"}", "translation": [1, 2, 3]}, "#.repeat(3_000));
     is_always(Format::Gltf, r#"{"asset":{"version":"2.0"}}"#);
@@ -188,7 +188,7 @@ fn json_that_is_not_gltf_is_read_as_gltf_by_its_name_only() {
 }
 
 #[test]
-fn collada_stands_behind_any_prolog() {
+fn collada_is_detected_after_any_prolog() {
     let comment = format!("<!-- {} -->", "<html> ".repeat(LONG / 7));
     is_always(Format::Collada, "<COLLADA version=\"1.4.1\"/>");
     is_always(Format::Collada, &format!("<?xml version=\"1.0\"?>\n{comment}<c:COLLADA>"));
@@ -219,7 +219,7 @@ fn comments_of_any_length_may_stand_first() {
 }
 
 #[test]
-fn the_name_decides_about_text_that_says_nothing() {
+fn the_name_decides_about_ambiguous_text() {
     let texts = ["hello\n", "# nothing\n", "plywood\n", "solid gold\n", "# v 1 2 3"];
     let names = [
         ("a.obj", Format::Obj),
@@ -240,7 +240,7 @@ fn the_name_decides_about_text_that_says_nothing() {
 
 /// The 80 bytes before a binary STL may be anything, text in UTF-16 too.
 #[test]
-fn the_header_of_a_binary_stl_is_no_text() {
+fn the_header_of_a_binary_stl_is_not_read_as_text() {
     for text in ["solid a facet", "v 1 2 3", "\u{feff}v 1 2 3", "{\"asset\":1}", "<COLLADA>"] {
         let mut stl: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
         stl.resize(80, 0);
@@ -267,7 +267,7 @@ fn unpack(bytes: &[u8]) -> Result<Option<Vec<u8>>, String> {
 }
 
 #[test]
-fn what_is_not_compressed_is_left_alone() {
+fn uncompressed_files_are_unchanged() {
     for bytes in [&b""[..], b"v 0 0 0\n", b"\x1F", b"(\xB5/", b"PL*M\x18"] {
         assert!(!compression::is_compressed(bytes));
         assert_eq!(unpack(bytes), Ok(None));
@@ -275,7 +275,7 @@ fn what_is_not_compressed_is_left_alone() {
 }
 
 #[test]
-fn both_methods_give_what_was_packed() {
+fn both_methods_unpack_the_original() {
     for name in ["triangle.obj.gz", "triangle.obj.zst"] {
         let bytes = packed(name);
         assert!(compression::is_compressed(&bytes[..4]), "{name}");
@@ -371,7 +371,7 @@ fn zeros(blocks: usize, window: u8) -> Vec<u8> {
 }
 
 #[test]
-fn what_no_model_can_shrink_to_is_not_unpacked() {
+fn impossible_compression_ratios_are_refused() {
     const WINDOW_8_MIB: u8 = 13 << 3;
     let enough = Limits { max_bytes: u64::MAX, ..Limits::default() };
     let whole = compression::unpack(&zeros(8, WINDOW_8_MIB), &enough).unwrap().unwrap();

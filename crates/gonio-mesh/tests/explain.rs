@@ -1,4 +1,4 @@
-//! One line in words: what is said of each kind of statement, written by hand; and that it agrees with the readers.
+//! Explanations of each kind of statement, written by hand, and their agreement with the readers.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -37,8 +37,8 @@ fn of(number: u64) -> LineExplanation {
     line(FILE.as_bytes(), number).unwrap()
 }
 
-/// What is said, and what is wrong, of the first statement of a text.
-fn said(text: &str) -> (String, Vec<String>) {
+/// The explanation and the problems of the first statement of a text.
+fn first_statement(text: &str) -> (String, Vec<String>) {
     let explanation = line(text.as_bytes(), 1).unwrap();
     (explanation.meaning, explanation.problems.iter().map(ToString::to_string).collect())
 }
@@ -100,7 +100,7 @@ fn details_and_problems() {
 }
 
 #[test]
-fn what_holds_on_a_line() {
+fn settings_in_force_on_a_line() {
     let holds = |number: u64| {
         let explanation = of(number);
         explanation.in_force.iter().map(|f| format!("{} {} {}", f.what, f.name, f.line)).collect::<Vec<_>>()
@@ -133,7 +133,7 @@ fn the_same_in_numbers() {
 }
 
 #[test]
-fn what_is_odd_is_said() {
+fn oddities_are_explained() {
     let cases = [
         (
             "v 1 2",
@@ -203,7 +203,7 @@ fn what_is_odd_is_said() {
         ("mtllib", "a material library without a name", "1: warning: mtllib names no material library"),
     ];
     for (text, meaning, problem) in cases {
-        let (found, problems) = said(text);
+        let (found, problems) = first_statement(text);
         assert_eq!((found.as_str(), problems.first().map(String::as_str)), (meaning, Some(problem)), "{text}");
     }
 }
@@ -220,12 +220,12 @@ fn polygons_are_cut_as_the_reader_cuts_them() {
     assert_eq!(sorted, [[1, 2, 4], [2, 3, 4]]);
     let list = triangles.iter().map(|[a, b, c]| format!("({a} {b} {c})")).collect::<Vec<_>>().join(", ");
     assert_eq!(arrow.meaning, format!("face 1 of this file, with 4 corners, is cut into 2 triangles: {list}"));
-    let (twice, problems) = said(&format!("f 1 2 3 3{points}"));
+    let (twice, problems) = first_statement(&format!("f 1 2 3 3{points}"));
     assert_eq!(twice, "face 1 of this file, with 4 corners, makes one triangle: (1 2 3)");
     assert_eq!(problems, ["1:9: note: a corner repeats the one before it: it counts once"]);
-    let (_, problems) = said("f 1 2 3 4\nv 0 0 0\nv 3 3 0\nv 3 0 0\nv 0 1 0\n");
+    let (_, problems) = first_statement("f 1 2 3 4\nv 0 0 0\nv 3 3 0\nv 3 0 0\nv 0 1 0\n");
     assert_eq!(problems, ["1: warning: the polygon crosses or touches itself: its triangles are guessed"]);
-    let (_, problems) = said("f 1 2 3\nv 0 0 0\nv 1 x 0\nv 1 0 0\n");
+    let (_, problems) = first_statement("f 1 2 3\nv 0 0 0\nv 1 x 0\nv 1 0 0\n");
     let unreadable = "1: warning: the numbers of one of its vertices cannot be read: no triangle can be made";
     assert_eq!(problems, [unreadable]);
 }
@@ -333,7 +333,7 @@ fn files(table: &str, extension: &str) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// What the reader finds wrong at a place, the explanation of that line says in the same words at the same place; and
+/// The explanation of a line has the problems that the reader reports there, with the same words and places; and
 /// it finds no other fault in a corner or a number.
 #[test]
 fn the_reader_and_the_explanation_agree() {

@@ -1,4 +1,4 @@
-//! Medit: small texts with what they must give beside them, and binary files made here number by number.
+//! Medit: small texts with their expected results, and binary files made here number by number.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -18,7 +18,7 @@ fn texts() -> Vec<(String, Vec<u8>)> {
 }
 
 #[test]
-fn every_file_gives_what_is_expected() {
+fn every_file_has_its_expected_result() {
     assert_as_expected(cases("medit.txt", "mesh", 41), |case| summary::summary(&read(&case.bytes)));
 }
 
@@ -169,17 +169,17 @@ fn all_versions_and_byte_orders_are_alike() {
     for version in 1..=4 {
         for big_endian in [false, true] {
             let found = summary::summary(&read(&square(version, big_endian)));
-            let (mesh, said): (Vec<&str>, Vec<&str>) = found.lines().partition(|line| !line.contains("byte"));
+            let (mesh, messages): (Vec<&str>, Vec<&str>) = found.lines().partition(|line| !line.contains("byte"));
             assert_eq!(mesh.join("\n") + "\n", expected, "version {version}, {big_endian}");
-            assert_eq!(said.len(), 2, "{said:?}");
+            assert_eq!(messages.len(), 2, "{messages:?}");
         }
     }
     // Header 8; Dimension 8 + 4; Vertices 8 + 4 + 4 * 16: Edges begin at byte 97 of version 1, from 1.
     let model = read(&square(1, true)).unwrap();
-    let said: Vec<String> = model.diagnostics.iter().map(ToString::to_string).collect();
+    let messages: Vec<String> = model.diagnostics.iter().map(ToString::to_string).collect();
     // ... and 8 + 4 + 12; Triangles 8 + 4 + 32; Normals 8 + 4 + 12; NormalAtVertices 8 + 4 + 16.
     let expected = ["warning: unknown keyword 999: skipped (at byte 217)", "note: Edges are not drawn (at byte 97)"];
-    assert_eq!(said, expected);
+    assert_eq!(messages, expected);
 }
 
 #[test]
@@ -202,9 +202,9 @@ fn sections_may_come_in_any_order_and_end_without_end() {
     writer.dimension(3);
     let model = read(&writer.bytes).unwrap();
     assert_eq!(model.mesh.indices, [0, 1, 2]);
-    let said =
+    let expected =
         format!("warning: there is no End at the end: is the file cut off? (at byte {})", writer.bytes.len() + 1);
-    assert_eq!(model.diagnostics.iter().map(ToString::to_string).collect::<Vec<_>>(), [said]);
+    assert_eq!(model.diagnostics.iter().map(ToString::to_string).collect::<Vec<_>>(), [expected]);
 }
 
 #[test]
@@ -293,8 +293,8 @@ fn too_many_references_are_one_part() {
     let bytes = writer.end();
     let model = read(&bytes).unwrap();
     assert_eq!((model.mesh.parts.len(), model.materials.len(), model.mesh.triangle_count()), (1, 1, 1025));
-    let said = "warning: there are 1025 different references, more than 1024: merged into one part";
-    assert_eq!(model.diagnostics[0].to_string(), said);
+    let expected = "warning: there are 1025 different references, more than 1024: merged into one part";
+    assert_eq!(model.diagnostics[0].to_string(), expected);
 }
 
 #[test]

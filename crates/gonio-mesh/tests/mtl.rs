@@ -1,4 +1,4 @@
-//! Material libraries: what each statement gives, what is taken where one is absent, and what is said about it.
+//! Material libraries: the result of each statement, the values for absent ones, and the messages.
 //!
 //! Material libraries with one statement or oddity each, and what the reader must make of them: the table `mtl.txt`. The
 //! expectations were written by hand: each value, the line that it came from and by which rule, what is not used, and every
@@ -18,7 +18,7 @@ fn read(text: &str) -> (Vec<Material>, Vec<String>) {
     (materials, diagnostics.iter().map(ToString::to_string).collect())
 }
 
-/// The only material, of which nothing odd is said.
+/// The only material, read without a message.
 fn quiet(statements: &str) -> Material {
     let (mut materials, diagnostics) = read(&format!("newmtl m\n{statements}"));
     assert_eq!((materials.len(), diagnostics.as_slice()), (1, &[] as &[String]), "{statements}");
@@ -31,7 +31,7 @@ fn without_sources(material: Material) -> Material {
     Material { sources: Vec::new(), unused: Vec::new(), ..material }
 }
 
-/// The only material, and what is said.
+/// The only material, and the messages.
 fn odd(statements: &str) -> (Material, Vec<String>) {
     let (mut materials, diagnostics) = read(&format!("newmtl m\n{statements}"));
     assert_eq!(materials.len(), 1);
@@ -58,7 +58,7 @@ fn every_number_arrives() {
 }
 
 #[test]
-fn what_is_absent_is_documented() {
+fn defaults_are_documented() {
     let material = quiet("");
     assert_eq!((material.ambient, material.diffuse), (AmbientRule::FollowsDiffuse, [0.8; 3]));
     assert_eq!((material.specular, material.emitted, material.shininess), ([0.0; 3], [0.0; 3], 32.0));
@@ -69,7 +69,7 @@ fn what_is_absent_is_documented() {
 }
 
 #[test]
-fn ambient_follows_diffuse_where_blender_says_nothing() {
+fn ambient_follows_diffuse_in_files_of_blender() {
     assert_eq!(quiet("Ka 1 1 1\nKd 1 0 0\n").ambient, AmbientRule::FollowsDiffuse);
     assert_eq!(quiet("Ka 0 0 0\n").ambient, AmbientRule::Value([0.0; 3]));
     assert_eq!(quiet("Ka 0.5\n").ambient, AmbientRule::Value([0.5; 3]));
@@ -77,12 +77,12 @@ fn ambient_follows_diffuse_where_blender_says_nothing() {
 
 #[test]
 fn black_beside_a_map_is_white() {
-    let (material, said) = odd("Kd 0 0 0\nmap_Kd a.png\nKs 0 0 0\nmap_Ks b.png\nKe 0 0 0\nmap_Ke c.png\n");
+    let (material, messages) = odd("Kd 0 0 0\nmap_Kd a.png\nKs 0 0 0\nmap_Ks b.png\nKe 0 0 0\nmap_Ke c.png\n");
     assert_eq!((material.diffuse, material.specular, material.emitted), ([1.0; 3], [1.0; 3], [1.0; 3]));
     let expected = ["2:1: note: Kd", "4:1: note: Ks", "6:1: note: Ke"];
-    assert_eq!(said.len(), 3);
-    for (said, (start, map)) in said.iter().zip(expected.iter().zip(["map_Kd", "map_Ks", "map_Ke"])) {
-        assert_eq!(*said, format!("{start} of \"m\" is black beside {map}: treated as 1 1 1"));
+    assert_eq!(messages.len(), 3);
+    for (message, (start, map)) in messages.iter().zip(expected.iter().zip(["map_Kd", "map_Ks", "map_Ke"])) {
+        assert_eq!(*message, format!("{start} of \"m\" is black beside {map}: treated as 1 1 1"));
     }
     assert_eq!(quiet("Kd 0 0 0\n").diffuse, [0.0; 3]);
 }
@@ -90,23 +90,23 @@ fn black_beside_a_map_is_white() {
 #[test]
 fn illumination_models_without_highlight() {
     for model in [0, 1] {
-        let (material, said) = odd(&format!("Ks 1 1 1\nmap_Ks s.png\nillum {model}\n"));
+        let (material, messages) = odd(&format!("Ks 1 1 1\nmap_Ks s.png\nillum {model}\n"));
         assert_eq!((material.specular, material.specular_map), ([0.0; 3], None));
-        let said = said.last().unwrap();
-        assert_eq!(*said, format!("4:1: note: the material \"m\" has illum {model}, which switches its Ks off"));
+        let message = messages.last().unwrap();
+        assert_eq!(*message, format!("4:1: note: the material \"m\" has illum {model}, which switches its Ks off"));
     }
     assert_eq!(quiet("Ks 1 1 1\nillum 2\n").specular, [1.0; 3]);
-    let (material, said) = odd("illum 11\n");
+    let (material, messages) = odd("illum 11\n");
     assert_eq!(material.illumination_model, None);
-    assert_eq!(said, ["2:7: warning: illum 11 is not an illumination model (0 to 10): it is ignored"]);
+    assert_eq!(messages, ["2:7: warning: illum 11 is not an illumination model (0 to 10): it is ignored"]);
 }
 
 #[test]
 fn shininess_is_at_least_one() {
     assert_eq!(quiet("Ns 0\nKs 0 0 0\n").shininess, 1.0);
-    let (material, said) = odd("Ns 0\nKs 1 1 1\n");
+    let (material, messages) = odd("Ns 0\nKs 1 1 1\n");
     assert_eq!(material.shininess, 1.0);
-    assert_eq!(said, ["2:1: note: the material \"m\" has Ns 0: using 1, the minimum"]);
+    assert_eq!(messages, ["2:1: note: the material \"m\" has Ns 0: using 1, the minimum"]);
 }
 
 #[test]
@@ -115,17 +115,20 @@ fn opacity_from_d_and_tr() {
     assert_eq!(quiet("d 0.75\nTr 0.25\n").opacity, 0.75);
     assert_eq!(quiet("d 3\n").opacity, 1.0);
     for order in ["d 0.75\nTr 0.5\n", "Tr 0.5\nd 0.75\n"] {
-        let (material, said) = odd(order);
-        assert_eq!((material.opacity, said.len()), (0.75, 1));
-        assert!(said[0].ends_with("note: d (0.75) and Tr (0.5) of \"m\" contradict each other: using d"), "{said:?}");
+        let (material, messages) = odd(order);
+        assert_eq!((material.opacity, messages.len()), (0.75, 1));
+        assert!(
+            messages[0].ends_with("note: d (0.75) and Tr (0.5) of \"m\" contradict each other: using d"),
+            "{messages:?}"
+        );
     }
-    let (material, said) = odd("Tr 1\n");
+    let (material, messages) = odd("Tr 1\n");
     assert_eq!(
-        (material.opacity, said),
+        (material.opacity, messages),
         (0.0, vec!["2: note: the material \"m\" is invisible (d 0 or Tr 1)".to_owned()])
     );
-    let (material, said) = odd("d -halo 0.5\n");
-    assert_eq!((material.opacity, said.len()), (0.5, 1));
+    let (material, messages) = odd("d -halo 0.5\n");
+    assert_eq!((material.opacity, messages.len()), (0.5, 1));
 }
 
 #[test]
@@ -143,8 +146,8 @@ fn numbers_that_are_no_use_leave_the_default() {
         ),
     ];
     for (statement, expected) in cases {
-        let (material, said) = odd(statement);
-        assert_eq!((material.diffuse, said.as_slice()), ([0.8; 3], &[expected.to_owned()][..]), "{statement}");
+        let (material, messages) = odd(statement);
+        assert_eq!((material.diffuse, messages.as_slice()), ([0.8; 3], &[expected.to_owned()][..]), "{statement}");
     }
     assert_eq!(quiet("Ni 0\n").refraction_index, 1.5);
     assert!(quiet("Kd -0 0 0\n").diffuse[0].is_sign_positive());
@@ -200,51 +203,51 @@ fn options_of_maps() {
     let last = map("my bumps.jpg -bm 1.5 -s 2 2");
     assert_eq!((last.path.as_str(), last.bump_multiplier, last.scale), ("my bumps.jpg", 1.5, [2.0, 2.0]));
 
-    let (material, said) = odd("map_Kd -t 0.1 0.9 a.png\n");
+    let (material, messages) = odd("map_Kd -t 0.1 0.9 a.png\n");
     assert_eq!(material.diffuse_map.unwrap().path, "a.png");
-    assert_eq!(said, ["2:8: note: the texture option -t (once) is not supported"]);
-    let (material, said) = odd("map_Kd -type sphere a.png\n");
-    assert_eq!((material.diffuse_map.unwrap().path.as_str(), said.len()), ("a.png", 1));
-    let (material, said) = odd("map_Kd -fancy a.png\n");
+    assert_eq!(messages, ["2:8: note: the texture option -t (once) is not supported"]);
+    let (material, messages) = odd("map_Kd -type sphere a.png\n");
+    assert_eq!((material.diffuse_map.unwrap().path.as_str(), messages.len()), ("a.png", 1));
+    let (material, messages) = odd("map_Kd -fancy a.png\n");
     assert_eq!(material.diffuse_map.unwrap().path, "a.png");
-    assert_eq!(said, ["2:8: warning: map_Kd has the unknown option \"-fancy\": it is skipped"]);
-    let (material, said) = odd("map_Kd -clamp on\n");
+    assert_eq!(messages, ["2:8: warning: map_Kd has the unknown option \"-fancy\": it is skipped"]);
+    let (material, messages) = odd("map_Kd -clamp on\n");
     assert_eq!(material.diffuse_map, None);
-    assert_eq!(said, ["2:17: warning: map_Kd names no file: it is ignored"]);
+    assert_eq!(messages, ["2:17: warning: map_Kd names no file: it is ignored"]);
 }
 
 #[test]
 fn several_materials_and_names() {
-    let (materials, said) =
+    let (materials, messages) =
         read("\u{feff}newmtl  first one \r\nKd 1 0 0\r\n\r\n\tnewmtl second # two\r\n\tKd 0 \\\r\n 1 0");
     assert_eq!(materials.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["first one", "second"]);
     assert_eq!((materials[0].diffuse, materials[1].diffuse), ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
-    assert!(said.is_empty(), "{said:?}");
+    assert!(messages.is_empty(), "{messages:?}");
 }
 
 #[test]
 fn the_last_of_two_counts() {
-    let (materials, said) = read("newmtl a\nKd 1 0 0\nnewmtl b\nnewmtl a\nKd 0 0 1\n");
+    let (materials, messages) = read("newmtl a\nKd 1 0 0\nnewmtl b\nnewmtl a\nKd 0 0 1\n");
     assert_eq!(materials.iter().map(|m| m.name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
     assert_eq!(materials[0].diffuse, [0.0, 0.0, 1.0]);
-    assert_eq!(said, ["4: warning: the material \"a\" is already defined on line 1: using this one"]);
+    assert_eq!(messages, ["4: warning: the material \"a\" is already defined on line 1: using this one"]);
 }
 
 #[test]
-fn what_is_not_used_is_reported_once() {
-    let (_, said) = odd("Ps 0.5\nPc 1\nmap_Ps velvet.png\nTf 0 1 1\nPs 0.4\n");
-    assert_eq!(said, ["3: note: 4 statements without a term in the light equation: Pc, map_Ps, Tf, Ps"]);
-    let (_, said) = odd("shiny yes\n");
-    assert_eq!(said, ["2:1: warning: unknown material statement \"shiny\""]);
+fn unused_statements_are_reported_once() {
+    let (_, messages) = odd("Ps 0.5\nPc 1\nmap_Ps velvet.png\nTf 0 1 1\nPs 0.4\n");
+    assert_eq!(messages, ["3: note: 4 statements without a term in the light equation: Pc, map_Ps, Tf, Ps"]);
+    let (_, messages) = odd("shiny yes\n");
+    assert_eq!(messages, ["2:1: warning: unknown material statement \"shiny\""]);
 }
 
 #[test]
 fn a_library_without_materials() {
     assert_eq!(read("# Blender\n").1, ["note: contains no material (newmtl)"]);
     assert_eq!(read("").1, ["note: the material library is empty"]);
-    let (materials, said) = read("Kd 1 1 1\nKs 1 1 1\n");
+    let (materials, messages) = read("Kd 1 1 1\nKs 1 1 1\n");
     assert_eq!(
-        (materials.len(), said),
+        (materials.len(), messages),
         (0, vec!["1:1: warning: \"Kd\" before the first newmtl is ignored".to_owned()])
     );
 }
@@ -261,10 +264,10 @@ fn an_exponent_that_gives_the_roughness_stays_as_written() {
 #[test]
 fn no_number_of_materials_fills_the_memory() {
     let text: String = (0..70_000).map(|i| format!("newmtl {i}\n")).collect();
-    let (materials, said) = read(&text);
-    assert_eq!((materials.len(), said.len()), (65_536, 21));
-    assert_eq!(said[0], "65537: warning: the library has more than 65536 materials: this one is ignored");
-    assert_eq!(said[20], "warning: and 4444 more: materials beyond the limit");
+    let (materials, messages) = read(&text);
+    assert_eq!((materials.len(), messages.len()), (65_536, 21));
+    assert_eq!(messages[0], "65537: warning: the library has more than 65536 materials: this one is ignored");
+    assert_eq!(messages[20], "warning: and 4444 more: materials beyond the limit");
 }
 
 #[test]
@@ -394,7 +397,7 @@ fn summary(name: &str, bytes: &[u8]) -> String {
 }
 
 #[test]
-fn every_file_gives_what_is_expected() {
+fn every_file_has_its_expected_result() {
     assert_as_expected(cases(), |case| summary(&case.name, &case.bytes));
 }
 

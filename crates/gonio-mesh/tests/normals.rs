@@ -1,4 +1,4 @@
-//! Normals against what geometry says they are.
+//! Normals of shapes whose normals are known.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -182,7 +182,7 @@ fn the_two_sides_of_a_leaf_keep_their_own() {
 }
 
 #[test]
-fn complete_gives_only_what_lacks() {
+fn complete_adds_only_missing_normals() {
     let with_all = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 1 0 0\nf 1//1 2//1 3//1\n");
     let (same, diagnostics) = complete(with_all.clone());
     assert_eq!((same, diagnostics.len()), (with_all, 0));

@@ -1,4 +1,4 @@
-//! PLY: small files, written by hand from the format's definition, each with what must come of it.
+//! PLY: small files, written by hand from the definition of the format, each with its expected result.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -8,14 +8,14 @@ fn read(bytes: &[u8]) -> Result<Model, String> {
     ply::read(bytes, &mut NoSidecars, &Limits::default()).map_err(|error| error.to_string())
 }
 
-/// What is read, of which nothing odd is said.
+/// A model that must be read without a message.
 fn quiet(bytes: &[u8]) -> Model {
     let model = read(bytes).unwrap();
-    assert_eq!(said(&model), [""; 0]);
+    assert_eq!(messages_of(&model), [""; 0]);
     model
 }
 
-fn said(model: &Model) -> Vec<String> {
+fn messages_of(model: &Model) -> Vec<String> {
     model.diagnostics.iter().map(ToString::to_string).collect()
 }
 
@@ -23,7 +23,7 @@ fn error(bytes: &[u8]) -> String {
     read(bytes).map(|model| panic!("was read: {model:?}")).unwrap_err()
 }
 
-/// Of each triangle the corners' positions.
+/// The positions of the corners of each triangle.
 fn triangles(mesh: &Mesh) -> Vec<[[f32; 3]; 3]> {
     (0..mesh.triangle_count()).map(|t| mesh.triangle_positions(t).map(Into::into)).collect()
 }
@@ -85,7 +85,7 @@ fn a_square_in_every_encoding() {
         for end in ["\n", "\r\n", "\r"] {
             let model = read(&binary_square(is_big_endian, end)).unwrap();
             assert_eq!(triangles(&model.mesh), expected, "{is_big_endian} {end:?}");
-            assert_eq!(said(&model), ["note: skipped: vertex.skipped, vertex.weight"]);
+            assert_eq!(messages_of(&model), ["note: skipped: vertex.skipped, vertex.weight"]);
             assert!(model.contents.contains(&("vertex.weight (skipped)".to_owned(), 4)));
         }
     }
@@ -140,7 +140,7 @@ fn elements_and_properties_in_any_order() {
                 property float z\nproperty float nx\nproperty float x\nproperty float y\nproperty float ny\nend_header\n\
                 0.5 3 0 1 2\n0 1\n1 2\n1 0 0 0 0 0\n2 0 0 1 0 0\n0 0 0 0 1 5\n";
     let model = read(text.as_bytes()).unwrap();
-    assert_eq!(said(&model), ["note: skipped: face.quality, edge"]);
+    assert_eq!(messages_of(&model), ["note: skipped: face.quality, edge"]);
     assert_eq!(model.mesh.positions, [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     assert_eq!(model.mesh.normals, [[0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]);
     assert_eq!(model.mesh.normal_source, NormalSource::File);
@@ -157,7 +157,7 @@ fn texture_coordinates_by_three_pairs_of_names() {
         assert_eq!(model.mesh.tex_coords, [[0.0, 0.0], [1.0, 0.0], [1.0, 0.75], [0.0, 0.0]]);
         let expected = "15: warning: 1 vertex has texture coordinates that are not finite (the first is vertex 3): \
                         using (0, 0)";
-        assert_eq!(said(&model), [expected]);
+        assert_eq!(messages_of(&model), [expected]);
     }
 }
 
@@ -182,19 +182,19 @@ fn colors_of_vertices_are_srgb() {
     };
     let model = of_floats("0.5");
     assert!(close(model.mesh.colors[0], [0.214_041_14, 0.0, 1.0, 1.0]), "{:?}", model.mesh.colors);
-    assert_eq!(said(&model), [""; 0]);
+    assert_eq!(messages_of(&model), [""; 0]);
     let model = of_floats("188");
-    assert_eq!(said(&model), ["note: vertex colors reach 188: treated as 0 to 255"]);
+    assert_eq!(messages_of(&model), ["note: vertex colors reach 188: treated as 0 to 255"]);
     assert!((model.mesh.colors[0][0] - 0.502_886_5).abs() < 1e-6);
     let expected = "warning: 1 vertex has a color outside 0 to 1 (the first is vertex 0): clamped";
     for red in ["-0.5", "1e6"] {
-        assert_eq!(said(&of_floats(red)), [expected], "{red}");
+        assert_eq!(messages_of(&of_floats(red)), [expected], "{red}");
     }
 }
 
-/// A picture can do without colours, normals and texture coordinates: what is not finite is named as what it is.
+/// Colours, normals and texture coordinates are optional, so values that are not finite are replaced with a warning.
 #[test]
-fn numbers_that_are_not_finite_are_named_as_what_they_are() {
+fn numbers_that_are_not_finite_are_reported_by_kind() {
     for number in ["nan", "-inf", "1e99"] {
         let vertices = |properties: &str, first: &str, others: &str| {
             let header: String = properties.split(' ').map(|name| format!("property float {name}\n")).collect();
@@ -204,19 +204,19 @@ fn numbers_that_are_not_finite_are_named_as_what_they_are() {
         let line = 13;
         let model = vertices("red green blue", &format!("1 {number} 0"), "0 0 1");
         let what = "1 vertex has a color that is not finite (the first is vertex 0): using 0 instead";
-        assert_eq!(said(&model), [format!("{line}: warning: {what}")]);
+        assert_eq!(messages_of(&model), [format!("{line}: warning: {what}")]);
         assert_eq!(model.mesh.colors[..2], [[1.0, 0.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0]]);
         let model = vertices("nx ny nz", &format!("0 0 {number}"), "0 0 2");
         let what = "1 vertex has a normal that is not finite (the first is vertex 0): ignored";
-        assert_eq!(said(&model), [format!("{line}: warning: {what}")]);
+        assert_eq!(messages_of(&model), [format!("{line}: warning: {what}")]);
         assert_eq!(model.mesh.normals[..2], [[0.0; 3], [0.0, 0.0, 1.0]]);
         let faces =
             "property list uchar int vertex_indices\nproperty float red\nproperty float green\nproperty float blue\n";
         let lines = format!("0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 {number} 1 0\n");
         let model = read(square("", faces, &lines).as_bytes()).unwrap();
         let what = "1 face has a color that is not finite (the first is face 0): using 0 instead";
-        assert_eq!(said(&model).len(), 1);
-        assert!(said(&model)[0].ends_with(what), "{:?}", said(&model));
+        assert_eq!(messages_of(&model).len(), 1);
+        assert!(messages_of(&model)[0].ends_with(what), "{:?}", messages_of(&model));
         assert_eq!(model.mesh.colors[0], [0.0, 1.0, 0.0, 1.0]);
     }
 }
@@ -252,10 +252,10 @@ fn wedges_and_textures() {
         "warning: 1 face has a texnumber without a comment TextureFile (the first is face 0): using the first \
          texture",
     ];
-    assert_eq!(said(&read(odd.as_bytes()).unwrap()), expected);
+    assert_eq!(messages_of(&read(odd.as_bytes()).unwrap()), expected);
     let without = ascii_square().replace("element vertex", "comment TextureFile a.png\nelement vertex");
     let expected = "3: warning: the file names a texture, but it has no texture coordinates";
-    assert_eq!(said(&read(without.as_bytes()).unwrap()), [expected]);
+    assert_eq!(messages_of(&read(without.as_bytes()).unwrap()), [expected]);
 }
 
 #[test]
@@ -282,7 +282,7 @@ fn strips_of_triangles() {
         "15: warning: 1 polygon points at missing vertices (the first is strip 0 at vertex 9 of 5): left out",
         "note: 1 vertex is unused: left out",
     ];
-    assert_eq!(said(&astray), expected);
+    assert_eq!(messages_of(&astray), expected);
 }
 
 #[test]
@@ -291,7 +291,7 @@ fn polygons_are_cut_and_vertices_without_triangles_left_out() {
                 element face 1\nproperty list uchar int vertex_indices\nend_header\n\
                 9 9 9\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n6 1 2 3 4 5 6\n";
     let model = read(text.as_bytes()).unwrap();
-    assert_eq!(said(&model), ["note: 1 vertex is unused: left out"]);
+    assert_eq!(messages_of(&model), ["note: 1 vertex is unused: left out"]);
     assert_eq!((model.mesh.positions.len(), model.mesh.triangle_count()), (6, 4));
     assert_eq!(model.mesh.positions[0], [0.0; 3]);
     // The L has an area of 3, whichever way it is cut, if no triangles overlap and none is turned over.
@@ -300,7 +300,7 @@ fn polygons_are_cut_and_vertices_without_triangles_left_out() {
     assert!(areas.iter().all(|a| *a > 0.0) && areas.iter().sum::<f32>() == 3.0, "{areas:?}");
 }
 
-/// What a reader gives must do for normals and topology.
+/// Models of the reader are complete enough for normals and topology.
 #[test]
 fn a_tetrahedron_is_closed_and_gets_normals() {
     let text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
@@ -314,7 +314,7 @@ fn a_tetrahedron_is_closed_and_gets_normals() {
 }
 
 #[test]
-fn what_is_odd_is_survived_and_reported() {
+fn oddities_are_survived_and_reported() {
     let face = |line: &str| format!("{HEAD}{FACE}{SQUARE}{line}\n");
     let two_faces = |lines: &str| face(lines).replace("face 1", "face 2");
     let cases: &[(String, &[&str])] = &[
@@ -367,17 +367,17 @@ fn what_is_odd_is_survived_and_reported() {
     ];
     for (text, expected) in cases {
         let model = read(text.as_bytes()).unwrap_or_else(|e| panic!("{text}\n{e}"));
-        assert_eq!(said(&model), *expected, "{text}");
+        assert_eq!(messages_of(&model), *expected, "{text}");
     }
     let mut bytes = binary_square(false, "\n");
     let end = bytes.len();
     bytes.extend(b"abc");
     let expected = format!("warning: 3 bytes after the last element (from byte {end}) are ignored");
-    assert_eq!(said(&read(&bytes).unwrap())[0], expected);
+    assert_eq!(messages_of(&read(&bytes).unwrap())[0], expected);
 }
 
 #[test]
-fn errors_say_what_and_where() {
+fn errors_name_the_problem_and_its_place() {
     let text = ascii_square();
     let with = |old: &str, new: &str| {
         assert!(text.contains(old), "{old}");
@@ -457,8 +457,8 @@ fn limits_are_honoured() {
     assert_eq!(with(few_triangles).unwrap_err(), "contains more than 1 triangles, which is the limit");
     // Before it is read.
     let polygon = ascii_square().replace("list uchar", "list uint").replace("\n4 0 1 2 3", "\n4194305 0 1 2 3");
-    let said = ply::read(polygon.as_bytes(), &mut NoSidecars, &limits).unwrap_err().to_string();
-    assert!(said.ends_with(": face 0 has more than 4194304 corners, which is the limit"), "{said}");
+    let message = ply::read(polygon.as_bytes(), &mut NoSidecars, &limits).unwrap_err().to_string();
+    assert!(message.ends_with(": face 0 has more than 4194304 corners, which is the limit"), "{message}");
 }
 
 fn check_consistent(model: &Model) {

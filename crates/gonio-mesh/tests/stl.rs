@@ -1,4 +1,4 @@
-//! STL: small files, written by hand from the format's definition, each with what must come of it.
+//! STL: small files, written by hand from the definition of the format, each with its expected result.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -8,14 +8,14 @@ fn read(bytes: &[u8]) -> Result<Model, String> {
     stl::read(bytes, &mut NoSidecars, &Limits::default()).map_err(|error| error.to_string())
 }
 
-fn said(model: &Model) -> Vec<String> {
+fn messages_of(model: &Model) -> Vec<String> {
     model.diagnostics.iter().map(ToString::to_string).collect()
 }
 
-/// What is read, of which nothing odd is said.
+/// A model that must be read without a message.
 fn quiet(bytes: &[u8]) -> Model {
     let model = read(bytes).unwrap();
-    assert_eq!(said(&model), [""; 0]);
+    assert_eq!(messages_of(&model), [""; 0]);
     model
 }
 
@@ -100,7 +100,7 @@ fn a_tetrahedron_is_the_same_in_both_forms() {
 
 /// Neighbours are found by position, though every corner of a tetrahedron has three normals.
 #[test]
-fn what_is_flat_can_be_averaged_and_is_closed() {
+fn flat_triangles_can_be_averaged_and_are_closed() {
     let mesh = quiet(&binary_tetrahedron(b"")).mesh;
     assert_eq!(mesh.positions.len(), 12);
     assert!(topology::is_closed_outward(&mesh));
@@ -161,7 +161,7 @@ fn text_in_many_manners() {
 fn normals_are_held_against_the_winding() {
     let read_normal = |text: &str| {
         let model = read(one_facet(text).as_bytes()).unwrap();
-        (model.mesh.normals[0], model.mesh.normal_source, said(&model))
+        (model.mesh.normals[0], model.mesh.normal_source, messages_of(&model))
     };
     let file = |normal: [f32; 3]| (normal, NormalSource::File, vec![]);
     let computed = |message: &str| (Z, NormalSource::Flat, vec![message.to_owned()]);
@@ -189,7 +189,7 @@ fn normals_are_held_against_the_winding() {
     }
     let thin = one_facet("0 0 0").replace("vertex 0 1 0", "vertex 2 0 0");
     let model = read(thin.as_bytes()).unwrap();
-    assert_eq!(said(&model), ["warning: 1 facet has neither an area nor a normal (the first is facet 0)"]);
+    assert_eq!(messages_of(&model), ["warning: 1 facet has neither an area nor a normal (the first is facet 0)"]);
     assert_eq!(model.mesh.normals, [O; 3]);
 }
 
@@ -222,11 +222,11 @@ fn two_dialects_of_colors() {
         assert_eq!(model.materials[0].sources[0].written, "COLOR=[255, 0, 0, 128]");
     }
     let model = read(&binary(b"COLOR=\xFF\xFF\xFF\x00", &[(first, 0)], false)).unwrap();
-    assert_eq!(said(&model), ["note: the color of the header is invisible (its alpha is 0): treated as opaque"]);
+    assert_eq!(messages_of(&model), ["note: the color of the header is invisible (its alpha is 0): treated as opaque"]);
     assert_eq!(model.materials[0].opacity, 1.0);
     let model = read(&binary(b"", &[(first, 0), (second, 7)], false)).unwrap();
     assert_eq!(
-        said(&model),
+        messages_of(&model),
         ["note: 1 facet has attribute bytes that are not a color (the first is facet 1): ignored"]
     );
 }
@@ -236,7 +236,7 @@ fn sizes_that_do_not_fit() {
     let bytes = binary_tetrahedron(b"solid");
     assert_eq!(bytes.len(), 284);
     let more = read(&[&bytes[..], b"abc"].concat()).unwrap();
-    assert_eq!(said(&more), ["warning: 3 bytes after the last facet (from byte 284) are ignored"]);
+    assert_eq!(messages_of(&more), ["warning: 3 bytes after the last facet (from byte 284) are ignored"]);
     assert_eq!(more.mesh.triangle_count(), 4);
     let expected = "the file declares 4 facets but contains only 3: it is cut off (or not an STL file), get it again";
     assert_eq!(error(&bytes[..283]), expected);
@@ -246,16 +246,19 @@ fn sizes_that_do_not_fit() {
     let mut uncounted = bytes.clone();
     uncounted[80..84].fill(0);
     let model = read(&uncounted).unwrap();
-    assert_eq!(said(&model), ["warning: the file declares no facets but contains 4: they are read"]);
+    assert_eq!(messages_of(&model), ["warning: the file declares no facets but contains 4: they are read"]);
     assert_eq!(model.mesh.triangle_count(), 4);
     let swapped = binary(b"", &TETRAHEDRON.map(|facet| (facet, 0)), true);
     let model = read(&swapped).unwrap();
-    assert_eq!(said(&model), ["warning: the numbers are big-endian, contrary to the specification: read as such"]);
+    assert_eq!(
+        messages_of(&model),
+        ["warning: the numbers are big-endian, contrary to the specification: read as such"]
+    );
     assert_eq!(triangles(&model.mesh), TETRAHEDRON.map(|[_, a, b, c]| [a, b, c]));
 }
 
 #[test]
-fn what_is_odd_is_survived_and_reported() {
+fn oddities_are_survived_and_reported() {
     let facet = one_facet("0 0 1");
     let two = |more: &str| facet.replace("endsolid\n", more);
     let second =
@@ -282,24 +285,27 @@ fn what_is_odd_is_survived_and_reported() {
     ];
     for (text, expected) in cases {
         let model = read(text.as_bytes()).unwrap_or_else(|e| panic!("{text}\n{e}"));
-        assert_eq!(said(&model), [*expected], "{text}");
+        assert_eq!(messages_of(&model), [*expected], "{text}");
         assert_eq!(model.mesh.triangle_count(), 1, "{text}");
     }
     let quad = read(second("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n").as_bytes()).unwrap();
-    assert_eq!(said(&quad), ["9: warning: 1 facet has more than 3 corners: triangulated"]);
+    assert_eq!(messages_of(&quad), ["9: warning: 1 facet has more than 3 corners: triangulated"]);
     assert_eq!(quad.mesh.triangle_count(), 3);
     let unended = read(two(&facet.replace("solid\n", "")).replacen("endfacet\n", "", 1).as_bytes()).unwrap();
-    assert_eq!(said(&unended)[0], "2: warning: 1 facet has no endfacet");
+    assert_eq!(messages_of(&unended)[0], "2: warning: 1 facet has no endfacet");
     assert_eq!(unended.mesh.triangle_count(), 2);
     let mut bytes = binary_tetrahedron(b"");
     bytes[84 + 12..84 + 16].copy_from_slice(&f32::NAN.to_le_bytes());
     let model = read(&bytes).unwrap();
-    assert_eq!(said(&model), ["warning: 1 facet has a corner that is not finite (the first is facet 0): left out"]);
+    assert_eq!(
+        messages_of(&model),
+        ["warning: 1 facet has a corner that is not finite (the first is facet 0): left out"]
+    );
     assert_eq!(model.mesh.triangle_count(), 3);
 }
 
 #[test]
-fn errors_say_what_and_where() {
+fn errors_name_the_problem_and_its_place() {
     let facet = one_facet("0 0 1");
     let few = "this is not an STL file: it does not begin with `solid`, and 5 bytes are too few for a binary one (84 at least)";
     let cases: &[(String, &str)] = &[

@@ -1,4 +1,4 @@
-//! How triangles hang together, of shapes whose numbers are known on paper.
+//! The connectivity of triangles of shapes whose numbers are known on paper.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -231,7 +231,7 @@ fn triangles_that_are_there_twice_or_have_no_area() {
 }
 
 #[test]
-fn nothing_is_no_surface() {
+fn an_empty_mesh_has_no_surface() {
     let empty = report(&Mesh::default());
     assert_eq!((sizes(&empty), odd(&empty), empty.pieces), ([0; 4], vec![], 0));
     assert!(!empty.closed && !empty.outward && empty.genus.is_none());

@@ -1,4 +1,4 @@
-//! Writers: what is written is read again, and what cannot be written is told.
+//! Writers: written models are read again, and losses are reported.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -66,7 +66,7 @@ fn check_same_triangles(again: &Mesh, before: &Mesh, name: &str) {
     }
 }
 
-/// Of each triangle its part's name and its material.
+/// The name of the part and the material of each triangle.
 fn surfaces(model: &Model) -> Vec<(String, Material)> {
     let of_part = |part: &Part| {
         let mut material = comparable(&model.materials[part.material]);
@@ -172,7 +172,7 @@ fn a_triangle_by_its_letters() {
 
 /// Vertices that differ in a normal only share a `v`; the four forms of `f`.
 #[test]
-fn what_is_equal_is_written_once() {
+fn equal_values_are_written_once() {
     let quad = Mesh {
         positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3]],
         normals: vec![[0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]],
@@ -202,7 +202,7 @@ fn painted(materials: Vec<Material>) -> Model {
     Model { mesh, materials, ..Model::default() }
 }
 
-/// Everything that MTL can say, said.
+/// A material with every property that MTL has.
 fn rich() -> Material {
     let map = TextureMap::new;
     let placed = TextureMap { scale: [2.0, 0.5], offset: [0.25, -1.0], wrap: [Wrap::Clamp; 2], ..map("a b.png") };
@@ -279,14 +279,14 @@ fn names_are_made_fit() {
     assert_eq!(names, ["a_b", "a_b.2", "default", "x _ y", "Material #25"]);
     let parts: Vec<&str> = again.mesh.parts.iter().map(|part| part.name.as_str()).collect();
     assert_eq!(parts, ["one_two", "hash _ tag", "", "back_", "plain name"]);
-    let said: Vec<String> = files.diagnostics.iter().map(ToString::to_string).collect();
+    let messages: Vec<String> = files.diagnostics.iter().map(ToString::to_string).collect();
     let expected = [
         "note: the material \"a\\nb\" is written as a_b",
         "note: the material \"a_b\" is written as a_b.2",
         "note: the material \"x # y\" is written as x _ y",
         "note: 3 names with line ends, comments or blanks around them were changed: OBJ cannot hold them",
     ];
-    assert_eq!(said, expected);
+    assert_eq!(messages, expected);
 }
 
 fn lossy() -> Model {
@@ -323,9 +323,9 @@ fn lossy() -> Model {
 }
 
 #[test]
-fn what_obj_cannot_hold_is_reported() {
+fn losses_in_obj_are_reported() {
     let files = write_obj::write(&lossy(), "out.mtl");
-    let said: Vec<String> = files.diagnostics.iter().map(ToString::to_string).collect();
+    let messages: Vec<String> = files.diagnostics.iter().map(ToString::to_string).collect();
     let expected = [
         "warning: the material \"m\" has a rotation of its map_Kd, which MTL cannot hold: it is lost",
         "warning: the material \"m\" has a way to wrap around of its map_Kd, which MTL cannot hold: it is lost",
@@ -336,7 +336,7 @@ fn what_obj_cannot_hold_is_reported() {
         "warning: the alpha of vertex colors is not written: OBJ has none",
         "warning: vertex colors outside 0 to 1 are clamped: OBJ has none",
     ];
-    assert_eq!(said, expected);
+    assert_eq!(messages, expected);
     let images: Vec<_> = files.images.iter().map(|file| (file.name.as_str(), file.image)).collect();
     assert_eq!(images, [("out_wood_grain.png", 1)]);
     let mtl = String::from_utf8(files.mtl).unwrap();
@@ -344,11 +344,11 @@ fn what_obj_cannot_hold_is_reported() {
 }
 
 #[test]
-fn what_ply_cannot_hold_is_reported() {
+fn losses_in_ply_are_reported() {
     let mut model = lossy();
     model.mesh.parts[0].name = "part".to_owned();
     let files = write_ply::write(&model, "out", write_ply::PlyEncoding::Binary);
-    let said: Vec<String> = files.diagnostics.iter().map(ToString::to_string).collect();
+    let messages: Vec<String> = files.diagnostics.iter().map(ToString::to_string).collect();
     let expected = [
         "warning: of 1 material only the diffuse texture is written: PLY has no more",
         "warning: 1 name of parts not written: PLY has none",
@@ -356,7 +356,7 @@ fn what_ply_cannot_hold_is_reported() {
         "warning: 1 camera not written: PLY has none",
         "note: vertex colors are rounded to 8 bits",
     ];
-    assert_eq!(said, expected);
+    assert_eq!(messages, expected);
     assert_eq!(files.images.iter().map(|file| file.name.as_str()).collect::<Vec<_>>(), ["out_wood_grain.png"]);
     let again = ply::read(&files.ply, &mut NoSidecars, &Limits::default()).unwrap();
     assert_eq!(again.materials[0].diffuse_map.as_ref().unwrap().path, "out_wood_grain.png");

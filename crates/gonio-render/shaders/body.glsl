@@ -1,4 +1,4 @@
-// The inside of an object, as rays of sight find it: twin of gonio-light's `through_body`, with body.rs as the body.
+// Rays of sight through an object: the twin of gonio-light's `through_body`, with the tree of body.rs as the body.
 // Body space is the world moved and scaled, not turned.
 // From Rust: MOST_MEETINGS, WEIGHT_THAT_COUNTS, NEAREST_MEETING, BODY_ROW, LEAF_STEP.
 
@@ -20,16 +20,16 @@ vec4 body_texel(int index) {
     return texelFetch(body_table, ivec2(index % BODY_ROW, index / BODY_ROW), 0);
 }
 
-// Boxes are larger by this than their triangles: more than all rounding of what is computed with them.
+// Boxes are larger than their triangles by this, which exceeds all rounding errors of the intersection.
 const float BOX_SLACK = 1e-6;
 
-// Where a ray in body space next meets the body's surface from inside; false where the body is open.
+// The next intersection of a ray in body space with the body's surface from inside; false if the body is open there.
 bool next_meeting(vec3 origin, vec3 direction, out Meeting found) {
-    // The ray is the z axis of a space of its own. Both triangles at an edge then compute its function from the same
+    // The ray is the z axis of its own space. Both triangles at an edge then compute the edge function from the same
     // numbers, so that no ray passes between them.
     vec3 right = any_orthonormal_vector(direction);
     vec3 up = cross(right, direction);
-    // Where a component is 0 the ray lies between two planes of a box, or beside them, all along.
+    // If a component is 0 the whole ray is between two planes of a box, or outside of them.
     vec3 clear = mix(direction, vec3(1e-12), lessThan(abs(direction), vec3(1e-12)));
     vec3 inverse = 1.0 / clear;
     float nearest = 1e30;
@@ -84,12 +84,12 @@ bool next_meeting(vec3 origin, vec3 direction, out Meeting found) {
     vec3 shading = unit_or(weights.x * body_texel(body_normals + 3 * triangle).xyz
         + weights.y * body_texel(body_normals + 3 * triangle + 1).xyz
         + weights.z * body_texel(body_normals + 3 * triangle + 2).xyz, geometric);
-    // Interpolated normals may look at the ray where the triangle does not.
+    // Interpolated normals may face the ray although the triangle does not.
     found.normal = dot(shading, direction) > 0.0 ? shading : geometric;
     return true;
 }
 
-// What a ray of sight that has gone in at a place in the world shows.
+// The light along a ray of sight that has entered at a place in the world.
 vec3 through_body(vec3 position, vec3 direction, float index, float level) {
     vec3 origin = (position - body_center) * body_scale;
     vec3 sum = vec3(0.0);

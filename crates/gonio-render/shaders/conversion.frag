@@ -36,7 +36,7 @@ vec3 direction(vec2 place) {
     return source_from_target * d;
 }
 
-// Where a direction meets the source: x and y in texels from the middle of the first one, and the layer.
+// The place of a direction in the source: x and y in texels from the middle of the first one, and the layer.
 vec3 source_place(vec3 d) {
 #if FROM_CUBEMAP
     vec3 a = abs(d);
@@ -71,13 +71,13 @@ vec4 source_texel(ivec2 at, int layer) {
 #if FROM_CUBEMAP
     return texelFetch(source, ivec3(at + SOURCE_BORDER, layer), 0);
 #else
-    // Beyond a pole is the same row half a turn further.
+    // Beyond a pole the same row continues half a turn further.
     if (at.y < 0) {
         at = ivec2(at.x + source_size.x / 2, min(-1 - at.y, source_size.y - 1));
     } else if (at.y >= source_size.y) {
         at = ivec2(at.x + source_size.x / 2, max(2 * source_size.y - 1 - at.y, 0));
     }
-    // What % makes of negative numbers is not defined; no filter reaches as far as four widths.
+    // % is undefined for negative numbers; no filter reaches as far as four widths.
     int x = (at.x + 4 * source_size.x) % source_size.x;
     return texelFetch(source, ivec3(x, at.y, layer), 0);
 #endif
@@ -122,7 +122,7 @@ vec4 bicubic(vec3 d) {
     return max(sum, 0.0);
 }
 #elif FILTER == FILTER_AREA
-// How many radians apart the nearest texels are about a unit direction.
+// The distance in radians of neighbouring texels around a unit direction.
 float spacing(vec3 d) {
 #if FROM_CUBEMAP
     float m = max(max(abs(d.x), abs(d.y)), abs(d.z));
@@ -140,7 +140,7 @@ float lookups_at(vec2 place) {
 }
 
 vec4 area(vec2 place) {
-    // Eight pixels together have the largest k of theirs, as on the CPU.
+    // Groups of eight pixels use the largest k among them, as on the CPU.
     float most = 1.0;
     float first = 8.0 * floor(place.x / 8.0);
     for (int i = 0; i < 8; ++i) {
@@ -159,7 +159,7 @@ vec4 area(vec2 place) {
 #endif
 
 void main() {
-    // The first row that is drawn is the picture's top one.
+    // The first row that is drawn is the top of the picture.
     vec2 place = floor(gl_FragCoord.xy);
 #if FILTER == FILTER_NEAREST
     frag_color = nearest(direction(place));

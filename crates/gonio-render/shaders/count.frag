@@ -1,4 +1,4 @@
-// One for each fragment, to be added up.
+// A one for each fragment; blending adds them up.
 
 out vec4 frag_color;
 

@@ -1,8 +1,8 @@
-// Where two pictures differ, in the colours of a scale: twins of `heat` and `signed` in gonio-scene's difference.rs.
+// The difference of two pictures in the colours of a scale: twins of `heat` and `signed` in gonio-scene's difference.rs.
 
 uniform sampler2D first;
 uniform sampler2D second;
-/// 8-bit steps that get the scale's last colour.
+/// The difference in 8-bit steps that has the last colour of the scale.
 uniform float full_scale;
 /// 1: second minus first, by the channel that differs most. 0: the largest difference of a channel.
 uniform int is_signed;
@@ -20,7 +20,7 @@ vec3 signed_heat(float share) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    // Whole steps, so that of equal channels the first is taken whatever the division by 255 left over.
+    // Whole steps, so that rounding of the division by 255 does not decide between equal channels: the first one is used.
     vec3 way = round(255.0 * (texelFetch(second, pixel, 0).rgb - texelFetch(first, pixel, 0).rgb));
     float most = abs(way.r) >= abs(way.g) ? way.r : way.g;
     most = abs(most) >= abs(way.b) ? most : way.b;

@@ -1,4 +1,4 @@
-// Exposure, tone map, encoding: the twin of OutputTransform::encode, with the choices made beforehand.
+// Exposure, tone map, encoding: the twin of OutputTransform::encode, with all choices made at compile time.
 
 vec3 display_light(vec3 linear, float stops) {
     vec3 c = exposed(linear, stops);

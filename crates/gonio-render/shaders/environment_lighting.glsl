@@ -1,7 +1,7 @@
 // A surface in the environment's light.
 
 uniform vec3 harmonics[9];                  // the polynomial of the irradiance
-uniform highp samplerCube glossy_map;       // levels of growing roughness
+uniform highp samplerCube glossy_map;       // levels of increasing roughness
 uniform float glossy_last_level;
 uniform highp sampler2D environment_brdf;   // (scale, bias) over the cosine's root and the roughness
 uniform float environment_brdf_size;        // texels along an edge
@@ -13,8 +13,8 @@ struct EnvironmentLight {
     vec3 specular;
 };
 
-// What the environment's light makes of a surface: k_d times irradiance over pi, and the split sum of glossy reflection. A
-// surface without specular colour is purely matte.
+// Reflected light of the environment: k_d times irradiance over pi, and the split sum of glossy reflection. A surface
+// without specular colour is purely matte.
 EnvironmentLight environment_light(vec3 n, vec3 v, vec3 k_d, vec3 k_s, float shininess) {
     EnvironmentLight light;
     vec3 matte = irradiance(harmonics, environment_from_world * n);

@@ -1,16 +1,16 @@
 // The light equation over all lights of a scene: the twin of gonio-light's equation.rs.
 // Used by the vertex shader (Gouraud, flat per face) or by the fragment shader (Phong, flat).
 
-// One light is LIGHT_TEXELS vec4: in uniforms where there are few lights; in a float texture,
-// LIGHTS_PER_ROW lights a row, where there are many, so that any number fits one pass.
+// One light is LIGHT_TEXELS vec4: in uniforms if there are few lights, otherwise in a float texture,
+// LIGHTS_PER_ROW lights per row, so that any number fits one pass.
 #if LIGHTS_IN_TEXTURE
 uniform highp sampler2D light_table;
 #else
 uniform vec4 light_values[LIGHTS_IN_UNIFORMS * LIGHT_TEXELS];
 #endif
-// Lights are sorted by kind, so that each loop knows what it reads. Where there are very few, they are summed
-// one by one (LIGHT_0 is the kind of the first): half the cost on software drivers, some of which unroll no
-// loop and compile a loop's body also where it never runs.
+// Lights are sorted by kind, so that each loop has one kind. Very few lights are summed one by one (LIGHT_0 is the kind of
+// the first): half the cost on software drivers, some of which do not unroll loops and compile the body of a loop that
+// never runs.
 #if LIGHTS_UNROLLED
 const int directional_end = DIRECTIONAL_END;
 const int point_end = POINT_END;
@@ -77,8 +77,8 @@ float specular_factor(vec3 n, vec3 v, vec3 l, vec3 r, vec3 h, float cos_theta, f
 #endif
 }
 
-// `kind` is a constant wherever many lights are summed, so that compilers drop what does not apply: a
-// software driver runs both sides of a branch.
+// `kind` is a constant in all loops, so that compilers remove the code of other kinds: a software driver executes both
+// sides of a branch.
 LightTerms light_terms(int kind, int light, vec3 position, vec3 n, vec3 v, float shininess) {
     vec3 place = light_texel(light, 0).xyz;
     vec3 color = light_texel(light, 1).rgb;

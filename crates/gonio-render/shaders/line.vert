@@ -1,13 +1,13 @@
-// A line in the world as a strip of two triangles on the screen, one instance a line; vertices 0 and 1 are its start, 2
+// A line in the world as a strip of two triangles on the screen, one instance per line; vertices 0 and 1 are its start, 2
 // and 3 its end.
 
-in vec3 position;   // where it starts, in the model
-in vec3 normal;     // the way it goes, in the model
+in vec3 position;   // its start, in the model
+in vec3 normal;     // its vector, in the model
 
 uniform mat4 clip_from_world;
 uniform mat4 world_from_model;
 uniform mat3 way_world_from_model;
-uniform float line_length;   // world units; 0: as long as the way is
+uniform float line_length;   // world units; 0: the length of the vector
 uniform vec2 half_picture;   // pixels
 uniform float half_width;    // pixels
 
@@ -19,7 +19,7 @@ void main() {
     if (line_length > 0.0) way *= line_length * inversesqrt(max(dot(way, way), 1e-30));
     vec4 a = clip_from_world * vec4(start, 1.0);
     vec4 b = clip_from_world * vec4(start + way, 1.0);
-    // What is behind the eye has no place on the screen: the line is cut in front of it.
+    // Points behind the eye have no place on the screen: the line is clipped in front of it.
     float least = 1e-3 * max(abs(a.w), abs(b.w));
     if (max(a.w, b.w) <= least) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);   // outside

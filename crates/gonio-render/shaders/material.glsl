@@ -1,6 +1,6 @@
 // The material at a fragment: its numbers times its textures.
 
-uniform vec4 k_ambient;    // a: 1 where k_a follows k_d
+uniform vec4 k_ambient;    // a: 1 if k_a follows k_d
 uniform vec3 k_diffuse;
 uniform vec3 k_specular;
 uniform vec3 k_emitted;
@@ -9,7 +9,7 @@ uniform float shininess;
 #endif
 uniform float opacity;
 
-// Each texture on its own unit, and where in its picture the texture coordinates lie.
+// Each texture on its own unit, with the transform from texture coordinates to its picture.
 #if DIFFUSE_MAP
 uniform sampler2D diffuse_map;
 uniform mat3x2 diffuse_map_transform;

@@ -1,5 +1,5 @@
-// From linear light to the numbers of the picture: the twin of gonio-scene's display.rs. Done in the
-// shader, because sRGB framebuffers behave differently from one platform to the next.
+// From linear light to the values of the picture: the twin of gonio-scene's display.rs. The shader encodes sRGB, because
+// sRGB framebuffers differ between platforms.
 
 #if MULTISAMPLED
 uniform highp sampler2DMS linear_picture; // premultiplied alpha
@@ -50,7 +50,7 @@ void main() {
 #if DISPLAY == DISPLAY_LINEAR
     frag_color = texel;
 #elif DISPLAY == DISPLAY_AFFINE
-    // A vector or scalar: opaque, black where nothing is.
+    // A vector or scalar: opaque, black where there is no object.
     vec3 value = texel.a > 0.0 ? texel.rgb / texel.a : vec3(0.0);
     vec3 shown = texel.a > 0.0 ? clamp(display_scale * value + display_bias, 0.0, 1.0) * min(texel.a, 1.0) : vec3(0.0);
     frag_color = vec4(shown, 1.0);

@@ -1,4 +1,4 @@
-// How many fragments were shaded at a pixel, as a colour; more than the scale has are as its last.
+// The number of fragments shaded at a pixel as a colour; the last colour of the scale is for all larger numbers.
 
 uniform highp sampler2D linear_picture;   // counts
 uniform vec2 picture_size;                // pixels

@@ -1,4 +1,4 @@
-// Model to clip space, for views that are no quantities of the equation.
+// Model to clip space, for views that are not quantities of the equation.
 
 in vec3 position;
 in vec3 normal;

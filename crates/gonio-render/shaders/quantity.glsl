@@ -1,11 +1,11 @@
-// Debug views: what gonio-light's quantity.rs calls by name, as a raw value.
+// Debug views: the raw values of the quantities of gonio-light's quantity.rs.
 
 uniform int view_quantity;
 uniform int view_light;   // row of the light table; -1: none
 uniform bool view_of_one_light;
 uniform float refraction_index;
 
-// Quantities that the equation knows where it is evaluated; 0 for those that only a fragment knows.
+// Quantities that are known where the equation is evaluated; 0 for those that are known only at a fragment.
 vec3 quantity_of_point(vec3 position, vec3 n, vec3 v, float shininess) {
     if (view_quantity == QUANTITY_NORMAL) return n;
     if (view_quantity == QUANTITY_VIEW) return v;

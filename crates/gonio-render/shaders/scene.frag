@@ -1,4 +1,4 @@
-// The light equation at a fragment, or what the vertices computed of it. Writes linear radiance with
+// The light equation at a fragment, or interpolated from the vertices. Writes linear radiance with
 // premultiplied alpha; a debug view writes its raw value.
 
 in vec3 v_position_in_world;
@@ -33,7 +33,7 @@ uniform vec4 depth_plane;        // dot(depth_plane, (p, 1)) is the distance alo
 
 out vec4 frag_color;
 
-// +1 on front faces; -1 where the normal is to be turned to the viewer.
+// +1 on front faces; -1 if the normal is turned to the viewer.
 float facing() {
 #if TWO_SIDED
     return gl_FrontFacing ? 1.0 : -1.0;
@@ -42,7 +42,7 @@ float facing() {
 #endif
 }
 
-// The triangle's normal, towards its front; as exact as differences of f32 from pixel to pixel are.
+// The normal of the triangle, towards its front, with the precision of f32 differences between pixels.
 vec3 normal_by_derivatives(vec3 fallback) {
     vec3 across = cross(dFdx(v_position_in_world), dFdy(v_position_in_world));
     return unit_or(gl_FrontFacing ? across : -across, fallback);
@@ -79,7 +79,7 @@ void main() {
     if (!gl_FrontFacing) sums = LightSums(v_back_diffuse_light, v_back_specular_light);
 #endif
 #if SURROUNDINGS
-    vec3 n = shading_normal(v);   // light comes from the vertices, surroundings are seen here
+    vec3 n = shading_normal(v);   // light was computed at the vertices, surroundings are computed here
 #endif
 #else
     vec3 n = shading_normal(v);
@@ -120,7 +120,7 @@ void main() {
     else if (view_quantity == QUANTITY_UV) value = vec3(v_tex_coord, 0.0);
     else if (view_quantity == QUANTITY_POSITION) value = v_position_in_world;
     else if (view_quantity == QUANTITY_DEPTH) value = vec3(dot(depth_plane, vec4(v_position_in_world, 1.0)));
-    // Not turned to the viewer. The flat meshes have it as their normal; else it comes from derivatives.
+    // Not turned to the viewer. Flat meshes have it as their normal; otherwise it is computed from derivatives.
     else if (view_quantity == QUANTITY_GEOMETRIC_NORMAL) {
 #if SHADING == SHADING_FLAT || SHADING == SHADING_FLAT_PER_FACE
         value = unit_or(v_normal_in_world, v);
@@ -129,7 +129,7 @@ void main() {
 #endif
     }
     else if (view_quantity == QUANTITY_TANGENT) {
-        // Perpendicular to the normal, which may be turned or not; 0 where the mesh has none.
+        // Perpendicular to the normal, turned or not; 0 if the mesh has no tangents.
         vec3 along = unit_or(v_normal_in_world, v);
         vec3 t = v_tangent_in_world.xyz;
         value = unit_or(t - dot(t, along) * along, vec3(0.0));
@@ -145,7 +145,7 @@ void main() {
     }
 #endif
 #if VIEW
-    // The nearest surface that is no hole, as if it were opaque.
+    // The nearest surface that is not a hole, as if it were opaque.
     if (s.opacity < HOLE_OPACITY) discard;
     frag_color = vec4(value, 1.0);
 #else

@@ -15,7 +15,7 @@ uniform mat4 clip_from_model;
 uniform mat4 world_from_model;
 uniform mat3 normal_world_from_model;   // inverse transpose, of any length
 #if NORMAL_MAP || VIEW
-uniform float handedness;               // -1 where world_from_model mirrors
+uniform float handedness;               // -1 if world_from_model mirrors
 #endif
 
 out vec3 v_position_in_world;
@@ -33,7 +33,7 @@ uniform float shininess;
 FLAT_IF_LIT_PER_FACE out vec3 v_diffuse_light;
 FLAT_IF_LIT_PER_FACE out vec3 v_specular_light;
 #if TWO_SIDED
-// As OpenGL's own two-sided lighting did: both sides are lit, the fragment takes the one it is on.
+// As in OpenGL's former two-sided lighting, both sides are lit, and the fragment chooses the one that is visible.
 FLAT_IF_LIT_PER_FACE out vec3 v_back_diffuse_light;
 FLAT_IF_LIT_PER_FACE out vec3 v_back_specular_light;
 #endif
@@ -63,7 +63,7 @@ void main() {
     v_color = color;
 #endif
 #if NORMAL_MAP || VIEW
-    // A mirroring transform turns the bitangent's side round.
+    // A mirroring transform reverses the bitangent.
     v_tangent_in_world = vec4(mat3(world_from_model) * tangent.xyz, handedness * tangent.w);
 #endif
 #if VERTEX_LIT

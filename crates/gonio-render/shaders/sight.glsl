@@ -1,6 +1,6 @@
-// What mirrors and glass show of the environment at a fragment.
+// The environment as seen in mirrors and through glass at a fragment.
 
-// What the point shows: twin of gonio-light's `sight`.
+// The light seen at the point: the twin of gonio-light's `sight`.
 Sight sight(vec3 position, vec3 n, vec3 v) {
     Boundary at = boundary(n, v, indices.g, fresnel_kind);
     Sight seen;
@@ -9,8 +9,8 @@ Sight sight(vec3 position, vec3 n, vec3 v) {
     seen.transmitted = vec3(0.0);
     seen.fresnel = vec3(at.reflectance);
 #if GLASS
-    // One level for all channels. Where reflection is total its direction stands in, so that derivatives mean something,
-    // and weighs nothing.
+    // One level for all channels. With total reflection its direction replaces the missing one, so that derivatives are
+    // defined, with weight 0.
     float level = level_of(at.transmits ? at.transmitted : at.reflected);
     for (int i = 0; i < index_count; ++i) {
         if (index_count > 1) at = boundary(n, v, indices[i], fresnel_kind);

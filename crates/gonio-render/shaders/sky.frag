@@ -1,4 +1,4 @@
-// What is seen of the environment where there is no object.
+// The environment behind the objects.
 
 in vec3 v_direction;
 

@@ -1,4 +1,4 @@
-// The environment behind everything: one triangle over the whole picture, as far away as can be.
+// The environment behind everything: one triangle over the whole picture at the far plane.
 
 uniform mat3 environment_from_clip;   // of (x, y, 1), x and y from -1 to 1 over the picture
 

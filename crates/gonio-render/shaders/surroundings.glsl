@@ -10,15 +10,15 @@ uniform float transmission;
 uniform int fresnel_kind;
 uniform vec3 indices;               // of red, green and blue
 #if GLASS
-uniform int index_count;            // 1 where all three are the same
+uniform int index_count;            // 1 if all three are equal
 uniform vec3 tint;
 #endif
 #if MIPMAPPED
 uniform float environment_half_size; // half the texels along an edge: about 1 / the angle of one
 #endif
 
-// The level whose texels are as far apart as directions of neighbouring pixels. Takes derivatives: call it where all
-// fragments do.
+// The level whose texels are as far apart as directions of neighbouring pixels. Uses derivatives: all fragments must
+// call it.
 float level_of(vec3 direction) {
 #if MIPMAPPED
     vec2 change = vec2(length(dFdx(direction)), length(dFdy(direction)));

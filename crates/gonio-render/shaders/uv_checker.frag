@@ -1,5 +1,5 @@
 // Eight by eight squares with lines between them for each unit of the texture coordinates. Red grows with u, green with
-// v, so that a mirrored or turned texture is seen; the square at the origin has a white mark that points along u.
+// v, so that mirrored and turned textures are visible; the square at the origin has a white mark that points along u.
 
 in vec3 v_position_in_world;
 in vec3 v_normal_in_world;
@@ -16,7 +16,7 @@ void main() {
     vec2 place = tile * SQUARES;
     vec2 square = floor(place);
     vec2 within = place - square;
-    // Where a pixel is as large as a square, only the mean of two squares is left: no moire.
+    // If a pixel is as large as a square, it has the mean of two squares, which avoids moire.
     vec2 width = fwidth(v_tex_coord) * SQUARES;
     float seen = 1.0 - smoothstep(0.4, 1.2, max(width.x, width.y));
     float light = mod(square.x + square.y, 2.0);
@@ -34,7 +34,7 @@ void main() {
     if (square == vec2(0.0) && mark.x > 0.0 && mark.x < 0.5 && abs(mark.y) < 0.5 * (0.5 - mark.x)) {
         color = mix(color, vec3(1.0), seen);
     }
-    // As much light from the eye as shows the form.
+    // Some light from the eye, so that the form is visible.
     vec3 n = v_normal_in_world;
     vec3 v = eye_in_world - v_position_in_world;
     float cosine = abs(dot(n, v)) * inversesqrt(max(dot(n, n) * dot(v, v), 1e-30));

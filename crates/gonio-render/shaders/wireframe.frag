@@ -7,7 +7,7 @@ uniform vec4 line_color;   // not premultiplied
 
 out vec4 frag_color;
 
-// Half of a line lies on each of the triangles that share the edge.
+// Each of the triangles that share the edge has half of the line.
 const float HALF_WIDTH = 0.65;
 
 void main() {
@@ -15,7 +15,7 @@ void main() {
     vec3 pixels = v_corner / change;
     float nearest = min(min(pixels.x, pixels.y), pixels.z);
     float line = 1.0 - smoothstep(HALF_WIDTH - 0.5, HALF_WIDTH + 0.5, nearest);
-    // Triangles of a few pixels would be lines all over: they are drawn as a veil, thinner as they get smaller.
+    // Lines would cover triangles of a few pixels completely, so they fade as triangles get smaller.
     float height = 1.0 / max(max(change.x, change.y), change.z);
     float alpha = line_color.a * line * mix(0.25, 1.0, smoothstep(1.0, 7.0, height));
     frag_color = vec4(line_color.rgb * alpha, alpha);

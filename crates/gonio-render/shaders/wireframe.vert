@@ -1,4 +1,4 @@
-// Each triangle has three vertices of its own, drawn in order: a vertex' number says which corner it is.
+// Each triangle has three vertices of its own, drawn in order, so the number of a vertex determines its corner.
 
 in vec3 position;
 

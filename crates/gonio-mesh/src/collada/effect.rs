@@ -227,12 +227,12 @@ impl<'t> Reader<'_, 't> {
     /// Returns a number, its line and its byte.
     fn float(&self, shader: Element<'t>, name: &str) -> Result<Option<(f32, u64, usize)>, ReadError> {
         let Some(element) = shader.child(name) else { return Ok(None) };
-        let held = element.child("float").or_else(|| {
+        let number = element.child("float").or_else(|| {
             let sid = element.child("param")?.attribute("ref")?;
             self.parameters.get(&sid)?.child("float")
         });
-        let Some(held) = held else { return Ok(None) };
-        Ok(Some((self.document.number(held)? as f32, self.document.line(held), held.at())))
+        let Some(number) = number else { return Ok(None) };
+        Ok(Some((self.document.number(number)? as f32, self.document.line(number), number.at())))
     }
 
     fn shininess(&mut self, shader: Element<'t>, material: &mut Material) -> Result<(), ReadError> {

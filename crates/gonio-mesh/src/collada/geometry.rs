@@ -31,8 +31,8 @@ impl Primitive {
     /// Returns the input with this meaning and, if possible, of this set; otherwise of the first set.
     pub(super) fn input(&self, semantic: Semantic, set: Option<u32>) -> Option<&Input> {
         let all = || self.inputs.iter().filter(|input| input.semantic == semantic);
-        let wanted = set.and_then(|set| all().find(|input| input.set == set));
-        wanted.or_else(|| all().min_by_key(|input| input.set))
+        let of_set = set.and_then(|set| all().find(|input| input.set == set));
+        of_set.or_else(|| all().min_by_key(|input| input.set))
     }
 
     /// Returns the byte where an index is.

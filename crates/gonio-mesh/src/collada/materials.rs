@@ -106,8 +106,8 @@ impl Materials {
     /// Returns the set of texture coordinates that the material of a symbol uses.
     pub(super) fn set(&self, binding: &Binding, symbol: Option<&str>) -> Option<u32> {
         let bound = binding.bound.get(symbol?)?;
-        let wanted = self.made.get(bound.material?)?.tex_coord.as_ref()?;
-        bound.sets.iter().find(|(name, _)| name == wanted).map(|(_, set)| *set)
+        let set_name = self.made.get(bound.material?)?.tex_coord.as_ref()?;
+        bound.sets.iter().find(|(name, _)| name == set_name).map(|(_, set)| *set)
     }
 
     /// Whether the material with an index of [`Self::index`] has a texture.

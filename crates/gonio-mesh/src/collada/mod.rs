@@ -72,8 +72,8 @@ pub fn read(bytes: &[u8], _sidecars: &mut dyn Sidecars, limits: &Limits) -> Resu
     if mesh.indices.is_empty() {
         let counts: Vec<String> = contents.iter().map(|(name, count)| format!("{count} {name}")).collect();
         let counts = if counts.is_empty() { "no known element".to_owned() } else { counts.join(", ") };
-        let why = document.why_nothing();
-        return Err(ReadError::new(format!("contains no triangles ({counts}): nothing to draw{why}")));
+        let reason = document.why_nothing();
+        return Err(ReadError::new(format!("contains no triangles ({counts}): nothing to draw{reason}")));
     }
     let (materials, images, offset) = materials.finish();
     for part in &mut mesh.parts {

@@ -116,12 +116,12 @@ impl DataSources {
             return Ok(known.clone());
         }
         let array = Rc::new(document.array(element)?);
-        let held = array.values.len() as u64;
+        let contained = array.values.len() as u64;
         if let Some(declared) = document.count(element, "count")
-            && declared != held
+            && declared != contained
         {
             document.add(TOO_SHORT, Severity::Warning, element.at(), || {
-                format!("<{}> declares {declared} numbers, but contains {held}", element.name())
+                format!("<{}> declares {declared} numbers, but contains {contained}", element.name())
             });
         }
         self.arrays.insert(element.index, array.clone());

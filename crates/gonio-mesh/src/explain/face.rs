@@ -75,17 +75,17 @@ pub(super) fn explain(
     explanation: &mut LineExplanation,
 ) {
     let (corners, corner_count) = read_corners(element, cursor, state, explanation);
-    let mut wanted: [Vec<u64>; 3] = Default::default();
+    let mut requested: [Vec<u64>; 3] = Default::default();
     for corner in &corners {
-        for (wanted, number) in wanted.iter_mut().zip(corner.numbers) {
-            wanted.extend(number);
+        for (requested, number) in requested.iter_mut().zip(corner.numbers) {
+            requested.extend(number);
         }
     }
-    for wanted in &mut wanted {
-        wanted.sort_unstable();
-        wanted.dedup();
+    for requested in &mut requested {
+        requested.sort_unstable();
+        requested.dedup();
     }
-    let (found, totals) = walk::attributes(bytes, &wanted);
+    let (found, totals) = walk::attributes(bytes, &requested);
     let is_lost = report_missing(&corners, &found, totals, state, explanation);
     let targets: Vec<FaceCorner> = corners.iter().take(MOST_TOLD).map(|corner| target_of(corner, &found)).collect();
     let is_face = element.keyword == "f";

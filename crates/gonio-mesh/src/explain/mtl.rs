@@ -82,7 +82,7 @@ pub(super) fn explain(bytes: &[u8], line: u64) -> Result<LineExplanation, ReadEr
     if let Some((name, line)) = &material {
         explanation.in_force.push(InForce { what: "material", name: printable(name), line: *line });
     }
-    add_what_is_read(bytes, extent, &mut explanation);
+    add_result(bytes, extent, &mut explanation);
     describe_extent(&mut explanation);
     Ok(explanation)
 }
@@ -110,7 +110,7 @@ fn find(bytes: &[u8], line: u64) -> Result<(Extent, Option<(String, u64)>), Read
 }
 
 /// Adds the values that the reader takes from the statement, and its diagnostics.
-fn add_what_is_read(bytes: &[u8], extent: Extent, explanation: &mut LineExplanation) {
+fn add_result(bytes: &[u8], extent: Extent, explanation: &mut LineExplanation) {
     let (materials, diagnostics) = mtl::read(bytes);
     let is_here = |line: Option<u64>| line.is_some_and(|line| (extent.first_line..=extent.last_line).contains(&line));
     for material in &materials {

@@ -143,18 +143,18 @@ pub(super) struct Attribute {
 
 /// Finds attributes by their numbers (from 1, ascending, for each kind). Also returns the total count of each kind if
 /// some were not found.
-pub(super) fn attributes(bytes: &[u8], wanted: &[Vec<u64>; 3]) -> ([Vec<Attribute>; 3], [u64; 3]) {
+pub(super) fn attributes(bytes: &[u8], requested: &[Vec<u64>; 3]) -> ([Vec<Attribute>; 3], [u64; 3]) {
     let mut found: [Vec<Attribute>; 3] = Default::default();
     let mut counts = [0; 3];
     let mut cursor = Cursor::new(bytes);
-    let mut missing: usize = wanted.iter().map(Vec::len).sum();
+    let mut missing: usize = requested.iter().map(Vec::len).sum();
     while !cursor.at_end() && missing > 0 {
         if cursor.next_word() {
             let line = cursor.line();
             let keyword = Keyword::from_word(cursor.word());
             if let Keyword::Attribute(kind) = keyword {
                 counts[kind] += 1;
-                if wanted[kind].get(found[kind].len()) == Some(&counts[kind]) {
+                if requested[kind].get(found[kind].len()) == Some(&counts[kind]) {
                     let values = values(&mut cursor, if kind == 1 { 2 } else { 3 });
                     found[kind].push(Attribute { number: counts[kind], line, values });
                     missing -= 1;

@@ -91,7 +91,7 @@ impl<'v, 's> Buffers<'v, 's> {
         }
         let path = at.path();
         let bytes = match Uri::parse(uri) {
-            Uri::Data(data) => data.map_err(|why| ReadError::new(format!("invalid data in {path}.uri: {why}")))?,
+            Uri::Data(data) => data.map_err(|error| ReadError::new(format!("invalid data in {path}.uri: {error}")))?,
             Uri::Elsewhere => {
                 let what = "is not fetched: put the file beside the model and its name into the uri";
                 return Err(ReadError::new(format!("{} {what}", at.written("uri"))));

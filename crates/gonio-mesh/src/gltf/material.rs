@@ -429,9 +429,9 @@ impl<'v> Draft<'_, 'v, '_> {
             let written = format!("{} = {}", extension.path(), extension.quoted());
             self.unused(known.map_or("extension", |(_, property)| property), written, "");
             let message = || {
-                let (title, why) =
+                let (title, reason) =
                     (at.title(), if known.is_some() { "the light equation has no term for" } else { "is not known" });
-                format!("{title} has {name}, which {why}: it is shown without it")
+                format!("{title} has {name}, which {reason}: it is shown without it")
             };
             let kind = "materials with extensions that are not supported";
             self.reports.add_without_line(kind, Severity::Warning, message);

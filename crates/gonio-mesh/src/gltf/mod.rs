@@ -270,10 +270,10 @@ fn contents(root: JsonRef<'_>, geometry: &Geometry<'_>) -> Vec<(String, u64)> {
 #[cold]
 fn nothing_to_draw(root: JsonRef<'_>, nodes: usize, out_of_range: u64) -> ReadError {
     let meshes = root.count("meshes");
-    let why =
+    let reason =
         if out_of_range > 0 { format!("; {out_of_range} triangles have an index out of range") } else { String::new() };
     ReadError::new(format!(
-        "contains no triangles (nodes in the scene: {nodes}, meshes: {meshes}): nothing to draw{why}"
+        "contains no triangles (nodes in the scene: {nodes}, meshes: {meshes}): nothing to draw{reason}"
     ))
 }
 

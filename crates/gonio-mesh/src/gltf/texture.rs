@@ -101,8 +101,8 @@ impl<'v> Textures<'v> {
             (Some(uri), _) => match Uri::parse(uri) {
                 Uri::File(path) => Picture { path: path.into_owned(), embedded: None },
                 Uri::Data(Ok(bytes)) => self.embed(name, bytes, image)?,
-                Uri::Data(Err(why)) => {
-                    return Err(ReadError::new(format!("invalid data in {}.uri: {why}", image.path())));
+                Uri::Data(Err(reason)) => {
+                    return Err(ReadError::new(format!("invalid data in {}.uri: {reason}", image.path())));
                 }
                 Uri::Elsewhere => return Err(ReadError::new(format!("{} is not fetched", image.written("uri")))),
             },

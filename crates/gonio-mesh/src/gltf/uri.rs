@@ -125,6 +125,8 @@ mod tests {
         assert!(matches!(Uri::parse("https://a.org/b.bin"), Uri::Elsewhere));
         assert!(matches!(Uri::parse("C://a.bin"), Uri::File(name) if name == "C://a.bin"));
         assert!(matches!(Uri::parse("data:,a%20b"), Uri::Data(Ok(bytes)) if bytes == b"a b"));
-        assert!(matches!(Uri::parse("data:x;base64"), Uri::Data(Err(why)) if why == "it has no comma before the data"));
+        assert!(
+            matches!(Uri::parse("data:x;base64"), Uri::Data(Err(reason)) if reason == "it has no comma before the data")
+        );
     }
 }

@@ -63,12 +63,12 @@ fn nothing_to_draw(content: &Content, reports: &Reports) -> ReadError {
     let counts: Vec<String> =
         content.counts.iter().map(|(keyword, count, _)| format!("{count} {}", keyword.name)).collect();
     let counts = if counts.is_empty() { "no known keyword".to_owned() } else { counts.join(", ") };
-    let why = match reports.first() {
+    let reason = match reports.first() {
         Some(Diagnostic { message, line: Some(line), .. }) => format!("; line {line}: {message}"),
         Some(Diagnostic { message, .. }) => format!("; {message}"),
         None => String::new(),
     };
-    ReadError::new(format!("contains no faces ({counts}): nothing to draw{why}"))
+    ReadError::new(format!("contains no faces ({counts}): nothing to draw{reason}"))
 }
 
 /// The contents of a keyword's rows.

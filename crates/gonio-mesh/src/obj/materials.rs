@@ -86,18 +86,18 @@ impl MaterialTable {
     pub(super) fn report_unknown(&mut self, reports: &mut Reports) {
         let unknown = std::mem::take(&mut self.unknown);
         let is_lone = unknown.len() == 1;
-        let why = match (self.has_libraries, is_lone) {
+        let reason = match (self.has_libraries, is_lone) {
             (true, true) => "is in none of the material libraries",
             (true, false) => "are in none of the material libraries",
             (false, true) => "is used, but there is no mtllib",
             (false, false) => "are used, but there is no mtllib",
         };
         if is_lone || !self.materials.is_empty() {
-            let why = if self.has_libraries { "is in none of the material libraries" } else { why };
+            let reason = if self.has_libraries { "is in none of the material libraries" } else { reason };
             for (name, line) in unknown {
                 let name = quote(name.as_bytes());
                 reports.add("materials not found", Severity::Warning, line, None, || {
-                    format!("the material {name} {why}: using the default material")
+                    format!("the material {name} {reason}: using the default material")
                 });
             }
         } else if let Some((_, line)) = unknown.first() {
@@ -106,7 +106,7 @@ impl MaterialTable {
             let names: Vec<String> = unknown.iter().take(MOST_NAMED).map(|(name, _)| quote(name.as_bytes())).collect();
             let more = if count > MOST_NAMED { format!(" and {} more", count - MOST_NAMED) } else { String::new() };
             let names = names.join(", ") + &more;
-            reports.warning(*line, format!("{count} materials ({names}) {why}: using the default material"));
+            reports.warning(*line, format!("{count} materials ({names}) {reason}: using the default material"));
         }
     }
 
@@ -141,12 +141,12 @@ fn find(
     let mut candidates = split(names);
     if candidates.len() > 1 {
         // `a b.mtl c.mtl` may be one file before it is two.
-        let (asked, bytes) = SidecarUse::ask(sidecars, &whole, Some(line));
+        let (sidecar, bytes) = SidecarUse::ask(sidecars, &whole, Some(line));
         if let Some(bytes) = bytes {
             if !seen.contains(&whole) {
                 seen.push(whole.clone());
-                found.push((asked.found.clone().unwrap_or(whole), bytes));
-                uses.push(asked);
+                found.push((sidecar.found.clone().unwrap_or(whole), bytes));
+                uses.push(sidecar);
             }
             return (uses, found);
         }
@@ -157,20 +157,20 @@ fn find(
             continue;
         }
         seen.push(name.clone());
-        let (asked, bytes) = SidecarUse::ask(sidecars, &name, Some(line));
+        let (sidecar, bytes) = SidecarUse::ask(sidecars, &name, Some(line));
         match bytes {
-            Some(bytes) => found.push((asked.found.clone().unwrap_or(name), bytes)),
+            Some(bytes) => found.push((sidecar.found.clone().unwrap_or(name), bytes)),
             None => {
-                let why = match (&asked.refused, asked.tried.as_slice()) {
+                let reason = match (&sidecar.refused, sidecar.tried.as_slice()) {
                     (Some(refused), _) => format!("was not read: {refused}"),
                     (None, []) => "was not found".to_owned(),
                     (None, tried) => format!("was not found; tried {}", tried.join(", ")),
                 };
-                let message = format!("the material library {} {why}", quote(name.as_bytes()));
+                let message = format!("the material library {} {reason}", quote(name.as_bytes()));
                 reports.push(line, Diagnostic::warning(message).at(line, None));
             }
         }
-        uses.push(asked);
+        uses.push(sidecar);
     }
     (uses, found)
 }

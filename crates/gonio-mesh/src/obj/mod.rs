@@ -224,12 +224,12 @@ fn nothing_to_draw(vertices: u64, faces: u64, reports: &Reports) -> ReadError {
     let plural = |count: u64, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
     let counts = format!("{}, {}", plural(vertices, "vertex", "vertices"), plural(faces, "face", "faces"));
     // Diagnostics of its libraries do not explain it.
-    let why = match reports.first().filter(|first| first.file.is_none()) {
+    let reason = match reports.first().filter(|first| first.file.is_none()) {
         Some(Diagnostic { line: Some(line), message, .. }) => format!("; line {line}: {message}"),
         Some(first) => format!("; {}", first.message),
         None => String::new(),
     };
-    ReadError::new(format!("contains no triangles ({counts}): nothing to draw{why}"))
+    ReadError::new(format!("contains no triangles ({counts}): nothing to draw{reason}"))
 }
 
 /// Converts from sRGB to linear, in place.

@@ -212,7 +212,7 @@ fn shared_positions_keep_their_first_kind() {
 
 /// A repeated name changes nothing: the warning refers to the first line.
 #[test]
-fn a_name_said_again_changes_nothing() {
+fn repeated_names_change_nothing() {
     let again = "# the same again, and no face between\nusemtl red\n".repeat(100);
     let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\n{again}f 1 2 3\n{again}f 1 2 3\n");
     let model = same_in_every_way(text.as_bytes(), "again").unwrap();

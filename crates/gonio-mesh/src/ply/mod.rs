@@ -163,8 +163,8 @@ fn step_over(source: &mut impl NumberReader, element: &Element) -> Result<(), Re
 
 #[cold]
 fn nothing_to_draw(vertices: usize, faces: u64, reports: &Reports) -> ReadError {
-    let why = reports.first().map(|first| format!("; {}", first.message)).unwrap_or_default();
-    ReadError::new(format!("contains no triangles (vertices: {vertices}, faces: {faces}): nothing to draw{why}"))
+    let reason = reports.first().map(|first| format!("; {}", first.message)).unwrap_or_default();
+    ReadError::new(format!("contains no triangles (vertices: {vertices}, faces: {faces}): nothing to draw{reason}"))
 }
 
 /// Counts the polygons with 3 corners, 4, and 5 or more.

@@ -86,8 +86,8 @@ fn model(limits: &Limits, read: impl FnOnce(&mut Reports) -> Result<Facets, Read
         format!("{facets} a corner that is not finite (the first is {}): left out", tally.first)
     });
     if facets.count() == 0 {
-        let why = reports.first().map(|first| format!("; {}", first.message)).unwrap_or_default();
-        return Err(ReadError::new(format!("contains no facets: nothing to draw{why}")));
+        let reason = reports.first().map(|first| format!("; {}", first.message)).unwrap_or_default();
+        return Err(ReadError::new(format!("contains no facets: nothing to draw{reason}")));
     }
     build(facets, limits, reports)
 }

@@ -1,4 +1,4 @@
-//! Files that ask for more than they should get.
+//! Files that try to use too much memory or time.
 
 use super::summary::check;
 use super::{documents, read, scene};
@@ -15,8 +15,11 @@ fn limits_are_kept() {
     let enough = Limits { max_vertices: 9, max_triangles: 3, ..Limits::default() };
     assert_eq!(collada::read(text.as_bytes(), &mut NoSidecars, &enough).unwrap().mesh.triangle_count(), 3);
     let few_bytes = Limits { max_bytes: 1000, ..Limits::default() };
-    let said = message(few_bytes);
-    assert!(said.starts_with("contains more than ") && said.ends_with(" elements, which is the limit"), "{said}");
+    let message = message(few_bytes);
+    assert!(
+        message.starts_with("contains more than ") && message.ends_with(" elements, which is the limit"),
+        "{message}"
+    );
 }
 
 /// A polygon is looked at as a whole.
@@ -27,8 +30,8 @@ fn a_polygon_has_a_most_of_corners() {
         let p = format!("<vcount>{corners}</vcount><p>{}</p>", "0 ".repeat(corners));
         text.replace("<p>0 1 2</p>", &p).replace("<triangles", "<polylist").replace("</triangles", "</polylist")
     };
-    let said = read(with(4_194_305).as_bytes()).unwrap_err().to_string();
-    assert!(said.contains("polygon 0 has more than 4194304 corners, which is the limit"), "{said}");
+    let message = read(with(4_194_305).as_bytes()).unwrap_err().to_string();
+    assert!(message.contains("polygon 0 has more than 4194304 corners, which is the limit"), "{message}");
     assert_eq!(read(with(5).as_bytes()).unwrap().mesh.triangle_count(), 3);
 }
 
@@ -36,8 +39,8 @@ fn a_polygon_has_a_most_of_corners() {
 #[test]
 fn deep_nesting_is_refused() {
     let text = format!("<COLLADA version=\"1.4.1\">{}", "<node>".repeat(1_000_000));
-    let said = read(text.as_bytes()).unwrap_err().to_string();
-    assert_eq!(said, "1:3092: elements are nested deeper than 512, which is the limit");
+    let message = read(text.as_bytes()).unwrap_err().to_string();
+    assert_eq!(message, "1:3092: elements are nested deeper than 512, which is the limit");
     let closed = format!("{text}{}</COLLADA>", "</node>".repeat(1_000_000));
     assert!(read(closed.as_bytes()).is_err());
     // What is not so deep is read.
@@ -54,8 +57,8 @@ fn entities_do_not_expand() {
         text.push_str(&format!("<!ENTITY e{level} \"{ten}\">"));
     }
     text.push_str("]>\n<COLLADA><float_array>&e9;</float_array></COLLADA>");
-    let said = read(text.as_bytes()).unwrap_err().to_string();
-    assert_eq!(said, "2:23: the entity \"e9\" is not predefined in XML: it is not expanded");
+    let message = read(text.as_bytes()).unwrap_err().to_string();
+    assert_eq!(message, "2:23: the entity \"e9\" is not predefined in XML: it is not expanded");
 }
 
 /// Forty nodes, each of which places the next one twice: a million million triangles.
@@ -68,13 +71,13 @@ fn nodes_do_not_multiply_without_end() {
     let nodes: String = (0..40).map(twice).collect();
     let text = scene(&format!("{nodes}<node id=\"n40\"><instance_geometry url=\"#g\"/></node>"));
     let limits = Limits { max_bytes: 1 << 20, ..Limits::default() };
-    let said = collada::read(text.as_bytes(), &mut NoSidecars, &limits).unwrap_err().message;
-    assert_eq!(said, "the placed geometries take more than 1048576 bytes, which is the limit");
+    let message = collada::read(text.as_bytes(), &mut NoSidecars, &limits).unwrap_err().message;
+    assert_eq!(message, "the placed geometries take more than 1048576 bytes, which is the limit");
     let text = scene(&format!("{nodes}<node id=\"n40\"/>"));
-    let said = read(text.as_bytes()).unwrap_err().message;
+    let message = read(text.as_bytes()).unwrap_err().message;
     let expected =
         "nodes are instantiated so often that more than 2000000 elements would be visited, which is the limit";
-    assert_eq!(said, expected);
+    assert_eq!(message, expected);
 }
 
 #[test]

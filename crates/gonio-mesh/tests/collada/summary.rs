@@ -1,4 +1,4 @@
-//! What a reader makes of a file, as text that can be written by hand, and checks that hold for every model.
+//! A summary of a model as text that can be written by hand, and checks that hold for every model.
 
 use gonio_fixtures::{ExpectedCase, FixtureTable};
 use gonio_mesh::{Mesh, Model, ReadError, TextureMap};
@@ -60,7 +60,7 @@ pub fn summary(result: &Result<Model, ReadError>) -> String {
     text
 }
 
-/// What holds for every model, whatever it was made of.
+/// Checks properties that every model must have.
 pub fn check(model: &Model) {
     let mesh: &Mesh = &model.mesh;
     let count = mesh.positions.len();

@@ -121,7 +121,7 @@ impl File {
         gltf::read(&self.glb(), &mut NoSidecars, &Limits::default())
     }
 
-    /// What must be read, with nothing odd in it but perhaps notes.
+    /// The model, which must be read without a warning.
     pub fn quiet(&self) -> Model {
         let model = self.read().unwrap();
         let warnings: Vec<_> = model.diagnostics.iter().filter(|d| d.severity > Severity::Note).collect();
@@ -129,11 +129,11 @@ impl File {
         model
     }
 
-    /// The model, and what is said of it.
-    pub fn said(&self) -> (Model, Vec<String>) {
+    /// The model, and the messages of the reader.
+    pub fn read_with_messages(&self) -> (Model, Vec<String>) {
         let model = self.read().unwrap();
-        let said = model.diagnostics.iter().map(ToString::to_string).collect();
-        (model, said)
+        let messages = model.diagnostics.iter().map(ToString::to_string).collect();
+        (model, messages)
     }
 
     pub fn error(&self) -> String {
@@ -193,8 +193,8 @@ pub fn near(a: &[f32], b: &[f32]) {
 
 /// Whether one of the sentences is this one.
 #[track_caller]
-pub fn says(said: &[String], sentence: &str) {
-    assert!(said.iter().any(|s| s == sentence), "{sentence:?} is not among {said:#?}");
+pub fn assert_message(messages: &[String], sentence: &str) {
+    assert!(messages.iter().any(|s| s == sentence), "{sentence:?} is not among {messages:#?}");
 }
 
 /// A file with a bit of everything; the bounds of its positions, which readers need not have, are left out.

@@ -9,7 +9,7 @@ fn error(bytes: &[u8]) -> String {
 }
 
 #[test]
-fn what_is_no_gltf() {
+fn files_that_are_not_gltf() {
     let cases: [(&[u8], &str); 8] = [
         (b"", "the file is empty"),
         (b" \n", "the file is empty"),
@@ -223,7 +223,7 @@ fn broken_places_are_named() {
 }
 
 #[test]
-fn buffers_that_cannot_be_had() {
+fn buffers_that_cannot_be_read() {
     let with = |buffer: Value| {
         let mut json = File::triangle().json;
         json["buffers"] = json!([buffer]);
@@ -259,7 +259,7 @@ fn buffers_that_cannot_be_had() {
 }
 
 #[test]
-fn draco_that_is_not_required_but_all_there_is() {
+fn geometry_only_in_draco_compression() {
     let mut file = File::triangle();
     file.json["accessors"][0].as_object_mut().unwrap().remove("bufferView");
     let draco = json!({ "KHR_draco_mesh_compression": { "bufferView": 0, "attributes": { "POSITION": 0 } } });
@@ -268,7 +268,7 @@ fn draco_that_is_not_required_but_all_there_is() {
     assert_eq!(file.error(), format!("meshes[0].primitives[0] {holds}"));
 }
 
-/// So that what a change blows up is refused early.
+/// Small, so that changes that enlarge a model are refused early.
 const SMALL: Limits = Limits { max_vertices: 10_000, max_triangles: 10_000, max_bytes: 1 << 20 };
 
 fn read(bytes: &[u8], limits: &Limits) -> Result<Model, ReadError> {

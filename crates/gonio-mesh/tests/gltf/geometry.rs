@@ -1,6 +1,6 @@
 //! Geometry and nodes of glTF files.
 
-use crate::builder::{CORNERS, F32, File, Files, I8, I16, U8, U16, U32, near, says};
+use crate::builder::{CORNERS, F32, File, Files, I8, I16, U8, U16, U32, assert_message, near};
 use gonio_mesh::{Limits, ModelLightKind, NormalSource, gltf};
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -69,13 +69,16 @@ fn lists_strips_and_fans() {
     // Joints of strips are left out: 0 1 2 | 2 2 | 3 ...
     assert_eq!(read(5, Some(&[0, 1, 2, 2, 3, 3, 4, 0])).quiet().mesh.indices, [0, 1, 2, 3, 0, 4]);
     assert_eq!(read(4, Some(&[0, 1, 2, 2, 1, 3])).quiet().mesh.indices, [0, 1, 2, 2, 1, 3]);
-    let (model, said) = read(4, None).said();
+    let (model, messages) = read(4, None).read_with_messages();
     assert_eq!(model.mesh.indices, [0, 1, 2]);
-    says(&said, "warning: meshes[0].primitives[0] has 2 extra corners that do not form a triangle: left out");
-    let (model, said) = read(4, Some(&[0, 1, 2, 0, 5, 1, 2, 3, 4])).said();
+    assert_message(
+        &messages,
+        "warning: meshes[0].primitives[0] has 2 extra corners that do not form a triangle: left out",
+    );
+    let (model, messages) = read(4, Some(&[0, 1, 2, 0, 5, 1, 2, 3, 4])).read_with_messages();
     assert_eq!(model.mesh.indices, [0, 1, 2, 2, 3, 4]);
-    says(
-        &said,
+    assert_message(
+        &messages,
         "warning: meshes[0].primitives[0]: 1 triangles are left out: an index is 5, but there are only 5 vertices",
     );
 }
@@ -99,13 +102,13 @@ fn points_and_lines_are_counted() {
     for mode in [0, 1, 2, 3] {
         file.of_primitive(json!({ "attributes": { "POSITION": 0 }, "mode": mode }));
     }
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.mesh.triangle_count(), 1);
     let count = |what: &str| model.contents.iter().find(|(name, _)| name == what).map(|(_, count)| *count);
     assert_eq!(count("primitives of points in the scene"), Some(1));
     assert_eq!(count("primitives of lines in the scene"), Some(3));
-    says(&said, "warning: meshes[1].primitives[0] consists of points, not triangles: not drawn");
-    says(&said, "warning: meshes[3].primitives[0] consists of lines, not triangles: not drawn");
+    assert_message(&messages, "warning: meshes[1].primitives[0] consists of points, not triangles: not drawn");
+    assert_message(&messages, "warning: meshes[3].primitives[0] consists of lines, not triangles: not drawn");
 }
 
 #[test]
@@ -236,7 +239,7 @@ fn vertices_that_no_triangle_uses_are_left_out() {
     assert_eq!((mesh.parts[1].first_triangle, mesh.parts[1].triangle_count), (1, 1));
 }
 
-/// Where only some primitives have an attribute.
+/// Only some primitives have an attribute.
 #[test]
 fn attributes_of_some_primitives_only() {
     let mut file = File::triangle();
@@ -248,16 +251,16 @@ fn attributes_of_some_primitives_only() {
         "POSITION": 0, "NORMAL": normals, "TANGENT": tangents, "TEXCOORD_0": tex_coords, "COLOR_0": colors
     } }));
     file.of_primitive(json!({ "attributes": { "POSITION": 0 } }));
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     let mesh = model.mesh;
     assert_eq!(mesh.normals.len(), 9);
     assert_eq!((mesh.normals[0], mesh.normals[3], mesh.normals[8]), ([0.0; 3], [0.0, 0.0, 1.0], [0.0; 3]));
     assert_eq!((mesh.tex_coords[0], mesh.tex_coords[3], mesh.tex_coords[8]), ([0.0; 2], [0.5; 2], [0.0; 2]));
     assert_eq!((mesh.colors[0], mesh.colors[3], mesh.colors[8]), ([1.0; 4], [0.5, 0.5, 0.5, 1.0], [1.0; 4]));
     assert!(mesh.tangents.is_empty());
-    says(&said, "note: only some primitives have tangents (TANGENT): those of the file are not used");
-    says(
-        &said,
+    assert_message(&messages, "note: only some primitives have tangents (TANGENT): those of the file are not used");
+    assert_message(
+        &messages,
         "note: meshes[0].primitives[0] has no normals: glTF specifies flat shading there; they are averaged for \
          smooth shading",
     );
@@ -319,13 +322,13 @@ fn normals_and_tangents_turn_as_they_must() {
     assert_eq!(twice.indices, [0, 1, 2]);
     near(&twice.tangents[0], &[-half, half, 0.0, 1.0]);
     // Flattened along x: all normals point along x.
-    let (flat, said) = file.with("/nodes/0/scale", json!([0, 1, 1])).said();
+    let (flat, messages) = file.with("/nodes/0/scale", json!([0, 1, 1])).read_with_messages();
     near(&flat.mesh.normals[0], &[1.0, 0.0, 0.0]);
-    says(&said, "warning: nodes[0] flattens its mesh: a scale is 0");
+    assert_message(&messages, "warning: nodes[0] flattens its mesh: a scale is 0");
 }
 
 #[test]
-fn a_mesh_stands_once_for_each_node() {
+fn each_node_has_its_own_copy_of_a_mesh() {
     let mut file = File::triangle();
     file.set("/meshes/0/name", json!("Tile"));
     file.root_node(json!({ "mesh": 0, "name": "Second", "translation": [0, 0, 5] }));
@@ -346,9 +349,9 @@ fn which_scene_is_shown() {
     assert_eq!(names(&file), [0.0, 1.0, 0.0]);
     file.json["scene"] = json!(1);
     assert_eq!(names(&file), [7.0, 8.0, 7.0]);
-    let (_, said) = file.said();
-    says(&said, "note: contains 2 scenes: scenes[1] (\"Attic\") is shown");
-    says(&said, "note: 1 of 2 nodes are not in the scene: left out");
+    let (_, messages) = file.read_with_messages();
+    assert_message(&messages, "note: contains 2 scenes: scenes[1] (\"Attic\") is shown");
+    assert_message(&messages, "note: 1 of 2 nodes are not in the scene: left out");
     // No default: the first. No scenes: all roots, in order, not their children.
     file.json.as_object_mut().unwrap().remove("scene");
     assert_eq!(names(&file), [0.0, 1.0, 0.0]);
@@ -357,9 +360,9 @@ fn which_scene_is_shown() {
     assert_eq!(names(&file), [7.0, 8.0, 7.0, 0.0, 1.0, 0.0]);
     // No nodes at all: the meshes as they are.
     file.json.as_object_mut().unwrap().remove("nodes");
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.mesh.triangle_count(), 1);
-    says(&said, "warning: has meshes but no nodes: each mesh is shown untransformed");
+    assert_message(&messages, "warning: has meshes but no nodes: each mesh is shown untransformed");
 }
 
 #[test]
@@ -389,14 +392,14 @@ fn lights_stand_at_their_nodes() {
     assert_eq!(spot.kind, ModelLightKind::Spot { inner_angle_rad: 0.25, outer_angle_rad: 0.5 });
     assert_eq!(spot.direction, [0.0, 0.0, -1.0]);
     assert_eq!(wide.kind, ModelLightKind::Spot { inner_angle_rad: 0.0, outer_angle_rad: FRAC_PI_4 as f32 });
-    let (_, said) = file.said();
+    let (_, messages) = file.read_with_messages();
     let range = "extensions.KHR_lights_punctual.lights[1] has a range of 10, which is ignored: it falls off with the square of the distance";
-    says(&said, &format!("note: {range}"));
+    assert_message(&messages, &format!("note: {range}"));
     file.set("/extensions/KHR_lights_punctual/lights/0/type", json!("area"));
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.lights.len(), 3);
-    says(
-        &said,
+    assert_message(
+        &messages,
         "warning: extensions.KHR_lights_punctual.lights[0] (\"Sun\") has the unknown type \"area\": the light is left out",
     );
 }
@@ -411,20 +414,20 @@ fn cameras_stand_at_their_nodes() {
     // A quarter turn about y takes -z to -x.
     file.root_node(json!({ "camera": 0, "translation": [5, 0, 1], "rotation": [0, half, 0, half] }));
     file.root_node(json!({ "camera": 1 }));
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     let [eye, drawing] = &model.cameras[..] else { panic!("{:?}", model.cameras) };
     assert_eq!((eye.name.as_str(), eye.fov_y_rad, eye.clip), ("Eye", Some(0.5), [Some(0.1), None]));
     assert_eq!(eye.position, [5.0, 0.0, 1.0]);
     near(&eye.direction.map(|c| c as f32), &[-1.0, 0.0, 0.0]);
     near(&eye.up.map(|c| c as f32), &[0.0, 1.0, 0.0]);
     assert_eq!((drawing.fov_y_rad, drawing.clip), (None, [Some(0.0), Some(9.0)]));
-    says(&said, "note: cameras[1] is an orthographic camera: its height (ymag) is ignored");
+    assert_message(&messages, "note: cameras[1] is an orthographic camera: its height (ymag) is ignored");
     file.set("/cameras/0/perspective/yfov", json!(2.0 * FRAC_PI_2));
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.cameras.len(), 1);
     let sentence =
         "cameras[0].perspective.yfov = 3.141592653589793, which is not a valid field of view: the camera is left out";
-    says(&said, &format!("warning: {sentence}"));
+    assert_message(&messages, &format!("warning: {sentence}"));
 }
 
 /// The node of a skinned mesh does not move it; its joints do.
@@ -440,28 +443,29 @@ fn skins_stand_as_they_were_bound() {
     file.root_node(json!({ "translation": [2, 0, 9], "rotation": quarter_turn() }));
     file.set("/nodes/0/skin", json!(0));
     file.set("/nodes/0/translation", json!([100, 100, 100]));
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     near(&model.mesh.positions.concat(), &[2.0, -2.0, 9.0, 2.0, -1.0, 9.0, 1.0, -2.0, 9.0]);
-    says(&said, "warning: contains 1 skin: the model is shown at rest, in its bind pose");
+    assert_message(&messages, "warning: contains 1 skin: the model is shown at rest, in its bind pose");
     file.json["animations"] = json!([{ "channels": [], "samplers": [] }, {}]);
     file.set("/meshes/0/primitives/0/targets", json!([{ "POSITION": 0 }]));
-    let (_, said) = file.said();
-    says(&said, "warning: contains 2 animations: the model is shown at rest, in its bind pose");
-    says(&said, "warning: meshes[0] has morph targets: its base shape is shown");
+    let (_, messages) = file.read_with_messages();
+    assert_message(&messages, "warning: contains 2 animations: the model is shown at rest, in its bind pose");
+    assert_message(&messages, "warning: meshes[0] has morph targets: its base shape is shown");
 }
 
 #[test]
 fn odd_transforms_are_reported() {
-    let (model, said) = File::triangle().with("/nodes/0/rotation", json!([0, 0, 2_f64.sqrt(), 2_f64.sqrt()])).said();
+    let (model, messages) =
+        File::triangle().with("/nodes/0/rotation", json!([0, 0, 2_f64.sqrt(), 2_f64.sqrt()])).read_with_messages();
     near(&model.mesh.positions[1], &[0.0, 1.0, 0.0]);
-    says(&said, "warning: nodes[0].rotation is a quaternion of length 2.0000 instead of 1");
+    assert_message(&messages, "warning: nodes[0].rotation is a quaternion of length 2.0000 instead of 1");
     let identity = json!([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
     let file = File::triangle().with("/nodes/0/matrix", identity).with("/nodes/0/scale", json!([3, 3, 3]));
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.mesh.positions[1], [1.0, 0.0, 0.0]);
-    says(&said, "warning: nodes[0] has both a matrix and other transforms: using the matrix");
+    assert_message(&messages, "warning: nodes[0] has both a matrix and other transforms: using the matrix");
     let perspective = json!([1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2]);
-    let (model, said) = File::triangle().with("/nodes/0/matrix", perspective).said();
+    let (model, messages) = File::triangle().with("/nodes/0/matrix", perspective).read_with_messages();
     assert_eq!(model.mesh.positions[1], [1.0, 0.0, 0.0]);
-    says(&said, "warning: nodes[0].matrix has a last row other than 0 0 0 1: it is ignored");
+    assert_message(&messages, "warning: nodes[0].matrix has a last row other than 0 0 0 1: it is ignored");
 }

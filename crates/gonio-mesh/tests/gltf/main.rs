@@ -1,4 +1,4 @@
-//! glTF: what each construct of the format gives, what is said about what is odd, and that nothing brings it down.
+//! glTF: the result of each construct of the format, messages about odd files, and damaged files.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 

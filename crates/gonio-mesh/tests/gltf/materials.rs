@@ -1,6 +1,6 @@
 //! Materials and textures of glTF files.
 
-use crate::builder::{File, Files, base64, near, says};
+use crate::builder::{File, Files, assert_message, base64, near};
 use gonio_mesh::{AmbientRule, Limits, Material, MetallicRoughness, Model, PropertySource, TextureMap, Wrap, gltf};
 use serde_json::{Value, json};
 
@@ -23,8 +23,8 @@ fn quiet(material: Value) -> Material {
 }
 
 fn odd(material: Value) -> (Material, Vec<String>) {
-    let (mut model, said): (Model, _) = file_of(material).said();
-    (model.materials.remove(0), said)
+    let (mut model, messages): (Model, _) = file_of(material).read_with_messages();
+    (model.materials.remove(0), messages)
 }
 
 fn source<'m>(sources: &'m [PropertySource], property: &str) -> &'m PropertySource {
@@ -56,15 +56,18 @@ fn metal_and_roughness() {
     assert_eq!(source(&material.sources, "opacity").rule, "glTF's default; opaque: the alpha 0.5 is ignored");
 }
 
-/// What is absent is 1: white metal without gloss; where there is no material at all, light clay.
+/// Absent values are 1: white metal without gloss. Without a material it is light clay.
 #[test]
-fn what_is_absent() {
+fn absent_values() {
     let material = quiet(json!({}));
     assert_eq!((material.diffuse, material.specular, material.shininess), ([0.0; 3], [1.0; 3], 1.0));
-    let (model, said) = File::triangle().said();
+    let (model, messages) = File::triangle().read_with_messages();
     assert_eq!(model.materials, [Material::default()]);
     assert_eq!(model.mesh.parts[0].material, 0);
-    says(&said, "note: meshes[0].primitives[0] has no material: using light clay (as for all primitives without one)");
+    assert_message(
+        &messages,
+        "note: meshes[0].primitives[0] has no material: using light clay (as for all primitives without one)",
+    );
 }
 
 #[test]
@@ -154,8 +157,11 @@ fn alpha_modes() {
     let mask = material("MASK", 0.5, true);
     let texel = mask.opacity_map.unwrap().texel;
     assert_eq!((mask.opacity, texel.gain, texel.cutoff), (1.0, 0.5, Some(0.25)));
-    let (_, said) = odd(json!({ "alphaMode": "GLASS" }));
-    says(&said, "warning: materials[0].alphaMode is \"GLASS\", not OPAQUE, MASK or BLEND: using the default");
+    let (_, messages) = odd(json!({ "alphaMode": "GLASS" }));
+    assert_message(
+        &messages,
+        "warning: materials[0].alphaMode is \"GLASS\", not OPAQUE, MASK or BLEND: using the default",
+    );
 }
 
 #[test]
@@ -198,8 +204,8 @@ fn textures_of_materials() {
 }
 
 #[test]
-fn what_has_no_place_is_named() {
-    let (material, said) = odd(json!({
+fn unsupported_properties_are_named() {
+    let (material, messages) = odd(json!({
         "name": "Car", "doubleSided": true, "occlusionTexture": { "index": 0 },
         "extensions": { "KHR_materials_clearcoat": { "clearcoatFactor": 1 }, "ACME_rust": {} },
     }));
@@ -209,31 +215,37 @@ fn what_has_no_place_is_named() {
     let clearcoat = ("clearcoat", "materials[0].extensions.KHR_materials_clearcoat = {\"clearcoatFactor\": 1}");
     assert!(unused.contains(&clearcoat) && unused.len() == 4, "{unused:?}");
     let title = "materials[0] (\"Car\")";
-    says(&said, &format!("note: {title} has an occlusionTexture: it is not used"));
+    assert_message(&messages, &format!("note: {title} has an occlusionTexture: it is not used"));
     let coat = "which the light equation has no term for: it is shown without it";
-    says(&said, &format!("warning: {title} has KHR_materials_clearcoat, {coat}"));
-    says(&said, &format!("warning: {title} has ACME_rust, which is not known: it is shown without it"));
+    assert_message(&messages, &format!("warning: {title} has KHR_materials_clearcoat, {coat}"));
+    assert_message(&messages, &format!("warning: {title} has ACME_rust, which is not known: it is shown without it"));
 }
 
 #[test]
 fn values_that_are_no_use() {
-    let (material, said) = odd(json!({ "pbrMetallicRoughness": {
+    let (material, messages) = odd(json!({ "pbrMetallicRoughness": {
         "baseColorFactor": [0.5, 0.5, 0.5], "metallicFactor": -3, "roughnessFactor": "rough",
     } }));
     assert_eq!((material.diffuse, material.shininess), ([1.0; 3], 1.0));
     let pbr = "materials[0].pbrMetallicRoughness";
     let at = format!("warning: {pbr}.baseColorFactor is [0.5, 0.5, 0.5], expected 4 numbers: using the default");
-    says(&said, &at);
-    says(&said, &format!("warning: {pbr}.metallicFactor = -3, but it must be from 0 to 1: clamped"));
-    says(&said, &format!("warning: {pbr}.roughnessFactor is \"rough\", expected a number: using the default"));
-    let (material, said) = odd(json!({ "emissiveFactor": [1e300, -1, 0] }));
+    assert_message(&messages, &at);
+    assert_message(&messages, &format!("warning: {pbr}.metallicFactor = -3, but it must be from 0 to 1: clamped"));
+    assert_message(
+        &messages,
+        &format!("warning: {pbr}.roughnessFactor is \"rough\", expected a number: using the default"),
+    );
+    let (material, messages) = odd(json!({ "emissiveFactor": [1e300, -1, 0] }));
     assert_eq!(material.emitted, [f32::MAX, 0.0, 0.0]);
-    says(&said, "warning: materials[0].emissiveFactor = [1e+300, -1, 0], but it must be at least 0: clamped");
+    assert_message(
+        &messages,
+        "warning: materials[0].emissiveFactor = [1e+300, -1, 0], but it must be at least 0: clamped",
+    );
 }
 
-/// Where the file says nothing, the source says so; in the order of the fields.
+/// The sources of absent values, in the order of the fields.
 #[test]
-fn sources_of_what_is_absent() {
+fn sources_of_absent_values() {
     let material = quiet(json!({
         "pbrMetallicRoughness": { "metallicFactor": 0 }, "extensions": { "KHR_materials_ior": { "ior": 1.25 } },
     }));
@@ -292,38 +304,38 @@ fn pictures_inside_and_outside() {
 }
 
 #[test]
-fn textures_that_cannot_be_had() {
-    let said = |info: Value, texture: Value, image: Value| {
-        let (model, said) = textured_file(info, texture, image).said();
+fn textures_that_cannot_be_read() {
+    let messages = |info: Value, texture: Value, image: Value| {
+        let (model, messages) = textured_file(info, texture, image).read_with_messages();
         assert_eq!(model.materials[0].diffuse_map, None);
-        said
+        messages
     };
     let fine = || (json!({ "index": 0 }), json!({ "source": 0 }), json!({ "uri": "a.png" }));
     let (info, _, image) = fine();
     let lost = "the texture is left out";
-    says(
-        &said(info, json!({ "source": 1 }), image),
+    assert_message(
+        &messages(info, json!({ "source": 1 }), image),
         &format!("warning: textures[0].source = 1, but the file has 1 images: {lost}"),
     );
     let (_, texture, image) = fine();
     let path = "materials[0].pbrMetallicRoughness.baseColorTexture";
-    says(
-        &said(json!({ "index": 7 }), texture, image),
+    assert_message(
+        &messages(json!({ "index": 7 }), texture, image),
         &format!("warning: {path}.index = 7, but the file has 1 textures: {lost}"),
     );
     let (info, texture, _) = fine();
-    says(
-        &said(info.clone(), texture.clone(), json!({ "uri": "data:image/png;base64,&&" })),
+    assert_message(
+        &messages(info.clone(), texture.clone(), json!({ "uri": "data:image/png;base64,&&" })),
         &format!("warning: invalid data in images[0].uri: its character 1 is not base64: {lost}"),
     );
-    says(
-        &said(info.clone(), texture, json!({ "uri": "https://example.org/a.png" })),
+    assert_message(
+        &messages(info.clone(), texture, json!({ "uri": "https://example.org/a.png" })),
         &format!("warning: images[0].uri = \"https://example.org/a.png\" is not fetched: {lost}"),
     );
     let (_, _, image) = fine();
     let basis = json!({ "extensions": { "KHR_texture_basisu": { "source": 9 } } });
     let source = "textures[0].extensions.KHR_texture_basisu.source";
-    says(&said(info, basis, image), &format!("warning: {source} = 9, but the file has 1 images: {lost}"));
+    assert_message(&messages(info, basis, image), &format!("warning: {source} = 9, but the file has 1 images: {lost}"));
 }
 
 #[test]
@@ -331,15 +343,18 @@ fn wrap_modes() {
     let mut file =
         textured_file(json!({ "index": 0 }), json!({ "source": 0, "sampler": 0 }), json!({ "uri": "a.png" }));
     file.push("samplers", json!({ "wrapS": 33071, "wrapT": 33648, "magFilter": 9728 }));
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(map_of(&model).wrap, [Wrap::Clamp, Wrap::Mirror]);
-    says(&said, "note: samplers[0] asks for nearest-neighbor filtering: textures are always filtered linearly");
+    assert_message(
+        &messages,
+        "note: samplers[0] asks for nearest-neighbor filtering: textures are always filtered linearly",
+    );
     file.json["samplers"] = json!([{}]);
     assert_eq!(map_of(&file.quiet()).wrap, [Wrap::Repeat; 2]);
     file.json["samplers"] = json!([{ "wrapS": 1 }]);
-    let (_, said) = file.said();
-    says(
-        &said,
+    let (_, messages) = file.read_with_messages();
+    assert_message(
+        &messages,
         "warning: samplers[0].wrapS = 1, which is not 10497 (repeat), 33071 (clamp) or 33648 (mirror): the texture is left out",
     );
 }
@@ -394,25 +409,25 @@ fn texture_coordinates_of_the_first_texture() {
     let second = file.floats(&[0.5, 0.25, 0.5, 0.25, 0.5, 0.25], "VEC2");
     file.set("/meshes/0/primitives/0/attributes/TEXCOORD_1", second.into());
     file.set("/materials/0/emissiveTexture", json!({ "index": 0, "texCoord": 1 }));
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.mesh.tex_coords, [[0.5, 0.75]; 3]);
     assert!(model.materials[0].emitted_map.is_some());
-    says(
-        &said,
+    assert_message(
+        &messages,
         "note: meshes[0].primitives[0].attributes.TEXCOORD_0 is an additional set of texture coordinates: not used",
     );
     // The extension's word counts more; what lies on another set is left out.
     let transform = json!({ "KHR_texture_transform": { "texCoord": 0 } });
     file.set("/materials/0/pbrMetallicRoughness/baseColorTexture/extensions", transform);
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.mesh.tex_coords, [[0.0, 1.0]; 3]);
     assert_eq!(model.materials[0].emitted_map, None);
     let first = "but the material's first texture uses TEXCOORD_0: it is left out";
-    says(&said, &format!("warning: materials[0].emissiveTexture uses TEXCOORD_1, {first}"));
+    assert_message(&messages, &format!("warning: materials[0].emissiveTexture uses TEXCOORD_1, {first}"));
     file.json["meshes"][0]["primitives"][0]["attributes"].as_object_mut().unwrap().remove("TEXCOORD_0");
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert!(model.mesh.tex_coords.is_empty());
-    says(&said, "warning: meshes[0].primitives[0] has textures but no TEXCOORD_0: using (0, 0)");
+    assert_message(&messages, "warning: meshes[0].primitives[0] has textures but no TEXCOORD_0: using (0, 0)");
 }
 
 #[test]
@@ -432,7 +447,7 @@ fn pictures_have_a_limit() {
     assert_eq!((enough.images.len(), enough.images[1].bytes.len()), (2, 50_000));
     let few = read(99_999);
     assert_eq!((few.images.len(), few.images[0].bytes.len()), (1, 50_000));
-    let said: Vec<String> = few.diagnostics.iter().map(ToString::to_string).collect();
+    let messages: Vec<String> = few.diagnostics.iter().map(ToString::to_string).collect();
     let limit = "makes the images larger than 99999 bytes, which is the limit: the texture is left out";
-    says(&said, &format!("warning: images[1] {limit}"));
+    assert_message(&messages, &format!("warning: images[1] {limit}"));
 }

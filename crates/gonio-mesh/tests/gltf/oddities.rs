@@ -1,7 +1,7 @@
 //! Odd glTF files that are read: whole numbers in any spelling (JSON does not distinguish `1`, `1.0` and `1e0`), and files that
 //! are read with a warning.
 
-use crate::builder::{File, glb, rich, says};
+use crate::builder::{File, assert_message, glb, rich};
 use gonio_mesh::{Limits, Model, NoSidecars, ReadError, gltf};
 use serde_json::{Value, json};
 
@@ -51,7 +51,7 @@ fn whole_numbers_may_be_written_in_any_way() {
             let json = rewritten(&file, &way);
             let summary = |json: &str| {
                 let mut model = read(json).unwrap();
-                // What a material quotes of the file is as it is written there.
+                // The sources of a material quote the file literally.
                 model.materials.iter_mut().for_each(|material| material.sources.clear());
                 let Model { mesh, materials, lights, cameras, contents, .. } = &model;
                 format!("{mesh:?}{materials:?}{lights:?}{cameras:?}{contents:?}{}", model.images.len())
@@ -90,7 +90,7 @@ const WHOLE: [&str; 24] = [
 ];
 const LISTS: [&str; 3] = ["nodes", "children", "joints"];
 
-/// Where whole numbers stand: as JSON pointers, and as messages name them.
+/// The places of whole numbers: as JSON pointers, and as messages name them.
 fn places(value: &Value, pointer: &str, path: &str, found: &mut Vec<(String, String)>) {
     match value {
         Value::Object(members) => {
@@ -117,7 +117,7 @@ fn places(value: &Value, pointer: &str, path: &str, found: &mut Vec<(String, Str
     }
 }
 
-/// Each place in turn: an error or, of what can be left out, a warning names it.
+/// A wrong number at each place is named by an error, or by a warning if it can be left out.
 #[test]
 fn fractions_and_negative_numbers_are_named() {
     let mut tried = 0;
@@ -129,12 +129,12 @@ fn fractions_and_negative_numbers_are_named() {
             {
                 let mut broken = file.clone();
                 *broken.pointer_mut(&pointer).unwrap() = wrong;
-                let said = match read(&broken.to_string()) {
+                let messages = match read(&broken.to_string()) {
                     Ok(model) => model.diagnostics.iter().map(ToString::to_string).collect(),
                     Err(error) => vec![error.to_string()],
                 };
-                let names_it = |said: &String| said.contains(&path) && said.contains(shown);
-                assert!(said.iter().any(names_it), "{path} = {shown}: {said:#?}");
+                let names_it = |messages: &String| messages.contains(&path) && messages.contains(shown);
+                assert!(messages.iter().any(names_it), "{path} = {shown}: {messages:#?}");
                 tried += 1;
             }
         }
@@ -145,29 +145,29 @@ fn fractions_and_negative_numbers_are_named() {
 #[test]
 fn odd_containers() {
     let file = File::triangle();
-    let said = |bytes: &[u8]| {
+    let messages = |bytes: &[u8]| {
         let model = gltf::read(bytes, &mut NoSidecars, &Limits::default()).unwrap();
         assert_eq!(model.mesh.triangle_count(), 1);
         model.diagnostics.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     let mut trailing = file.glb();
     trailing.extend(b"more");
-    says(&said(&trailing), "warning: 4 bytes after the end declared in the header are ignored");
+    assert_message(&messages(&trailing), "warning: 4 bytes after the end declared in the header are ignored");
     let mut chunk = file.glb();
     let at = chunk.len();
     chunk.extend(b"\x04\0\0\0ACMEabcd");
     let total = (chunk.len() as u32).to_le_bytes();
     chunk[8..12].copy_from_slice(&total);
-    says(&said(&chunk), &format!("note: byte {at}: a chunk of the unknown type \"ACME\" is skipped"));
+    assert_message(&messages(&chunk), &format!("note: byte {at}: a chunk of the unknown type \"ACME\" is skipped"));
     let mut mark = b"\xEF\xBB\xBF".to_vec();
     mark.extend(file.gltf());
-    says(&said(&mark), "note: begins with a byte order mark, which JSON does not allow: skipped");
+    assert_message(&messages(&mark), "note: begins with a byte order mark, which JSON does not allow: skipped");
     // A binary chunk may be up to three bytes longer than its buffer.
     let mut json = file.json.clone();
     json["buffers"] = json!([{ "byteLength": 36 }]);
     let mut longer = file.bytes.clone();
     longer.extend([1, 2, 3]);
-    assert_eq!(said(&glb(&json.to_string(), &longer)).len(), 2);
+    assert_eq!(messages(&glb(&json.to_string(), &longer)).len(), 2);
 }
 
 #[test]
@@ -183,8 +183,8 @@ fn extensions_that_are_used() {
         "ACME_smell",
     ]);
     file.json["extensionsRequired"] = json!(["KHR_texture_basisu", "KHR_materials_sheen", "KHR_techniques_webgl"]);
-    let (_, said) = file.said();
-    let warnings: Vec<&String> = said.iter().filter(|s| s.starts_with("warning")).collect();
+    let (_, messages) = file.read_with_messages();
+    let warnings: Vec<&String> = messages.iter().filter(|s| s.starts_with("warning")).collect();
     let expected = [
         "warning: uses the extension \"KHR_materials_variants\", which is not supported: each part has its first material",
         "warning: uses the extension \"KHR_texture_basisu\", which is not supported: KTX2 images cannot be read",
@@ -202,40 +202,43 @@ fn odd_primitives() {
     let two = file.floats(&[0.0; 6], "VEC3");
     file.of_primitive(json!({ "attributes": { "POSITION": 0, "NORMAL": two } }));
     file.of_primitive(json!({ "attributes": { "POSITION": two } }));
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.mesh.triangle_count(), 3);
-    says(&said, "warning: meshes[1].primitives[0] has no POSITION: it is not drawn");
-    says(&said, "note: meshes[2].primitives[0].attributes.WARMTH is unknown: not used");
-    says(&said, "note: meshes[2].primitives[0].attributes.COLOR_1 is an additional set of colors: not used");
-    assert!(!said.iter().any(|s| s.contains("_TEMPERATURE")));
-    says(&said, "warning: meshes[3].primitives[0]: NORMAL has 2 elements, but POSITION has 3: ignored");
-    says(&said, "warning: meshes[4].primitives[0] has no triangles");
+    assert_message(&messages, "warning: meshes[1].primitives[0] has no POSITION: it is not drawn");
+    assert_message(&messages, "note: meshes[2].primitives[0].attributes.WARMTH is unknown: not used");
+    assert_message(
+        &messages,
+        "note: meshes[2].primitives[0].attributes.COLOR_1 is an additional set of colors: not used",
+    );
+    assert!(!messages.iter().any(|s| s.contains("_TEMPERATURE")));
+    assert_message(&messages, "warning: meshes[3].primitives[0]: NORMAL has 2 elements, but POSITION has 3: ignored");
+    assert_message(&messages, "warning: meshes[4].primitives[0] has no triangles");
     let mut file = File::triangle();
     let normals = file.floats(&[f32::NAN, 0.0, 1.0, 0.0, f32::INFINITY, 1.0, 0.0, 0.0, 1.0], "VEC3");
     file.set("/meshes/0/primitives/0/attributes/NORMAL", normals.into());
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.mesh.normals, [[0.0, 0.0, 1.0]; 3]);
-    says(&said, "warning: 2 numbers of normals are not finite: using 0 instead");
-    assert!(!said.iter().any(|s| s.contains("colors")), "{said:?}");
+    assert_message(&messages, "warning: 2 numbers of normals are not finite: using 0 instead");
+    assert!(!messages.iter().any(|s| s.contains("colors")), "{messages:?}");
     let mut file = File::triangle();
     let colors = file.floats(&[0.5, f32::NAN, 1.0].repeat(3), "VEC3");
     let tex_coords = file.floats(&[0.5, 0.5, f32::NEG_INFINITY, 0.5, 0.5, 0.5], "VEC2");
     file.set("/meshes/0/primitives/0/attributes/COLOR_0", colors.into());
     file.set("/meshes/0/primitives/0/attributes/TEXCOORD_0", tex_coords.into());
-    let (model, said) = file.said();
+    let (model, messages) = file.read_with_messages();
     assert_eq!(model.mesh.colors, [[0.5, 0.0, 1.0, 1.0]; 3]);
-    says(&said, "warning: 3 numbers of colors are not finite: using 0 instead");
-    says(&said, "warning: 1 number of texture coordinates is not finite: using 0 instead");
+    assert_message(&messages, "warning: 3 numbers of colors are not finite: using 0 instead");
+    assert_message(&messages, "warning: 1 number of texture coordinates is not finite: using 0 instead");
 }
 
-/// The same oddity at a thousand places is told twenty times.
+/// The same oddity at a thousand places is reported twenty times.
 #[test]
 fn many_of_a_kind_are_counted() {
     let mut file = File::triangle();
     for _ in 0..1000 {
         file.of_primitive(json!({ "attributes": { "POSITION": 0 }, "mode": 0 }));
     }
-    let (_, said) = file.said();
-    assert_eq!(said.iter().filter(|s| s.ends_with("consists of points, not triangles: not drawn")).count(), 20);
-    says(&said, "warning: and 980 more: primitives of points or lines");
+    let (_, messages) = file.read_with_messages();
+    assert_eq!(messages.iter().filter(|s| s.ends_with("consists of points, not triangles: not drawn")).count(), 20);
+    assert_message(&messages, "warning: and 980 more: primitives of points or lines");
 }

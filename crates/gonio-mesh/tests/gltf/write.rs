@@ -64,8 +64,8 @@ fn with_materials(materials: Vec<Material>) -> Model {
 fn geometry_comes_back() {
     let model =
         with_materials(vec![Material::default(), Material { name: "Second".to_owned(), ..Material::default() }]);
-    let (bytes, said) = written(&model);
-    assert!(said.is_empty(), "{said:?}");
+    let (bytes, messages) = written(&model);
+    assert!(messages.is_empty(), "{messages:?}");
     let again = read(&bytes);
     let at = |mesh: &Mesh, corner: usize| mesh.indices[corner] as usize;
     for corner in 0..6 {
@@ -122,8 +122,8 @@ fn materials_come_back() {
         opacity: 0.25,
         ..Material::default()
     };
-    let (bytes, said) = written(&with_materials(vec![plain.clone(), Material { shininess: 1.0, ..plain.clone() }]));
-    assert!(said.is_empty(), "{said:?}");
+    let (bytes, messages) = written(&with_materials(vec![plain.clone(), Material { shininess: 1.0, ..plain.clone() }]));
+    assert!(messages.is_empty(), "{messages:?}");
     let again = read(&bytes).materials;
     let material = &again[0];
     near(&material.diffuse, &plain.diffuse);
@@ -179,8 +179,8 @@ fn metal_and_textures_come_back() {
     };
     let images = vec![EmbeddedImage { name: "wood".to_owned(), bytes: PNG.to_vec() }];
     let model = Model { images, ..with_materials(vec![material.clone()]) };
-    let (bytes, said) = written(&model);
-    assert!(said.is_empty(), "{said:?}");
+    let (bytes, messages) = written(&model);
+    assert!(messages.is_empty(), "{messages:?}");
     let again = read(&bytes);
     let read = &again.materials[0];
     assert_eq!(
@@ -204,8 +204,8 @@ fn metal_and_textures_come_back() {
 #[test]
 fn a_file_read_and_written_is_the_same_model() {
     let first = rich().quiet();
-    let (bytes, said) = written(&Model { lights: Vec::new(), cameras: Vec::new(), ..first.clone() });
-    assert!(said.is_empty(), "{said:?}");
+    let (bytes, messages) = written(&Model { lights: Vec::new(), cameras: Vec::new(), ..first.clone() });
+    assert!(messages.is_empty(), "{messages:?}");
     let again = read(&bytes);
     assert_eq!(again.mesh.indices.len(), first.mesh.indices.len());
     for (a, b) in first.mesh.indices.iter().zip(&again.mesh.indices) {
@@ -229,12 +229,12 @@ fn a_file_read_and_written_is_the_same_model() {
         first.materials[0].opacity_map.as_ref().unwrap().texel,
         again.materials[0].opacity_map.as_ref().unwrap().texel
     );
-    let (_, said) = written(&first);
-    assert_eq!(said, ["warning: lights (2) and cameras (2) are not written".replace('2', "1")]);
+    let (_, messages) = written(&first);
+    assert_eq!(messages, ["warning: lights (2) and cameras (2) are not written".replace('2', "1")]);
 }
 
 #[test]
-fn what_has_no_place_is_reported() {
+fn losses_are_reported() {
     let material = Material {
         name: "Odd".to_owned(),
         ambient: AmbientRule::Value([0.1; 3]),
@@ -246,10 +246,10 @@ fn what_has_no_place_is_reported() {
         bump_map: Some(TextureMap::new("there.png")),
         ..Material::default()
     };
-    let (bytes, said) = written(&with_materials(vec![material]));
+    let (bytes, messages) = written(&with_materials(vec![material]));
     let lost = |what: &str| {
         let sentence = format!("warning: the material \"Odd\" has {what}, which glTF cannot store: not written");
-        assert!(said.contains(&sentence), "{sentence}: {said:#?}");
+        assert!(messages.contains(&sentence), "{sentence}: {messages:#?}");
     };
     lost("an ambient color of its own");
     lost("a color above 1");
@@ -258,16 +258,16 @@ fn what_has_no_place_is_reported() {
     lost("a texture of heights");
     lost("an opacity texture other than the alpha of its color texture");
     assert!(
-        said.contains(&"warning: the texture \"gone.png\" was not found: it is not written".to_owned()),
-        "{said:?}"
+        messages.contains(&"warning: the texture \"gone.png\" was not found: it is not written".to_owned()),
+        "{messages:?}"
     );
-    assert_eq!(said.len(), 7);
+    assert_eq!(messages.len(), 7);
     assert_eq!(read(&bytes).materials[0].diffuse_map, None);
     let images = vec![EmbeddedImage { name: "odd".to_owned(), bytes: b"RIFF".to_vec() }];
     let map = TextureMap { embedded: Some(0), ..TextureMap::new("odd") };
     let material = Material { diffuse_map: Some(map), ..Material::default() };
-    let (_, said) = written(&Model { images, ..with_materials(vec![material]) });
-    assert_eq!(said, ["warning: the texture \"odd\" is neither PNG nor JPEG: it is not written"]);
+    let (_, messages) = written(&Model { images, ..with_materials(vec![material]) });
+    assert_eq!(messages, ["warning: the texture \"odd\" is neither PNG nor JPEG: it is not written"]);
 }
 
 #[test]
@@ -275,8 +275,8 @@ fn incomplete_and_large_meshes() {
     // Normals that are 0 are none.
     let mut model = with_materials(vec![Material::default()]);
     model.mesh.normals[3] = [0.0; 3];
-    let (bytes, said) = written(&model);
-    assert_eq!(said, ["warning: the part \"Upper\" lacks some normals: none of them is written"]);
+    let (bytes, messages) = written(&model);
+    assert_eq!(messages, ["warning: the part \"Upper\" lacks some normals: none of them is written"]);
     let again = read(&bytes).mesh;
     assert_eq!((again.normals[0], again.normals[3]), ([0.0, 0.0, 1.0], [0.0; 3]));
     // Indices that do not fit 16 bits.
@@ -284,8 +284,8 @@ fn incomplete_and_large_meshes() {
     let positions: Vec<[f32; 3]> = (0..count).map(|i| [i as f32, (i % 7) as f32, 0.0]).collect();
     let indices: Vec<u32> = (0..count - 2).flat_map(|i| [i, i + 1, i + 2]).collect();
     let mesh = Mesh { positions, indices, ..Mesh::default() };
-    let (bytes, said) = written(&Model { mesh: mesh.clone(), ..Model::default() });
-    assert!(said.is_empty());
+    let (bytes, messages) = written(&Model { mesh: mesh.clone(), ..Model::default() });
+    assert!(messages.is_empty());
     let again = read(&bytes).mesh;
     assert!(again.positions == mesh.positions && again.indices == mesh.indices);
     // Nothing at all is still a file.

@@ -1,5 +1,5 @@
 // The specular lobes of Appendix 6 for b = 1, in 1/sr: twins of gonio-light's brdf/, in f32. Sources and
-// limits stand there. Each is 0 where N.L <= 0 or N.V <= 0 and at most LOBE_CAP. All take the same
+// limits are documented there. Each is 0 where N.L <= 0 or N.V <= 0 and at most LOBE_CAP. All take the same
 // parameters, so that a program can choose one by name; most ignore some.
 // From Rust: PI, DEGENERATE_LENGTH, LOBE_CAP, SHININESS_MAX, SHININESS_OF_ROUGHNESS_MAX, GRAZING_COSINE.
 

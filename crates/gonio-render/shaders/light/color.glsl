@@ -1,7 +1,7 @@
 // Exposure, tone maps, sRGB: twins of gonio-light's color.rs, in f32.
 // From Rust: RADIANCE_CAP, EXPOSURE_LIMIT.
 
-// x held in [0, 1]; NaN counts as 0, which clamp leaves undefined.
+// x clamped to [0, 1]; NaN becomes 0, for which clamp is undefined.
 float unit_interval(float x) {
     return x > 0.0 ? min(x, 1.0) : 0.0;
 }
@@ -10,7 +10,7 @@ vec3 unit_interval(vec3 c) {
     return vec3(unit_interval(c.r), unit_interval(c.g), unit_interval(c.b));
 }
 
-// x held in [0, RADIANCE_CAP]; NaN counts as 0.
+// x clamped to [0, RADIANCE_CAP]; NaN becomes 0.
 float capped(float x) {
     return x > 0.0 ? min(x, RADIANCE_CAP) : 0.0;
 }
@@ -52,7 +52,7 @@ vec3 agx(vec3 linear) {
         -0.0990297440797205, -0.0989611768448433, 1.15107367264116);
     const float min_ev = -12.47393;
     const float max_ev = 4.026069;
-    // 0 has no logarithm; everything below 2^min_ev is the same black.
+    // The logarithm of 0 is undefined; everything below 2^min_ev is the same black.
     vec3 stops = clamp(log2(max(working_from_srgb * linear, vec3(1e-10))), min_ev, max_ev);
     vec3 display = srgb_from_working * agx_contrast((stops - min_ev) / (max_ev - min_ev));
     return pow(unit_interval(display), vec3(2.2));

@@ -1,4 +1,4 @@
-// Light that comes from everywhere: twins of gonio-environment's harmonics.rs and prefilter.rs, and of
+// Light of the environment: twins of gonio-environment's harmonics.rs and prefilter.rs, and of
 // gonio-light's microfacet.rs, in f32. Sources are listed there.
 
 // The light that falls on a surface with this normal (in the environment): the integral of radiance times cosine. Never
@@ -15,7 +15,7 @@ float roughness_of_shininess(float shininess) {
     return sqrt(sqrt(2.0 / (max(shininess, 0.0) + 2.0)));
 }
 
-// Where the middle of a rough mirror's lobe is; not of unit length. Roughness in [0, 1].
+// The direction of the middle of a rough mirror's lobe; not of unit length. Roughness in [0, 1].
 vec3 dominant_direction(vec3 n, vec3 v, float roughness) {
     float alpha = roughness * roughness;
     float smoothness = 1.0 - alpha;

@@ -1,12 +1,12 @@
-// How much a boundary of two media reflects: twins of gonio-light's optics.rs, in f32.
-// eta = eta_L / eta_T: the index on the light's side over the one on the other side.
+// The reflectance of a boundary of two media: twins of gonio-light's optics.rs, in f32.
+// eta = eta_L / eta_T: the index on the side of the light divided by the other one.
 
-// Exact, for unpolarised light and dielectrics; in [0, 1], 1 where reflection is total.
+// Exact, for unpolarised light and dielectrics; in [0, 1], 1 for total reflection.
 float fresnel_dielectric(float cos_i, float eta) {
     if (eta == 1.0) return 0.0;
     float c = clamp(cos_i, 0.0, 1.0);
     float cos2_t = 1.0 - eta * eta * (1.0 - c * c);
-    // Conditions that hold, not ones that fail: NaN then ends at the 1 below.
+    // Comparisons are false for NaN, so that it reaches the 1 below.
     if (eta > 0.0 && cos2_t >= 0.0) {
         float cos_t = sqrt(cos2_t);
         float s_sum = eta * c + cos_t;

@@ -1,4 +1,4 @@
-// What weakens a light on its way: twins of gonio-light's light.rs, in f32.
+// Attenuation and spot factor: twins of gonio-light's light.rs, in f32.
 // From Rust: ATTENUATION_CAP.
 
 // 1 / (k.x + k.y d + k.z d^2) for k = (constant, linear, quadratic), d in world units; in
@@ -10,7 +10,7 @@ float attenuation_at(vec3 k, float d) {
     return denominator > 1.0 / ATTENUATION_CAP ? 1.0 / denominator : ATTENUATION_CAP;
 }
 
-// smoothstep; where the edges are equal or in the wrong order, a step that is 1 at x = edge0.
+// smoothstep; if the edges are equal or in the wrong order, a step that is 1 at x = edge0.
 float smoothstep_or_step(float edge0, float edge1, float x) {
     float width = edge1 - edge0;
     if (width > 0.0) {

@@ -1,11 +1,11 @@
-// How a surface shows its surroundings: twins of gonio-light's optics.rs, in f32. Symbols and ranges stand there.
+// Reflection and refraction of the surroundings: twins of gonio-light's optics.rs, in f32. Symbols and ranges are documented there.
 // From Rust: FRESNEL_NONE, FRESNEL_EXACT, FRESNEL_SCHLICK.
 
 struct Boundary {
     vec3 reflected;      // R
-    vec3 transmitted;    // T; 0 where reflection is total
+    vec3 transmitted;    // T; 0 for total reflection
     bool transmits;
-    float reflectance;   // F; 1 where reflection is total
+    float reflectance;   // F; 1 for total reflection
 };
 
 struct Sight {
@@ -15,12 +15,12 @@ struct Sight {
     vec3 fresnel;        // F of each channel
 };
 
-// F, with the cosine on the side of the ray and eta the index there over the one beyond.
+// F for the cosine on the side of the ray; eta is the index there divided by the one beyond.
 float reflectance(int kind, float cos_i, float eta) {
     float cos2_t = 1.0 - eta * eta * (1.0 - cos_i * cos_i);
     if (cos2_t < 0.0) return 1.0;
     if (kind == FRESNEL_EXACT) return fresnel_dielectric(cos_i, eta);
-    // On the thinner side, or else it would know nothing of the critical angle.
+    // With the cosine on the side of the lower index, because Schlick's formula does not contain the critical angle.
     if (kind == FRESNEL_SCHLICK) return fresnel_schlick(eta > 1.0 ? sqrt(cos2_t) : cos_i, fresnel_f0_from_index(eta));
     return 0.0;
 }
@@ -33,7 +33,7 @@ Boundary boundary(vec3 n, vec3 v, float index, int kind) {
     Boundary b;
     b.reflected = reflection(towards, v);
     b.transmits = refraction(towards, v, eta, b.transmitted);
-    // What is not let through is reflected, whatever rounding says of the same radicand elsewhere.
+    // Light that is not transmitted is reflected, even if rounding elsewhere gave another sign of the radicand.
     b.reflectance = b.transmits ? reflectance(kind, dot(towards, v), eta) : 1.0;
     return b;
 }
@@ -43,7 +43,7 @@ float mirror_share(int kind, float reflectivity, float f) {
     return kind == FRESNEL_NONE ? reflectivity : reflectivity * f;
 }
 
-// L, from the light equation's value and what is seen of the surroundings.
+// L, from the value of the light equation and the light of the surroundings.
 vec3 compose(vec3 lit, Sight seen, int kind, float reflectivity, float transmission) {
     float share = mirror_share(kind, reflectivity, seen.fresnel.g);
     vec3 opaque = lit * (1.0 - share) + seen.reflected * share;

@@ -7,7 +7,7 @@ bool has_direction(float vector_length) {
     return vector_length >= DEGENERATE_LENGTH && vector_length <= 1.8e19;
 }
 
-// v at unit length, or fallback where it has none.
+// v at unit length, or fallback if its length is degenerate.
 vec3 unit_or(vec3 v, vec3 fallback) {
     float vector_length = length(v);
     return has_direction(vector_length) ? v / vector_length : fallback;
@@ -18,13 +18,13 @@ vec3 reflection(vec3 n, vec3 l) {
     return 2.0 * dot(n, l) * n - l;
 }
 
-// H = (L + V) / |L + V|; n where l and v are opposite.
+// H = (L + V) / |L + V|; n if l and v are opposite.
 vec3 half_vector(vec3 l, vec3 v, vec3 n) {
     return unit_or(l + v, n);
 }
 
 // The seed's T = (eta N.L - sqrt(1 - eta^2 (1 - (N.L)^2))) N - eta L, eta = eta_L / eta_T.
-// False, and t = 0, where the radicand is negative: total internal reflection.
+// False, and t = 0, if the radicand is negative: total internal reflection.
 bool refraction(vec3 n, vec3 l, float eta, out vec3 t) {
     float cos_l = dot(n, l);
     // The part of L across N. Its square is 1 - (N.L)^2 for unit vectors, without the cancellation that
@@ -46,7 +46,7 @@ vec3 any_orthonormal_vector(vec3 n) {
     return vec3(n.x * n.y * a, s + n.y * n.y * a, -n.y);
 }
 
-// Tangent and bitangent that stand upright on the unit normal n.
+// Tangent and bitangent that are perpendicular to the unit normal n.
 void tangent_frame(vec3 n, vec3 tangent, out vec3 t, out vec3 b) {
     t = unit_or(tangent - dot(n, tangent) * n, any_orthonormal_vector(n));
     b = cross(n, t);

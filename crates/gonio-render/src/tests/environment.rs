@@ -132,7 +132,7 @@ fn lookups_between_texels_faces_and_levels_are_the_cpus() {
 }
 
 #[test]
-fn what_is_too_large_begins_at_a_smaller_level_with_a_note() {
+fn cubemaps_that_are_too_large_begin_at_a_smaller_level_with_a_note() {
     let context = super::context(false);
     let environment = Arc::new(LoadedEnvironment::new("of colours", Cubemap::from_function(32, |d| d * d)));
     let uploaded = EnvironmentOnGpu::upload(context.gl(), &environment, 20).unwrap_or_else(|error| panic!("{error}"));
@@ -147,7 +147,7 @@ fn what_is_too_large_begins_at_a_smaller_level_with_a_note() {
 /// A driver whose textures are too small for the body of an object draws its first surface alone, with a note; scenes without
 /// environment do not need it at all.
 #[test]
-fn a_body_that_does_not_fit_is_told() {
+fn a_body_that_does_not_fit_adds_a_note() {
     let context = super::context(false);
     let text = "[[object]]\nmodel = \"builtin:cube\"\nmaterial = { medium = \"glass\", surfaces = \"two\" }\n";
     let scene = gonio_scene::toml_file::read(text).unwrap_or_else(|error| panic!("{error}"));
@@ -221,7 +221,7 @@ fn gpu_and_cpu_convert_alike() {
 }
 
 #[test]
-fn what_is_too_large_for_the_driver_is_reduced_and_told() {
+fn sources_that_are_too_large_are_reduced_with_a_note() {
     let context = super::context(false);
     let mut converter = Converter::new(context.gl().clone()).unwrap_or_else(|e| panic!("{e}"));
     converter.info.max_size = 64;

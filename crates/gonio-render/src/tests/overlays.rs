@@ -67,7 +67,7 @@ fn distance((x, y): (f64, f64), (ax, ay): (f64, f64), (bx, by): (f64, f64)) -> f
 }
 
 #[test]
-fn a_wireframe_lies_on_the_edges_that_are_seen() {
+fn a_wireframe_is_on_the_visible_edges() {
     /// From where to where on the screen.
     type Line = ((f64, f64), (f64, f64));
     for es in [false, true] {
@@ -190,7 +190,7 @@ fn normals_stand_out_of_the_surface_by_their_length() {
 }
 
 #[test]
-fn overdraw_counts_what_was_shaded() {
+fn overdraw_counts_shaded_fragments() {
     for es in [false, true] {
         let mut bench = Bench::new(es);
         let (near, far) = (([0.0, 0.0, 1.0], 0.5), ([0.0, 0.0, -2.0], 0.5));

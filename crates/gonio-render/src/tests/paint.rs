@@ -33,7 +33,7 @@ const MONKEY: &str = "[picture]\nwidth = 90\nheight = 70\n[[object]]\nmodel = \"
 const ALL: Overlays = Overlays { wireframe: true, normals: true, boxes: true };
 
 #[test]
-fn a_canvas_shows_what_a_file_would_hold() {
+fn a_display_texture_has_the_pixels_of_a_file() {
     let scene = loaded(MONKEY);
     let frame = scene.frame(0.0);
     let normal = ViewSpec { quantity: Quantity::Normal, light: None };
@@ -71,7 +71,7 @@ fn where_nothing_is_a_canvas_is_premultiplied() {
 }
 
 #[test]
-fn a_picture_is_shown_pixel_for_pixel_over_what_is_seen_through_it() {
+fn a_picture_is_shown_pixel_for_pixel_and_blended() {
     let below = [0_u8, 255, 0, 255];
     for (es, transparent) in [(false, false), (false, true), (true, false), (true, true)] {
         let scene = loaded(&format!("[background]\ntransparent = {transparent}\n{MONKEY}"));
@@ -196,7 +196,7 @@ fn the_state_of_a_window_is_left_alone() {
 }
 
 #[test]
-fn panes_and_edits_share_what_is_on_the_gpu() {
+fn panes_and_edits_share_resources_on_the_gpu() {
     let scene = loaded(
         "[environment]\nimage = \"debug\"\nsize = 8\n[[object]]\nmodel = \"builtin:still-life\"\n[[object]]\nmodel = \"builtin:cube\"\nmaterial.medium = \"glass\"\nmaterial.surfaces = \"two\"\n",
     );

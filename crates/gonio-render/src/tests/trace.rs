@@ -91,7 +91,7 @@ fn our_own_frames_have_no_findings() {
 }
 
 #[test]
-fn a_record_says_what_was_drawn_with_what() {
+fn a_record_lists_draws_with_their_textures_and_values() {
     let context = super::context(false);
     let mut renderer = renderer(&context);
     let (_, mut scene) = everything().swap_remove(3);

@@ -272,8 +272,8 @@ impl<'m, 'i> TextureWriter<'m, 'i> {
             return *known;
         }
         let inside = map.embedded.and_then(|index| self.embedded.get(index));
-        let asked = if inside.is_none() { (self.ask)(map) } else { None };
-        let bytes = inside.map(|image| image.bytes.as_slice()).or(asked.as_deref());
+        let requested = if inside.is_none() { (self.ask)(map) } else { None };
+        let bytes = inside.map(|image| image.bytes.as_slice()).or(requested.as_deref());
         let kind = bytes.and_then(mime_type);
         let image = bytes.zip(kind).map(|(bytes, kind)| {
             let view = buffer.file(bytes);
@@ -281,8 +281,8 @@ impl<'m, 'i> TextureWriter<'m, 'i> {
             self.written.images.len() - 1
         });
         if image.is_none() {
-            let why = if bytes.is_some() { "is neither PNG nor JPEG" } else { "was not found" };
-            let message = || format!("the texture {:?} {why}: it is not written", map.path);
+            let reason = if bytes.is_some() { "is neither PNG nor JPEG" } else { "was not found" };
+            let message = || format!("the texture {:?} {reason}: it is not written", map.path);
             reports.add_without_line("textures that are not written", Severity::Warning, message);
         }
         self.known_images.insert(key, image);
