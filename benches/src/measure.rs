@@ -66,7 +66,7 @@ pub fn here<T>(work: impl FnOnce() -> T) -> (T, Cost) {
     (result, cost)
 }
 
-/// Warns if the machine is busy with other work: wall times then mean little, and ratios something.
+/// Warns if the machine is busy with other work, which makes wall times meaningless and ratios inaccurate.
 pub fn warn_if_busy() {
     let load = std::fs::read_to_string("/proc/loadavg").ok().and_then(|text| load_average(&text));
     let cores = std::thread::available_parallelism().map_or(1, usize::from);

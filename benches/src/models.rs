@@ -77,7 +77,7 @@ pub fn sphere_obj(sectors: usize, rings: usize) -> String {
 pub fn written(folder: &Path, name: &str, make: impl FnOnce() -> String) -> Result<PathBuf, String> {
     let path = folder.join(name);
     if !path.exists() {
-        // It gets its name when it is complete.
+        // Renamed when it is complete.
         let part = folder.join(format!("{name}.part"));
         std::fs::write(&part, make())
             .and_then(|()| std::fs::rename(&part, &path))
@@ -196,7 +196,7 @@ mod tests {
     }
 
     /// Every edge is passed once each way, and the enclosed volume (divergence theorem) is `volume`
-    /// within 1 part in 100: facets cut a little off.
+    /// within 1 %, because facets are inside the surface.
     fn assert_closed(text: &str, triangle_count: usize, volume: f64) {
         let (positions, triangles) = read(text);
         assert_eq!(triangles.len(), triangle_count);

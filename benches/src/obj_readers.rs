@@ -39,18 +39,18 @@ enum Run {
     Three(PathBuf),
 }
 
-/// What reading a file took.
+/// The cost of reading a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Reading {
     /// From start to end, seconds.
     pub wall_s: f64,
     /// On all cores, seconds.
     pub cpu_s: f64,
-    /// The most memory at any time, beyond pages of mapped files where that can be told.
+    /// Peak memory, without pages of mapped files where the system reports those.
     pub peak_bytes: u64,
-    /// What came of it, where it is told.
+    /// Number of vertices, if the reader reports it.
     pub vertices: u64,
-    /// Likewise.
+    /// Number of triangles, if the reader reports it.
     pub triangles: u64,
 }
 
@@ -59,17 +59,17 @@ pub fn gonio(threads: usize) -> Reader {
     itself(&format!("gonio, {threads} thread{}", if threads == 1 { "" } else { "s" }), "gonio", threads, false)
 }
 
-/// Finding each line's end, one after the other, as a reader of lines must: the floor.
+/// Finding each line end in turn, as any reader of lines must: the lower bound.
 pub fn newlines() -> Reader {
     itself("newlines, one by one (memchr)", "newlines", 1, false)
 }
 
-/// Only counting line ends, many at a time: what memory gives.
+/// Counting line ends, many at a time: the limit of memory bandwidth.
 pub fn newlines_at_once() -> Reader {
     itself("newlines, at once (memchr)", "newlines-at-once", 1, false)
 }
 
-/// The crate that the bars are set against.
+/// The crate that the requirements refer to.
 pub fn tobj() -> Reader {
     itself("tobj", "tobj", 1, false)
 }
@@ -78,7 +78,7 @@ fn itself(name: &str, reader: &'static str, threads: usize, is_slow: bool) -> Re
     Reader { name: name.to_owned(), is_slow, run: Run::Itself { reader, threads } }
 }
 
-/// Other programs, and what to do about those that are not here.
+/// Other programs, and messages about missing ones.
 pub fn others(folder: &Path) -> (Vec<Reader>, Vec<String>) {
     let mut readers = vec![itself("obj-rs", "obj-rs", 1, true)];
     let mut absent = Vec::new();
@@ -97,7 +97,7 @@ pub fn others(folder: &Path) -> (Vec<Reader>, Vec<String>) {
     (readers, absent)
 }
 
-/// Pinned, so that ratios of different days can be compared.
+/// Pinned, so that ratios stay comparable over time.
 const THREE: &str = "three@0.180.0";
 
 /// Installs three.js on first use.

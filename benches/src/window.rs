@@ -29,7 +29,7 @@ pub fn run(places: &Places) -> Result<bool, String> {
     let mut results = Vec::new();
     for way in [ALL_SAMPLES, AS_SHIPPED] {
         let result = measured(places, &screen, &scene, way)?;
-        held &= told(way, &result)?;
+        held &= print_result(way, &result)?;
         results.push(json!({ "way": way, "measured": result }));
     }
     measure::write_json(&places.out, "window", &json!({ "bar_held": held, "ways": results }))?;
@@ -63,7 +63,7 @@ fn measured(places: &Places, screen: &Screen, scene: &Path, way: &str) -> Result
 }
 
 /// Prints, and returns whether the requirement is met.
-fn told(way: &str, result: &Value) -> Result<bool, String> {
+fn print_result(way: &str, result: &Value) -> Result<bool, String> {
     let number = |value: &Value| value.as_f64().ok_or_else(|| format!("a number is missing in {result}"));
     let cell = |side: &str, key: &str| number(&result[side][key]).map(|ms| format!("{ms:.2}"));
     if result["triangles"] != TRIANGLES {

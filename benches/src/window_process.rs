@@ -31,14 +31,14 @@ pub const AS_SHIPPED: &str = "as-shipped";
 pub const FRAMES: usize = 16;
 /// Measured turns of each side.
 pub const TURNS: usize = 10;
-/// What the hand moves at the start, more than which egui takes for a click, and the way it goes around, points.
+/// The pointer's first movement, which exceeds egui's limit for a click, and the radius of its circle, in points.
 const START: f32 = 12.0;
 const RADIUS: f32 = 60.0;
-/// Frames of a way around: a light moves as far in each as by a hand in no hurry.
+/// Frames per circle, so that the light moves as far in each as by a slow hand.
 const AROUND: usize = 80;
-/// The number of frames after which a widget is given up.
+/// Frames to wait for a widget before an error.
 const MOST_FRAMES: usize = 2000;
-/// Rests after each thing that is done: hovering is known a frame later, and menus and tooltips have come and gone.
+/// Frames to wait after each action: hovering takes effect a frame later, and menus and tooltips appear and disappear.
 const REST: usize = 4;
 
 /// Median times of a frame in milliseconds.
@@ -51,7 +51,7 @@ pub struct Pieces {
     pub ui: f64,
     /// The time from there until all commands are issued: tessellation and egui's painting.
     pub paint: f64,
-    /// Waiting for the picture, passing it to the X server, polling the next event.
+    /// The time for waiting for the picture, passing it to the X server and polling the next event.
     pub rest: f64,
 }
 
@@ -111,7 +111,7 @@ enum Step {
 
 enum State {
     Loading,
-    /// In the step that is first in the script: so many frames since the pointer went there.
+    /// Frames since the pointer moved there, in the first step of the script.
     Doing(usize),
     Measuring(Box<Run>),
     Done,
@@ -122,7 +122,7 @@ struct Hand {
     app: App,
     gl: Option<Gl>,
     script: VecDeque<Step>,
-    /// Of the pointer, points.
+    /// The pointer's position in points.
     place: Pos2,
     /// Frames waited for the widget.
     waited: usize,
@@ -133,16 +133,16 @@ struct Hand {
 /// Both sides, in turn.
 struct Run {
     bare: Bare,
-    /// Where the light was grabbed.
+    /// The position where the light was grabbed.
     center: Pos2,
     /// Frames since then.
     frames: usize,
-    /// When the last frame began, and what had been used then; none where the next one does not count.
+    /// The start of the last frame and the CPU time used by then; `None` if the next frame does not count.
     began: Option<(Instant, f64)>,
     /// Pictures that were drawn before this turn.
     pictures: u64,
     turn: Turn,
-    /// This frame's.
+    /// Times of the current frame.
     ui_s: f64,
     /// The frames of a turn, and the medians of those that are over.
     turns: Vec<Turn>,
@@ -151,7 +151,7 @@ struct Run {
 #[derive(Clone, Default)]
 struct Turn {
     frames: Vec<Pieces>,
-    /// Where the light was in each.
+    /// The light's position in each frame.
     lights: Vec<LightKind>,
     window: Pieces,
     bare: BarePieces,
@@ -185,7 +185,7 @@ impl eframe::App for Hand {
         let ui_s = start.elapsed().as_secs_f64();
         if let State::Measuring(run) = &mut self.state {
             run.ui_s = ui_s;
-            // What it says is of the frame before.
+            // The response is that of the frame before.
             if let (Some(last), Some(issued)) = (run.turn.frames.last_mut(), frame.info().cpu_usage) {
                 last.paint = 1e3 * f64::from(issued) - last.ui;
                 last.rest = last.wall - 1e3 * f64::from(issued);
@@ -327,7 +327,7 @@ impl Run {
         let mut turn = std::mem::take(&mut self.turn);
         self.began = None;
         let facts = &app.session().facts;
-        // With the one of the frame that is being painted now. Where the hand only begins to move there is one less.
+        // Including the picture of the frame being painted. When the pointer only starts to move there is one less.
         let pictures = facts.pictures - self.pictures;
         if !self.turns.is_empty() && pictures != FRAMES as u64 + 1 {
             return Err(format!("{pictures} pictures were drawn in {} frames", FRAMES + 1));
@@ -382,7 +382,7 @@ impl Bare {
         Ok(Bare { renderer, scene, canvas, frame: loaded.frame(0.0) })
     }
 
-    /// The picture is to be that of the application's last frame.
+    /// Sets up the picture of the application's last frame.
     fn like(&mut self, app: &App) -> Result<(), String> {
         let session = app.session();
         let ([width, height], samples) = (session.facts.size, session.facts.samples);

@@ -32,7 +32,11 @@ fuzz_target!(|data: &[u8]| {
     let output = command.current_dir(place.path()).stdin(Stdio::null()).output().expect("the program starts");
     let stderr = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.signal(), None, "{stderr}");
-    assert!(matches!(output.status.code(), Some(0..=2)) && !stderr.contains("panicked"), "{:?}: {stderr}", output.status);
+    assert!(
+        matches!(output.status.code(), Some(0..=2)) && !stderr.contains("panicked"),
+        "{:?}: {stderr}",
+        output.status
+    );
     assert_eq!(listing(&class), before, "the submissions were changed");
     let beside: BTreeSet<_> = names(place.path()).into_iter().collect();
     assert!(beside.iter().all(|name| name == "class" || name == "results"), "{beside:?}");

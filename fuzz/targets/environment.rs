@@ -2,9 +2,9 @@
 
 #![no_main]
 
-use gonio_image::decode::{DecodedContent, decode};
 use gonio_environment::{Arrangement, Layout, arrange};
 use gonio_image::DecodeLimits;
+use gonio_image::decode::{DecodedContent, decode};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {

@@ -2,7 +2,7 @@
 
 #![no_main]
 
-use gonio_glsl::{Stage, OutputVersion, check, check_pair, leaves, parse, translate};
+use gonio_glsl::{OutputVersion, Stage, check, check_pair, leaves, parse, translate};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {

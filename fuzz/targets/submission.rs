@@ -2,16 +2,22 @@
 
 #![no_main]
 
-use gonio_glsl::{Stage, check, parse};
-use gonio_check::mistakes::{self, ModelSolution};
 use gonio_check::dataflow::Shader;
 use gonio_check::driver_log::{link_messages, to_messages};
+use gonio_check::mistakes::{self, ModelSolution};
 use gonio_check::roles::NamesFile;
 use gonio_check::rules::Analysis;
 use gonio_check::submission::{SourceFile, Submission};
+use gonio_glsl::{Stage, check, parse};
 use libfuzzer_sys::fuzz_target;
 
-const MODELS: [ModelSolution; 5] = [ModelSolution::Gouraud, ModelSolution::Phong, ModelSolution::Reflection, ModelSolution::Refraction, ModelSolution::Skybox];
+const MODELS: [ModelSolution; 5] = [
+    ModelSolution::Gouraud,
+    ModelSolution::Phong,
+    ModelSolution::Reflection,
+    ModelSolution::Refraction,
+    ModelSolution::Skybox,
+];
 
 fuzz_target!(|data: &[u8]| {
     // A zero byte separates two files; without one both are the same, so that a single shader is a pair too. The length chooses

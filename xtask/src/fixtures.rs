@@ -4,7 +4,7 @@ use gonio_fixtures::{FixtureTable, tables_below};
 use std::path::{Path, PathBuf};
 
 /// Writes the files of the table `from`, or of all tables below the folder `from`, into a folder below the target folder that
-/// holds nothing else, and returns that folder. `purpose` names it.
+/// contains nothing else, and returns that folder. `purpose` names it.
 pub fn unpack(root: &Path, from: &str, purpose: &str) -> Result<PathBuf, String> {
     let source = root.join(from);
     let tables = match source.is_dir() {
@@ -13,7 +13,7 @@ pub fn unpack(root: &Path, from: &str, purpose: &str) -> Result<PathBuf, String>
     };
     let tables = tables.map_err(|error| error.to_string())?;
     if tables.is_empty() {
-        return Err(format!("{from} holds no tables of test cases"));
+        return Err(format!("{from} contains no tables of test cases"));
     }
     let name = from.trim_end_matches(".txt").replace('/', "-");
     let folder = crate::web::target_folder(root).join("fixtures").join(purpose).join(name);

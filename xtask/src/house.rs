@@ -7,13 +7,13 @@ use crate::report::Findings;
 use std::path::Path;
 use std::process::Command;
 
-/// At most so many `unsafe` blocks in the workspace, tests included.
+/// Limit on the number of `unsafe` blocks in the workspace, tests included.
 pub const MOST_UNSAFE_BLOCKS: usize = 60;
-/// In at most so many files.
+/// Limit on the number of files that contain them.
 pub const MOST_UNSAFE_FILES: usize = 6;
-/// At most so many import cycles of more than [`cycles::MOST_FILES`] files.
+/// Limit on the number of import cycles of more than [`cycles::MOST_FILES`] files.
 pub const MOST_CYCLES: usize = 4;
-/// At most so many files tracked by git.
+/// Limit on the number of files that git tracks.
 pub const MOST_TRACKED_FILES: usize = 1400;
 
 /// Blocks of `unsafe` code and the number of files that contain them.
@@ -66,7 +66,7 @@ pub fn check_cycles(files: &[TextFile]) -> Findings {
     ))
 }
 
-/// Terms of the glossary that several types are named after, and names that crates share.
+/// Terms of the glossary that name several types, and names that crates share, against the limit.
 pub fn check_words(files: &[TextFile]) -> Findings {
     let (public, all) = words::declarations(files);
     let mut complaints = words::ambiguous_terms(&all, words::TERMS);

@@ -1,4 +1,4 @@
-//! `cargo xtask licenses`: notices about everything in gonio that others wrote.
+//! `cargo xtask licenses`: the third-party notices.
 //!
 //! The text is checked in, so that a build needs no network. A check of the house compares its lists with `Cargo.lock`.
 
@@ -13,7 +13,7 @@ use std::process::ExitCode;
 /// The text that `gonio licenses` prints.
 const NOTICES: &str = "crates/gonio/THIRD-PARTY.txt";
 
-/// The programs that people get: the command line, and the page that it can contain.
+/// The crates of the shipped programs: the command line, and the page that it can contain.
 const SHIPPED: [&str; 2] = ["gonio", "gonio-web"];
 
 const IN_GONIO: &str = "Crates in gonio";
@@ -69,7 +69,7 @@ pub fn run(root: &Path) -> ExitCode {
     }
 }
 
-/// The step of the house: the lists in the notices are those of `Cargo.lock`.
+/// The check that the lists in the notices match `Cargo.lock`.
 pub fn step(root: &Path) -> Findings {
     let read = |name: &str| std::fs::read_to_string(root.join(name)).map_err(|error| format!("{name}: {error}"));
     match (read("Cargo.lock"), read(NOTICES)) {
@@ -126,7 +126,7 @@ fn read_packages(json: &str) -> Result<BTreeMap<String, Package>, String> {
     if packages.is_empty() { Err("cargo metadata: no packages".into()) } else { Ok(packages) }
 }
 
-/// The crates of others that are part of what people get, on any platform, sorted.
+/// Third-party crates in the shipped programs, on any platform, sorted.
 fn shipped(packages: &BTreeMap<String, Package>) -> Result<Vec<&Package>, String> {
     let mut open: Vec<&str> = Vec::new();
     for name in SHIPPED {
@@ -166,7 +166,7 @@ fn notices(root: &Path, shipped: &[&Package], locked: &BTreeSet<String>) -> Resu
     for (index, package) in shipped.iter().enumerate() {
         let mut own = numbers[index].clone();
         if own.is_empty() {
-            // The crate's archive has no text of its licence. That of another crate is the same, but for the holder in MIT's.
+            // The crate's archive has no licence text. That of another crate is the same, except for the copyright holder of MIT.
             let same =
                 shipped.iter().zip(&numbers).find(|(other, own)| other.license == package.license && own.len() == 1);
             own.push(match same {
@@ -219,7 +219,7 @@ impl Texts {
     }
 }
 
-/// The terms of a text that is the Apache License, with or without its appendix on how to apply it, and nothing else.
+/// The terms of a text that consists of the Apache License, with or without its appendix, and nothing else.
 fn apache_terms(words: &str) -> Option<String> {
     const END: &str = "END OF TERMS AND CONDITIONS";
     let (head, terms) = words.split_once("1. Definitions.")?;
@@ -237,15 +237,15 @@ fn mit_of(mit: &str, holder: &str) -> String {
     mit.lines().map(line).collect()
 }
 
-/// Whether an SPDX expression leaves the choice of this licence alone.
+/// Whether an SPDX expression offers this licence as a choice on its own.
 fn offers(expression: &str, license: &str) -> bool {
     !expression.contains(" AND ") && expression.split(" OR ").any(|choice| choice.trim() == license)
 }
 
-/// The files with the texts of a crate's licence, and with notices; of a choice the Apache License alone.
+/// The files with a crate's licence texts and notices; for a choice of licences, the Apache License only.
 fn license_files(package: &Package) -> Result<Vec<PathBuf>, String> {
     let mut files = Vec::new();
-    // Fonts lie in a folder below, with licences of their own.
+    // Fonts are in a folder below, with licences of their own.
     list_licenses(&package.folder, 1, &mut files)?;
     files.sort();
     if offers(&package.license, "Apache-2.0") {
@@ -275,7 +275,7 @@ fn list_licenses(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> Resul
     Ok(())
 }
 
-/// `NAME VERSION` of every crate of others in `Cargo.lock`.
+/// `NAME VERSION` of every third-party crate in `Cargo.lock`.
 fn locked(lock: &str) -> BTreeSet<String> {
     let mut crates = BTreeSet::new();
     for package in lock.split("[[package]]").skip(1) {
@@ -296,7 +296,7 @@ fn listed(notices: &str, heading: &str) -> BTreeSet<String> {
     lines.map(|line| line.split_whitespace().take(2).collect::<Vec<_>>().join(" ")).collect()
 }
 
-/// Complaints about crates that the notices lack, or list for no reason.
+/// Complaints about crates that are missing from the notices, or listed without being used.
 fn check(lock: &str, notices: &str) -> Vec<String> {
     let locked = locked(lock);
     let listed: BTreeSet<String> = [IN_GONIO, BESIDES].iter().flat_map(|heading| listed(notices, heading)).collect();

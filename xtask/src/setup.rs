@@ -1,4 +1,4 @@
-//! Installs what a fresh machine lacks: system packages, toolchain components and targets.
+//! Installs missing system packages, toolchain components and targets.
 
 use crate::process;
 use crate::report::Findings;
@@ -21,7 +21,7 @@ const PACKAGES: &[&str] = &[
     "chromium",
 ];
 
-/// Programs that need not come from a Debian package, each with the package that has it.
+/// Programs that need not come from a Debian package, each with its package.
 const PROGRAMS: &[(&str, &str)] = &[("node", "nodejs"), ("npm", "npm")];
 
 /// Targets that are compiled but not run, and the browser's.
@@ -29,7 +29,7 @@ pub const TARGETS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin",
 
 const COMPONENTS: &[&str] = &["rustfmt", "clippy"];
 
-/// Installs missing packages as root on Debian; otherwise tells how to install them.
+/// Installs missing packages as root on Debian; otherwise prints the command that installs them.
 pub fn packages() -> Findings {
     if !cfg!(target_os = "linux") {
         return Findings::default()
@@ -90,12 +90,12 @@ pub fn toolchain(root: &Path, targets: &[&str]) -> Findings {
         command
     };
     let mut added = Vec::new();
-    for (kind, wanted) in [("component", COMPONENTS), ("target", targets)] {
+    for (kind, required) in [("component", COMPONENTS), ("target", targets)] {
         let installed = match process::stdout_of(&mut rustup(&[kind, "list", "--installed"])) {
             Ok(list) => list,
             Err(error) => return Findings::fail(error),
         };
-        let missing = missing_from(&installed, wanted);
+        let missing = missing_from(&installed, required);
         if missing.is_empty() {
             continue;
         }
@@ -109,11 +109,11 @@ pub fn toolchain(root: &Path, targets: &[&str]) -> Findings {
 }
 
 /// `rustup component list` appends the host's name to a component's: `clippy-x86_64-unknown-linux-gnu`.
-fn missing_from<'a>(installed: &str, wanted: &[&'a str]) -> Vec<&'a str> {
+fn missing_from<'a>(installed: &str, required: &[&'a str]) -> Vec<&'a str> {
     let has = |name: &str| {
         installed.lines().any(|line| line == name || line.strip_prefix(name).is_some_and(|rest| rest.starts_with('-')))
     };
-    wanted.iter().copied().filter(|name| !has(name)).collect()
+    required.iter().copied().filter(|name| !has(name)).collect()
 }
 
 #[cfg(test)]

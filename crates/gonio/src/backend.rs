@@ -77,17 +77,17 @@ impl Opened {
     pub fn for_size(self, width: u32, height: u32, options: &BackendOptions) -> Result<Opened, CliError> {
         match self {
             Opened::Gl(gl) if width.max(height) > gl.renderer.info().max_size => {
-                let why = format!(
+                let reason = format!(
                     "{width}x{height} is too large for this driver, which draws at most {} pixels along a side",
                     gl.renderer.info().max_size
                 );
                 if options.backend == BackendChoice::Gl {
-                    return Err(CliError::new(format!("{why}; `--backend cpu` draws it")));
+                    return Err(CliError::new(format!("{reason}; `--backend cpu` draws it")));
                 }
                 if gl.recorder.is_some() {
-                    return Err(CliError::new(format!("{why}, so it cannot be captured; choose a smaller --size")));
+                    return Err(CliError::new(format!("{reason}, so it cannot be captured; choose a smaller --size")));
                 }
-                Ok(Opened::Cpu { reason: Some(why) })
+                Ok(Opened::Cpu { reason: Some(reason) })
             }
             other => Ok(other),
         }

@@ -47,19 +47,19 @@ fn main() {
     {
         reporter.error(error);
         if reporter.json() {
-            // If stdout is what failed, the sentence on stderr has to do.
+            // If stdout itself failed, the message on stderr must suffice.
             let report = serde_json::json!({ "command": command.name(), "error": error.to_string() });
             let _ = reporter.report(&report);
         }
     }
     reporter.verbose(format_args!("{} took {:.1} ms", command.name(), start.elapsed().as_secs_f64() * 1e3));
-    // Contexts and thread pools are left to the system, which is faster.
+    // The system frees contexts and thread pools faster.
     std::process::exit(exit_code(&result));
 }
 
 fn exit_code(result: &Result<CommandOutcome, CliError>) -> i32 {
     match result {
-        // Whoever read stdout has seen enough, as in `gonio inspect model.obj | head`.
+        // The reader of stdout has stopped, as in `gonio inspect model.obj | head`.
         Ok(CommandOutcome::Done) | Err(CliError::ClosedPipe) => 0,
         Ok(CommandOutcome::CheckFailed) => 1,
         Err(_) => 2,

@@ -199,13 +199,13 @@ impl Reporter {
     }
 
     /// A progress bar for work whose progress is known; it appears after a second.
-    pub fn progress(&self, what: &'static str) -> Progress {
+    pub fn progress(&self, label: &'static str) -> Progress {
         let bar = self.bars.then(|| (Instant::now(), Mutex::new(None)));
-        Progress { what, bar }
+        Progress { label, bar }
     }
 
     /// A spinner for work whose progress is not known; it appears after a second, and disappears when the guard is dropped.
-    pub fn busy(&self, what: &'static str) -> Busy {
+    pub fn busy(&self, label: &'static str) -> Busy {
         if !self.bars {
             return Busy { end: None };
         }
@@ -213,7 +213,7 @@ impl Reporter {
         let watcher = std::thread::spawn(move || {
             if ended.recv_timeout(PATIENCE) == Err(mpsc::RecvTimeoutError::Timeout) {
                 let spinner = ProgressBar::new_spinner();
-                spinner.set_message(what);
+                spinner.set_message(label);
                 spinner.enable_steady_tick(Duration::from_millis(100));
                 let _ = ended.recv();
                 spinner.finish_and_clear();
@@ -292,7 +292,7 @@ impl<S: FileSource> FileSource for ReportedReads<S> {
 
 /// A progress bar, which short work never shows.
 pub struct Progress {
-    what: &'static str,
+    label: &'static str,
     bar: Option<(Instant, Mutex<Option<ProgressBar>>)>,
 }
 
@@ -310,7 +310,7 @@ impl Progress {
             if let Ok(style) = ProgressStyle::with_template("{msg} [{bar:40}] {percent}% {eta}") {
                 bar.set_style(style.progress_chars("=> "));
             }
-            bar.set_message(self.what);
+            bar.set_message(self.label);
             bar
         });
         bar.set_position((share.clamp(0.0, 1.0) * 1000.0) as u64);

@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn styles_are_ours_alone() {
+    fn styles_cannot_be_forged() {
         let forged = "\u{1b}[32mcorrect\u{1b}[0m\u{9b}2K\rx";
         let (bold, end) = (Style::Bold, Style::Bold);
         assert_eq!(
@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_line_is_cut_and_says_so() {
+    fn a_long_line_is_cut_with_a_remark() {
         let line = one(format_args!("{}{}{:#}", Style::Red, "é".repeat(LONGEST_LINE + 3), Style::Red));
         assert!(
             line.starts_with("\u{1b}[1m\u{1b}[31mé") && line.ends_with("é\u{1b}[0m... (3 characters more)"),
@@ -298,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn a_log_gets_no_commands() {
+    fn commands_of_build_servers_are_escaped() {
         assert_eq!(one("  ::error file=a::b"), "  \\x3a:error file=a::b");
         assert_eq!(one("::stop-commands::x"), "\\x3a:stop-commands::x");
         assert_eq!(one("##[error]b ###vso[task.complete]"), "#\\x23[error]b ###vso[task.complete]");
@@ -307,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn json_stays_what_it_was() {
+    fn json_stays_equivalent() {
         let hostile = "\u{1b}\u{7f}\u{2028}\u{e0041}\u{ffff}\nü##[error]###";
         let value = serde_json::json!({ "a\u{9b}\u{202e}": hostile, "b": [1, "#\t"] });
         let text = json_for_terminal(&serde_json::to_string_pretty(&value).unwrap());
@@ -316,7 +316,7 @@ mod tests {
     }
 
     #[test]
-    fn toml_says_the_same_in_every_kind_of_string() {
+    fn toml_stays_equivalent_in_every_kind_of_string() {
         for (toml, expected) in [
             ("a = \"x\u{202e}y\\\"\u{9b}\" # c", "a = \"x\\u202ey\\\"\\u009b\" # c"),
             ("a = 'x\u{202e}\"\\' # 'c'\nb = ''", "a = \"x\\u202e\\\"\\\\\" # 'c'\nb = ''"),

@@ -70,7 +70,7 @@ impl Lab {
 }
 
 #[test]
-fn faces_that_are_no_set_of_six() {
+fn folders_without_exactly_six_faces() {
     let lab = Lab::new();
     lab.faces("five", |f| (f != Face::NegZ).then(|| png(4, 4)));
     lab.refuses("five", &["five: 5 of six faces found", "missing: `negz` (`negz.png`)"]);
@@ -91,7 +91,7 @@ fn faces_that_are_no_set_of_six() {
 }
 
 #[test]
-fn names_that_mean_nothing() {
+fn unknown_names() {
     let lab = Lab::new();
     lab.refuses("skyy", &["skyy: there is no such file or folder; did you mean `sky`, which is built in?"]);
     lab.refuses("builtin:rooom", &["unknown built-in environment `rooom`", "did you mean `room`?"]);
@@ -137,7 +137,7 @@ fn models_and_environments_are_not_exchanged() {
 
 /// Each cut off in its last bytes, in its middle and in its header, and with its middle overwritten.
 #[test]
-fn files_that_are_cut_off_or_damaged() {
+fn truncated_and_damaged_files() {
     let lab = Lab::new();
     let mut image = Image::new(32, 16, [0.0, 0.0, 0.0, 1.0]);
     for (i, pixel) in image.pixels.iter_mut().enumerate() {
@@ -171,7 +171,7 @@ fn files_that_are_cut_off_or_damaged() {
 }
 
 #[test]
-fn panoramas_of_other_proportions_and_very_wide_ones() {
+fn panoramas_of_wrong_proportions_and_very_wide_ones() {
     let lab = Lab::new();
     lab.write("odd.png", png(9, 3));
     let warning = "warning: odd.png: 9 x 3 pixels are not the size of a cross, a strip or a 2:1 panorama; the picture is \
@@ -206,7 +206,7 @@ fn panoramas_of_other_proportions_and_very_wide_ones() {
 }
 
 #[test]
-fn outputs_that_cannot_be_are_refused_before_anything_is_read() {
+fn impossible_outputs_are_refused_before_anything_is_read() {
     let lab = Lab::new();
     lab.write("file", "x");
     std::fs::create_dir(lab.path("folder.png")).unwrap();
@@ -263,7 +263,7 @@ fn a_full_disk_leaves_no_faces() {
 }
 
 #[test]
-fn options_that_are_wrong() {
+fn wrong_options() {
     let lab = Lab::new();
     let render = |args: &[&str]| lab.run(&[&["render", "builtin:cube", "-o", "out.png"], args].concat());
     render(&["--environment"]).refused(&["--environment", "value"]);

@@ -30,7 +30,7 @@ fn an_empty_file() {
 }
 
 #[test]
-fn binary_rubbish() {
+fn binary_garbage() {
     let lab = Lab::new();
     let rubbish: Vec<u8> = (0..4096u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
     lab.write("rubbish.obj", &rubbish);
@@ -49,10 +49,10 @@ fn no_triangles() {
 }
 
 #[test]
-fn coordinates_that_are_no_numbers() {
+fn coordinates_that_are_not_numbers() {
     for (name, word) in [("nan.obj", "nan"), ("inf.obj", "inf"), ("large.obj", "1e999")] {
         let lab = Lab::new();
-        // The only face has the bad vertex: whether it is an error or a warning, no picture of nothing is made.
+        // The only face has the bad vertex: whether that is an error or a warning, no empty picture is written.
         lab.write(name, format!("v 0 0 0\nv {word} 0 0\nv 0 1 0\nf 1 2 3\n"));
         lab.render(&[name, "-o", "out.png"]).refused(&[name]);
         assert_eq!(lab.names(), [name]);
@@ -88,7 +88,7 @@ fn outputs_that_cannot_be_written_are_refused_before_anything_is_read() {
     let lab = Lab::new();
     std::fs::create_dir(lab.path("folder.png")).unwrap();
     lab.write("file", "x");
-    // The model does not exist: the sentence about the output comes first.
+    // The model does not exist, but the error about the output comes first.
     lab.render(&["no.obj", "-o", "missing/out.png"]).refused(&["`missing/out.png`", "there is no folder `missing`"]);
     lab.render(&["no.obj", "-o", "folder.png"]).refused(&["`folder.png`", "it is a folder"]);
     lab.render(&["no.obj", "-o", "file/out.png"]).refused(&["`file/out.png` cannot be written"]);
@@ -124,7 +124,7 @@ fn a_full_disk() {
 }
 
 #[test]
-fn unknown_option_values_are_told_the_nearest() {
+fn unknown_option_values_suggest_the_nearest() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
     for (option, value, known) in [
@@ -177,7 +177,7 @@ fn options_that_contradict_each_other() {
 }
 
 #[test]
-fn a_missing_material_library_is_a_warning_with_every_place() {
+fn a_missing_material_library_is_a_warning_with_all_searched_places() {
     let lab = Lab::new();
     lab.write("lost.obj", format!("mtllib lost.mtl\nusemtl clay\n{TRIANGLE}"));
     let run = lab.render(&["lost.obj", "-o", "out.png"]).good();
@@ -191,7 +191,7 @@ fn a_missing_material_library_is_a_warning_with_every_place() {
 }
 
 #[test]
-fn a_missing_texture_is_a_warning_with_every_place() {
+fn a_missing_texture_is_a_warning_with_all_searched_places() {
     let lab = Lab::new();
     std::fs::create_dir(lab.path("models")).unwrap();
     lab.write(
@@ -239,7 +239,7 @@ fn a_scene_file_with_a_mistake_names_line_and_column() {
 }
 
 #[test]
-fn an_error_is_in_the_report_too() {
+fn an_error_is_in_the_json_report_too() {
     let lab = Lab::new();
     let run = lab.render(&["nothing.obj", "-o", "out.png", "--json"]).refused(&["nothing.obj"]);
     assert!(run.json()["error"].as_str().unwrap().contains("nothing.obj"));

@@ -46,8 +46,8 @@ impl Capture {
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/capture.py");
         let (capture, facts) = (lab.path(name), lab.path("facts.json"));
         let run = Command::new("xvfb-run").args(["-a", PYTHON]).args([&script, &capture, &facts]).output().unwrap();
-        let said = [run.stdout, run.stderr].map(|s| String::from_utf8_lossy(&s).into_owned()).concat();
-        assert!(run.status.success(), "RenderDoc does not open {name}: {said}");
+        let message = [run.stdout, run.stderr].map(|s| String::from_utf8_lossy(&s).into_owned()).concat();
+        assert!(run.status.success(), "RenderDoc does not open {name}: {message}");
         let facts = serde_json::from_slice(&std::fs::read(&facts).unwrap()).unwrap();
         Capture { facts }
     }
@@ -222,7 +222,7 @@ fn renderdoc_finds_the_draws_the_textures_and_the_uniforms() {
 }
 
 #[test]
-fn every_map_and_the_table_of_lights_are_on_their_own_units() {
+fn every_map_and_the_table_of_lights_have_their_own_units() {
     let lab = Lab::new();
     let maps = [("Kd", "checker"), ("Ks", "planks"), ("norm", "tiles")];
     let mut library = "newmtl mapped\nKd 1 1 1\nKs 1 1 1\nNs 20\n".to_owned();
@@ -287,7 +287,7 @@ fn a_capture_that_cannot_be_made_is_one_sentence_and_leaves_nothing() {
 }
 
 #[test]
-fn the_exit_code_and_stdout_are_those_of_an_ordinary_run() {
+fn a_capture_keeps_exit_code_and_stdout() {
     let lab = Lab::new();
     let args = ["render", "builtin:cube", "-q", "--backend", "gl", "--size", "48x32", "-o", "-"];
     let plain = lab.run(&args).good();

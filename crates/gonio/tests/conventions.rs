@@ -5,7 +5,7 @@ mod common;
 use common::{Lab, Run, asset};
 use std::process::Stdio;
 
-/// Runs it as on a terminal of `columns`, or without one.
+/// Runs gonio as if on a terminal of `columns`, or without a terminal.
 fn run_at_width(lab: &Lab, args: &[&str], columns: Option<&str>) -> Run {
     let mut command = lab.command(args);
     command.env_remove("COLUMNS");
@@ -20,7 +20,7 @@ fn widest_line(text: &str) -> usize {
 }
 
 #[test]
-fn help_is_the_same_before_and_behind_a_command() {
+fn help_is_the_same_before_and_after_a_command() {
     let lab = Lab::new();
     for words in [&["render"][..], &["lab", "check"], &["environment", "convert"], &["completions"]] {
         let before = lab.run(&[&["help"], words].concat()).good();
@@ -43,7 +43,7 @@ fn help_is_as_wide_as_the_terminal() {
         let is_as_wide = narrow <= 70 && (90..=100).contains(&piped) && (101..=150).contains(&wide);
         assert!(is_as_wide, "{words:?}: {narrow}, {piped}, {wide}");
     }
-    // A paragraph is broken at the width alone, so that every line but its last is full.
+    // Paragraphs are wrapped at the width only, so every line but the last is full.
     let text = run_at_width(&lab, &["diff", "--help"], None).good();
     let mut paragraph = text.text().lines().skip_while(|line| !line.starts_with("An 8-bit step"));
     for line in paragraph.by_ref().take(2) {
@@ -70,7 +70,7 @@ fn the_version_names_commit_opengl_and_page() {
 }
 
 #[test]
-fn closed_streams_end_no_command() {
+fn closed_streams_stop_no_command() {
     let lab = Lab::new();
     for args in [vec!["help"], vec!["--help"], vec!["-V"], vec!["man"], vec!["completions", "bash"], vec!["licenses"]] {
         let mut child = lab.command(&args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -78,7 +78,7 @@ fn closed_streams_end_no_command() {
         let run = Run::of(child.wait_with_output().unwrap());
         assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{args:?}");
     }
-    // Nobody reads the note; the picture is there all the same.
+    // The note cannot be printed; the picture is written nevertheless.
     let args =
         ["render", &asset("cube.obj"), "-o", "a.png", "--size", "16x16", "--samples", "1", "--backend", "cpu", "-v"];
     let mut child = lab.command(&args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -88,7 +88,7 @@ fn closed_streams_end_no_command() {
 }
 
 #[test]
-fn a_closed_pipe_keeps_no_file_from_being_written() {
+fn files_are_written_despite_a_closed_pipe() {
     let lab = Lab::new();
     let args = ["render", &asset("cube.obj"), "-o", "-", "-o", "a.png", "--size", "64x64", "--backend", "cpu", "-q"];
     let mut child = lab.command(&args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -131,7 +131,7 @@ fn a_hyphen_is_stdout_for_every_output() {
         assert!(piped.stdout == lab.read(file) && !piped.stdout.is_empty(), "{args:?}");
         std::fs::remove_file(lab.path(file)).unwrap();
     }
-    // The numbers are beside the map.
+    // The numbers go to stderr.
     let run = lab.run(&["diff", "a.png", "b.png", "-o", "-"]).good();
     assert!(run.stderr.contains("SSIM"), "{}", run.stderr);
     assert_eq!(lab.names(), ["a.png", "b.png", "mine"]);
@@ -145,7 +145,7 @@ fn stdout_takes_one_file() {
     lab.run(&["diff", "a.png", "b.png", "-o", "-", "--wipe", "-"]).refused(&["more than once"]);
     lab.run(&["convert", &cube, "-", "--format", "glb", "--json"]).refused(&["--json", "stdout"]);
     lab.run(&["convert", &cube, "-"]).refused(&["--format"]);
-    // Its library is a file of its own.
+    // Its material library would be a second file.
     lab.run(&["convert", &asset("still_life.obj"), "-", "--format", "obj"]).refused(&["2 files", "--format glb"]);
     lab.run(&["environment", "convert", "debug", "-", "--to", "faces"]).refused(&["six faces", "name a folder"]);
     lab.run(&["tour", "-o", "-"]).refused(&["several files", "name a folder"]);
@@ -155,7 +155,7 @@ fn stdout_takes_one_file() {
 }
 
 #[test]
-fn verbose_tells_files_driver_and_times() {
+fn verbose_reports_files_driver_and_times() {
     let lab = Lab::new();
     std::fs::copy(asset("cube.obj"), lab.path("cube.obj")).unwrap();
     std::fs::copy(asset("cube.mtl"), lab.path("cube.mtl")).unwrap();
@@ -176,7 +176,7 @@ fn verbose_tells_files_driver_and_times() {
 }
 
 #[test]
-fn shells_get_completions() {
+fn completions_exist_for_every_shell() {
     let lab = Lab::new();
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
         let run = lab.run(&["completions", shell]).good();

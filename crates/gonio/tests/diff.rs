@@ -47,7 +47,7 @@ fn the_numbers_of_one_different_pixel() {
 }
 
 #[test]
-fn checks_end_with_one() {
+fn failed_checks_end_with_exit_code_1() {
     let lab = Lab::new();
     lab.png("a.png", |_, _| [100; 3]);
     lab.png("b.png", |x, _| [if x < 4 { 102 } else { 100 }; 3]);
@@ -91,7 +91,7 @@ fn the_map_and_the_sheets() {
 }
 
 #[test]
-fn sixteen_bits_are_compared_as_such() {
+fn sixteen_bits_are_compared_exactly() {
     let lab = Lab::new();
     let save = |name: &str, v: u16| {
         image::ImageBuffer::from_fn(8, 8, |_, _| Rgb([v, v, v])).save(lab.path(name)).unwrap();
@@ -109,20 +109,20 @@ fn an_exr_is_compared_in_linear_light_and_by_layer() {
     let cube = common::asset("cube.obj");
     lab.render(&[&cube, "-o", "a.exr", "--views", "N"]).good();
     lab.render(&[&cube, "-o", "b.exr", "--exposure", "3"]).good();
-    // Exposure belongs to the encoding: linear light does not know it.
+    // Exposure is part of the encoding and does not change linear light.
     lab.diff(&["a.exr", "b.exr", "--max-linear", "0"]).good();
     lab.render(&[&cube, "-o", "n.exr", "--debug", "N"]).good();
     lab.diff(&["a.exr", "n.exr", "--layer", "normal", "--max-linear", "0"]).good();
     assert_eq!(lab.diff(&["a.exr", "n.exr", "--max-linear", "0"]).code, 1);
     lab.diff(&["a.exr", "b.exr", "--layer", "normal"]).refused(&["b.exr", "no layer `normal`", "picture"]);
-    // And an EXR with its PNG: the rounding to 8 bits is half a step.
+    // An EXR against its PNG: rounding to 8 bits is half a step.
     lab.render(&[&cube, "-o", "a.png"]).good();
     let json = lab.diff(&["a.exr", "a.png", "--json"]).good().json();
     assert!(json["steps"]["max"].as_f64().unwrap() <= 0.501, "{json}");
 }
 
 #[test]
-fn what_cannot_be_compared() {
+fn pictures_that_cannot_be_compared_are_refused() {
     let lab = Lab::new();
     lab.png("a.png", |_, _| [1, 2, 3]);
     RgbImage::new(4, 4).save(lab.path("small.png")).unwrap();

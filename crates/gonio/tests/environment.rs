@@ -103,7 +103,7 @@ fn hdr_panorama(width: u32) -> Vec<u8> {
 }
 
 #[test]
-fn the_debug_cubemap_lies_right_in_both_layouts() {
+fn the_debug_cubemap_is_right_in_both_layouts() {
     for (layout, of_files) in [
         ("opengl", [("posx", "+X"), ("negx", "-X"), ("posy", "+Y"), ("negy", "-Y"), ("posz", "+Z"), ("negz", "-Z")]),
         // `posz` is straight ahead.
@@ -137,7 +137,7 @@ fn the_debug_cubemap_lies_right_in_both_layouts() {
 }
 
 #[test]
-fn an_environment_turns_as_documented() {
+fn an_environment_rotates_as_documented() {
     let lab = Lab::new();
     // A positive yaw turns what is ahead to the left, a positive pitch upwards; a roll turns the right upwards.
     for (angles, file, direction) in [
@@ -156,7 +156,7 @@ fn an_environment_turns_as_documented() {
 
 /// Nothing is looked up anew where only the arrangement changes: every number stays.
 #[test]
-fn every_arrangement_holds_the_same_faces() {
+fn every_arrangement_contains_the_same_faces() {
     let lab = Lab::new();
     lab.write("panorama.hdr", hdr_panorama(32));
     lab.convert(&["panorama.hdr", "faces"]);
@@ -185,7 +185,7 @@ fn every_arrangement_holds_the_same_faces() {
 }
 
 #[test]
-fn a_panorama_becomes_faces_and_again_a_panorama() {
+fn a_panorama_survives_conversion_to_faces_and_back() {
     let lab = Lab::new();
     lab.write("panorama.hdr", hdr_panorama(128));
     lab.convert(&["panorama.hdr", "faces", "--size", "64", "--format", "exr"]);
@@ -193,9 +193,9 @@ fn a_panorama_becomes_faces_and_again_a_panorama() {
         let image = lab.image(&format!("faces/{}.exr", face.name()));
         let direction = face.direction(0.0, 0.0, Layout::OpenGl);
         let [r, g, b, _] = image.at(32, 32);
-        let wanted = light(direction);
+        let expected = light(direction);
         // The middle of a texel is 1/64 beside the face's; waves of length 1 to 6 change by up to 0.1 over it.
-        assert!(DVec3::new(r.into(), g.into(), b.into()).abs_diff_eq(wanted, 0.15), "{i}: {r} {g} {b} {wanted}");
+        assert!(DVec3::new(r.into(), g.into(), b.into()).abs_diff_eq(expected, 0.15), "{i}: {r} {g} {b} {expected}");
     }
     for (output, more, size) in [
         ("back.hdr", &["--from-layout", "opengl", "--size", "128"][..], (128, 64)),
@@ -205,9 +205,9 @@ fn a_panorama_becomes_faces_and_again_a_panorama() {
         lab.convert(&[&["faces", output], more].concat());
         let image = lab.image(output);
         assert_eq!((image.width, image.height), size, "{output}");
-        let wanted = Panorama::from_function(size.0, size.1, light).image;
+        let expected = Panorama::from_function(size.0, size.1, light).image;
         let difference = |(a, b): (&[f32; 4], &[f32; 4])| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
-        let worst = image.pixels.iter().zip(&wanted.pixels).map(difference).fold(0.0, f32::max);
+        let worst = image.pixels.iter().zip(&expected.pixels).map(difference).fold(0.0, f32::max);
         // Two bilinear lookups on grids of 1/20, and RGBE's hundredth of 2.2.
         assert!(worst < 0.05, "{output}: {worst}");
     }
@@ -217,7 +217,7 @@ fn a_panorama_becomes_faces_and_again_a_panorama() {
 }
 
 #[test]
-fn faces_have_the_format_that_is_asked_for() {
+fn faces_have_the_requested_format() {
     let lab = Lab::new();
     lab.write("panorama.hdr", hdr_panorama(32));
     for (folder, more, ending) in [
@@ -249,7 +249,7 @@ fn exposure_and_tone_map_act_on_8_bits() {
     let grey = |value: f32| hdr::encode(&Image::new(8, 4, [value, value, value, 1.0])).unwrap().bytes;
     lab.write("grey.hdr", grey(0.25));
     lab.write("white.hdr", grey(4.0));
-    for (input, more, wanted) in [
+    for (input, more, expected) in [
         // sRGB of 1/8, 1/4, 1/2.
         ("grey.hdr", &["--exposure", "-1"][..], 99),
         ("grey.hdr", &[], 137),
@@ -259,7 +259,7 @@ fn exposure_and_tone_map_act_on_8_bits() {
         ("white.hdr", &["--exposure", "-2", "--tone-map", "reinhard"], 188),
     ] {
         let run = lab.convert(&[&[input, "out.png"], more].concat());
-        assert_eq!(lab.rgb("out.png").get_pixel(3, 2).0, [wanted; 3], "{input} {more:?}");
+        assert_eq!(lab.rgb("out.png").get_pixel(3, 2).0, [expected; 3], "{input} {more:?}");
         assert!(!run.stderr.contains("clipped"), "{}", run.stderr);
     }
     let run = lab.convert(&["white.hdr", "out.png"]);
@@ -271,7 +271,7 @@ fn exposure_and_tone_map_act_on_8_bits() {
 }
 
 #[test]
-fn a_conversion_reports_what_it_did() {
+fn a_conversion_is_reported() {
     let lab = Lab::new();
     lab.write("panorama.hdr", hdr_panorama(32));
     let json = lab.convert(&["panorama.hdr", "out", "--size", "4", "--json"]).json();
@@ -299,7 +299,7 @@ fn right_and_wrong() -> ([Image; 6], [Image; 6]) {
 }
 
 #[test]
-fn a_check_names_the_repair_and_makes_it() {
+fn a_check_names_and_writes_the_repair() {
     let lab = Lab::new();
     let (right, wrong) = right_and_wrong();
     let png8 = |image: &Image| png::encode(image, &OutputTransform::default(), png::Depth::Eight).unwrap();
@@ -335,7 +335,7 @@ fn a_check_names_the_repair_and_makes_it() {
 
 /// No texel changes but its place, whatever the files hold.
 #[test]
-fn a_repair_keeps_every_bit() {
+fn a_repair_preserves_every_bit() {
     let lab = Lab::new();
     let (right, wrong) = right_and_wrong();
     let exr = |precision| move |image: &Image| exr::encode(image, precision).unwrap().bytes;
@@ -371,7 +371,7 @@ fn a_repair_keeps_every_bit() {
 }
 
 #[test]
-fn a_panorama_is_checked_too() {
+fn a_panorama_is_checked_at_its_seams() {
     let lab = Lab::new();
     let panorama = Panorama::from_function(64, 32, |d| 0.4 * light(d) * if d.y > 0.0 { 1.0 } else { 0.8 }).image;
     let mut turned = Image::new(32, 64, [0.0; 4]);
@@ -413,7 +413,7 @@ const IN_THE_MIDDLE: [&str; 9] = [
 ];
 
 #[test]
-fn a_mirror_shows_every_side_where_it_is() {
+fn a_mirror_shows_every_side_in_its_place() {
     let lab = Lab::new();
     // So fine that no pixel has both ink and ground.
     let more = ["-o", "a.png", "--material", "mirror", "--size", "320x240", "--environment-size", "256"];
@@ -429,7 +429,7 @@ fn a_mirror_shows_every_side_where_it_is() {
 }
 
 #[test]
-fn mirrors_and_glass_look_alike_on_the_cpu_and_the_gpu() {
+fn mirrors_and_glass_look_the_same_on_cpu_and_gpu() {
     let lab = Lab::new();
     for material in ["mirror", "glass", "water dispersion=0.1"] {
         for (backend, file) in [("cpu", "cpu.png"), ("gl", "gl.png")] {
@@ -450,7 +450,7 @@ fn mirrors_and_glass_look_alike_on_the_cpu_and_the_gpu() {
 }
 
 #[test]
-fn a_probe_and_a_printed_scene_know_the_environment() {
+fn a_probe_and_a_printed_scene_contain_the_environment() {
     let lab = Lab::new();
     let more = ["--at", "32,24", "--size", "64x48", "--material", "mirror", "--backend", "cpu"];
     let run = lab.run(&[&["probe"], &IN_THE_MIDDLE[..], &more].concat()).good();

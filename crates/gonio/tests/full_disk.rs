@@ -1,7 +1,6 @@
-//! If the last file of a command cannot be written, none of its files appears, nor any folder made for them.
+//! If the last file of a command cannot be written, none of its files appears, and no folder created for them remains.
 //!
-//! A limit on the size of files (`ulimit -f`) takes the place of a full disk: it needs no privileges, and writing fails in the
-//! same way.
+//! A limit on the size of files (`ulimit -f`) replaces a full disk: it needs no privileges, and writing fails in the same way.
 #![allow(clippy::unwrap_used, missing_docs)]
 #![cfg(unix)]
 
@@ -31,7 +30,7 @@ fn files(folder: &Path) -> Vec<(String, u64)> {
 
 /// Runs it with a limit on the size of files, in blocks of 1024 bytes.
 fn limited(lab: &Lab, blocks: u64, args: &[&str]) -> Run {
-    // Ignored, or the system would end the program.
+    // The signal is ignored, or the system would end the program.
     let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
     let mut command = Command::new("bash");
     command.args(["-c", &script, env!("CARGO_BIN_EXE_gonio")]).args(args);
@@ -61,14 +60,14 @@ fn all_or_none(prepare: impl Fn(&Lab), args: &[&str]) {
 }
 
 #[test]
-fn exercises_are_begun_whole() {
+fn exercises_are_started_completely() {
     all_or_none(|_| {}, &["lab", "start", "s1", "new/mine"]);
     all_or_none(|lab| std::fs::create_dir(lab.path("mine")).unwrap(), &["lab", "start", "ex04", "mine"]);
     all_or_none(|_| {}, &["lab", "reference", "ex07", "-o", "new/deep/right"]);
 }
 
 #[test]
-fn models_are_converted_whole() {
+fn models_are_converted_completely() {
     // A texture in the model becomes a file of its own.
     let prepare = |lab: &Lab| {
         let grain: Vec<u8> = (0..256 * 256 * 3_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
@@ -92,12 +91,12 @@ fn models_are_converted_whole() {
 }
 
 #[test]
-fn environments_are_converted_whole() {
+fn environments_are_converted_completely() {
     all_or_none(|_| {}, &["environment", "convert", "debug", "faces", "--size", "128"]);
 }
 
 #[test]
-fn pictures_of_one_command_are_written_whole() {
+fn pictures_of_one_command_are_written_completely() {
     let small = ["--backend", "cpu", "--samples", "1", "--size", "160x120"];
     all_or_none(
         |_| {},
@@ -114,6 +113,6 @@ fn pictures_of_one_command_are_written_whole() {
 }
 
 #[test]
-fn the_tour_is_written_whole() {
+fn the_tour_is_written_completely() {
     all_or_none(|_| {}, &["tour", "-o", "new/tour", "--scale", "0.05", "--backend", "cpu"]);
 }

@@ -1,4 +1,4 @@
-//! Files made to let gonio wait for ever, read files that it must not, or fill the memory.
+//! Files that try to make gonio wait for ever, read forbidden files, or exhaust the memory.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used)]
 
@@ -10,10 +10,10 @@ use std::time::{Duration, Instant};
 
 const TRIANGLE: &str = "mtllib t.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
 
-/// No command here takes more than a second or two. One that waits for a pipe waits for ever.
+/// Time limit of a command. None here takes more than two seconds, except one that waits for a pipe for ever.
 const HANGS: Duration = Duration::from_secs(120);
 
-/// Runs a command that may hang: it is ended then, and the test fails.
+/// Runs a command and stops it if it hangs; the test fails then.
 #[track_caller]
 fn run(mut command: Command) -> Run {
     let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -69,7 +69,7 @@ const COLLADA: &str = r##"<?xml version="1.0"?><COLLADA xmlns="http://www.collad
 </visual_scene></library_visual_scenes><scene><instance_visual_scene url="#w"/></scene></COLLADA>"##;
 
 #[test]
-fn pipes_that_files_name_are_refused_without_waiting() {
+fn pipes_named_by_files_are_refused_without_waiting() {
     let lab = Lab::new();
     pipe(&lab, "pipe");
     lab.write("library.obj", TRIANGLE.replace("t.mtl", "pipe"));
@@ -80,9 +80,9 @@ fn pipes_that_files_name_are_refused_without_waiting() {
     for model in ["library.obj", "texture.obj", "image.gltf", "image.dae"] {
         for args in [&["inspect", model][..], &["scene", model], &["convert", model, "out.glb"]] {
             let done = run(lab.command(args)).good();
-            let said = done.stderr.clone() + done.text();
-            // A scene file needs no pixels, and says nothing of them where that is so.
-            assert!(said.contains("`pipe` is a pipe, not a file"), "{args:?}: {said}");
+            let message = done.stderr.clone() + done.text();
+            // A scene file needs no pixels, so there may be no message about them.
+            assert!(message.contains("`pipe` is a pipe, not a file"), "{args:?}: {message}");
         }
     }
     lab.write("buffer.gltf", gltf("pipe", "none.png"));
@@ -96,7 +96,7 @@ fn pipes_that_files_name_are_refused_without_waiting() {
 }
 
 #[test]
-fn a_pipe_that_the_user_names_is_an_input() {
+fn a_pipe_named_by_the_user_is_an_input() {
     let lab = Lab::new();
     lab.write("t.obj", TRIANGLE);
     lab.write("t.mtl", "newmtl m\nKd 1 0 0\n");
@@ -105,7 +105,7 @@ fn a_pipe_that_the_user_names_is_an_input() {
     shell(&lab, &format!("cat t.obj | gonio render /dev/stdin -o stdin.png {size}")).good();
     shell(&lab, "gzip -c t.obj | gonio inspect -").good();
     assert_eq!(lab.picture("substituted.png"), lab.picture("stdin.png"));
-    // It is read to its limit, and no further: this one has no end.
+    // It is endless, and read up to the limit only.
     for input in ["<(yes v 0 0 0)", "- < <(yes v 0 0 0)", "/dev/stdin < <(yes v 0 0 0)"] {
         let refused = shell(&lab, &format!("gonio inspect --max-memory 1MiB {input}"));
         refused.refused(&["needs more than 1.0 MiB of memory", "--max-memory raises the limit"]);
@@ -114,7 +114,7 @@ fn a_pipe_that_the_user_names_is_an_input() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn files_that_never_end_are_refused() {
+fn endless_files_are_refused() {
     let lab = Lab::new();
     for (endless, why) in [("/proc/self/pagemap", "although its size is 0"), ("/dev/zero", "is a device")] {
         run(lab.command(&["inspect", endless])).refused(&[endless, why]);
@@ -145,7 +145,7 @@ fn compressed_bombs_end_early() {
     let bomb = bomb();
     assert!(bomb.len() < 170_000);
     lab.write("bomb.obj.zst", &bomb);
-    // With little address space to hold them, an allocation too many would end the process otherwise.
+    // With this little address space, an excessive allocation would end the process.
     for limit in ["", "--max-memory 100GiB", "--max-memory 16MiB"] {
         let run = shell(&lab, &format!("ulimit -v 1500000; gonio inspect bomb.obj.zst {limit}"));
         let why = if limit.ends_with("16MiB") {
@@ -166,7 +166,7 @@ fn png(size: u32) -> Vec<u8> {
 }
 
 #[test]
-fn textures_that_fit_alone_and_not_together() {
+fn textures_that_fit_only_separately_are_refused() {
     let lab = Lab::new();
     lab.write("t.obj", TRIANGLE);
     lab.write("t.mtl", "newmtl m\nmap_Kd a.png\nmap_Ks b.png\nmap_Ke c.png\n");
@@ -180,11 +180,11 @@ fn textures_that_fit_alone_and_not_together() {
 }
 
 #[test]
-fn headers_that_lie_are_held_to_the_limit() {
+fn false_sizes_in_headers_are_limited() {
     let lab = Lab::new();
     lab.write("t.obj", TRIANGLE);
     lab.write("t.mtl", "newmtl m\nmap_Kd large.png\n");
-    // 16000 x 16000 in the header, whose checksum is renewed, and no pixels.
+    // 16000 x 16000 in the header, with a valid checksum, and no pixels.
     let mut large = png(1);
     large[16..24].copy_from_slice(&[0, 0, 0x3E, 0x80, 0, 0, 0x3E, 0x80]);
     let mut crc = flate2::Crc::new();
@@ -202,16 +202,16 @@ fn headers_that_lie_are_held_to_the_limit() {
         exr[at + 8..at + 16].copy_from_slice(&[0xFF, 0xFF, 0, 0, 0xFF, 0x7F, 0, 0]);
     }
     lab.write("large.exr", exr);
-    // An OpenEXR file also says how many blocks it has, which does not fit.
+    // The number of blocks in an OpenEXR file contradicts the size.
     for (name, why) in [("large.hdr", "32.0 GiB"), ("large.exr", "damaged")] {
         let line = format!("ulimit -v 1500000; gonio environment check {name} --max-memory 64MiB");
         shell(&lab, &line).refused(&[name, why]);
     }
 }
 
-/// A folder with an input, and secrets around it: every command that reads models or scenes keeps out of them.
+/// A folder with an input, and secrets around it: no command that reads models or scenes may read those.
 #[test]
-fn a_sandbox_holds_in_every_command() {
+fn every_command_respects_the_sandbox() {
     let lab = Lab::new();
     std::fs::create_dir(lab.path("in")).unwrap();
     lab.write("secret.mtl", "newmtl m\nKd 1 0 0\n");

@@ -21,7 +21,7 @@ fn hand_in(lab: &Lab, exercise: &str, folder: &str, from: &str, to: &str) {
 }
 
 #[test]
-fn exercises_are_listed_shown_and_begun_once() {
+fn exercises_are_listed_shown_and_started_once() {
     let lab = Lab::new();
     let run = lab.run(&["lab", "list"]).good();
     for word in ["ex01", "ex07", "ex11", "s1", "The light equation"] {
@@ -62,7 +62,7 @@ fn a_mistake_is_named_with_its_line_and_a_right_answer_passes() {
 }
 
 #[test]
-fn every_word_that_a_verdict_may_say_is_listed_and_explained() {
+fn every_mistake_is_listed_and_explained() {
     let lab = Lab::new();
     let all = lab.run(&["lab", "mistakes", "--json"]).json();
     let ids: Vec<&str> = all.as_array().unwrap().iter().map(|m| m["id"].as_str().unwrap()).collect();
@@ -75,7 +75,7 @@ fn every_word_that_a_verdict_may_say_is_listed_and_explained() {
 }
 
 #[test]
-fn a_batch_ends_whatever_is_in_it_and_goes_on_where_it_stopped() {
+fn a_batch_always_ends_and_continues_an_earlier_run() {
     let lab = Lab::new();
     hand_in(&lab, "ex04", "all/ann", "mat3(itM)", "mat3(M)");
     hand_in(&lab, "ex04", "all/bob", "mat3(itM)", "mat3(itM)");
@@ -103,7 +103,7 @@ fn a_batch_ends_whatever_is_in_it_and_goes_on_where_it_stopped() {
 }
 
 #[test]
-fn a_class_is_checked_whatever_its_folders_look_like_and_nothing_is_written_into_it() {
+fn a_class_of_any_folder_structure_is_checked_and_left_unchanged() {
     let lab = Lab::new();
     hand_in(&lab, "ex04", "class/ann/work/shaders", "mat3(itM)", "mat3(itM)");
     hand_in(&lab, "ex04", "class/-rf", "mat3(itM)", "mat3(M)");
@@ -133,7 +133,7 @@ fn a_class_is_checked_whatever_its_folders_look_like_and_nothing_is_written_into
 }
 
 #[test]
-fn a_submission_is_never_a_class_and_a_class_never_one_submission() {
+fn submissions_and_classes_are_distinguished() {
     let lab = Lab::new();
     hand_in(&lab, "ex04", "mine/work/shaders", "mat3(itM)", "mat3(itM)");
     let run = lab.run(&["lab", "check", "ex04", "mine", "--json"]).good();
@@ -172,7 +172,7 @@ fn a_submission_is_never_a_class_and_a_class_never_one_submission() {
 
 #[cfg(unix)]
 #[test]
-fn a_check_ends_with_whoever_asked_for_it() {
+fn a_check_ends_with_its_caller() {
     let lab = Lab::new();
     // As many turns as a loop may take, each of them long: minutes of work for every picture, and longer than this test waits.
     let work = "q = sin(q + 1.0); ".repeat(1000);
@@ -247,7 +247,7 @@ fn hand_in_again(lab: &Lab) {
 }
 
 #[test]
-fn a_host_program_is_drawn_and_its_frame_taken_apart() {
+fn a_gl_program_is_drawn_and_its_frame_listed() {
     let lab = Lab::new();
     let folder = lab.path("mine").to_string_lossy().into_owned();
     lab.run(&["lab", "start", "ex11", &folder]).good();
@@ -278,7 +278,7 @@ fn a_host_program_is_drawn_and_its_frame_taken_apart() {
 }
 
 #[test]
-fn a_pair_of_shaders_is_drawn_and_what_does_not_compile_is_told_by_line() {
+fn a_pair_of_shaders_is_drawn_and_compile_errors_have_lines() {
     let lab = Lab::new();
     let path = |name: &str| lab.path(name).to_string_lossy().into_owned();
     lab.run(&["lab", "start", "ex04", &path("mine")]).good();
@@ -318,7 +318,7 @@ fn outcome(change: &str) -> TrialOutcome {
 }
 
 #[test]
-fn what_compiles_and_what_does_not_is_harmless() {
+fn ordinary_shaders_are_harmless_even_with_errors() {
     for change in [
         "void main() {",
         "void main() { int i; for (i = 0; i < 16; ++i) { }",
@@ -333,7 +333,7 @@ fn what_compiles_and_what_does_not_is_harmless() {
 /// What crashes a reader or a driver, or takes all memory, on some machine: the process comes back with a sentence, or with
 /// the word that the compiler refuses it.
 #[test]
-fn hostile_texts_end_with_a_sentence() {
+fn hostile_texts_are_refused_in_one_sentence() {
     let long = format!("void main() {{ float x = 1.0{};", "+0.0".repeat(40_000));
     let deep = format!("void main() {{ float x = {}1.0{};", "(".repeat(50_000), ")".repeat(50_000));
     let doubling: String = (1..40).map(|n| format!("#define M{n} M{} M{}\n", n - 1, n - 1)).collect();
@@ -353,7 +353,7 @@ fn hostile_texts_end_with_a_sentence() {
 
 /// A loop that ends, but not soon: at the size of a window it would hold up everything.
 #[test]
-fn a_shader_that_would_hold_up_the_window_is_refused() {
+fn a_shader_that_would_block_the_window_is_refused() {
     let slow =
         "void main() { float z = gl_FragCoord.x; for (int i = 0; i < 60000; ++i) { z = fract(sin(z) * 43758.5); }
         if (z > 2.0) discard;";
@@ -362,7 +362,7 @@ fn a_shader_that_would_hold_up_the_window_is_refused() {
 }
 
 #[test]
-fn without_files_or_with_a_damaged_list_of_them_it_is_an_error() {
+fn missing_files_or_a_damaged_list_are_an_error() {
     for input in [&b""[..], b"\x01\0\0\0", b"\xff\xff\xff\xff"] {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_gonio"));
         let mut child = command

@@ -7,8 +7,8 @@ use common::{Lab, Run, asset};
 use std::io::Write;
 use std::process::Stdio;
 
-/// The same scene, exported by Blender in three forms. Their materials are two parametrisations of one surface, which
-/// agree but for the highlight: OBJ has no word for the 4 % that every glTF surface reflects.
+/// The same scene, exported by Blender in three formats. Their materials are two parametrisations of one surface, which agree
+/// except in the highlight: OBJ cannot express the 4 % that every glTF surface reflects.
 #[test]
 fn pictures_of_one_scene_agree_in_every_format() {
     let lab = Lab::new();
@@ -20,11 +20,11 @@ fn pictures_of_one_scene_agree_in_every_format() {
     let difference = |a: &str, b: &str| lab.run(&["diff", a, b, "--json"]).good().json();
     let same = difference("glb.png", "gltf.png");
     assert_eq!(same["steps"]["max"], 0.0, "the same numbers, in one file or in three: {same}");
-    // Blender writes normals with four decimals into OBJ, and whole floats into glTF: one step, here and there.
+    // Blender writes normals with four decimals to OBJ and as floats to glTF, so a few pixels differ by one step.
     let alike = difference("obj.png", "glb.png");
     assert!(alike["steps"]["max"].as_f64().unwrap() < 1.001, "{alike}");
     assert!(alike["differing_percent"].as_f64().unwrap() < 0.5, "{alike}");
-    // It is a picture of something: with highlights it is another one.
+    // The comparison can fail: with highlights the picture differs.
     lab.render(&[&asset("still_life.obj"), "-o", "shiny.png", "--size", "240x180"]).good();
     assert!(difference("obj.png", "shiny.png")["steps"]["max"].as_f64().unwrap() > 20.0);
 }
@@ -42,14 +42,14 @@ fn other_formats_have_the_same_shape() {
         let area = |report: &serde_json::Value| report["surface"]["area"].as_f64().unwrap();
         assert!((area(&other) / area(&obj) - 1.0).abs() < 1e-5, "{model}");
     }
-    // Seen with z up they look like the others with y up.
+    // With z up they look like the others with y up.
     lab.render(&[&asset("still_life.stl"), "-o", "z.png", "--up", "+Z", "--size", "120x90"]).good();
     lab.render(&[&asset("still_life.stl"), "-o", "y.png", "--size", "120x90"]).good();
     assert_ne!(lab.read("z.png"), lab.read("y.png"));
 }
 
 #[test]
-fn inspect_says_what_a_file_holds() {
+fn inspect_lists_the_contents_of_a_file() {
     let lab = Lab::new();
     let run = lab.run(&["inspect", &asset("still_life.obj")]).good();
     let text = run.text();
@@ -105,7 +105,7 @@ fn a_model_may_come_from_standard_input() {
     let render = ["render", "-", "-o", "in.png", "--size", "48x32", "--samples", "1", "--backend", "cpu", "--quiet"];
     piped(&render, &std::fs::read(asset("suzanne.obj")).unwrap()).good();
     lab.render(&[&asset("suzanne.obj"), "-o", "file.png"]).good();
-    // Its library lies elsewhere, so that it is made of clay here.
+    // Its material library is elsewhere, so it has the default material here.
     assert_eq!(lab.picture("in.png").width(), lab.picture("file.png").width());
     let report = piped(&["inspect", "-", "--json"], b"solid a\nendsolid a\n");
     assert_eq!(report.code, 2, "an STL without a triangle: {}", report.stderr);
@@ -113,7 +113,7 @@ fn a_model_may_come_from_standard_input() {
 }
 
 #[test]
-fn limits_are_options() {
+fn limits_can_be_set_by_options() {
     let lab = Lab::new();
     let model = asset("still_life.obj");
     lab.render(&[&model, "-o", "a.png", "--max-triangles", "1000"]).refused(&["1000", "limit"]);
@@ -136,7 +136,7 @@ fn textured_triangle() -> Lab {
 
 /// One face in every format, and back.
 #[test]
-fn a_triangle_goes_round() {
+fn a_triangle_survives_every_format() {
     let lab = textured_triangle();
     for (from, to) in [("m.obj", "a.ply"), ("a.ply", "b.glb"), ("b.glb", "c.obj"), ("c.obj", "d.ply")] {
         let run = lab.run(&["convert", from, to, "--json"]).good();
@@ -153,7 +153,7 @@ fn a_triangle_goes_round() {
 
 /// Textures beside the old file are named relative to the new one.
 #[test]
-fn textures_are_named_from_the_new_folder() {
+fn textures_are_named_relative_to_the_new_folder() {
     let lab = textured_triangle();
     lab.run(&["convert", "m.obj", "there/n.obj"]).good();
     let mtl = String::from_utf8(lab.read("there/n.mtl")).unwrap();
@@ -163,14 +163,14 @@ fn textures_are_named_from_the_new_folder() {
     assert!(!run.stderr.contains("not found"), "{}", run.stderr);
     let ply = String::from_utf8(lab.read("n.ply")).unwrap();
     assert!(ply.starts_with("ply\nformat ascii 1.0\n"), "{ply}");
-    // The same picture, whichever way it is named.
+    // The picture is the same by either name.
     let texture = ply.lines().find_map(|line| line.strip_prefix("comment TextureFile ")).unwrap();
     assert!(lab.path(texture).is_file(), "{texture}");
 }
 
 /// A picture inside a model becomes a file beside it, with the same bytes.
 #[test]
-fn pictures_inside_are_written_beside() {
+fn embedded_pictures_are_written_beside_the_model() {
     let lab = textured_triangle();
     lab.run(&["convert", "m.obj", "b.glb"]).good();
     let json = lab.run(&["convert", "b.glb", "there/c.obj", "--json"]).good().json();
@@ -181,14 +181,14 @@ fn pictures_inside_are_written_beside() {
     let name = outputs[2].strip_prefix("there/").unwrap();
     let mtl = String::from_utf8(lab.read("there/c.mtl")).unwrap();
     assert!(mtl.contains(&format!("map_Kd {name}\n")), "{mtl}");
-    // Built-in models carry theirs with them too.
+    // Built-in models contain their textures too.
     lab.run(&["convert", "builtin:still-life", "still.obj"]).good();
     let pictures: Vec<String> = lab.names().into_iter().filter(|name| name.starts_with("still_")).collect();
     assert_eq!(pictures, ["still_checker.png", "still_planks.png"]);
 }
 
 #[test]
-fn what_is_missing_or_lost_is_said() {
+fn missing_and_lost_data_is_reported() {
     let lab = textured_triangle();
     std::fs::remove_file(lab.path("pictures/dot.png")).unwrap();
     let run = lab.run(&["convert", "m.obj", "a.obj"]).good();

@@ -29,7 +29,7 @@ fn opengl_and_the_cpu_draw_the_same_picture() {
 }
 
 #[test]
-fn a_probe_sets_opengl_beside_the_reference() {
+fn a_probe_compares_opengl_with_the_reference() {
     let lab = Lab::new();
     let args = ["probe", &asset("suzanne.obj"), "--at", "500,400", "--backend", "gl", "--json"];
     let json = lab.run(&args).good().json();
@@ -38,7 +38,7 @@ fn a_probe_sets_opengl_beside_the_reference() {
 }
 
 #[test]
-fn views_drawn_by_opengl_are_those_of_the_cpu() {
+fn opengl_and_the_cpu_draw_the_same_views() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
     for (backend, name) in [("gl", "gl.exr"), ("cpu", "cpu.exr")] {
@@ -54,7 +54,7 @@ fn views_drawn_by_opengl_are_those_of_the_cpu() {
 
 #[cfg(all(unix, not(target_os = "macos")))]
 #[test]
-fn without_an_opengl_library_the_cpu_draws_and_says_why() {
+fn without_an_opengl_library_the_cpu_draws_with_a_note() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
     let args = ["render", &cube, "--size", "48x32", "--samples", "1", "--egl-library", "libNoSuchEGL.so.1"];
@@ -175,7 +175,7 @@ fn a_debug_view_has_another_program() {
 }
 
 #[test]
-fn without_opengl_it_says_what_to_install() {
+fn without_opengl_the_error_names_packages_to_install() {
     let lab = Lab::new();
     let run = lab.run(&["frame", &asset("cube.obj"), "--egl-library", "libnothing.so.1"]);
     let run = run.refused(&["no OpenGL", "libnothing.so.1", "apt-get install"]);

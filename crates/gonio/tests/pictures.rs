@@ -8,7 +8,7 @@ use common::{Lab, asset};
 use serde_json::Value;
 
 #[test]
-fn a_png_has_the_size_and_depth_that_were_asked_for() {
+fn a_png_has_the_requested_size_and_depth() {
     let lab = Lab::new();
     lab.render(&[&asset("cube.obj"), "-o", "a.png", "--size", "60x20"]).good();
     let picture = lab.picture("a.png");
@@ -81,7 +81,7 @@ fn an_exr_has_the_numbers_of_the_probe() {
 }
 
 #[test]
-fn tangents_are_made_for_a_view_that_shows_them() {
+fn tangents_are_computed_for_their_view() {
     let lab = Lab::new();
     // The floor alone: u runs along x, v along -z, so its tangent is (1, 0, 0), shown as (1, 0.5, 0.5).
     let floor = "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 1 0\n\
@@ -95,7 +95,7 @@ fn tangents_are_made_for_a_view_that_shows_them() {
 }
 
 #[test]
-fn views_are_files_beside_a_png() {
+fn views_are_written_beside_a_png() {
     let lab = Lab::new();
     let run = lab.render(&[&asset("cube.obj"), "-o", "a.png", "--views", "N,diffuse:0,depth", "--json"]).good();
     assert_eq!(lab.names(), ["a-depth.png", "a-diffuse-0.png", "a-normal.png", "a.png"]);
@@ -116,7 +116,7 @@ fn several_formats_in_one_run() {
 fn frames_are_numbered_and_the_orbit_turns() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
-    // With a camera that was asked for: one that gonio chose would step back, see below.
+    // With an explicit camera: a default one would move back, see below.
     let eye = ["--camera-position", "2,2,4", "--camera-target", "0,0,0"];
     let from_eye = |args: &[&str]| lab.render(&[&[cube.as_str()], args, &eye[..]].concat()).good();
     from_eye(&["-o", "turn.png", "--frames", "3", "--orbit", "360"]);
@@ -129,14 +129,14 @@ fn frames_are_numbered_and_the_orbit_turns() {
     assert_eq!(lab.read("f01.png"), lab.read("still.png"));
     assert_eq!(lab.read("f02.png"), lab.read("still.png"));
 
-    // A camera that was chosen to frame the model from one side makes room for the turn.
+    // The default camera, which frames the model from one side, moves back for the turn.
     lab.render(&[&cube, "-o", "framed.png"]).good();
     lab.render(&[&cube, "-o", "framed-turn.png", "--frames", "3", "--orbit", "360"]).good();
     assert_ne!(lab.read("framed.png"), lab.read("framed-turn-0001.png"));
 }
 
 #[test]
-fn animations_hold_all_frames() {
+fn animations_contain_all_frames() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
     for name in ["a.gif", "a.apng"] {
@@ -198,17 +198,17 @@ fn a_printed_scene_gives_the_same_picture() {
     lab.write("scene.toml", &scene.stdout);
     lab.run(&["render", "scene.toml", "-o", "b.png", "--backend", "cpu"]).good();
     assert_eq!(lab.read("a.png"), lab.read("b.png"));
-    // Printed again, nothing changes.
+    // Printing it again changes nothing.
     assert_eq!(lab.run(&["scene", "scene.toml"]).good().text(), scene.text());
 }
 
 #[test]
-fn a_scene_written_elsewhere_still_finds_its_models() {
+fn a_scene_in_another_folder_still_finds_its_models() {
     let lab = Lab::new();
     std::fs::create_dir_all(lab.path("models")).unwrap();
     std::fs::create_dir_all(lab.path("scenes/new")).unwrap();
     lab.write("models/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    // The size takes part in the framing.
+    // The framing depends on the size.
     lab.run(&["scene", "models/t.obj", "--size", "48x32", "-o", "scenes/new/s.toml"]).good();
     let text = String::from_utf8(lab.read("scenes/new/s.toml")).unwrap();
     assert!(text.contains("model = \"../../models/t.obj\""), "{text}");
@@ -218,7 +218,7 @@ fn a_scene_written_elsewhere_still_finds_its_models() {
 }
 
 #[test]
-fn the_schema_is_the_one_that_is_shipped() {
+fn the_schema_matches_the_shipped_file() {
     let lab = Lab::new();
     let run = lab.run(&["scene", "--schema"]).good();
     let shipped = include_str!("../../../assets/scene.schema.json");
@@ -233,8 +233,8 @@ fn the_schema_is_the_one_that_is_shipped() {
 }
 
 #[test]
-fn a_model_without_materials_is_nothing_to_talk_about() {
-    // Blender wrote a library for it that holds none.
+fn a_model_without_materials_causes_no_message() {
+    // Blender wrote an empty library for it.
     let lab = Lab::new();
     assert_eq!(lab.render(&["builtin:cube", "-o", "a.png"]).good().stderr, "");
     lab.write("cube.mtl", "# nothing\n");
@@ -248,7 +248,7 @@ fn a_model_without_materials_is_nothing_to_talk_about() {
 }
 
 #[test]
-fn several_inputs_are_one_scene() {
+fn several_inputs_become_one_scene() {
     let lab = Lab::new();
     let json = lab.render(&[&asset("cube.obj"), &asset("suzanne.obj"), "-o", "a.png", "--json"]).good().json();
     assert_eq!(json["scene"]["objects"], 2);
@@ -257,7 +257,7 @@ fn several_inputs_are_one_scene() {
 }
 
 #[test]
-fn the_report_says_what_was_done() {
+fn the_report_describes_the_run() {
     let lab = Lab::new();
     let json = lab.render(&[&asset("cube.obj"), "-o", "a.png", "--shading", "gouraud", "--json"]).good().json();
     assert_eq!(json["command"], "render");
@@ -276,7 +276,7 @@ fn the_report_says_what_was_done() {
 }
 
 #[test]
-fn a_probe_says_everything_about_a_pixel() {
+fn a_probe_lists_everything_about_a_pixel() {
     let lab = Lab::new();
     let suzanne = asset("suzanne.obj");
     let run = lab.run(&["probe", &suzanne, "--at", "500,400", "--backend", "cpu"]).good();
@@ -309,7 +309,7 @@ fn a_probe_says_everything_about_a_pixel() {
 }
 
 #[test]
-fn a_probe_beside_all_objects_shows_the_background() {
+fn a_probe_outside_all_objects_shows_the_background() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
     let args = ["probe", &cube, "--at", "0,0", "--backend", "cpu", "--background", "0.25,0.5,0.75"];
@@ -321,7 +321,7 @@ fn a_probe_beside_all_objects_shows_the_background() {
 }
 
 #[test]
-fn a_probe_outside_of_the_picture_is_an_error() {
+fn a_probe_outside_the_picture_is_an_error() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
     lab.run(&["probe", &cube, "--at", "48,0", "--size", "48x32", "--backend", "cpu"])
@@ -365,7 +365,7 @@ fn every_term_of_glass_is_listed() {
 }
 
 #[test]
-fn where_no_object_is_visible_the_sky_is() {
+fn a_probe_of_the_sky_shows_the_environment() {
     let lab = Lab::new();
     let cube = asset("cube.obj");
     // The upper left of the debug cubemap ahead; it hides the background.
@@ -375,7 +375,7 @@ fn where_no_object_is_visible_the_sky_is() {
     let json = lab.run(&[&args[..], &["--json"]].concat()).good().json();
     let sky = numbers(&json["reference"]);
     assert!(json["hit"] == false && sky[..3] != [0.0; 3] && sky[3] == 1.0, "{sky:?}");
-    // Unseen, it leaves the background.
+    // If it is hidden, the background is visible.
     let args = [&args[..], &["--environment-visible=false", "--json"]].concat();
     assert_eq!(lab.run(&args).good().json()["reference"], serde_json::json!([0.0, 0.0, 0.0, 1.0]));
 }

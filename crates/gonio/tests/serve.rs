@@ -24,7 +24,7 @@ fn page() -> Lab {
     lab
 }
 
-/// A server that ends with the test.
+/// A server that stops when it is dropped.
 struct Server {
     child: Child,
     port: u16,
@@ -101,7 +101,7 @@ impl Server {
 }
 
 #[test]
-fn the_page_is_served_with_headers_that_close_everything_else() {
+fn the_page_is_served_with_restrictive_headers() {
     let lab = page();
     let server = Server::start(&lab);
     assert_eq!(server.url, format!("http://127.0.0.1:{}/", server.port));
@@ -110,7 +110,7 @@ fn the_page_is_served_with_headers_that_close_everything_else() {
         assert_eq!((answer.status, answer.text()), (200, "<!doctype html>"), "{path}");
         assert_eq!(answer.header("content-type"), "text/html; charset=utf-8");
         assert_eq!(answer.header("content-length"), "15");
-        // A new page is to be seen at once.
+        // A new page must be visible at once.
         assert_eq!(answer.header("cache-control"), "no-cache");
         assert_eq!(answer.header("x-content-type-options"), "nosniff");
         assert_eq!(answer.header("referrer-policy"), "no-referrer");
@@ -123,7 +123,7 @@ fn the_page_is_served_with_headers_that_close_everything_else() {
 }
 
 #[test]
-fn the_smallest_form_that_the_client_takes_is_sent() {
+fn the_smallest_accepted_encoding_is_sent() {
     let lab = page();
     let server = Server::start(&lab);
     let path = format!("/{HASHED}");
@@ -136,13 +136,13 @@ fn the_smallest_form_that_the_client_takes_is_sent() {
         assert_eq!((answer.header("content-encoding"), answer.text()), (encoding, body), "{accepted}");
         assert_eq!(answer.header("vary"), "Accept-Encoding");
         assert_eq!(answer.header("content-type"), "application/wasm");
-        // Its name contains the hash of its content: it never has to be requested again.
+        // The name contains a hash of the content, so it never has to be requested again.
         assert_eq!(answer.header("cache-control"), "public, max-age=31536000, immutable");
     }
 }
 
 #[test]
-fn head_says_what_get_would() {
+fn head_returns_the_headers_of_get() {
     let lab = page();
     let server = Server::start(&lab);
     let (get, head) = (server.get("/"), server.ask("HEAD", "/", &[]));
@@ -151,7 +151,7 @@ fn head_says_what_get_would() {
 }
 
 #[test]
-fn only_the_pages_own_files_are_there() {
+fn only_files_of_the_page_are_served() {
     let lab = page();
     let server = Server::start(&lab);
     for path in [
@@ -183,7 +183,7 @@ fn other_methods_and_other_protocols_are_refused() {
     }
     let long = format!("GET / HTTP/1.1\r\nHost: {}\r\nX: {}\r\n\r\n", server.host(), "x".repeat(40_000));
     assert_eq!(server.send(long.as_bytes()).status, 431);
-    // And it still answers.
+    // The server still answers.
     assert_eq!(server.get("/").status, 200);
 }
 
@@ -209,7 +209,7 @@ fn other_names_for_this_machine_are_refused() {
 }
 
 #[test]
-fn a_client_that_stays_silent_keeps_no_other_waiting() {
+fn a_silent_client_blocks_no_other() {
     let lab = page();
     let server = Server::start(&lab);
     let silent: Vec<TcpStream> = (0..20).map(|_| TcpStream::connect(("127.0.0.1", server.port)).unwrap()).collect();
@@ -218,17 +218,17 @@ fn a_client_that_stays_silent_keeps_no_other_waiting() {
 }
 
 #[test]
-fn it_is_reached_from_this_machine_alone() {
+fn only_this_machine_can_connect() {
     let lab = page();
     let server = Server::start(&lab);
-    // The port is taken on the loopback address only: elsewhere in its network it is free.
+    // The port is in use on the loopback address only; on other addresses it is free.
     assert!(TcpListener::bind(("127.0.0.1", server.port)).is_err());
     assert!(TcpListener::bind(("127.0.0.2", server.port)).is_ok());
 }
 
 #[cfg(unix)]
 #[test]
-fn an_interrupt_ends_it() {
+fn an_interrupt_stops_the_server() {
     let lab = page();
     let mut server = Server::start(&lab);
     let sent = Command::new("kill").args(["-INT", &server.child.id().to_string()]).status().unwrap();
@@ -238,7 +238,7 @@ fn an_interrupt_ends_it() {
 }
 
 #[test]
-fn a_port_that_is_taken_and_a_folder_without_a_page_are_refused() {
+fn a_port_in_use_and_a_folder_without_a_page_are_refused() {
     let lab = page();
     let server = Server::start(&lab);
     let port = server.port.to_string();
@@ -250,7 +250,7 @@ fn a_port_that_is_taken_and_a_folder_without_a_page_are_refused() {
 }
 
 #[test]
-fn the_page_built_into_it_is_served_or_missed() {
+fn the_embedded_page_is_served_or_reported_missing() {
     let built: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/embedded_page.rs"));
     let lab = Lab::new();
     if built.is_empty() {
@@ -275,8 +275,7 @@ fn the_page_built_into_it_is_served_or_missed() {
     // Every file that the page names is complete, also for a client that accepts no compression.
     let names: Vec<&str> =
         index.text().split('"').filter(|word| word.ends_with(".wasm") || word.ends_with(".js")).collect();
-    // Two scripts, the page's and its checker's, and the module: in two halves, if it was built for people and not with
-    // `--dev`.
+    // Two scripts, those of the page and the checker, and the module, in two halves unless it was built with `--dev`.
     let modules = names.iter().filter(|name| name.ends_with(".wasm")).count();
     assert!((1..=2).contains(&modules) && names.len() == modules + 2, "{names:?}");
     for name in names {

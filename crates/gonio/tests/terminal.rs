@@ -1,4 +1,4 @@
-//! Nothing in a file, a name or an option can act on the terminal that it is printed to.
+//! No text in a file, a name or an option can control the terminal that it is printed to.
 #![allow(clippy::unwrap_used, missing_docs)]
 #![cfg(unix)]
 
@@ -77,7 +77,7 @@ fn arguments() {
 }
 
 #[test]
-fn names_of_files_that_are_not_there_or_are_something_else() {
+fn names_of_missing_and_unusual_files() {
     let lab = Lab::new();
     let [missing, folder] = ["missing", "folder"].map(|name| format!("{name}{EVIL}"));
     std::fs::create_dir(lab.path(&folder)).unwrap();
@@ -226,7 +226,7 @@ fn files_of_a_verdict() {
 }
 
 #[test]
-fn programs_of_calls() {
+fn gl_programs() {
     let lab = Lab::new();
     let evil = evil_line();
     lab.write("a.txt", format!("program = create_program {}.vert start.frag\n{evil}\n", evil.replace(' ', "")));

@@ -12,7 +12,7 @@ fn attributes<'a>(page: &'a str, before: &str) -> Vec<&'a str> {
 }
 
 #[test]
-fn a_small_tour_is_complete_and_can_be_made_again() {
+fn a_small_tour_is_complete_and_reproducible() {
     let lab = Lab::new();
     let run = lab.run(&["tour", "-o", "out tour", "--scale", "0.1", "--backend", "cpu", "--json"]).good();
     let report = run.json();
@@ -77,9 +77,9 @@ fn draw_again(lab: &Lab, picture: &serde_json::Value) {
     assert!(again == first, "{name} differs from its second drawing");
 }
 
-/// By OpenGL where there is OpenGL, else by the CPU: the commands say nothing of who draws.
+/// Drawn by OpenGL where it is available, else by the CPU, so the commands name no backend.
 #[test]
-fn whoever_draws_the_tour_draws_it_again() {
+fn the_commands_of_a_tour_name_no_backend() {
     let lab = Lab::new();
     let report = lab.run(&["tour", "-o", "out tour", "--scale", "0.1", "--json"]).good().json();
     let pictures = report["pictures"].as_array().unwrap();
@@ -95,7 +95,7 @@ fn whoever_draws_the_tour_draws_it_again() {
 }
 
 #[test]
-fn a_file_in_the_way_is_named() {
+fn a_file_at_the_path_of_a_folder_is_named() {
     let lab = Lab::new();
     lab.write("tour", "a file");
     lab.run(&["tour", "--backend", "cpu"]).refused(&["`tour` is a file", "-o"]);

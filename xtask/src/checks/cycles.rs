@@ -39,7 +39,7 @@ pub fn cycles(files: &[TextFile]) -> Vec<Vec<String>> {
     found
 }
 
-/// One complaint for each cycle that is too large, with a shortest way around.
+/// One complaint for each cycle that is too large, with its shortest path.
 pub fn check(files: &[TextFile]) -> Vec<String> {
     let all: BTreeMap<String, BTreeSet<String>> = crates(files).iter().flat_map(|modules| edges(modules)).collect();
     cycles(files)
@@ -52,7 +52,7 @@ pub fn check(files: &[TextFile]) -> Vec<String> {
         .collect()
 }
 
-/// The modules of each crate. Tests are left out, and so is what lies outside of a `src` folder.
+/// The modules of each crate. Tests and files outside `src` folders are left out.
 fn crates(files: &[TextFile]) -> Vec<Vec<Module>> {
     let mut crates: BTreeMap<&str, Vec<Module>> = BTreeMap::new();
     for file in files.iter().filter(|file| file.is_rust()) {
@@ -161,7 +161,7 @@ fn is_name(token: &str) -> bool {
     token.starts_with(|c: char| c.is_alphabetic() || c == '_')
 }
 
-/// The parts of a list between commas that lie in no inner brackets.
+/// The parts of a list between commas outside inner brackets.
 fn branches(tokens: &[String]) -> Vec<&[String]> {
     let mut depth = 0_i32;
     let is_comma = |token: &String| {
@@ -210,10 +210,10 @@ struct Resolver<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    /// The module that defines what `path` names in `module`; `None` for other crates and for modules themselves, from which
-    /// something is taken elsewhere.
+    /// The module that defines the item that `path` names in `module`; `None` for other crates and for modules themselves, whose
+    /// items are followed where they are used.
     fn definition(&self, module: &'a Module, path: &[String], depth: usize) -> Option<&'a Module> {
-        // A name that is imported in a circle is an error of the compiler's.
+        // The compiler rejects names that are imported in a circle.
         if depth > 16 {
             return None;
         }
@@ -318,7 +318,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// A shortest way from a file of the cycle back to it, through its files.
+/// A shortest path from a file of the cycle back to it.
 fn shortest_way_around(edges: &BTreeMap<String, BTreeSet<String>>, cycle: &[String]) -> Vec<String> {
     let ways = cycle.iter().filter_map(|start| {
         let mut from: BTreeMap<&str, &str> = BTreeMap::new();

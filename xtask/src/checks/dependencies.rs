@@ -194,7 +194,7 @@ pub fn check(crates: &BTreeSet<String>, edges: &[Edge], rules: &[Rule], guarded:
     complaints
 }
 
-/// The rules themselves: whoever may be known stands above in the table, so no circle can be allowed.
+/// Complaints about the table itself: a crate may depend on crates above it only, so no cycle can be allowed.
 fn rules_that_point_back(rules: &[Rule]) -> Vec<String> {
     let position = |name: &str| rules.iter().position(|r| r.krate == name);
     let mut complaints = Vec::new();

@@ -1,7 +1,7 @@
 //! The lints that only declared files may allow.
 //!
 //! The compiler and clippy find `unsafe` code, output, and calls that read the environment (`[workspace.lints]` and
-//! `clippy.toml`). What they cannot find is code that switches them off in a new place.
+//! `clippy.toml`). They cannot find code that switches them off in a new place.
 
 use super::source::{Source, TextFile, find_words};
 
@@ -16,7 +16,7 @@ pub const UNSAFE_CODE: &[&str] = &[
 
 /// The file that prints.
 const REPORT: &[&str] = &["crates/gonio/src/report.rs"];
-/// The file that prints, and a test that prints what it measured.
+/// The file that prints, and a test that prints its measurements.
 const REPORT_AND_TEST: &[&str] = &["crates/gonio/src/report.rs", "crates/gonio/tests/hostile/main.rs"];
 /// The file that writes the terminal's escape sequences.
 const TERMINAL: &[&str] = &["crates/gonio/src/terminal.rs"];
@@ -40,7 +40,7 @@ pub const CONFIGURATIONS: &[&str] = &[
     "crates/gonio-fixtures/clippy.toml",
 ];
 
-/// Finds lints that are allowed outside of their declared files, and configurations of clippy in other places.
+/// Finds lints that are allowed outside their declared files, and configurations of clippy in other places.
 pub fn check(files: &[TextFile], guarded: &[(&str, &[&str])], configurations: &[&str]) -> Vec<String> {
     let mut complaints = Vec::new();
     for file in files.iter().filter(|f| f.is_rust()) {

@@ -136,7 +136,7 @@ impl Source {
         Source { code }
     }
 
-    /// For each line, whether it lies within an item marked `#[cfg(test)]`.
+    /// For each line, whether it is within an item marked `#[cfg(test)]`.
     pub fn test_lines(&self) -> Vec<bool> {
         let mut marks = vec![false; self.code.len()];
         // Brackets open since the mark; `Some(0)`: the item's body has not begun.

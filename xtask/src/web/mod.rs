@@ -164,14 +164,14 @@ fn checked(command: &mut Command) -> Result<(), String> {
 /// Runs `npm ci` in `web/` unless the packages of the lock file are installed.
 fn install_packages(web: &Path, say: &mut dyn FnMut(&str)) -> Result<(), String> {
     let lock = web.join("package-lock.json");
-    let wanted = std::fs::read(&lock).map_err(|e| format!("cannot read {}: {e}", lock.display()))?;
+    let locked = std::fs::read(&lock).map_err(|e| format!("cannot read {}: {e}", lock.display()))?;
     // Written last, so an interrupted installation is repeated.
     let stamp = web.join("node_modules/.gonio-installed");
-    if std::fs::read(&stamp).is_ok_and(|installed| installed == wanted) {
+    if std::fs::read(&stamp).is_ok_and(|installed| installed == locked) {
         return Ok(());
     }
     say("installing Node packages (npm ci)");
     // None of the packages needs its install script.
     checked(Command::new("npm").current_dir(web).args(["ci", "--ignore-scripts", "--no-fund", "--no-audit"]))?;
-    std::fs::write(&stamp, wanted).map_err(|e| format!("cannot write {}: {e}", stamp.display()))
+    std::fs::write(&stamp, locked).map_err(|e| format!("cannot write {}: {e}", stamp.display()))
 }

@@ -45,8 +45,8 @@ fn profiled(
     let stage = module.parent().unwrap_or(Path::new("."));
     let page = stage.join("unsplit");
     process::stdout_of(node(web).arg("build/pack.mjs").arg(stage).arg(&page).arg("--plain"))?;
-    let said = process::stdout_of(node(web).arg(&script).args([&page, &instrumented]).arg(profile))?;
-    said.lines().for_each(|line| say(&format!("  {line}")));
+    let output = process::stdout_of(node(web).arg(&script).args([&page, &instrumented]).arg(profile))?;
+    output.lines().for_each(|line| say(&format!("  {line}")));
     if !profile.is_file() {
         return Ok(false);
     }

@@ -219,11 +219,11 @@ impl Textures {
                 Ok(found) => drop(textures.files.insert(map.path.clone(), found)),
                 Err(not_found) => {
                     missing.push(&map.path);
-                    let why = match not_found.refused {
+                    let fault = match not_found.refused {
                         Some(refused) => format!("was not read: {refused}"),
                         None => format!("was not found; tried {}", not_found.tried.join(", ")),
                     };
-                    let message = format!("the texture {:?} {why}", map.path);
+                    let message = format!("the texture {:?} {fault}", map.path);
                     let diagnostic = Diagnostic { line: map.line, ..Diagnostic::warning(message) };
                     diagnostics.push(diagnostic.in_file(material.file.as_deref().unwrap_or(&file.name)));
                 }

@@ -208,12 +208,12 @@ impl InspectionPage {
             ("edges between a front and a back face", &s.inconsistent_edges),
             ("points where surfaces merely touch", &s.non_manifold_positions),
         ];
-        for (what, found) in findings.into_iter().filter(|(_, found)| found.count > 0) {
+        for (name, found) in findings.into_iter().filter(|(_, found)| found.count > 0) {
             let first = found.first.first().map_or(String::new(), |first| {
                 let at: Vec<String> = first.positions.iter().map(|p| p.map(number).join(",")).collect();
                 format!("   {FAINT}the first at {}{FAINT:#}", at.join(" - "))
             });
-            self.line("", &format!("{} {what}{first}", grouped(found.count)));
+            self.line("", &format!("{} {name}{first}", grouped(found.count)));
         }
     }
 
@@ -366,7 +366,7 @@ fn number(value: f32) -> String {
         return text;
     }
     let rounded = format!("{value:.4}");
-    // No minus sign for what rounds to 0.
+    // No minus sign for values that round to 0.
     if rounded == "-0.0000" { "0.0000".to_owned() } else { rounded }
 }
 

@@ -227,7 +227,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_is_made_and_replaced_and_nothing_else_is_left() {
+    fn a_file_is_created_and_replaced_without_leftovers() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("out.bin");
         check_writable(&path).unwrap();
@@ -249,7 +249,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn a_link_keeps_being_a_link() {
+    fn a_link_stays_a_link() {
         let folder = tempfile::tempdir().unwrap();
         let (file, link) = (folder.path().join("file"), folder.path().join("link"));
         write(&file, b"old").unwrap();
@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_seen_before_the_end_and_everything_then() {
+    fn files_appear_together_at_the_end() {
         let folder = tempfile::tempdir().unwrap();
         let (one, two) = (folder.path().join("a/b/one"), folder.path().join("a/two"));
         let ready = set(&[(&one, b"1"), (&two, b"2")]).unwrap();
@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_committed_leaves_nothing() {
+    fn uncommitted_files_leave_nothing() {
         let folder = tempfile::tempdir().unwrap();
         let deep = folder.path().join("x/y/z");
         drop(set(&[(&deep, b"1")]).unwrap());
@@ -294,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn a_failure_at_the_end_puts_everything_back() {
+    fn a_failure_at_the_end_restores_everything() {
         let folder = tempfile::tempdir().unwrap();
         let [old, new, third] = ["old", "new", "third"].map(|name| folder.path().join(name));
         std::fs::write(&old, "before").unwrap();

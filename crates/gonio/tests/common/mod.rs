@@ -1,4 +1,4 @@
-//! Running the program in a folder of its own, and checking that it prints hostile text harmlessly.
+//! Runs the program in a folder of its own, and checks that it prints hostile text harmlessly.
 #![allow(dead_code, clippy::unwrap_used, missing_docs)]
 
 use std::path::{Path, PathBuf};
@@ -75,7 +75,7 @@ impl Lab {
         std::fs::read(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}; there are {:?}", self.names()))
     }
 
-    /// All files, sorted: also those whose names begin with a dot.
+    /// All files, sorted, including those whose names begin with a dot.
     pub fn names(&self) -> Vec<String> {
         let mut names: Vec<String> = std::fs::read_dir(self.folder.path())
             .unwrap()
@@ -113,7 +113,7 @@ impl Lab {
 }
 
 /// Everything that moves the cursor, recolours, hides or reorders text, begins a line of its own, or commands a build server.
-/// It can stand in a file's name.
+/// It is valid in a file's name.
 pub const EVIL: &str = "\u{1b}[2K\u{1b}[1A\rex07  \u{1b}[1m\u{1b}[32mcorrect\u{1b}[0m\u{8}\u{7}\u{1b}]8;;x\u{7}\u{9b}2J\u{202e}\u{2066}\u{200f}\u{2028}\u{feff}\u{7f}\n::error::x\n##[error]y";
 
 /// [`EVIL`] for a place within a line.
@@ -127,7 +127,7 @@ pub fn faults(output: &[u8], styled: bool) -> Vec<String> {
     let mut faults = Vec::new();
     for line in text.split('\n') {
         let bare = if styled { without_styles(line) } else { line.to_owned() };
-        // Checked apart from the program's own table: Unicode's control characters, and what turns text around.
+        // Independent of the program's own table: Unicode's control characters, and those that change the direction of text.
         let acts = |c: char| {
             c.is_control()
                 || matches!(c, '\u{ad}' | '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')

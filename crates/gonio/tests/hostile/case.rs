@@ -9,9 +9,9 @@ pub struct Case {
     pub files: Vec<File>,
     /// The paths on the command line, relative to the folder; the folder itself if `None`.
     pub paths: Option<Vec<OsString>>,
-    /// It contains the right answer. All others must not be called correct.
+    /// Whether it contains the right answer. No other case may be called correct.
     pub may_be_right: bool,
-    /// A folder of folders is a batch, which prints a table in place of a verdict.
+    /// Whether it is a folder of folders, for which a table is printed instead of a verdict.
     pub is_batch: bool,
 }
 
@@ -23,9 +23,9 @@ pub struct File {
 
 pub enum Fill {
     Bytes(Vec<u8>),
-    /// A beginning, a piece so many times, an end.
+    /// A beginning, a repeated piece, the number of repetitions, an end.
     Repeat(Vec<u8>, Vec<u8>, usize, Vec<u8>),
-    /// So many bytes that no disk holds.
+    /// A sparse file of this many bytes.
     Sparse(u64),
     Link(OsString),
     Pipe,
@@ -43,7 +43,7 @@ impl Case {
         }
     }
 
-    /// With a vertex and a fragment shader.
+    /// Adds a vertex and a fragment shader.
     pub fn pair(self, vertex: impl Into<Vec<u8>>, fragment: impl Into<Vec<u8>>) -> Case {
         self.file("a.vert", Fill::Bytes(vertex.into())).file("a.frag", Fill::Bytes(fragment.into()))
     }
@@ -69,7 +69,7 @@ impl Case {
     }
 }
 
-/// An answer with one mistake, so that it is never correct: what is done to it may break it further.
+/// An answer to an exercise. Cases start from one with a mistake, so that it is never correct, and may break it further.
 pub struct Answer {
     pub exercise: &'static str,
     pub vertex: String,
@@ -77,7 +77,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The answer to an exercise as the laboratory has it, the normal turned by the wrong matrix.
+    /// The reference solution of an exercise with one mistake: the normal is transformed by the wrong matrix.
     pub fn wrong(exercise: &'static str) -> Answer {
         let Answer { vertex, fragment, .. } = Answer::right(exercise);
         let wrong = vertex.replace("mat3(itM)", "mat3(M)");
@@ -85,7 +85,7 @@ impl Answer {
         Answer { exercise, vertex: wrong, fragment }
     }
 
-    /// The answer as the laboratory has it.
+    /// The reference solution of an exercise.
     pub fn right(exercise: &'static str) -> Answer {
         let found = gonio_exercises::exercise::find(exercise).unwrap();
         let text = |end: &str| {
@@ -95,12 +95,12 @@ impl Answer {
         Answer { exercise, vertex: text(".vert"), fragment: text(".frag") }
     }
 
-    /// With a statement at the end of the fragment shader's `main`, and declarations before it.
+    /// The fragment shader with a statement at the end of `main`, and declarations before `main`.
     pub fn fragment_with(&self, declarations: &str, statement: &str) -> String {
         with(&self.fragment, declarations, statement)
     }
 
-    /// The same of the vertex shader.
+    /// The same for the vertex shader.
     pub fn vertex_with(&self, declarations: &str, statement: &str) -> String {
         with(&self.vertex, declarations, statement)
     }

@@ -1,5 +1,5 @@
-//! Generated hostile submissions. Whatever they contain, the program ends by itself in time and within its memory, never calls a
-//! wrong answer correct, prints its own verdict and no other, leaves no process behind, and does not change its input.
+//! Generated hostile submissions. Whatever they contain, the program ends by itself within its limits of time and memory, never
+//! calls a wrong answer correct, prints its own verdict only, leaves no process behind, and does not change its input.
 #![allow(clippy::unwrap_used, clippy::print_stdout, missing_docs)]
 #![cfg(target_os = "linux")]
 
@@ -15,16 +15,16 @@ use case::Case;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// One family after the other: together they would use up each other's patience.
+/// Families run one after the other; together they would exceed each other's time limits.
 static TURN: Mutex<()> = Mutex::new(());
 
-/// Runs all cases of a family, as many at once as there are cores; `GONIO_HOSTILE` chooses those whose names contain it.
+/// Runs all cases of a family, one per core at a time. `GONIO_HOSTILE` selects cases by a part of their names.
 fn held(cases: &[Case], at_least: usize) {
     let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     assert!(cases.len() >= at_least, "{} cases", cases.len());
-    let wanted = std::env::var("GONIO_HOSTILE").unwrap_or_default();
-    let cases: Vec<&Case> = cases.iter().filter(|case| case.name.contains(&wanted)).collect();
-    assert!(!cases.is_empty(), "no case is called `{wanted}`");
+    let expected = std::env::var("GONIO_HOSTILE").unwrap_or_default();
+    let cases: Vec<&Case> = cases.iter().filter(|case| case.name.contains(&expected)).collect();
+    assert!(!cases.is_empty(), "no case is called `{expected}`");
     let (next, reports) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     std::thread::scope(|scope| {
         for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
@@ -51,17 +51,17 @@ fn held(cases: &[Case], at_least: usize) {
 }
 
 #[test]
-fn nesting_uses_up_no_stack() {
+fn nesting_does_not_exhaust_the_stack() {
     held(&resources::stack(), 30);
 }
 
 #[test]
-fn no_text_asks_for_too_much_memory() {
+fn no_text_exhausts_the_memory() {
     held(&resources::memory(), 30);
 }
 
 #[test]
-fn what_never_ends_is_ended() {
+fn endless_programs_are_stopped() {
     held(&resources::time(), 15);
 }
 

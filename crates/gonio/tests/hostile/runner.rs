@@ -1,4 +1,4 @@
-//! Running a case as a user would, and checking exit code, output, memory and leftovers.
+//! Runs a case as a user would, and checks exit code, output, memory and leftovers.
 
 use crate::case::{Case, Fill};
 use crate::common::faults;
@@ -11,22 +11,22 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// Seconds that a check may take, for `--patience`.
+/// Time limit of a check in seconds, for `--patience`.
 const PATIENCE: &str = "3";
-/// A case that takes longer has hung. Far beyond the patience: other tests use the same cores.
+/// A case that takes longer has hung. Far above the time limit, because other tests use the same cores.
 const HUNG: Duration = Duration::from_secs(60);
 /// The memory that all processes of a case may use together.
 const MOST_RESIDENT_KB: u64 = 1536 * 1024;
-/// The most output that a verdict has.
+/// Size limit of the output.
 const MOST_OUTPUT: usize = 1 << 20;
 const VERDICTS: [&str; 4] = ["correct", "wrong", "does not compile", "unsure"];
 
 /// The result of a case.
 pub struct Report {
     pub name: String,
-    /// The first line, or how it ended.
+    /// The first line of the output, or the exit status.
     pub outcome: String,
-    /// Empty where it did what it should.
+    /// The faults; empty if the case passed.
     pub faults: Vec<String>,
     pub seconds: f64,
     pub most_kb: u64,
@@ -106,10 +106,10 @@ fn words(case: &Case, code: Option<i32>, stdout: &[u8], stderr: &[u8]) -> Vec<St
         wrong.push(format!("a panic: {}", stderr.chars().take(300).collect::<String>()));
     }
     let verdict = |line: &str| {
-        let said = line.strip_prefix(case.exercise)?.strip_prefix("  ")?;
-        VERDICTS.into_iter().find(|verdict| said.starts_with(&format!("{verdict}: ")))
+        let message = line.strip_prefix(case.exercise)?.strip_prefix("  ")?;
+        VERDICTS.into_iter().find(|verdict| message.starts_with(&format!("{verdict}: ")))
     };
-    let said: Vec<&str> = stdout.lines().filter_map(verdict).collect();
+    let message: Vec<&str> = stdout.lines().filter_map(verdict).collect();
     match code {
         Some(2) => {
             let errors = stderr.lines().filter(|line| line.starts_with("error: ")).count();
@@ -119,7 +119,7 @@ fn words(case: &Case, code: Option<i32>, stdout: &[u8], stderr: &[u8]) -> Vec<St
         }
         Some(code) if !case.is_batch => {
             let first = stdout.lines().next().and_then(verdict);
-            if first.is_none() || said.len() != 1 || (first == Some("correct")) != (code == 0) {
+            if first.is_none() || message.len() != 1 || (first == Some("correct")) != (code == 0) {
                 wrong.push(format!("the first line is the one verdict, as exit code {code} has it: {stdout}"));
             }
         }
@@ -128,7 +128,7 @@ fn words(case: &Case, code: Option<i32>, stdout: &[u8], stderr: &[u8]) -> Vec<St
     wrong
 }
 
-/// A pipe read to its end, so that the program never waits; at most so much of it is kept.
+/// Reads a pipe to its end, so that the program never waits; a limited part is kept.
 fn reader(mut pipe: impl Read + Send + 'static) -> std::thread::JoinHandle<Vec<u8>> {
     std::thread::spawn(move || {
         let (mut kept, mut buffer) = (Vec::new(), vec![0; 1 << 16]);
@@ -155,7 +155,7 @@ fn session(leader: u32) -> Vec<(u32, u64)> {
     processes.filter_map(of_session).collect()
 }
 
-/// Ends what still runs, and says so. What ends by itself within a moment of its parent is not left behind.
+/// Stops processes that still run and reports them. Those that end shortly after their parent do not count.
 fn left_behind(child: &mut Child) -> Vec<String> {
     let leader = child.id();
     let is_stopped = child.try_wait().unwrap().is_none();
@@ -175,7 +175,7 @@ fn left_behind(child: &mut Child) -> Vec<String> {
     }
 }
 
-/// Everything in a folder: names, kinds, lengths, targets, and the content of what is small.
+/// Everything in a folder: names, kinds, lengths, link targets, and the content of small files.
 fn listing(folder: &Path) -> BTreeMap<PathBuf, (String, Vec<u8>)> {
     let mut all = BTreeMap::new();
     let mut open = vec![folder.to_owned()];

@@ -4,7 +4,7 @@ use crate::driven::{Window, without_display};
 use serde_json::Value;
 
 #[test]
-fn what_is_done_is_undone_by_keys() {
+fn keys_undo_and_redo() {
     let mut window = Window::open(1024, 640, &["builtin:cube"]);
     let before = window.rest();
     assert_eq!(before["undo"], false);
@@ -32,7 +32,7 @@ fn what_is_done_is_undone_by_keys() {
 }
 
 #[test]
-fn light_or_dark_is_chosen_and_remembered() {
+fn the_theme_is_chosen_and_remembered() {
     let mut window = Window::open(1024, 640, &["builtin:cube"]);
     let dark = window.state()["dark"].as_bool().unwrap();
     window.click("theme");
@@ -42,7 +42,7 @@ fn light_or_dark_is_chosen_and_remembered() {
 }
 
 #[test]
-fn nothing_is_cut_off_in_small_windows() {
+fn small_windows_clip_no_widget() {
     for (width, height) in [(1024, 640), (360, 740)] {
         let mut window = Window::open(width, height, &["builtin:cube"]);
         let state = window.rest();
@@ -62,7 +62,7 @@ fn nothing_is_cut_off_in_small_windows() {
 }
 
 #[test]
-fn doing_nothing_costs_nothing() {
+fn an_idle_window_uses_no_processor_time() {
     let mut window = Window::open(1024, 640, &["builtin:cube"]);
     let before = window.rest();
     let cpu = window.cpu_seconds();
@@ -75,7 +75,7 @@ fn doing_nothing_costs_nothing() {
 }
 
 #[test]
-fn without_a_display_it_says_so() {
+fn without_a_display_view_reports_an_error() {
     let (code, words) = without_display(&["view"], None);
     assert_eq!(code, 2);
     assert!(words.contains("there is no display") && words.contains("gonio render"), "{words}");
@@ -88,7 +88,7 @@ fn without_a_display_it_says_so() {
 }
 
 #[test]
-fn alone_without_a_display_it_prints_its_help() {
+fn gonio_alone_without_a_display_prints_its_help() {
     let (code, words) = without_display(&[], None);
     assert_eq!(code, 2);
     assert!(words.contains("Usage: gonio") && words.contains("\n  render "), "{words}");

@@ -93,13 +93,13 @@ impl Window {
             .unwrap_or(Value::Null)
     }
 
-    /// Waits until the state is as wanted, and gives it.
+    /// Waits until the state is as expected, and gives it.
     #[track_caller]
-    pub fn wait(&mut self, what: &str, wanted: impl Fn(&Value) -> bool) -> Value {
+    pub fn wait(&mut self, what: &str, expected: impl Fn(&Value) -> bool) -> Value {
         let start = Instant::now();
         loop {
             let state = self.state();
-            if !state.is_null() && wanted(&state) {
+            if !state.is_null() && expected(&state) {
                 return state;
             }
             if let Some(status) = self.program.try_wait().unwrap() {

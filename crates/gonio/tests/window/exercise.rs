@@ -24,7 +24,7 @@ fn said(state: &Value) -> Vec<(String, u64, String)> {
 }
 
 #[test]
-fn what_is_broken_on_disk_keeps_the_last_picture_and_is_said_at_its_line() {
+fn a_file_broken_on_disk_keeps_the_last_picture_and_is_reported_with_its_line() {
     let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04", "mine"]);
     let state = window.wait("the program", |s| s["exercise"]["drawn"] == true);
     assert_eq!((said(&state).len(), &state["exercise"]["older"]), (0, &Value::Bool(false)));
@@ -59,7 +59,7 @@ fn what_is_broken_on_disk_keeps_the_last_picture_and_is_said_at_its_line() {
 }
 
 #[test]
-fn what_is_written_here_is_undone_and_saved_and_never_lost() {
+fn edited_text_is_undone_saved_and_never_lost() {
     let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04", "mine"]);
     window.wait("the program", |s| s["exercise"]["drawn"] == true);
     let path = window.path("mine/reference.frag");
@@ -89,7 +89,7 @@ fn what_is_written_here_is_undone_and_saved_and_never_lost() {
 }
 
 #[test]
-fn a_shader_that_never_ends_does_not_hold_up_the_window() {
+fn an_endless_shader_does_not_block_the_window() {
     let folder = answered();
     let path = folder.path().join("mine/reference.frag");
     let text = std::fs::read_to_string(&path).unwrap();
@@ -115,7 +115,7 @@ fn open(window: &mut Window, path: &str) {
 }
 
 #[test]
-fn ones_own_files_are_opened_in_place_followed_on_the_disk_and_saved_where_they_lie() {
+fn files_of_the_user_are_opened_watched_and_saved_in_place() {
     let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04"]);
     window.wait("the program", |s| s["exercise"]["drawn"] == true && s["exercise"]["file"] == "start.frag");
     window.click("editor");
@@ -156,7 +156,7 @@ fn ones_own_files_are_opened_in_place_followed_on_the_disk_and_saved_where_they_
 }
 
 #[test]
-fn six_faces_are_given_and_checked() {
+fn six_faces_are_loaded_and_checked() {
     let folder = tempfile::tempdir().unwrap();
     let panorama = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../exercises/s1-panorama-to-cubemap/panorama.png");
     let status = Command::new(env!("CARGO_BIN_EXE_gonio"))

@@ -26,8 +26,8 @@ fn save(window: &mut Window, key: &str, name: &str) {
     window.rest();
     window.key(key);
     answer(window, name);
-    let wanted = format!("saved {name}");
-    window.wait(&wanted, |s| s["announcement"] == wanted.as_str());
+    let expected = format!("saved {name}");
+    window.wait(&expected, |s| s["announcement"] == expected.as_str());
 }
 
 /// Share of pixels of two pictures in which no channel differs by more than 2.
@@ -51,7 +51,7 @@ fn a_model_is_opened_by_its_path_and_remembered() {
 }
 
 #[test]
-fn what_changes_on_disk_is_read_again_and_the_camera_stays() {
+fn changed_files_are_read_again_and_the_camera_stays() {
     let mut window = Window::open_in(folder(), 800, 600, &["cube.obj"]);
     window.rest();
     // A change of ours that has to survive.
@@ -77,7 +77,7 @@ fn what_changes_on_disk_is_read_again_and_the_camera_stays() {
 }
 
 #[test]
-fn the_saved_picture_is_that_of_render() {
+fn a_saved_picture_matches_that_of_render() {
     let mut window = Window::open(1000, 700, &["builtin:suzanne"]);
     save(&mut window, "ctrl+s", "window.png");
     save(&mut window, "ctrl+shift+s", "scene.toml");
@@ -94,7 +94,7 @@ fn the_saved_picture_is_that_of_render() {
 }
 
 #[test]
-fn options_of_render_are_laid_over_the_scene() {
+fn options_of_render_change_the_scene() {
     let args = ["builtin:cube", "--shading", "flat", "--environment", "debug", "--exposure", "1.5"];
     let window = Window::open(800, 600, &args);
     let scene = &window.state()["scene"];
@@ -104,7 +104,7 @@ fn options_of_render_are_laid_over_the_scene() {
 }
 
 #[test]
-fn a_file_that_cannot_be_opened_leaves_everything_as_it_was() {
+fn a_file_that_cannot_be_opened_changes_nothing() {
     let mut window = Window::open(1024, 640, &["builtin:cube"]);
     let before = window.state();
     window.write("bad.obj", "this is no model\n");

@@ -1,4 +1,4 @@
-//! The window itself, under an X server of its own: pressed and typed into by `xdotool`, looked at by its exported state.
+//! The window under an X server of its own. `xdotool` presses and types; the tests read the window's exported state.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, missing_docs)]
 

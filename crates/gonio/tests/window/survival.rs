@@ -23,7 +23,7 @@ fn drafted(window: &mut Window, text: &str) {
 }
 
 #[test]
-fn hostile_shaders_are_said_and_the_window_goes_on() {
+fn hostile_shaders_are_reported_and_the_window_survives() {
     let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04", "mine"]);
     window.wait("the program", |s| s["exercise"]["drawn"] == true);
     let right = std::fs::read_to_string(window.path("mine/reference.frag")).unwrap();
@@ -55,7 +55,7 @@ fn hostile_shaders_are_said_and_the_window_goes_on() {
 }
 
 #[test]
-fn unsaved_text_outlives_a_window_that_is_killed() {
+fn unsaved_text_survives_a_killed_window() {
     let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04", "mine"]);
     window.wait("the program", |s| s["exercise"]["drawn"] == true);
     let path = window.path("mine/reference.frag");
@@ -90,7 +90,7 @@ fn unsaved_text_outlives_a_window_that_is_killed() {
 }
 
 #[test]
-fn a_draft_and_a_file_that_changed_meanwhile_are_both_kept_until_one_is_chosen() {
+fn a_draft_and_a_changed_file_are_both_kept_until_one_is_chosen() {
     for choice in ["take-other", "keep-mine"] {
         let mut window = Window::exercise_in(answered(), 1100, 700, &["ex04", "mine"]);
         window.wait("the program", |s| s["exercise"]["drawn"] == true);

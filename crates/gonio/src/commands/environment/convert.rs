@@ -145,12 +145,12 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
         let read = describe(&opened);
         let map = times.measure("convert", || engine.cubemap(opened.map, &conversion, size, reporter))?;
         let written = times.measure("write", || plan.write_cubemap(map, &appearance))?;
-        let what = if plan.container == Container::Faces {
+        let noun = if plan.container == Container::Faces {
             "six faces".into()
         } else {
             format!("{} of faces", plan.container)
         };
-        note_conversion(reporter, &read, &format!("{what} of {size} x {size}, {} layout", args.layout), filter);
+        note_conversion(reporter, &read, &format!("{noun} of {size} x {size}, {} layout", args.layout), filter);
         (written, (size, size), filter)
     } else {
         let (width, height) = panorama_size(args, &opened)?;

@@ -84,7 +84,7 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     reporter.diagnostics(&scene.diagnostics);
     loading::check_views(args.debug, &scene)?;
     // The CPU makes no OpenGL calls.
-    let context = context.map_err(|why| CliError::new(why.message))?;
+    let context = context.map_err(|error| CliError::new(error.message))?;
     let mut renderer = Renderer::new(context.gl().clone())?;
     let frame = scene.frame(args.time);
     let record = {
@@ -165,10 +165,10 @@ pub fn page(about: &str, record: &FrameRecord, findings: &[Finding], shown: Show
     }
 }
 
-fn missing(what: &str, number: usize, count: usize) -> CliError {
+fn missing(kind: &str, number: usize, count: usize) -> CliError {
     CliError::new(match count {
-        0 => format!("there is no {what} {number}: the frame has none"),
-        1 => format!("there is no {what} {number}; the frame has one, number 0"),
-        _ => format!("there is no {what} {number}; the frame has {count}, numbers 0 to {}", count - 1),
+        0 => format!("there is no {kind} {number}: the frame has none"),
+        1 => format!("there is no {kind} {number}; the frame has one, number 0"),
+        _ => format!("there is no {kind} {number}; the frame has {count}, numbers 0 to {}", count - 1),
     })
 }

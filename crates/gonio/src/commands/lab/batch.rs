@@ -195,7 +195,7 @@ fn one(
     let start = Instant::now();
     let (verdict, made) = match gathered.left_out.first() {
         // A damaged zip, say, is the verdict about this submission alone.
-        Some(why) if gathered.files.is_empty() => (Verdict::new(&exercise.id, Word::Unsure, why.clone()), None),
+        Some(reason) if gathered.files.is_empty() => (Verdict::new(&exercise.id, Word::Unsure, reason.clone()), None),
         _ => checked(args, exercise, gathered, &label, program)?,
     };
     let seconds = start.elapsed().as_secs_f64();
@@ -221,7 +221,7 @@ fn checked(
     let worker = worker::start(program, request, true).map_err(not_started)?;
     Ok(match worker.wait(args.patience(), || false) {
         Ok(answer) => (answer.verdict, answer.page),
-        Err(why) => (Verdict::new(&exercise.id, Word::Unsure, why), None),
+        Err(reason) => (Verdict::new(&exercise.id, Word::Unsure, reason), None),
     })
 }
 

@@ -9,8 +9,9 @@ use crate::error::{CliError, CommandOutcome};
 use crate::options::GeneralOptions;
 use crate::report::{self, Reporter};
 use clap::Args;
+use gonio_app::platform::desktop::child;
+use gonio_app::platform::desktop::trial::TrialAnswer;
 use gonio_app::platform::desktop::worker::{self, WorkerAnswer, WorkerRequest};
-use gonio_app::platform::desktop::{child, trial};
 use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TestScene;
 use gonio_exercises::Checker;
@@ -80,7 +81,7 @@ pub fn check_worker() -> Result<CommandOutcome, CliError> {
 fn check(request: WorkerRequest) -> Result<WorkerAnswer, String> {
     let exercise = exercise(&request.exercise).map_err(|error| error.to_string())?;
     let context = HeadlessContext::with_options(&HeadlessOptions { es: request.es, ..Default::default() })
-        .map_err(|why| why.message)?;
+        .map_err(|error| error.message)?;
     let mut checker = Checker::new(context.gl());
     let (mut verdict, evidence) = gonio_exercises::check(&mut checker, exercise, request.files, &request.options)
         .map_err(|error| CliError::from(error).to_string())?;
@@ -142,19 +143,19 @@ pub fn run_trial(args: &TrialArgs, reporter: &Reporter) -> Result<CommandOutcome
     Ok(CommandOutcome::Done)
 }
 
-fn try_files(exercise: &Exercise, files: Vec<SourceFile>) -> trial::TrialAnswer {
+fn try_files(exercise: &Exercise, files: Vec<SourceFile>) -> TrialAnswer {
     let context = match HeadlessContext::new() {
         Ok(context) => context,
-        Err(why) => return trial::TrialAnswer::Unavailable { why: why.message },
+        Err(error) => return TrialAnswer::Unavailable { why: error.message },
     };
     let pair = SubmittedPair::gather(exercise, files).ok().and_then(|source| source.compile(context.gl()).ok());
     let answer = match pair {
         // The window reports what is wrong: the reader and the driver ended.
-        None => trial::TrialAnswer::Harmless,
+        None => TrialAnswer::Harmless,
         Some(pair) => match seconds(context.gl(), exercise, &pair) {
-            Ok(seconds) if seconds > MOST_SECONDS => trial::TrialAnswer::Slow { seconds },
-            Ok(_) => trial::TrialAnswer::Harmless,
-            Err(why) => trial::TrialAnswer::Failed { why: why.to_string() },
+            Ok(seconds) if seconds > MOST_SECONDS => TrialAnswer::Slow { seconds },
+            Ok(_) => TrialAnswer::Harmless,
+            Err(error) => TrialAnswer::Failed { why: error.to_string() },
         },
     };
     // The process ends next, and the system frees it faster.

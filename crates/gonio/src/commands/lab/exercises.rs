@@ -123,9 +123,9 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
                 written.push(GOAL.to_owned());
             }
             // The exercise works without it.
-            Err(why) => {
+            Err(error) => {
                 is_drawn = false;
-                reporter.warning(format!("{GOAL}, the picture to reach, was not drawn: {why}"));
+                reporter.warning(format!("{GOAL}, the picture to reach, was not drawn: {error}"));
             }
         }
     }

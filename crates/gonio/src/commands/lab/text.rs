@@ -147,13 +147,13 @@ pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> TerminalPage {
             Outcome::Unsure => ("unsure", YELLOW),
         };
         let ids: Vec<&str> = row.mistakes.iter().map(|mistake| mistake.id.as_str()).collect();
-        let what = match (row.verdict, ids.is_empty()) {
+        let summary = match (row.verdict, ids.is_empty()) {
             (Outcome::Correct, _) => String::new(),
             (_, true) => row.summary.lines().next().unwrap_or_default().to_owned(),
             (_, false) => ids.join(" "),
         };
         let place = row.place.as_deref().map_or(String::new(), |place| format!("  {DIM}{place}{DIM:#}"));
-        page.line(format_args!("{:<width$}  {style}{word:<8}{style:#}  {what}{place}", row.submission));
+        page.line(format_args!("{:<width$}  {style}{word:<8}{style:#}  {summary}{place}", row.submission));
     }
     let count = |outcome| rows.iter().filter(|row| row.verdict == outcome).count();
     page.blank();

@@ -40,14 +40,14 @@ impl PictureFormat {
         if let Some(known) = Self::ALL.iter().find(|f| f.name() == extension) {
             return Ok(*known);
         }
-        let what = match extension.as_str() {
+        let fault = match extension.as_str() {
             "" => "the name has no extension to choose the format by".to_owned(),
             other => format!("unsupported format `.{other}`"),
         };
         let nearest = nearest_word(&extension, Self::ALL.iter().map(|f| f.name()));
         let hint = nearest.map(|k| format!("; did you mean .{k}?")).unwrap_or_default();
         Err(CliError::new(format!(
-            "`{}`: {what}: expected .png (8 or 16 bits), .exr (linear float), .apng or .gif (animations){hint}",
+            "`{}`: {fault}: expected .png (8 or 16 bits), .exr (linear float), .apng or .gif (animations){hint}",
             path.display()
         )))
     }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 const EMBEDDED: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/embedded_page.rs"));
 
 /// The page's files by their names, relative to its top folder, with `/`.
-pub struct PageFiles {
+pub struct WebPage {
     files: BTreeMap<String, ServedFile>,
 }
 
@@ -49,20 +49,20 @@ impl ContentEncoding {
     }
 }
 
-impl PageFiles {
+impl WebPage {
     /// The page embedded in this program, if it has one.
-    pub fn embedded() -> Option<PageFiles> {
+    pub fn embedded() -> Option<WebPage> {
         if EMBEDDED.is_empty() {
             return None;
         }
-        Some(PageFiles::from_files(EMBEDDED.iter().map(|(name, bytes)| ((*name).to_owned(), Stored::Embedded(bytes)))))
+        Some(WebPage::from_files(EMBEDDED.iter().map(|(name, bytes)| ((*name).to_owned(), Stored::Embedded(bytes)))))
     }
 
     /// The page in a folder. Only files that exist now will be served.
-    pub fn in_folder(folder: &Path) -> Result<PageFiles, CliError> {
+    pub fn in_folder(folder: &Path) -> Result<WebPage, CliError> {
         let mut files = Vec::new();
         list(folder, "", &mut files).map_err(|error| CliError::io(folder.display(), &error))?;
-        let page = PageFiles::from_files(files.into_iter().map(|(name, path)| (name, Stored::OnDisk(path))));
+        let page = WebPage::from_files(files.into_iter().map(|(name, path)| (name, Stored::OnDisk(path))));
         if page.file("index.html").is_none() {
             return Err(CliError::new(format!(
                 "{}: there is no index.html; `cargo xtask web` builds the page into the folder dist",
@@ -72,7 +72,7 @@ impl PageFiles {
         Ok(page)
     }
 
-    fn from_files(stored: impl Iterator<Item = (String, Stored)>) -> PageFiles {
+    fn from_files(stored: impl Iterator<Item = (String, Stored)>) -> WebPage {
         let mut files: BTreeMap<String, ServedFile> = BTreeMap::new();
         for (name, bytes) in stored {
             if let Some(plain) = name.strip_suffix(".br") {
@@ -83,7 +83,7 @@ impl PageFiles {
                 files.entry(name).or_default().plain = Some(bytes);
             }
         }
-        PageFiles { files }
+        WebPage { files }
     }
 
     pub fn file(&self, name: &str) -> Option<&ServedFile> {

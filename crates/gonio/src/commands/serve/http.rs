@@ -1,6 +1,6 @@
 //! HTTP as far as a server of files needs it (RFC 9110, RFC 9112): the head of a request, and the response to it.
 
-use super::files::{ContentEncoding, PageFiles};
+use super::files::{ContentEncoding, WebPage};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
@@ -71,7 +71,7 @@ impl HttpRequest {
 
 /// The page, and the port that it is served on.
 pub struct Site {
-    pub page: PageFiles,
+    pub page: WebPage,
     /// The port in the `Host` header of every request that is answered.
     pub port: u16,
 }

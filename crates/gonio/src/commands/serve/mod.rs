@@ -11,7 +11,7 @@ use crate::options::GeneralOptions;
 use crate::report::Reporter;
 use crate::terminal::TerminalPage;
 use clap::Args;
-use files::PageFiles;
+use files::WebPage;
 use http::{HttpRequest, HttpResponse, Site};
 use std::io::{self, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream};
@@ -45,7 +45,7 @@ pub struct ServeArgs {
 
 /// Whether this program contains the web page.
 pub fn has_embedded_page() -> bool {
-    PageFiles::embedded().is_some()
+    WebPage::embedded().is_some()
 }
 
 /// Limit of simultaneous connections: more than a browser opens, and few enough for any machine.
@@ -54,8 +54,8 @@ const MOST_CONNECTIONS: usize = 64;
 /// Serves until the process is ended.
 pub fn run(args: &ServeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let page = match &args.from {
-        Some(folder) => PageFiles::in_folder(folder)?,
-        None => PageFiles::embedded().ok_or_else(|| {
+        Some(folder) => WebPage::in_folder(folder)?,
+        None => WebPage::embedded().ok_or_else(|| {
             CliError::new(
                 "this gonio was built without the web page; run `cargo xtask web` and build gonio again, or name a \
                  folder that contains the page with --from",

@@ -120,7 +120,7 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
 
 /// A context without a window.
 fn context() -> Result<HeadlessContext, CliError> {
-    HeadlessContext::new().map_err(|why| CliError::new(why.message))
+    HeadlessContext::new().map_err(|error| CliError::new(error.message))
 }
 
 /// Writes RGBA rows, the top row first, if there is an output. The lab's colours are written without encoding.

@@ -99,7 +99,7 @@ pub fn read(paths: &[PathBuf]) -> Result<Vec<SourceFile>, CliError> {
 }
 
 fn tree_of(path: &Path) -> Result<Tree, CliError> {
-    Tree::open(path).map_err(|why| CliError::new(format!("{}: {why}", tree::shown(path.as_os_str()))))
+    Tree::open(path).map_err(|reason| CliError::new(format!("{}: {reason}", tree::shown(path.as_os_str()))))
 }
 
 /// The trees at these paths with their names in one submission.
@@ -115,7 +115,7 @@ fn members(paths: &[PathBuf], trees: Vec<Tree>) -> Vec<(Tree, String)> {
 fn gather_some(members: &[(Tree, String)]) -> Result<GatheredFiles, CliError> {
     let gathered = gather(members.iter().map(|(tree, name)| (tree, name.clone())));
     match gathered.left_out.first() {
-        Some(why) if gathered.files.is_empty() => Err(CliError::new(why.clone())),
+        Some(reason) if gathered.files.is_empty() => Err(CliError::new(reason.clone())),
         _ => Ok(gathered),
     }
 }
@@ -234,7 +234,7 @@ pub fn gather<'a>(roots: impl IntoIterator<Item = (&'a Tree, String)>) -> Gather
                 total += bytes.len() as u64;
                 read.push((at, SourceFile { name: name.clone(), bytes }));
             }
-            Err(why) => gathered.left_out.push(format!("{name}: {why}")),
+            Err(reason) => gathered.left_out.push(format!("{name}: {reason}")),
         }
     }
     if over > 0 {
@@ -266,7 +266,7 @@ impl Walk {
         }
         if !tree.is_container() {
             match tree.unread() {
-                Some(why) => self.left_out.push(format!("{name}: {why}")),
+                Some(reason) => self.left_out.push(format!("{name}: {reason}")),
                 None => self.found.push((name, tree.clone())),
             }
             return;
@@ -281,9 +281,9 @@ impl Walk {
                     self.visit(child, name, depth + 1);
                 }
             }
-            Err(why) => {
+            Err(reason) => {
                 let name = if name.is_empty() { &tree.name } else { &name };
-                self.left_out.push(format!("{name}: {why}"));
+                self.left_out.push(format!("{name}: {reason}"));
             }
         }
     }

@@ -94,7 +94,7 @@ impl Tree {
     /// The reason why it is not read, if it is not.
     pub fn unread(&self) -> Option<&str> {
         match &self.node {
-            Node::Unread(why) => Some(why),
+            Node::Unread(reason) => Some(reason),
             _ => None,
         }
     }
@@ -116,7 +116,7 @@ impl Tree {
         match &self.node {
             Node::Folder(path) => folder_entries(path),
             Node::PackedFolder(children) => Ok(children.clone()),
-            Node::Unread(why) => Err(why.clone()),
+            Node::Unread(reason) => Err(reason.clone()),
             Node::Piped(bytes) => archive_entries(Archive { bytes: bytes.clone(), depth: 0 }),
             Node::File(path, _) => {
                 let bytes = Disk.read(path).map_err(|error| io_reason(&error))?;
@@ -145,7 +145,7 @@ impl Tree {
             Node::Packed(..) if self.size() > MAX_FILE_BYTES => Err(too_large()),
             Node::Packed(archive, entry) => entry.unpack(&archive.bytes),
             Node::Piped(bytes) => Ok(bytes.to_vec()),
-            Node::Unread(why) => Err(why.clone()),
+            Node::Unread(reason) => Err(reason.clone()),
             Node::Folder(_) | Node::PackedFolder(_) => Err("it is a folder".into()),
         }
     }
