@@ -64,7 +64,7 @@ impl Encoder {
         let step = self.encode(linear as f32);
         // Rounding to f32 may have crossed a border.
         match usize::from(step) {
-            i if linear >= self.borders[i] => step + 1,
+            i if i < 255 && linear >= self.borders[i] => step + 1,
             i if i > 0 && linear < self.borders[i - 1] => step - 1,
             _ => step,
         }
