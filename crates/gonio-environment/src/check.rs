@@ -195,7 +195,7 @@ impl Certificate {
                  continuous picture, or have a border"
             )],
             FaceFit::TooPlain => vec![format!(
-                "too little changes along the edges to tell how the faces belong together; {open} of the twelve do not meet"
+                "the edges change too little to show how the faces belong together; {open} of the twelve do not meet"
             )],
         };
         if let Some((mirrored, turned)) = self.alternatives.split_last() {
@@ -221,11 +221,10 @@ impl Certificate {
             if !self.undecided.is_empty() {
                 let names: Vec<String> = self.undecided.iter().map(|f| format!("`{}`", f.name())).collect();
                 let names = names.join(", ");
-                sentences
-                    .push(format!("too little changes along the edges of {names} to tell how the picture is oriented"));
+                sentences.push(format!("the edges of {names} change too little to show how the picture is oriented"));
             }
             sentences.push(format!(
-                "edges cannot tell whether the layout is `{}`, nor whether the whole world is mirrored or turned",
+                "edges do not show whether the layout is `{}`, nor whether the whole world is mirrored or turned",
                 self.layout
             ));
         }

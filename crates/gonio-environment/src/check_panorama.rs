@@ -2,7 +2,7 @@
 //!
 //! In a correct panorama the left and the right edge are neighbours, and so are, in the top row and in the bottom one,
 //! pixels half a turn apart: a pole is one point. If that holds for columns instead of rows, the picture is turned by a
-//! quarter. Edges cannot tell whether it is upside down or mirrored: upside down, everything closes as before. A
+//! quarter. Edges do not show whether it is upside down or mirrored: upside down, everything closes as before. A
 //! brighter lower half is a hint, and is reported as one.
 
 use crate::panorama::Panorama;
@@ -104,7 +104,7 @@ impl PanoramaCertificate {
                 -self.upper_is_brighter_by
             ));
         }
-        sentences.push("edges cannot tell whether a panorama is mirrored or upside down".to_owned());
+        sentences.push("edges do not show whether a panorama is mirrored or upside down".to_owned());
         sentences
     }
 }

@@ -5,7 +5,7 @@
 //! mark in the upper left corner, so that faces that are turned or mirrored show. Upright is +Y on the four sides; the
 //! top and the bottom are upright for one who looks straight ahead (-Z) and then raises or lowers the head.
 //!
-//! Hues tell the axes apart (X orange, Y green, Z blue), lightness the signs (light is positive). The hues are, or are
+//! Hues distinguish the axes (X orange, Y green, Z blue), lightness the signs (light is positive). The hues are, or are
 //! near, those that M. Okabe and K. Ito, *Color Universal Design*, 2008, chose for people who lack one of the eye's
 //! three receptors.
 

@@ -1,4 +1,4 @@
-//! Conversions: held against look-ups in f64, against what paper says, and against themselves the way back.
+//! Conversions, compared with lookups in f64, with known results, and with their inverse.
 
 use glam::{DMat3, DVec3};
 use gonio_environment::convert::{Conversion, EnvironmentRef, Filter};
@@ -194,7 +194,7 @@ fn the_smallest_pictures_convert() {
 
 #[test]
 fn layouts_are_the_same_environment() {
-    // What `light-equation` says in words: a camera that looks along -Z sees the photographic `posz`.
+    // As `light-equation` defines it: a camera that looks along -Z sees the photographic `posz`.
     let pano = Panorama::from_function(128, 64, |d| d + DVec3::ONE);
     let conversion = Conversion { filter: Some(Filter::Bilinear), ..Conversion::default() };
     let map = conversion.cubemap(EnvironmentRef::Panorama(&pano), 9);

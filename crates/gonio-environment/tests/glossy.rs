@@ -1,4 +1,4 @@
-//! Prefiltered environments against the integrals that they stand for.
+//! Prefiltered environments, compared with the integrals that they approximate.
 
 use glam::DVec3;
 use gonio_environment::{BrdfTable, CubeMips, Cubemap, GlossyMips};

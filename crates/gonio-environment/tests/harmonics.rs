@@ -1,4 +1,4 @@
-//! Irradiance by nine harmonics against the integral that it stands for.
+//! Irradiance by nine harmonics, compared with the integral that it approximates.
 
 use glam::DVec3;
 use gonio_environment::cubemap::{solid_angle, texel_direction};
@@ -116,7 +116,7 @@ fn smooth_environments_are_within_a_few_per_cent() {
         // The paper's bound for any light is 9 % (of the largest irradiance, section 3), a few per cent for natural
         // light.
         assert!(error < 0.05, "{name}: {error}");
-        // They do have higher frequencies, or the comparison would say nothing.
+        // They do have higher frequencies, or the comparison would prove nothing.
         assert!(error > 1e-3, "{name}: {error}");
     }
     // The worst light: one direction. Harmonics turn <cos> into 1/4 + cos/2 + 5 (3 cos^2 - 1) / 32: 6.25 % too bright

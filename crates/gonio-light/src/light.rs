@@ -92,7 +92,7 @@ impl Light {
     /// The light that reaches `position` (world space), or `None` for an ambient light.
     ///
     /// A light at the very point (or a directional light whose direction is degenerate) has no
-    /// direction: `fallback` (a unit vector, the normal) stands in.
+    /// direction: `fallback` (a unit vector, the normal) replaces it.
     pub fn incident(&self, position: DVec3, fallback: DVec3) -> Option<Incident> {
         let from = |light_position: DVec3| {
             let to_light = light_position - position;

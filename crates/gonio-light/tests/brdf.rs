@@ -154,7 +154,7 @@ fn at_normal_view_the_exact_normalisations_reflect_everything() {
     // Ward's own form is nearly normalised where it is sharp and the view is steep, by the paper.
     let ward = BrdfSettings::new(BrdfKind::Ward);
     assert_close(albedo(&ward, 128.0, 0.0), 1.0, 0.05);
-    // Without the factor, Phong's lobe is far from it: the test can tell.
+    // Without the factor, Phong's lobe is far from it: the test distinguishes them.
     assert!(albedo(&BrdfSettings::new(BrdfKind::Phong), 32.0, 0.0) < 0.2);
 }
 
@@ -271,7 +271,7 @@ fn over_hemisphere(mut f: impl FnMut(DVec3) -> DVec3) -> DVec3 {
     sum
 }
 
-/// The integral of `f L <N.L>` from the formulas as they stand: over half vectors, of which dL = 4 V.H dH.
+/// The integral of `f L <N.L>` directly from the formulas: over half vectors, of which dL = 4 V.H dH.
 fn by_quadrature(view: DVec3, f0: f64, roughness: f64, radiance: impl Fn(DVec3) -> DVec3) -> DVec3 {
     let a = alpha(roughness);
     over_hemisphere(|h| {
@@ -342,11 +342,11 @@ fn facets_are_drawn_as_the_view_sees_them() {
                 mean += DVec3::new(h.x, h.y.abs(), h.z * h.z) / f64::from(count);
             }
             let g1 = visibility(cos_v, 1.0, a) * 4.0 * cos_v;
-            let wanted = over_hemisphere(|h| {
+            let integral = over_hemisphere(|h| {
                 DVec3::new(h.x, h.y.abs(), h.z * h.z) * (distribution(h.z, a) * v.dot(h).max(0.0) * g1 / cos_v)
             });
             // Hammersley's points at 4096, and the midpoint rule.
-            assert!(mean.abs_diff_eq(wanted, 2e-3), "{roughness} {cos_v}: {mean} is not {wanted}");
+            assert!(mean.abs_diff_eq(integral, 2e-3), "{roughness} {cos_v}: {mean} is not {integral}");
         }
     }
 }
@@ -402,12 +402,12 @@ fn the_reference_is_the_plain_integral() {
     for roughness in ROUGHNESSES {
         for cos_v in [0.15, 0.5, 1.0] {
             let v = view(cos_v);
-            let wanted = by_quadrature(v, 0.04, roughness, light);
+            let integral = by_quadrature(v, 0.04, roughness, light);
             let in_world = |d: DVec3| light(turn.inverse() * d);
             let got = specular_integral(turn * DVec3::Z, turn * v, DVec3::splat(0.04), roughness, in_world, 4096);
             // Points over the sphere, 4096 of them, against the midpoint rule; relative to what a white mirror returns
             // this is 1e-3.
-            assert!(got.abs_diff_eq(wanted, 1e-3), "{roughness} {cos_v}: {got} is not {wanted}");
+            assert!(got.abs_diff_eq(integral, 1e-3), "{roughness} {cos_v}: {got} is not {integral}");
         }
     }
     // A smooth mirror sees one direction.

@@ -60,7 +60,7 @@ pub struct Material {
 /// A surface in the parameters of physically based renderers.
 ///
 /// In terms of the light equation: `k_d = base_color * (1 - metallic)`, `k_s = mix(0.04, base_color, metallic)` (glTF
-/// 2.0, appendix B), and gamma by [`gonio_light::roughness`]: `2 / roughness^4 - 2`, from 1 to 10,000.
+/// 2.0, appendix B), and gamma by [`gonio_light::microfacet`]: `2 / roughness^4 - 2`, from 1 to 10,000.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MetallicRoughness {
     /// Linear RGB.

@@ -13,7 +13,7 @@ use gonio_scene::scene_file::Shading;
 /// f32 of the picture.
 const ROUNDING: f64 = 1e-6;
 
-/// Where the ray through a pixel's centre meets the plane through `p` with normal `n`.
+/// The point at which the ray through a pixel's centre meets the plane through `p` with normal `n`.
 fn on_plane(lab: &TestScene, x: u32, y: u32, p: DVec3, n: DVec3) -> DVec3 {
     let c = &lab.frame.camera;
     let d = c.ray_direction(f64::from(x) + 0.5, f64::from(y) + 0.5, lab.frame.width, lab.frame.height);

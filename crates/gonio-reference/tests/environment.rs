@@ -262,7 +262,7 @@ fn even_light_is_multiplied_by_the_material() {
         // Exponents below 1 count as 1, as in the light equation.
         let specular_of = |shininess| even(gloss(shininess)).middle_of(Quantity::EnvironmentSpecular);
         assert_eq!(specular_of(0.0), specular_of(1.0), "{shading}");
-        // What mirrors show stands in the place of all that is lit.
+        // The reflection replaces all lit terms.
         let lab = lab.optics(Optics { reflectivity: 0.25, ..Optics::default() });
         let expected = 0.75 * (specular + light * DVec3::new(0.5, 0.25, 1.0)) + 0.25 * light;
         near(DVec3::from_slice(&lab.middle()), expected);

@@ -89,7 +89,7 @@ fn colours_are_bent_by_indices_of_their_own() {
         let expected = on_cube(DVec3::new(-sine, 0.0, -(1.0 - sine * sine).sqrt()));
         assert!(near(got[channel], tint * expected[channel], ROUNDING), "{channel}: {got:?}");
     }
-    // What tells the channels apart is only in x: each colour alone.
+    // The channels differ only in x: each colour alone.
     for (channel, index) in [1.3_f64, 1.5, 1.7].into_iter().enumerate() {
         let lab = lab_of_x(&lab);
         let sine = 0.5_f64.sqrt() / index;
@@ -238,7 +238,7 @@ fn in_an_even_environment_glass_is_not_seen() {
     }
 }
 
-/// Where a ray goes out of a mesh of flat faces next: every triangle is tried.
+/// The next point at which a ray leaves a mesh of flat faces, by testing every triangle.
 fn brute_exit(triangles: &[[DVec3; 3]], origin: DVec3, direction: DVec3) -> Option<(f64, DVec3)> {
     let mut nearest: Option<(f64, DVec3)> = None;
     for [a, b, c] in triangles {

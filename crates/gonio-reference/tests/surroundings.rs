@@ -1,4 +1,4 @@
-//! The environment behind the objects and in mirrors: which way everything lies, and how it is mixed.
+//! The environment behind the objects and in mirrors: its orientation, and how it is mixed.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;

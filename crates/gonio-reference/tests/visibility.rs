@@ -208,7 +208,7 @@ fn a_closed_mesh_has_no_hole_from_outside() {
     }
 }
 
-/// What each pixel sees must be what testing every triangle for every ray gives.
+/// Each pixel must see the same as by testing every triangle for every ray.
 #[test]
 fn the_tree_finds_what_brute_force_finds() {
     let mut random = Random(5);

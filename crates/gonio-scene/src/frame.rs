@@ -145,13 +145,13 @@ impl Scene {
         Frame { camera: Camera { position, near, far, ..camera }, ..frame.clone() }
     }
 
-    /// The centre of an orbit: the point looked at, or the centre of the objects if the camera looks along angles.
+    /// The centre of an orbit: the target, or the centre of the objects if the camera looks along angles.
     fn orbit_pivot(&self, frame: &Frame) -> DVec3 {
         self.settings.camera.target().map_or(0.5 * (frame.bounds_min + frame.bounds_max), DVec3::from)
     }
 
     /// `frame` with its camera turned by `angle_rad` about the vertical axis (the scene's `up`)
-    /// through the point it looks at, or through the objects' middle where it looks along angles.
+    /// through its target, or through the centre of the objects if it looks along angles.
     /// Positive angles move the eye to the right, as seen from the eye. The lights stay.
     pub fn orbit(&self, frame: &Frame, angle_rad: f64) -> Frame {
         let axis = unit(self.settings.camera.up.into()).unwrap_or(DVec3::Y);

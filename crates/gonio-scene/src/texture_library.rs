@@ -61,7 +61,7 @@ struct Picture {
 struct Job {
     pictures: Vec<usize>,
     purpose: Purpose,
-    first_asked_by: Diagnostic,
+    first_request: Diagnostic,
 }
 
 /// The picture of a name, or the paths where it was not found.
@@ -93,7 +93,7 @@ pub(crate) struct TextureLibrary<'a> {
     found: HashMap<Sought, Found>,
     uses: Vec<(TextureUse, Option<usize>)>,
     /// Model, material, key, name and line of each of `uses`.
-    asked: HashSet<([String; 4], Option<u64>)>,
+    reported: HashSet<([String; 4], Option<u64>)>,
     diagnostics: Vec<Diagnostic>,
 }
 
@@ -148,7 +148,7 @@ impl<'a> TextureLibrary<'a> {
             by_use: HashMap::new(),
             found: HashMap::new(),
             uses: Vec::new(),
-            asked: HashSet::new(),
+            reported: HashSet::new(),
             diagnostics: Vec::new(),
         }
     }
@@ -182,10 +182,10 @@ impl<'a> TextureLibrary<'a> {
         Some(self.job(pictures, purpose, about(map, key, requester)))
     }
 
-    fn job(&mut self, pictures: Vec<usize>, purpose: Purpose, first_asked_by: Diagnostic) -> usize {
+    fn job(&mut self, pictures: Vec<usize>, purpose: Purpose, first_request: Diagnostic) -> usize {
         let jobs = &mut self.jobs;
         *self.by_use.entry((pictures.clone(), purpose)).or_insert_with(|| {
-            jobs.push(Job { pictures, purpose, first_asked_by });
+            jobs.push(Job { pictures, purpose, first_request });
             jobs.len() - 1
         })
     }
@@ -202,8 +202,8 @@ impl<'a> TextureLibrary<'a> {
         };
         let MissingSidecar { tried, refused } = missing;
         // One material of one model may be requested several times: with overrides, for a derived texture.
-        let asked = [requester.model, requester.material, key, &map.path].map(str::to_owned);
-        if self.asked.insert((asked, map.line)) {
+        let request = [requester.model, requester.material, key, &map.path].map(str::to_owned);
+        if self.reported.insert((request, map.line)) {
             if path.is_none() {
                 let reason = match &refused {
                     Some(refused) => format!("was not read: {refused}"),
@@ -214,7 +214,7 @@ impl<'a> TextureLibrary<'a> {
                 diagnostic.message.push_str(&message);
                 self.diagnostics.push(diagnostic);
             }
-            let asked = TextureUse {
+            let texture_use = TextureUse {
                 material: requester.material.to_owned(),
                 key: key.to_owned(),
                 name: map.path.clone(),
@@ -224,7 +224,7 @@ impl<'a> TextureLibrary<'a> {
                 refused,
                 size: None,
             };
-            self.uses.push((asked, found.as_ref().ok().copied()));
+            self.uses.push((texture_use, found.as_ref().ok().copied()));
         }
         found.ok()
     }
@@ -279,9 +279,9 @@ impl<'a> TextureLibrary<'a> {
         let mut texture_of_job = Vec::new();
         for (job, result) in self.jobs.iter().zip(results) {
             let about = |d: Diagnostic, message: String| Diagnostic {
-                message: format!("{}{message}", job.first_asked_by.message),
-                file: job.first_asked_by.file.clone(),
-                line: job.first_asked_by.line,
+                message: format!("{}{message}", job.first_request.message),
+                file: job.first_request.file.clone(),
+                line: job.first_request.line,
                 ..d
             };
             match result {
@@ -312,7 +312,7 @@ impl<'a> TextureLibrary<'a> {
         let uses = self
             .uses
             .into_iter()
-            .map(|(asked, picture)| TextureUse { size: picture.and_then(size_of), ..asked })
+            .map(|(texture_use, picture)| TextureUse { size: picture.and_then(size_of), ..texture_use })
             .collect();
         DecodedLibrary { textures, texture_of_job, uses, diagnostics: self.diagnostics, cache }
     }

@@ -149,7 +149,7 @@ pub(crate) struct TableReader<'a> {
     entries: &'a [Entry],
     /// The place of the whole.
     pub span: Range<usize>,
-    asked: Vec<&'static str>,
+    known_keys: Vec<&'static str>,
 }
 
 impl<'a> TableReader<'a> {
@@ -157,14 +157,16 @@ impl<'a> TableReader<'a> {
     pub fn new(heading: impl Into<String>, item: &'a Item) -> Result<Self, Fault> {
         let heading = heading.into();
         match &item.value {
-            Value::Table(entries) => Ok(TableReader { heading, entries, span: item.span.clone(), asked: Vec::new() }),
+            Value::Table(entries) => {
+                Ok(TableReader { heading, entries, span: item.span.clone(), known_keys: Vec::new() })
+            }
             other => Err(Fault::at(&item.span, format!("{heading}: expected a table, found {}", other.describe()))),
         }
     }
 
     /// The value of `key`, whatever it is.
     fn get(&mut self, key: &'static str) -> Option<&'a Item> {
-        self.asked.push(key);
+        self.known_keys.push(key);
         self.entries.iter().find(|e| e.key == key).map(|e| &e.item)
     }
 
@@ -274,9 +276,9 @@ impl<'a> TableReader<'a> {
 
     /// Reports a key that was not read.
     pub fn finish(&self) -> Result<(), Fault> {
-        match self.entries.iter().find(|e| !self.asked.contains(&e.key.as_str())) {
+        match self.entries.iter().find(|e| !self.known_keys.contains(&e.key.as_str())) {
             None => Ok(()),
-            Some(entry) => Err(Fault::at(&entry.key_span, unknown_key(&entry.key, &self.heading, &self.asked))),
+            Some(entry) => Err(Fault::at(&entry.key_span, unknown_key(&entry.key, &self.heading, &self.known_keys))),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Functions of eight numbers at a time.
 //!
-//! Sums and products are written out and never fused ([`crate::simd`] says why), so no `mul_add` here.
+//! Sums and products are written out and never fused ([`crate::simd`] explains why), so no `mul_add` here.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, i32x8};

@@ -13,7 +13,7 @@
 //! ahead in the photographic layout. It is how learnopengl.com's and most tutorials' skyboxes are uploaded, and in a
 //! viewer the plain meaning: what is on the picture called right is to the right of what is on the one called front.
 //! That is a guess all the same. Unity calls its six textures `Front [+Z]`, `Left [+X]`, `Right [-X]`: seen from
-//! inside, what Unity calls left is to the *right* of the front. Words cannot tell the two apart; edges can, and
+//! inside, what Unity calls left is to the *right* of the front. Words do not distinguish the two; edges do, and
 //! `check` finds that left and right are swapped.
 //!
 //! **By Quake's letters.** `rt lf ft bk up dn` come from Quake II's sky (id Software, `gl_warp.c`) and are used with

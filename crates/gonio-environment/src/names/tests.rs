@@ -112,7 +112,7 @@ fn five_of_six_name_the_sixth() {
     let mut quake = set(["FT", "BK", "UP", "DN", "RT", "LF"], "sky01", ".png");
     quake.truncate(5);
     assert_eq!(refused(&quake), "5 of six faces found; missing: `negz` (`sky01LF.png`)");
-    // From 1 to 5: of which count the first or the last is missing cannot be known; one of both is told.
+    // From 1 to 5: whether the first or the last is missing cannot be known; one of both is reported.
     let message = refused(&set(["1", "2", "3", "4", "5", "x"], "", ".png")[..5]);
     assert_eq!(message, "5 of six faces found; missing: `posx` (`0.png`)");
 }

@@ -50,7 +50,7 @@ pub(super) fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Ima
         let mut all: Vec<&mut [_]> = pictures.iter_mut().map(|p| &mut p.pixels[..]).collect();
         tidy(&mut all, &mut warnings);
     } else if !header.says_srgb {
-        notes.push("the format does not say how colours are encoded; they are read as sRGB".to_owned());
+        notes.push("the format does not state how colours are encoded; they are read as sRGB".to_owned());
     }
     if header.levels > 1 {
         notes.push(format!("of {} mip levels the largest is read", header.levels));
@@ -174,7 +174,7 @@ fn legacy(file: Bytes<'_>, flags: u32, four_cc: [u8; 4]) -> Result<Texel, ImageE
     Err(not_decoded("neither colours nor grey (YUV, alpha alone, bumps?)"))
 }
 
-/// A format of DXGI, and whether it is one that says sRGB.
+/// A format of DXGI, and whether it is an sRGB format.
 fn dxgi(format: u32) -> Result<(Texel, bool), ImageError> {
     let rgba = |rgb| Texel::Bytes { size: 4, rgb };
     let texel = match format {

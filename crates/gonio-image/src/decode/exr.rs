@@ -32,7 +32,7 @@ pub(super) fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Ima
         .filter_chunks(false, |_, _, block| block.layer == part && (block.level.x(), block.level.y()) == (0, 0))
         .map_err(failed)?;
     let meta = chunks.meta_data().clone();
-    // Packed they take no more memory than the file. A header that lies has no blocks for what it says, and is found out
+    // Packed they take no more memory than the file. A false header has no blocks for its size, and is detected
     // before the picture takes any.
     let mut packed = chunks.collect::<Result<Vec<_>, _>>().map_err(failed)?.into_iter();
     let mut image = limits.unfilled(window.width, window.height)?;
@@ -181,12 +181,12 @@ impl Window {
 fn say_what_is_ignored(header: &Header, notes: &mut Vec<String>, warnings: &mut Vec<String>) {
     match header.own_attributes.environment_map {
         Some(EnvironmentMap::LatitudeLongitude) => notes.push(
-            "the file says that it is a latitude-longitude map, whose middle OpenEXR has at +Z; gonio has the middle at \
+            "the file is marked as a latitude-longitude map, whose middle OpenEXR has at +Z; gonio has the middle at \
              -Z, half a turn further"
                 .to_owned(),
         ),
         Some(EnvironmentMap::Cube) => {
-            notes.push("the file says that it is a cube: six faces below one another".to_owned());
+            notes.push("the file is marked as a cube: six faces below one another".to_owned());
         }
         None => {}
     }

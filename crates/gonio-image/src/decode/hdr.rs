@@ -92,7 +92,7 @@ impl Header {
                 }
                 "GAMMA" if value.trim().parse() != Ok(1.0) => header
                     .warnings
-                    .push(format!("the header says gamma {}, which is ignored: RGBE is linear", value.trim())),
+                    .push(format!("the header has gamma {}, which is ignored: RGBE is linear", value.trim())),
                 "PRIMARIES" if !are_known(value) => header.warnings.push(format!(
                     "the colours have other primaries than sRGB ({}); they are read as if they were sRGB's",
                     value.trim()

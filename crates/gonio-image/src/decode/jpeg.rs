@@ -64,7 +64,7 @@ pub(super) fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Ima
     })
 }
 
-/// Whether the end marker stands behind the beginning of the pixels. A small picture in the header has its own.
+/// Whether the end marker comes after the beginning of the pixels. A small picture in the header has its own.
 fn has_end(bytes: &[u8]) -> bool {
     let mut at = 2;
     // Segments have a marker of two bytes and a length that counts itself; the scan begins at FF DA.

@@ -81,15 +81,14 @@ fn remarks(info: &png::Info<'_>, has_alpha: bool) -> (Vec<String>, Vec<String>) 
             18 => "HLG".to_owned(),
             other => format!("transfer function {other}"),
         };
-        warnings
-            .push(format!("the file says that it is encoded as {which}; it is read as sRGB, so its light is wrong"));
+        warnings.push(format!("the file is encoded as {which}; it is read as sRGB, so its light is wrong"));
     } else if info.srgb.is_none() && info.icc_profile.is_some() {
         notes.push("the colour profile in the file is ignored; colours are read as sRGB".to_owned());
     } else if let (None, Some(gamma)) = (info.srgb, info.gama_chunk) {
         // Writers use 1/2.2 for sRGB; a few percent beside it mean the same.
         let gamma = gamma.into_value();
         if (gamma - 0.45455).abs() > 0.02 {
-            warnings.push(format!("the file says gamma {gamma:.3}; it is read as sRGB, so its light is wrong"));
+            warnings.push(format!("the file has gamma {gamma:.3}; it is read as sRGB, so its light is wrong"));
         }
     }
     (notes, warnings)

@@ -73,7 +73,7 @@ impl Ktx2Format {
 /// Encodes a cubemap as KTX2: all its mip levels, the largest first, or one level only.
 ///
 /// Each level must be half as large as the one before it, rounded down. The first one that is not ends the chain, and a
-/// warning says so.
+/// warning reports it.
 pub fn encode(levels: &[Level<'_>], format: Ktx2Format) -> Encoded {
     let mut warnings = Vec::new();
     let full_size = levels.first().map_or(0, |full| full.size);

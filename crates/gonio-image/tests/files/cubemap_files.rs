@@ -76,7 +76,7 @@ fn cubemaps_of_both_headers_are_six_faces_without_their_mip_levels() {
             assert_eq!(face.pixels, [[light, light, light, 1.0]; 4], "{name}");
         }
         assert!(decoded.notes.contains(&"of 2 mip levels the largest is read".to_owned()), "{:?}", decoded.notes);
-        let unsaid = decoded.notes.iter().any(|n| n.contains("does not say how colours are encoded"));
+        let unsaid = decoded.notes.iter().any(|n| n.contains("does not state how colours are encoded"));
         assert_eq!(unsaid, name == "old");
     }
 }

@@ -1,10 +1,10 @@
-//! Files cut off, with single bits changed, and with numbers that lie: errors, never panics.
+//! Files cut off, with single bits changed, and with false numbers: errors, never panics.
 
 use crate::samples::{every_kind, faces, read};
 use gonio_image::decode::{Decoded, DecodedContent};
 use gonio_image::{DecodeLimits, decode};
 
-/// Tight, so that a header that lies asks for little.
+/// Small, so that a false header allocates little.
 const LIMITS: DecodeLimits = DecodeLimits { max_bytes: 1 << 20 };
 
 fn check(decoded: &Decoded) {

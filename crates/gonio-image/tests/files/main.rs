@@ -1,4 +1,4 @@
-//! Files of every kind that is read or written, held against other people's writers and readers.
+//! Files of every format that is read or written, compared with other writers and readers.
 
 mod cubemap_files;
 mod damaged;

@@ -96,7 +96,7 @@ fn what_a_png_says_of_its_light_and_is_not_honoured_is_told() {
     };
     assert!(with(|e| e.set_source_gamma(png::ScaledFloat::from_scaled(45455))).is_empty());
     let linear = with(|e| e.set_source_gamma(png::ScaledFloat::from_scaled(100_000)));
-    assert_eq!(linear, ["the file says gamma 1.000; it is read as sRGB, so its light is wrong"]);
+    assert_eq!(linear, ["the file has gamma 1.000; it is read as sRGB, so its light is wrong"]);
     assert!(with(|e| e.set_source_srgb(png::SrgbRenderingIntent::Perceptual)).is_empty());
 }
 

@@ -225,7 +225,7 @@ pub fn sphere(rings: u32, segments: u32) -> Mesh {
     Mesh { normals: positions.clone(), positions, indices, ..Mesh::default() }
 }
 
-/// An environment that says where it is looked at: [`on_cube`] of the direction. Linear on each face, so that bilinear
+/// An environment whose light encodes its direction: [`on_cube`] of the direction. Linear on each face, so that bilinear
 /// look-ups are exact but for the f32 of the texels, except within half a texel of a face's edge.
 pub fn compass() -> Cubemap {
     Cubemap::from_function(COMPASS_SIZE, on_cube)

@@ -77,7 +77,7 @@ pub fn is_builtin(path: &str) -> bool {
 /// The name of the built-in sphere with a number of triangles: `sphere-512`.
 const SPHERE: &str = "sphere-";
 
-/// The frequency of the sphere that a model's name stands for, `builtin:sphere-N`, where a sphere of N triangles can be
+/// The frequency of the sphere with a model's name, `builtin:sphere-N`, where a sphere of N triangles can be
 /// made: of 8, 32, 72, ... 8 f². Its vertices are on the unit sphere, and so are its normals ([`sphere::sphere`]).
 pub fn sphere_of(model: &str) -> Option<u32> {
     sphere_named(model.strip_prefix(BUILTIN)?)
@@ -89,7 +89,7 @@ fn sphere_named(name: &str) -> Option<u32> {
     (sphere::triangle_count(frequency) == triangles).then_some(frequency)
 }
 
-/// N of `sphere-N`, and of the file `models/sphere_N.obj` that it stands for; N is written without leading zeros.
+/// N of `sphere-N`, and of its file `models/sphere_N.obj`; N is written without leading zeros.
 fn count_of_sphere(name: &str) -> Option<usize> {
     let name = name.strip_prefix("models/").unwrap_or(name);
     let name = name.strip_suffix(".obj").unwrap_or(name).replace('_', "-");
@@ -124,7 +124,7 @@ pub(super) fn sphere_file(name: &str) -> Option<Vec<u8>> {
     Some(text.into_bytes())
 }
 
-/// The path below `assets` that the name after `builtin:` stands for.
+/// The path below `assets` of the name after `builtin:`.
 pub(super) fn builtin_path(name: &str) -> String {
     let spelling = name.replace('_', "-");
     if let Some(triangles) = count_of_sphere(name) {

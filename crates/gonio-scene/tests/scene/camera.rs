@@ -107,7 +107,7 @@ fn a_framed_orbit_has_everything_in_the_picture_from_every_side() {
         assert!(!around(&frame), "{name}: the plain frame is tight, or this tests nothing");
         assert!(around(&loaded.orbit_start(&frame)), "{name}");
     }
-    // A camera that was asked for stays.
+    // A camera with a position stays.
     let mut scene = describe(&["builtin:cube"], &BuiltinOnly).unwrap();
     scene.camera.position = Some([0.0, 0.0, 3.0]);
     let loaded = load(scene, Path::new(""), &BuiltinOnly).unwrap();
@@ -150,7 +150,7 @@ fn every_vertex_is_in_the_picture_and_the_picture_is_filled() {
                     s.objects[0].translate = [5.0 * factor, 0.0, -2.0 * factor];
                 });
                 let (x, y, inside) = reach(&scene);
-                // 0.92 is wanted; the rounding of the printed numbers takes the rest.
+                // The margin is 0.92; the rest is the rounding of the printed numbers.
                 assert!(inside && x < 0.95 && y < 0.95, "{input} {width}x{height} {factor}: {x} {y} {inside}");
                 assert!(x.max(y) > 0.88, "{input} {width}x{height} {factor}: {x} {y}");
                 let camera = scene.frame(0.0).camera;

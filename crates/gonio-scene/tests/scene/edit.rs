@@ -141,7 +141,7 @@ fn an_edit_is_what_loading_the_edited_settings_gives() {
         assert_eq!(applied.loaded.frame(1.5), afresh.frame(1.5), "{what}");
         assert_eq!(applied.loaded.camera_was_framed, afresh.camera_was_framed, "{what}");
         assert_eq!(applied.loaded.environment.is_some(), afresh.environment.is_some(), "{what}");
-        // What an edit adds to what was said before.
+        // The diagnostics that an edit adds.
         let warns = |s: &Scene| s.diagnostics.iter().any(|d| d.message.starts_with("mirrors and glass"));
         assert_eq!(warns(&applied.loaded), warns(&afresh), "{what}");
         assert_eq!([applied.geometry_changed, applied.materials_changed], [geometry, materials], "{what}");
@@ -233,7 +233,7 @@ fn a_light_that_is_off_keeps_its_place() {
     assert_eq!(read(&text).lights, file.lights);
 }
 
-/// What a file says of a material is known under what the scene puts in its place.
+/// The file's material is known under the scene's override.
 #[test]
 fn the_materials_of_the_file_are_remembered() {
     let before = loaded(read(SCENE));

@@ -48,7 +48,7 @@ fn six(names: &str) -> Memory {
     Face::ALL.into_iter().fold(Memory::default(), |files, f| files.with(&name(f), face(f)))
 }
 
-/// What the six faces are in a layout.
+/// The six faces in a layout.
 fn map(layout: Layout) -> Cubemap {
     Cubemap::from_faces(Face::ALL.map(|f| decoded(&face(f))), layout).unwrap()
 }
@@ -143,7 +143,7 @@ fn pictures_of_six_faces_are_told_by_their_proportions() {
         assert_eq!(usual.layout, Some(Layout::Photographic));
         assert!(*cubemap(&usual) == *cubemap(&opened(&files, "a.png", in_layout(Layout::Photographic))));
         assert!(*cubemap(&usual) != map(Layout::OpenGl), "{arrangement}");
-        // Taken for a panorama where that is asked for.
+        // Read as a panorama on request.
         let reading = EnvironmentReadOptions {
             arrangement: Some(Arrangement::Equirectangular),
             ..EnvironmentReadOptions::default()
@@ -282,7 +282,7 @@ fn a_printed_scene_has_the_same_environment() {
         ("image = \"../k.ktx2\"\nvisible = false", "scenes/../k.ktx2", Some(Layout::OpenGl), Some(4)),
         ("image = \"debug\"\nsize = 16\nlight = true", "debug", Some(Layout::OpenGl), Some(16)),
         ("image = \"builtin:room\"\nlight = false", "builtin:room", None, Some(128)),
-        // Of two with layouts or sizes of their own the one key tells nothing: each keeps its default.
+        // Two environments with different layouts or sizes keep their defaults.
         ("image = \"faces\"\nbackground = \"../k.ktx2\"", "scenes/faces", None, Some(4)),
         ("image = \"faces\"\nbackground = \"room\"", "scenes/faces", Some(Layout::Photographic), None),
         (

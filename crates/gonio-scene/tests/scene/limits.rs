@@ -142,7 +142,7 @@ impl Confined {
         self.folder.path().join(name).display().to_string()
     }
 
-    /// What the model `in/m.obj`, which names this library, is drawn with, and what is said.
+    /// The diffuse colour of the model `in/m.obj` with this library, and the diagnostics.
     fn load(&self, library: &str) -> ([f32; 3], String) {
         self.write("in/m.obj", &format!("mtllib {library}\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
         let input = self.path("in/m.obj");
@@ -168,7 +168,7 @@ fn a_sandbox_keeps_a_model_in_its_folder() {
             "{outside}: {messages}"
         );
     }
-    // Whether there is a file is not told either.
+    // The message does not reveal whether the file exists.
     let (_, messages) = confined.load("../none.mtl");
     assert!(messages.contains("../none.mtl` is outside the folder"), "{messages}");
     let (_, messages) = confined.load("none.mtl");
@@ -282,7 +282,7 @@ fn what_cannot_be_read_is_named() {
     describe_says("a.dae", b"<html>", &format!("a.dae: this is an XML or HTML file; {READABLE}"));
 }
 
-/// A model's format is told by its content, whatever its name says.
+/// A model's format is detected by its content, whatever its name.
 #[test]
 fn what_a_file_is_is_told_by_its_content_first() {
     let model = |name: &str, content: &[u8]| {

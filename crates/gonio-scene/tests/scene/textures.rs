@@ -32,7 +32,7 @@ fn a_missing_texture_is_a_warning_that_names_every_place() {
     assert_eq!(scene.objects.len(), 1);
 }
 
-/// Materials of the same name in two models are two: each is told of what it lacks.
+/// Materials of the same name in two models are two: each reports what it lacks.
 #[test]
 fn what_two_models_lack_is_said_of_both() {
     let mtl = "newmtl m\nmap_Kd wood.png\n";
