@@ -1,11 +1,11 @@
-// Checks students' files in a thread of its own, with the page's module and an OpenGL of its own: a shader
-// cannot block the page, and ends with this worker. `checking.js` starts it.
+// Checks students' files in a worker with the page's module and an OpenGL context of its own, so that a shader cannot block
+// the page and is stopped with the worker. `checking.js` starts it.
 
 import * as application from "./gonio.js";
 
 let checker;
 
-/** Makes the module run that the page has compiled. Its second half is there from the start. */
+/** Instantiates the module that the page has compiled, with both halves. */
 function begin({ first, rest, images }) {
   const load = () => {};
   const instance = new WebAssembly.Instance(first, Object.assign(application.moduleImports(), { rest: { load } }));

@@ -2,9 +2,9 @@
 
 import { restModule } from "./rest.js";
 
-/** Seconds that a check may take: the command line's too. Loops end long before. */
+/** Seconds that a check may take, as on the command line. */
 const PATIENCE = 30;
-/** Images that host programs may name, by their names among the samples. */
+/** Sample images that OpenGL programs may name. */
 const IMAGES = ["checker.png", "planks.png", "tiles.png"];
 const FOLDER = "models/textures/";
 
@@ -13,8 +13,8 @@ let page;
 /** An idle worker with compiled programs, ready for the next check. */
 let idle;
 
-/** Says what workers need: the module, compiled; `urls`: of a sample by its name; `endless`: the verdict on a check
- * that was ended after so many seconds. */
+/** Sets what workers need: the compiled module; `urls`, the URL of a sample by its name; `endless`, the verdict on a check
+ * that was stopped after a number of seconds. */
 export function prepare(module, urls, endless) {
   page = { module, urls, endless };
 }
@@ -25,7 +25,7 @@ async function fetchImage(name) {
   return { name, bytes: new Uint8Array(await response.arrayBuffer()) };
 }
 
-/** A worker, to ask one thing at a time. */
+/** A worker that handles one request at a time. */
 class Checker {
   static supported = () => typeof OffscreenCanvas === "function";
 
@@ -55,15 +55,15 @@ class Checker {
   }
 }
 
-/** A promise that `after` keeps waiting for no longer than the checks' patience. */
+/** The promise, or the result of `after` if it takes longer than a check may. */
 function within(promise, after) {
   let timer;
   const patience = new Promise((resolve) => { timer = setTimeout(() => resolve(after()), PATIENCE * 1000); });
   return Promise.race([promise, patience]).finally(() => clearTimeout(timer));
 }
 
-/** Begins to check: `files` are `{ name, bytes }`, bytes a Uint8Array. `answer` is a promise of the verdict as JSON, or
- * fails with a sentence; `end` gives the check up. */
+/** Starts a check of `files`, each `{ name, bytes }` with a Uint8Array. `answer` is a promise of the verdict as JSON, or fails
+ * with one sentence; `end` stops the check. */
 export function begin(exercise, files, asTheLab = false) {
   let checker = idle;
   idle = undefined;
@@ -75,8 +75,7 @@ export function begin(exercise, files, asTheLab = false) {
   };
   const run = async () => {
     if (!Checker.supported()) {
-      const why = "this browser cannot draw beside the page (OffscreenCanvas)";
-      throw new Error(`${why}; try another browser, or \`gonio lab check\``);
+      throw new Error("this browser cannot draw in workers (OffscreenCanvas): use another one, or `gonio lab check`");
     }
     if (checker === undefined) {
       checker = new Checker();
@@ -90,7 +89,7 @@ export function begin(exercise, files, asTheLab = false) {
   const answer = run().then((verdict) => {
     if (ended) return verdict;
     ended = true;
-    // One is kept: more would only hold memory.
+    // One idle worker is kept; more would waste memory.
     idle?.end();
     idle = checker;
     return verdict;

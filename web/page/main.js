@@ -6,7 +6,7 @@ import * as application from "./gonio.js";
 import { askForRest, firstHalf, imports as rest, loadRest, streams } from "./rest.js";
 import { noModule, noWebGl2, stopped } from "./trouble.js";
 
-/** Of the canvas. No samples and no depth of its own: the application draws each picture into a texture first. */
+/** Attributes of the context. The canvas needs no samples and no depth, because pictures are drawn into textures first. */
 const CONTEXT = {
   alpha: false,
   antialias: false,
@@ -20,14 +20,14 @@ let started = false;
 /** Files of the first scene if a link opens something else. */
 let unopened = [];
 
-/** The module, with its progress shown. It was asked for by a link in the page's head. */
+/** The module, which a link in the page's head has requested. */
 async function fetchModule() {
   const response = await fetch(document.getElementById("module").href, { credentials: "same-origin" });
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
   return response;
 }
 
-/** Makes the module run. `wasm-bindgen`'s own way of doing that lets nobody add an import. */
+/** Instantiates the module. The initialisation of `wasm-bindgen` does not allow further imports. */
 async function begin(response) {
   const imports = Object.assign(application.moduleImports(), { rest });
   const { instance, module } = await (streams(response)
@@ -38,7 +38,7 @@ async function begin(response) {
   prepareChecks(module, urlOf, application.endless_check);
 }
 
-/** The built-in files of one kind: `first` are those of the first scene, which the page's head has asked for already. */
+/** The built-in files of one kind: `first` are those of the first scene, which the page's head has requested. */
 function builtinFiles(kind) {
   return [...document.querySelectorAll(`[data-builtin][data-when=${kind}]`)].map((element) => ({
     name: element.dataset.builtin,
@@ -51,7 +51,7 @@ function urlOf(name) {
   return [...builtinFiles("first"), ...builtinFiles("later")].find((file) => file.name === name)?.url;
 }
 
-/** Hands a built-in file to the application. */
+/** Fetches a built-in file. Returns a function that gives it to the application. */
 async function give({ name, url }) {
   const response = await fetch(url, { credentials: "same-origin" });
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
@@ -65,7 +65,7 @@ function giveIfItComes(file) {
   return give(file).catch(() => () => application.give(file.name));
 }
 
-/** The file that the page's address asks for: `?open=model.obj`, a file beside the page. None: the first scene. */
+/** The file in the page's address (`?open=model.obj`, a file beside the page). None means the first scene. */
 function asked() {
   const url = new URLSearchParams(location.search).get("open");
   return url === null ? [] : [{ name: `page/${url.replaceAll(/^.*\//g, "")}`, url }];
@@ -75,16 +75,16 @@ async function run() {
   trustDevicePixelRatio();
   const module = fetchModule();
   const opened = asked();
-  // A link that carries its scene may name any sample: all of them are there before it is read.
+  // A link with a scene may name any sample, so all are fetched before it is read.
   const carried = location.hash.startsWith("#scene=") ? builtinFiles("later") : [];
-  const wanted = opened.length > 0 ? opened : builtinFiles("first");
-  // The page's head has asked for the first scene already: where something else is opened, it is a sample like others.
+  const requested = opened.length > 0 ? opened : builtinFiles("first");
+  // The page's head has requested the first scene. If another file is opened, it is a sample like the others.
   if (opened.length > 0) unopened = builtinFiles("first").map(giveIfItComes);
-  const scene = Promise.all([...wanted, ...carried].map(give));
-  // The first half can read the first scene, and models in Wavefront's format. What else there is may need anything.
+  const scene = Promise.all([...requested, ...carried].map(give));
+  // The first half can read the first scene and OBJ models. Other files may need the second half.
   const whole = carried.length > 0 || opened.some(({ name }) => !name.toLowerCase().endsWith(".obj"));
   if (whole) askForRest();
-  // Reported below, after the first `await`; not twice by the browser.
+  // Errors are reported below, after the first `await`, and not also by the browser.
   module.catch(() => {});
   scene.catch(() => {});
   if (!canvas.getContext("webgl2", CONTEXT)) {
@@ -99,13 +99,13 @@ async function run() {
     noModule(error);
     return;
   }
-  // The application is laid out while its first scene is still on its way, and reads it when it has come.
-  for (const { name } of wanted) application.expect(name);
+  // The application starts while its first scene is fetched, and reads it when it has arrived.
+  for (const { name } of requested) application.expect(name);
   scene.then((hands) => hands.forEach((hand) => hand())).catch(noModule);
   await start(opened.map(({ name }) => `builtin:${name}`));
 }
 
-/** Starts the application, or goes on with it after its graphics were gone. */
+/** Starts the application, or resumes it after its graphics context was lost. */
 async function start(inputs = []) {
   try {
     await application.start(canvas, inputs, beginCheck);
@@ -130,20 +130,20 @@ function untilShown(_, frames = 0) {
   if (first) fetchLater();
 }
 
-/** Frames that the first picture may take: longer than reading the first scene does. */
+/** Frames that the first picture may take: more than reading the first scene takes. */
 const PATIENCE_FRAMES = 120;
 
-/** What the first frame did not need: the module's second half, the other samples, and the page for the next visit. */
+/** Fetches what the first frame does not need: the module's second half, the other samples, and the cache for the next visit. */
 async function fetchLater() {
-  // Should it not come, then `rest.js` asks again, and complains, when something in it is called.
-  await loadRest().catch((error) => console.info("the second half of gonio has not come yet:", error));
+  // If this fails, `rest.js` tries again, and reports an error, when one of its functions is called.
+  await loadRest().catch((error) => console.info("the second half of gonio could not be loaded yet:", error));
   await new Promise((resolve) => ("requestIdleCallback" in window ? requestIdleCallback(resolve, { timeout: 2000 }) : setTimeout(resolve, 500)));
   await Promise.all([...builtinFiles("later").map(giveIfItComes), ...unopened].map(async (hand) => (await hand)()));
   keepForLater();
 }
 
-// A browser takes a page's graphics away when it has too little memory, or when the driver has stopped, and gives them
-// back. The application goes on with what was open.
+// A browser resets a page's graphics when it lacks memory or the driver has crashed. The application resumes with the open
+// document.
 canvas.addEventListener("webglcontextlost", (event) => {
   event.preventDefault();
   if (started) application.pause();
@@ -152,24 +152,24 @@ canvas.addEventListener("webglcontextrestored", () => {
   if (started) start();
 });
 
-/** Keeps the page for the next visit, also without a connection. Only where browsers allow it: https or localhost. */
+/** Caches the page for the next visit, also offline. Browsers allow it on https and localhost only. */
 function keepForLater() {
   if (!("serviceWorker" in navigator)) return;
   navigator.serviceWorker.register("worker.js").catch((error) => {
-    // The page works without; a browser may forbid it, in private windows for one.
-    console.info("gonio is not kept for use offline:", error);
+    // The page works without it; browsers may forbid it, for example in private windows.
+    console.info("gonio is not available offline:", error);
   });
 }
 
-// A panic in the application ends as an error in whichever event it was called from.
+// A panic in the application becomes an error of the event that called it.
 function onError(error) {
-  const said = started ? application.last_panic() : undefined;
-  if (said !== undefined) stopped(error, said);
+  const panic = started ? application.last_panic() : undefined;
+  if (panic !== undefined) stopped(error, panic);
 }
 window.addEventListener("error", (event) => onError(event.error ?? event.message));
 window.addEventListener("unhandledrejection", (event) => onError(event.reason));
 
-/** For tests, and for whoever wants to look: the application's state as plain data. */
+/** The application's state as plain data, for tests and for inspection. */
 window.gonio = {
   state: () => JSON.parse(application.state()),
   /** A promise of the verdict on students' files, each a `name`, and `text` or `bytes`. */

@@ -1,12 +1,12 @@
-// The module's second half: what the first picture did not need (web/split). It is loaded once that picture is shown, or
-// at the latest when something in it is called. A page that is built for working on it has none.
+// The module's second half: functions that the first picture does not need (web/split). It is loaded after that picture, or
+// when one of its functions is called. Development builds have none.
 
 import { noModule } from "./trouble.js";
 
 const url = document.getElementById("rest")?.content;
-/** What the first half exports, once that is there. */
+/** The exports of the first half, once it is loaded. */
 let first;
-/** The second half, compiled: a promise of it while it comes, and itself. */
+/** A promise of the second half while it is loaded, and the compiled module. */
 let coming;
 let compiled;
 let there = url === undefined;
@@ -16,14 +16,14 @@ export function firstHalf(exports) {
   first = exports;
 }
 
-/** For the first half to import: it calls `load` when it needs the second one at once. */
+/** The first half's import: it calls `load` when it needs the second half at once. */
 export const imports = { load };
 
 function load() {
   if (there) return;
   try {
     compiled ??= new WebAssembly.Module(bytesNow());
-    // It puts its functions into the first half's table.
+    // It adds its functions to the first half's table.
     new WebAssembly.Instance(compiled, { primary: first });
     there = true;
   } catch (error) {
@@ -36,7 +36,7 @@ function load() {
 export function askForRest() {
   if (there || coming !== undefined) return;
   coming = fetchRest();
-  // `loadRest` says what went wrong; whoever asks next gets another try.
+  // `loadRest` reports the error; the next request tries again.
   coming.catch(() => { coming = undefined; });
 }
 
@@ -46,32 +46,32 @@ async function fetchRest() {
   return streams(response) ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
-/** Loads it without holding anything up. Fails if it does not come; then it is asked for again when it is needed. */
+/** Loads the second half asynchronously. If that fails, it is requested again when it is needed. */
 export async function loadRest() {
   askForRest();
   const module = await coming;
-  // It may have been needed meanwhile.
+  // It may have been loaded by `load` meanwhile.
   if (there) return;
   compiled = module;
   await WebAssembly.instantiate(compiled, { primary: first });
   there = true;
 }
 
-/** The second half, compiled, once it is there; nothing where the page has none. */
+/** The compiled second half, once it is loaded; undefined if the page has none. */
 export async function restModule() {
   if (url === undefined) return undefined;
   await loadRest();
   return compiled;
 }
 
-/** Whether a module may be compiled while it arrives: browsers do so only with the right type. */
+/** Whether a module can be compiled while it is downloaded, which needs the right content type. */
 export const streams = (response) => response.headers.get("content-type") === "application/wasm";
 
-/** The file's bytes, without returning to the browser before they are there. */
+/** The file's bytes, by a synchronous request. */
 function bytesNow() {
   const request = new XMLHttpRequest();
   request.open("GET", url, false);
-  // Such a request gives text only: one character a byte.
+  // Synchronous requests return text only: one character per byte.
   request.overrideMimeType("text/plain; charset=x-user-defined");
   request.send();
   if (request.status !== 200) throw new Error(`${url}: ${request.status} ${request.statusText}`);

@@ -38,14 +38,14 @@ export const noModule = (error) => trouble({
   details: describe(error),
 });
 
-export const stopped = (error, said) => trouble({
+export const stopped = (error, panic) => trouble({
   title: "The light lab has stopped",
   text: "It crashed because of an internal error. Your files on disk are unchanged.",
   advice: ["Reload the page.", "If it happens again, please report the error details and what you did before."],
-  details: said ?? describe(error),
+  details: panic ?? describe(error),
 });
 
-/** An error as text, with where it came from. */
+/** An error as text, with its stack. */
 function describe(error) {
   if (error instanceof Error) return error.stack?.includes(error.message) ? error.stack : `${error}\n${error.stack ?? ""}`;
   return String(error);

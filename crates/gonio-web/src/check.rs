@@ -32,11 +32,9 @@ impl PageChecker {
             .and_then(|context| context.dyn_into().ok())
             .ok_or("this browser has no WebGL 2 in workers: use another one, or `gonio lab check`")?;
         if !matches!(context.get_extension("EXT_color_buffer_float"), Ok(Some(_))) {
-            return Err(
-                "this browser cannot draw into textures of floats (EXT_color_buffer_float), which the checker \
-                        compares; try another one, or `gonio lab check`"
-                    .to_owned(),
-            );
+            return Err("this browser cannot draw into float textures (EXT_color_buffer_float): use another one, or \
+                 `gonio lab check`"
+                .to_owned());
         }
         // `Gl::of_window` takes an `Arc`, as egui does; the page has one thread.
         #[allow(clippy::arc_with_non_send_sync)]

@@ -135,7 +135,7 @@ struct Shell {
 
 impl Shell {
     /// Announces a change to screen readers.
-    fn say(&mut self, announcement: &str) {
+    fn announce(&mut self, announcement: &str) {
         if announcement == self.announced {
             return;
         }
@@ -157,6 +157,6 @@ impl eframe::App for Shell {
         let app = self.app.clone();
         let mut app = app.borrow_mut();
         App::ui(&mut app, ui);
-        self.say(&app.session().announcement);
+        self.announce(&app.session().announcement);
     }
 }

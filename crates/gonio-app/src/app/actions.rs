@@ -39,7 +39,7 @@ impl App {
                     ctx.copy_text(self.platform.link(&fragment));
                     self.session.announcement = "copied the link".into();
                 }
-                Err(error) => self.session.messages.say(MessageSeverity::Error, error),
+                Err(error) => self.session.messages.report(MessageSeverity::Error, error),
             },
             Action::CopyText(text) => {
                 ctx.copy_text(text);
@@ -99,7 +99,7 @@ impl App {
     fn record_frame(&mut self, ctx: &egui::Context) {
         let Some(pane_renderer) = &mut self.pane_renderer else { return };
         let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|error| {
-            self.session.messages.say(MessageSeverity::Error, format!("the frame cannot be recorded: {error}"));
+            self.session.messages.report(MessageSeverity::Error, format!("the frame cannot be recorded: {error}"));
             None
         });
         let before = self.session.recorded_frame.take();
@@ -112,7 +112,7 @@ impl App {
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
             Ok(place) => self.session.announcement = format!("saved {place}"),
-            Err(error) => self.session.messages.say(MessageSeverity::Error, error),
+            Err(error) => self.session.messages.report(MessageSeverity::Error, error),
         }
     }
 
@@ -148,7 +148,7 @@ impl App {
                 ctx.copy_image(egui::ColorImage::from_rgba_premultiplied(size, &rgba));
                 self.session.announcement = "copied the picture".into();
             }
-            Err(error) => self.session.messages.say(MessageSeverity::Error, error),
+            Err(error) => self.session.messages.report(MessageSeverity::Error, error),
         }
     }
 

@@ -18,7 +18,7 @@ impl App {
     /// Shows an exercise with a student's files. Errors become messages in the window.
     pub fn begin_exercise(&mut self, ctx: &egui::Context, start: Start) {
         if let Err(error) = self.exercise.begin(start) {
-            self.session.messages.say(MessageSeverity::Error, error);
+            self.session.messages.report(MessageSeverity::Error, error);
         }
         self.watch(ctx);
     }
@@ -36,7 +36,7 @@ impl App {
             self.session.announcement = announcement;
         }
         if let Some(ignored) = taken.ignored {
-            self.session.messages.say(severity, ignored);
+            self.session.messages.report(severity, ignored);
         }
     }
 
@@ -48,7 +48,7 @@ impl App {
         failures.extend(self.exercise.ui(ui, self.pane_renderer.as_mut(), self.platform.as_mut(), &mut actions));
         failures.extend(self.exercise.follow_drafts(&ctx, self.platform.as_mut()));
         for sentence in failures {
-            self.session.messages.say(MessageSeverity::Error, sentence);
+            self.session.messages.report(MessageSeverity::Error, sentence);
         }
         panels::messages(ui, &self.session, &mut actions);
         panels::path_field(ui, &mut self.session, Purpose::Exercise, &mut actions);
@@ -91,7 +91,7 @@ impl App {
         ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
         self.asked_to_close = true;
         self.exercise.is_open = true;
-        self.session.messages.say(MessageSeverity::Warning, sentence);
+        self.session.messages.report(MessageSeverity::Warning, sentence);
     }
 
     /// Watches the files of the scene and of the exercises.
@@ -104,7 +104,7 @@ impl App {
     /// Reloads changed files of the exercises, and notes those of the scene.
     pub(super) fn changed_on_disk(&mut self, ctx: &egui::Context, paths: Vec<PathBuf>) {
         for sentence in self.exercise.changed(ctx, &paths) {
-            self.session.messages.say(MessageSeverity::Error, sentence);
+            self.session.messages.report(MessageSeverity::Error, sentence);
         }
         self.changed.extend(paths.into_iter().filter(|path| self.read.contains(path)));
     }

@@ -71,7 +71,7 @@ impl App {
         let pane_renderer = gl.and_then(|gl| match PaneRenderer::new(gl) {
             Ok(pane_renderer) => Some(pane_renderer),
             Err(error) => {
-                session.messages.say(MessageSeverity::Error, format!("OpenGL rendering is not available: {error}"));
+                session.messages.report(MessageSeverity::Error, format!("OpenGL rendering is not available: {error}"));
                 None
             }
         });
@@ -104,7 +104,7 @@ impl App {
         if opening.inputs.is_empty() {
             match app.platform.first() {
                 Some(Ok(input)) => (opening.inputs, files) = (input.inputs, input.files),
-                Some(Err(error)) => app.session.messages.say(MessageSeverity::Error, error),
+                Some(Err(error)) => app.session.messages.report(MessageSeverity::Error, error),
                 None => {}
             }
         }
@@ -126,9 +126,10 @@ impl App {
                 self.session.facts.renderer = pane_renderer.driver().to_owned();
                 self.pane_renderer = Some(pane_renderer);
             }
-            Some(Err(error)) => {
-                self.session.messages.say(MessageSeverity::Error, format!("OpenGL rendering is not available: {error}"))
-            }
+            Some(Err(error)) => self
+                .session
+                .messages
+                .report(MessageSeverity::Error, format!("OpenGL rendering is not available: {error}")),
             None => {}
         }
     }
@@ -192,7 +193,7 @@ impl App {
     /// Advances time: keeps drafts, reloads changed files, moves lights.
     fn advance(&mut self, ctx: &egui::Context) {
         for failure in self.exercise.follow_drafts(ctx, self.platform.as_mut()) {
-            self.session.messages.say(MessageSeverity::Error, failure);
+            self.session.messages.report(MessageSeverity::Error, failure);
         }
         self.read_again(ctx);
         self.session.progress = self.loader.progress();
@@ -222,7 +223,7 @@ impl App {
             self.frame_opened(&ctx, ui.available_size());
             let drawn = scene_view::show(ui, &mut self.document, &mut self.session, self.pane_renderer.as_mut());
             if let Err(error) = drawn {
-                self.session.messages.say(MessageSeverity::Error, error.to_string());
+                self.session.messages.report(MessageSeverity::Error, error.to_string());
             }
         });
         if self.session.sketching && self.sketched.is_none() && self.session.facts.pictures > pictures {
@@ -253,7 +254,7 @@ impl App {
             Event::ExerciseFiles(files) => self.open_exercise_files(files),
             Event::SaveTo(product, place) => self.save(product, &place),
             Event::Changed(paths) => self.changed_on_disk(ctx, paths),
-            Event::Failed(error) => self.session.messages.say(MessageSeverity::Error, error),
+            Event::Failed(error) => self.session.messages.report(MessageSeverity::Error, error),
         }
     }
 
@@ -282,7 +283,7 @@ impl App {
         let loaded = match finished.result {
             Ok(loaded) => loaded,
             Err(sentence) => {
-                self.session.messages.say(MessageSeverity::Error, sentence);
+                self.session.messages.report(MessageSeverity::Error, sentence);
                 if matches!(finished.requested, LoadRequest::Scene(_)) {
                     self.history.revert(&mut self.document);
                 }
@@ -297,7 +298,7 @@ impl App {
                 Found::Note => continue,
                 Found::Warning => MessageSeverity::Warning,
             };
-            self.session.messages.say(severity, found.to_string());
+            self.session.messages.report(severity, found.to_string());
         }
         match finished.requested {
             LoadRequest::Open(opening) => {
@@ -373,7 +374,7 @@ impl App {
                 self.loader.start(LoadRequest::Scene(scene), self.files.clone(), self.opened.limits, ctx);
             }
             Err(error) => {
-                self.session.messages.say(MessageSeverity::Error, error.to_string());
+                self.session.messages.report(MessageSeverity::Error, error.to_string());
                 self.history.revert(&mut self.document);
             }
         }

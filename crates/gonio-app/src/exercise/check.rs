@@ -49,7 +49,7 @@ impl Check {
 
 /// The files that a check or a trial gets.
 pub fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
-    // Of several OpenGL programs or buffers, the one in the editor is checked.
+    // If there are several OpenGL programs or buffers, the one in the editor is checked.
     let endings: &[&str] = match work.exercise.kind {
         ExerciseKind::GlProgram => &[".txt"],
         ExerciseKind::Buffers => &buffers::ENDINGS,

@@ -44,7 +44,7 @@ impl Compiler {
     }
 
     /// Compiles at once, without a pause: other files were opened.
-    pub fn begin_anew(&mut self) {
+    pub fn restart(&mut self) {
         self.seen = None;
     }
 
@@ -68,7 +68,7 @@ impl Compiler {
             }
         }
         work.downloads = !platform.has_folders();
-        self.hear(work);
+        self.take_outcome(work);
         self.announce_trial(ctx, work);
         let content = work.content();
         match &self.seen {
@@ -189,7 +189,7 @@ impl Compiler {
     }
 
     /// Takes the outcome of the trial.
-    fn hear(&mut self, work: &mut Work) {
+    fn take_outcome(&mut self, work: &mut Work) {
         self.trials.poll();
         work.program.is_tried = self.trials.slow().is_some();
     }

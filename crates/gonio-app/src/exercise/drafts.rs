@@ -56,7 +56,7 @@ impl Drafts {
         let mut first = None;
         let exercise = &work.exercise.id;
         for (index, file) in work.files.iter_mut().enumerate().filter(|(_, file)| !file.locked) {
-            if std::mem::replace(&mut file.draft_was_asked, true) {
+            if std::mem::replace(&mut file.draft_was_checked, true) {
                 continue;
             }
             let key = key(exercise, file);

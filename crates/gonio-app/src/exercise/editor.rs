@@ -328,7 +328,7 @@ pub fn remember(ctx: &egui::Context, file: &OpenFile) {
 }
 
 /// Gives up the keyboard focus, so that another field can take it.
-pub fn let_go(ctx: &egui::Context, work: &Work) {
+pub fn release_focus(ctx: &egui::Context, work: &Work) {
     if let Some(file) = work.files.get(work.current) {
         ctx.memory_mut(|memory| memory.surrender_focus(file.id()));
     }

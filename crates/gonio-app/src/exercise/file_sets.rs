@@ -17,9 +17,9 @@ pub struct OpenFileSet {
 /// Result of opening a student's files.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ReplaceOutcome {
-    /// What was opened, for screen readers; `None` if nothing was.
+    /// The opened files, for screen readers; `None` if nothing was opened.
     pub announcement: Option<String>,
-    /// Why some files were ignored, in one sentence.
+    /// The reason why some files were ignored, in one sentence.
     pub ignored: Option<String>,
 }
 
@@ -75,7 +75,7 @@ impl Work {
         self.sets += 1;
         let mut files = Work::start_files(self.exercise, self.sets);
         // Drafts are not restored when starting over.
-        files.iter_mut().for_each(|file| file.draft_was_asked = true);
+        files.iter_mut().for_each(|file| file.draft_was_checked = true);
         let current = Work::first_shown(self.exercise, &files);
         self.replace(OpenFileSet { files, current });
     }

@@ -130,7 +130,7 @@ impl ExerciseView {
         match self.work.as_mut().filter(|_| !self.is_listing) {
             Some(work) => {
                 let taken = work.take(files);
-                self.compiler.begin_anew();
+                self.compiler.restart();
                 taken
             }
             None => {
@@ -216,7 +216,7 @@ impl ExerciseView {
                 ExerciseCommand::List => actions.push(Action::ListExercises),
                 ExerciseCommand::Open => {
                     // The path field gets the keyboard focus, if there is one.
-                    self.work.as_ref().inspect(|work| editor::let_go(ctx, work));
+                    self.work.as_ref().inspect(|work| editor::release_focus(ctx, work));
                     actions.push(Action::ChooseFiles);
                 }
                 ExerciseCommand::Leave => self.is_open = false,
@@ -366,7 +366,7 @@ fn apply_to_work(
         ExerciseCommand::Save => {
             let failures = saving::save(work, platform);
             if work.asking.is_some() {
-                editor::let_go(ctx, work);
+                editor::release_focus(ctx, work);
             }
             return failures;
         }
@@ -402,14 +402,14 @@ fn apply_to_work(
         ExerciseCommand::KeepRestored => work.files.iter_mut().for_each(|file| file.restored = None),
         ExerciseCommand::PutBack => {
             work.put_back();
-            compiler.begin_anew();
+            compiler.restart();
             // They were not watched while they were replaced.
             let paths: Vec<PathBuf> = work.files.iter().filter_map(|file| file.path.clone()).collect();
             return saving::read_again(ctx, work, &paths);
         }
         ExerciseCommand::BeginAgain => {
             work.begin_again();
-            compiler.begin_anew();
+            compiler.restart();
         }
         ExerciseCommand::StartFiles => {
             let name = format!("{}.zip", work.exercise.id);

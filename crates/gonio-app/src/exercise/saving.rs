@@ -78,7 +78,7 @@ pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<Stri
         match Disk.read_within(path, MOST_BYTES).map(FileBytes::into_vec) {
             Ok(bytes) => {
                 let before = file.clone();
-                if file.is_now(bytes) {
+                if file.reload(bytes) {
                     editor::remember(ctx, &before);
                 }
             }

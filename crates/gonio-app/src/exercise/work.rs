@@ -29,7 +29,7 @@ pub struct OpenFile {
     /// The age of the restored draft, if the text is one: "5 minutes ago".
     pub restored: Option<String>,
     /// Whether a draft of this file was looked for.
-    pub(super) draft_was_asked: bool,
+    pub(super) draft_was_checked: bool,
     /// Id of the editor's widget.
     id: Id,
     /// Whether it has a tab.
@@ -54,7 +54,7 @@ impl OpenFile {
             other: None,
             locked,
             restored: None,
-            draft_was_asked: false,
+            draft_was_checked: false,
             id,
             is_shown,
         }
@@ -90,9 +90,9 @@ impl OpenFile {
         self.id
     }
 
-    /// Takes the content of the changed file on disk. Returns whether it replaced the text; unsaved changes are
-    /// kept, and the user is asked.
-    pub fn is_now(&mut self, bytes: Vec<u8>) -> bool {
+    /// Loads the content of the changed file on disk. Returns whether it replaced the text; with unsaved changes both versions are
+    /// kept, and the user chooses one.
+    pub fn reload(&mut self, bytes: Vec<u8>) -> bool {
         if bytes == self.saved {
             return false;
         }
@@ -161,7 +161,7 @@ pub enum ExercisePage {
 pub struct ProgramFacts {
     /// Messages about lines.
     pub notes: Vec<Note>,
-    /// Why the pair cannot be drawn, in one sentence.
+    /// The reason why the pair cannot be drawn, in one sentence.
     pub unusable: Option<String>,
     /// Warnings about guesses and corrections.
     pub warnings: Vec<String>,
@@ -401,10 +401,10 @@ mod tests {
     #[test]
     fn a_reload_never_overwrites_unsaved_text() {
         let mut file = file("one");
-        assert!(file.is_now(b"two".to_vec()), "without changes here, the version on disk is loaded");
+        assert!(file.reload(b"two".to_vec()), "without changes here, the version on disk is loaded");
         assert_eq!((file.text.as_str(), file.is_changed()), ("two", false));
         file.text = "mine".into();
-        assert!(!file.is_now(b"three".to_vec()));
+        assert!(!file.reload(b"three".to_vec()));
         assert_eq!((file.text.as_str(), file.other.as_deref()), ("mine", Some(&b"three"[..])));
         file.take(b"three".to_vec());
         assert_eq!((file.text.as_str(), file.other), ("three", None));

@@ -51,11 +51,11 @@ const MOST: usize = 2000;
 /// A source that records which files are requested from another one, also missing ones, which may appear later.
 pub struct ReadRecorder {
     inner: Arc<dyn FileSource>,
-    asked: Mutex<Asked>,
+    requests: Mutex<Requests>,
 }
 
 #[derive(Default)]
-struct Asked {
+struct Requests {
     paths: BTreeSet<PathBuf>,
     files: usize,
     bytes: u64,
@@ -66,7 +66,7 @@ struct Asked {
 impl ReadRecorder {
     /// Records requests to `inner`.
     pub fn new(inner: Arc<dyn FileSource>) -> Self {
-        ReadRecorder { inner, asked: Mutex::default() }
+        ReadRecorder { inner, requests: Mutex::default() }
     }
 
     /// The requested paths, each once.
@@ -76,8 +76,8 @@ impl ReadRecorder {
 
     /// Number of files read so far, and their bytes.
     pub fn amount(&self) -> (usize, u64) {
-        let asked = self.lock();
-        (asked.files, asked.bytes)
+        let requests = self.lock();
+        (requests.files, requests.bytes)
     }
 
     /// Whether a file that was requested too early has not arrived yet.
@@ -87,25 +87,25 @@ impl ReadRecorder {
 
     /// Clears the record, before everything is requested again.
     pub fn forget(&self) {
-        *self.lock() = Asked::default();
+        *self.lock() = Requests::default();
     }
 
     /// Ignores poisoning: no operation under the lock can leave the record inconsistent.
-    fn lock(&self) -> MutexGuard<'_, Asked> {
-        self.asked.lock().unwrap_or_else(PoisonError::into_inner)
+    fn lock(&self) -> MutexGuard<'_, Requests> {
+        self.requests.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 impl FileSource for ReadRecorder {
     fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
         let read = self.inner.read_within(path, most);
-        let mut asked = self.lock();
-        if asked.paths.len() < MOST {
-            asked.paths.insert(path.to_owned());
+        let mut requests = self.lock();
+        if requests.paths.len() < MOST {
+            requests.paths.insert(path.to_owned());
         }
         if let Ok(bytes) = &read {
-            asked.files += 1;
-            asked.bytes += bytes.len() as u64;
+            requests.files += 1;
+            requests.bytes += bytes.len() as u64;
         }
         read
     }

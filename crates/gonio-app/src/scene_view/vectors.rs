@@ -9,7 +9,7 @@ use glam::DVec3;
 use gonio_light::{LightKind, LightTerms};
 use gonio_reference::Probe;
 
-/// Length of an arrow that lies in the picture's plane, as a share of its height.
+/// Length of an arrow parallel to the picture, as a share of the picture's height.
 const LENGTH: f64 = 1.0 / 8.0;
 
 /// Shows the vectors of the probed pixel, and a ring around a pinned one.

@@ -20,7 +20,7 @@ pub struct UserMessage {
     pub severity: MessageSeverity,
     /// The sentence.
     pub text: String,
-    /// How often it was reported.
+    /// Number of times that it was reported.
     pub times: u32,
 }
 
@@ -33,7 +33,7 @@ pub struct Messages {
 
 impl Messages {
     /// Adds a message. A repeated one is counted.
-    pub fn say(&mut self, severity: MessageSeverity, text: impl Into<String>) {
+    pub fn report(&mut self, severity: MessageSeverity, text: impl Into<String>) {
         let text = text.into();
         if let Some(known) = self.list.iter_mut().find(|m| m.severity == severity && m.text == text) {
             known.times += 1;
@@ -71,9 +71,9 @@ mod tests {
     #[test]
     fn messages_stay_until_dismissed_and_repeats_are_counted() {
         let mut messages = Messages::default();
-        messages.say(MessageSeverity::Error, "no such file");
-        messages.say(MessageSeverity::Error, "no such file");
-        messages.say(MessageSeverity::Note, "lit by its own light");
+        messages.report(MessageSeverity::Error, "no such file");
+        messages.report(MessageSeverity::Error, "no such file");
+        messages.report(MessageSeverity::Note, "lit by its own light");
         assert_eq!(messages.list().len(), 2);
         assert_eq!(messages.list()[0].times, 2);
         messages.forget_remarks();

@@ -41,7 +41,7 @@ pub struct FrameFacts {
 /// A path that is being typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PathField {
-    /// What to save there; `None` to open a file.
+    /// The product to save there; `None` to open a file.
     pub saves: Option<Product>,
     /// The text so far.
     pub text: String,

@@ -25,9 +25,9 @@ pub fn choice<T: Copy + PartialEq>(
     let words: Vec<(&str, &str)> = options.iter().map(|(_, word, tip)| (*word, *tip)).collect();
     let chosen = options.iter().position(|(option, ..)| option == value);
     match segments(ui, id, label, &words, chosen) {
-        Asked::Nothing => false,
-        Asked::Default => replace(value, default),
-        Asked::Option(index) => options.get(index).is_some_and(|(option, ..)| replace(value, *option)),
+        Picked::Nothing => false,
+        Picked::Default => replace(value, default),
+        Picked::Option(index) => options.get(index).is_some_and(|(option, ..)| replace(value, *option)),
     }
 }
 
@@ -41,8 +41,8 @@ pub fn dropdown<T: Copy + PartialEq>(
 ) -> bool {
     let words: Vec<(&str, &str)> = options.iter().map(|(_, word, tip)| (*word, *tip)).collect();
     let chosen = options.iter().position(|(option, ..)| option == value);
-    let asked = list(ui, id, label, &words, chosen);
-    asked.and_then(|index| options.get(index)).is_some_and(|(option, ..)| replace(value, *option))
+    let picked = list(ui, id, label, &words, chosen);
+    picked.and_then(|index| options.get(index)).is_some_and(|(option, ..)| replace(value, *option))
 }
 
 fn replace<T: PartialEq>(value: &mut T, with: T) -> bool {
@@ -57,14 +57,14 @@ pub fn slug(word: &str) -> String {
     words.map(str::to_lowercase).collect::<Vec<_>>().join("-")
 }
 
-enum Asked {
+enum Picked {
     Nothing,
     Default,
     Option(usize),
 }
 
-fn segments(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Option<usize>) -> Asked {
-    let mut asked = Asked::Nothing;
+fn segments(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Option<usize>) -> Picked {
+    let mut picked = Picked::Nothing;
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
         ui.spacing_mut().button_padding = vec2(4.5, 2.0);
@@ -85,20 +85,20 @@ fn segments(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: 
             let own_id = format!("{id}-{}", slug(word));
             exported::note(ui, &response, &own_id, WidgetRole::Choice, &name, is_chosen);
             if response.double_clicked() {
-                asked = Asked::Default;
+                picked = Picked::Default;
             } else if response.clicked() {
-                asked = Asked::Option(index);
+                picked = Picked::Option(index);
             }
             if !tip.is_empty() {
                 response.on_hover_text(*tip);
             }
         }
     });
-    asked
+    picked
 }
 
 fn list(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Option<usize>) -> Option<usize> {
-    let mut asked = None;
+    let mut picked = None;
     let shown = chosen.and_then(|index| words.get(index)).map_or("", |(word, _)| word);
     let width = ui.available_width().clamp(80.0, 200.0);
     let combo = ComboBox::from_id_salt(id).selected_text(shown).width(width).height(420.0);
@@ -115,7 +115,7 @@ fn list(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Opti
                     chosen == Some(index),
                 );
                 if entry.clicked() {
-                    asked = Some(index);
+                    picked = Some(index);
                 }
                 if !tip.is_empty() {
                     entry.on_hover_text(*tip);
@@ -125,5 +125,5 @@ fn list(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Opti
         .response;
     response.widget_info(|| WidgetInfo::labeled(egui::Role::ComboBox, true, label));
     exported::note(ui, &response, id, WidgetRole::Choice, label, shown);
-    asked
+    picked
 }

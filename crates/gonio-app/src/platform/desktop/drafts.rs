@@ -120,7 +120,7 @@ impl DraftFolder {
         let is_old = |left: &Left| left.written.elapsed().is_ok_and(|age| age > MOST_AGE_OF_DRAFTS);
         for (index, left) in left.iter().enumerate() {
             if index >= MOST_LEFT || is_old(left) {
-                // What cannot be removed now is tried again by the next window.
+                // If this fails, the next window tries again.
                 let _ = fs::remove_file(&left.path);
             }
         }

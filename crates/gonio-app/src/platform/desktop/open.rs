@@ -23,7 +23,7 @@ pub fn in_thread(paths: Vec<String>, purpose: Purpose, access: Access, sender: S
     });
 }
 
-/// Finds the models and the environment among these files. A folder stands for the files directly in it.
+/// Finds the models and the environment among these files. A folder means the files directly in it.
 fn scene_input(paths: Vec<String>, access: Access) -> Result<SceneInput, String> {
     let disk: Arc<dyn FileSource> =
         if access.sandbox { Arc::new(Sandbox::new(Disk, paths.iter().map(String::as_str))) } else { Arc::new(Disk) };
