@@ -117,21 +117,21 @@ pub fn compiler_messages(
     vertex: &ParsedStage<'_>,
     fragment: &ParsedStage<'_>,
 ) -> Vec<CompilerMessage> {
-    let mut told = Vec::new();
+    let mut shown = Vec::new();
     for (stage, log) in [(vertex, &broken.vertex_log), (fragment, &broken.fragment_log)] {
         let Some(log) = log else { continue };
         if let Some(refusal) = stage.refusal().filter(|refusal| refusal.limit != Some(Limit::SyntaxErrors)) {
             // Further messages may follow from this one.
-            told.push(stage.message(refusal));
+            shown.push(stage.message(refusal));
             continue;
         }
         let own: Vec<CompilerMessage> =
             stage.problems().filter(|p| p.severity == Severity::Error).map(|p| stage.message(p)).collect();
         if own.is_empty() {
             let messages = driver_log::to_messages(log, stage.text, stage.translated.first_line);
-            told.extend(messages.into_iter().take(MOST_MESSAGES).map(from_driver));
+            shown.extend(messages.into_iter().take(MOST_MESSAGES).map(from_driver));
         } else {
-            told.extend(own.into_iter().take(MOST_MESSAGES));
+            shown.extend(own.into_iter().take(MOST_MESSAGES));
         }
     }
     if let Some(log) = &broken.link_log {
@@ -142,12 +142,12 @@ pub fn compiler_messages(
             .collect();
         if own.is_empty() {
             let messages = driver_log::link_messages(log, vertex.text, fragment.text);
-            told.extend(messages.into_iter().take(MOST_MESSAGES).map(from_driver));
+            shown.extend(messages.into_iter().take(MOST_MESSAGES).map(from_driver));
         } else {
-            told.extend(own.into_iter().take(MOST_MESSAGES));
+            shown.extend(own.into_iter().take(MOST_MESSAGES));
         }
     }
-    told
+    shown
 }
 
 fn from_driver(message: DriverMessage) -> CompilerMessage {
@@ -171,16 +171,16 @@ pub(crate) fn first_message(messages: &[CompilerMessage], broken: &BrokenProgram
 
 /// Returns the constructs that this driver accepts and others may reject.
 pub(crate) fn strictness(vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Vec<String> {
-    let said = |stage: &ParsedStage<'_>, problem: &Problem| {
+    let warning = |stage: &ParsedStage<'_>, problem: &Problem| {
         let (file, line, _) = stage.text.place(problem.span.line, problem.span.column);
         format!("{file}:{line}: {}; other compilers may reject it", problem.message)
     };
     let mut warnings: Vec<String> = Vec::new();
     for stage in [vertex, fragment] {
-        warnings.extend(stage.problems().filter(|p| p.severity != Severity::Hint).map(|p| said(stage, p)));
+        warnings.extend(stage.problems().filter(|p| p.severity != Severity::Hint).map(|p| warning(stage, p)));
     }
     let pair = gonio_glsl::check_pair(&vertex.checked, &fragment.checked);
-    warnings.extend(pair.iter().filter(|p| p.severity != Severity::Hint).map(|p| said(fragment, p)));
+    warnings.extend(pair.iter().filter(|p| p.severity != Severity::Hint).map(|p| warning(fragment, p)));
     warnings.truncate(MOST_MESSAGES);
     warnings
 }

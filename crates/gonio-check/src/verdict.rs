@@ -305,7 +305,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_verdict_is_read_as_it_was_written() {
+    fn a_verdict_survives_a_round_trip() {
         let mut verdict = Verdict::new("ex04", Outcome::Wrong, "The normal is not transformed");
         let found = FoundMistake::new("normal-raw", "The normal is not transformed", 0.997);
         let found = found.taught("the light turns with the model", "multiply", "3.1");

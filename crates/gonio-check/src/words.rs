@@ -25,9 +25,9 @@ pub fn words_of(name: &str) -> Vec<String> {
     words
 }
 
-/// Returns the word that is most similar to `given`, however different it is.
-pub fn most_like<'a>(given: &str, words: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    words.min_by_key(|word| distance(&given.to_lowercase(), &word.to_lowercase()))
+/// Returns the word that is most similar to `word`, however different it is.
+pub fn most_like<'a>(word: &str, words: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    words.min_by_key(|known| distance(&word.to_lowercase(), &known.to_lowercase()))
 }
 
 /// Returns the nearest of `known`, if at most a third of the letters differ.

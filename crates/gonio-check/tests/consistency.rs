@@ -44,8 +44,8 @@ fn contradictions(verdict: &Verdict) -> Vec<String> {
 }
 
 #[test]
-fn no_mistake_of_the_bank_contradicts_the_terms() {
-    let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+fn no_mistake_of_the_catalogue_contradicts_the_terms() {
+    let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
     let mut checker = ShaderChecker::new(context.gl());
     let (mut checked, mut separable, mut named) = (0, 0, 0);
     let mut wrong = Vec::new();
@@ -61,7 +61,11 @@ fn no_mistake_of_the_bank_contradicts_the_terms() {
             separable += usize::from(verdict.terms.iter().any(|term| term.state != TermState::NotSeparable));
             named += usize::from(!verdict.mistakes.is_empty());
             let id = &hypotheses.mistakes[single.mistakes[0]].id;
-            wrong.extend(contradictions(&verdict).into_iter().map(|what| format!("{} {id}: {what}", task.exercise)));
+            wrong.extend(
+                contradictions(&verdict)
+                    .into_iter()
+                    .map(|contradiction| format!("{} {id}: {contradiction}", task.exercise)),
+            );
         }
     }
     assert!(checked > 300 && separable > 200 && named > 200, "{checked} {separable} {named}");
@@ -70,7 +74,7 @@ fn no_mistake_of_the_bank_contradicts_the_terms() {
 
 #[test]
 fn no_submission_contradicts_itself() {
-    let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+    let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
     let mut checker = ShaderChecker::new(context.gl());
     let is_lit = |exercise: &str| TASKS.iter().any(|task| task.exercise == exercise && task.model.is_lit());
     let all = submissions("wrong").into_iter().filter(|s| is_lit(&s.exercise) && !s.name.contains("broken"));
@@ -80,7 +84,9 @@ fn no_submission_contradicts_itself() {
     for (_, submission) in all.enumerate().filter(|(index, s)| chosen((*index, &s.name))) {
         let verdict = submission.check(&mut checker);
         checked += 1;
-        wrong.extend(contradictions(&verdict).into_iter().map(|what| format!("{}: {what}", submission.name)));
+        wrong.extend(
+            contradictions(&verdict).into_iter().map(|contradiction| format!("{}: {contradiction}", submission.name)),
+        );
     }
     assert!(checked > 100, "{checked}");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -130,7 +136,7 @@ void main() {
 ";
 
 fn check(normal: &str, sum: &str) -> Verdict {
-    let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+    let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
     let mut checker = ShaderChecker::new(context.gl());
     let fragment = FRAGMENT.replace("{normal}", normal).replace("{sum}", sum);
     let files = vec![SourceFile::new("a.vert", VERTEX), SourceFile::new("a.frag", fragment)];
@@ -145,7 +151,7 @@ const ALL: [&str; 5] =
     ["finite", "unchanged-when-turned", "linear-in-light", "additive-over-lights", "falls-with-distance"];
 
 #[test]
-fn what_is_right_keeps_all() {
+fn right_programs_have_all_properties() {
     let verdict = check("normalize(turned)", "materialColour * (a + b)");
     assert_eq!(verdict.verdict, Outcome::Correct, "{}", verdict.summary);
     for id in ALL {
@@ -154,7 +160,7 @@ fn what_is_right_keeps_all() {
 }
 
 #[test]
-fn each_is_broken_by_what_breaks_it() {
+fn each_property_is_violated_by_its_mistakes() {
     for (normal, sum, broken) in [
         ("normalize(turned)", "materialColour * sqrt(a + b - 10.0)", &["finite"][..]),
         ("normalize(turned + vec3(0.4, 0.0, 0.0))", "materialColour * (a + b)", &["unchanged-when-turned"]),
@@ -179,15 +185,15 @@ fn each_is_broken_by_what_breaks_it() {
 }
 
 #[test]
-fn what_nothing_explains_says_where_to_look() {
+fn unexplained_verdicts_report_violated_properties() {
     let verdict = check("normalize(turned + vec3(0.4, 0.3, 0.0))", "materialColour * (a + b)");
     assert!(verdict.mistakes.is_empty(), "{}", verdict.summary);
     assert!(verdict.summary.contains("when model, light and camera are rotated"), "{}", verdict.summary);
 }
 
 #[test]
-fn every_right_answer_keeps_what_can_be_tried() {
-    let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+fn right_submissions_have_all_applicable_properties() {
+    let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
     let mut checker = ShaderChecker::new(context.gl());
     let exercises = ["ex03", "ex04", "ex05", "ex06", "ex07"];
     let mut tried = 0;

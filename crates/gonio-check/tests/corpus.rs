@@ -25,13 +25,13 @@ fn list(submission: &Submission, key: &str) -> Vec<String> {
 }
 
 fn checker() -> (HeadlessContext, ShaderChecker) {
-    let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+    let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
     let checker = ShaderChecker::new(context.gl());
     (context, checker)
 }
 
 #[test]
-fn what_is_right_is_never_called_wrong() {
+fn right_submissions_are_never_wrong() {
     let (_context, mut checker) = checker();
     let all = submissions("correct");
     assert!(all.len() > 160, "{}", all.len());
@@ -43,11 +43,11 @@ fn what_is_right_is_never_called_wrong() {
 
 /// Whether the named mistakes are the expected ones, or ones that no picture distinguishes from them.
 fn is_named(submission: &Submission, verdict: &Verdict) -> bool {
-    let (wanted, also) = (list(submission, "mistakes"), list(submission, "also_right"));
+    let (expected, also) = (list(submission, "mistakes"), list(submission, "also_right"));
     let answers = |want: &String| {
         verdict.mistakes.iter().any(|found| found.id == *want || found.or.contains(want) || also.contains(&found.id))
     };
-    verdict.mistakes.len() == wanted.len() && wanted.iter().all(answers)
+    verdict.mistakes.len() == expected.len() && expected.iter().all(answers)
 }
 
 #[test]
@@ -62,8 +62,8 @@ fn mistakes_are_named() {
     for submission in selected(all, |submission| &submission.name) {
         let verdict = submission.check(&mut checker);
         let does_not_compile = submission.expected.get("verdict").is_some();
-        let wanted = if does_not_compile { Outcome::DoesNotCompile } else { Outcome::Wrong };
-        called = (called.0 + usize::from(verdict.verdict == wanted), called.1 + 1);
+        let expected = if does_not_compile { Outcome::DoesNotCompile } else { Outcome::Wrong };
+        called = (called.0 + usize::from(verdict.verdict == expected), called.1 + 1);
         if does_not_compile {
             continue;
         }
@@ -76,14 +76,14 @@ fn mistakes_are_named() {
         }
     }
     let reaches = |least: f64, (right, all): (usize, usize)| right as f64 >= least * all as f64;
-    let told = format!("single {single:?}, pairs {pairs:?}, verdicts {called:?}\n{}", missed.join("\n"));
-    assert!(reaches(0.95, called), "{told}");
-    assert!(reaches(0.97, single), "{told}");
-    assert!(reaches(0.85, pairs), "{told}");
+    let report = format!("single {single:?}, pairs {pairs:?}, verdicts {called:?}\n{}", missed.join("\n"));
+    assert!(reaches(0.95, called), "{report}");
+    assert!(reaches(0.97, single), "{report}");
+    assert!(reaches(0.85, pairs), "{report}");
 }
 
 #[test]
-fn what_does_not_compile_is_told_at_its_line() {
+fn compiler_errors_are_reported_at_their_line() {
     let (_context, mut checker) = checker();
     let (mut right, mut all) = (0, 0);
     let mut missed = Vec::new();
@@ -93,13 +93,13 @@ fn what_does_not_compile_is_told_at_its_line() {
     for submission in selected(broken, |submission| &submission.name) {
         let verdict = submission.check(&mut checker);
         let line = |key: &str| submission.expected.get(key).and_then(toml::Value::as_integer);
-        let told: Vec<i64> = verdict.messages.iter().filter_map(|m| m.line).map(i64::from).collect();
+        let lines: Vec<i64> = verdict.messages.iter().filter_map(|m| m.line).map(i64::from).collect();
         let is_right = line("line").or(line("reported_line")).is_none()
-            || [line("line"), line("reported_line")].into_iter().flatten().any(|line| told.contains(&line));
+            || [line("line"), line("reported_line")].into_iter().flatten().any(|line| lines.contains(&line));
         all += 1;
         right += usize::from(is_right);
         if !is_right {
-            missed.push(format!("{}: {told:?} {}", submission.name, verdict.summary));
+            missed.push(format!("{}: {lines:?} {}", submission.name, verdict.summary));
         }
     }
     assert!(right * 100 >= all * 85, "{right} of {all}\n{}", missed.join("\n"));
@@ -222,7 +222,7 @@ fn sure(case: &Case) -> Vec<String> {
 }
 
 #[test]
-fn what_is_right_does_not_look_wrong() {
+fn the_source_of_right_submissions_shows_no_mistake() {
     let mut blamed: BTreeMap<String, Vec<String>> = BTreeMap::new();
     let cases = cases("correct");
     assert!(cases.len() >= 60, "{}", cases.len());
@@ -238,7 +238,7 @@ fn what_is_right_does_not_look_wrong() {
 }
 
 #[test]
-fn constants_where_uniforms_could_be_are_found() {
+fn constants_in_the_source_are_found() {
     for case in cases("correct") {
         let constants = case.read().constants();
         let peculiarities = case.words("peculiarities");

@@ -54,7 +54,7 @@ impl Essentials {
 
 fn essentials(sample: &[Submission], es: bool) -> Vec<Essentials> {
     let context = HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() })
-        .unwrap_or_else(|why| panic!("{why}"));
+        .unwrap_or_else(|error| panic!("{error}"));
     let mut checker = ShaderChecker::new(context.gl());
     sample.iter().map(|submission| Essentials::by(submission.check(&mut checker))).collect()
 }
@@ -117,9 +117,9 @@ const ENDING: &[(&str, &str)] = &[
     ),
 ];
 
-fn every_loop_is_judged_by_whether_it_ends(es: bool) {
+fn check_endless_and_ending_loops(es: bool) {
     let context = HeadlessContext::with_options(&HeadlessOptions { es, ..Default::default() })
-        .unwrap_or_else(|why| panic!("{why}"));
+        .unwrap_or_else(|error| panic!("{error}"));
     let mut checker = ShaderChecker::new(context.gl());
     let of_fragments = [
         ("", "if (gl_FragCoord.x < 9.0 && gl_FragCoord.y < 20.0) while (true) { }"),
@@ -143,11 +143,11 @@ fn every_loop_is_judged_by_whether_it_ends(es: bool) {
 }
 
 #[test]
-fn a_loop_without_end_ends_in_a_verdict_in_opengl() {
-    every_loop_is_judged_by_whether_it_ends(false);
+fn endless_loops_give_a_verdict_in_opengl() {
+    check_endless_and_ending_loops(false);
 }
 
 #[test]
-fn a_loop_without_end_ends_in_a_verdict_in_opengl_es() {
-    every_loop_is_judged_by_whether_it_ends(true);
+fn endless_loops_give_a_verdict_in_opengl_es() {
+    check_endless_and_ending_loops(true);
 }

@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mistake_with_a_term_makes_it_wrong_and_no_other() {
+    fn a_mistake_with_a_term_makes_only_that_term_wrong() {
         let wrong = Outcome::Wrong;
         assert_eq!(agreed(wrong, [Right, Wrong, Right], &[("specular-missing", 1.0)]), [Right, Right, Wrong]);
         // A term that no mistake explains keeps the state that the pictures show.
@@ -273,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn ids_tell_the_term() {
+    fn ids_name_the_term() {
         assert_eq!(term_of("specular-missing"), Some("specular"));
         assert_eq!(term_of("normal-reversed"), None);
         assert_eq!(term_of("ambient"), None);

@@ -227,8 +227,8 @@ impl<'a> Runner<'a> {
             // `float(x)` and `vec3(v)` of a vec3 change nothing.
             if let [one] = args[..] {
                 let node = self.graph.node(one);
-                let wanted = ty.and_then(Type::components);
-                if node.width > 0 && Some(u32::from(node.width)) == wanted && !node.is_matrix && !node.is_integer {
+                let components = ty.and_then(Type::components);
+                if node.width > 0 && Some(u32::from(node.width)) == components && !node.is_matrix && !node.is_integer {
                     return one;
                 }
             }

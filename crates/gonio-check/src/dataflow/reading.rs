@@ -117,17 +117,17 @@ impl Reading {
     }
 
     /// Returns the operands if the node is this operation.
-    pub fn sides(&self, id: Id, wanted: BinaryOp) -> Option<(Id, Id)> {
+    pub fn sides(&self, id: Id, operator: BinaryOp) -> Option<(Id, Id)> {
         match self.graph.op(id) {
-            Op::Binary(op, a, b) if *op == wanted => Some((*a, *b)),
+            Op::Binary(op, a, b) if *op == operator => Some((*a, *b)),
             _ => None,
         }
     }
 
     /// Returns the calls of a function that the value of the colour is computed from.
-    pub fn calls<'s>(&'s self, wanted: &'s str) -> impl Iterator<Item = (Id, &'s [Id])> + 's {
+    pub fn calls<'s>(&'s self, function: &'s str) -> impl Iterator<Item = (Id, &'s [Id])> + 's {
         self.tree.iter().filter_map(move |id| match self.graph.op(*id) {
-            Op::Call(name, parts) if name == wanted => Some((*id, parts.as_slice())),
+            Op::Call(name, parts) if name == function => Some((*id, parts.as_slice())),
             _ => None,
         })
     }
@@ -220,7 +220,7 @@ impl Reading {
 
     /// Returns for each node whether a cosine between the axis of a spot light and the direction to it flows into it.
     pub fn of_cones(&self) -> Vec<bool> {
-        let is = |id: Id, wanted: &dyn Fn(VectorKind) -> bool| self.vector(id).is_some_and(|v| wanted(v.kind));
+        let is = |id: Id, is_match: &dyn Fn(VectorKind) -> bool| self.vector(id).is_some_and(|v| is_match(v.kind));
         let is_cone = |id: Id| match self.graph.call(id, "dot") {
             Some(&[a, b]) => [(a, b), (b, a)].into_iter().any(|(axis, light)| {
                 is(axis, &|kind| kind == VectorKind::LightDirection)

@@ -124,7 +124,7 @@ impl<'a> Runner<'a> {
         shader: &Shader<'a>,
         stage: Stage,
         roles: &'a Roles,
-        given: &BTreeMap<String, Id>,
+        vertex_outputs: &BTreeMap<String, Id>,
     ) -> Self {
         let interface = &shader.checked.interface;
         let structs = interface.structs.iter().map(|s| (s.name.as_str(), s.members.as_slice())).collect();
@@ -152,8 +152,8 @@ impl<'a> Runner<'a> {
         };
         for item in &shader.parsed.unit.items {
             match item {
-                Item::Declaration(declaration) => runner.global(declaration, given),
-                Item::Block(block) => runner.block(block, given),
+                Item::Declaration(declaration) => runner.global(declaration, vertex_outputs),
+                Item::Block(block) => runner.block(block, vertex_outputs),
                 _ => {}
             }
         }
@@ -197,17 +197,17 @@ impl<'a> Runner<'a> {
     }
 
     /// Interpolates an output of the vertex shader, member by member.
-    fn interpolated(&mut self, given: Id, span: Span, depth: usize) -> Id {
-        if let Op::Struct(fields) = self.graph.op(self.graph.plain(given)).clone()
+    fn interpolated(&mut self, output: Id, span: Span, depth: usize) -> Id {
+        if let Op::Struct(fields) = self.graph.op(self.graph.plain(output)).clone()
             && depth < 8
         {
             let fields = fields.into_iter().map(|(name, id)| (name, self.interpolated(id, span, depth + 1))).collect();
             return self.push(Op::Struct(fields), span, None);
         }
-        self.graph.push_like(Op::Interpolated(given), given, self.stage, span)
+        self.graph.push_like(Op::Interpolated(output), output, self.stage, span)
     }
 
-    fn global(&mut self, declaration: &'a Declaration, given: &BTreeMap<String, Id>) {
+    fn global(&mut self, declaration: &'a Declaration, vertex_outputs: &BTreeMap<String, Id>) {
         let qualifiers = &declaration.qualifiers;
         for declarator in &declaration.declarators {
             let ty = self.declared_type(&declaration.ty, declarator);
@@ -216,8 +216,8 @@ impl<'a> Runner<'a> {
             let id = if has(qualifiers, "uniform") || comes_in && self.stage == Stage::Vertex {
                 self.input(&declarator.name, declarator.span, ty.as_ref())
             } else if varies {
-                let given = given.get(&declarator.name).copied().unwrap_or(Graph::UNKNOWN);
-                self.interpolated(given, declarator.span, 0)
+                let output = vertex_outputs.get(&declarator.name).copied().unwrap_or(Graph::UNKNOWN);
+                self.interpolated(output, declarator.span, 0)
             } else if let Some(initialiser) = &declarator.initialiser {
                 let value = self.expression(initialiser);
                 let span = declarator.span.to(initialiser.span);
@@ -229,11 +229,11 @@ impl<'a> Runner<'a> {
         }
     }
 
-    fn block(&mut self, block: &'a InterfaceBlock, given: &BTreeMap<String, Id>) {
+    fn block(&mut self, block: &'a InterfaceBlock, vertex_outputs: &BTreeMap<String, Id>) {
         let members: Vec<(&Declaration, &Declarator)> =
             block.members.iter().flat_map(|member| member.declarators.iter().map(move |d| (member, d))).collect();
         let is_uniform = has(&block.qualifiers, "uniform") || has(&block.qualifiers, "buffer");
-        let from = given.get(&format!("{} (block)", block.name)).copied();
+        let from = vertex_outputs.get(&format!("{} (block)", block.name)).copied();
         let mut fields = Vec::new();
         for (declaration, declarator) in members {
             let name = &declarator.name;
@@ -242,7 +242,7 @@ impl<'a> Runner<'a> {
                 self.input(name, declarator.span, ty.as_ref())
             } else if has(&block.qualifiers, "in") && self.stage == Stage::Fragment {
                 let inner = from.and_then(|from| self.member_of_struct(from, name));
-                let inner = inner.or_else(|| given.get(name).copied()).unwrap_or(Graph::UNKNOWN);
+                let inner = inner.or_else(|| vertex_outputs.get(name).copied()).unwrap_or(Graph::UNKNOWN);
                 self.interpolated(inner, declarator.span, 0)
             } else {
                 Graph::UNKNOWN

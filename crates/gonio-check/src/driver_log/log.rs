@@ -222,7 +222,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_driver_is_understood() {
+    fn logs_of_every_driver_are_read() {
         for (driver, log, line, column, severity, text) in [
             ("Mesa", "0:12(5): error: `x' undeclared", Some(12), Some(5), Error, "`x' undeclared"),
             ("Mesa", "0:1(10): preprocessor error: bad", Some(1), Some(10), Error, "bad"),
@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn what_says_nothing_is_left_out() {
+    fn lines_without_information_are_skipped() {
         let log = "ERROR: 0:3: '' : compilation terminated \nFragment info\n-------------\n0(12) : error C0000: syntax error\n\nERROR: 1 compilation errors.  No code \
                    generated.\n2 errors generated.\n\0";
         let lines = read_log(log);
@@ -298,7 +298,7 @@ mod tests {
     }
 
     #[test]
-    fn candidates_belong_to_their_call() {
+    fn candidates_are_joined_to_their_error() {
         let log = "0:5(9): error: no matching function for call to `dot(vec3, vec4)'; candidates are:\n\
                    0:5(9): error:    float dot(vec3, vec3)\n0:5(9): error:    float dot(vec4, vec4)\n0:6(1): error: next\n";
         let lines = read_log(log);
@@ -311,7 +311,7 @@ mod tests {
     }
 
     #[test]
-    fn hostile_logs_end_soon() {
+    fn hostile_logs_are_read_quickly() {
         for piece in ["ERROR: 0:1: x\n", "0(", ":", "(", "0:1(", "ERROR", " a:\n", "é(\n"] {
             let lines = read_log(&piece.repeat(100_000));
             assert!(lines.len() <= MOST && lines.iter().all(|line| line.text.len() < 3_000_000), "{piece}");

@@ -286,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn a_program_gets_its_own_lines() {
+    fn messages_name_lines_of_the_program() {
         let source = "int x;\nauto vs = \"#version 330\\n\"\n  \"in vec3 p;\\n\"\n  \"void main() { gl_Position = q; }\\n\";\n\
                   auto fs = R\"(out vec4 c; void main() { c = vec4(1); })\";\n";
         let submission = Submission::gather(vec![SourceFile::new("main.cpp", source)]).unwrap();
@@ -296,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn a_links_message_is_placed_at_the_declaration() {
+    fn linker_messages_are_placed_at_the_declaration() {
         let vertex = StageText::whole("a.vert", "out vec3 n;\nout vec2 t;\nvoid main() {}\n");
         let fragment = StageText::whole("a.frag", "// in vec3 v\nin vec3 u;\nin vec3 v;\nvoid main() {}\n");
         for (log, file, line) in [
@@ -320,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn hostile_logs_and_texts_end_soon() {
+    fn hostile_logs_and_texts_are_read_quickly() {
         let stage = StageText::whole("a.frag", "aaaa bbbb;\n".repeat(100_000));
         let log = "ERROR: 0:4294967295: 'aaab' : undeclared identifier\nERROR: 0:99999999999: x\n0:0(0): error: y\n"
             .repeat(10_000);

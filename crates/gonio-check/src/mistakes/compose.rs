@@ -185,14 +185,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_is_understood() {
+    fn assignments_are_parsed() {
         assert_eq!(assignment("    vec3 N = normalize(v_normal); // why"), Some(("N", "normalize(v_normal)")));
         assert_eq!(assignment("gl_Position = P * V;"), Some(("gl_Position", "P * V")));
         assert_eq!(assignment("if (a == b) {"), None);
     }
 
     #[test]
-    fn every_change_finds_its_line() {
+    fn every_change_applies() {
         for model in ModelSolution::ALL {
             let hypotheses = Hypotheses::for_model(model);
             let ways: usize = super::super::for_model(model).map(|mistake| mistake.change.len()).sum();
@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_choice_the_model_is_itself() {
+    fn without_a_choice_the_program_is_the_model_solution() {
         for model in ModelSolution::ALL {
             let written = Hypotheses::for_model(model).written(&Hypothesis::default());
             for (written, source) in written.iter().zip(model.sources()) {

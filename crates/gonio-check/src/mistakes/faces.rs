@@ -63,10 +63,10 @@ pub fn swapped_id(a: usize, b: usize) -> String {
 pub fn mistakes() -> Vec<Mistake> {
     let mut all = Vec::new();
     for (face, (word, name)) in FACES.iter().enumerate() {
-        for (turn, (_, said, [s, t])) in TURNS.iter().enumerate() {
+        for (turn, (_, description, [s, t])) in TURNS.iter().enumerate() {
             all.push(mistake(
                 turned_id(face, turn),
-                format!("Face {name} is {said}"),
+                format!("Face {name} is {description}"),
                 "Seams along the edges of that face.",
                 &format!("Read its row of the table: in which directions do s and t run on {name}?"),
                 BTreeMap::from([((*word).to_owned(), direction(face, s, t))]),
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn faces_as_they_should_be_are_the_models_own() {
+    fn right_faces_equal_those_of_the_model_solution() {
         let [_, fragment] = ModelSolution::Panorama.sources();
         for (face, (word, _)) in FACES.iter().enumerate() {
             let line = format!("vec3 {word} = {};", direction(face, "s", "t"));
@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn there_is_one_for_every_turn_and_every_two_faces() {
+    fn every_orientation_and_every_swap_has_a_mistake() {
         let all = mistakes();
         assert_eq!(all.len(), 6 * 7 + 15);
         let turned = all.iter().find(|mistake| mistake.id == "face-posy-turned-left").unwrap();

@@ -212,7 +212,7 @@ mod tests {
     use std::collections::BTreeSet;
 
     #[test]
-    fn the_files_can_be_read() {
+    fn the_catalogue_can_be_read() {
         let files = TEXTS.map(|text| toml::from_str::<File>(text).unwrap().mistake);
         assert!(files[0].len() > 90, "{}", files[0].len());
         assert!(files.iter().all(|file| file.len() > 20));

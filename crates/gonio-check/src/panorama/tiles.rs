@@ -221,25 +221,25 @@ mod tests {
     }
 
     #[test]
-    fn ways_are_those_of_the_bank() {
+    fn orientations_match_those_of_the_catalogue() {
         let tiles = numbered();
         for (turn, (word, _, formulas)) in TURNS.iter().enumerate() {
             let laid = tiles.laid(&[Some((0, turn + 1)), None, None, None, None, None]);
             for (index, [_, x, y]) in laid.faces[0].iter().enumerate() {
                 let (s, t) = ((index % 4) as f32, (index / 4) as f32);
-                let wanted = formulas.map(|formula| match formula {
+                let expected = formulas.map(|formula| match formula {
                     "s" => s,
                     "-s" => 3.0 - s,
                     "t" => t,
                     _ => 3.0 - t,
                 });
-                assert_eq!([*x, *y], wanted, "{word}");
+                assert_eq!([*x, *y], expected, "{word}");
             }
         }
     }
 
     #[test]
-    fn a_picture_fits_itself_and_its_turned_self_only_turned() {
+    fn a_picture_fits_itself_in_one_orientation_only() {
         let tiles = numbered();
         let turned = tiles.laid(&[None, None, Some((2, 3)), None, None, None]);
         assert_eq!(turned.fit(2, &tiles, 2, 3, Tolerance::DRAWN).square, 0.0);
@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn smaller_pictures_keep_their_mean() {
+    fn reduced_pictures_keep_their_mean() {
         let tiles = numbered();
         let small = tiles.smaller(2);
         assert_eq!(small.faces[5][0], [5.0, 0.5, 0.5]);

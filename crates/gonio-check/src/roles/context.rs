@@ -324,8 +324,8 @@ fn light_indices(lights: &[(Role, Place)]) -> Vec<u32> {
             0
         };
         // The light with the most variables is the first one: a position beside it may belong to another.
-        let said = sizes.get(place.group.as_str()).copied().unwrap_or(0);
-        groups.entry((rank, std::cmp::Reverse(said), &place.group)).or_default().push(at);
+        let count = sizes.get(place.group.as_str()).copied().unwrap_or(0);
+        groups.entry((rank, std::cmp::Reverse(count), &place.group)).or_default().push(at);
     }
     let mut indices = vec![0; lights.len()];
     let mut taken: Vec<(RoleKind, u32)> = Vec::new();

@@ -124,8 +124,8 @@ impl Bindings {
 pub fn bind(declared: &[Declared], file: &NamesFile) -> Bindings {
     let mut bindings = Bindings { unused: file.names.keys().cloned().collect(), ..Bindings::default() };
     let own: Vec<&Declared> = declared.iter().filter(|declared| !declared.name.starts_with("gl_")).collect();
-    let told: Vec<Option<&Meaning>> = own.iter().map(|declared| file.get(&declared.name)).collect();
-    let given: Vec<Option<Role>> = told
+    let meanings: Vec<Option<&Meaning>> = own.iter().map(|declared| file.get(&declared.name)).collect();
+    let roles: Vec<Option<Role>> = meanings
         .iter()
         .map(|meaning| match meaning {
             Some(Meaning::Role(role)) => Some(*role),
@@ -133,14 +133,14 @@ pub fn bind(declared: &[Declared], file: &NamesFile) -> Bindings {
         })
         .collect();
     // A variable with a fixed value does not influence the others.
-    let is_open: Vec<bool> = told.iter().map(Option::is_none).collect();
-    let found = context::roles(&own, &given, &is_open);
-    for ((declared, told), found) in own.into_iter().zip(told).zip(found) {
+    let is_open: Vec<bool> = meanings.iter().map(Option::is_none).collect();
+    let found = context::roles(&own, &roles, &is_open);
+    for ((declared, meaning), found) in own.into_iter().zip(meanings).zip(found) {
         let declared = declared.clone();
-        if told.is_some() {
+        if meaning.is_some() {
             bindings.unused.retain(|name| *name != declared.name && declared.name.strip_suffix("[0]") != Some(name));
         }
-        match (told, found) {
+        match (meaning, found) {
             (Some(Meaning::Value(values)), _) => bindings.fixed.push(Fixed { declared, values: values.clone() }),
             (Some(Meaning::Role(role)), _) => bindings.bound.push(Bound { declared, role: *role, how: How::NamesFile }),
             (None, Some((role, how))) => bindings.bound.push(Bound { declared, role, how }),

@@ -248,14 +248,14 @@ impl fmt::Display for Role {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownRole {
     /// The word.
-    pub given: String,
+    pub word: String,
     /// The most similar name of a role.
     pub nearest: &'static str,
 }
 
 impl fmt::Display for UnknownRole {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "unknown role `{}`: did you mean `{}`?", self.given, self.nearest)
+        write!(f, "unknown role `{}`: did you mean `{}`?", self.word, self.nearest)
     }
 }
 
@@ -264,17 +264,17 @@ impl std::error::Error for UnknownRole {}
 impl FromStr for Role {
     type Err = UnknownRole;
 
-    fn from_str(given: &str) -> Result<Self, UnknownRole> {
-        let (name, light) = match given.rsplit_once('-').map(|(name, light)| (name, light.parse::<u32>())) {
+    fn from_str(word: &str) -> Result<Self, UnknownRole> {
+        let (name, light) = match word.rsplit_once('-').map(|(name, light)| (name, light.parse::<u32>())) {
             Some((name, Ok(light))) => (name, Some(light)),
-            _ => (given, None),
+            _ => (word, None),
         };
         match (NAMES.iter().find(|(written, _)| *written == name), light) {
             (Some((_, named @ Light(_))), light) => Ok(named.with_light(light.unwrap_or(0))),
             (Some((_, Plain(role))), None) => Ok(*role),
             _ => {
                 let nearest = crate::words::most_like(name, NAMES.iter().map(|&(name, _)| name)).unwrap_or("position");
-                Err(UnknownRole { given: given.to_owned(), nearest })
+                Err(UnknownRole { word: word.to_owned(), nearest })
             }
         }
     }
@@ -287,7 +287,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_read_as_they_are_written() {
+    fn role_names_survive_a_round_trip() {
         assert_eq!(Role::all().count(), 53);
         for role in Role::all() {
             assert_eq!(role.to_string().parse(), Ok(role));
@@ -301,16 +301,16 @@ mod tests {
     }
 
     #[test]
-    fn unknown_words_name_the_nearest() {
-        for (given, nearest) in [
+    fn unknown_roles_suggest_the_nearest_name() {
+        for (word, nearest) in [
             ("ligth-pos", "light-pos"),
             ("lightpos", "light-pos"),
             ("Model", "model"),
             ("model-1", "model"),
             ("", "yaw"),
         ] {
-            let error = given.parse::<Role>().unwrap_err();
-            assert_eq!((error.given.as_str(), error.nearest), (given, nearest));
+            let error = word.parse::<Role>().unwrap_err();
+            assert_eq!((error.word.as_str(), error.nearest), (word, nearest));
         }
     }
 }

@@ -40,7 +40,7 @@ fn check(title: &str, table: &str, wrong: &mut Vec<String>) -> usize {
 }
 
 #[test]
-fn every_dialect() {
+fn roles_in_every_naming_style() {
     let mut wrong = Vec::new();
     let rows: usize = DIALECTS.iter().map(|(title, table)| check(title, table, &mut wrong)).sum();
     assert!(wrong.is_empty(), "{wrong:#?}");
@@ -449,7 +449,7 @@ const DIALECTS: &[(&str, &str)] = &[
 ];
 
 #[test]
-fn what_told_a_role_is_told() {
+fn the_evidence_for_a_role_is_reported() {
     let list = [
         Declared::attribute("q", "vec3"),
         Declared::uniform("M", "mat4"),
@@ -461,9 +461,9 @@ fn what_told_a_role_is_told() {
     ];
     let file = NamesFile::parse("[names]\nthing = \"light-pos-1\"\ntint = [1, 2, 3]\nnone = 1\n").unwrap();
     let bindings = bind(&list, &file);
-    let told: Vec<(&str, How)> = bindings.bound.iter().map(|b| (b.declared.name.as_str(), b.how)).collect();
+    let evidence: Vec<(&str, How)> = bindings.bound.iter().map(|b| (b.declared.name.as_str(), b.how)).collect();
     assert_eq!(
-        told,
+        evidence,
         [
             ("q", How::Type),
             ("M", How::Name),
@@ -479,7 +479,7 @@ fn what_told_a_role_is_told() {
 }
 
 #[test]
-fn the_file_goes_before_the_names() {
+fn names_toml_takes_precedence() {
     let list = [Declared::uniform("lightPos", "vec3"), Declared::uniform("viewDir", "vec3")];
     let file = NamesFile::parse("[names]\nlightPos = \"view-pos\"\n").unwrap();
     let bindings = bind(&list, &file);
@@ -489,7 +489,7 @@ fn the_file_goes_before_the_names() {
 }
 
 #[test]
-fn hostile_names_end_soon() {
+fn hostile_names_are_read_quickly() {
     let long = "lightpos".repeat(20_000);
     let list =
         [Declared::uniform(long.clone(), "vec3"), Declared::uniform(format!("{long}.[.[9999999999999].."), "mat4")];

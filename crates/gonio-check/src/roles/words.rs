@@ -242,7 +242,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn dialects_say_the_same() {
+    fn naming_styles_have_the_same_meaning() {
         for (names, tokens) in [
             (
                 "u_light_pos lightPos LightPosition lightpos posLumiere u_lightPosition LightPos light_location",
@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn every_spelling_stands_once() {
+    fn every_spelling_is_unique() {
         let mut spellings: Vec<&str> =
             MEANINGS.iter().flat_map(|(spellings, _)| spellings.split_whitespace()).collect();
         let all = spellings.len();

@@ -10,9 +10,9 @@ use gonio_glsl::ast::BinaryOp::{Add, Divide, Multiply};
 const LIT: u16 = DIFFUSE | SPECULAR;
 
 pub(super) fn answer(reading: &Reading, id: &str) -> Option<Answer> {
-    let has = |id: Id, wanted: u16| reading.bits(id) & wanted != 0;
+    let has = |id: Id, bits: u16| reading.bits(id) & bits != 0;
     let has_ambient = |id: Id| reading.products(id).iter().any(|p| p.bits & AMBIENT != 0);
-    let is_there = |wanted: u16| reading.sum().iter().any(|product| product.bits & wanted != 0);
+    let is_there = |bits: u16| reading.sum().iter().any(|product| product.bits & bits != 0);
     let known = if is_there(AMBIENT) { Not } else { Silent };
     Some(match id {
         "ambient-missing" => {

@@ -97,9 +97,9 @@ fn distances_known(reading: &Reading) -> Answer {
     if distances(reading).is_empty() { Silent } else { Not }
 }
 
-fn distance(reading: &Reading, wanted: impl Fn(Vector) -> bool) -> Answer {
+fn distance(reading: &Reading, is_match: impl Fn(Vector) -> bool) -> Answer {
     let found = distances(reading);
-    match found.iter().find(|(_, vector)| wanted(*vector)) {
+    match found.iter().find(|(_, vector)| is_match(*vector)) {
         Some((id, _)) => At(*id, 1.0),
         None => distances_known(reading),
     }

@@ -149,11 +149,11 @@ impl View<'_> {
     }
 
     /// Returns the cross product in the matrix that gives this axis with this sign.
-    fn cross(&self, wanted: Axis, sign: f64) -> Option<Id> {
+    fn cross(&self, expected: Axis, sign: f64) -> Option<Id> {
         let reading = self.reading;
         reading.placed.iter().copied().find(|id| {
             matches!(reading.graph.op(*id), Op::Call(name, _) if name == "cross")
-                && reading.axis(*id).is_some_and(|(axis, s)| axis == wanted && s == sign)
+                && reading.axis(*id).is_some_and(|(axis, s)| axis == expected && s == sign)
         })
     }
 
@@ -163,7 +163,7 @@ impl View<'_> {
         let is_transposed = self.find(&[(0, 1), (0, 2)], |value| matches!(value, Value::Of(Axis::Right, ..)));
         let sideways = |value: Value| matches!(value, Value::Dot(Axis::Right | Axis::Up | Axis::GivenUp, s) if s > 0.0);
         let in_last_row = self.find(&[(0, 3), (1, 3), (2, 3)], |value| !matches!(value, Value::Number(_)));
-        let eye = |wanted: f64| move |value: Value| matches!(value, Value::Of(Axis::Eye, s, _) if s == wanted);
+        let eye = |expected: f64| move |value: Value| matches!(value, Value::Of(Axis::Eye, s, _) if s == expected);
         let found = match id {
             "view-translation-not-negated" => self.find(&SHIFT, sideways).or_else(|| self.find(&SHIFT, eye(1.0))),
             "view-translation-not-rotated" if self.factors().len() == 1 => self.find(&SHIFT, eye(-1.0)),
@@ -208,8 +208,8 @@ impl View<'_> {
     fn is_right(&self) -> bool {
         let [matrix] = self.factors() else { return false };
         let axes = [(Axis::Right, 1.0), (Axis::Up, 1.0), (Axis::Front, -1.0)];
-        let is = |column: usize, row: usize, wanted: Value| {
-            self.reading.entry(*matrix, column, row).is_some_and(|entry| entry.value == wanted)
+        let is = |column: usize, row: usize, expected: Value| {
+            self.reading.entry(*matrix, column, row).is_some_and(|entry| entry.value == expected)
         };
         axes.iter().enumerate().all(|(row, (axis, sign))| {
             (0..3).all(|column| is(column, row, Value::Of(*axis, *sign, column)))

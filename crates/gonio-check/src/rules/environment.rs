@@ -50,9 +50,9 @@ fn reversed(reading: &Reading) -> Answer {
     Answer::at_or(place, 1.0, Silent)
 }
 
-fn looked_up(reading: &Reading, wanted: impl Fn(VectorKind) -> bool) -> Answer {
+fn looked_up(reading: &Reading, is_match: impl Fn(VectorKind) -> bool) -> Answer {
     let lookups = reading.lookups();
-    let found = lookups.iter().find(|(_, id)| reading.vector(*id).is_some_and(|v| wanted(v.kind)));
+    let found = lookups.iter().find(|(_, id)| reading.vector(*id).is_some_and(|v| is_match(v.kind)));
     match found {
         // A variable that is right elsewhere is not at fault.
         Some((lookup, direction)) => match reading.graph.op(*direction) {
@@ -65,8 +65,8 @@ fn looked_up(reading: &Reading, wanted: impl Fn(VectorKind) -> bool) -> Answer {
 }
 
 fn called(reading: &Reading, wrong: &str, right: &str) -> Answer {
-    let call = |wanted: &str| {
-        let is = |id: &Id| matches!(reading.graph.op(*id), Op::Call(name, _) if name == wanted);
+    let call = |function: &str| {
+        let is = |id: &Id| matches!(reading.graph.op(*id), Op::Call(name, _) if name == function);
         reading.lit.iter().copied().find(is)
     };
     match (call(wrong), call(right)) {
@@ -83,7 +83,7 @@ fn called(reading: &Reading, wrong: &str, right: &str) -> Answer {
 }
 
 /// Returns the third argument of `refract`: the variable that holds it, or the expression.
-fn ratio(reading: &Reading, wanted: impl Fn(&Reading, Id) -> bool) -> Answer {
+fn ratio(reading: &Reading, is_match: impl Fn(&Reading, Id) -> bool) -> Answer {
     let ratios: Vec<Id> = reading
         .lit
         .iter()
@@ -92,7 +92,7 @@ fn ratio(reading: &Reading, wanted: impl Fn(&Reading, Id) -> bool) -> Answer {
             _ => None,
         })
         .collect();
-    match ratios.iter().find(|id| wanted(reading, **id)) {
+    match ratios.iter().find(|id| is_match(reading, **id)) {
         Some(id) => At(*id, 1.0),
         None if ratios.is_empty() => Silent,
         None => Not,

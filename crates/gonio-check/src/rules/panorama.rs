@@ -105,13 +105,13 @@ fn coordinate(reading: &Reading) -> Option<Id> {
 }
 
 /// Finds the negation of a component of the position on the face.
-fn turned_component(reading: &Reading, wanted: usize) -> Option<Id> {
+fn turned_component(reading: &Reading, expected: usize) -> Option<Id> {
     let graph = &reading.graph;
     let is_place = |id: Id| graph.node(id).width == 2 || matches!(reading.role(graph.plain(id)), Some(Role::Position));
     reading.lit.iter().copied().find(|id| match graph.op(*id) {
         Op::Neg(inner) => match graph.op(graph.plain(*inner)) {
             Op::Swizzle(base, letters) => {
-                letters.len() == 1 && letters.chars().next().and_then(component) == Some(wanted) && is_place(*base)
+                letters.len() == 1 && letters.chars().next().and_then(component) == Some(expected) && is_place(*base)
             }
             _ => false,
         },

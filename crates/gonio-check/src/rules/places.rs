@@ -87,7 +87,7 @@ fn behind_screen(reading: &Reading, mut id: Id, at: Id) -> Id {
     }
 }
 
-fn in_space(reading: &Reading, wanted: Space, model: ModelSolution) -> Answer {
+fn in_space(reading: &Reading, expected: Space, model: ModelSolution) -> Answer {
     let mut found = places(reading);
     if found.is_empty() && !model.is_lit() {
         let looked_up = reading.lookups().into_iter().filter_map(|(_, id)| Some((reading.vector(id)?, id)));
@@ -101,8 +101,8 @@ fn in_space(reading: &Reading, wanted: Space, model: ModelSolution) -> Answer {
             .collect();
     }
     // If a position in world space is available, the other one is used by mistake.
-    let has_both = wanted == Space::Model && found.iter().any(|place| place.space == Space::World);
-    match found.iter().find(|place| place.space == wanted) {
+    let has_both = expected == Space::Model && found.iter().any(|place| place.space == Space::World);
+    match found.iter().find(|place| place.space == expected) {
         Some(place) => At(if has_both { place.read } else { place.made }, 1.0),
         None if found.is_empty() => Silent,
         None => Not,
@@ -139,9 +139,9 @@ fn core(graph: &Graph, id: Id) -> Id {
     }
 }
 
-fn screen(reading: &Reading, wanted: impl Fn(&[Base]) -> bool) -> Answer {
+fn screen(reading: &Reading, is_match: impl Fn(&[Base]) -> bool) -> Answer {
     match product(reading) {
-        Some((id, bases)) if wanted(&bases) => At(id, 1.0),
+        Some((id, bases)) if is_match(&bases) => At(id, 1.0),
         Some(_) => Not,
         None => Silent,
     }

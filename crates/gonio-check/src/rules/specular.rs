@@ -117,8 +117,8 @@ fn around(reading: &Reading, name: &str) -> Answer {
     known(reading)
 }
 
-fn dots(reading: &Reading, wanted: impl Fn(Id, Id) -> bool) -> Answer {
-    let found = reading.specular_dots().into_iter().find(|(_, a, b)| wanted(*a, *b) || wanted(*b, *a));
+fn dots(reading: &Reading, is_match: impl Fn(Id, Id) -> bool) -> Answer {
+    let found = reading.specular_dots().into_iter().find(|(_, a, b)| is_match(*a, *b) || is_match(*b, *a));
     Answer::at_or(found.map(|(dot, ..)| dot), 1.0, known(reading))
 }
 
@@ -184,7 +184,7 @@ fn exponent(reading: &Reading) -> Answer {
     }
 }
 
-fn half(reading: &Reading, wanted: impl Fn(Vector) -> bool) -> Answer {
+fn half(reading: &Reading, is_match: impl Fn(Vector) -> bool) -> Answer {
     let halves: Vec<Vector> = reading
         .specular_dots()
         .into_iter()
@@ -192,7 +192,7 @@ fn half(reading: &Reading, wanted: impl Fn(Vector) -> bool) -> Answer {
         .filter_map(|id| reading.vector(id))
         .filter(|vector| vector.kind == VectorKind::Half)
         .collect();
-    match halves.iter().find(|vector| wanted(**vector)) {
+    match halves.iter().find(|vector| is_match(**vector)) {
         Some(vector) => At(vector.at, 1.0),
         None if halves.is_empty() => known(reading),
         None => Not,

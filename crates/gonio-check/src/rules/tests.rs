@@ -18,15 +18,15 @@ fn read(vertex: &str, fragment: &str) -> Analysis {
 
 /// Analyses a fragment shader with the vertex shader of the model solution.
 fn fragment(head: &str, body: &str) -> Analysis {
-    let given = "in vec3 world_position; in vec3 v_normal; out vec4 FragColor; uniform vec3 u_view_pos;";
-    let text = format!("#version 330 core\n{given}\n{head}\nvoid main() {{\n{body}\n}}\n");
+    let declarations = "in vec3 world_position; in vec3 v_normal; out vec4 FragColor; uniform vec3 u_view_pos;";
+    let text = format!("#version 330 core\n{declarations}\n{head}\nvoid main() {{\n{body}\n}}\n");
     let source = read(ModelSolution::Phong.sources()[0], &text);
     assert!(source.reading.colour.is_some(), "{text}");
     source
 }
 
 #[test]
-fn the_models_themselves_make_no_mistake() {
+fn model_solutions_contain_no_mistake() {
     for model in ModelSolution::ALL {
         let [vertex, fragment] = model.sources();
         let source = read(vertex, fragment);
@@ -40,7 +40,7 @@ fn the_models_themselves_make_no_mistake() {
 }
 
 #[test]
-fn every_mistake_put_into_its_model_is_found_at_its_line() {
+fn every_mistake_is_found_at_its_line_in_the_model_solution() {
     // The changed line of the model solution is the mistake; its effects on other lines are not.
     let elsewhere = [
         // In the line that passes the normal on, not where it is transformed.
@@ -85,10 +85,10 @@ fn every_mistake_put_into_its_model_is_found_at_its_line() {
 }
 
 #[test]
-fn exponents_that_are_written_are_found() {
+fn constant_exponents_are_found() {
     let lit = "vec3 N = normalize(v_normal); vec3 L = normalize(vec3(1.0, 2.0, 3.0) - world_position); \
                vec3 V = normalize(u_view_pos - world_position); float c = max(dot(reflect(-L, N), V), 0.0);";
-    for (head, value, wanted) in [
+    for (head, value, expected) in [
         ("", "pow(c, 32.0)", Some(32.0)),
         ("", "pow(c, 8)", Some(8.0)),
         ("const float shininess = 4.0 * 8.0;", "pow(c, shininess)", Some(32.0)),
@@ -107,33 +107,37 @@ fn exponents_that_are_written_are_found() {
     ] {
         let source = fragment(head, &format!("{lit}\nfloat s = {value};\nFragColor = vec4(vec3(s), 1.0);"));
         let found = source.constants().shininess;
-        assert_eq!(found.map(|n| (n * 1000.0).round() / 1000.0), wanted, "{head} {value}");
+        assert_eq!(found.map(|n| (n * 1000.0).round() / 1000.0), expected, "{head} {value}");
     }
 }
 
 #[test]
-fn lights_that_are_written_are_found() {
-    let wanted = Some(Vec3::new(1.0, 2.0, 1.5));
-    for (head, value, wanted) in [
-        ("", "normalize(vec3(1.0, 2.0, 1.5) - world_position)", wanted),
-        ("const vec3 light = vec3(1.0, 2.0, 1.5);", "normalize(light - world_position)", wanted),
-        ("const vec3 lightPos = vec3(1.0, 2.0, 1.5);", "normalize(lightPos)", wanted),
-        ("#define LIGHT vec3(1.0, 2.0, 3.0 / 2.0)", "normalize(LIGHT - world_position)", wanted),
-        ("", "-normalize(world_position - vec3(1.0, 2.0, 1.5))", wanted),
-        ("vec3 to(vec3 p) { return normalize(p - world_position); }", "to(vec3(1, 2, 1.5))", wanted),
-        ("struct Light { vec3 position; };", "normalize(Light(vec3(1.0, 2.0, 1.5)).position - world_position)", wanted),
+fn constant_light_positions_are_found() {
+    let expected = Some(Vec3::new(1.0, 2.0, 1.5));
+    for (head, value, expected) in [
+        ("", "normalize(vec3(1.0, 2.0, 1.5) - world_position)", expected),
+        ("const vec3 light = vec3(1.0, 2.0, 1.5);", "normalize(light - world_position)", expected),
+        ("const vec3 lightPos = vec3(1.0, 2.0, 1.5);", "normalize(lightPos)", expected),
+        ("#define LIGHT vec3(1.0, 2.0, 3.0 / 2.0)", "normalize(LIGHT - world_position)", expected),
+        ("", "-normalize(world_position - vec3(1.0, 2.0, 1.5))", expected),
+        ("vec3 to(vec3 p) { return normalize(p - world_position); }", "to(vec3(1, 2, 1.5))", expected),
+        (
+            "struct Light { vec3 position; };",
+            "normalize(Light(vec3(1.0, 2.0, 1.5)).position - world_position)",
+            expected,
+        ),
         ("uniform vec3 lightPos;", "normalize(lightPos - world_position)", None),
         ("const vec3 unused = vec3(1.0); uniform vec3 lightPos;", "normalize(lightPos - world_position)", None),
     ] {
         let body = format!("vec3 L = {value};\nFragColor = vec4(vec3(max(dot(normalize(v_normal), L), 0.0)), 1.0);");
-        assert_eq!(fragment(head, &body).constants().light_position, wanted, "{head} {value}");
+        assert_eq!(fragment(head, &body).constants().light_position, expected, "{head} {value}");
     }
 }
 
 #[test]
-fn attenuations_that_are_written_are_found() {
+fn constant_attenuations_are_found() {
     let full = [Some(1.0), Some(0.14), Some(0.07)];
-    for (head, value, wanted) in [
+    for (head, value, expected) in [
         ("", "1.0 / (1.0 + 0.14 * d + 0.07 * d * d)", full),
         ("", "1.0 / (1.0 + 0.14 * d + 0.07 * pow(d, 2.0))", full),
         ("", "1.0 / (1.0 + (0.14 + 0.07 * d) * d)", full),
@@ -148,13 +152,13 @@ fn attenuations_that_are_written_are_found() {
             "vec3 to = vec3(1.0, 2.0, 3.0) - world_position; float d = length(to);\nfloat a = {value};\n\
              FragColor = vec4(vec3(a * max(dot(normalize(v_normal), normalize(to)), 0.0)), 1.0);"
         );
-        assert_eq!(fragment(head, &body).constants().attenuation, wanted, "{head} {value}");
+        assert_eq!(fragment(head, &body).constants().attenuation, expected, "{head} {value}");
     }
 }
 
 #[test]
-fn indices_that_are_written_are_found() {
-    for (head, value, wanted) in [
+fn constant_refraction_indices_are_found() {
+    for (head, value, expected) in [
         ("", "1.0 / 1.52", Some(1.52)),
         ("", "0.658", Some(1.52)),
         ("const float n1 = 1.0, n2 = 1.33;", "n1 / n2", Some(1.33)),
@@ -168,12 +172,12 @@ fn indices_that_are_written_are_found() {
              FragColor = texture(skybox, refract(I, normalize(v_normal), ratio));"
         );
         let found = fragment(&head, &body).constants().refraction_index;
-        assert_eq!(found.map(|n| (n * 100.0).round() / 100.0), wanted, "{head} {value}");
+        assert_eq!(found.map(|n| (n * 100.0).round() / 100.0), expected, "{head} {value}");
     }
 }
 
 #[test]
-fn what_no_picture_tells_apart_the_source_does() {
+fn the_source_distinguishes_mistakes_that_look_the_same() {
     let highlight = |reflected: &str, eye: &str| {
         fragment(
             "uniform vec3 lightPos;",
@@ -216,8 +220,8 @@ fn what_no_picture_tells_apart_the_source_does() {
 }
 
 #[test]
-fn a_maximum_around_the_power_is_told() {
-    for (value, is_told) in [
+fn a_clamp_around_the_power_is_reported() {
+    for (value, is_reported) in [
         ("max(pow(dot(R, V), 32.0), 0.0)", true),
         ("clamp(pow(dot(R, V), 32.0), 0.0, 1.0)", true),
         ("pow(max(dot(R, V), 0.0), 32.0)", false),
@@ -233,9 +237,9 @@ fn a_maximum_around_the_power_is_told() {
                  float s = {value};\nFragColor = vec4(vec3(s), 1.0);"
             ),
         );
-        let told = source.in_source_only();
-        assert_eq!(told.len(), usize::from(is_told), "{value}");
-        for (id, place, sentence) in told {
+        let reported = source.in_source_only();
+        assert_eq!(reported.len(), usize::from(is_reported), "{value}");
+        for (id, place, sentence) in reported {
             assert_eq!((id, place.stage, place.span.line), ("specular-power-of-negative", Stage::Fragment, 7));
             assert!(sentence.contains("max"));
         }
@@ -257,7 +261,7 @@ fn line_of_face(head: &str, lines: &[&str], id: &str) -> u32 {
 }
 
 #[test]
-fn the_case_of_a_face_is_found_however_it_is_chosen() {
+fn the_case_of_a_face_is_found_in_every_form() {
     const ID: [&str; 3] = ["face-posx-mirrored", "face-posy-flipped", "face-negz-transposed"];
     let found = |head: &str, lines: &[&str]| ID.map(|id| line_of_face(head, lines, id));
     let (x, y, z) = ("vec3(1.0, -st.y, -st.x)", "vec3(st.x, 1.0, st.y)", "vec3(-st.x, -st.y, -1.0)");
@@ -315,7 +319,7 @@ fn the_case_of_a_face_is_found_however_it_is_chosen() {
 
 /// Each branch saves the values of all names; a few thousand of both would take gigabytes and minutes.
 #[test]
-fn many_branches_among_many_names_are_given_up() {
+fn many_branches_with_many_names_are_abandoned() {
     let is_read = |names: usize, branch: &str| {
         let names: String = (0..names).map(|i| format!("float a{i};")).collect();
         let body = format!("void main() {{ {} c = v; }}", branch.repeat(3000));
@@ -328,7 +332,7 @@ fn many_branches_among_many_names_are_given_up() {
 }
 
 #[test]
-fn no_source_makes_it_panic_or_hang() {
+fn the_analysis_of_any_source_returns() {
     let deep = |open: &str, close: &str, count: usize| format!("{}x{}", open.repeat(count), close.repeat(count));
     let bodies = [
         String::new(),
@@ -392,7 +396,7 @@ fn by_use(uniforms: &str, position: &str) -> Vec<(String, Role)> {
 }
 
 #[test]
-fn matrices_are_told_by_how_they_are_multiplied() {
+fn unnamed_matrices_are_identified_by_their_product() {
     let found = by_use("uniform mat4 camera, transform;", "camera * transform * p");
     assert_eq!(found, [("camera".to_owned(), Role::ViewProjection), ("transform".to_owned(), Role::Model)]);
     let found = by_use("uniform mat4 one, two, three;", "one * (two * (three * p))");
@@ -406,7 +410,7 @@ fn matrices_are_told_by_how_they_are_multiplied() {
 }
 
 #[test]
-fn a_sun_is_a_direction_that_nothing_calls_a_place() {
+fn a_constant_direction_is_a_sun_unless_named_a_position() {
     let sun = |head: &str, body: &str| {
         let body = format!("{body}\nFragColor = vec4(max(dot(normalize(v_normal), L), 0.0));");
         fragment(head, &body).constants()
@@ -421,7 +425,7 @@ fn a_sun_is_a_direction_that_nothing_calls_a_place() {
 }
 
 #[test]
-fn a_cone_is_no_diffuse_term() {
+fn a_cone_is_not_a_diffuse_term() {
     let head = "uniform vec3 lightDir, lightPos; uniform float ambientStrength;";
     let body = |sum: &str| {
         format!(
@@ -439,7 +443,7 @@ fn a_cone_is_no_diffuse_term() {
 }
 
 #[test]
-fn who_cuts_the_translation_off_knows_that_it_comes() {
+fn removing_the_translation_of_the_view_matrix_is_recognised() {
     let turns = |place: &str| {
         let vertex = format!("#version 330 core\nin vec3 position; uniform mat4 V, P;\nvoid main() {{ {place} }}");
         read(&vertex, "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }").turns_only()

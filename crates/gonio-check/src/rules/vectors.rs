@@ -40,15 +40,15 @@ pub(super) fn normal_answer(reading: &Reading, id: &str) -> Option<Answer> {
     })
 }
 
-fn by(reading: &Reading, wanted: impl Fn(By) -> Option<f32>) -> Answer {
+fn by(reading: &Reading, support_of: impl Fn(By) -> Option<f32>) -> Answer {
     slots(reading, |vector, _| match vector.kind {
-        VectorKind::Normal(by) => wanted(by).map(|support| (vector.at, support)),
+        VectorKind::Normal(by) => support_of(by).map(|support| (vector.at, support)),
         _ => None,
     })
 }
 
 /// Returns the first node used as a normal that satisfies the condition.
-fn slots(reading: &Reading, wanted: impl Fn(Vector, Id) -> Option<(Id, f32)>) -> Answer {
+fn slots(reading: &Reading, place_of: impl Fn(Vector, Id) -> Option<(Id, f32)>) -> Answer {
     let mut slots = reading.normals();
     if slots.is_empty() {
         // The normal may only be output.
@@ -58,7 +58,7 @@ fn slots(reading: &Reading, wanted: impl Fn(Vector, Id) -> Option<(Id, f32)>) ->
         slots.truncate(1);
     }
     let known: Vec<(Vector, Id)> = slots.iter().filter_map(|id| Some((reading.vector(*id)?, *id))).collect();
-    match known.iter().find_map(|(vector, id)| wanted(*vector, *id)) {
+    match known.iter().find_map(|(vector, id)| place_of(*vector, *id)) {
         Some((id, support)) => At(id, support),
         None if known.is_empty() => Silent,
         None => Not,
@@ -80,8 +80,8 @@ fn interpolated(reading: &Reading, mut id: Id) -> Id {
 }
 
 pub(super) fn direction_answer(reading: &Reading, id: &str, model: ModelSolution) -> Option<Answer> {
-    let light = |wanted: &dyn Fn(Vector) -> bool| first(reading, &reading.lights(), wanted);
-    let eye = |wanted: &dyn Fn(Vector) -> bool| first(reading, &eyes(reading, model), wanted);
+    let light = |is_match: &dyn Fn(Vector) -> bool| first(reading, &reading.lights(), is_match);
+    let eye = |is_match: &dyn Fn(Vector) -> bool| first(reading, &eyes(reading, model), is_match);
     Some(match id {
         "light-direction-reversed" if reading.signs_cancel() => Not,
         "light-direction-reversed" => {
@@ -147,9 +147,9 @@ fn in_highlight(reading: &Reading, id: Id) -> bool {
     reading.specular_dots().iter().any(|(_, a, b)| *a == id || *b == id)
 }
 
-fn first(reading: &Reading, slots: &[Id], wanted: &dyn Fn(Vector) -> bool) -> Answer {
+fn first(reading: &Reading, slots: &[Id], is_match: &dyn Fn(Vector) -> bool) -> Answer {
     let known: Vec<(Id, Vector)> = slots.iter().filter_map(|id| Some((*id, reading.vector(*id)?))).collect();
-    match known.iter().find(|(_, vector)| wanted(*vector)) {
+    match known.iter().find(|(_, vector)| is_match(*vector)) {
         Some((id, _)) => At(reading.spot(*id), 1.0),
         None if known.is_empty() => Silent,
         None => Not,

@@ -143,7 +143,7 @@ fn peculiarities(task: &Task, best: &Tried<'_>, entry: Option<&SearchEntry>) -> 
     ];
     for (term, id, name) in AHEAD {
         let is_there = best.strengths[term].is_some_and(|strength| strength.iter().any(|s| *s > 1e-2));
-        if is_there && !task.wanted[term] {
+        if is_there && !task.required[term] {
             all.push(Peculiarity { id: id.to_owned(), name: name.to_owned() });
         }
     }
@@ -155,11 +155,11 @@ fn missing_terms(task: &Task, best: &Tried<'_>, unused_terms: [bool; 3]) -> Vec<
     const WORDS: [&str; 3] = ["ambient-missing", "diffuse-missing", "specular-missing"];
     let absent = |strength: &Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
     // Ambient light in the place of diffuse light is diffuse light without its cosine.
-    let flat = !task.wanted[0] && best.strengths[0].is_some_and(|s| s.iter().any(|s| *s > 1e-2));
+    let flat = !task.required[0] && best.strengths[0].is_some_and(|s| s.iter().any(|s| *s > 1e-2));
     let word = |term: usize| if term == 1 && flat { "diffuse-without-cosine" } else { WORDS[term] };
     (0..3)
         .filter(|&term| absent(&best.strengths[term]))
-        .filter(|&term| task.wanted[term] || unused_terms[term])
+        .filter(|&term| task.required[term] || unused_terms[term])
         .map(|term| word(term).to_owned())
         .filter(|word| !best.wrong().contains(&word.as_str()))
         .collect()

@@ -36,9 +36,9 @@ pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
         if !beyond_known.iter().all(|x| x.is_finite()) {
             continue;
         }
-        let wanted = f64::from(s - k);
+        let target = f64::from(s - k);
         for (row, a) in beyond_known.iter().enumerate() {
-            right[row] += a * wanted;
+            right[row] += a * target;
             for (sum, b) in matrix[row * count..].iter_mut().zip(&beyond_known) {
                 *sum += a * b;
             }
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn strengths_are_found_again() {
+    fn strengths_are_recovered() {
         let (known, a, b) = (atlas(&[0.0; 4]), atlas(&[0.1, 0.2, 0.0, 0.1]), atlas(&[0.0, 0.1, 0.3, 0.1]));
         let seen = atlas(&[0.05, 0.18, 0.24, 0.13]); // 0.5 a + 0.8 b
         let fit = fit(&seen, &known, &[a, b]);
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn a_term_that_is_not_there_is_0_and_never_negative() {
+    fn a_missing_term_has_strength_0() {
         let (known, a, b) = (atlas(&[0.0; 3]), atlas(&[0.1, 0.2, 0.3]), atlas(&[0.3, 0.1, 0.1]));
         let seen = atlas(&[0.02, 0.15, 0.25]); // nearest with b at -0.1
         let fit = fit(&seen, &known, &[a, b]);

@@ -109,7 +109,7 @@ impl ShaderChecker {
         // A missing term would have its full strength.
         let strength = |term: usize| match strengths[term] {
             Some(found) if found.iter().any(|s| *s > 1e-3) => found,
-            _ => [if task.wanted[term] || unused_terms[term] { 1.0 } else { 0.0 }; 3],
+            _ => [if task.required[term] || unused_terms[term] { 1.0 } else { 0.0 }; 3],
         };
         let peculiar = best.is_some_and(|best| best.mistakes.iter().any(|mistake| mistake.harmless));
         let hypothesis = if peculiar { right } else { Hypothesis::default() };

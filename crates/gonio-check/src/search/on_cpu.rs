@@ -62,12 +62,12 @@ impl<'a> CpuComparer<'a> {
     ) -> Option<Self> {
         let plan = Rc::clone(model.plan.as_ref()?);
         let lights = inputs.lights.each();
-        let given =
-            |light: usize, lit| given(&plan, testbench, inputs, |test_scene| inputs.apply(test_scene, light, lit));
+        let input_set =
+            |light: usize, lit| input_set(&plan, testbench, inputs, |test_scene| inputs.apply(test_scene, light, lit));
         let lit = || std::iter::once(Lit::Known).chain(inputs.terms.iter().map(|&term| Lit::Term(term)));
         let input_sets = lights.iter().flat_map(|&(light, _)| lit().map(move |lit| (light, lit)));
-        let input_sets = input_sets.map(|(light, lit)| given(light, lit)).collect();
-        let whole = lights.iter().map(|&(light, _)| given(light, Lit::Whole)).collect();
+        let input_sets = input_sets.map(|(light, lit)| input_set(light, lit)).collect();
+        let whole = lights.iter().map(|&(light, _)| input_set(light, Lit::Whole)).collect();
         Some(CpuComparer {
             testbench,
             model,
@@ -216,7 +216,7 @@ fn added(
 }
 
 /// Returns the values of all uniforms of a model solution.
-fn given(
+fn input_set(
     plan: &EvaluationPlan,
     testbench: &Testbench,
     inputs: &ModelInputs,
@@ -279,8 +279,8 @@ mod tests {
     const MOST_BEYOND: f64 = 0.005;
 
     #[test]
-    fn every_hypothesis_is_on_the_cpu_what_the_driver_draws() {
-        let context = HeadlessContext::new().unwrap_or_else(|why| panic!("{why}"));
+    fn the_cpu_and_the_driver_agree_on_every_hypothesis() {
+        let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
         let mut tried = 0;
         for exercise in ["ex05", "ex07"] {
             let task = Task::find(exercise).unwrap();

@@ -116,13 +116,13 @@ impl Parameterisation {
     /// Determines the parameterisation of a program with these bindings, which may declare strengths and colours
     /// without using them.
     pub fn new(task: &Task, bindings: &Bindings, declared: &Bindings, constants: &SourceConstants) -> Self {
-        let has = |wanted: &dyn Fn(Role) -> bool| bindings.bound.iter().any(|bound| wanted(bound.role));
-        let bindings_or_source = |wanted: &dyn Fn(Role) -> bool| {
-            bindings.bound.iter().chain(&declared.bound).any(|bound| wanted(bound.role))
+        let has = |is_match: &dyn Fn(Role) -> bool| bindings.bound.iter().any(|bound| is_match(bound.role));
+        let bindings_or_source = |is_match: &dyn Fn(Role) -> bool| {
+            bindings.bound.iter().chain(&declared.bound).any(|bound| is_match(bound.role))
         };
         // Only one exercise has strengths as inputs; elsewhere an unused declaration is a leftover.
         let has_or_declares =
-            |wanted: &dyn Fn(Role) -> bool| has(wanted) || (task.attenuated && bindings_or_source(wanted));
+            |is_match: &dyn Fn(Role) -> bool| has(is_match) || (task.attenuated && bindings_or_source(is_match));
         let is_material = |role| {
             matches!(role, Role::MaterialColor | Role::MaterialAmbient | Role::MaterialDiffuse | Role::MaterialSpecular)
         };
@@ -138,14 +138,14 @@ impl Parameterisation {
         ];
         // A term that the exercise does not ask for is optional.
         let to_find =
-            std::array::from_fn(|term| task.model.is_lit() && !(given[term] && material && task.wanted[term]));
+            std::array::from_fn(|term| task.model.is_lit() && !(given[term] && material && task.required[term]));
         let lit_from_outside =
             has(&|role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_) | Role::LightDirection(_)));
-        let of_second = |wanted: &dyn Fn(Role) -> bool| {
+        let of_second = |is_match: &dyn Fn(Role) -> bool| {
             bindings.bound.iter().any(|bound| {
                 // Element i of an array belongs to light i.
                 let last = bound.role.light().map(|first| first.saturating_add(bound.declared.array.max(1) - 1));
-                last.is_some_and(|last| last >= 1) && wanted(bound.role)
+                last.is_some_and(|last| last >= 1) && is_match(bound.role)
             })
         };
         // A direction alone is that of a sun, but the exercises have lamps: it stays dark.
@@ -186,7 +186,7 @@ impl Parameterisation {
         Parameterisation {
             to_find,
             given,
-            usual: [0.0, 1.0, if task.wanted[2] { 1.0 } else { 0.0 }],
+            usual: [0.0, 1.0, if task.required[2] { 1.0 } else { 0.0 }],
             material,
             light_position: (!lit_from_outside).then(|| constants.light_position.unwrap_or(task.light_position)),
             // The exercises prescribe the exponent, so another constant is a mistake. The lab's own exponent, a

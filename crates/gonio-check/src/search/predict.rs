@@ -102,8 +102,8 @@ impl CompiledModel {
             let plain = Hypothesis::default();
             let hypothesis = if is_changed { hypothesis } else { &plain };
             let ModelProgram { program, bindings } = &*self.program(hypothesis)?;
-            let given = testbench.inputs(program, bindings, |test_scene| inputs.apply(test_scene, light, lit));
-            let atlas = testbench.draw(program, &given, &self.ways(inputs, hypothesis), test_scenes)?;
+            let values = testbench.inputs(program, bindings, |test_scene| inputs.apply(test_scene, light, lit));
+            let atlas = testbench.draw(program, &values, &self.ways(inputs, hypothesis), test_scenes)?;
             match &mut sum {
                 None => sum = Some(atlas),
                 Some(sum) => {

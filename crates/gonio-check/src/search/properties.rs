@@ -61,8 +61,8 @@ const WORDS: [(&str, &str, &str); 5] = [
 ];
 
 impl Student<'_> {
-    fn has(&self, wanted: impl Fn(Role) -> bool) -> bool {
-        self.bindings.bound.iter().any(|bound| wanted(bound.role))
+    fn has(&self, is_match: impl Fn(Role) -> bool) -> bool {
+        self.bindings.bound.iter().any(|bound| is_match(bound.role))
     }
 
     fn draw(&self, change: impl Fn(&mut TestScene)) -> Result<Atlas, GlError> {
@@ -215,8 +215,8 @@ pub fn tell(verdict: &mut Verdict) {
     }
     let wrong = verdict.properties.iter().filter(|property| property.state == PropertyState::Wrong);
     // NaN is already among the warnings.
-    let told: Vec<&str> = wrong.filter(|p| p.id != "finite").map(|property| property.sentence.as_str()).collect();
-    if !told.is_empty() {
-        verdict.summary = format!("{}; {}", verdict.summary, told.join("; "));
+    let sentences: Vec<&str> = wrong.filter(|p| p.id != "finite").map(|property| property.sentence.as_str()).collect();
+    if !sentences.is_empty() {
+        verdict.summary = format!("{}; {}", verdict.summary, sentences.join("; "));
     }
 }

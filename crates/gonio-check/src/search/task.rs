@@ -14,7 +14,7 @@ pub struct Task {
     /// Another method, with the id of the mistake if it is one.
     pub other: Option<(ModelSolution, Option<&'static str>)>,
     /// Whether ambient, diffuse and specular light are required.
-    pub wanted: [bool; 3],
+    pub required: [bool; 3],
     /// Whether light decreases with distance.
     pub attenuated: bool,
     /// The position of the lab's own light, for programs with a constant position.
@@ -69,9 +69,9 @@ const fn task(
     exercise: &'static str,
     model: ModelSolution,
     other: Option<(ModelSolution, Option<&'static str>)>,
-    wanted: [bool; 3],
+    required: [bool; 3],
 ) -> Task {
-    Task { exercise, model, other, wanted, attenuated: false, light_position: LAMP }
+    Task { exercise, model, other, required, attenuated: false, light_position: LAMP }
 }
 
 impl Task {

@@ -95,14 +95,14 @@ struct Measured<'a> {
     rank: usize,
     stem: Vec<String>,
     folder: String,
-    wanted: bool,
+    requested: bool,
     hint: usize,
     /// Prefers the object to its surroundings.
     liking: i32,
 }
 
 impl<'a> Measured<'a> {
-    fn new(order: usize, candidate: &'a Candidate, wanted: Option<&str>, hints: &[&str]) -> Self {
+    fn new(order: usize, candidate: &'a Candidate, requested: Option<&str>, hints: &[&str]) -> Self {
         let searched = candidate.searched();
         let hint = hints
             .iter()
@@ -144,7 +144,8 @@ impl<'a> Measured<'a> {
             rank: 0,
             stem: candidate.stem(),
             folder: candidate.folder(),
-            wanted: wanted.is_some_and(|wanted| !plain(wanted).is_empty() && searched.contains(&plain(wanted))),
+            requested: requested
+                .is_some_and(|requested| !plain(requested).is_empty() && searched.contains(&plain(requested))),
             hint,
             liking,
         }
@@ -158,7 +159,7 @@ type Score = (usize, usize, bool, bool, bool, i32, usize, bool, usize);
 fn score(vertex: &Measured<'_>, fragment: &Measured<'_>) -> Score {
     let prefix = vertex.stem.iter().zip(&fragment.stem).take_while(|(a, b)| a == b).count();
     (
-        usize::from(vertex.wanted) + usize::from(fragment.wanted),
+        usize::from(vertex.requested) + usize::from(fragment.requested),
         vertex.hint + fragment.hint,
         vertex.folder == fragment.folder && vertex.stem == fragment.stem,
         vertex.candidate.variable.is_none() && fragment.candidate.variable.is_none(),
@@ -178,7 +179,7 @@ const MOST: usize = 300;
 /// Chooses the pair. Returns vertex shader, fragment shader and warnings.
 pub(super) fn choose(
     candidates: &[Candidate],
-    wanted: Option<&str>,
+    requested: Option<&str>,
     hints: &[&str],
 ) -> Result<(Candidate, Candidate, Vec<String>), IntakeError> {
     let of = |stage: Stage| -> Vec<Measured<'_>> {
@@ -187,7 +188,7 @@ pub(super) fn choose(
         let last = all.get(all.len().saturating_sub(MOST)..).unwrap_or_default();
         let measured = |&(rank, (order, candidate)): &(usize, (usize, _))| Measured {
             rank,
-            ..Measured::new(order, candidate, wanted, hints)
+            ..Measured::new(order, candidate, requested, hints)
         };
         last.iter().map(measured).collect()
     };
@@ -202,11 +203,11 @@ pub(super) fn choose(
             });
         }
     }
-    if let Some(wanted) = wanted
-        && !vertices.iter().chain(&fragments).any(|m| m.wanted)
+    if let Some(requested) = requested
+        && !vertices.iter().chain(&fragments).any(|m| m.requested)
     {
         let candidates = candidates.iter().map(Candidate::shown).collect();
-        return Err(IntakeError::NotFound { wanted: wanted.to_owned(), candidates });
+        return Err(IntakeError::NotFound { requested: requested.to_owned(), candidates });
     }
     let pairs = vertices.iter().flat_map(|v| fragments.iter().map(move |f| (score(v, f), v, f)));
     let Some((_, vertex, fragment)) = pairs.max_by_key(|&(score, _, _)| score) else {

@@ -55,7 +55,7 @@ pub enum IntakeError {
     /// No pair has the requested name.
     NotFound {
         /// The requested name.
-        wanted: String,
+        requested: String,
         /// The names of the pairs.
         candidates: Vec<String>,
     },
@@ -106,8 +106,8 @@ impl fmt::Display for IntakeError {
                 list(found),
                 stage.other()
             ),
-            Self::NotFound { wanted, candidates } => {
-                write!(f, "no pair of shaders is called `{wanted}`: choose one of {}", list(candidates))
+            Self::NotFound { requested, candidates } => {
+                write!(f, "no pair of shaders is called `{requested}`: choose one of {}", list(candidates))
             }
         }
     }

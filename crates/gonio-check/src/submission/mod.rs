@@ -63,8 +63,8 @@ impl Submission {
     ///
     /// # Errors
     /// Returns an [`IntakeError`] if there is no pair, or none with that name.
-    pub fn gather_choosing(files: Vec<SourceFile>, wanted: &str) -> Result<Self, IntakeError> {
-        Self::gather_with(files, Some(wanted), &[])
+    pub fn gather_choosing(files: Vec<SourceFile>, requested: &str) -> Result<Self, IntakeError> {
+        Self::gather_with(files, Some(requested), &[])
     }
 
     /// Finds the `wanted` pair; otherwise the one whose names contain one of `hints` (earlier hints take precedence,
@@ -72,7 +72,7 @@ impl Submission {
     ///
     /// # Errors
     /// Returns an [`IntakeError`] if there is no pair, or none with the requested name.
-    pub fn gather_with(files: Vec<SourceFile>, wanted: Option<&str>, hints: &[&str]) -> Result<Self, IntakeError> {
+    pub fn gather_with(files: Vec<SourceFile>, requested: Option<&str>, hints: &[&str]) -> Result<Self, IntakeError> {
         if files.is_empty() {
             return Err(IntakeError::NoFiles);
         }
@@ -81,7 +81,7 @@ impl Submission {
         for file in &files {
             intake.take(file);
         }
-        intake.finish(wanted, hints, files.iter().map(|file| file.name.clone()).collect())
+        intake.finish(requested, hints, files.iter().map(|file| file.name.clone()).collect())
     }
 }
 
@@ -326,10 +326,15 @@ impl Intake {
         }
     }
 
-    fn finish(mut self, wanted: Option<&str>, hints: &[&str], files: Vec<String>) -> Result<Submission, IntakeError> {
+    fn finish(
+        mut self,
+        requested: Option<&str>,
+        hints: &[&str],
+        files: Vec<String>,
+    ) -> Result<Submission, IntakeError> {
         self.tell_undecided_by_partner();
         self.tell_misnamed_by_content();
-        let chosen = match choose::choose(&self.candidates, wanted, hints) {
+        let chosen = match choose::choose(&self.candidates, requested, hints) {
             Ok(chosen) => chosen,
             // An unreadable file is the better explanation.
             Err(error) => {

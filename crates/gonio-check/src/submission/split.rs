@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stands_before_the_first_marker_belongs_to_both() {
+    fn text_before_the_first_marker_belongs_to_both_stages() {
         let text = format!("#version 330\n//VERTEX\n{V}//FRAGMENT\n{F}");
         assert_eq!(cut(&text), Some((format!("#version 330\n{V}"), format!("#version 330\n{F}"))));
         let comment = format!("// my work\n//VERTEX\n{V}//FRAGMENT\n{F}");
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_keep_their_places() {
+    fn lines_keep_their_positions() {
         let text = format!("#shader vertex\n{V}#shader fragment\n{F}");
         let (vertex, fragment) = split(&text, &stage::without_comments(&text)).unwrap();
         assert_eq!(vertex.finish("f").place(2, 15), ("f", 3, 15));

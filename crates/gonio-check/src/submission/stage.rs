@@ -222,7 +222,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_tell_the_stage() {
+    fn names_determine_the_stage() {
         use Stage::{Fragment, Vertex};
         use StageHint::{Both, Nothing, One};
         for (name, hint) in [
@@ -290,13 +290,13 @@ mod tests {
             ("a.vert", "out vec4 c;void main(){}", Some(Vertex), false),
             ("a.frag", "out vec4 c;void main(){gl_Position=c;}", Some(Fragment), false),
         ] {
-            let (told, warning) = tell(name, name, &without_comments(text));
-            assert_eq!((told, warning.is_some()), (stage, warned), "{name}: {text}");
+            let (found, warning) = tell(name, name, &without_comments(text));
+            assert_eq!((found, warning.is_some()), (stage, warned), "{name}: {text}");
         }
     }
 
     #[test]
-    fn comments_are_blanked_and_places_kept() {
+    fn comments_are_blanked_and_positions_kept() {
         assert_eq!(without_comments("a//b\nc/*d\ne*/f/"), "a   \nc   \n   f/");
         assert_eq!(without_comments("a//b\\\nc\nd"), "a    \n \nd");
         assert_eq!(without_comments("/*"), "  ");

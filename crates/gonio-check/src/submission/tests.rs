@@ -57,7 +57,7 @@ fn two_files_of_any_names_in_any_order() {
 }
 
 #[test]
-fn a_version_in_a_name_is_no_stage() {
+fn a_version_in_a_name_is_not_a_stage() {
     for (vertex, fragment) in [("final.glsl", "final v2.glsl"), ("a v1.glsl", "b v2.glsl"), ("v3/a.glsl", "v3/b.glsl")]
     {
         let submission = gathered(&[(vertex, V), (fragment, F)]);
@@ -66,14 +66,14 @@ fn a_version_in_a_name_is_no_stage() {
 }
 
 #[test]
-fn of_two_vertex_shaders_by_name_the_one_that_puts_out_a_colour_is_the_fragment_shader() {
+fn a_vertex_shader_by_name_that_outputs_a_colour_is_the_fragment_shader() {
     let submission = gathered(&[("vertex lighting.glsl", F), ("vertex.glsl", V)]);
     assert_eq!(taken(&submission), ("vertex.glsl", "vertex lighting.glsl"));
     assert!(submission.warnings.iter().any(|warning| warning.contains("taken as the fragment shader")));
 }
 
 #[test]
-fn content_mends_names() {
+fn content_corrects_misleading_names() {
     let turned = gathered(&[("a.vert", "void main() { gl_FragColor = vec4(1.0); }"), ("a.frag", V)]);
     assert_eq!(taken(&turned), ("a.frag", "a.vert"));
     assert_eq!(turned.warnings.len(), 2, "{:?}", turned.warnings);
@@ -111,8 +111,8 @@ fn a_program_with_several_pairs() {
         for part in ["sourceV`", "sourceF`", "sourceVCubeMap", "sourceFCubeMap", "(vertex)", "were checked"] {
             assert!(warning.contains(part), "{part}: {warning}");
         }
-        let wanted = Submission::gather_choosing(files(&[("main.cpp", &source)]), "cubemap").unwrap();
-        assert_eq!((wanted.vertex.text, wanted.fragment.text), (v(2), f(2)));
+        let requested = Submission::gather_choosing(files(&[("main.cpp", &source)]), "cubemap").unwrap();
+        assert_eq!((requested.vertex.text, requested.fragment.text), (v(2), f(2)));
         let hinted = Submission::gather_with(files(&[("main.cpp", &source)]), None, &["nothing", "cube_map"]).unwrap();
         assert_eq!((hinted.vertex.text, hinted.fragment.text), (v(2), f(2)));
     }
@@ -198,7 +198,7 @@ fn pairs_belong_together() {
 }
 
 #[test]
-fn names_come_along_and_corrected_files_are_told() {
+fn names_toml_is_kept_and_corrections_are_reported() {
     let submission = gathered(&[("a.vert", V), ("a.frag", &format!("\u{FEFF}{F}")), ("names.toml", "[names]\n")]);
     assert_eq!(submission.names.as_deref(), Some("[names]\n"));
     assert_eq!(submission.fragment.text, F);
@@ -207,7 +207,7 @@ fn names_come_along_and_corrected_files_are_told() {
 }
 
 #[test]
-fn each_error_is_a_sentence() {
+fn each_error_has_its_message() {
     let big = " ".repeat(text::LARGEST + 1);
     for (list, message) in [
         (vec![], "there are no files: hand in a vertex and a fragment shader"),
@@ -352,7 +352,7 @@ fn every_way_to_write_a_literal() {
 }
 
 #[test]
-fn what_is_no_shader_is_left() {
+fn strings_that_are_not_shaders_are_ignored() {
     for source in [
         format!("// const char* vs = \"{}\";", V.replace('\n', "\\n")),
         format!("/* R\"({V})\" */"),
@@ -366,7 +366,7 @@ fn what_is_no_shader_is_left() {
 }
 
 #[test]
-fn neighbours_in_a_call_or_a_list_stay_apart() {
+fn adjacent_literals_in_a_call_or_list_are_not_joined() {
     let escaped = V.replace('\n', "\\n");
     assert_eq!(found_in(&format!("add(\"phong\", \"{escaped}\");"), Language::C), [("add".to_owned(), V.to_owned())]);
     for source in [
@@ -383,7 +383,7 @@ fn neighbours_in_a_call_or_a_list_stay_apart() {
 }
 
 #[test]
-fn values_put_in_are_reported() {
+fn inserted_values_are_reported() {
     let source = "const fs = `#version 300 es\n#define N ${n + {a: 1}.a}\nvoid main() {}`;";
     let literal = &shaders(source, Language::JavaScript)[0];
     assert!(literal.has_holes);
@@ -391,7 +391,7 @@ fn values_put_in_are_reported() {
 }
 
 #[test]
-fn places_are_the_programs_own() {
+fn positions_are_those_of_the_program() {
     let source =
         "int x;\nconst char* vs = \"#version 330\\n\\\n  in vec3 p;\\n\"\n    \"void\\tmain(){gl_Position=x;}\\n\";";
     let text = shaders(source, Language::C).remove(0).text.finish("main.cpp");
@@ -409,7 +409,7 @@ fn places_are_the_programs_own() {
 }
 
 #[test]
-fn endings_tell_the_language() {
+fn extensions_determine_the_language() {
     assert_eq!(language("src/main.CPP"), Some(Language::C));
     assert_eq!(language("a.py"), Some(Language::Python));
     assert_eq!(language("a.ts"), Some(Language::JavaScript));
@@ -418,7 +418,7 @@ fn endings_tell_the_language() {
 }
 
 #[test]
-fn hostile_programs_end_soon() {
+fn hostile_programs_are_read_quickly() {
     for piece in ["\"a\",", "R\"", "'", "`${", "R\"(", "/*", "<script", "{\"main\",", "\"\\"] {
         let source = piece.repeat(100_000);
         for language in [Language::C, Language::JavaScript, Language::Python, Language::Html] {

@@ -221,7 +221,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_whole_file_is_its_own_place() {
+    fn positions_in_a_whole_file_are_unchanged() {
         let text = StageText::whole("a.vert", "one\ntwo\n");
         assert_eq!(text.place(2, 3), ("a.vert", 2, 3));
         assert_eq!(text.place(0, 0), ("a.vert", 1, 1));
@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn characters_are_found_where_they_stood() {
+    fn characters_keep_their_position_in_the_file() {
         let mut builder = Builder::new();
         for (c, line, column) in [('a', 3, 9), ('b', 3, 10), ('\t', 3, 11), ('c', 3, 13), ('\n', 3, 14), ('d', 5, 2)] {
             builder.push(c, line, column);
@@ -244,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn appended_text_keeps_its_places() {
+    fn appended_text_keeps_its_positions() {
         let mut first = Builder::new();
         first.push('a', 1, 5);
         let mut second = Builder::new();
@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn text_in_the_usual_codings() {
+    fn the_usual_encodings_are_decoded() {
         let utf16 = |swap: bool| -> Vec<u8> {
             "\u{FEFF}void é\r\n"
                 .encode_utf16()
@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_text_is_refused() {
+    fn binary_files_are_rejected() {
         for (bytes, says) in [
             (b"".to_vec(), "f is empty"),
             (b" \r\n\t".to_vec(), "f is empty"),

@@ -174,7 +174,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_turn_and_no_mirror_leaves_it_as_it_is() {
+    fn the_environment_has_no_symmetry() {
         let directions: Vec<Vec3> = (0..200)
             .map(|i| Vec3::new((i as f32 * 0.7).sin(), (i as f32 * 1.3).cos(), (i as f32 * 2.1).sin()))
             .collect();

@@ -195,7 +195,7 @@ impl Checker<'_> {
         };
         self.access(id, true, span);
         let symbol = &self.symbols[id];
-        let why = match symbol.storage {
+        let reason = match symbol.storage {
             Storage::Const => "it is a constant",
             Storage::Uniform => "it is a uniform, which only the program can set",
             Storage::In if symbol.kind != SymbolKind::Param => "it is an input, which is read-only",
@@ -205,7 +205,7 @@ impl Checker<'_> {
         if name.starts_with("gl_") {
             return;
         }
-        let problem = Problem::error(span, "not-writable", format!("cannot assign to `{name}`: {why}"));
+        let problem = Problem::error(span, "not-writable", format!("cannot assign to `{name}`: {reason}"));
         self.problems.push(problem.with_help("assign to a variable of your own"));
     }
 
@@ -287,14 +287,14 @@ impl Checker<'_> {
 
     /// Checks that a value can be converted to `to`, and records an implicit conversion.
     #[inline(never)]
-    pub(super) fn convert(&mut self, value: &Expr, to: Option<&Type>, what: &str) {
+    pub(super) fn convert(&mut self, value: &Expr, to: Option<&Type>, subject: &str) {
         let (Some(from), Some(to)) = (&value.ty, to) else { return };
         if from == to {
             return;
         }
         if !from.becomes(to) {
             let problem =
-                Problem::error(value.span, "wrong-type", format!("cannot convert {what} from `{from}` to `{to}`"));
+                Problem::error(value.span, "wrong-type", format!("cannot convert {subject} from `{from}` to `{to}`"));
             let problem = match cure(from, to) {
                 Some(help) => problem.with_help(help),
                 None => problem,

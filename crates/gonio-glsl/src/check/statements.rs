@@ -120,10 +120,10 @@ impl Checker<'_> {
         self.pop_scope();
     }
 
-    fn condition(&mut self, condition: &mut Expr, what: &str) {
+    fn condition(&mut self, condition: &mut Expr, subject: &str) {
         let found = self.expression(condition);
         if let Some(found) = found.filter(|t| *t != Type::BOOL) {
-            let message = format!("{what} must be a `bool`, found `{found}`");
+            let message = format!("{subject} must be a `bool`, found `{found}`");
             let mut problem = Problem::error(condition.span, "condition-type", message);
             if matches!(condition.kind, crate::ExprKind::Assign { op: None, .. }) {
                 problem = problem.with_help("`==` compares, `=` assigns");

@@ -182,8 +182,8 @@ impl Parser<'_> {
                 self.advance();
                 let literal = match number(&token.text) {
                     Ok(literal) => literal,
-                    Err(why) => {
-                        let message = format!("`{}` is not a number: {why}", token.text);
+                    Err(reason) => {
+                        let message = format!("`{}` is not a number: {reason}", token.text);
                         self.report(Problem::error(token.span, "bad-number", message));
                         Literal::Float(0.0)
                     }
