@@ -1,7 +1,7 @@
 //! Embeds the web page (`dist/`, built by `cargo xtask web`) for `gonio serve`, and the commit for `gonio --version`.
 //!
 //! The page's files are copied and listed in `embedded_page.rs`: `(name, bytes)` for each. Without a page the list is
-//! empty, and `gonio serve` tells how to build one.
+//! empty, and `gonio serve` explains how to build one.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -10,8 +10,8 @@ use std::{env, fs};
 
 fn main() {
     let top = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default()).join("../..");
-    // Not `dist` itself: if it is missing, Cargo would run this, and build the crate, each time. A build of the page leaves
-    // a mark in this folder, which always exists.
+    // Not `dist` itself: if it is missing, Cargo would run this script and build the crate each time. A build of the page changes
+    // a file in this folder, which always exists.
     println!("cargo:rerun-if-changed=../../web/page");
     println!("cargo:rerun-if-changed=build.rs");
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default());
@@ -25,8 +25,8 @@ fn main() {
     println!("cargo:rustc-env=GONIO_VERSION={version}{commit}");
 }
 
-/// The commit and its date, `4616af2b01 2026-11-22`. Nothing of the machine or the time of the build, so that builds are
-/// reproducible. `None` outside gonio's own repository, or without git.
+/// The commit and its date, `4616af2b01 2026-11-22`. It contains nothing about the machine or the time of the build, so that builds
+/// are reproducible. `None` outside gonio's own repository, or without git.
 fn commit(top: &Path) -> Option<String> {
     let git = |arguments: &[&str]| {
         let output = Command::new("git").arg("-C").arg(top).args(arguments).output().ok()?;

@@ -1,7 +1,7 @@
 //! Tables of test cases: many small files in one text, in the manner of Go's txtar.
 //!
-//! Only tests and `xtask` depend on this crate. A table stands for the folder of its name: `corpus/ex04/wrong.txt` holds what
-//! could be the folder `corpus/ex04/wrong`.
+//! Only tests and `xtask` depend on this crate. A table replaces a folder of its name: `corpus/ex04/wrong.txt` contains the
+//! files of a folder `corpus/ex04/wrong`.
 //!
 //! # Format
 //!
@@ -30,7 +30,7 @@
 //! | `hex` | is binary: two hexadecimal digits for each byte; spaces and line ends are ignored |
 //!
 //! Several flags are separated by commas: `-- a.obj [escaped, no-newline] --`. A line of a file that begins with `-- ` is written
-//! as `\x2d- ` in a file that is `escaped`, so that a misspelt header is an error and never a line of the file before it.
+//! as `\x2d- ` in a file that is `escaped`, so that a misspelt header is always an error.
 //!
 //! The table itself is UTF-8 with line feeds, and ends with one.
 //!
@@ -103,7 +103,7 @@ pub struct FixtureTable {
 }
 
 impl FixtureTable {
-    /// Reads the table at `path`, which must hold at least one file.
+    /// Reads the table at `path`, which must contain at least one file.
     pub fn read(path: impl AsRef<Path>) -> Result<FixtureTable, FixtureError> {
         let path = path.as_ref();
         let name = path.display().to_string();
@@ -187,7 +187,7 @@ impl FixtureTable {
     }
 }
 
-/// The tables (`.txt`) below `folder`, at any depth, sorted: each with the path of the folder that it stands for, relative to
+/// The tables (`.txt`) below `folder`, at any depth, sorted: each with the path of the folder that it replaces, relative to
 /// `folder`.
 pub fn tables_below(folder: &Path) -> Result<Vec<(PathBuf, FixtureTable)>, FixtureError> {
     let unreadable = |path: &Path, error: &io::Error| FixtureError {

@@ -3,18 +3,18 @@
 use super::FixtureFile;
 use std::fmt;
 
-/// Why a table could not be read.
+/// The error of a table that cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FixtureError {
     /// The table's path.
     pub table: String,
     /// The line in it, from 1, if the problem has one.
     pub line: Option<usize>,
-    /// What is wrong.
+    /// The fault.
     pub problem: FixtureProblem,
 }
 
-/// What is wrong with a table.
+/// A fault of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FixtureProblem {
     /// The file system's message.
@@ -27,13 +27,13 @@ pub enum FixtureProblem {
     NoNewlineAtEnd,
     /// There is no header.
     NoFiles,
-    /// A line begins like a header and is none.
+    /// A line that begins like a header but is malformed.
     MalformedHeader,
     /// A path that is absolute, leads out of the table, or is not portable.
     InvalidPath(String),
-    /// The path of an earlier file; its line.
+    /// The same path as an earlier file, whose line this is.
     DuplicatePath(usize),
-    /// A flag of an unknown name.
+    /// An unknown flag.
     UnknownFlag(String),
     /// Flags that contradict each other.
     FlagsExclude(&'static str, &'static str),
@@ -43,9 +43,9 @@ pub enum FixtureProblem {
     InvalidEscape,
     /// A character that is not part of a pair of hexadecimal digits.
     InvalidHex,
-    /// A file outside of the folders that form the cases.
+    /// A file outside the folders that form the cases.
     OutsideOfCases,
-    /// The path of a file that a case lacks.
+    /// The path of a file that is missing in a case.
     Missing(String),
     /// An expectation whose file is missing; the file's path.
     NothingExpectedOf(String),
@@ -87,14 +87,14 @@ impl fmt::Display for FixtureProblem {
             FixtureProblem::NoLineToEnd => f.write_str("[no-newline] on a file without lines"),
             FixtureProblem::InvalidEscape => f.write_str("invalid escape: expected `\\\\`, `\\t`, `\\r`, `\\n`, `\\xNN` or `\\u{N}`"),
             FixtureProblem::InvalidHex => f.write_str("invalid byte: expected two hexadecimal digits"),
-            FixtureProblem::OutsideOfCases => f.write_str("a file outside of the folders of the cases"),
+            FixtureProblem::OutsideOfCases => f.write_str("a file outside the folders of the cases"),
             FixtureProblem::Missing(path) => write!(f, "`{path}` is missing"),
             FixtureProblem::NothingExpectedOf(path) => write!(f, "the expectation of a missing file, `{path}`"),
         }
     }
 }
 
-/// A problem and its line; 0 where it has none.
+/// A fault and its line; 0 if it has none.
 type Result<T> = std::result::Result<T, (usize, FixtureProblem)>;
 
 #[derive(Default)]

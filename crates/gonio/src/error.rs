@@ -106,7 +106,7 @@ pub fn io_reason(error: &io::Error) -> String {
     }
 }
 
-/// What follows the message: empty where no option helps.
+/// The hint after a message; empty if no option helps.
 pub fn hint(cause: Option<Cause>) -> &'static str {
     match cause {
         None => "",
@@ -119,7 +119,7 @@ pub fn hint(cause: Option<Cause>) -> &'static str {
     }
 }
 
-/// What follows the message of an error of OpenGL: empty where no option helps.
+/// The hint after a message about an OpenGL error; empty if no option helps.
 pub fn opengl_hint(remedy: Option<Remedy>) -> &'static str {
     match remedy {
         None => "",

@@ -15,8 +15,7 @@ fn png(width: u32, height: u32) -> Vec<u8> {
     bytes.into_inner()
 }
 
-/// A PNG that says it has such a size, and ends there. (Its checksum is not that of the header: it is not looked at before
-/// the size is.)
+/// A PNG header with this size and nothing after it. (The checksum is wrong, because the size is checked first.)
 fn png_header(width: u32, height: u32) -> Vec<u8> {
     let mut bytes = png(1, 1);
     bytes.truncate(33);
@@ -58,7 +57,7 @@ impl Lab {
         }
     }
 
-    /// Converting it, checking it and drawing with it are refused with the same pieces of a sentence, and write nothing.
+    /// Converting, checking and drawing with it fail with the same error and write nothing.
     #[track_caller]
     fn refuses(&self, input: &str, pieces: &[&str]) {
         let before = self.names();
@@ -127,7 +126,7 @@ fn models_and_environments_are_not_exchanged() {
         let pieces =
             [&format!("{name}: this is {what}"), "not a model", "name it as the environment with --environment"];
         lab.render(&[name, "-o", "out.png"]).refused(&pieces);
-        // As an environment it is a good one.
+        // It is valid as an environment.
         if name != "sky" {
             assert!(lab.run(&["environment", "check", name]).code < 2, "{name}");
         }
@@ -135,13 +134,13 @@ fn models_and_environments_are_not_exchanged() {
     assert_eq!(lab.names(), before);
 }
 
-/// Each cut off in its last bytes, in its middle and in its header, and with its middle overwritten.
+/// Each file truncated near its end, in its middle and in its header, and with its middle overwritten.
 #[test]
 fn truncated_and_damaged_files() {
     let lab = Lab::new();
     let mut image = Image::new(32, 16, [0.0, 0.0, 0.0, 1.0]);
     for (i, pixel) in image.pixels.iter_mut().enumerate() {
-        // No two alike, so that no run length hides a gap.
+        // All different, so that no run-length code hides a gap.
         *pixel = [i as f32 * 0.37 % 1.0, i as f32 * 0.11 % 3.0, i as f32 * 0.73 % 2.0, 1.0];
     }
     let map = Cubemap::from_function(8, |d| d.abs());
@@ -153,7 +152,7 @@ fn truncated_and_damaged_files() {
         ("a.dds", dds()),
     ] {
         lab.write(name, &bytes);
-        // Read, and then looked at: whether it closes does not matter.
+        // It is read and checked; the result of the check does not matter.
         assert!(lab.run(&["environment", "check", name]).code < 2, "{name}");
         for keep in [bytes.len() - 3, bytes.len() / 2, 20] {
             lab.write(name, &bytes[..keep]);
@@ -183,7 +182,7 @@ fn panoramas_of_wrong_proportions_and_very_wide_ones() {
         let run = lab.run(args).good();
         assert!(run.stderr.lines().any(|l| l == warning), "{}", run.stderr);
     }
-    // 32768 wide: as wide as anything that is read, and twice what most GPUs draw.
+    // 32768 wide: the limit of the reader, and twice that of most GPUs.
     lab.write("wide.png", png(32768, 2));
     lab.run(&["environment", "convert", "wide.png", "small", "--size", "4"]).good();
     let args = ["render", "builtin:cube", "--environment", "wide.png", "-o", "a.png", "--size", "8x8"];

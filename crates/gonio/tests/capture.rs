@@ -16,12 +16,12 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
 
-/// Two X servers that start at once may want the same display.
+/// Two X servers that start at once may choose the same display.
 static DISPLAY: Mutex<()> = Mutex::new(());
 
 /// The packages of Debian that these tests run.
 const INSTALL: &str = "apt-get install -y --no-install-recommends librenderdoc python3-renderdoc xvfb xauth";
-/// Debian's own: RenderDoc's module is built for it.
+/// Debian's Python, for which RenderDoc's module is built.
 const PYTHON: &str = "/usr/bin/python3";
 
 #[track_caller]
@@ -88,7 +88,7 @@ impl Draw<'_> {
         values.iter().map(|v| v.as_f64().unwrap()).collect()
     }
 
-    /// 1e-5 of the largest: values are f32 on the GPU, and RenderDoc gives them back unchanged.
+    /// 1e-5 of the largest: values are f32 on the GPU, and RenderDoc returns them unchanged.
     #[track_caller]
     fn check_uniform(&self, name: &str, expected: &[f64]) {
         let actual = self.uniform(name);
@@ -140,8 +140,8 @@ fn renderdoc_finds_the_draws_the_textures_and_the_uniforms() {
     let loaded = scene(input);
     let frame = loaded.frame(0.0);
 
-    // The draws: all that gonio counted, each in a group with the names of its object, part and material; then
-    // the one that encodes the picture.
+    // The draws that gonio counted, each in a group with the names of its object, part and material, and then the
+    // one that encodes the picture.
     let draws = capture.draws();
     let (output, drawn) = draws.split_last().unwrap();
     assert_eq!(drawn.len() as u64, report["drawn"]["draw_calls"].as_u64().unwrap());
@@ -259,7 +259,7 @@ fn every_map_and_the_table_of_lights_have_their_own_units() {
     }
     let table = capture.texture("lights");
     assert_eq!(table["width"].as_u64().unwrap(), (lights.len() * glsl::LIGHT_TEXELS) as u64);
-    // Every sampler has a unit of its own.
+    // Each sampler has its own unit.
     let units: BTreeSet<u64> =
         draws[0].0["samplers"].as_object().unwrap().values().map(|s| s["unit"].as_u64().unwrap()).collect();
     assert_eq!(units.len(), draws[0].0["samplers"].as_object().unwrap().len());
@@ -296,7 +296,7 @@ fn a_capture_keeps_exit_code_and_stdout() {
     assert!(lab.read("a.rdc").starts_with(b"RDOC"));
     lab.run(&["render", "nothing.obj", "-o", "-", "--capture", "b.rdc"]).refused(&["nothing.obj", "no such file"]);
     assert_eq!(lab.names(), ["a.rdc"]);
-    // Once more replaces the first.
+    // A second run replaces the first capture.
     lab.write("a.rdc", "old");
     lab.run(&[&args[..], &["--capture", "a.rdc"]].concat()).good();
     assert!(lab.read("a.rdc").starts_with(b"RDOC"));
@@ -316,9 +316,9 @@ fn the_black_triangle_is_found_in_a_capture() {
         let sampler = &draw.0["samplers"]["ourTexture"];
         (sampler["unit"].as_u64().unwrap(), sampler["texture"].clone())
     };
-    // The lab's own: the texture's name where its unit belongs. There nothing is.
+    // The lab's mistake: the texture's name instead of its unit, at which no texture is bound.
     assert_eq!(unit("texture-name-as-unit", "name.rdc").0, 1);
-    // Right in this, and wrong in something else.
+    // Correct in this respect, but wrong in another.
     let (right, texture) = unit("stride-wrong", "stride.rdc");
     assert_eq!((right, texture.is_null()), (0, false));
 }

@@ -11,7 +11,7 @@ use gonio_image::encode::{exr, hdr, png};
 use gonio_image::{DecodeLimits, Image};
 use gonio_light::color::OutputTransform;
 
-/// Directions of the debug cubemap, and the colours of their faces (sRGB), as its documentation has them.
+/// Directions of the debug cubemap and the colours of their faces (sRGB), from its documentation.
 const GROUNDS: [(&str, [u8; 3]); 6] = [
     ("+X", [240, 168, 48]),
     ("-X", [184, 74, 0]),
@@ -30,15 +30,15 @@ fn direction_of(color: [u8; 3]) -> &'static str {
     GROUNDS.iter().min_by_key(|(_, ground)| distance(color, *ground)).unwrap().0
 }
 
-/// The pixel of an 8-bit picture at a place from -1 to 1, to the right and down.
+/// The pixel of an 8-bit picture at a position from -1 to 1, to the right and down.
 fn at(picture: &image::RgbImage, s: f64, t: f64) -> [u8; 3] {
     let index = |v: f64, side: u32| (0.5 * (v + 1.0) * f64::from(side)) as u32;
     picture.get_pixel(index(s, picture.width()), index(t, picture.height())).0
 }
 
-/// A place on a debug face where nothing is drawn.
+/// A position on a debug face without any drawing.
 const GROUND: f64 = 0.62;
-/// The mark in the upper left corner of a debug face, as it is seen.
+/// The mark in the visible upper left corner of a debug face.
 const MARK: f64 = -0.9;
 
 impl Lab {
@@ -88,7 +88,7 @@ fn names(ending: &str) -> Vec<String> {
     names
 }
 
-/// Light from 0.2 to 2.2 that is another one in every direction.
+/// Light from 0.2 to 2.2 that differs in every direction.
 fn light(d: DVec3) -> DVec3 {
     let wave = |k: DVec3, phase: f64| 1.2 + (k.dot(d) + phase).sin();
     DVec3::new(
@@ -106,7 +106,7 @@ fn hdr_panorama(width: u32) -> Vec<u8> {
 fn the_debug_cubemap_is_right_in_both_layouts() {
     for (layout, of_files) in [
         ("opengl", [("posx", "+X"), ("negx", "-X"), ("posy", "+Y"), ("negy", "-Y"), ("posz", "+Z"), ("negz", "-Z")]),
-        // `posz` is straight ahead.
+        // `posz` is ahead.
         (
             "photographic",
             [("posx", "+X"), ("negx", "-X"), ("posy", "+Y"), ("negy", "-Y"), ("posz", "-Z"), ("negz", "+Z")],
@@ -121,8 +121,8 @@ fn the_debug_cubemap_is_right_in_both_layouts() {
             assert_eq!(picture.dimensions(), (64, 64));
             let ground = at(&picture, GROUND, GROUND);
             assert_eq!(direction_of(ground), direction, "{layout} {file}");
-            // The mark is in the upper left corner of what is seen. OpenGL's faces are seen in a mirror: its sides have
-            // their columns the other way round, its top and bottom their rows.
+            // The mark is in the visible upper left corner. OpenGL's faces are mirrored: the columns of its sides and
+            // the rows of its top and bottom are reversed.
             let marked = match (layout, file) {
                 ("photographic", _) => (MARK, MARK),
                 (_, "posy" | "negy") => (MARK, -MARK),
@@ -139,13 +139,13 @@ fn the_debug_cubemap_is_right_in_both_layouts() {
 #[test]
 fn an_environment_rotates_as_documented() {
     let lab = Lab::new();
-    // A positive yaw turns what is ahead to the left, a positive pitch upwards; a roll turns the right upwards.
+    // A positive yaw rotates the part ahead to the left, a positive pitch rotates it up; a roll rotates the right side up.
     for (angles, file, direction) in [
         ("90,0,0", "negx", "-Z"),
         ("0,90,0", "posy", "-Z"),
         ("0,0,90", "posy", "+X"),
         ("-90,0,0", "posx", "-Z"),
-        // Pitch before yaw: what is ahead is raised, and stays above.
+        // Pitch before yaw: the part ahead is raised and stays above.
         ("90,90,0", "posy", "-Z"),
     ] {
         lab.convert(&["debug", "out", "--size", "32", "--rotate", angles]);
@@ -154,7 +154,7 @@ fn an_environment_rotates_as_documented() {
     }
 }
 
-/// Nothing is looked up anew where only the arrangement changes: every number stays.
+/// If only the arrangement changes, no texel is resampled.
 #[test]
 fn every_arrangement_contains_the_same_faces() {
     let lab = Lab::new();
@@ -174,7 +174,7 @@ fn every_arrangement_contains_the_same_faces() {
         before = file.to_owned();
     }
     lab.convert(&[&before, "e.ktx2", "--from-layout", "opengl"]);
-    // KTX2 is in OpenGL's layout without being told.
+    // KTX2 has OpenGL's layout by default.
     lab.convert(&["e.ktx2", "photographic", "--layout", "photographic"]);
     lab.convert(&["photographic", "again"]);
     assert_eq!(lab.within("again"), names("exr"));
@@ -194,7 +194,7 @@ fn a_panorama_survives_conversion_to_faces_and_back() {
         let direction = face.direction(0.0, 0.0, Layout::OpenGl);
         let [r, g, b, _] = image.at(32, 32);
         let expected = light(direction);
-        // The middle of a texel is 1/64 beside the face's; waves of length 1 to 6 change by up to 0.1 over it.
+        // The middle of a texel is 1/64 from the face's middle; waves of length 1 to 6 change by up to 0.1 over that distance.
         assert!(DVec3::new(r.into(), g.into(), b.into()).abs_diff_eq(expected, 0.15), "{i}: {r} {g} {b} {expected}");
     }
     for (output, more, size) in [
@@ -211,7 +211,7 @@ fn a_panorama_survives_conversion_to_faces_and_back() {
         // Two bilinear lookups on grids of 1/20, and RGBE's hundredth of 2.2.
         assert!(worst < 0.05, "{output}: {worst}");
     }
-    // A mirrored world is another one.
+    // A mirrored world differs.
     lab.convert(&["faces", "mirrored.hdr", "--size", "128"]);
     assert!(lab.read("mirrored.hdr") != lab.read("back.hdr"));
 }
@@ -333,7 +333,7 @@ fn a_check_names_and_writes_the_repair() {
     assert_eq!((&json["fits"], &json["layout"]), (&true.into(), &"photographic".into()));
 }
 
-/// No texel changes but its place, whatever the files hold.
+/// Texels change their position only, in every format.
 #[test]
 fn a_repair_preserves_every_bit() {
     let lab = Lab::new();
@@ -356,7 +356,7 @@ fn a_repair_preserves_every_bit() {
             assert!(pixels("out") == pixels("right"), "{name} {file}");
         }
     }
-    // As one picture, and as KTX2: in the kind of file that was read.
+    // As one picture, and as KTX2: in the format of the input.
     for (kind, file, out) in [("cross", "c.exr", "c2.exr"), ("ktx2", "k.ktx2", "k2.ktx2")] {
         lab.convert(&["half-wrong", file, "--to", kind]);
         let layout = if kind == "cross" { "opengl" } else { "photographic" };
@@ -415,15 +415,15 @@ const IN_THE_MIDDLE: [&str; 9] = [
 #[test]
 fn a_mirror_shows_every_side_in_its_place() {
     let lab = Lab::new();
-    // So fine that no pixel has both ink and ground.
+    // So fine that no pixel mixes ink and ground.
     let more = ["-o", "a.png", "--material", "mirror", "--size", "320x240", "--environment-size", "256"];
     let run = lab.render(&[&IN_THE_MIDDLE[..3], &IN_THE_MIDDLE[5..], &more].concat()).good();
     assert!(!run.stderr.contains("warning"), "{}", run.stderr);
     let picture = lab.rgb("a.png");
     // Behind the sphere is -Z.
     assert_eq!(direction_of(at(&picture, -0.9, 0.75)), "-Z");
-    // Where its normal is 45 degrees from the view it shows what is to the right, to the left, above and below; beside the
-    // letters, which are in the middle of the faces.
+    // Where its normal is 45 degrees from the view, it reflects the right, left, upper and lower sides, beside the letters in
+    // the middle of the faces.
     let seen = [(0.39, 0.146), (-0.39, 0.146), (0.0, -0.604), (0.0, 0.479)];
     assert_eq!(seen.map(|(s, t)| direction_of(at(&picture, s, t))), ["+X", "-X", "+Y", "-Y"]);
 }
@@ -439,7 +439,7 @@ fn mirrors_and_glass_look_the_same_on_cpu_and_gpu() {
         }
         // The project's tolerance: 0.5 % of the pixels by more than a step, edges included.
         lab.run(&["diff", "gl.png", "cpu.png", "--tolerance", "1", "--max-differing", "0.5"]).good();
-        // It is a picture of that material.
+        // The picture does show that material.
         let plain =
             ["render", IN_THE_MIDDLE[0], "-o", "plain.png", "--size", "160x120", "--samples", "1", "--backend", "cpu"];
         let more = ["--environment", "sky", "--environment-size", "64"];
@@ -465,7 +465,7 @@ fn a_probe_and_a_printed_scene_contain_the_environment() {
         lab.read(file)
     };
     assert!(draw(&["scene.toml"], "a.png") == draw(&IN_THE_MIDDLE[..], "b.png"));
-    // Options lay over what the file says.
+    // Options replace values of the file.
     let blurred = draw(&["scene.toml", "--environment-blur", "0.5"], "c.png");
     assert!(blurred != lab.read("a.png"));
     assert!(draw(&["scene.toml", "--environment-visible=false"], "d.png") != lab.read("a.png"));

@@ -10,7 +10,7 @@ use gonio_exercises::exercise;
 use std::path::Path;
 use std::time::Duration;
 
-/// The right answer of an exercise in `folder`, one line of its vertex shader changed.
+/// Writes the reference solution of an exercise to `folder`, with one line of its vertex shader changed.
 fn hand_in(lab: &Lab, exercise: &str, folder: &str, from: &str, to: &str) {
     let path = lab.path(folder).to_string_lossy().into_owned();
     lab.run(&["lab", "reference", exercise, "-o", &path]).good();
@@ -31,7 +31,7 @@ fn exercises_are_listed_shown_and_started_once() {
     let folder = lab.path("mine").to_string_lossy().into_owned();
     lab.run(&["lab", "start", "ex04", &folder]).good();
     assert!(lab.path("mine/start.frag").exists() && !lab.path("mine/reference.frag").exists());
-    // Nothing is changed yet, and the verdict says only that: no guess, and nothing about the files to start from.
+    // Nothing is changed yet, and the verdict states only that, without guesses about the start files.
     let run = lab.run(&["lab", "check", "ex04", &folder, "--json"]).json();
     let (summary, warnings) = (run["summary"].as_str().unwrap(), run["warnings"].as_array().unwrap());
     assert!(run["verdict"] == "wrong" && summary.contains("unchanged start files"), "{run}");
@@ -95,7 +95,7 @@ fn a_batch_always_ends_and_continues_an_earlier_run() {
     for name in ["index.html", "table.csv", "ann.html", "bob.html", "cyd.html"] {
         assert!(results.join(name).exists(), "{name}");
     }
-    // Verdicts are stored: a page that was not written again shows it.
+    // Verdicts are stored, so the page is not written again.
     std::fs::write(results.join("ann.html"), "kept").unwrap();
     hand_in_again(&lab);
     assert_eq!(batch()[..2], ["wrong", "wrong"]);
@@ -112,7 +112,7 @@ fn a_class_of_any_folder_structure_is_checked_and_left_unchanged() {
     hand_in(&lab, "ex04", "class/_bob", "mat3(itM)", "mat3(itM)");
     lab.write("class/list.txt", "ann, bob");
     let before = all_files(&lab.path("class"));
-    // Without `-o` the results lie beside the class, also where it is the current folder.
+    // Without `-o` the results are beside the class, even if it is the current folder.
     let junit = lab.path("all.xml").to_string_lossy().into_owned();
     let mut command = lab.command(&["lab", "check", "ex04", ".", "--json", "--junit", &junit]);
     let run = Run::of(command.current_dir(lab.path("class")).output().unwrap());
@@ -139,7 +139,7 @@ fn submissions_and_classes_are_distinguished() {
     let run = lab.run(&["lab", "check", "ex04", "mine", "--json"]).good();
     assert_eq!(run.json()["verdict"], "correct");
     assert!(!lab.path("mine-results").exists());
-    // A flat download: the right answer of one is not everybody's.
+    // A flat download: one student's right answer does not count for the others.
     for (student, to) in [("Ann_1", "mat3(itM)"), ("Ben_2", "mat3(M)")] {
         hand_in(&lab, "ex04", student, "mat3(itM)", to);
         for name in ["reference.vert", "reference.frag"] {
@@ -174,7 +174,7 @@ fn submissions_and_classes_are_distinguished() {
 #[test]
 fn a_check_ends_with_its_caller() {
     let lab = Lab::new();
-    // As many turns as a loop may take, each of them long: minutes of work for every picture, and longer than this test waits.
+    // The maximum number of long iterations: minutes of work for every picture, longer than this test waits.
     let work = "q = sin(q + 1.0); ".repeat(1000);
     let turns =
         format!("float q = position.x; for (int i = 0; i < 45000; i++) {{ {work} }} gl_Position.x += 1e-9 * q;\n}}");
@@ -211,7 +211,7 @@ fn a_check_ends_with_its_caller() {
     until(|| workers().is_empty());
 }
 
-/// Waits for something that must come; a minute is far more than it takes.
+/// Waits for a condition that must become true; a minute is far more than it takes.
 fn until(has_come: impl Fn() -> bool) {
     for _ in 0..6000 {
         if has_come() {
@@ -239,7 +239,7 @@ fn all_files(folder: &std::path::Path) -> Vec<(std::path::PathBuf, Vec<u8>)> {
     found
 }
 
-/// Bob spoils his answer.
+/// Replaces Bob's answer with a wrong one.
 fn hand_in_again(lab: &Lab) {
     let name = "all/bob/reference.vert";
     let text = String::from_utf8(lab.read(name)).unwrap();
@@ -283,7 +283,7 @@ fn a_pair_of_shaders_is_drawn_and_compile_errors_have_lines() {
     let path = |name: &str| lab.path(name).to_string_lossy().into_owned();
     lab.run(&["lab", "start", "ex04", &path("mine")]).good();
     lab.run(&["lab", "draw", "ex04", "-o", &path("right.png")]).good();
-    // The goal is what the right answer draws, and not what one starts from.
+    // The goal is the picture of the reference solution, not of the start files.
     assert_eq!(lab.picture("mine/goal.png"), lab.picture("right.png"));
     lab.run(&["lab", "draw", "ex04", &path("mine"), "-o", &path("mine.png")]).good();
     assert_ne!(lab.picture("mine.png"), lab.picture("right.png"));
@@ -330,8 +330,8 @@ fn ordinary_shaders_are_harmless_even_with_errors() {
     }
 }
 
-/// What crashes a reader or a driver, or takes all memory, on some machine: the process comes back with a sentence, or with
-/// the word that the compiler refuses it.
+/// Texts that crash a reader or a driver, or exhaust the memory, on some machine: the process reports a sentence, or that the
+/// compiler rejects the text.
 #[test]
 fn hostile_texts_are_refused_in_one_sentence() {
     let long = format!("void main() {{ float x = 1.0{};", "+0.0".repeat(40_000));
@@ -351,7 +351,7 @@ fn hostile_texts_are_refused_in_one_sentence() {
     }
 }
 
-/// A loop that ends, but not soon: at the size of a window it would hold up everything.
+/// A loop that ends late: at the size of a window it would block everything.
 #[test]
 fn a_shader_that_would_block_the_window_is_refused() {
     let slow =

@@ -12,7 +12,7 @@ fn opengl_and_the_cpu_draw_the_same_picture() {
     let lab = Lab::new();
     let model = asset("still_life.obj");
     for (backend, name) in [("gl", "gl.png"), ("cpu", "cpu.png"), ("auto", "auto.png")] {
-        // Linear filtering is defined to the bit and the same everywhere; the footprints of mipmaps are not.
+        // Linear filtering is defined exactly; the footprints of mipmaps are not.
         let filter = ["--texture-filter", "linear"];
         let args = ["render", &model, "-o", name, "--size", "160x120", "--samples", "1", "--backend", backend];
         let run = lab.run(&[&args[..], &filter[..]].concat());
@@ -20,7 +20,7 @@ fn opengl_and_the_cpu_draw_the_same_picture() {
         assert_eq!(stderr.contains("note: drawn by OpenGL ("), backend == "auto", "{backend}: {stderr}");
     }
     assert_eq!(lab.read("gl.png"), lab.read("auto.png"));
-    // 0.5 % of the pixels by more than one step: what the project promises, edges included.
+    // The project's tolerance: 0.5 % of the pixels by more than one step, edges included.
     lab.run(&["diff", "gl.png", "cpu.png", "--tolerance", "1", "--max-differing", "0.5"]).good();
     let json =
         lab.run(&["render", &model, "-o", "gl.png", "--size", "64x48", "--backend", "gl", "--json"]).good().json();
@@ -33,7 +33,7 @@ fn a_probe_compares_opengl_with_the_reference() {
     let lab = Lab::new();
     let args = ["probe", &asset("suzanne.obj"), "--at", "500,400", "--backend", "gl", "--json"];
     let json = lab.run(&args).good().json();
-    // 1e-3: what the project promises for linear values.
+    // 1e-3: the project's tolerance for linear values.
     assert!(json["gpu"]["difference"].as_f64().unwrap() < 1e-3, "{}", json["gpu"]);
 }
 
@@ -46,7 +46,7 @@ fn opengl_and_the_cpu_draw_the_same_views() {
         lab.run(&[&["render", &cube, "-o", name], &common[..]].concat()).good();
     }
     for layer in ["picture", "normal", "cos-theta", "diffuse"] {
-        // Edges may fall on either side: 1 % of the pixels of a small picture.
+        // Edges may round to either side: 1 % of the pixels of a small picture.
         let args = ["diff", "gl.exr", "cpu.exr", "--layer", layer, "--tolerance", "1", "--max-differing", "1"];
         lab.run(&args).good();
     }
@@ -81,7 +81,7 @@ fn a_driver_that_is_too_old_is_named() {
     let cube = asset("cube.obj");
     let run = |backend: &str| {
         let args = ["render", &cube, "-o", "a.png", "--size", "48x32", "--backend", backend];
-        // Mesa's own way of pretending.
+        // Mesa then reports this version.
         common::Run::of(lab.command(&args).env("MESA_GL_VERSION_OVERRIDE", "3.1").output().unwrap())
     };
     run("gl").refused(&["3.3", "too old", "--backend cpu"]);
@@ -115,7 +115,7 @@ fn a_frame_in_tables() {
     ] {
         assert!(run.text().contains(words), "`{words}` is not in\n{}", run.text());
     }
-    // Nothing wider than a terminal of a lecture hall, and no space at a line's end.
+    // No line is wider than a projected terminal or ends with a space.
     for line in run.text().lines() {
         assert!(line.chars().count() <= 190 && line.trim_end() == line, "{line}");
     }
@@ -149,7 +149,7 @@ fn everything_as_json() {
     let draws = frame["draws"].as_array().unwrap();
     assert!(draws.len() > 2);
     assert_eq!(frame["passes"][0]["target"]["format"], "RGBA16F");
-    // Sampler, unit, texture, all the way.
+    // From sampler to unit to texture.
     let samplers = draws.iter().flat_map(|draw| draw["samplers"].as_array().unwrap());
     let read = samplers.filter(|s| s["name"] == "diffuse_map").map(|s| (&s["unit"], &s["texture"])).collect::<Vec<_>>();
     assert!(!read.is_empty());

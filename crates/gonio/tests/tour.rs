@@ -19,15 +19,15 @@ fn a_small_tour_is_complete_and_reproducible() {
     let pictures = report["pictures"].as_array().unwrap();
     assert!(pictures.len() >= 95, "{}", pictures.len());
 
-    // The sheet: a tenth of 1920 wide, as high as the report says.
+    // The sheet: a tenth of 1920 wide, with the height in the report.
     let sheet = lab.picture("out tour/sheet.png");
     assert_eq!(sheet.width(), 192);
     assert_eq!(u64::from(sheet.height()), report["sheet"]["height"].as_u64().unwrap());
-    // Not a grey wall: the hero's place has many colours.
+    // Not an empty sheet: the first picture has many colours.
     let colors: HashSet<[u8; 3]> = sheet.to_rgb8().pixels().map(|p| p.0).collect();
     assert!(colors.len() > 1000, "{}", colors.len());
 
-    // The page: works from disk, and all that it names is there.
+    // The page works from disk, and all files that it names exist.
     let page = String::from_utf8(lab.read("out tour/index.html")).unwrap();
     assert!(!page.contains("<script") && !page.contains("http://") && !page.contains("https://"));
     let images = attributes(&page, "<img src=\"");
@@ -55,12 +55,12 @@ fn a_small_tour_is_complete_and_reproducible() {
         draw_again(&lab, picture);
     }
 
-    // A tour into a folder that is there already updates it, and leaves nothing beside.
+    // A tour into an existing folder updates it and leaves no other files.
     let before: Vec<_> = std::fs::read_dir(lab.path("out tour")).unwrap().map(|e| e.unwrap().file_name()).collect();
     assert_eq!(before.len(), 4, "{before:?}");
 }
 
-/// Runs a picture's command as it is printed, and compares the bytes.
+/// Runs the printed command of a picture, and compares the bytes.
 #[track_caller]
 fn draw_again(lab: &Lab, picture: &serde_json::Value) {
     let name = picture["name"].as_str().unwrap();

@@ -93,7 +93,7 @@ fn group_limit(text: &str, read: &dyn Fn(&Path) -> Option<String>) -> Option<u64
             }
             _ => return None,
         };
-        // In a container this may be the path outside, of which only the root is visible.
+        // In a container this may be the path outside the container, of which only the root is visible.
         let group = PathBuf::from(path.trim_start_matches('/'));
         let limit = |group: &Path| read(&Path::new(mount).join(group).join(file))?.trim().parse::<u64>().ok();
         group.ancestors().filter_map(limit).min()

@@ -12,7 +12,7 @@ use gonio_scene::{SceneFile, TextureFilter};
 /// Options that replace values of a scene. The same for every command that reads one.
 #[derive(Args, Debug, Clone, Default)]
 pub struct SceneOptions {
-    /// Where the equation is evaluated.
+    /// Points at which the equation is evaluated.
     ///
     /// flat: at each pixel, with one normal per triangle; flat-per-face: once per triangle, at its centroid; gouraud: at
     /// the vertices, interpolating the light; phong: at each pixel, interpolating the normal.

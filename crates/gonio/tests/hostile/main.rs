@@ -22,9 +22,9 @@ static TURN: Mutex<()> = Mutex::new(());
 fn held(cases: &[Case], at_least: usize) {
     let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     assert!(cases.len() >= at_least, "{} cases", cases.len());
-    let expected = std::env::var("GONIO_HOSTILE").unwrap_or_default();
-    let cases: Vec<&Case> = cases.iter().filter(|case| case.name.contains(&expected)).collect();
-    assert!(!cases.is_empty(), "no case is called `{expected}`");
+    let selection = std::env::var("GONIO_HOSTILE").unwrap_or_default();
+    let cases: Vec<&Case> = cases.iter().filter(|case| case.name.contains(&selection)).collect();
+    assert!(!cases.is_empty(), "no case is called `{selection}`");
     let (next, reports) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     std::thread::scope(|scope| {
         for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {

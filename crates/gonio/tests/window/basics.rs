@@ -9,7 +9,7 @@ fn keys_undo_and_redo() {
     let before = window.rest();
     assert_eq!(before["undo"], false);
     let (x, y) = window.find("pane-0");
-    // In steps, as a hand does: what begins a drag is a press and then a way.
+    // In steps, as by hand: a drag begins with a press and a movement.
     let pause = || std::thread::sleep(std::time::Duration::from_millis(300));
     window.do_it(&["mousemove", &x.to_string(), &y.to_string()]);
     pause();
@@ -48,7 +48,7 @@ fn small_windows_clip_no_widget() {
         let state = window.rest();
         assert_eq!(state["size"], serde_json::json!([f64::from(width), f64::from(height)]));
         let widgets = state["widgets"].as_array().unwrap();
-        // The bars; what the side panel holds may be scrolled to.
+        // The bars only; widgets of the side panel can be scrolled to.
         for id in ["undo", "redo", "frame", "theme", "help", "pane-0", "tab-lights", "tab-frame"] {
             let widget = widgets.iter().find(|w| w["id"] == id).unwrap_or_else(|| panic!("{id} is missing"));
             let rect: Vec<f64> = widget["rect"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
@@ -68,8 +68,8 @@ fn an_idle_window_uses_no_processor_time() {
     let cpu = window.cpu_seconds();
     std::thread::sleep(std::time::Duration::from_secs(3));
     let after = window.state();
-    assert_eq!(after["frame"]["frames"], before["frame"]["frames"], "painted while nothing changed");
-    // The watcher of files looks at two of them twice a second; two hundredths are what the system's clock can tell.
+    assert_eq!(after["frame"]["frames"], before["frame"]["frames"], "frames were painted although nothing changed");
+    // The file watcher checks two files twice a second; 0.02 s is the resolution of the system's clock.
     let used = window.cpu_seconds() - cpu;
     assert!(used <= 0.02, "{used} s of processor time in 3 s");
 }

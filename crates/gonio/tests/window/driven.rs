@@ -1,4 +1,4 @@
-//! The program with its window, pressed and typed into.
+//! The program with its window, and simulated input.
 
 use crate::screen::Screen;
 use serde_json::Value;
@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-/// Nothing here is judged by the clock: this is when a test gives up on a machine that does many things at once.
+/// Time limit for a condition. No test depends on the clock; this only ends tests on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(120);
-/// How often the state is looked at.
+/// Interval between looks at the state.
 const PERIOD: Duration = Duration::from_millis(50);
 
 /// A running window.
@@ -24,16 +24,16 @@ impl Window {
         Window::open_in(tempfile::tempdir().unwrap(), width, height, inputs)
     }
 
-    /// The same in a folder that has files.
+    /// Opens a window in a folder with files.
     pub fn open_in(folder: tempfile::TempDir, width: u32, height: u32, inputs: &[&str]) -> Window {
         let mut window = Window::start(folder, [width, height], &["view"], inputs);
-        // A sketch, and then the whole one.
+        // First a preview, then the full picture.
         window.wait("the first picture", |s| s["frame"]["complete"] == true && s["busy"].is_null());
         window.focus();
         window
     }
 
-    /// An exercise in a folder that has files: `gonio lab open`.
+    /// Opens an exercise in a folder with files: `gonio lab open`.
     pub fn exercise_in(folder: tempfile::TempDir, width: u32, height: u32, arguments: &[&str]) -> Window {
         let mut window = Window::start(folder, [width, height], &["lab", "open"], arguments);
         window.wait("the laboratory", |s| s["exercise"]["open"] == true && s["exercise"]["id"].is_string());
@@ -50,7 +50,7 @@ impl Window {
             .current_dir(folder.path())
             .env("DISPLAY", &screen.name)
             .env("XDG_STATE_HOME", folder.path().join("home"))
-            // A dialog program of this machine is not what is tested.
+            // The machine's own dialog programs are not tested.
             .env("PATH", "/nonexistent")
             .env_remove("WAYLAND_DISPLAY")
             .stdin(Stdio::null())
@@ -59,7 +59,7 @@ impl Window {
         Window { program, screen, folder }
     }
 
-    /// Has its keys: there is no window manager that would see to it. The server may show it a moment later than it draws.
+    /// Gives the window the keyboard focus, because there is no window manager. The server may show the window later than it draws.
     fn focus(&self) {
         let start = Instant::now();
         while !self.xdotool(&["search", "--onlyvisible", "--name", "^gonio$", "windowfocus"]).status.success() {
@@ -68,11 +68,11 @@ impl Window {
         }
     }
 
-    /// Ends it without any warning (SIGKILL), and gives the folder with all that it left.
+    /// Kills the program (SIGKILL), and returns the folder with everything that it left.
     pub fn kill(mut self) -> tempfile::TempDir {
         self.program.kill().unwrap();
         self.program.wait().unwrap();
-        // The next window in this folder writes its own.
+        // The next window in this folder writes its own state.
         std::fs::remove_file(self.path("state.json")).unwrap();
         std::mem::replace(&mut self.folder, tempfile::tempdir().unwrap())
     }
@@ -93,7 +93,7 @@ impl Window {
             .unwrap_or(Value::Null)
     }
 
-    /// Waits until the state is as expected, and gives it.
+    /// Waits until the state fulfils a condition, and returns it.
     #[track_caller]
     pub fn wait(&mut self, what: &str, expected: impl Fn(&Value) -> bool) -> Value {
         let start = Instant::now();
@@ -114,7 +114,7 @@ impl Window {
         }
     }
 
-    /// Waits until it paints no more, and gives the state then.
+    /// Waits until the window stops painting, and returns the state.
     pub fn rest(&mut self) -> Value {
         let mut before = Value::Null;
         let start = Instant::now();
@@ -125,18 +125,18 @@ impl Window {
             }
             assert!(start.elapsed() < PATIENCE, "it never rests");
             before = state;
-            // Longer than anything that moves by itself: tooltips, menus that fade in, the watcher of files.
+            // Longer than any automatic change: tooltips, menus that fade in, the file watcher.
             std::thread::sleep(Duration::from_secs(2));
         }
     }
 
-    /// Where a widget is, once it is there: its middle, in pixels.
+    /// The middle of a widget in pixels, as soon as it exists.
     pub fn find(&mut self, id: &str) -> (i64, i64) {
         let ([left, top, width, height], scale) = self.rect(id);
         (((left + width / 2.0) * scale) as i64, ((top + height / 2.0) * scale) as i64)
     }
 
-    /// Left, top, width and height of a widget, once it is there, in points; and pixels per point.
+    /// Left, top, width and height of a widget in points, as soon as it exists, and pixels per point.
     fn rect(&mut self, id: &str) -> ([f64; 4], f64) {
         let of = |state: &Value| state["widgets"].as_array()?.iter().find(|w| w["id"] == id).cloned();
         let state = self.wait(id, |state| of(state).is_some());
@@ -150,7 +150,7 @@ impl Window {
         self.click_at(at);
     }
 
-    /// Clicks near the upper left corner: the middle of a long line of text is far outside of the window.
+    /// Clicks near the upper left corner, because the middle of a long line of text is outside the window.
     pub fn click_corner(&mut self, id: &str) {
         let ([left, top, ..], scale) = self.rect(id);
         self.click_at((((left + 60.0) * scale) as i64, ((top + 60.0) * scale) as i64));
@@ -158,7 +158,7 @@ impl Window {
 
     fn click_at(&self, (x, y): (i64, i64)) {
         self.do_it(&["mousemove", &x.to_string(), &y.to_string()]);
-        // What lies under the pointer is known after a frame with the pointer there.
+        // The widget under the pointer is known one frame later.
         std::thread::sleep(Duration::from_millis(300));
         self.do_it(&["click", "1"]);
     }
@@ -171,7 +171,7 @@ impl Window {
         self.do_it(&["type", "--delay", "30", text]);
     }
 
-    /// `xdotool` on this screen, which has to succeed.
+    /// Runs `xdotool` on this screen; it must succeed.
     pub fn do_it(&self, args: &[&str]) {
         let output = self.xdotool(args);
         assert!(output.status.success(), "xdotool {args:?}: {}", String::from_utf8_lossy(&output.stderr));
@@ -185,7 +185,7 @@ impl Window {
     /// Seconds of processor time that the program has used.
     pub fn cpu_seconds(&self) -> f64 {
         let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.program.id())).unwrap();
-        // After the name in brackets: user and system time are the 12th and 13th of what follows, hundredths of a second.
+        // After the name in brackets, user and system time are fields 12 and 13, in hundredths of a second.
         let fields: Vec<&str> = stat.rsplit(')').next().unwrap().split_whitespace().collect();
         (fields[11].parse::<f64>().unwrap() + fields[12].parse::<f64>().unwrap()) / 100.0
     }
@@ -198,7 +198,7 @@ impl Drop for Window {
     }
 }
 
-/// `gonio` with these arguments and nothing of this machine's display: exit code and stderr.
+/// Runs `gonio` with these arguments without this machine's display. Returns exit code and stderr.
 pub fn without_display(args: &[&str], display: Option<&str>) -> (i32, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_gonio"));
     command.args(args).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").stdin(Stdio::null());
@@ -211,7 +211,7 @@ pub fn without_display(args: &[&str], display: Option<&str>) -> (i32, String) {
     (output.status.code().unwrap_or(-1), stderr)
 }
 
-/// A model that the program carries, as a file of the repository.
+/// A built-in model, as a file of the repository.
 pub fn asset(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/models").join(name)
 }

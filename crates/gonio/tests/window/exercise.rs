@@ -1,11 +1,11 @@
-//! The laboratory: a student's files, broken and mended in another editor and in gonio's own.
+//! Exercises: a student's files, broken and fixed in another editor and in gonio's own.
 
 use crate::driven::Window;
 use serde_json::Value;
 use std::path::Path;
 use std::process::Command;
 
-/// A folder `mine` with exercise 04's right answer.
+/// A folder `mine` with the reference solution of exercise 04.
 pub fn answered() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let status = Command::new(env!("CARGO_BIN_EXE_gonio"))
@@ -42,7 +42,7 @@ fn a_file_broken_on_disk_keeps_the_last_picture_and_is_reported_with_its_line() 
     window.key("ctrl+Return");
     let state = window.wait("a verdict", |s| s["exercise"]["verdict"].is_object());
     assert_eq!(state["exercise"]["verdict"]["word"], "correct", "{}", state["exercise"]["verdict"]);
-    // A mistake that compiles is named with its line, and the verdict of before is told to be of other texts.
+    // A mistake that compiles is named with its line, and the earlier verdict is marked as outdated.
     let vertex = window.path("mine/reference.vert");
     let text = std::fs::read_to_string(&vertex).unwrap();
     std::fs::write(&vertex, text.replace("mat3(itM)", "mat3(M)")).unwrap();
@@ -69,7 +69,7 @@ fn edited_text_is_undone_saved_and_never_lost() {
     window.type_text("oops ");
     window.wait("the error", |s| s["exercise"]["older"] == true && s["exercise"]["files"][0]["changed"] == true);
     assert_eq!(std::fs::read_to_string(&path).unwrap(), right, "nothing is saved that nobody asked for");
-    // Another editor writes meanwhile: what was written here stays, and the person is asked.
+    // Another editor writes meanwhile: the edited text stays, and the user is asked.
     std::fs::write(&path, format!("{right}\n// of another editor\n")).unwrap();
     let state = window.wait("the conflict", |s| s["exercise"]["files"][0]["conflict"] == true);
     assert_eq!(state["exercise"]["files"][0]["changed"], true);
@@ -97,16 +97,16 @@ fn an_endless_shader_does_not_block_the_window() {
         text.replacen("void main() {", "void main() {\n    float z = 1.0;\n    while (z > 0.0) { z += 1e-9; }", 1);
     std::fs::write(&path, endless).unwrap();
     let mut window = Window::exercise_in(folder, 1000, 640, &["ex04", "mine"]);
-    // Not `tried`: a driver with a bound of its own on loops may be done before this first asks.
+    // Not `tried`: a driver that limits loops itself may have finished already.
     window.wait("it to be tried elsewhere", |s| s["exercise"]["trials"] == 1);
-    // The window goes on meanwhile.
+    // The window stays responsive meanwhile.
     window.click("page-variables");
     window.wait("another page", |s| s["exercise"]["page"] == "variables");
     window.write("mine/reference.frag", &text);
     window.wait("the one that ends", |s| s["exercise"]["drawn"] == true && s["exercise"]["tried"] == false);
 }
 
-/// Opens files by the field that asks for a path where the system has no dialogs.
+/// Opens files by the path field, which replaces a missing file dialog.
 fn open(window: &mut Window, path: &str) {
     window.key("ctrl+o");
     window.find("path");
@@ -128,7 +128,7 @@ fn files_of_the_user_are_opened_watched_and_saved_in_place() {
     let state = window.wait("the files", |s| s["exercise"]["file"] == "reference.frag");
     assert_eq!((&state["exercise"]["before"], &state["error"]), (&1.into(), &Value::Null));
     window.wait("the picture", |s| s["exercise"]["drawn"] == true && s["exercise"]["older"] == false);
-    // They are those on the disk: another editor's changes are followed, and what is written here is saved there.
+    // They are the files on disk: changes by another editor are loaded, and edits are saved to them.
     let path = window.path("mine/reference.frag");
     let text = std::fs::read_to_string(&path).unwrap();
     std::fs::write(&path, text.replacen("void main()", "void mian()", 1)).unwrap();
@@ -143,11 +143,11 @@ fn files_of_the_user_are_opened_watched_and_saved_in_place() {
         s["exercise"]["files"].as_array().is_some_and(|f| f.iter().all(|f| f["changed"] == false))
     });
     assert!(std::fs::read_to_string(&path).unwrap().ends_with("// mine"));
-    // What was written before is there all the same.
+    // The earlier text is still there.
     window.click("put-back");
     let state = window.wait("what was before", |s| s["exercise"]["file"] == "start.frag");
     assert!(state["exercise"]["files"].as_array().unwrap().iter().any(|f| f["changed"] == true));
-    // What is nothing for the exercise is one sentence, and changes nothing.
+    // A file that does not fit the exercise is reported in one sentence and changes nothing.
     window.write("photo.dat", "\u{0}\u{1}");
     open(&mut window, "photo.dat");
     let state = window.wait("the sentence", |s| s["error"].is_string());

@@ -14,7 +14,7 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-/// Asks for a path by keys, and answers.
+/// Types a path into the path field.
 fn answer(window: &mut Window, text: &str) {
     window.find("path");
     window.key("ctrl+a");
@@ -54,7 +54,7 @@ fn a_model_is_opened_by_its_path_and_remembered() {
 fn changed_files_are_read_again_and_the_camera_stays() {
     let mut window = Window::open_in(folder(), 800, 600, &["cube.obj"]);
     window.rest();
-    // A change of ours that has to survive.
+    // An edit that must survive.
     window.key("Left");
     window.wait("a step to undo", |s| s["undo"] == true);
     let before = window.rest();
@@ -70,7 +70,7 @@ fn changed_files_are_read_again_and_the_camera_stays() {
     let ([r, g, b], old) = (middle(&is), middle(&was));
     assert!(old[2] > old[0], "{old:?} is not blue");
     assert!(r > g && r > b, "{:?} is not red; it was {old:?}", [r, g, b]);
-    // A file that cannot be read leaves what is there.
+    // A file that cannot be read leaves the scene unchanged.
     window.write("cube.obj", "this is no model\n");
     let broken = window.wait("an error", |s| s["error"].is_string());
     assert_eq!(broken["triangles"], 12);
@@ -117,7 +117,7 @@ fn a_file_that_cannot_be_opened_changes_nothing() {
         assert_eq!(state["title"], before["title"]);
         assert_eq!(state["scene"], before["scene"]);
     }
-    // They stay until they are read.
+    // Messages stay until they are dismissed.
     let state = window.rest();
     assert_eq!(state["messages"].as_array().unwrap().len(), 2);
     let id = state["messages"][0]["id"].as_u64().unwrap();

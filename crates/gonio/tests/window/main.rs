@@ -8,6 +8,6 @@ mod exercise;
 mod files;
 mod pointer;
 mod survival;
-// The benches' own.
+// Shared with the benchmarks.
 #[path = "../../../../benches/src/screen.rs"]
 mod screen;

@@ -1,4 +1,4 @@
-//! A light dragged, a point probed: with a pointer that comes from outside.
+//! Dragging a light and probing a point with a real pointer.
 
 use crate::driven::Window;
 use serde_json::Value;
@@ -15,7 +15,7 @@ name = "lamp"
 position = [1.3, 1.2, 1.0]
 "#;
 
-/// A window with the scene above, which has come to rest: in its first frames it is still being laid out.
+/// A window with the scene above, after the first frames, in which the layout still changes.
 fn open() -> Window {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
@@ -53,7 +53,7 @@ fn a_light_is_dragged_with_a_real_pointer() {
     assert!(drawn(&after) > drawn(&before), "the picture was not drawn again");
     assert_eq!(after["scene"]["camera"], before["scene"]["camera"]);
     assert_eq!(after["selection"]["light"], 0);
-    // A pixel for each rounding: of the pointer, of the light's numbers, of the handle's middle.
+    // One pixel for each rounding: of the pointer, of the light's numbers and of the handle's middle.
     window.rest();
     let (to_x, to_y) = window.find("light-0-handle");
     assert!(

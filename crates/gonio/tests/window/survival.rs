@@ -1,19 +1,18 @@
-//! What a submission does to readers and drivers does not end the window, and the end of the window does not end what was
-//! written in it.
+//! Hostile submissions do not crash the window, and edited text survives its end.
 
 use crate::driven::Window;
 use crate::exercise::answered;
 use serde_json::Value;
 use std::path::Path;
 
-/// The file that is in the editor, as the state tells of it.
+/// The state of the file in the editor.
 fn shown(state: &Value) -> Value {
     let exercise = &state["exercise"];
     let files = exercise["files"].as_array().unwrap();
     files.iter().find(|file| file["name"] == exercise["file"]).cloned().unwrap()
 }
 
-/// Waits until a draft that contains this is on the disk.
+/// Waits until a draft that contains this text is on disk.
 #[track_caller]
 fn drafted(window: &mut Window, text: &str) {
     let folder = window.path("home/gonio/drafts");
@@ -30,7 +29,7 @@ fn hostile_shaders_are_reported_and_the_window_survives() {
     let long = format!("void main() {{\n    float x = 1.0{};", "+0.0".repeat(40_000));
     let doubling: String = (1..40).map(|n| format!("#define M{n} M{} M{}\n", n - 1, n - 1)).collect();
     let macros = format!("#define M0 x += 1.0;\n{doubling}void main() {{ float x = 0.0; M39");
-    // What is in the array is used: otherwise the compiler leaves it out.
+    // The array is used, or the compiler would remove it.
     for hostile in [
         long.as_str(),
         "void main() {\n    int a[2147483647]; a[int(gl_FragCoord.x)] = 1; if (a[7] == 3) discard;",
@@ -42,7 +41,7 @@ fn hostile_shaders_are_reported_and_the_window_survives() {
         let errors = exercise["marks"].as_array().unwrap().iter().filter(|note| note["kind"] == "error").count();
         assert!(exercise["unusable"].is_string() || errors > 0, "{exercise}");
         assert_eq!(exercise["drawn"], true, "the last picture stays");
-        // It can be written in, and mended.
+        // The text can be edited and fixed.
         window.click_corner("editor");
         window.key("ctrl+Home");
         window.type_text("// ");
@@ -67,18 +66,18 @@ fn unsaved_text_survives_a_killed_window() {
     window.type_text("// at the end");
     drafted(&mut window, "// at the end");
     let folder = window.kill();
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), right, "a draft is not written into the file");
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), right, "a draft must not be written to the file");
 
     let mut window = Window::exercise_in(folder, 1100, 700, &["ex04", "mine"]);
     let state = window.wait("the draft", |s| shown(s)["restored"] == true);
     assert_eq!((&shown(&state)["changed"], &shown(&state)["conflict"]), (&true.into(), &false.into()));
     window.find("restored");
-    // Discarded, it is gone from the disk, and a step of undo brings it back.
+    // Discarding removes the draft from disk, and undo restores it.
     window.click("discard-restored");
     window.wait("the saved text", |s| shown(s)["changed"] == false && s["exercise"]["drafts"] == 0);
     window.click("undo");
     drafted(&mut window, "// at the end");
-    // It is the text itself: saved, it is on the disk, and no draft is left.
+    // Saving writes the text to its file and removes the draft.
     window.key("ctrl+s");
     window.wait("it to be saved", |s| shown(s)["changed"] == false && s["exercise"]["drafts"] == 0);
     let saved = std::fs::read_to_string(&path).unwrap();

@@ -47,7 +47,7 @@ pub struct ConvertArgs {
     /// File to write (.png .hdr .exr .ktx2), or folder for six faces; - is stdout.
     #[arg(value_name = "OUT")]
     pub output: OutputPath,
-    /// What to write; by default a panorama or KTX2 if OUT is a file, else six faces.
+    /// Container to write; by default a panorama or KTX2 if OUT is a file, else six faces.
     #[arg(long, help_heading = "Output options", value_name = "CONTAINER",
           value_parser = values::named(Container::ALL, Container::name))]
     pub to: Option<Container>,

@@ -21,7 +21,7 @@ fn folder(files: &[(&str, &[u8])]) -> TempDir {
     folder
 }
 
-/// A zip of files, stored as they are.
+/// A zip of uncompressed files.
 fn zip_of(files: &[(&str, &[u8])]) -> Vec<u8> {
     let (mut zip, mut directory) = (Vec::new(), Vec::new());
     for (name, content) in files {
@@ -189,7 +189,7 @@ fn an_archive_that_unpacks_to_more_than_it_says_or_than_is_read_is_left_aside() 
     let one = one_at(&folder.path().join("work.zip"));
     assert_eq!(names(&one), ["a.vert"]);
     assert!(one.left_out[0].contains("larger than 32 MiB"), "{:?}", one.left_out);
-    // The directory says a byte less.
+    // The directory states one byte less.
     let at = bomb.windows(4).rposition(|w| w == b"PK\x01\x02").unwrap();
     bomb[at + 24..at + 28].copy_from_slice(&10_u32.to_le_bytes());
     std::fs::write(folder.path().join("work.zip"), &bomb).unwrap();
