@@ -389,7 +389,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cross_that_begins_with_the_face_behind_is_told_by_its_empty_cells() {
+    fn a_cross_that_begins_with_the_face_behind_is_recognised_by_its_empty_cells() {
         let map = smooth(8);
         let cross = picture(&map, Arrangement::Cross, Layout::Photographic);
         // One cell further to the right, the last one first.
@@ -415,7 +415,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_where_nothing_is_empty_is_told() {
+    fn a_picture_without_empty_cells_is_reported() {
         let mut image = Image::new(32, 24, [0.0; 4]);
         for (i, pixel) in image.pixels.iter_mut().enumerate() {
             *pixel = [(i % 32) as f32 / 32.0, (i / 32) as f32 / 24.0, 0.5, 1.0];
@@ -426,7 +426,7 @@ mod tests {
     }
 
     #[test]
-    fn sizes_mean_what_the_documentation_says() {
+    fn sizes_have_the_documented_meaning() {
         let kind = |width, height| {
             let found = recognise(width, height);
             (found.arrangement, found.warning.is_some())

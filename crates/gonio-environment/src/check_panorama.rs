@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_right_closes() {
+    fn a_correct_panorama_closes() {
         for (name, panorama) in pictures() {
             let found = check_panorama(&panorama);
             assert!(found.closes() && !found.is_turned, "{name}: {found:?}");
@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn upside_down_is_a_hint_and_no_finding() {
+    fn upside_down_is_a_hint_but_not_a_finding() {
         let sky = crate::sky::Sky::default().cubemap(64);
         let panorama = Panorama::from_function(128, 64, |d| sky.sample(d) * if d.y < 0.0 { 0.2 } else { 1.0 });
         let upright = check_panorama(&panorama);

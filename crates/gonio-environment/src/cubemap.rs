@@ -233,7 +233,7 @@ pub(crate) fn mean(pixels: &[Pixel]) -> DVec3 {
 mod tests {
     use super::*;
 
-    /// A smooth function of which every direction has another value.
+    /// A smooth function that differs in every direction.
     fn truth(d: DVec3) -> DVec3 {
         DVec3::new(1.5 + d.x, 1.5 + d.y * d.z, 1.5 + d.z)
     }

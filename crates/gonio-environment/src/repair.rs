@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn sentences_say_what_is_wrong() {
+    fn sentences_name_the_fault() {
         use Face::{NegX, NegY, PosX, PosY, PosZ};
         assert!(Repair::nothing().sentences().is_empty());
         assert_eq!(with(&[(NegY, NegY, false, 2)]).sentences(), ["`negy` is turned by 180 degrees"]);

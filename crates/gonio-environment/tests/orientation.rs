@@ -55,7 +55,7 @@ fn assert_repaired(name: &str, faces: &[Image; 6], changes: &[(usize, usize, boo
 }
 
 #[test]
-fn what_is_right_is_left_alone() {
+fn correct_faces_are_not_repaired() {
     for (name, faces) in [("rich", rich_faces()), ("room", builtin(Builtin::Room)), ("sky", builtin(Builtin::Sky))] {
         let found = certified(&faces);
         assert_eq!((found.fit, found.repair), (FaceFit::Fits, Repair::nothing()), "{name}: {:?}", found.sentences());
@@ -209,7 +209,7 @@ fn grain_and_compression_do_not_mislead() {
 }
 
 #[test]
-fn where_nothing_can_be_told_nothing_is_claimed() {
+fn plain_pictures_are_not_judged() {
     for plain in [
         faces_of(&Cubemap::new(32, [0.5, 0.5, 0.5, 1.0])),
         faces_of(&Cubemap::new(1, [0.5, 0.5, 0.5, 1.0])),

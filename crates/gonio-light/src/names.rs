@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_name_is_answered_with_the_known_ones() {
+    fn an_unknown_name_lists_the_known_ones() {
         let error = "blin".parse::<BrdfKind>().unwrap_err();
         assert_eq!(error.to_string(), "invalid BRDF `blin`: expected one of lambert, lafortune, blinn, phong, ward");
     }

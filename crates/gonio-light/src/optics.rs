@@ -93,7 +93,7 @@ pub struct Optics {
     pub transmission: f64,
     /// The Fresnel factor.
     pub fresnel: Fresnel,
-    /// Multiplies what is let through, once however many surfaces count. Linear RGB, 0 to 1.
+    /// The factor of transmitted light, applied once for any number of surfaces. Linear RGB, 0 to 1.
     pub tint: DVec3,
     /// The absorption of the body, per world unit: light is weakened by `exp(-absorption d)` over the distance `d`.
     /// Counts between two surfaces. Linear RGB, not negative.
@@ -139,7 +139,7 @@ impl Optics {
         }
     }
 
-    /// `L`, from the light equation's value and what is seen of the surroundings.
+    /// `L`, from the value of the light equation and the visible surroundings.
     pub fn compose(&self, lit: DVec3, sight: &Sight) -> DVec3 {
         let share = self.mirror_share(sight.fresnel.y);
         let opaque = lit * (1.0 - share) + sight.reflected * share;
@@ -162,7 +162,7 @@ pub struct Boundary {
     pub reflectance: f64,
 }
 
-/// The ray of sight at a boundary between the outside (index 1) and a material. `n`: unit normal, outwards; `v`: unit,
+/// The view ray at a boundary between the outside (index 1) and a material. `n`: unit normal, outwards; `v`: unit,
 /// back along the ray. Seen from inside (`n.v < 0`) the ray goes out.
 pub fn boundary(n: DVec3, v: DVec3, index: f64, kind: Fresnel) -> Boundary {
     let (n, eta) = if n.dot(v) >= 0.0 { (n, 1.0 / index) } else { (-n, index) };

@@ -366,7 +366,7 @@ fn the_environment_brdf_is_its_integral() {
 }
 
 #[test]
-fn no_light_is_made() {
+fn no_light_is_created() {
     for i in 0..=20 {
         for j in 0..=20 {
             let (cos_v, roughness) = (f64::from(i) / 20.0, f64::from(j) / 20.0);

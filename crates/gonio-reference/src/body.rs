@@ -1,4 +1,4 @@
-//! The inside of an object, as the rays of sight that go through it find it.
+//! The inside of an object, for view rays that pass through it.
 
 use crate::fragment::interpolate;
 use crate::geometry::WorldGeometry;
@@ -7,7 +7,7 @@ use glam::DVec3;
 use gonio_light::optics::{Body, Meeting, NEAREST_MEETING};
 use gonio_light::vector;
 
-/// The inside of one object: its own triangles only, whatever else is in the way.
+/// The inside of one object: only its own triangles count.
 pub(crate) struct ObjectBody<'a> {
     pub geometry: &'a WorldGeometry,
     /// Index into the scene's objects.
@@ -84,7 +84,7 @@ mod tests {
     }
 
     #[test]
-    fn of_boxes_that_overlap_the_nearer_triangle_counts() {
+    fn the_nearer_triangle_in_overlapping_boxes_counts() {
         // Along the z axis the first is met at 3, the second at 8; the boxes begin at 0 and at 1, in either order.
         let slanted = |low: f32, high: f32| [[-1.0, -1.0, low], [1.0, -1.0, high], [0.0, 2.0, 0.5 * (low + high)]];
         for (near, far) in [(slanted(0.0, 6.0), slanted(1.0, 15.0)), (slanted(1.0, 5.0), slanted(0.0, 16.0))] {

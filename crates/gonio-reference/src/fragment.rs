@@ -224,7 +224,7 @@ fn uv_of(v: [f32; 2]) -> DVec2 {
     DVec2::new(v[0].into(), v[1].into())
 }
 
-/// The material's numbers without textures and vertex colours: what is known at a vertex.
+/// The material's numbers without textures and vertex colours: the values at a vertex.
 pub(crate) fn base_surface(material: &SceneMaterial) -> Surface {
     let m = &material.material;
     let color = |c: [f32; 3]| DVec3::from(c.map(f64::from));

@@ -30,7 +30,7 @@ struct ObjectParts {
     parts: Vec<Part>,
 }
 
-/// First triangle, how many, their material, and whether it shows what is behind.
+/// First triangle, number of triangles, material, and whether it is transparent.
 type Part = (usize, usize, usize, bool);
 
 impl ReferenceGeometry {

@@ -58,7 +58,7 @@ impl RaySpace for PanoramaRay<'_> {
     }
 }
 
-/// A picture of which each place (pixels, from the top left) is seen along a unit direction in the world.
+/// A picture that maps each place (pixels, from the top left) to a unit direction in the world.
 fn draw(
     reference: &ReferenceScene,
     frame: &Frame,

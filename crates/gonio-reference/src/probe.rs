@@ -79,7 +79,7 @@ pub struct Probe {
     pub radiance: DVec3,
     /// The number of surfaces that are visible behind it.
     pub surfaces_behind: usize,
-    /// The pixel: linear RGBA, premultiplied, with what is behind.
+    /// The pixel: linear RGBA, premultiplied, background included.
     pub total: DVec4,
 }
 

@@ -15,7 +15,7 @@ use gonio_scene::{Frame, Picture, ViewSpec};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 
-/// Transparent surfaces one behind the other: what is behind this many is not seen through them any more.
+/// The most transparent surfaces that are composited: surfaces behind this many are ignored.
 pub const MAX_LAYERS: usize = 64;
 
 /// A surface with less opacity than this is a hole: nothing is drawn there, in debug views neither.

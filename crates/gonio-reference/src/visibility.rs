@@ -239,7 +239,7 @@ mod tests {
 
     /// The order in which the tree meets them does not matter.
     #[test]
-    fn of_equally_near_triangles_the_first_drawn_wins() {
+    fn the_first_drawn_of_equally_near_triangles_wins() {
         let camera = Camera::looking_along(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 1.0, 0.1, 10.0);
         let eye = EyeSpace {
             camera,

@@ -66,7 +66,7 @@ fn it_is_turned_and_made_brighter() {
 }
 
 #[test]
-fn what_is_seen_may_be_another_or_none() {
+fn the_background_may_be_another_environment_or_none() {
     let red = Cubemap::new(1, [1.0, 0.0, 0.0, 1.0]);
     let both = LoadedEnvironment::new("test", compass()).with_background(red);
     let mut lab = TestScene::new()
@@ -201,7 +201,7 @@ fn the_views_add_up_to_the_picture() {
 }
 
 #[test]
-fn the_probe_says_what_the_picture_shows() {
+fn the_probe_agrees_with_the_picture() {
     for shading in [Shading::Flat, Shading::FlatPerFace, Shading::Gouraud, Shading::Phong] {
         let lab = mixed(shading);
         let reference = ReferenceScene::new(&lab.scene);
@@ -249,7 +249,7 @@ fn without_an_environment_mirrors_and_glass_are_lit_surfaces() {
 }
 
 #[test]
-fn one_thread_or_many_the_bytes_are_the_same() {
+fn the_number_of_threads_does_not_change_the_bytes() {
     let lab = mixed(Shading::Phong).frame(|f| f.samples = 4);
     let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
     let drawn = [1, 3].map(|threads| {

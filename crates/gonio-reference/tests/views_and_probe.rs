@@ -40,7 +40,7 @@ fn busy(shading: Shading) -> TestScene {
 }
 
 #[test]
-fn the_probe_says_what_the_picture_shows() {
+fn the_probe_agrees_with_the_picture() {
     for shading in SHADINGS {
         let lab = busy(shading);
         let reference = ReferenceScene::new(&lab.scene);

@@ -118,7 +118,7 @@ fn a_triangle_through_the_near_plane_is_cut_there() {
 }
 
 #[test]
-fn of_equally_near_triangles_the_first_is_seen() {
+fn the_first_of_equally_near_triangles_is_seen() {
     // In several numbers, so that the tree meets them in several orders.
     for others in 1..12 {
         let first = TestScene::new().object(square(2.0, 0.0), Shading::Flat, glowing([1.0, 0.0, 0.0]));
@@ -290,7 +290,7 @@ fn the_background_is_that_of_the_samples_height() {
 }
 
 #[test]
-fn one_thread_or_many_the_bytes_are_the_same() {
+fn the_number_of_threads_does_not_change_the_bytes() {
     let lab = TestScene::new()
         .object(sphere(20, 30), Shading::Phong, matte([0.5; 3]))
         .object(square(3.0, 1.2), Shading::Gouraud, Material { opacity: 0.4, ..Material::default() })
@@ -368,7 +368,7 @@ fn a_kept_geometry_draws_other_colours_and_lights() {
 }
 
 #[test]
-fn what_moves_triangles_wants_another_geometry() {
+fn moved_triangles_need_another_geometry() {
     let scene = lab().scene;
     let geometry = Arc::new(ReferenceGeometry::new(&scene));
     type Change = fn(&mut Scene);

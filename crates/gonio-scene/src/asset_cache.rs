@@ -1,4 +1,4 @@
-//! The assets of a scene, kept with it so that most edits need no file.
+//! The assets of a scene, kept so that most edits need no file.
 
 use crate::environment::LoadedEnvironment;
 use crate::files;
@@ -52,7 +52,7 @@ pub(crate) struct CachedMesh {
 }
 
 impl CachedModel {
-    /// Takes what is kept of a file whose materials and pictures are bound already.
+    /// Keeps the materials of a file whose textures are bound already.
     pub fn of_file(file: &mut ModelFile, used: Vec<bool>) -> Self {
         CachedModel {
             name: file.name.clone(),
@@ -87,7 +87,7 @@ impl AssetCache {
         Some((model, mesh))
     }
 
-    /// The environment of some settings, where it is known: what is read does not depend on how it is turned.
+    /// The cached environment for these settings; its rotation does not matter.
     pub fn environment(&self, spec: &EnvironmentSettings) -> Option<Arc<LoadedEnvironment>> {
         let (known, environment) = self.environment.as_ref()?;
         let same = known.image == spec.image
@@ -112,7 +112,7 @@ impl NormalChoice {
     }
 }
 
-/// The mesh with normals of its own, from the file or made.
+/// Returns the mesh with normals, from the file or computed, and diagnostics.
 pub(crate) fn with_normals(mesh: Mesh, choice: NormalChoice) -> (Mesh, Vec<Diagnostic>) {
     let averaging = Averaging { crease_angle_rad: choice.crease_angle_rad };
     match choice.normals {

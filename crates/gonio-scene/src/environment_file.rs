@@ -92,7 +92,7 @@ pub(crate) fn rebased(base: &Path, name: &str) -> String {
 /// # Errors
 ///
 /// A file that is not there or cannot be read; files and their pixels that need more than `limits.max_bytes` together;
-/// faces that are missing, or do not fit together; an arrangement or a size that what is named cannot have.
+/// faces that are missing, or do not fit together; an arrangement or a size that the environment cannot have.
 pub fn open(
     name: &str,
     options: EnvironmentReadOptions,

@@ -169,7 +169,7 @@ impl Fit {
     }
 }
 
-/// Near and far around everything, with room for turning and flying, as far as they are not `given`.
+/// Near and far planes around all objects, with room for moving the camera, unless they are `given`.
 fn planes(given: (Option<f64>, Option<f64>), distance: f64, radius: f64) -> (f64, f64) {
     let far = round_significant(1.5 * (distance + radius), f64::ceil);
     let far = given.1.unwrap_or_else(|| far.max(given.0.unwrap_or(0.0) * 1e3));

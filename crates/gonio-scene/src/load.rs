@@ -224,7 +224,7 @@ pub fn load_within(
     Ok(loaded)
 }
 
-/// The mesh with normals of its own, from the file or made; and whether it is closed.
+/// Prepares a mesh: normals from the file or computed, and whether it is closed.
 fn prepare(mesh: Mesh, choice: NormalChoice) -> (PreparedMesh, Vec<Diagnostic>) {
     let closed = topology::is_closed_outward(&mesh);
     let (mesh, diagnostics) = with_normals(mesh, choice);

@@ -108,7 +108,7 @@ impl<'a> MaterialBinder<'a> {
         MaterialBinder { library: TextureLibrary::new(files, budget), pending: Vec::new(), known: Vec::new() }
     }
 
-    /// All materials of the model `from`, numbered `index`, with the override; gives the index of the first.
+    /// All materials of the model `from`, numbered `index`, with the override; returns the index of the first.
     pub fn add(&mut self, index: usize, with: &MaterialOverride, from: &MaterialSource<'_>) -> usize {
         if let Some((.., first)) = self.known.iter().find(|(m, w, _)| *m == index && w == with) {
             return *first;

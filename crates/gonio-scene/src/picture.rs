@@ -119,7 +119,7 @@ impl DisplayMap {
         }
     }
 
-    /// Whether what is outside the objects is black (debug views) instead of the background.
+    /// Whether the picture is black outside the objects (debug views) instead of showing the background.
     pub fn is_affine(&self) -> bool {
         matches!(self, DisplayMap::Affine { .. })
     }

@@ -317,7 +317,7 @@ impl<'a> TextureLibrary<'a> {
         DecodedLibrary { textures, texture_of_job, uses, diagnostics: self.diagnostics, cache }
     }
 
-    /// Each picture, in parallel; those that would take more than what is left are refused by their sizes, before
+    /// Each picture, in parallel; those that would exceed what is left are refused by their sizes, before
     /// anything is decoded.
     fn decode_pictures(&self) -> Vec<Result<Decoded, String>> {
         let paid: Vec<Result<(), String>> = self.pictures.iter().map(|picture| self.pay_for(picture)).collect();

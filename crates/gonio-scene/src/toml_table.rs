@@ -164,7 +164,7 @@ impl<'a> TableReader<'a> {
         }
     }
 
-    /// The value of `key`, whatever it is.
+    /// The value of `key`, of any type.
     fn get(&mut self, key: &'static str) -> Option<&'a Item> {
         self.known_keys.push(key);
         self.entries.iter().find(|e| e.key == key).map(|e| &e.item)

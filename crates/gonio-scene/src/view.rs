@@ -4,7 +4,7 @@ use gonio_light::{Quantity, named_enum};
 use serde::{Deserialize, Serialize};
 use std::str::FromStr;
 
-/// A debug view: a quantity of the equation, and of which light. Written `NAME` or `NAME:LIGHT`.
+/// A debug view: a quantity of the equation, of one light or of all. Written `NAME` or `NAME:LIGHT`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ViewSpec {
     /// The quantity.

@@ -212,7 +212,7 @@ pub(super) fn fill_rows<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
 }
 
 /// Fills `K` rows as [`fill_rows`] does, where the rows below them look `rows_ahead` rows further down in the source:
-/// one prefetch brings a line of the cache for eight lookups, and long before it is looked up.
+/// one prefetch loads a line of the cache for eight lookups, and long before it is used.
 #[inline(always)]
 pub(super) fn fill_rows_downwards<S: Simd, const N: usize, F: Mix<N>, const K: usize>(
     simd: S,

@@ -47,7 +47,7 @@ fn words_need_no_separator_at_the_end() {
 }
 
 #[test]
-fn the_delicate_words_mean_what_the_documentation_says() {
+fn ambiguous_words_have_the_documented_meaning() {
     let at = |names: &[&str], name: &str| {
         let files = found(names).files;
         Face::ALL.into_iter().find(|f| names[files[*f as usize]] == name)
@@ -93,7 +93,7 @@ fn quakes_letters_fit_together_as_its_source_lays_them() {
 }
 
 #[test]
-fn what_else_lies_in_the_folder_is_told() {
+fn other_files_in_the_folder_are_reported() {
     let mut names = set(TABLE[0].1, "", ".jpg");
     names.extend(["README.txt".into(), "preview.png".into(), "posx.json".into(), "._posx.jpg".into()]);
     let assignment = found(&names);
@@ -118,7 +118,7 @@ fn five_of_six_name_the_sixth() {
 }
 
 #[test]
-fn contradictions_are_told() {
+fn contradictions_are_reported() {
     let mut names = set(TABLE[0].1, "", ".png");
     names.push("POSX.PNG".into());
     assert_eq!(
@@ -158,7 +158,7 @@ fn one_whole_set_beside_leftovers_of_another_ending_is_taken() {
 }
 
 #[test]
-fn nothing_to_find_says_what_is_wanted() {
+fn no_set_of_six_lists_the_expected_names() {
     assert!(refused::<&str>(&[]).contains("no picture"), "{}", refused::<&str>(&[]));
     assert!(refused(&["posx.txt"]).contains("no picture"));
     let message = refused(&["bright.png", "photo.jpg"]);

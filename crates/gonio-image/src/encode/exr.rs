@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_packed_is_stored() {
+    fn incompressible_pixels_are_stored() {
         let mut image = Image::new(16, 16, [0.0; 4]);
         let mut state = 1_u32;
         for value in image.pixels.iter_mut().flatten() {

@@ -89,7 +89,7 @@ fn a_cubemap_without_all_faces_names_those_that_it_lacks() {
 }
 
 #[test]
-fn uncompressed_pixels_have_the_colours_that_the_header_says() {
+fn uncompressed_pixels_have_the_colours_of_the_header() {
     let one = |format, bytes: &[u8]| first(picture(&read(&d3d(format, 1, 1, None, bytes.to_vec()))));
     assert_eq!(one(D3DFormat::R8G8B8, &[1, 2, 3]), [3, 2, 1].map(linear));
     assert_eq!(one(D3DFormat::X8R8G8B8, &[1, 2, 3, 0]), [3, 2, 1].map(linear));
@@ -147,7 +147,7 @@ fn blocks_are_decoded_and_cut_at_the_edge() {
 }
 
 #[test]
-fn dds_that_is_not_read_is_named() {
+fn unsupported_dds_is_named() {
     let file = dxgi(DxgiFormat::R8G8B8A8_UNorm, 2, 1, true, vec![0; 96]);
     let with = |changes: &[(usize, u32)]| {
         let mut file = file.clone();
@@ -259,7 +259,7 @@ fn what_is_written_comes_back() {
 }
 
 #[test]
-fn what_does_not_fit_is_told() {
+fn pictures_that_do_not_fit_are_reported() {
     let mut map = cube(2);
     map.pixels[3] = [70000.0, 2.0, 0.0, 1.0];
     let warnings = |format| encode(&one_level(map.clone()), format).warnings;
@@ -283,7 +283,7 @@ fn packed_levels_are_unpacked() {
 }
 
 #[test]
-fn pictures_and_what_integers_mean_are_as_the_file_says() {
+fn pictures_and_integers_follow_the_metadata() {
     // Six faces of 1 x 1 are read as one picture of 1 x 6 once the header says so.
     let mut map = cube(1);
     for (i, pixel) in map.pixels.iter_mut().enumerate() {
@@ -311,7 +311,7 @@ fn pictures_and_what_integers_mean_are_as_the_file_says() {
 }
 
 #[test]
-fn ktx2_that_is_not_read_is_named() {
+fn unsupported_ktx2_is_named() {
     let file = encode(&one_level(cube(2)), Ktx2Format::Half).bytes;
     let with = |at: usize, number: u32| {
         let mut file = file.clone();

@@ -53,7 +53,7 @@ fn what_is_written_comes_back() {
 }
 
 #[test]
-fn light_beyond_half_floats_is_cut_and_told() {
+fn light_beyond_half_floats_is_clamped_and_reported() {
     let mut image = bright(4, 4);
     image.pixels[5] = [1e6, 70000.0, 1.0, 1.0];
     let half = encode(&image, ExrPrecision::Half).unwrap_or_else(|e| panic!("{e}"));
@@ -141,7 +141,7 @@ fn the_picture_is_the_display_window() {
 }
 
 #[test]
-fn numbers_that_are_no_light_are_told_and_tamed() {
+fn numbers_that_are_not_light_are_reported_and_replaced() {
     let list = [
         ("R", floats(&[f32::NAN, 1.0, -1.0])),
         ("G", floats(&[f32::INFINITY, 1e30, -2.0])),

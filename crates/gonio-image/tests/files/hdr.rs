@@ -19,7 +19,7 @@ fn reds(image: &Image) -> Vec<f32> {
 }
 
 #[test]
-fn what_is_written_another_reader_reads_alike() {
+fn another_reader_reads_written_files_alike() {
     // 7 is too narrow for run lengths, the others are not; 300 has runs and pieces longer than 127.
     for width in [7, 8, 61, 300] {
         let mut image = bright(width, 11);
@@ -85,7 +85,7 @@ fn old_run_lengths_repeat_the_last_pixel() {
 }
 
 #[test]
-fn what_is_not_honoured_is_told() {
+fn ignored_metadata_is_reported() {
     let header = "#?RADIANCE\nGAMMA=2.2\nPRIMARIES=0.7 0.3 0.2 0.7 0.1 0.1 0.3 0.3\nPIXASPECT=2\n\n-Y 1 +X 1\n";
     let decoded = read(&file(header, &[1, 2, 3, 136, 0]));
     assert_eq!(decoded.warnings.len(), 2, "{:?}", decoded.warnings);
@@ -96,7 +96,7 @@ fn what_is_not_honoured_is_told() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn meaningless_headers_are_refused() {
     let one = &[1, 2, 3, 136];
     for (header, pixels, expected) in [
         ("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n", &one[..], "the colours are CIE XYZ"),
@@ -119,7 +119,7 @@ fn what_makes_no_sense_is_refused() {
 }
 
 #[test]
-fn what_is_darker_than_the_format_tells_is_told() {
+fn light_too_dark_for_the_format_is_reported() {
     let encoded = encode(&Image::new(3, 1, [1e-40, 0.0, 0.0, 1.0])).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(encoded.warnings, ["3 pixels are darker than the darkest value of .hdr (3e-39) and become black"]);
 }

@@ -83,7 +83,7 @@ fn interlaced_png_is_put_together() {
 }
 
 #[test]
-fn what_a_png_says_of_its_light_and_is_not_honoured_is_told() {
+fn ignored_colour_metadata_of_a_png_is_reported() {
     let with = |set: fn(&mut png::Encoder<'_, &mut Vec<u8>>)| {
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, 1, 1);

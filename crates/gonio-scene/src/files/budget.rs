@@ -31,7 +31,7 @@ impl Budget {
         self.limit - self.lock().bytes
     }
 
-    /// Spends `bytes`, or nothing where they are more than what is left.
+    /// Spends `bytes`, or nothing if they exceed what is left.
     pub fn spend(&self, bytes: u64) -> Result<(), OverLimit> {
         self.lock().spend(bytes, self.limit)
     }
@@ -95,7 +95,7 @@ pub struct Budgeted<S> {
 }
 
 impl<S: FileSource> Budgeted<S> {
-    /// The files of `inner`, of which all together may have `limit` bytes.
+    /// The files of `inner`, which may have `limit` bytes in total.
     pub fn new(inner: S, limit: u64) -> Self {
         Budgeted { inner, budget: Budget::new(limit) }
     }
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn files_add_up_and_one_that_was_read_is_free() {
+    fn files_add_up_and_reading_one_again_is_free() {
         let files = Budgeted::new(Sized, 100);
         assert_eq!(files.read(Path::new("60")).unwrap().len(), 60);
         assert_eq!(files.read(Path::new("60")).unwrap().len(), 60);
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_made_is_paid_for_once_its_size_is_known() {
+    fn results_are_charged_once_their_size_is_known() {
         let budget = Budget::new(100);
         let made: Result<&str, OverLimit> = budget.make(|left| Ok(("made", left / 2)));
         assert_eq!((made, budget.left()), (Ok("made"), 50));

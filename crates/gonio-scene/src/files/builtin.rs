@@ -184,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_sample_that_did_not_come_is_not_taken_for_a_wrong_name() {
+    fn a_failed_download_is_not_an_unknown_name() {
         assert!(no_builtin("suzanne").to_string().contains("was not downloaded"));
         assert!(no_builtin("models/suzanne.mtl").to_string().contains("was not downloaded"));
         assert!(no_builtin("suzane").to_string().contains("did you mean `builtin:suzanne`?"));

@@ -114,7 +114,7 @@ fn read_empty(file: &File, most: u64) -> Result<FileBytes, Error> {
     Ok(bytes.into())
 }
 
-/// Reads all that is left. One byte more than `most` is enough to know that it is too much.
+/// Reads the rest. One byte more than `most` is read to detect that it is too much.
 fn read_to_end(reader: impl Read, most: u64) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     reader.take(most.saturating_add(1)).read_to_end(&mut bytes)?;

@@ -115,7 +115,7 @@ fn number(value: f32) -> String {
     if text.len() <= 8 { text } else { format!("{value:.5}") }
 }
 
-/// Its path, and what is done to it.
+/// The path of a texture and its transformations.
 fn texture(map: &TextureMap) -> String {
     let mut text = map.path.clone();
     let mut add = |what: String| text += &format!(", {what}");

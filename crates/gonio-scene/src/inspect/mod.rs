@@ -28,7 +28,7 @@ pub struct Inspection {
     pub format: Format,
     /// Its size.
     pub bytes: u64,
-    /// The size of what is in it, where it is compressed.
+    /// The unpacked size, if it is compressed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unpacked_bytes: Option<u64>,
     /// The elements of the file, counted under the format's own names.

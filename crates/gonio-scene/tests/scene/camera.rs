@@ -30,7 +30,7 @@ fn matrices_are_those_of_opengl() {
 }
 
 #[test]
-fn a_ray_goes_where_the_projection_says() {
+fn a_ray_agrees_with_the_projection() {
     let c = camera();
     let (width, height) = (640, 400);
     for (x, y) in [(0.5, 0.5), (320.0, 200.0), (600.25, 10.75)] {
@@ -161,7 +161,7 @@ fn every_vertex_is_in_the_picture_and_the_picture_is_filled() {
 }
 
 #[test]
-fn what_is_given_stays_and_the_rest_follows() {
+fn given_values_stay_and_the_rest_is_chosen() {
     let by_target = loaded("builtin:suzanne", |s| s.camera.target = Some([0.5, 0.0, 0.0]));
     assert_eq!(by_target.settings.camera.target(), Some([0.5, 0.0, 0.0]));
     let (x, y, inside) = reach(&by_target);
@@ -184,7 +184,7 @@ fn what_is_given_stays_and_the_rest_follows() {
 }
 
 #[test]
-fn the_light_is_a_portraits() {
+fn the_default_light_is_a_portrait_rig() {
     let scene = loaded("builtin:suzanne", |_| ());
     let frame = scene.frame(0.0);
     let center = 0.5 * (frame.bounds_min + frame.bounds_max);

@@ -168,7 +168,7 @@ fn edits_can_be_taken_back_without_files() {
 }
 
 #[test]
-fn what_was_not_read_needs_files() {
+fn edits_of_unread_files_need_files() {
     let plain = loaded(read("[[object]]\nmodel = \"t.obj\"\nmaterial.textures = false\n"));
     let before = loaded(read(SCENE));
     type Edit<'a> = (&'a str, &'a Scene, fn(&mut SceneSettings));
@@ -191,7 +191,7 @@ fn what_was_not_read_needs_files() {
 }
 
 #[test]
-fn what_may_not_be_is_said_in_a_sentence() {
+fn invalid_values_are_reported_in_a_sentence() {
     let before = loaded(read(SCENE));
     let mut scene = before.settings.clone();
     scene.camera.fov_y = -3.0;
@@ -267,7 +267,7 @@ fn a_light_takes_the_keys_of_a_scene_file() {
 }
 
 #[test]
-fn a_motion_stands_beside_its_light() {
+fn a_motion_is_written_with_its_light() {
     let light =
         LightSpec::from_option_text("point position=1,2,1.5 motion=oscillate period=2 amplitude=0,0,2").unwrap();
     let motion = light.motion.unwrap();
@@ -290,7 +290,7 @@ fn a_light_can_be_off() {
 }
 
 #[test]
-fn errors_say_where_in_the_text() {
+fn errors_have_a_place_in_the_text() {
     let check_message = |text: &str, expected: &str| {
         assert_eq!(LightSpec::from_option_text(text).unwrap_err(), expected);
     };
@@ -352,7 +352,7 @@ fn a_material_takes_several_keys() {
 }
 
 #[test]
-fn names_of_materials_stand_first() {
+fn names_of_materials_come_first() {
     let read = |text: &str| MaterialOverride::from_option_text(text).unwrap_or_else(|e| panic!("{e}"));
     let glass = MaterialOverride { medium: Some(Medium::Glass), ..MaterialOverride::default() };
     for text in ["glass", "Glass", "medium=glass"] {

@@ -125,7 +125,7 @@ fn the_photographic_layout_has_posz_ahead_and_the_other_behind() {
 }
 
 #[test]
-fn pictures_of_six_faces_are_told_by_their_proportions() {
+fn pictures_of_six_faces_are_recognised_by_their_proportions() {
     for arrangement in [Arrangement::Cross, Arrangement::VerticalCross, Arrangement::Strip, Arrangement::VerticalStrip]
     {
         let whole = arrange::from_cubemap(&map(Layout::OpenGl), arrangement, Layout::OpenGl).unwrap();
@@ -194,7 +194,7 @@ fn built_in_environments_need_no_file() {
 }
 
 #[test]
-fn what_is_wrong_is_told_with_its_file() {
+fn errors_name_their_file() {
     let ends = |text: String, message: &str| assert!(text.ends_with(message), "{text}");
     let none = Memory::default();
     assert_eq!(refused(&none, "skyy"), "skyy: there is no such file or folder; did you mean `sky`, which is built in?");
@@ -228,7 +228,7 @@ fn what_is_wrong_is_told_with_its_file() {
 }
 
 #[test]
-fn models_and_environments_are_told_apart() {
+fn models_and_environments_are_distinguished() {
     let panorama = png(8, 4, |_, _| [9; 3]);
     let scene = "[[object]]\nmodel = \"t.obj\"\n";
     let files = Memory::default().with("t.obj", TRIANGLE).with("s.toml", scene).with("p.png", panorama);
@@ -245,7 +245,7 @@ fn models_and_environments_are_told_apart() {
 }
 
 #[test]
-fn what_is_asked_for_in_vain_is_told() {
+fn options_without_effect_are_reported() {
     let files = six("a/*.png").with("p.png", png(8, 4, |_, _| [9; 3])).with("odd.png", png(9, 3, |_, _| [9; 3]));
     let found = opened(&files, "p.png", in_layout(Layout::OpenGl));
     assert_eq!(found.layout, None);
@@ -331,7 +331,7 @@ fn another_background_leaves_the_light_as_it_is() {
 }
 
 #[test]
-fn panoramas_become_cubemaps_as_fine_and_at_most_usual() {
+fn panoramas_become_cubemaps_of_their_resolution_up_to_the_default() {
     let (small, _) = scene("image = \"p.png\"");
     assert_eq!(small.environment.as_ref().unwrap().mips.full().size(), 4);
     assert!(small.diagnostics.is_empty(), "{:?}", small.diagnostics);
@@ -345,7 +345,7 @@ fn panoramas_become_cubemaps_as_fine_and_at_most_usual() {
 }
 
 #[test]
-fn a_layout_that_nobody_named_is_told() {
+fn a_default_layout_is_reported() {
     let messages = |environment: &str| -> Vec<String> {
         let diagnostics = scene(environment).0.diagnostics;
         diagnostics.into_iter().map(|d| d.message).filter(|m| m.contains("read in the layout")).collect()

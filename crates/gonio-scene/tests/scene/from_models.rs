@@ -126,7 +126,7 @@ fn a_scene_without_lights_has_those_of_its_models() {
 }
 
 #[test]
-fn a_camera_of_the_file_is_taken_when_asked_for() {
+fn a_camera_of_the_file_is_used_on_request() {
     let files = with_camera_and_light();
     let with = |camera: &str| {
         let text = format!("[camera]\n{camera}\n[[object]]\nmodel = \"m.gltf\"\ntranslate = [1, 0, 0]\n");
@@ -148,7 +148,7 @@ fn a_camera_of_the_file_is_taken_when_asked_for() {
 }
 
 #[test]
-fn a_compressed_model_is_read_and_held_to_its_limit() {
+fn a_compressed_model_is_read_within_its_limit() {
     let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
     std::io::Write::write_all(&mut encoder, TRIANGLE.as_bytes()).unwrap();
     let packed = encoder.finish().unwrap();
@@ -165,7 +165,7 @@ fn a_compressed_model_is_read_and_held_to_its_limit() {
 }
 
 #[test]
-fn textures_together_are_held_to_a_limit() {
+fn textures_together_have_a_limit() {
     let (a, b) = (png(8, 8, |_, _| [9; 4]), png(8, 8, |_, _| [8; 4]));
     let library = "newmtl m\nmap_Kd a.png\nmap_Ks b.png\n";
     let read = (TRIANGLE.len() + library.len() + a.len() + b.len()) as u64;
@@ -191,7 +191,7 @@ fn a_mapped_file_is_the_file() {
 }
 
 #[test]
-fn an_inspection_tells_where_everything_came_from() {
+fn an_inspection_reports_the_source_of_each_value() {
     let files = Memory::default()
         .with("t.obj", TRIANGLE)
         .with("t.mtl", "newmtl m\nKd 0 0 0\nNs 20\nmap_Kd Wood.PNG\nmap_Ks none.png\n")
@@ -232,7 +232,7 @@ fn opened(model: &str, normals: Normals) -> Result<Scene, String> {
 }
 
 #[test]
-fn a_sphere_has_as_many_triangles_as_it_says() {
+fn a_sphere_has_the_number_of_triangles_in_its_name() {
     for (model, triangles) in [("builtin:sphere-8", 8), ("builtin:sphere_72", 72), ("builtin:sphere-4232", 4232)] {
         let loaded = opened(model, Normals::File).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(loaded.meshes[0].triangle_count(), triangles);
@@ -247,7 +247,7 @@ fn a_sphere_has_as_many_triangles_as_it_says() {
 }
 
 #[test]
-fn numbers_that_cannot_be_are_refused_with_those_that_can() {
+fn impossible_numbers_are_refused_with_the_possible_ones() {
     let error = opened("builtin:sphere-100", Normals::File).err().unwrap_or_default();
     assert!(error.contains("72") && error.contains("128"), "{error}");
     let error = opened("builtin:sphere-08", Normals::File).err().unwrap_or_default();
@@ -255,7 +255,7 @@ fn numbers_that_cannot_be_are_refused_with_those_that_can() {
 }
 
 #[test]
-fn a_scene_in_another_detail_is_the_same_scene() {
+fn a_scene_at_another_level_of_detail_is_the_same_scene() {
     let loaded = opened("builtin:sphere-smooth", Normals::Flat).unwrap_or_else(|e| panic!("{e}"));
     let spec = &loaded.settings.objects[0];
     let sphere =

@@ -272,7 +272,7 @@ const READABLE: &str = "models (.obj .gltf .glb .dae .ply .stl .mesh .meshb, als
                         can be read";
 
 #[test]
-fn what_cannot_be_read_is_named() {
+fn unsupported_files_are_named() {
     describe_says("a.obj", b"", &format!("a.obj: the file is empty; {READABLE}"));
     describe_says("a.txt", b"hello\n", &format!("a.txt: unknown format of this .txt file; {READABLE}"));
     describe_says("a.dat", b"\x01\x02\0\0\0", &format!("a.dat: unknown binary format; {READABLE}"));
@@ -284,7 +284,7 @@ fn what_cannot_be_read_is_named() {
 
 /// A model's format is detected by its content, whatever its name.
 #[test]
-fn what_a_file_is_is_told_by_its_content_first() {
+fn the_kind_of_a_file_is_detected_by_its_content_first() {
     let model = |name: &str, content: &[u8]| {
         let files = Memory::default().with(name, content);
         describe(&[name], &files).unwrap().objects[0].model == name
@@ -318,7 +318,7 @@ fn what_a_file_is_is_told_by_its_content_first() {
 }
 
 #[test]
-fn what_is_not_there() {
+fn missing_files() {
     let missing = describe(&["no/such.obj"], &Disk).unwrap_err().to_string();
     assert!(missing.starts_with("no/such.obj: there is no such file; check the path"), "{missing}");
     let folder = describe(&["src"], &Disk).unwrap_err().to_string();
@@ -340,7 +340,7 @@ fn errors_in_a_scene_name_file_line_and_column() {
 }
 
 #[test]
-fn models_of_a_scene_lie_beside_it() {
+fn models_of_a_scene_are_relative_to_it() {
     let files = Memory::default()
         .with("dir/s.toml", "[[object]]\nmodel = \"sub/t.obj\"\n[[object]]\nmodel = \"builtin:cube\"\n")
         .with("dir/sub/t.obj", TRIANGLE)

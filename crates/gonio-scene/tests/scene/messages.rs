@@ -21,7 +21,7 @@ fn check_message(text: &str, expected: &str) {
 }
 
 #[test]
-fn unknown_keys_get_the_nearest_known_one() {
+fn unknown_keys_suggest_the_nearest_known_one() {
     check_message(
         "[[light]]\nkind = \"ambient\"\ncolr = [1, 1, 1]\n",
         "5:1: unknown key `colr` in [[light]]; did you mean `color`? Known keys: kind, name, enabled, position, \
@@ -190,7 +190,7 @@ fn motions_take_the_keys_of_their_kind() {
 }
 
 #[test]
-fn what_is_not_toml_is_pointed_at() {
+fn errors_of_toml_have_a_place() {
     let error = read("[camera]\nfov_y = = 3\n").unwrap_err();
     assert_eq!((error.line, error.column.is_some()), (Some(2), true));
     assert!(error.message.starts_with("this is not TOML: "), "{error}");
@@ -353,7 +353,7 @@ fn utf_16(text: &str) -> Vec<u8> {
 }
 
 #[test]
-fn what_is_inspected_is_described_and_loaded() {
+fn an_inspected_model_can_be_described_and_loaded() {
     let obj = format!("{}{TRIANGLE}", "# a comment\n".repeat(1000));
     for text in [gltf(), collada(), obj] {
         for content in [text.clone().into_bytes(), utf_16(&text)] {
@@ -370,7 +370,7 @@ fn what_is_inspected_is_described_and_loaded() {
 
 /// The name decides what the content leaves open, for describing as for inspecting.
 #[test]
-fn errors_come_from_the_reader_that_the_name_asks_for() {
+fn errors_come_from_the_reader_of_the_extension() {
     for (name, content) in [("a.gltf", "{\"a\": 1}"), ("a.ply", "hello"), ("a.dae", "<?xml version='1.0'?>")] {
         let files = Memory::default().with(name, content);
         let inspected = inspect::inspect(name, &files, &Limits::default()).err().unwrap().to_string();

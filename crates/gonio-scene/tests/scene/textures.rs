@@ -34,7 +34,7 @@ fn a_missing_texture_is_a_warning_that_names_every_place() {
 
 /// Materials of the same name in two models are two: each reports what it lacks.
 #[test]
-fn what_two_models_lack_is_said_of_both() {
+fn missing_textures_are_reported_for_both_models() {
     let mtl = "newmtl m\nmap_Kd wood.png\n";
     let files = Memory::default()
         .with("a/t.obj", TRIANGLE)
