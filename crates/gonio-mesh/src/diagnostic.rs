@@ -14,6 +14,45 @@ pub enum Severity {
     Warning,
 }
 
+/// A place in a file; all parts may be unknown.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct FilePlace {
+    /// The file as the user knows it; set by the code that opened it.
+    pub file: Option<String>,
+    /// The line, from 1.
+    pub line: Option<u64>,
+    /// The column in bytes, from 1.
+    pub column: Option<u64>,
+}
+
+impl FilePlace {
+    /// Creates a place from a line, if it is known.
+    pub fn on_line(line: Option<u64>) -> Self {
+        FilePlace { line, ..FilePlace::default() }
+    }
+
+    /// Returns the place after `lines` more lines.
+    pub(crate) fn moved_by(self, lines: u64) -> Self {
+        FilePlace { line: self.line.map(|line| line + lines), ..self }
+    }
+}
+
+/// The start of a message: `FILE:LINE:COLUMN: `, without unknown parts; nothing if neither file nor line is known.
+impl fmt::Display for FilePlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(f, "{file}:")?;
+        }
+        if let Some(line) = self.line {
+            write!(f, "{line}:")?;
+        }
+        if let (Some(_), Some(column)) = (self.line, self.column) {
+            write!(f, "{column}:")?;
+        }
+        if self.file.is_some() || self.line.is_some() { f.write_str(" ") } else { Ok(()) }
+    }
+}
+
 /// A warning or note about a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Diagnostic {
@@ -21,12 +60,9 @@ pub struct Diagnostic {
     pub severity: Severity,
     /// One sentence, without position and final full stop.
     pub message: String,
-    /// The file as the user knows it; set by the code that opened it.
-    pub file: Option<String>,
-    /// The line, from 1.
-    pub line: Option<u64>,
-    /// The column in bytes, from 1.
-    pub column: Option<u64>,
+    /// The place in a file.
+    #[serde(flatten)]
+    pub place: FilePlace,
     /// The cause, where a setting of the program can remove it.
     #[serde(skip)]
     pub cause: Option<Cause>,
@@ -35,14 +71,7 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// Creates a warning without a position.
     pub fn warning(message: impl Into<String>) -> Self {
-        Diagnostic {
-            severity: Severity::Warning,
-            message: message.into(),
-            file: None,
-            line: None,
-            column: None,
-            cause: None,
-        }
+        Diagnostic { severity: Severity::Warning, message: message.into(), place: FilePlace::default(), cause: None }
     }
 
     /// Creates a note without a position.
@@ -58,21 +87,21 @@ impl Diagnostic {
 
     /// Sets the line, and perhaps the column.
     pub fn at(mut self, line: u64, column: Option<u64>) -> Self {
-        self.line = Some(line);
-        self.column = column;
+        self.place.line = Some(line);
+        self.place.column = column;
         self
     }
 
     /// Sets the file, unless it is already set.
     pub fn in_file(mut self, file: &str) -> Self {
-        self.file.get_or_insert_with(|| file.to_owned());
+        self.place.file.get_or_insert_with(|| file.to_owned());
         self
     }
 }
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write_position(f, self.file.as_deref(), self.line, self.column)?;
+        self.place.fmt(f)?;
         let severity = match self.severity {
             Severity::Note => "note",
             Severity::Warning => "warning",
@@ -104,12 +133,8 @@ pub enum Cause {
 pub struct ReadError {
     /// One sentence: what is wrong and what to do.
     pub message: String,
-    /// The file as the user knows it; set by the code that opened it.
-    pub file: Option<String>,
-    /// The line, from 1.
-    pub line: Option<u64>,
-    /// The column in bytes, from 1.
-    pub column: Option<u64>,
+    /// The place in a file.
+    pub place: FilePlace,
     /// The cause, if a setting can remove it.
     pub cause: Option<Cause>,
 }
@@ -117,7 +142,7 @@ pub struct ReadError {
 impl ReadError {
     /// Creates an error without a position.
     pub fn new(message: impl Into<String>) -> Self {
-        ReadError { message: message.into(), file: None, line: None, column: None, cause: None }
+        ReadError { message: message.into(), place: FilePlace::default(), cause: None }
     }
 
     /// Sets a cause that a setting can remove.
@@ -128,44 +153,26 @@ impl ReadError {
 
     /// Sets the line, and perhaps the column.
     pub fn at(mut self, line: u64, column: Option<u64>) -> Self {
-        self.line = Some(line);
-        self.column = column;
+        self.place.line = Some(line);
+        self.place.column = column;
         self
     }
 
     /// Sets the file, unless it is already set.
     pub fn in_file(mut self, file: &str) -> Self {
-        self.file.get_or_insert_with(|| file.to_owned());
+        self.place.file.get_or_insert_with(|| file.to_owned());
         self
     }
 }
 
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write_position(f, self.file.as_deref(), self.line, self.column)?;
+        self.place.fmt(f)?;
         f.write_str(&self.message)
     }
 }
 
 impl std::error::Error for ReadError {}
-
-fn write_position(
-    f: &mut fmt::Formatter<'_>,
-    file: Option<&str>,
-    line: Option<u64>,
-    column: Option<u64>,
-) -> fmt::Result {
-    if let Some(file) = file {
-        write!(f, "{file}:")?;
-    }
-    if let Some(line) = line {
-        write!(f, "{line}:")?;
-    }
-    if let (Some(_), Some(column)) = (line, column) {
-        write!(f, "{column}:")?;
-    }
-    if file.is_some() || line.is_some() { f.write_str(" ") } else { Ok(()) }
-}
 
 /// Most diagnostics of one kind that are listed.
 const MOST_OF_A_KIND: u64 = 20;
@@ -210,10 +217,10 @@ impl Reports {
     /// Appends the diagnostics of the next part of the file, whose lines were counted from its start; `lines` precede
     /// it. The result is the same as if both parts had been reported here.
     pub(crate) fn append(&mut self, other: Reports, lines: u64) {
-        let moved = |diagnostic: Diagnostic| match diagnostic.file {
+        let moved = |diagnostic: Diagnostic| match diagnostic.place.file {
             // Its line refers to another file.
             Some(_) => diagnostic,
-            None => Diagnostic { line: diagnostic.line.map(|line| line + lines), ..diagnostic },
+            None => Diagnostic { place: diagnostic.place.moved_by(lines), ..diagnostic },
         };
         let mut room: Vec<(&str, u64)> = Vec::with_capacity(other.kinds.len());
         for (kind, count, severity) in other.kinds {
@@ -230,7 +237,7 @@ impl Reports {
             self.list.push((line.saturating_add(lines), kind, moved(diagnostic)));
         }
         if let Some(loss) = other.first_loss.map(moved)
-            && self.first_loss.as_ref().is_none_or(|first| first.line > loss.line)
+            && self.first_loss.as_ref().is_none_or(|first| first.place.line > loss.place.line)
         {
             self.first_loss = Some(loss);
         }
@@ -246,7 +253,7 @@ impl Reports {
         let own_count = self.list.len();
         self.add(kind, severity, 0, None, message);
         for (_, _, diagnostic) in &mut self.list[own_count..] {
-            diagnostic.line = None;
+            diagnostic.place.line = None;
         }
     }
 
@@ -271,7 +278,7 @@ impl Reports {
         column: Option<u64>,
         message: impl FnOnce() -> String,
     ) {
-        if self.first_loss.as_ref().is_some_and(|first| first.line <= Some(line)) {
+        if self.first_loss.as_ref().is_some_and(|first| first.place.line <= Some(line)) {
             return self.add(kind, Severity::Warning, line, column, message);
         }
         let message = message();
@@ -286,14 +293,14 @@ impl Reports {
 
     /// Returns the most likely reason why nothing is left: the first lost face, or the first diagnostic.
     pub(crate) fn first(&self) -> Option<&Diagnostic> {
-        let first = self.list.iter().min_by_key(|(line, _, d)| (*line, d.column)).map(|(_, _, d)| d);
+        let first = self.list.iter().min_by_key(|(line, _, d)| (*line, d.place.column)).map(|(_, _, d)| d);
         self.first_loss.as_ref().or(first)
     }
 
     /// Returns all diagnostics in file order.
     pub(crate) fn finish(mut self) -> Vec<Diagnostic> {
         // Those of another file, listed where it is referred to, stay in their order.
-        self.list.sort_by_key(|(line, _, d)| (*line, d.column.filter(|_| d.file.is_none())));
+        self.list.sort_by_key(|(line, _, d)| (*line, d.place.column.filter(|_| d.place.file.is_none())));
         let mut list: Vec<Diagnostic> = self.list.into_iter().map(|(_, _, d)| d).collect();
         for (kind, count, severity) in self.kinds {
             if count > MOST_OF_A_KIND {
@@ -327,7 +334,8 @@ impl Tally {
     /// Reports the oddity if it occurred.
     pub(crate) fn report(&self, severity: Severity, reports: &mut Reports, message: impl FnOnce(&Self) -> String) {
         if self.count > 0 {
-            let diagnostic = Diagnostic { severity, line: self.line, ..Diagnostic::warning(message(self)) };
+            let diagnostic =
+                Diagnostic { severity, place: FilePlace::on_line(self.line), ..Diagnostic::warning(message(self)) };
             reports.push(self.line.unwrap_or(u64::MAX), diagnostic);
         }
     }

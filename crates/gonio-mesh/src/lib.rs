@@ -31,7 +31,7 @@ pub mod topology;
 mod weld;
 pub mod write;
 
-pub use diagnostic::{Cause, Diagnostic, ReadError, Severity};
+pub use diagnostic::{Cause, Diagnostic, FilePlace, ReadError, Severity};
 pub use format::Format;
 pub use input::{Limits, MissingSidecar, NoSidecars, Sidecar, SidecarUse, Sidecars};
 pub use material::{AmbientRule, Channel, Material, MetallicRoughness, PropertySource, TexelRule, TextureMap, Wrap};

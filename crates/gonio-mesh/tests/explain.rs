@@ -343,12 +343,13 @@ fn the_reader_and_the_explanation_agree() {
             Ok(model) => (None, model.diagnostics),
             Err(error) => (Some(error), Vec::new()),
         };
-        let of_reader = diagnostics.iter().filter(|d| d.file.is_none()).map(|d| (d.line, d.column, &d.message));
-        let of_error = error.iter().map(|e| (e.line, e.column, &e.message));
+        let of_reader =
+            diagnostics.iter().filter(|d| d.place.file.is_none()).map(|d| (d.place.line, d.place.column, &d.message));
+        let of_error = error.iter().map(|e| (e.place.line, e.place.column, &e.message));
         for (line_number, column, message) in of_reader.chain(of_error) {
             let (Some(number), Some(_)) = (line_number, column) else { continue };
             let explanation = line(&bytes, number).unwrap();
-            let same = explanation.problems.iter().any(|p| (p.column, &p.message) == (column, message));
+            let same = explanation.problems.iter().any(|p| (p.place.column, &p.message) == (column, message));
             assert!(same, "{name}:{number}: {message}\n{:?}", explanation.problems);
             agreed += 1;
         }

@@ -87,7 +87,7 @@ fn scene_text(bytes: &[u8]) -> Result<Cow<'_, [u8]>, ReadError> {
     match text.diagnostics.first() {
         Some(damage) => {
             let message = "a scene file must be UTF-8 or UTF-16 text, and this file is neither".to_owned();
-            Err(ReadError { message, file: None, line: damage.line, column: damage.column, cause: None })
+            Err(ReadError { place: damage.place.clone(), ..ReadError::new(message) })
         }
         None => Ok(text.bytes),
     }

@@ -133,7 +133,7 @@ fn read_bytes<S: FileSource>(
     if model.materials.is_empty() {
         model.materials.push(Material::default());
     }
-    model.diagnostics.iter_mut().filter(|d| d.file.is_none()).for_each(|d| d.file = Some(name.to_owned()));
+    model.diagnostics.iter_mut().filter(|d| d.place.file.is_none()).for_each(|d| d.place.file = Some(name.to_owned()));
     Ok(ModelFile {
         name: name.to_owned(),
         path: path.to_owned(),

@@ -5,7 +5,7 @@ use crate::files::{self, Budget, FileBytes, FileSource};
 use crate::image_file::{self, Decoded};
 use crate::texture::{ColorSpace, Texture};
 use crate::texture_recipe::{self, Purpose};
-use gonio_mesh::{Diagnostic, EmbeddedImage, MissingSidecar, TextureMap};
+use gonio_mesh::{Diagnostic, EmbeddedImage, FilePlace, MissingSidecar, TextureMap};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::{HashMap, HashSet};
@@ -280,8 +280,7 @@ impl<'a> TextureLibrary<'a> {
         for (job, result) in self.jobs.iter().zip(results) {
             let about = |d: Diagnostic, message: String| Diagnostic {
                 message: format!("{}{message}", job.first_request.message),
-                file: job.first_request.file.clone(),
-                line: job.first_request.line,
+                place: job.first_request.place.clone(),
                 ..d
             };
             match result {
@@ -358,5 +357,5 @@ impl<'a> TextureLibrary<'a> {
 /// A warning that begins with the key and the material, to be completed.
 fn about(map: &TextureMap, key: &str, requester: &Requester<'_>) -> Diagnostic {
     let message = format!("{key} of material `{}`: ", requester.material);
-    Diagnostic { line: map.line, ..Diagnostic::warning(message).in_file(requester.file) }
+    Diagnostic { place: FilePlace::on_line(map.line), ..Diagnostic::warning(message) }.in_file(requester.file)
 }

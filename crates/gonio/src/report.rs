@@ -238,16 +238,16 @@ pub fn json_text(value: &impl serde::Serialize) -> Result<String, CliError> {
 /// A diagnostic as `FILE:LINE: MESSAGE`, without its severity.
 pub fn diagnostic_text(diagnostic: &Diagnostic) -> String {
     let mut text = String::new();
-    if let Some(file) = &diagnostic.file {
+    if let Some(file) = &diagnostic.place.file {
         text.push_str(file);
-        if let Some(line) = diagnostic.line {
+        if let Some(line) = diagnostic.place.line {
             text.push_str(&format!(":{line}"));
-            if let Some(column) = diagnostic.column {
+            if let Some(column) = diagnostic.place.column {
                 text.push_str(&format!(":{column}"));
             }
         }
         text.push_str(": ");
-    } else if let Some(line) = diagnostic.line {
+    } else if let Some(line) = diagnostic.place.line {
         text.push_str(&format!("line {line}: "));
     }
     text + &diagnostic.message + hint(diagnostic.cause)

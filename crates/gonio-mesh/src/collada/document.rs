@@ -3,7 +3,7 @@
 use super::xml::{Element, Tree};
 use crate::diagnostic::Reports;
 use crate::text::{LineIndex, quote};
-use crate::{Diagnostic, Limits, ReadError, Severity, number};
+use crate::{Diagnostic, FilePlace, Limits, ReadError, Severity, number};
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -97,7 +97,9 @@ impl<'t> Document<'t> {
     /// Returns the most likely reason why nothing is left, as the end of a sentence.
     pub(super) fn why_nothing(&self) -> String {
         match self.reports.borrow().first() {
-            Some(Diagnostic { message, line: Some(line), .. }) => format!("; line {line}: {message}"),
+            Some(Diagnostic { message, place: FilePlace { line: Some(line), .. }, .. }) => {
+                format!("; line {line}: {message}")
+            }
             _ => String::new(),
         }
     }

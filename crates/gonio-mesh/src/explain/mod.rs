@@ -136,7 +136,7 @@ fn explain_utf8(
 ) -> Result<LineExplanation, ReadError> {
     let text = to_utf8(bytes);
     let mut explanation = explain(&text.bytes, line)?;
-    let lost = text.diagnostics.into_iter().filter(|lost| lost.line == Some(line));
+    let lost = text.diagnostics.into_iter().filter(|lost| lost.place.line == Some(line));
     explanation.problems.splice(..0, lost);
     Ok(explanation)
 }

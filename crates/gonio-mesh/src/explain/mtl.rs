@@ -125,7 +125,7 @@ fn add_result(bytes: &[u8], extent: Extent, explanation: &mut LineExplanation) {
             explanation.details.push(format!("not used: {}", unused.rule));
         }
     }
-    explanation.problems.extend(diagnostics.into_iter().filter(|diagnostic| is_here(diagnostic.line)));
+    explanation.problems.extend(diagnostics.into_iter().filter(|diagnostic| is_here(diagnostic.place.line)));
 }
 
 /// Formats a property of a material; empty if the material does not have it.

@@ -9,7 +9,7 @@ mod surface;
 
 use crate::diagnostic::Reports;
 use crate::encoding::read_as_utf8;
-use crate::{Diagnostic, Limits, Model, ReadError, Severity, Sidecars};
+use crate::{Diagnostic, FilePlace, Limits, Model, ReadError, Severity, Sidecars};
 use content::{Content, Locator};
 
 /// Reads a Medit file, a text or a binary file of version 1 to 4 in either byte order. It refers to no other files.
@@ -64,7 +64,9 @@ fn nothing_to_draw(content: &Content, reports: &Reports) -> ReadError {
         content.counts.iter().map(|(keyword, count, _)| format!("{count} {}", keyword.name)).collect();
     let counts = if counts.is_empty() { "no known keyword".to_owned() } else { counts.join(", ") };
     let reason = match reports.first() {
-        Some(Diagnostic { message, line: Some(line), .. }) => format!("; line {line}: {message}"),
+        Some(Diagnostic { message, place: FilePlace { line: Some(line), .. }, .. }) => {
+            format!("; line {line}: {message}")
+        }
         Some(Diagnostic { message, .. }) => format!("; {message}"),
         None => String::new(),
     };

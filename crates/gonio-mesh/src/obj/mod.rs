@@ -27,7 +27,7 @@ mod vertices;
 
 use crate::diagnostic::Reports;
 use crate::encoding::read_as_utf8;
-use crate::{Diagnostic, Limits, Model, ReadError, Sidecars};
+use crate::{Diagnostic, FilePlace, Limits, Model, ReadError, Sidecars};
 pub(crate) use attributes::not_finite_behind_position;
 use attributes::{Attributes, Segment};
 use faces::Faces;
@@ -131,7 +131,7 @@ fn read_second_pass(
     };
     let faces = match (read, first_error) {
         // The second pass stopped where the first one failed.
-        (Err(error), _) if error.line.is_some() => return Err(error),
+        (Err(error), _) if error.place.line.is_some() => return Err(error),
         (_, Some(error)) | (Err(error), None) => return Err(error),
         // There are too many kinds of unknown statements to count them in pieces.
         (Ok(faces), None) if faces.len() > 1 && faces.iter().any(|faces| faces.statistics.tallies.is_full) => {
@@ -224,8 +224,10 @@ fn nothing_to_draw(vertices: u64, faces: u64, reports: &Reports) -> ReadError {
     let plural = |count: u64, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
     let counts = format!("{}, {}", plural(vertices, "vertex", "vertices"), plural(faces, "face", "faces"));
     // Diagnostics of its libraries do not explain it.
-    let reason = match reports.first().filter(|first| first.file.is_none()) {
-        Some(Diagnostic { line: Some(line), message, .. }) => format!("; line {line}: {message}"),
+    let reason = match reports.first().filter(|first| first.place.file.is_none()) {
+        Some(Diagnostic { message, place: FilePlace { line: Some(line), .. }, .. }) => {
+            format!("; line {line}: {message}")
+        }
         Some(first) => format!("; {}", first.message),
         None => String::new(),
     };

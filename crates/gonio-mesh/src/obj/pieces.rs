@@ -116,8 +116,7 @@ pub(super) fn attributes(mut pieces: Vec<Attributes>) -> Attributes {
         all.reports.append(mem::take(&mut piece.reports), all.lines);
         all.colored += piece.colored;
         all.weighted = all.weighted.or(piece.weighted.map(|line| all.lines + line));
-        all.error =
-            piece.error.take().map(|error| ReadError { line: error.line.map(|line| line + all.lines), ..error });
+        all.error = piece.error.take().map(|error| ReadError { place: error.place.moved_by(all.lines), ..error });
         all.lines += piece.lines;
     }
     // One kind after the other, so that little is in memory twice.

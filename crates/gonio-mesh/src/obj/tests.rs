@@ -216,7 +216,7 @@ fn repeated_names_change_nothing() {
     let again = "# the same again, and no face between\nusemtl red\n".repeat(100);
     let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\n{again}f 1 2 3\n{again}f 1 2 3\n");
     let model = same_in_every_way(text.as_bytes(), "again").unwrap();
-    assert_eq!((model.mesh.parts.len(), model.diagnostics.len(), model.diagnostics[0].line), (1, 1, Some(4)));
+    assert_eq!((model.mesh.parts.len(), model.diagnostics.len(), model.diagnostics[0].place.line), (1, 1, Some(4)));
 }
 
 /// More unknown kinds than are counted separately: the counts are still the same.

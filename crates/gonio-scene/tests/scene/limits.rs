@@ -45,10 +45,10 @@ fn everything_that_is_read_for_an_input_counts() {
     assert!(messages.contains("the texture `a.png` was not read: `a.png` needs"), "{messages}");
     // The material library does not fit: no model comes of it, since another thread might have left more.
     let error = loaded("t.obj", &files, TRIANGLE.len() as u64 + 5).unwrap_err();
-    assert_eq!((error.file.as_deref(), error.cause), (Some("t.mtl"), Some(Cause::MemoryLimit)));
+    assert_eq!((error.place.file.as_deref(), error.cause), (Some("t.mtl"), Some(Cause::MemoryLimit)));
     assert!(error.message.contains("it needs 22 bytes of memory, but only 5 bytes of the limit of "), "{error}");
     let error = loaded("t.obj", &files, 10).unwrap_err();
-    assert_eq!((error.file.as_deref(), error.cause), (Some("t.obj"), Some(Cause::MemoryLimit)));
+    assert_eq!((error.place.file.as_deref(), error.cause), (Some("t.obj"), Some(Cause::MemoryLimit)));
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn an_input_is_described_within_the_budget_too() {
     let (files, ..) = textured();
     let few = Budgeted::new(&files, 20);
     let error = describe(&["t.obj"], &few).unwrap_err();
-    assert_eq!((error.file.as_deref(), error.cause), (Some("t.obj"), Some(Cause::MemoryLimit)));
+    assert_eq!((error.place.file.as_deref(), error.cause), (Some("t.obj"), Some(Cause::MemoryLimit)));
 }
 
 /// Folders with an input, and a secret beside them.
@@ -205,7 +205,7 @@ fn a_scene_in_a_sandbox_cannot_name_models_and_environments_outside() {
         let input = confined.path("in/s.toml");
         let error = loaded(&input, &Sandbox::new(Disk, [input.as_str()]), 1 << 20).unwrap_err();
         assert_eq!(error.cause, Some(Cause::Sandbox), "{error}");
-        assert!(error.file.as_deref().is_some_and(|file| file.contains("other.")), "{error}");
+        assert!(error.place.file.as_deref().is_some_and(|file| file.contains("other.")), "{error}");
     }
     // The user may name both.
     let inputs = [confined.path("in/m.obj"), confined.path("other.obj")];

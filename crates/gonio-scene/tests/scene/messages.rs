@@ -192,17 +192,17 @@ fn motions_take_the_keys_of_their_kind() {
 #[test]
 fn errors_of_toml_have_a_place() {
     let error = read("[camera]\nfov_y = = 3\n").unwrap_err();
-    assert_eq!((error.line, error.column.is_some()), (Some(2), true));
+    assert_eq!((error.place.line, error.place.column.is_some()), (Some(2), true));
     assert!(error.message.starts_with("this is not TOML: "), "{error}");
     let error = read("[camera]\nfov_y = 3\nfov_y = 3\n").unwrap_err();
-    assert_eq!(error.line, Some(3), "{error}");
+    assert_eq!(error.place.line, Some(3), "{error}");
 }
 
 #[test]
 fn columns_are_bytes_and_a_byte_order_mark_is_none() {
     check_message("name = \"\u{e9}\" # \u{e9}\nmaterial = { opacity = 2 }\n", "4:24: `opacity` must be 0 to 1, not 2");
     let error = read("\u{feff}[picture]\nwidth = 0\n").unwrap_err();
-    assert_eq!((error.line, error.column), (Some(2), Some(9)));
+    assert_eq!((error.place.line, error.place.column), (Some(2), Some(9)));
 }
 
 #[test]

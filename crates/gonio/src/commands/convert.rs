@@ -9,7 +9,7 @@ use crate::output::{OutputFiles, OutputKind, OutputPath};
 use crate::report::Reporter;
 use clap::Args;
 use gonio_mesh::write::{self, ImageFile};
-use gonio_mesh::{Diagnostic, EmbeddedImage, Model};
+use gonio_mesh::{Diagnostic, EmbeddedImage, FilePlace, Model};
 use gonio_scene::files::FileSource;
 use gonio_scene::model_file::ModelFile;
 use gonio_scene::model_file::TextureFile;
@@ -224,7 +224,7 @@ impl Textures {
                         None => format!("was not found; tried {}", not_found.tried.join(", ")),
                     };
                     let message = format!("the texture {:?} {fault}", map.path);
-                    let diagnostic = Diagnostic { line: map.line, ..Diagnostic::warning(message) };
+                    let diagnostic = Diagnostic { place: FilePlace::on_line(map.line), ..Diagnostic::warning(message) };
                     diagnostics.push(diagnostic.in_file(material.file.as_deref().unwrap_or(&file.name)));
                 }
             }
