@@ -32,11 +32,11 @@ pub fn check(
     };
     let bench = FaceBench::of_panorama(checker.gl(), FINE, &submitted.panorama)?;
     let model = checker.model(ModelSolution::Panorama);
-    let seen = submitted.tiles(TILE as usize).encoded().softened();
+    let seen = submitted.tiles(TILE as usize).encoded().blurred();
     let silent: SourceSupport = Box::new(|id, _| if id == "layout-photographic" { 0.6 } else { 0.5 });
     let task = FaceTask { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, source_support: &silent };
-    let draw = |hypothesis: &Hypothesis| Ok::<Tiles, GlError>(bench.draw_model(model, hypothesis)?.held_to_screens());
-    let mut predict = |hypothesis: &Hypothesis| Ok(draw(hypothesis)?.smaller(TILE as usize).encoded().softened());
+    let draw = |hypothesis: &Hypothesis| Ok::<Tiles, GlError>(bench.draw_model(model, hypothesis)?.clamped());
+    let mut predict = |hypothesis: &Hypothesis| Ok(draw(hypothesis)?.reduced(TILE as usize).encoded().blurred());
     let explanation = Explanation::find(&task, &seen, &mut predict)?;
     let (mut verdict, evidence) = verdict(&exercise.id, &explanation, &seen, |tiles| tiles.decoded().atlas());
     if verdict.verdict == Outcome::Correct {
@@ -124,13 +124,13 @@ impl SubmittedFaces {
     /// The faces as small pictures.
     pub fn tiles(&self, side: usize) -> Tiles {
         let face = |face: &Image| face.pixels.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect();
-        Tiles { side: self.faces[0].width as usize, faces: self.faces.each_ref().map(face) }.smaller(side)
+        Tiles { side: self.faces[0].width as usize, faces: self.faces.each_ref().map(face) }.reduced(side)
     }
 
     /// Sharpness relative to a reference of [`FINE`] pixels: 1 if they are as sharp.
     pub fn sharpness(&self, reference: &Tiles) -> f64 {
         let side = self.faces[0].width.clamp(LEAST, FINE) as usize;
-        let possible = reference.smaller(side).encoded().sharpness();
+        let possible = reference.reduced(side).encoded().sharpness();
         if possible > 1e-6 { self.tiles(side).encoded().sharpness() / possible } else { 1.0 }
     }
 }

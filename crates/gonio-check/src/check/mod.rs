@@ -162,7 +162,7 @@ pub fn check(
         pass_as_the_lab(&mut verdict);
     }
     if verdict.verdict == Outcome::Wrong && is_unchanged(exercise, &submission) {
-        tell_unchanged(&mut verdict);
+        report_unchanged(&mut verdict);
     }
     if task.model.is_lit() {
         corrections::agree_terms(&mut verdict);
@@ -180,7 +180,7 @@ fn is_unchanged(exercise: &ShaderExercise<'_>, submission: &Submission) -> bool 
 }
 
 /// Says in the summary that the files are unchanged. Mistakes that were named remain, guesses do not.
-fn tell_unchanged(verdict: &mut Verdict) {
+fn report_unchanged(verdict: &mut Verdict) {
     verdict.summary = match verdict.mistakes.first() {
         Some(first) => {
             format!("these are the unchanged start files; {}", first.name)

@@ -134,8 +134,8 @@ impl Reading {
                     let inner = graph.node(*one);
                     let number = |value| Some(Entry { at: id, value: Value::Number(value) });
                     if inner.is_matrix {
-                        let held = if inner.width == 9 { 3 } else { 4 };
-                        let is_within = column < held && row < held;
+                        let inner_side = if inner.width == 9 { 3 } else { 4 };
+                        let is_within = column < inner_side && row < inner_side;
                         let one = if column == row { 1.0 } else { 0.0 };
                         return if is_within {
                             self.entry_within(*one_of(parts)?, column, row, depth)

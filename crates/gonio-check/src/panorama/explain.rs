@@ -37,7 +37,7 @@ pub struct Explanation {
     /// Faces that nothing explains.
     pub unexplained: Vec<usize>,
     /// The comparison of each face with the expected one.
-    pub held: [Fit; 6],
+    pub fits: [Fit; 6],
     /// The expected picture.
     pub reference: Tiles,
     /// The picture that the explanation predicts.
@@ -48,13 +48,13 @@ impl Explanation {
     /// Finds the explanation with the fewest mistakes.
     pub fn find(task: &FaceTask<'_>, seen: &Tiles, predict: &mut Predict<'_>) -> Result<Self, GlError> {
         let reference = predict(&Hypothesis::default())?;
-        let held = std::array::from_fn(|face| seen.fit(face, &reference, face, 0, task.tolerance));
+        let fits = std::array::from_fn(|face| seen.fit(face, &reference, face, 0, task.tolerance));
         let mut found = Explanation {
             global: Vec::new(),
             local: Vec::new(),
             or: Vec::new(),
             unexplained: Vec::new(),
-            held,
+            fits,
             predicted: reference.clone(),
             reference,
         };
@@ -63,7 +63,7 @@ impl Explanation {
         if plain == AS_IT_SHOULD {
             return Ok(found);
         }
-        if seen.all_are_one(task.tolerance) {
+        if seen.are_all_equal(task.tolerance) {
             found.global = vec!["face-ignored".to_owned()];
             found.predicted = seen.clone();
             return Ok(found);
@@ -208,7 +208,7 @@ impl<'a> Search<'a> {
         found.global = ids(best);
         found.local = local(&best.placed);
         found.unexplained = (0..6).filter(|&face| best.placed[face].is_none()).collect();
-        found.predicted = best.tiles.laid(&best.placed);
+        found.predicted = best.tiles.rearranged(&best.placed);
         if let ([only], true) = (found.global.as_slice(), found.local.is_empty()) {
             let others = equal.iter().skip(1).flat_map(|other| ids(other));
             found.or = others.filter(|id| id != only).collect();

@@ -168,7 +168,7 @@ fn scenes(explanation: &Explanation) -> Vec<SceneVerdict> {
         pixels_beyond: fit.beyond,
         worst: fit.worst,
     };
-    explanation.held.iter().enumerate().map(scene).collect()
+    explanation.fits.iter().enumerate().map(scene).collect()
 }
 
 /// Reports blurred faces; `sharpness` is relative to the possible sharpness.

@@ -89,7 +89,7 @@ impl Tiles {
     }
 
     /// Rearranges the pictures: for each face, the face to show and its orientation.
-    pub fn laid(&self, placed: &[Option<(usize, usize)>; 6]) -> Tiles {
+    pub fn rearranged(&self, placed: &[Option<(usize, usize)>; 6]) -> Tiles {
         let side = self.side;
         let face = |face: usize| {
             let (of, way) = placed[face].unwrap_or((face, 0));
@@ -118,12 +118,12 @@ impl Tiles {
     }
 
     /// Clamps the pictures to the range of 8 bits.
-    pub fn held_to_screens(&self) -> Tiles {
+    pub fn clamped(&self) -> Tiles {
         self.map(|linear| linear.clamp(0.0, 1.0))
     }
 
     /// Reduces the pictures; each pixel is the mean of those that it covers, weighted by area.
-    pub fn smaller(&self, side: usize) -> Tiles {
+    pub fn reduced(&self, side: usize) -> Tiles {
         let from = self.side;
         let side = side.clamp(1, from.max(1));
         let covered: Vec<Vec<(usize, f64)>> = (0..side)
@@ -153,7 +153,7 @@ impl Tiles {
     }
 
     /// Blurs the pictures (1 2 1 along both axes) to remove the differences between other programs' filters.
-    pub fn softened(&self) -> Tiles {
+    pub fn blurred(&self) -> Tiles {
         let side = self.side;
         let face = |face: &Vec<[f32; 3]>| {
             let at = |x: usize, y: usize| face[y.min(side - 1) * side + x.min(side - 1)];
@@ -193,7 +193,7 @@ impl Tiles {
     }
 
     /// Whether two faces show the same picture, which is not a single colour.
-    pub fn all_are_one(&self, tolerance: Tolerance) -> bool {
+    pub fn are_all_equal(&self, tolerance: Tolerance) -> bool {
         let same = (1..6).all(|face| self.fit(face, self, 0, 0, tolerance).beyond <= tolerance.share);
         let first = self.faces[0].first().copied().unwrap_or_default();
         same && self.faces[0].iter().any(|pixel| difference(pixel, &first) > 2.0 * tolerance.pixel)
@@ -224,8 +224,8 @@ mod tests {
     fn orientations_match_those_of_the_catalogue() {
         let tiles = numbered();
         for (turn, (word, _, formulas)) in TURNS.iter().enumerate() {
-            let laid = tiles.laid(&[Some((0, turn + 1)), None, None, None, None, None]);
-            for (index, [_, x, y]) in laid.faces[0].iter().enumerate() {
+            let rearranged = tiles.rearranged(&[Some((0, turn + 1)), None, None, None, None, None]);
+            for (index, [_, x, y]) in rearranged.faces[0].iter().enumerate() {
                 let (s, t) = ((index % 4) as f32, (index / 4) as f32);
                 let expected = formulas.map(|formula| match formula {
                     "s" => s,
@@ -241,7 +241,7 @@ mod tests {
     #[test]
     fn a_picture_fits_itself_in_one_orientation_only() {
         let tiles = numbered();
-        let turned = tiles.laid(&[None, None, Some((2, 3)), None, None, None]);
+        let turned = tiles.rearranged(&[None, None, Some((2, 3)), None, None, None]);
         assert_eq!(turned.fit(2, &tiles, 2, 3, Tolerance::DRAWN).square, 0.0);
         assert!(turned.fit(2, &tiles, 2, 0, Tolerance::DRAWN).beyond > 0.2);
     }
@@ -249,9 +249,9 @@ mod tests {
     #[test]
     fn reduced_pictures_keep_their_mean() {
         let tiles = numbered();
-        let small = tiles.smaller(2);
+        let small = tiles.reduced(2);
         assert_eq!(small.faces[5][0], [5.0, 0.5, 0.5]);
-        assert_eq!(tiles.smaller(3).side, 3);
+        assert_eq!(tiles.reduced(3).side, 3);
         assert!(small.sharpness() > 0.0);
     }
 }

@@ -147,7 +147,7 @@ const ATTRIBUTES: &[Rule] = &[
 
 /// Returns the role of an attribute by its name.
 pub(super) fn attribute(shape: Shape, words: &Words) -> Option<Role> {
-    if shape != Shape::Vector || says_axis(words) {
+    if shape != Shape::Vector || names_axis(words) {
         return None;
     }
     first(ATTRIBUTES, words, 0)
@@ -170,7 +170,7 @@ pub(super) fn uniform(shape: Shape, words: &Words, light: u32) -> Option<Role> {
     if words.has("face") && (words.has("size") || words.has("screen")) {
         return matches!(shape, Shape::Scalar | Shape::Vector).then_some(Role::Resolution);
     }
-    if says_axis(words) {
+    if names_axis(words) {
         return if shape == Shape::Vector { axis(words) } else { None };
     }
     // A letter that counts (`nLights`) or is the whole name (`t`).
@@ -193,7 +193,7 @@ pub(super) fn uniform(shape: Shape, words: &Words, light: u32) -> Option<Role> {
 }
 
 /// Whether the words are those of a camera's axes, which have no other meaning.
-fn says_axis(words: &Words) -> bool {
+fn names_axis(words: &Words) -> bool {
     ["up", "right", "target"].iter().any(|word| words.has(word))
 }
 
@@ -219,7 +219,7 @@ fn first(rules: &[Rule], words: &Words, light: u32) -> Option<Role> {
 /// Returns the role of a matrix: which of M, V and P it contains.
 fn matrix(words: &Words) -> Option<Role> {
     // The matrix of a light is for shadows.
-    if words.has("blocked") || words.has("light") || words.has("tex") || says_axis(words) {
+    if words.has("blocked") || words.has("light") || words.has("tex") || names_axis(words) {
         return None;
     }
     if let Some(role) = between_spaces(&words.order) {

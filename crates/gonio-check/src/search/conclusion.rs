@@ -55,12 +55,12 @@ pub fn verdict(
     task: &Task,
     search: &Search<'_>,
     found: &Found<'_>,
-    held: &Comparison,
+    comparison: &Comparison,
     unused_terms: [bool; 3],
 ) -> Verdict {
     let (testbench, seen) = (search.testbench, search.seen);
     let mut verdict = Verdict::new(task.exercise, Outcome::Wrong, "");
-    verdict.scenes = scenes(testbench, held);
+    verdict.scenes = scenes(testbench, comparison);
     let Some(best) = found.ranking.first() else { return verdict };
     let entry = search.entries.get(best.model);
     let right = verdict.scenes.iter().filter(|scene| scene.right).count();
@@ -189,29 +189,29 @@ fn alternatives(found: &Found<'_>, best: &Tried<'_>, id: &str) -> Vec<String> {
     names
 }
 
-/// Returns the verdicts on test scenes; `held` is the comparison with the right answer.
-fn scenes(testbench: &Testbench, held: &Comparison) -> Vec<SceneVerdict> {
+/// Returns the verdicts on test scenes; `comparison` compares with the right answer.
+fn scenes(testbench: &Testbench, comparison: &Comparison) -> Vec<SceneVerdict> {
     testbench
         .test_scenes()
         .iter()
-        .take(held.beyond.len())
+        .take(comparison.beyond.len())
         .enumerate()
         .map(|(index, test_scene)| SceneVerdict {
             scene: test_scene.name.clone(),
             shows: test_scene.shows.into(),
-            right: held.agrees(index),
-            pixels_beyond: held.beyond.get(index).copied().unwrap_or(1.0),
-            worst: held.worst.get(index).copied().unwrap_or(1.0),
+            right: comparison.agrees(index),
+            pixels_beyond: comparison.beyond.get(index).copied().unwrap_or(1.0),
+            worst: comparison.worst.get(index).copied().unwrap_or(1.0),
         })
         .collect()
 }
 
-/// Returns the verdicts on terms by the test scenes with one term alone; `held` is the comparison with the right
+/// Returns the verdicts on terms by the test scenes with one term alone; `comparison` compares with the right
 /// answer in all test scenes.
 pub fn terms(
     testbench: &Testbench,
     parameterisation: &Parameterisation,
-    held: Option<&Comparison>,
+    comparison: Option<&Comparison>,
 ) -> Vec<TermVerdict> {
     crate::mistakes::TERMS
         .into_iter()
@@ -219,9 +219,9 @@ pub fn terms(
         .map(|(index, term)| {
             let is_alone = |name: &str| name.ends_with(&format!("{term} alone"));
             let mut alone = testbench.test_scenes().iter().enumerate().filter(|(_, s)| is_alone(&s.name));
-            let state = match held.filter(|_| !parameterisation.to_find[index]) {
+            let state = match comparison.filter(|_| !parameterisation.to_find[index]) {
                 None => TermState::NotSeparable,
-                Some(held) if alone.all(|(test_scene, _)| held.agrees(test_scene)) => TermState::Right,
+                Some(comparison) if alone.all(|(test_scene, _)| comparison.agrees(test_scene)) => TermState::Right,
                 Some(_) => TermState::Wrong,
             };
             TermVerdict { term: term.into(), state }

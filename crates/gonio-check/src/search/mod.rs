@@ -155,7 +155,7 @@ impl ShaderChecker {
         let all = testbench.test_scenes().len();
         let drawn = drawn_unless_endless(program, &fixed, &[1, all], |fixed, count| {
             let seen = testbench.draw(program, &inputs, fixed, count)?;
-            testbench.complaint()?;
+            testbench.error()?;
             Ok(seen)
         })?;
         let Some(seen) = drawn else {
@@ -184,8 +184,8 @@ impl ShaderChecker {
         };
         let found = search.run(&|id, model| (prepared.source_support)(id, models[model].hypotheses.model))?;
         let reference = self.reference(task, &search, &found, prepared.unused_terms)?;
-        let held = Comparison::new(&seen, &reference, whole);
-        let mut verdict = conclusion::verdict(task, &search, &found, &held, prepared.unused_terms);
+        let comparison = Comparison::new(&seen, &reference, whole);
+        let mut verdict = conclusion::verdict(task, &search, &found, &comparison, prepared.unused_terms);
         if task.model.is_lit() {
             let (model, right) = conclusion::right_answer(&search, &found);
             // Without a term that can be tested alone there is nothing to draw.
@@ -193,8 +193,8 @@ impl ShaderChecker {
                 [true, true, true] => None,
                 _ => search.drawn(model, right, all)?.atlas,
             };
-            let held = alone.map(|reference| Comparison::new(&seen, &reference, all));
-            verdict.terms = conclusion::terms(testbench, &parameterisation, held.as_ref());
+            let comparison = alone.map(|reference| Comparison::new(&seen, &reference, all));
+            verdict.terms = conclusion::terms(testbench, &parameterisation, comparison.as_ref());
             let student = properties::Student {
                 testbench,
                 program,
@@ -203,9 +203,9 @@ impl ShaderChecker {
                 parameterisation: &parameterisation,
             };
             verdict.properties = student.properties(&seen, whole)?;
-            properties::tell(&mut verdict);
+            properties::report_violations(&mut verdict);
         }
-        testbench.complaint()?;
+        testbench.error()?;
         verdict.bound = bound;
         let predicted =
             found.ranking.first().filter(|best| !best.mistakes.is_empty()).and_then(|best| best.atlas.clone());

@@ -99,7 +99,7 @@ pub struct Parameterisation {
 }
 
 /// Whether a role determines the up direction of the camera.
-fn says_up(role: Role) -> bool {
+fn determines_up(role: Role) -> bool {
     matches!(
         role,
         Role::WorldUp
@@ -216,7 +216,7 @@ impl Parameterisation {
             counted: has(&|role| role == Role::LightCount),
             other_light: constants.other_light.filter(|_| lit_from_outside),
             sun,
-            upright: task.model.is_of_places() && !has(&says_up),
+            upright: task.model.is_of_places() && !has(&determines_up),
         }
     }
 

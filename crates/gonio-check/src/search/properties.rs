@@ -209,7 +209,7 @@ fn failing(seen: &Atlas, expected: impl Fn(usize, usize, usize) -> f32) -> Optio
 }
 
 /// If no mistake is named, the summary reports the violated properties.
-pub fn tell(verdict: &mut Verdict) {
+pub fn report_violations(verdict: &mut Verdict) {
     if verdict.verdict != Outcome::Wrong || !verdict.mistakes.is_empty() {
         return;
     }

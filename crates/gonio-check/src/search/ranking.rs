@@ -314,7 +314,7 @@ impl<'a> Search<'a> {
             }
             let named = pairs.iter().filter(|tried| tried.residual.is_same()).min_by(|a, b| a.order(b));
             if let Some(named) = named.cloned() {
-                all.extend(self.in_their_place(&named, &difference)?);
+                all.extend(self.replacements(&named, &difference)?);
             }
             all.extend(pairs);
         }

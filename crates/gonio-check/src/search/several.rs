@@ -77,7 +77,7 @@ impl<'a> Search<'a> {
 
     /// Replaces each mistake of a pair without a residual by any other one. If the residual is as small, no picture
     /// distinguishes the two, and the verdict says so.
-    pub(super) fn in_their_place(&self, pair: &Tried<'a>, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
+    pub(super) fn replacements(&self, pair: &Tried<'a>, difference: &Difference) -> Result<Vec<Tried<'a>>, GlError> {
         let model = pair.model;
         // This would take too long if the driver drew each.
         if self.comparers.get(model).and_then(Option::as_ref).is_none() {

@@ -228,7 +228,8 @@ impl Intake {
         for literal in found {
             let code = stage::without_comments(&literal.text.text);
             let both = split::split(&literal.text.text, &code).is_some();
-            let (stage, warning) = stage::tell(&format!("{name} `{}`", literal.variable), &literal.variable, &code);
+            let (stage, warning) =
+                stage::determine(&format!("{name} `{}`", literal.variable), &literal.variable, &code);
             let hole = literal
                 .has_holes
                 .then(|| format!("{name} puts values into `{}` with ${{...}}; gonio left them out.", literal.variable));
@@ -274,7 +275,7 @@ impl Intake {
         if !(main && glsl || named && (surely || glsl)) {
             return;
         }
-        match stage::tell(name, name, code) {
+        match stage::determine(name, name, code) {
             (Some(stage), warning) => {
                 let text = StageText::whole(name, text);
                 self.candidates.push(Candidate { stage, text, variable: None, warning });
@@ -284,7 +285,7 @@ impl Intake {
     }
 
     /// Assigns a shader of unknown stage to the stage that its partner is not.
-    fn tell_undecided_by_partner(&mut self) {
+    fn assign_undecided_by_partner(&mut self) {
         let has = |stage| self.candidates.iter().any(|c| c.stage == stage);
         let missing = match (has(Stage::Vertex), has(Stage::Fragment)) {
             (true, false) => Some(Stage::Fragment),
@@ -306,7 +307,7 @@ impl Intake {
 
     /// Among several shaders named as vertex shaders, one that outputs a colour and no position is the fragment
     /// shader: `vertex lighting.glsl`.
-    fn tell_misnamed_by_content(&mut self) {
+    fn assign_misnamed_by_content(&mut self) {
         if self.candidates.len() < 2 || self.candidates.iter().any(|found| found.stage == Stage::Fragment) {
             return;
         }
@@ -332,8 +333,8 @@ impl Intake {
         hints: &[&str],
         files: Vec<String>,
     ) -> Result<Submission, IntakeError> {
-        self.tell_undecided_by_partner();
-        self.tell_misnamed_by_content();
+        self.assign_undecided_by_partner();
+        self.assign_misnamed_by_content();
         let chosen = match choose::choose(&self.candidates, requested, hints) {
             Ok(chosen) => chosen,
             // An unreadable file is the better explanation.

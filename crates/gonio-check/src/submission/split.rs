@@ -141,7 +141,7 @@ fn by_repetition(lines: &[&str], code_lines: &[&str]) -> Option<(Builder, Builde
     first.push_lines(lines, 0, cut);
     second.push_lines(lines, cut, lines.len());
     let (first, second) = both_have_main((first, second))?;
-    let stage = |builder: &Builder| stage::tell("", "", &stage::without_comments(&builder.text)).0;
+    let stage = |builder: &Builder| stage::determine("", "", &stage::without_comments(&builder.text)).0;
     match (stage(&first), stage(&second)) {
         (Some(Stage::Vertex), Some(Stage::Fragment)) => Some((first, second)),
         (Some(Stage::Fragment), Some(Stage::Vertex)) => Some((second, first)),

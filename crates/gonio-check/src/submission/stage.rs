@@ -86,7 +86,7 @@ fn hint_from_whole_words(name: &str) -> StageHint {
 }
 
 /// Whether only a single letter of a name suggests its stage.
-fn is_said_by_letters_alone(name: &str) -> bool {
+fn has_only_letter_hint(name: &str) -> bool {
     let path = name.replace('\\', "/");
     let base = path.rsplit('/').next().unwrap_or_default();
     let by_ending = base.rsplit('.').any(|part| stage_of_word(&part.to_lowercase()).is_some());
@@ -126,14 +126,14 @@ pub(super) fn evidence(code: &str) -> Evidence {
 }
 
 /// Returns the stage of a text: that of its name, unless the content clearly contradicts it, which gives a warning.
-pub(super) fn tell(shown: &str, name: &str, code: &str) -> (Option<Stage>, Option<String>) {
+pub(super) fn determine(shown: &str, name: &str, code: &str) -> (Option<Stage>, Option<String>) {
     let found = evidence(code);
     let by_content = match (found.vertex, found.fragment) {
         (true, false) => Some(Stage::Vertex),
         (false, true) => Some(Stage::Fragment),
         _ => None,
     };
-    if is_said_by_letters_alone(name) {
+    if has_only_letter_hint(name) {
         let by_all = by_content.or(found.rather_fragment.then_some(Stage::Fragment));
         if by_all.is_some() {
             return (by_all, None);
@@ -290,7 +290,7 @@ mod tests {
             ("a.vert", "out vec4 c;void main(){}", Some(Vertex), false),
             ("a.frag", "out vec4 c;void main(){gl_Position=c;}", Some(Fragment), false),
         ] {
-            let (found, warning) = tell(name, name, &without_comments(text));
+            let (found, warning) = determine(name, name, &without_comments(text));
             assert_eq!((found, warning.is_some()), (stage, warned), "{name}: {text}");
         }
     }

@@ -118,12 +118,12 @@ impl Testbench {
 
     /// Returns an error if OpenGL reported one since the last call. In a browser this costs as much as several draw
     /// calls.
-    pub fn complaint(&self) -> Result<(), GlError> {
+    pub fn error(&self) -> Result<(), GlError> {
         self.target.error().map_or(Ok(()), Err)
     }
 
     /// Draws a program in the first `count` test scenes; `fixed` are uniforms with the same value in all. Errors of
-    /// OpenGL are reported by [`Testbench::complaint`].
+    /// OpenGL are reported by [`Testbench::error`].
     pub fn draw(
         &self,
         program: &UserProgram,
