@@ -145,7 +145,7 @@ fn landmarks() -> TestMesh {
     mesh.normals.extend(&globe.normals);
     mesh.tex_coords.extend(&globe.tex_coords);
     for direction in globe.normals.chunks_exact(3) {
-        mesh.colors.extend(super::inputs::radiance(glam::Vec3::from_slice(direction)));
+        mesh.colors.extend(super::sky::radiance(glam::Vec3::from_slice(direction)));
     }
     mesh.indices.extend(globe.indices.iter().map(|index| first + index));
     mesh

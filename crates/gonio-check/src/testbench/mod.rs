@@ -4,11 +4,13 @@ mod draw;
 pub mod inputs;
 pub mod mesh;
 pub mod scene;
+mod sky;
 
 pub use draw::{Atlas, CoverageMap, ProgramInputs, TILE, Testbench, stream_of};
-pub use inputs::{CUBEMAP_UNIT, SKY_SIDE, WHITE_UNIT, numbers, numbers_of_array, radiance, samplers, sky_faces, unit};
+pub use inputs::{CUBEMAP_UNIT, WHITE_UNIT, numbers, numbers_of_array, samplers, unit};
 pub use mesh::{TestMesh, TestShape};
 pub use scene::{TestLight, TestScene};
+pub use sky::{SKY_SIDE, radiance, sky_faces};
 
 /// Converts one of gonio's own shaders from 330 core to 300 es if the context needs it.
 pub fn for_context(gl: &gonio_gl::Gl, source: &str) -> String {
