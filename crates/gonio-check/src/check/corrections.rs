@@ -194,13 +194,14 @@ pub(super) fn judge_lookups(
 }
 
 /// The interface of exercise 08, where V includes the translation of the camera.
-const GIVEN: [&str; 4] = ["position", "V", "P", "cubemapSampler"];
+const EXERCISE_NAMES: [&str; 4] = ["position", "V", "P", "cubemapSampler"];
 const MOVES: &str = "skybox-keeps-translation";
 
 /// Accepts a skybox that keeps the translation of V, with a warning, if its names show that it was written for
 /// another program: many programs remove the translation before they set V.
 pub(super) fn trust_other_programs(verdict: &mut Verdict, source: &Analysis) {
-    let of_another = verdict.bound.iter().any(|bound| bound.role.is_some() && !GIVEN.contains(&bound.name.as_str()));
+    let of_another =
+        verdict.bound.iter().any(|bound| bound.role.is_some() && !EXERCISE_NAMES.contains(&bound.name.as_str()));
     let moves = |verdict: &Verdict| verdict.mistakes.iter().any(|found| found.id == MOVES);
     // A shader that removes the translation somewhere expects a V with one.
     if verdict.verdict != Outcome::Wrong || !of_another || !moves(verdict) || source.turns_only() {

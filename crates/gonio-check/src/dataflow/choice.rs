@@ -7,10 +7,10 @@ use gonio_glsl::ast::{BinaryOp, Expr};
 use gonio_glsl::{Span, Statement, StatementKind, Type};
 
 /// Most entries of a `switch` that are followed.
-const MOST_WAYS: usize = 32;
+const MOST_ENTRIES: usize = 32;
 
 /// An entry of a `switch`.
-struct Way<'a> {
+struct SwitchEntry<'a> {
     /// The values of its labels.
     labels: Vec<&'a Expr>,
     is_default: bool,
@@ -19,8 +19,8 @@ struct Way<'a> {
 }
 
 /// Returns the entries of a `switch` in order. Adjacent labels are one entry.
-fn ways(body: &[Statement]) -> Vec<Way<'_>> {
-    let mut ways: Vec<Way> = Vec::new();
+fn entries(body: &[Statement]) -> Vec<SwitchEntry<'_>> {
+    let mut entries: Vec<SwitchEntry> = Vec::new();
     let mut follows_label = false;
     for (index, statement) in body.iter().enumerate() {
         let StatementKind::Case(label) = &statement.kind else {
@@ -28,17 +28,17 @@ fn ways(body: &[Statement]) -> Vec<Way<'_>> {
             continue;
         };
         let body = &body[index + 1..];
-        match ways.last_mut().filter(|_| follows_label) {
-            Some(way) => way.body = body,
-            None => ways.push(Way { labels: Vec::new(), is_default: false, body }),
+        match entries.last_mut().filter(|_| follows_label) {
+            Some(entry) => entry.body = body,
+            None => entries.push(SwitchEntry { labels: Vec::new(), is_default: false, body }),
         }
-        if let Some(way) = ways.last_mut() {
-            way.labels.extend(label);
-            way.is_default |= label.is_none();
+        if let Some(entry) = entries.last_mut() {
+            entry.labels.extend(label);
+            entry.is_default |= label.is_none();
         }
         follows_label = true;
     }
-    ways
+    entries
 }
 
 impl<'a> Runner<'a> {
@@ -65,20 +65,20 @@ impl<'a> Runner<'a> {
     pub(crate) fn switch(&mut self, value: &'a Expr, body: &'a [Statement]) -> Flow {
         let span = value.span;
         let value = self.expression(value);
-        let mut ways = ways(body);
-        let default = ways.iter().position(|way| way.is_default).map(|at| ways.remove(at));
-        ways.truncate(MOST_WAYS);
-        self.first_of((value, span), &ways, default.as_ref())
+        let mut entries = entries(body);
+        let default = entries.iter().position(|entry| entry.is_default).map(|at| entries.remove(at));
+        entries.truncate(MOST_ENTRIES);
+        self.first_of((value, span), &entries, default.as_ref())
     }
 
-    fn first_of(&mut self, value: (Id, Span), ways: &[Way<'a>], default: Option<&Way<'a>>) -> Flow {
-        let Some((way, others)) = ways.split_first() else {
-            return default.map_or(Flow::Next, |way| self.way(way));
+    fn first_of(&mut self, value: (Id, Span), entries: &[SwitchEntry<'a>], default: Option<&SwitchEntry<'a>>) -> Flow {
+        let Some((entry, others)) = entries.split_first() else {
+            return default.map_or(Flow::Next, |entry| self.entry(entry));
         };
         // Each branch is nested in the previous one, like an `else if`.
         let flow = if self.enter() {
-            let test = self.leads_to(value, way);
-            self.either(test, value.1, |runner| runner.way(way), |runner| runner.first_of(value, others, default))
+            let test = self.leads_to(value, entry);
+            self.either(test, value.1, |runner| runner.entry(entry), |runner| runner.first_of(value, others, default))
         } else {
             Flow::Left
         };
@@ -86,17 +86,17 @@ impl<'a> Runner<'a> {
         flow
     }
 
-    fn way(&mut self, way: &Way<'a>) -> Flow {
-        match self.in_scope(|runner| runner.statements(way.body)) {
+    fn entry(&mut self, entry: &SwitchEntry<'a>) -> Flow {
+        match self.in_scope(|runner| runner.statements(entry.body)) {
             Flow::Broke => Flow::Next,
             flow => flow,
         }
     }
 
     /// Returns the node that compares the value with the labels of an entry.
-    fn leads_to(&mut self, (value, span): (Id, Span), way: &Way<'a>) -> Id {
+    fn leads_to(&mut self, (value, span): (Id, Span), entry: &SwitchEntry<'a>) -> Id {
         let mut any = None;
-        for label in &way.labels {
+        for label in &entry.labels {
             let number = self.expression(label);
             let is_it = self.push(Op::Binary(BinaryOp::Equal, value, number), span, Some(&Type::BOOL));
             any = Some(match any {

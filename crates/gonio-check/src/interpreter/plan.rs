@@ -54,13 +54,13 @@ impl Node {
 
 /// An expression that a step may compute, with the variables and uniforms that it reads.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Way {
+pub(super) struct Variant {
     pub node: Node,
     pub slots: Vec<usize>,
     pub inputs: Vec<usize>,
 }
 
-impl Way {
+impl Variant {
     pub fn new(node: Node) -> Self {
         let (mut slots, mut inputs) = (Vec::new(), Vec::new());
         node.each(&mut |node| match node {
@@ -68,14 +68,14 @@ impl Way {
             Node::Input(input) => inputs.push(*input),
             _ => {}
         });
-        Way { node, slots, inputs }
+        Variant { node, slots, inputs }
     }
 }
 
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Act {
+pub(super) enum Action {
     /// Evaluates one of its variants; the first is that of the model itself.
-    Write(Vec<Way>),
+    Write(Vec<Variant>),
     /// Interpolates a variable from the vertices to the pixels.
     Interpolate(usize),
 }
@@ -87,7 +87,7 @@ pub(super) struct Step {
     pub stage: Stage,
     /// The index of the changeable line, if it is one.
     pub line: Option<usize>,
-    pub act: Act,
+    pub action: Action,
 }
 
 /// A model solution prepared for evaluation.
@@ -162,7 +162,7 @@ impl<'a> Reader<'a> {
         if stage == Stage::Fragment {
             for input in &checked.interface.inputs {
                 let from = *handed_over.get(&input.name)?;
-                let slot = self.step(None, Act::Interpolate(from));
+                let slot = self.step(None, Action::Interpolate(from));
                 self.frames[0].insert(input.name.clone(), slot);
             }
         }
@@ -179,10 +179,10 @@ impl<'a> Reader<'a> {
         self.frames.pop()
     }
 
-    fn step(&mut self, line: Option<usize>, act: Act) -> usize {
+    fn step(&mut self, line: Option<usize>, action: Action) -> usize {
         let slot = self.slots;
         self.slots += 1;
-        self.steps.push(Step { slot, stage: self.stage, line, act });
+        self.steps.push(Step { slot, stage: self.stage, line, action });
         slot
     }
 
@@ -212,7 +212,7 @@ impl<'a> Reader<'a> {
 
     fn write(&mut self, name: &str, value: &Expr) -> Option<()> {
         let (line, ways) = self.ways(value)?;
-        let slot = self.step(line, Act::Write(ways));
+        let slot = self.step(line, Action::Write(ways));
         let frame = if self.outputs.iter().any(|output| output == name) {
             self.frames.first_mut()
         } else {
@@ -223,7 +223,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads `way_x == 1 ? (a) : way_x == 2 ? (b) : (own)`. The variant of the model itself comes first.
-    fn ways(&mut self, value: &Expr) -> Option<(Option<usize>, Vec<Way>)> {
+    fn ways(&mut self, value: &Expr) -> Option<(Option<usize>, Vec<Variant>)> {
         let (mut line, mut ways, mut rest) = (None, Vec::new(), value);
         while let ExprKind::Ternary { condition, then, otherwise } = &rest.kind
             && let ExprKind::Binary { op: BinaryOp::Equal, left, .. } = &condition.kind
@@ -231,10 +231,10 @@ impl<'a> Reader<'a> {
             && let Some(variable) = name.strip_prefix("way_")
         {
             line = self.lines.iter().position(|known| known == variable);
-            ways.push(Way::new(self.node(then)?));
+            ways.push(Variant::new(self.node(then)?));
             rest = otherwise;
         }
-        ways.insert(0, Way::new(self.node(rest)?));
+        ways.insert(0, Variant::new(self.node(rest)?));
         Some((line, ways))
     }
 
@@ -297,7 +297,7 @@ impl<'a> Reader<'a> {
         let function = self.functions.get(&call.name)?.clone();
         let mut frame = Frame::new();
         for (param, argument) in function.params.iter().zip(arguments) {
-            let slot = self.step(None, Act::Write(vec![Way::new(argument)]));
+            let slot = self.step(None, Action::Write(vec![Variant::new(argument)]));
             frame.insert(param.name.clone(), slot);
         }
         // The functions of model solutions are not recursive.

@@ -1,6 +1,6 @@
 //! Evaluates a plan.
 
-use super::plan::{Act, EvaluationPlan, Node, Step, Way};
+use super::plan::{Action, EvaluationPlan, Node, Step, Variant};
 use super::value::resized;
 use super::value::{Spans, Value};
 use gonio_glsl::Stage;
@@ -70,9 +70,9 @@ impl Run {
         for step in &self.plan.steps {
             let way = step.line.and_then(|line| choices.get(&line)).copied().unwrap_or(0);
             let touched = |slot: &usize| changed[*slot].is_some();
-            let is_new = match &step.act {
-                Act::Write(ways) => way > 0 || ways.first().is_some_and(|way| way.slots.iter().any(touched)),
-                Act::Interpolate(from) => touched(from),
+            let is_new = match &step.action {
+                Action::Write(ways) => way > 0 || ways.first().is_some_and(|way| way.slots.iter().any(touched)),
+                Action::Interpolate(from) => touched(from),
             };
             if is_new {
                 let value = self.step(step, way, &|slot| match &changed[slot] {
@@ -87,9 +87,9 @@ impl Run {
     }
 
     fn step<'v>(&self, step: &Step, way: usize, known: &dyn Fn(usize) -> &'v [Rc<Value>]) -> PerSet {
-        match &step.act {
-            Act::Interpolate(from) => known(*from).iter().map(|value| self.interpolated(value)).collect(),
-            Act::Write(ways) => {
+        match &step.action {
+            Action::Interpolate(from) => known(*from).iter().map(|value| self.interpolated(value)).collect(),
+            Action::Write(ways) => {
                 let Some(way) = ways.get(way).or(ways.first()) else { return Vec::new() };
                 let count = if self.varies(way, known) { self.input_sets.len() } else { 1 };
                 (0..count).map(|set| self.node(&way.node, step.stage, set, known)).collect()
@@ -97,7 +97,7 @@ impl Run {
         }
     }
 
-    fn varies<'v>(&self, way: &Way, known: &dyn Fn(usize) -> &'v [Rc<Value>]) -> bool {
+    fn varies<'v>(&self, way: &Variant, known: &dyn Fn(usize) -> &'v [Rc<Value>]) -> bool {
         way.inputs.iter().any(|&input| self.varying.get(input).copied().unwrap_or(true))
             || way.slots.iter().any(|&slot| known(slot).len() > 1)
     }

@@ -230,9 +230,9 @@ impl Intake {
             let both = split::split(&literal.text.text, &code).is_some();
             let (stage, warning) =
                 stage::determine(&format!("{name} `{}`", literal.variable), &literal.variable, &code);
-            let hole = literal
-                .has_holes
-                .then(|| format!("{name} puts values into `{}` with ${{...}}; gonio left them out.", literal.variable));
+            let hole = literal.has_holes.then(|| {
+                format!("{name} inserts values into `{}` with ${{...}}; gonio left them out.", literal.variable)
+            });
             let Some(stage) = stage.filter(|_| !both) else { continue };
             self.candidates.push(Candidate {
                 stage,
@@ -295,8 +295,9 @@ impl Intake {
         for (index, (name, text)) in std::mem::take(&mut self.undecided).into_iter().enumerate() {
             match missing {
                 Some(stage) if index == 0 => {
-                    let warning =
-                        Some(format!("neither name nor content of {name} say its stage: taken as the {stage} shader."));
+                    let warning = Some(format!(
+                        "neither the name nor the content of {name} shows its stage: taken as the {stage} shader."
+                    ));
                     let text = StageText::whole(name, text);
                     self.candidates.push(Candidate { stage, text, variable: None, warning });
                 }
@@ -320,7 +321,7 @@ impl Intake {
             let found = &mut self.candidates[*at];
             found.stage = Stage::Fragment;
             found.warning = Some(format!(
-                "{} is named like a vertex shader, but puts out a colour and no gl_Position: taken as the fragment \
+                "{} is named like a vertex shader, but outputs a colour and no gl_Position: taken as the fragment \
                  shader. Rename it.",
                 found.text.file
             ));
