@@ -1,4 +1,4 @@
-//! OpenGL's functions as methods of [`Gl`]: those of the table, and those whose note or whose arguments need more.
+//! OpenGL's functions as methods of [`Gl`]: those of the table, and those with longer notes or checked arguments.
 
 use crate::Gl;
 use crate::bounds::DrawCall;
@@ -35,7 +35,7 @@ macro_rules! define_methods {
 
 call_table!(define_methods);
 
-/// OpenGL's own number of an object, for labels and records; 0 in a browser, which has no such numbers.
+/// The number of an object in OpenGL, for labels and records; 0 in browsers, where objects have no numbers.
 macro_rules! native_name {
     ($handle:expr) => {{
         #[cfg(not(target_arch = "wasm32"))]
@@ -106,13 +106,13 @@ impl Gl {
         Ok(shader)
     }
 
-    /// The location of an attribute; `None` where the program has none of that name.
+    /// The location of an attribute; `None` if the program has no attribute of that name.
     pub fn get_attrib_location(&self, program: glow::Program, name: &str) -> Option<u32> {
-        // No name in GLSL has this character, and glow panics over it.
+        // Names in GLSL do not contain this character, and glow panics on it.
         if name.contains('\0') { None } else { self.functions().get_attrib_location(program, name) }
     }
 
-    /// The location of a uniform; `None` where the program has none of that name.
+    /// The location of a uniform; `None` if the program has no uniform of that name.
     pub fn get_uniform_location(&self, program: glow::Program, name: &str) -> Option<glow::UniformLocation> {
         if name.contains('\0') {
             return None;
@@ -147,7 +147,7 @@ impl Gl {
         self.note(|state| state.image(target, level, format, size, 1));
     }
 
-    /// Notes how the texels of the 2-D texture of the active unit encode their values.
+    /// Notes the encoding of the texels of the 2-D texture of the active unit.
     pub fn note_content(&self, content: TexelEncoding) {
         self.with_state(|state| {
             if let Some(texture) = state.bound_texture(glow::TEXTURE_2D) {
@@ -159,8 +159,8 @@ impl Gl {
 
 /// Buffers and vertex arrays.
 impl Gl {
-    /// Binds a buffer to `GL_ARRAY_BUFFER` or `GL_ELEMENT_ARRAY_BUFFER`. Other targets are refused: the arguments of other
-    /// calls would mean something else.
+    /// Binds a buffer to `GL_ARRAY_BUFFER` or `GL_ELEMENT_ARRAY_BUFFER`. Other targets are refused, because they would change
+    /// the meaning of other calls.
     pub fn bind_buffer(&self, target: u32, buffer: Option<glow::Buffer>) {
         if !matches!(target, glow::ARRAY_BUFFER | glow::ELEMENT_ARRAY_BUFFER) {
             return self.functions().raise(glow::INVALID_ENUM);
@@ -178,15 +178,14 @@ impl Gl {
         functions.bind_buffer(target, buffer);
         match self.error_of(|| functions.buffer_data_u8_slice(target, data, usage)) {
             glow::NO_ERROR => self.with_state(|state| state.buffer_filled(target, data)),
-            // Then it holds nothing that a draw could read.
+            // The buffer is then empty, so that draws cannot read it.
             glow::OUT_OF_MEMORY => self.with_state(|state| state.buffer_filled(target, &[])),
             _ => {}
         }
     }
 
     /// Makes a call and returns its error, which is also kept for [`Gl::get_error`]: the checks of draws must know whether
-    /// OpenGL accepted the call. A browser checks draws by itself, and `glGetError` waits for the GPU there, so it is not
-    /// asked.
+    /// OpenGL accepted the call. Not in browsers, which check draws themselves, and where `glGetError` waits for the GPU.
     fn error_of(&self, call: impl FnOnce()) -> u32 {
         if cfg!(target_arch = "wasm32") {
             call();
@@ -276,7 +275,7 @@ impl Gl {
         self.recorded(|recorder, _, functions| recorder.after_draw(functions));
     }
 
-    /// Notes a draw that is not made, because it would read what is not there: the record has all that it would have read.
+    /// Notes a draw that is not made because it would read beyond a buffer. The record has everything that it would have read.
     pub fn refused_draw(&self, mode: u32, first: i32, count: i32, index_type: Option<u32>) {
         let call = DrawCall { mode, first, count, index_type, instances: 1 };
         self.recorded(|recorder, state, functions| {
@@ -295,7 +294,7 @@ impl Gl {
         self.recorded(|recorder, _, _| drop(recorder.groups.pop()));
     }
 
-    /// Names what is drawn until the returned guard is dropped. What is bound meanwhile is bound for that.
+    /// Names the subject of draws until the returned guard is dropped. Textures bound until then are bound for it.
     pub fn drawing(&self, subject: impl FnOnce() -> DrawSubject) -> Drawing<'_> {
         self.recorded(|_, state, _| {
             state.subjects += 1;
@@ -305,7 +304,7 @@ impl Gl {
     }
 }
 
-/// While something is drawn that has a name.
+/// A guard while a named subject is drawn.
 pub struct Drawing<'a> {
     gl: &'a Gl,
 }

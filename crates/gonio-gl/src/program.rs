@@ -17,7 +17,7 @@ impl Program {
     /// Compiles and links. An error carries the driver's log and the source with its line numbers.
     pub fn new(gl: &Gl, name: &str, vertex: &str, fragment: &str, attributes: &[(u32, &str)]) -> Result<Self, GlError> {
         let handle = gl.create_program().map_err(GlError::new)?;
-        // Owned from here on, so that every way out frees it.
+        // Owned from here on, so that every return frees it.
         let program = Program { gl: gl.clone(), handle, locations: RefCell::default() };
         let mut shaders = Vec::new();
         for (kind, stage, source) in
@@ -33,7 +33,7 @@ impl Program {
             gl.bind_attrib_location(handle, location, attribute);
         }
         gl.link_program(handle);
-        // One question where all is well: each waits for the GPU on the web. What does not compile does not link.
+        // Only one query without errors, because each waits for the GPU on the web: shaders that do not compile do not link.
         let mut failed = None;
         if !gl.get_program_link_status(handle) {
             let broken = shaders.iter().rfind(|(shader, ..)| !gl.get_shader_compile_status(*shader));
@@ -65,7 +65,7 @@ impl Program {
         self.gl.program_id(self.handle)
     }
 
-    /// OpenGL's name for it.
+    /// The OpenGL object.
     pub fn handle(&self) -> glow::Program {
         self.handle
     }

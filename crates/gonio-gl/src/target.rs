@@ -44,7 +44,7 @@ impl Sampling {
 /// The samples that the output shader averages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SamplesOf {
-    /// Nothing: a texel is a pixel.
+    /// One: a texel is a pixel.
     One,
     /// The samples of a multisampled texture (OpenGL only).
     Texel,
@@ -67,12 +67,12 @@ pub struct Target {
 
 /// The storage of the colours.
 enum Color {
-    /// One sample a texel: drawn into a texture.
+    /// One sample per texel: drawn into a texture.
     Single(TextureObject),
     /// Several: drawn into a multisampled texture, whose samples the output shader averages. (Drivers
     /// average in a blit as well, but compile a shader of their own for it in each process.)
     Samples(TextureObject),
-    /// Several where there are no multisampled textures (WebGL2): a renderbuffer, and a blit into a texture.
+    /// Several without multisampled textures (WebGL2): drawn into a renderbuffer, which is blitted into a texture.
     Blitted { _samples: Renderbuffer, resolved: Framebuffer, texture: TextureObject },
 }
 
