@@ -1,4 +1,4 @@
-//! Environments on the GPU: the same directions, texels and seams as on the CPU, also when converted. And differences of
+//! Environments on the GPU: the same directions, texels and seams as on the CPU, also when converted; difference maps of
 //! pictures.
 
 use crate::conversion::Converter;
@@ -63,7 +63,7 @@ fn look_up(es: bool, mips: &CubeMips, at: &[[f32; 4]]) -> Vec<[f32; 4]> {
     bytemuck::cast_slice::<f32, [f32; 4]>(&values)[..at.len()].to_vec()
 }
 
-/// Every texel another value, most of them far from their neighbours'.
+/// A cubemap whose texels all differ, most of them much from their neighbours.
 fn speckled(size: u32) -> Cubemap {
     let mut map = Cubemap::new(size, [0.0; 4]);
     for (i, pixel) in map.pixels_mut().iter_mut().enumerate() {
@@ -78,17 +78,17 @@ fn worst(es: bool, mips: &CubeMips, at: &[[f32; 4]]) -> (f64, String) {
     let mut worst = (0.0, String::new());
     for (place, got) in at.iter().zip(look_up(es, mips, at)) {
         let [x, y, z, level] = place.map(f64::from);
-        let want = mips.sample(DVec3::new(x, y, z), level);
+        let expected = mips.sample(DVec3::new(x, y, z), level);
         let got = DVec3::new(got[0].into(), got[1].into(), got[2].into());
-        let difference = (got - want).abs().max_element();
+        let difference = (got - expected).abs().max_element();
         if difference.is_nan() || difference > worst.0 {
-            worst = (difference, format!("{place:?}: GPU {got}, CPU {want}"));
+            worst = (difference, format!("{place:?}: GPU {got}, CPU {expected}"));
         }
     }
     worst
 }
 
-/// The middle of every texel of every face: no turned, mirrored or exchanged face could pass.
+/// Looks up the middle of every texel of every face: turned, mirrored or exchanged faces would fail.
 #[test]
 fn every_texel_is_where_the_cubemap_has_it() {
     for es in [false, true] {
@@ -102,7 +102,7 @@ fn every_texel_is_where_the_cubemap_has_it() {
             })
             .collect();
         let (difference, at) = worst(es, &mips, &middles);
-        // The values are halves, and so exact; where a direction meets the face is a matter of f32.
+        // The values are half floats, so they are exact; the place of a direction on the face is rounded to f32.
         assert!(difference <= 1e-5, "es {es}: {difference} at {at}");
     }
 }
@@ -116,8 +116,8 @@ fn lookups_between_texels_faces_and_levels_are_the_cpus() {
             for i in 0..=40 {
                 for j in 0..=40 {
                     let (s, t) = (f64::from(i) / 20.0 - 1.0, f64::from(j) / 20.0 - 1.0);
-                    // Not quite to the edges: which of two faces looks up what lies on both is anyone's choice, and in
-                    // corners they differ.
+                    // Not quite to the edges: a direction on two faces may be looked up in either, and in corners they
+                    // differ.
                     let d = face.direction(0.9999 * s, 0.9999 * t, Layout::OpenGl).as_vec3();
                     at.extend([0.0, 1.0, 0.5, 2.0].map(|level| d.extend(level).to_array()));
                 }
@@ -168,7 +168,7 @@ fn a_body_that_does_not_fit_adds_a_note() {
     assert_eq!(upload(&scene, &info), (true, Vec::new()));
 }
 
-/// A value of its own in every direction, with waves and a lamp of 20.
+/// Radiance that differs in every direction, with waves and a lamp of 20.
 fn radiance(d: DVec3) -> DVec3 {
     let waves = DVec3::new((9.0 * d.x).sin(), (8.0 * d.y + 1.0).sin(), (7.0 * d.z).cos());
     let lamp = 20.0 * (30.0 * (d.dot(DVec3::new(0.6, 0.7, -0.3).normalize()) - 1.0)).exp();
@@ -213,8 +213,8 @@ fn gpu_and_cpu_convert_alike() {
         }
     }
     for ((most, mean), filter, name, size) in worst {
-        // Places agree to some 1e-5 texels, and texels differ by up to 3. The nearest texel is another one where a place
-        // lies between two; a pixel of the area filter has another number of lookups where rounding decides it.
+        // Places agree to some 1e-5 texels, and texels differ by up to 3. The nearest texel may differ where a place
+        // is between two; so may the number of lookups of the area filter where it is rounded.
         let limit = if matches!(filter, Filter::Nearest | Filter::Area) { 3.0 } else { 1e-3 };
         assert!(most < limit && mean < 1e-3, "{filter} from a {name} to {size}: {most}, {mean} on average");
     }
@@ -240,7 +240,7 @@ fn sources_that_are_too_large_are_reduced_with_a_note() {
 
 const SIZE: [u32; 2] = [48, 32];
 
-/// A display texture of given pixels.
+/// A display texture with these pixels.
 fn canvas(gl: &gonio_gl::Gl, pixels: &[u8]) -> DisplayTexture {
     let canvas = DisplayTexture::new(gl, SIZE).unwrap_or_else(|e| panic!("{e}"));
     gl.bind_texture(glow::TEXTURE_2D, Some(canvas.texture()));
@@ -273,7 +273,7 @@ fn gpu_and_cpu_colour_differences_alike() {
             let drawn = map.read8();
             for (i, pixel) in drawn.chunks_exact(4).enumerate() {
                 let ways = [0, 1, 2].map(|c| f64::from(second[4 * i + c]) - f64::from(first[4 * i + c]));
-                // The first of equals, as the shader has it.
+                // The first of equal channels, as in the shader.
                 let way = ways.into_iter().fold(0.0, |most: f64, way| if way.abs() > most.abs() { way } else { most });
                 let expected = if is_signed { signed(way / full_scale) } else { heat(way.abs() / full_scale) };
                 for (got, expected) in pixel.iter().zip(expected) {

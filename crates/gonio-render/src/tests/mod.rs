@@ -1,4 +1,4 @@
-//! Tests that need a context: on whatever driver there is, Mesa's llvmpipe in CI.
+//! Tests that need a context, on the driver of this machine: Mesa's llvmpipe in CI.
 
 mod environment;
 mod overlays;

@@ -14,7 +14,7 @@ const SIZE: usize = 120;
 const HEADER: &str = "[picture]\nwidth = 120\nheight = 120\n[camera]\nposition = [0, 0, 6]\ntarget = [0, 0, 0]\n\
                       [background]\ntop = \"#808080\"\nbottom = \"#808080\"\n";
 
-/// Cubes at heights and distances: model units, the size of each its edge.
+/// Cubes at heights and distances, each with the length of its edges, in model units.
 pub(super) fn cubes(placed: &[([f64; 3], f64)], shading: &str) -> Scene {
     let object = |(at, scale): &([f64; 3], f64)| {
         format!(
@@ -68,7 +68,7 @@ fn distance((x, y): (f64, f64), (ax, ay): (f64, f64), (bx, by): (f64, f64)) -> f
 
 #[test]
 fn a_wireframe_is_on_the_visible_edges() {
-    /// From where to where on the screen.
+    /// Start and end on the screen.
     type Line = ((f64, f64), (f64, f64));
     for es in [false, true] {
         let mut bench = Bench::new(es);
@@ -76,7 +76,7 @@ fn a_wireframe_is_on_the_visible_edges() {
         let near = cubes(&[([0.0, 0.0, 0.0], 1.0)], "phong");
         let plain = bench.paint(&near, View::Picture, NO);
         let wired = bench.paint(&near, View::Picture, wires);
-        // The front face is all that is seen: four edges and a diagonal.
+        // Only the front face is visible: four edges and a diagonal.
         let frame = near.frame(0.0);
         let (min, max) = near.bounds();
         let front = [(min.x, min.y), (max.x, min.y), (max.x, max.y), (min.x, max.y)]
@@ -114,7 +114,7 @@ fn wires_can_be_had_alone_and_over_any_view() {
     assert!(nothing.iter().all(|p| *p == nothing[0] && p[3] == 255 && p[0] > 100), "{:?}", nothing[0]);
     let wires = differing(&alone, &nothing).len();
     assert!((300..1500).contains(&wires), "{wires}");
-    // The colour of a line is its own: the exposure has no say.
+    // The exposure does not change the colour of lines.
     let mut bright = scene.clone();
     bright.settings.picture.exposure = 3.0;
     let darkest = |p: &[[u8; 4]]| p.iter().map(|p| p[0]).min();
@@ -145,7 +145,7 @@ fn boxes_have_their_corners_where_the_objects_end() {
                 edges.iter().map(|&(a, b)| distance(*place, corner(a), corner(b))).fold(f64::INFINITY, f64::min);
             assert!(nearest < 2.0, "{place:?} is {nearest} pixels from any edge");
         }
-        // All but the corner that is farthest from the eye; orange, a colour that the clay has not.
+        // All but the corner that is farthest from the eye; orange, which does not occur in clay.
         let orange = |(x, y): (f64, f64)| {
             let at = |dx: i64, dy: i64| boxed[((y as i64 + dy) * SIZE as i64 + x as i64 + dx) as usize];
             (-2..=2).flat_map(|dy| (-2..=2).map(move |dx| (dx, dy))).any(|(dx, dy)| {
@@ -242,7 +242,7 @@ fn the_checker_shows_where_u_and_v_lead() {
         (scene.objects[0].parts[0].first_triangle, scene.objects[0].parts[0].triangle_count) = (0, 2);
         let frame = scene.frame(0.0);
         let pixels = bench.paint(&scene, View::Special(SpecialView::UvChecker), NO);
-        // Off the middle of a square, where the mark of the first one is not.
+        // Away from the middle of a square, beside the mark of the first one.
         let at = |u: f64, v: f64| {
             let (x, y) = on_screen(&frame, DVec3::new(3.2 * u - 1.6, 3.2 * v - 1.6, 0.0));
             pixels[y as usize * SIZE + x as usize].map(i32::from)

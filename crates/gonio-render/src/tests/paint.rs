@@ -89,7 +89,7 @@ fn a_picture_is_shown_pixel_for_pixel_and_blended() {
         gl.clear(glow::COLOR_BUFFER_BIT);
         picture.draw(&gl);
         let (picture, shown) = (canvas.read8(), window.read8());
-        // A window's first row in memory is its lowest.
+        // The first row of a window in memory is the lowest.
         let rows = picture.chunks_exact(90 * 4).rev().flatten();
         let expected: Vec<u8> = rows.copied().collect();
         if !transparent {
@@ -208,7 +208,7 @@ fn panes_and_edits_share_resources_on_the_gpu() {
     let first = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
     let at_first = count(&renderer);
     assert!(at_first.iter().all(|n| *n > 0), "{at_first:?}");
-    // Another pane: its own clone.
+    // Another pane with its own clone.
     let pane = renderer.upload(&scene.clone()).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(count(&renderer), at_first);
     assert!(pane.textures.iter().zip(&first.textures).all(|(a, b)| Rc::ptr_eq(a, b)));
@@ -219,7 +219,7 @@ fn panes_and_edits_share_resources_on_the_gpu() {
     let Ok(Edited::Done(applied)) = apply(&scene, edited) else { panic!("it needs no files") };
     let after = renderer.upload(&applied.loaded).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(count(&renderer), at_first);
-    // Another shading of one object: one more geometry, while the other panes hold theirs.
+    // Another shading of one object: one more geometry, while the other panes keep theirs.
     let mut edited = scene.settings.clone();
     edited.objects[0].shading = gonio_scene::scene_file::Shading::Flat;
     let Ok(Edited::Done(applied)) = apply(&scene, edited) else { panic!("it needs no files") };

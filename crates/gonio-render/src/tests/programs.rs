@@ -1,4 +1,4 @@
-//! Programs: their compilation, and those of users.
+//! Compilation of all programs, and programs of users.
 
 use super::context;
 use crate::glsl::{

@@ -12,7 +12,7 @@ use gonio_scene::{LoadedEnvironment, Scene, ViewSpec};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Textures, transparency, all kinds of light, 20 lights (which are handed over in a texture), every shading, mirrored
+/// Textures, transparency, all kinds of light, 20 lights (which are passed in a texture), every shading, mirrored
 /// and uneven transforms.
 fn everything() -> Vec<(String, Scene)> {
     let mut texts: Vec<(String, String)> = Vec::new();
@@ -67,7 +67,7 @@ fn our_own_frames_have_no_findings() {
     let normals = ViewSpec { quantity: Quantity::Normal, light: None };
     for es in [false, true] {
         let context = super::context(es);
-        // One for all: what an earlier scene left behind would show.
+        // One renderer for all, so that state left by an earlier scene would be found.
         let mut renderer = renderer(&context);
         for (name, scene) in &scenes {
             for view in [None, Some(normals)] {
@@ -75,7 +75,7 @@ fn our_own_frames_have_no_findings() {
                 assert_eq!(lint(&record), [], "{name}, es {es}");
                 assert!(record.draws.len() >= 2, "{name}: {} draws", record.draws.len());
                 assert!(record.draws.iter().all(|draw| draw.errors.is_empty()), "{name}");
-                // Each is the output pass at last.
+                // Each ends with the output pass.
                 let pass = record.passes.last().unwrap_or_else(|| panic!("{name}: no pass"));
                 assert_eq!((pass.name.as_str(), pass.draw_count), ("output", 1), "{name}");
                 for program in &record.programs {
@@ -110,16 +110,19 @@ fn a_record_lists_draws_with_their_textures_and_values() {
         assert!(materials.contains(&subject(draw).material), "{}", draw.title());
         assert!(draw.indexed && draw.count % 3 == 0 && draw.primitive == "triangles");
     }
-    // The textured material: sampler, unit, texture, as a material says.
+    // The sampler, unit and texture of the textured material.
     let textured = scene.materials.iter().find_map(|m| Some((m.material.name.clone(), m.maps.diffuse?.texture)));
     let (material, texture) = textured.unwrap_or_else(|| panic!("a texture"));
     let draw = record.draws.iter().find(|draw| subject(draw).material == material).unwrap_or_else(|| panic!("a draw"));
     let sampler = draw.samplers.iter().find(|s| s.name == "diffuse_map").unwrap_or_else(|| panic!("a sampler"));
     let read = sampler.texture.and_then(|id| record.texture(id)).unwrap_or_else(|| panic!("a texture"));
-    let want = &scene.textures[texture];
-    assert_eq!((sampler.unit, &read.name, read.width, read.height), (0, &want.name, want.width, want.height));
-    assert_eq!((read.format.as_str(), read.levels.len()), ("SRGB8_ALPHA8", 1 + want.mip_levels().len()));
-    // The last draw but one is the pane, laid over what is there.
+    let expected = &scene.textures[texture];
+    assert_eq!(
+        (sampler.unit, &read.name, read.width, read.height),
+        (0, &expected.name, expected.width, expected.height)
+    );
+    assert_eq!((read.format.as_str(), read.levels.len()), ("SRGB8_ALPHA8", 1 + expected.mip_levels().len()));
+    // The last draw but one is the glass pane, blended over the picture.
     let pane = &record.draws[record.draws.len() - 2];
     assert_eq!(subject(pane).object, "pane");
     let blend = pane.state.blend.clone().unwrap_or_else(|| panic!("blending"));
@@ -191,7 +194,7 @@ fn thumbnails_show_the_textures() {
         assert_eq!((cube.kind.as_str(), cross.width, cross.height), ("cube", 64, 48));
         // The middles of the faces: +y above; -x, +z, +x, -z; -y below; nothing in the corners.
         let (red, green, blue, black) = ([255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255], [0, 0, 0, 255]);
-        for (x, y, want) in [
+        for (x, y, expected) in [
             (24, 8, green),
             (8, 24, black),
             (24, 24, blue),
@@ -200,7 +203,7 @@ fn thumbnails_show_the_textures() {
             (24, 40, black),
             (4, 4, [0; 4]),
         ] {
-            assert_eq!(pixel(cross, x, y), want, "{x}, {y}, es {es}");
+            assert_eq!(pixel(cross, x, y), expected, "{x}, {y}, es {es}");
         }
         for texture in &scene.textures {
             let (found, thumbnail) = find(&texture.name);
@@ -218,11 +221,11 @@ fn thumbnails_show_the_textures() {
                 }
                 sum.map(|s| s / f64::from((width / 2) * (height / 2)))
             };
-            let want = mean(&texture.rgba, texture.width, texture.height);
+            let expected = mean(&texture.rgba, texture.width, texture.height);
             let got = mean(&thumbnail.rgba, thumbnail.width, thumbnail.height);
             for c in 0..3 {
                 // Means of encoded numbers, and thumbnails average linear light: fine patterns come out brighter.
-                assert!((want[c] - got[c]).abs() < 24.0, "{}: {want:?} and {got:?}, es {es}", texture.name);
+                assert!((expected[c] - got[c]).abs() < 24.0, "{}: {expected:?} and {got:?}, es {es}", texture.name);
             }
         }
     }

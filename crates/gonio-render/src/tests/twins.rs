@@ -1,5 +1,4 @@
-//! A GLSL function and its Rust twin have the same name; here the one is drawn over many parameters
-//! and compared with the other.
+//! A GLSL function and its Rust twin have the same name; here both are evaluated for many parameters and compared.
 //!
 //! Mirrors and glass: optics.glsl against gonio-light's optics.rs; and environment_light.glsl.
 
@@ -23,7 +22,7 @@ pub(super) type Case = [[f32; 4]; 4];
 /// Number of cases for each function.
 const CASES: usize = 4096;
 
-/// A generator that gives the same numbers everywhere (Steele, Lea, Flood 2014: SplitMix64).
+/// A generator of the same random numbers on every machine (Steele, Lea, Flood 2014: SplitMix64).
 pub(super) struct Numbers(u64);
 
 impl Numbers {
@@ -97,7 +96,7 @@ fn run_glsl(es: bool, body: &str, cases: &[Case]) -> Vec<[f32; 4]> {
     bytemuck::cast_slice(&values).to_vec()
 }
 
-/// Holds the GLSL against `rust` in both dialects. `tolerance` is absolute below 1 and relative above.
+/// Compares GLSL with `rust` in both dialects. `tolerance` is absolute below 1 and relative above.
 pub(super) fn compare(name: &str, body: &str, cases: &[Case], tolerance: f64, rust: impl Fn(&Case) -> [f64; 4]) {
     for es in [false, true] {
         let mut worst = (0.0, String::new());
@@ -124,7 +123,7 @@ pub(super) fn cases(mut make: impl FnMut(&mut Numbers) -> Case) -> Vec<Case> {
 fn directions() -> Vec<Case> {
     cases(|r| {
         let n = r.direction();
-        // Mostly above the horizon, where something happens.
+        // Mostly above the horizon, where values are not 0.
         let mut above = |n: DVec3| {
             let d = r.direction();
             if d.dot(n) < 0.0 && r.unit() < 0.8 { -d } else { d }
@@ -171,7 +170,7 @@ fn refraction() {
         let (n, l) = (r.direction(), r.direction());
         let l = if l.dot(n) < 0.0 { -l } else { l };
         let eta = 0.4 + 2.1 * r.unit();
-        // The radicand's sign is a matter of rounding near the critical angle.
+        // Rounding decides the sign of the radicand near the critical angle.
         let cos = n.dot(l);
         let near_critical = (1.0 - f64::from(eta * eta) * (1.0 - cos * cos)).abs() < 1e-3;
         [texel(n, 0.0), [0.0; 4], texel(l, 0.0), [if near_critical { 0.5 } else { eta }, 0.0, 0.0, 0.0]]
@@ -291,7 +290,7 @@ fn colours() {
     }
 }
 
-/// Away from the critical angle by so much of the radicand: there the square root's slope has no bound.
+/// The least radicand: near the critical angle the slope of the square root is unbounded.
 const CLEAR_OF_CRITICAL: f64 = 2e-3;
 
 fn index(r: &mut Numbers, cos: f64) -> f32 {

@@ -1,4 +1,4 @@
-//! One bench for all comparisons of the two renderers.
+//! Comparisons of the two renderers.
 
 use gonio_gl::HeadlessContext;
 use gonio_gl::headless::HeadlessOptions;
@@ -11,8 +11,7 @@ use std::path::Path;
 pub const WIDTH: u32 = 160;
 pub const HEIGHT: u32 = 120;
 
-/// Texture filtering is `linear`: how a driver chooses between mipmap levels is its own affair, and the
-/// specification allows much.
+/// Texture filtering is `linear`, because the choice of mipmap levels differs between drivers within the specification.
 pub fn scene_from(camera: &str, equation: &str, lights: &str, objects: &str) -> Scene {
     let text = format!(
         "[picture]\nwidth = {WIDTH}\nheight = {HEIGHT}\nsamples = 1\ntexture_filter = \"linear\"\n\
@@ -27,7 +26,7 @@ pub fn scene_from(camera: &str, equation: &str, lights: &str, objects: &str) -> 
 pub struct Comparison {
     /// Pixels whose neighbourhood is one surface.
     pub interior: usize,
-    /// The worst of them: absolute-or-relative difference, and where.
+    /// The largest difference among them, absolute or relative, and its place.
     pub worst: (f64, String),
     /// Share of all pixels within 1/255.
     pub close: f64,
@@ -38,12 +37,12 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// With OpenGL.
+    /// A bench with OpenGL.
     pub fn new() -> Self {
         Self::with(false)
     }
 
-    /// With OpenGL, or with OpenGL ES: what a browser has.
+    /// A bench with OpenGL, or with OpenGL ES as in a browser.
     pub fn with(es: bool) -> Self {
         let options = HeadlessOptions { es, ..Default::default() };
         let context = HeadlessContext::with_options(&options).unwrap_or_else(|error| panic!("{error}"));
@@ -76,10 +75,10 @@ impl Bench {
                 }
                 comparison.interior += 1;
                 for c in 0..4 {
-                    let (got, want) = (f64::from(a[c]), f64::from(b[c]));
-                    let difference = (got - want).abs() / want.abs().max(1.0);
+                    let (got, expected) = (f64::from(a[c]), f64::from(b[c]));
+                    let difference = (got - expected).abs() / expected.abs().max(1.0);
                     if difference.is_nan() || difference > comparison.worst.0 {
-                        comparison.worst = (difference, format!("({x}, {y})[{c}]: GPU {got}, reference {want}"));
+                        comparison.worst = (difference, format!("({x}, {y})[{c}]: GPU {got}, reference {expected}"));
                     }
                 }
             }
@@ -97,7 +96,7 @@ impl Bench {
 }
 
 /// Whether a pixel and its neighbours see one continuous surface: one part of one object, with normals
-/// that agree, and (where shading is per triangle) one triangle. Or the environment, and no object.
+/// that agree, and (where shading is per triangle) one triangle. Or only the environment.
 fn on_one_surface(probes: &[Option<Probe>], frame: &Frame, view: Option<ViewSpec>, x: u32, y: u32) -> bool {
     if x == 0 || y == 0 || x + 1 >= frame.width || y + 1 >= frame.height {
         return false;
@@ -117,7 +116,7 @@ fn on_one_surface(probes: &[Option<Probe>], frame: &Frame, view: Option<ViewSpec
                 && p.material == center.material
                 && p.front_facing == center.front_facing
                 && (!per_triangle || p.triangle == center.triangle)
-                // A fold or an occlusion jumps out of the tangent plane.
+                // At a fold or an occlusion a neighbour is outside of the tangent plane.
                 && offset.dot(center.geometry.geometric_normal).abs() <= 0.35 * offset.length()
                 && p.terms.point.normal.dot(center.terms.point.normal) > 0.9
         })

@@ -1,6 +1,6 @@
-//! Environments on the GPU against the reference's: skies, mirrors, glass. Tolerances as in `main.rs`.
+//! Environments on the GPU compared with the reference: skies, mirrors, glass. Tolerances as in `main.rs`.
 //!
-//! The environment is smooth, up to 50 times as bright as white, and everywhere another colour: a driver moves corners by
+//! The environment is smooth, up to 50 times as bright as white, and its colour changes everywhere: a driver moves corners by
 //! up to 1/256 of a pixel, and on a curved mirror that is some hundredths of a texel, which only counts where a texel
 //! differs much from the next. Hard edges have a test and a tolerance of their own.
 
@@ -53,7 +53,7 @@ fn object(model: &str, shading: &str, material: &str) -> String {
     )
 }
 
-/// That something is there to be seen: the reference's picture is another one without it.
+/// Asserts that an environment is visible: the picture of the reference differs without it.
 fn assert_shows(name: &str, with: &Scene, without: &Scene) {
     let picture = |scene: &Scene| ReferenceScene::new(scene).render(&scene.frame(0.0), None, &|_| ()).picture;
     assert!(picture(with) != picture(without), "{name} shows");
@@ -76,7 +76,7 @@ fn skies_from_everywhere() {
         bench.check(&format!("{camera} {spec:?}"), &sky, None);
         sky.settings.background.transparent = true;
         bench.check(&format!("{camera} {spec:?} over nothing"), &sky, None);
-        // Not seen, it leaves the background alone.
+        // An invisible environment does not change the background.
         let hidden = EnvironmentSettings { visible: false, ..spec };
         let hidden = surrounded(scene_from(camera, "", LIGHTS, &far), &SMOOTH, hidden);
         let c = bench.compare(&hidden, None);
@@ -108,7 +108,7 @@ fn the_sky_through_surfaces_that_let_light_through() {
             bench.check(&format!("opacity {opacity} {shading}"), &scene, None);
         }
     }
-    // A surface that mirrors and lets through what is behind.
+    // A surface that mirrors and is transparent.
     let pane = scene("cube", "phong", &format!("{CLAY}, opacity = 0.4, reflectivity = 0.5"));
     bench.check("half a mirror, half open", &pane, None);
 }
@@ -168,8 +168,8 @@ fn turned_environments_in_mirrors_and_glass() {
     }
 }
 
-/// The back of a surface that is not turned: the view comes from inside, and beyond the critical angle all is reflected.
-/// A ball's belt, seen from above, where it is open.
+/// A surface seen from its back, so that rays come from inside and are totally reflected beyond the critical angle: the belt
+/// of a ball, seen from above, where it is open.
 #[test]
 fn glass_from_inside() {
     let mut bench = Bench::new();
@@ -229,7 +229,7 @@ fn every_view_of_the_environment() {
     }
 }
 
-/// Where the environment is not smooth: a world of squares, 24 texels wide, black and ten times white.
+/// An environment that is not smooth: squares, 24 texels wide, black and ten times white.
 #[test]
 fn hard_edges() {
     let mut bench = Bench::new();
@@ -243,7 +243,7 @@ fn hard_edges() {
         let scene = surrounded(scene("sphere-smooth", "phong", material), &squares, EnvironmentSettings::default());
         let c = bench.compare(&scene, None);
         // From black to 10 over one texel: 1/512 of a pixel, across which a ball's mirror turns by a tenth of a texel at
-        // its rim, is up to 1 there. As pictures the two must be the same all the same.
+        // its rim, is up to 1 there. The 8-bit pictures must still agree.
         assert!(c.interior > 500 && c.worst.0 <= 1.0, "{material}: {} {}", c.worst.0, c.worst.1);
         assert!(c.close >= 0.995, "{material}: {:.3} % within 1/255", 100.0 * c.close);
     }
@@ -263,7 +263,7 @@ fn mip_levels() {
         scene.settings.picture.texture_filter = TextureFilter::Mipmap;
         let c = bench.compare(&scene, None);
         assert!(c.close >= 0.9, "{material}: {:.3} % within 1/255", 100.0 * c.close);
-        // Were no level chosen, or always the same one, less would agree.
+        // Without levels, or with a constant one, fewer pixels would agree.
         let picture = |scene: &Scene| ReferenceScene::new(scene).render(&scene.frame(0.0), None, &|_| ()).picture;
         let (with, without) = (picture(&scene), picture(&linear));
         let differ = with.pixels.iter().zip(&without.pixels).filter(|(a, b)| (a[0] - b[0]).abs() > 0.02).count();
@@ -281,7 +281,7 @@ fn in_opengl_es() {
     }
 }
 
-/// However a pixel gets its samples, and whether it is drawn in bands, the sky is the same.
+/// The sky does not depend on the kind of samples or on bands.
 #[test]
 fn skies_of_many_samples_and_in_bands() {
     for es in [false, true] {
@@ -291,7 +291,7 @@ fn skies_of_many_samples_and_in_bands() {
             scene.settings.picture.samples = 4;
             let c = bench.compare(&scene, None);
             assert!(c.close >= 0.95, "{model} es {es}: {:.3} % within 1/255", 100.0 * c.close);
-            // Many rows: more than one band, and a last one that is not whole.
+            // Several bands, the last one smaller.
             (scene.settings.picture.width, scene.settings.picture.height) = (700, 621);
             let frame = scene.frame(0.0);
             let uploaded = bench.renderer.upload(&scene).unwrap();
@@ -319,7 +319,7 @@ fn light_of_the_environment() {
             ("suzanne", CLAY.to_owned()),
             ("suzanne", CLAY.replace("specular = [0.5, 0.5, 0.5]", "specular = [0, 0, 0]")),
             ("suzanne", format!("{CLAY}, reflectivity = 0.4, fresnel = \"exact\"")),
-            // Opaque: behind what lets light through edges of other triangles show.
+            // Opaque: edges of other triangles would be visible through transparent surfaces.
             ("textured", "opacity = 1".to_owned()),
         ] {
             let objects =
@@ -338,7 +338,7 @@ fn light_of_the_environment() {
     }
 }
 
-/// Model files have exponents of 0: for the light equation that is 1, and so it must be for roughness.
+/// Model files have exponents of 0, which the light equation treats as 1; so must the conversion to roughness.
 #[test]
 fn exponents_below_one_are_one() {
     let mut bench = Bench::new();
@@ -354,7 +354,7 @@ fn exponents_below_one_are_one() {
     }
 }
 
-/// A black k_s is matte, and no bright rim is added to it, also where others in the scene are glossy.
+/// A black k_s is matte without a bright rim, also if other materials of the scene are glossy.
 #[test]
 fn matte_beside_glossy() {
     let mut bench = Bench::new();
@@ -392,9 +392,9 @@ fn blurred_skies() {
     }
 }
 
-/// Through both surfaces. Rays meet edges of triangles on their way, at which normals turn: there the two renderers may be on
-/// other triangles, which no neighbour of the pixel tells. Smooth balls and cubes are alike to the usual tolerance all the
-/// same; the monkey's features are small, and its body is open at the eyes.
+/// Through both surfaces. Rays meet edges of triangles on their way, at which normals turn: there the two renderers may hit
+/// different triangles, which the neighbours of the pixel do not show. Smooth balls and cubes still agree within the usual
+/// tolerance; the monkey's features are small, and its body is open at the eyes.
 #[test]
 fn bodies_seen_through() {
     for es in [false, true] {
@@ -428,7 +428,7 @@ fn bodies_seen_through() {
     }
 }
 
-/// Far from the origin, large, mirrored, and flat as a coin: rays inside are followed in a space of the object's own.
+/// Far from the origin, large, mirrored, and flat as a coin: rays inside are traced in the body space of the object.
 #[test]
 fn bodies_of_every_size_and_place() {
     let mut bench = Bench::new();
@@ -456,7 +456,7 @@ fn bodies_of_every_size_and_place() {
     }
 }
 
-/// Several objects of one mesh, each seen through by itself, and one that is not clear.
+/// Several transparent objects of one mesh, each with its own body, and an opaque one.
 #[test]
 fn bodies_side_by_side() {
     let mut bench = Bench::new();

@@ -1,9 +1,9 @@
-//! The GPU's picture against the reference's: the same scenes, the same pixels.
+//! Pictures of the GPU compared with those of the reference: the same scenes, the same pixels.
 //!
-//! Two tolerances, both the project's own bar. Linear values differ by at most 1e-3 (absolute or
-//! relative) wherever a pixel and its eight neighbours lie on one surface: elsewhere the two may
-//! disagree about which surface a pixel centre meets, because a GPU snaps corners to 1/256 of a pixel.
-//! And of all pixels, edges included, 99.5 % are within 1/255 as 8-bit colours.
+//! The project has set two tolerances. Linear values differ by at most 1e-3 (absolute or
+//! relative) where a pixel and its eight neighbours show one surface: elsewhere the two may
+//! disagree about the surface at a pixel centre, because a GPU snaps corners to 1/256 of a pixel.
+//! As 8-bit colours, 99.5 % of all pixels, edges included, are within 1/255.
 #![allow(clippy::unwrap_used)]
 
 mod bench;
@@ -20,7 +20,7 @@ fn scene(equation: &str, lights: &str, objects: &str) -> Scene {
 }
 
 fn object(model: &str, shading: &str, material: &str) -> String {
-    // Rotated, scaled unevenly, translated: what hides no mistake in the normals' transform.
+    // Rotated, scaled unevenly, translated, so that mistakes in the transform of normals are visible.
     format!(
         "[[object]]\nmodel = \"builtin:{model}\"\nshading = \"{shading}\"\nrotate = [20, 35, -10]\n\
          scale = [1.0, 1.4, 0.7]\ntranslate = [0.2, 0.1, -0.3]\nmaterial = {{ {material} }}\n"
@@ -35,7 +35,7 @@ const POINT: &str =
 const SPOT: &str = "[[light]]\nkind = \"spot\"\nposition = [1, 3, 3]\ndirection = [-0.3, -1, -1]\n\
                     inner_angle = 6\nouter_angle = 34\n";
 
-/// The lights of a name, all kinds together in `all`.
+/// The lights of a kind, or of all kinds for `all`.
 fn lights(kind: &str) -> String {
     match kind {
         "directional" => format!("{AMBIENT}{DIRECTIONAL}"),
@@ -69,7 +69,7 @@ fn every_shading_light_and_convention_with_and_without_textures() {
     assert_eq!(scenes, 48);
 }
 
-/// Scaled, turned, moved, mirrored and clamped: what glTF can ask of a texture; and a texture of roughness.
+/// Textures scaled, turned, moved, mirrored and clamped, as in glTF; and a texture of roughness.
 #[test]
 fn textures_laid_on_in_every_way() {
     let mut bench = Bench::new();
@@ -104,7 +104,7 @@ fn a_texture_of_roughness() {
     let mut scene = exponents.clone();
     scene.materials.iter_mut().for_each(|material| material.maps.roughness = Some(0.9));
     let c = bench.compare(&scene, None);
-    // The exponent is the roughness to the power of -4: what 8 bits of filter weights leave open counts four times.
+    // The exponent is the roughness to the power of -4: the error of 8-bit filter weights counts four times.
     assert!(c.interior > 500 && c.worst.0 <= 4e-3, "{} pixels, {} {}", c.interior, c.worst.0, c.worst.1);
     assert!(c.close >= 0.995, "{:.3} % within 1/255", 100.0 * c.close);
     let frame = scene.frame(0.0);
@@ -119,7 +119,7 @@ fn colors_of_vertices() {
         let plain = scene("", &lights("all"), &object("cube", shading, CLAY));
         let mut scene = plain.clone();
         for mesh in &mut scene.meshes {
-            // Another one at each corner, none of them black.
+            // A different colour at each corner, none of them black.
             let color = |p: &[f32; 3]| [0.5 + 0.3 * p[0], 0.5 + 0.3 * p[1], 0.5 + 0.3 * p[2], 1.0];
             let mesh = std::sync::Arc::make_mut(mesh);
             mesh.colors = mesh.positions.iter().map(color).collect();
@@ -154,7 +154,7 @@ fn normals_from_a_texture() {
     let with_map = scene("", &lights("all"), &object);
     assert!(with_map.materials[0].maps.normal.is_some());
     bench.check("normal map", &with_map, None);
-    // And it does something: without it the picture is another one.
+    // Without it the picture differs.
     let without = scene("", &lights("all"), &object.replace("material = {", "material = { textures = false"));
     let difference = bench.compare(&without, None);
     assert!(difference.interior > 500);
@@ -201,7 +201,7 @@ fn mirrored_objects_and_lit_back_faces() {
     for shading in ["flat", "gouraud", "phong"] {
         let mirrored = object("sphere-coarse-averaged", shading, CLAY).replace("scale = [1.0", "scale = [-1.0");
         bench.check(&format!("mirrored {shading}"), &scene("", &lights("all"), &mirrored), None);
-        // From below: the still life's floor has no thickness, and its back is seen.
+        // From below: the floor of the still life has no thickness, so its back is visible.
         let from_below = "position = [1.5, -3.0, 5.0]\ntarget = [0.1, 0.2, 0.0]";
         let still_life = object("still-life", shading, "shininess = 40, textures = false");
         let below = scene_from(from_below, "", &lights("all"), &still_life);
@@ -227,7 +227,7 @@ fn every_debug_view() {
     for shading in ["flat", "flat-per-face", "gouraud", "phong"] {
         let scene = scene("", &lights("all"), &object("sphere-coarse-averaged", shading, CLAY));
         for &quantity in gonio_light::Quantity::ALL {
-            // Light 2 is the point light: everything about it has a value.
+            // Light 2 is the point light, for which every quantity has a value.
             let light = (quantity.per_light() || quantity.summed_over_lights()).then_some(2);
             // Triangles' normals come from derivatives in f32 unless shading is flat, too coarse for 1e-3.
             let by_derivatives = quantity == gonio_light::Quantity::GeometricNormal && !shading.starts_with("flat");

@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 
 const SIZE: u32 = 64;
 
-/// A model with `map_Kd map_Ks map_Ke map_Ns map_d`; returns its path.
+/// Writes a model with `map_Kd map_Ks map_Ke map_Ns map_d`; returns its path.
 pub fn write(folder: &Path) -> PathBuf {
     for (name, phase) in [("kd", 0.0), ("ks", 1.0), ("ke", 2.0), ("ns", 3.0), ("d", 4.0)] {
-        // Smooth, so that neither a GPU's 8-bit weights nor 1/256 of a pixel count.
+        // Smooth, so that 8-bit filter weights and 1/256 of a pixel do not matter.
         let low = match name {
             "d" | "ns" => 0.6,
             "ke" => 0.0,
@@ -34,7 +34,7 @@ pub fn write(folder: &Path) -> PathBuf {
     write_sphere(folder, material)
 }
 
-/// A model with a normal map and a colour map.
+/// Writes a model with a normal map and a colour map; returns its path.
 pub fn write_with_normal_map(folder: &Path) -> PathBuf {
     RgbImage::from_fn(SIZE, SIZE, |x, y| {
         let (u, v) = (f64::from(x) / f64::from(SIZE), f64::from(y) / f64::from(SIZE));
