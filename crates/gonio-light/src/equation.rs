@@ -1,10 +1,11 @@
 //! The light equation: its switches, its terms by name, and their sum.
 
-use crate::brdf::{self, BrdfKind, BrdfSettings, Surface};
+use crate::brdf::{self, BrdfKind, BrdfSettings};
 use crate::color::capped;
 use crate::light::{self, Light};
 use crate::optics::{EnvironmentTerms, Optics};
-use crate::vector::{self, ShadingPoint};
+use crate::shading_point::{ShadingPoint, Surface};
+use crate::vector;
 use glam::DVec3;
 use std::f64::consts::FRAC_1_PI;
 

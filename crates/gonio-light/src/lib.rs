@@ -15,7 +15,8 @@
 //! | [`light`] | light kinds, attenuation, the spot's cone |
 //! | [`brdf`] | Lambert, Phong, Blinn, Lafortune, Ward |
 //! | [`microfacet`] | rough mirrors (GGX), their integral over an environment, exponents of roughnesses |
-//! | [`vector`] | the vectors at a point; reflection, refraction, half vector |
+//! | [`shading_point`] | geometry and material of one point |
+//! | [`vector`] | reflection, refraction, half vector |
 //! | [`optics`] | mirrors and glass: how a surface shows its surroundings; Fresnel factors |
 //! | [`color`] | sRGB, exposure, tone mapping |
 //! | [`quantity`] | the vectors and scalars of the equation by name |
@@ -29,12 +30,12 @@ pub mod light;
 pub mod microfacet;
 pub mod optics;
 pub mod quantity;
+pub mod shading_point;
 pub mod vector;
 
-pub use brdf::Surface;
 pub use equation::{Convention, Equation, LightSums, LightTerms, Specular, TermSwitches, Terms};
 pub use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 pub use light::{Attenuation, Incident, Light, LightKind};
 pub use optics::{Fresnel, Optics, Sight, Surfaces};
 pub use quantity::{Quantity, Value, is_noise};
-pub use vector::ShadingPoint;
+pub use shading_point::{ShadingPoint, Surface};

@@ -20,7 +20,8 @@
 //! With two refracting surfaces ([`Surfaces::Two`]), `E(T)` is the radiance through the body: [`through_body`].
 
 use crate::color::unit_interval;
-use crate::vector::{self, ShadingPoint};
+use crate::shading_point::ShadingPoint;
+use crate::vector;
 use glam::DVec3;
 
 named_enum! {

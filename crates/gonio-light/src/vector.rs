@@ -1,30 +1,6 @@
-//! The vectors of the equation: those of a point, and from one another.
+//! Vectors of the equation from one another: reflection, refraction, half vector, frames.
 
 use glam::DVec3;
-
-/// The geometry of the point at which the equation is evaluated. World space.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ShadingPoint {
-    /// World space, world units.
-    pub position: DVec3,
-    /// `N`: unit shading normal.
-    pub normal: DVec3,
-    /// `V`: unit vector to the eye.
-    pub view: DVec3,
-    /// Unit tangent, for BRDFs with a direction; any vector perpendicular to `normal` will do for the
-    /// others.
-    pub tangent: DVec3,
-}
-
-impl ShadingPoint {
-    /// The point with the normal made usable: `normal` at unit length; where it is degenerate
-    /// (shorter than 1e-12) `geometric_normal`, and failing that the view direction.
-    pub fn new(position: DVec3, normal: DVec3, geometric_normal: DVec3, eye: DVec3) -> Self {
-        let view = unit(eye - position).unwrap_or(DVec3::Y);
-        let normal = unit(normal).or_else(|| unit(geometric_normal)).unwrap_or(view);
-        ShadingPoint { position, normal, view, tangent: any_orthonormal_vector(normal) }
-    }
-}
 
 /// Below this length a vector has no direction, and a fallback replaces it.
 pub const DEGENERATE_LENGTH: f64 = 1e-12;

@@ -20,9 +20,10 @@
 //! angle is the one between `N` and `H`, not the one between `w_i` and `w_o`.
 //! *Limits*: about four times the exponent of Phong's for a highlight of the same size; no Fresnel.
 
-use super::Surface;
 use super::{above_horizon, cosine_power, effective_shininess};
-use crate::vector::{self, ShadingPoint};
+use crate::shading_point::ShadingPoint;
+use crate::shading_point::Surface;
+use crate::vector;
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, PI};
 

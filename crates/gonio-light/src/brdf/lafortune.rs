@@ -26,9 +26,10 @@
 //! [`LOBE_CAP`]. A matrix that is 0 (`m` below [`vector::DEGENERATE_LENGTH`]) has no lobe when
 //! normalised.
 
-use super::Surface;
 use super::{LOBE_CAP, above_horizon, cosine_power, effective_shininess, phong};
-use crate::vector::{self, ShadingPoint};
+use crate::shading_point::ShadingPoint;
+use crate::shading_point::Surface;
+use crate::vector;
 use glam::DVec3;
 use std::f64::consts::FRAC_1_PI;
 

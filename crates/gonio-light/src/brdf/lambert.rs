@@ -11,7 +11,7 @@
 //! *Normalised variant*: already normalised: its albedo is `a` from every view direction.
 //! *Limits*: no highlight; no dependence on the view.
 
-use super::Surface;
+use crate::shading_point::Surface;
 use glam::DVec3;
 use std::f64::consts::FRAC_1_PI;
 

@@ -13,7 +13,7 @@ pub mod lambert;
 pub mod phong;
 pub mod ward;
 
-use crate::vector::ShadingPoint;
+use crate::shading_point::{ShadingPoint, Surface};
 use glam::DVec3;
 
 named_enum! {
@@ -32,36 +32,6 @@ named_enum! {
     }
     default Lambert;
     what "BRDF";
-}
-
-/// The material at one point: all colours linear RGB, each >= 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surface {
-    /// `k_a`
-    pub ambient: DVec3,
-    /// `k_d`; the `a` of the BRDFs.
-    pub diffuse: DVec3,
-    /// `k_s`; the `b` of the BRDFs.
-    pub specular: DVec3,
-    /// `E`
-    pub emitted: DVec3,
-    /// `gamma`, held in `[1, SHININESS_MAX]` ([`effective_shininess`]): 0^0 never happens.
-    pub shininess: f64,
-    /// Index of refraction of the material, > 0; the outside has 1.
-    pub refraction_index: f64,
-}
-
-impl Default for Surface {
-    fn default() -> Self {
-        Surface {
-            ambient: DVec3::splat(0.8),
-            diffuse: DVec3::splat(0.8),
-            specular: DVec3::ZERO,
-            emitted: DVec3::ZERO,
-            shininess: 32.0,
-            refraction_index: 1.5,
-        }
-    }
 }
 
 /// No lobe is ever brighter than this (1/sr). Only Ward's at grazing angles and Lafortune's with a

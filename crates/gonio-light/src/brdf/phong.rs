@@ -21,9 +21,10 @@
 //! is missing.
 //! *Limits*: dark at grazing views (the lobe is lost below the horizon); no Fresnel.
 
-use super::Surface;
 use super::{above_horizon, cosine_power, effective_shininess};
-use crate::vector::{self, ShadingPoint};
+use crate::shading_point::ShadingPoint;
+use crate::shading_point::Surface;
+use crate::vector;
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, TAU};
 

@@ -23,9 +23,9 @@
 //! surface: cosines below [`GRAZING_COSINE`] count as that, and the lobe is held at [`LOBE_CAP`]. Both
 //! limits are symmetric in `L` and `V`, so reciprocity survives them.
 
-use super::Surface;
 use super::{LOBE_CAP, above_horizon, effective_shininess};
-use crate::vector::ShadingPoint;
+use crate::shading_point::ShadingPoint;
+use crate::shading_point::Surface;
 use glam::DVec3;
 use std::f64::consts::{FRAC_1_PI, PI};
 
