@@ -24,7 +24,7 @@ use gonio_image::ImageError;
 use gonio_mesh::ReadError;
 use std::fmt;
 
-/// Describes why a picture of the gallery could not be made.
+/// The error of a picture that could not be made.
 #[derive(Clone, Debug)]
 pub enum GalleryError {
     /// A scene could not be read or loaded.

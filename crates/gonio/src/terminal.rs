@@ -195,8 +195,8 @@ pub fn json_for_terminal(json: &str) -> String {
     ready
 }
 
-/// TOML with hidden characters, and each second `#`, within strings and quoted keys as `\uXXXX`; elsewhere TOML has none. A literal string that
-/// contains one becomes a basic string.
+/// TOML with hidden characters, and each second `#`, within strings and quoted keys as `\uXXXX`; elsewhere TOML has none. A
+/// literal string that contains one becomes a basic string.
 pub fn toml_for_terminal(toml: &str) -> String {
     let mut ready = String::with_capacity(toml.len());
     let mut rest = toml;

@@ -2,17 +2,14 @@
 
 use crate::commands::scene::seen_from;
 use crate::error::{CliError, CommandOutcome};
-use crate::options::values;
-use crate::options::{GeneralOptions, LimitOptions};
-use crate::output::check_stdout;
-use crate::output::{OutputFiles, OutputKind, OutputPath};
+use crate::options::{GeneralOptions, LimitOptions, values};
+use crate::output::{OutputFiles, OutputKind, OutputPath, check_stdout};
 use crate::report::Reporter;
 use clap::Args;
 use gonio_mesh::write::{self, ImageFile};
 use gonio_mesh::{Diagnostic, EmbeddedImage, FilePlace, Model};
 use gonio_scene::files::FileSource;
-use gonio_scene::model_file::ModelFile;
-use gonio_scene::model_file::TextureFile;
+use gonio_scene::model_file::{ModelFile, TextureFile};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 

@@ -5,10 +5,8 @@ mod pictures;
 mod read;
 
 use crate::error::{CliError, CommandOutcome};
-use crate::options::GeneralOptions;
-use crate::options::values;
-use crate::output::check_stdout;
-use crate::output::{OutputFiles, OutputKind, OutputPath};
+use crate::options::{GeneralOptions, values};
+use crate::output::{OutputFiles, OutputKind, OutputPath, check_stdout};
 use crate::report::Reporter;
 use crate::terminal::TerminalPage;
 use clap::Args;

@@ -3,10 +3,8 @@
 use super::describe;
 use super::write::{Appearance, Container, EnvironmentPlan};
 use crate::error::{CliError, CommandOutcome};
-use crate::options::values;
-use crate::options::{GeneralOptions, LimitOptions};
-use crate::output::check_stdout;
-use crate::output::{OutputKind, OutputPath};
+use crate::options::{GeneralOptions, LimitOptions, values};
+use crate::output::{OutputKind, OutputPath, check_stdout};
 use crate::report::Reporter;
 use crate::terminal::TerminalPage;
 use clap::Args;

@@ -3,8 +3,7 @@
 use super::{draw, exercise};
 use crate::error::{CliError, CommandOutcome};
 use crate::options::GeneralOptions;
-use crate::output::check_folder;
-use crate::output::{OutputFiles, OutputPath};
+use crate::output::{OutputFiles, OutputPath, check_folder};
 use crate::report::Reporter;
 use crate::terminal::{Style, TerminalPage};
 use clap::Args;

@@ -2,8 +2,7 @@
 
 use super::{exercise, intake};
 use crate::error::{CliError, CommandOutcome};
-use crate::options::GeneralOptions;
-use crate::options::values;
+use crate::options::{GeneralOptions, values};
 use crate::report::Reporter;
 use clap::Args;
 use gonio_app::exercise::Start;

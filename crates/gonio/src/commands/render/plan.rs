@@ -1,11 +1,9 @@
 //! The files that `render` will write, settled before anything is drawn.
 
 use crate::error::CliError;
-use crate::output::atomic;
-use crate::output::{OutputKind, OutputPath, check_stdout};
+use crate::output::{OutputKind, OutputPath, atomic, check_stdout};
 use crate::report::Reporter;
-use gonio_scene::ViewSpec;
-use gonio_scene::nearest_word;
+use gonio_scene::{ViewSpec, nearest_word};
 use std::path::{Path, PathBuf};
 
 /// A picture file's format.

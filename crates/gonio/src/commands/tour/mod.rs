@@ -7,8 +7,7 @@ mod draw;
 
 use crate::backend::BackendReport;
 use crate::error::{CliError, CommandOutcome};
-use crate::options::values;
-use crate::options::{BackendOptions, GeneralOptions};
+use crate::options::{BackendOptions, GeneralOptions, values};
 use crate::output::{OutputFiles, atomic};
 use crate::report::{Reporter, Times};
 use clap::Args;
