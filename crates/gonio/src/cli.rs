@@ -26,7 +26,7 @@ Models:
 Environments:
   environment  Convert between panoramas and cubemaps; check their orientation
 
-Laboratory:
+Exercises:
   lab          Exercises, students' shaders, and a checker that names the mistake
 
 Understanding:

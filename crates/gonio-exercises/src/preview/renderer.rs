@@ -37,7 +37,7 @@ impl PreviewRenderer {
         Ok(PreviewRenderer {
             gl: gl.clone(),
             meshes: RefCell::default(),
-            cubemap: FloatTexture::cube(gl, SKY_SIDE, &sky_faces(), "the laboratory's sky")?,
+            cubemap: FloatTexture::cube(gl, SKY_SIDE, &sky_faces(), "the exercise's sky")?,
             white: FloatTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
         })
     }

@@ -36,7 +36,7 @@ impl Window {
     /// Opens an exercise in a folder with files: `gonio lab open`.
     pub fn exercise_in(folder: tempfile::TempDir, width: u32, height: u32, arguments: &[&str]) -> Window {
         let mut window = Window::start(folder, [width, height], &["lab", "open"], arguments);
-        window.wait("the laboratory", |s| s["exercise"]["open"] == true && s["exercise"]["id"].is_string());
+        window.wait("the exercise", |s| s["exercise"]["open"] == true && s["exercise"]["id"].is_string());
         window.focus();
         window
     }
