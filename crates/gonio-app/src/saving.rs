@@ -153,8 +153,8 @@ mod tests {
     fn files_are_named_as_seen_from_the_scene() {
         // Tests run in this crate's folder.
         assert_eq!(seen_from(Path::new("src"), "Cargo.toml"), "../Cargo.toml");
-        assert_eq!(seen_from(Path::new("src/saving"), "src/lab.rs"), "../lab.rs");
-        assert_eq!(seen_from(Path::new(""), "src/lab.rs"), "src/lab.rs");
+        assert_eq!(seen_from(Path::new("src/panels"), "src/lib.rs"), "../lib.rs");
+        assert_eq!(seen_from(Path::new(""), "src/lib.rs"), "src/lib.rs");
         assert_eq!(seen_from(Path::new("src"), "src/sky_*.png"), "sky_*.png");
         assert_eq!(seen_from(Path::new("src"), "nowhere/a.obj"), "nowhere/a.obj");
         let here = std::env::current_dir().unwrap_or_else(|e| panic!("{e}"));

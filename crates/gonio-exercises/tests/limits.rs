@@ -40,9 +40,9 @@ fn shaders_that_are_too_large_give_a_verdict_and_no_crash() {
 fn deep_shaders_within_the_limits_are_checked_on_a_thread_of_their_own() {
     let names = [
         "a sum of 240 terms",
-        "240 brackets",
+        "240 parentheses",
         "240 calls within calls",
-        "240 signs",
+        "240 unary minus",
         "240 braces",
         "240 else ifs",
         "240 swizzles",

@@ -273,7 +273,7 @@ void main() { }
         let paths: Vec<&str> = cases[0].files.iter().map(|file| file.path.as_str()).collect();
         assert_eq!(paths, ["one.frag", "sub/two.frag"]);
         let outside = FixtureTable::parse("table.txt", b"-- a/b --\n-- c --\n").unwrap().cases();
-        assert_eq!(outside.unwrap_err().to_string(), "table.txt:2: a file outside of the folders of the cases");
+        assert_eq!(outside.unwrap_err().to_string(), "table.txt:2: a file outside the folders of the cases");
     }
 
     #[test]

@@ -187,7 +187,11 @@ fn panoramas_of_wrong_proportions_and_very_wide_ones() {
     lab.run(&["environment", "convert", "wide.png", "small", "--size", "4"]).good();
     let args = ["render", "builtin:cube", "--environment", "wide.png", "-o", "a.png", "--size", "8x8"];
     let run = lab.run(&[&args[..], &["--backend", "cpu"]].concat()).good();
-    assert!(run.stderr.contains("cubemap of 8192 texels an edge, and is made into one of 1024"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("cubemap of 8192 texels along an edge, and is converted to one of 1024"),
+        "{}",
+        run.stderr
+    );
 
     // The sizes in a header are checked before anything is allocated.
     let before = lab.names();

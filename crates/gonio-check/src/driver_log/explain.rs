@@ -5,23 +5,29 @@ struct Usual {
     /// Any one of these lists identifies it, if all of its texts occur in the message.
     signs: &'static [&'static [&'static str]],
     means: &'static str,
+    /// It names something that OpenGL's core profile removed: a better explanation than "undeclared".
+    is_removed: bool,
 }
 
 const fn usual(signs: &'static [&'static [&'static str]], means: &'static str) -> Usual {
-    Usual { signs, means }
+    Usual { signs, means, is_removed: false }
+}
+
+const fn removed(signs: &'static [&'static [&'static str]], means: &'static str) -> Usual {
+    Usual { signs, means, is_removed: true }
 }
 
 /// The first match is used, so special cases precede general ones. `{name}` is the name in the message.
 const USUAL: &[Usual] = &[
-    usual(
+    removed(
         &[&["gl_fragcolor"], &["gl_fragdata"]],
         "`gl_FragColor` was removed in version 330 core: declare `out vec4 FragColor;` and write to that.",
     ),
-    usual(
+    removed(
         &[&["texture2d"], &["texturecube"]],
         "`texture2D` and `textureCube` are called `texture` since version 330 core.",
     ),
-    usual(
+    removed(
         &[&["`attribute'"], &["'attribute'"], &["\"attribute\""], &["'varying'"], &["`varying'"], &["\"varying\""]],
         "`attribute` and `varying` were removed in version 330 core: write `in` and `out`.",
     ),
@@ -389,12 +395,12 @@ const SYNTAX: &str = "The compiler cannot parse this. Often a semicolon or a bra
 pub fn explain(text: &str) -> Option<String> {
     let lower = text.to_lowercase();
     let fits = |usual: &&Usual| usual.signs.iter().any(|signs| signs.iter().all(|sign| lower.contains(sign)));
-    let usual = USUAL.iter().find(fits).map(|usual| usual.means);
+    let usual = USUAL.iter().find(fits);
     // A name may contain any of the texts, so these two kinds are identified by the whole message.
-    let means = if is_undeclared(text) && !usual.is_some_and(|means| means.contains("330 core on")) {
+    let means = if is_undeclared(text) && !usual.is_some_and(|usual| usual.is_removed) {
         UNDECLARED
-    } else if let Some(means) = usual {
-        means
+    } else if let Some(usual) = usual {
+        usual.means
     } else if is_syntax(text) {
         SYNTAX
     } else {
