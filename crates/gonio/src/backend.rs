@@ -49,15 +49,20 @@ impl OpenGl {
     }
 }
 
+/// Sets the number of threads, before anything has used them.
+pub fn limit_threads(threads: Option<u16>) {
+    if let Some(threads) = threads {
+        // Fails only if the pool exists already.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
+    }
+}
+
 impl Opened {
     /// Creates the backend that the options ask for; `auto` falls back on the CPU.
     ///
     /// RenderDoc must know of a `capture` before OpenGL is loaded. [`crate::capture::prepare`] has made it possible.
     pub fn new(options: &BackendOptions, capture: Option<&Path>, times: &Times) -> Result<Opened, CliError> {
-        if let Some(threads) = options.threads {
-            // Fails only if the pool exists already, and nothing has used it yet.
-            let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
-        }
+        limit_threads(options.threads);
         if options.backend == BackendChoice::Cpu {
             return Ok(Opened::Cpu { reason: None });
         }

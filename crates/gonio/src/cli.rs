@@ -14,6 +14,7 @@ macro_rules! overview {
         "\
 Pictures:
   render       Draw a model or a scene: one picture, debug views or an animation
+  trace        Trace the paths of light: shadows and light between surfaces
   tour         Draw every technique on several models: a contact sheet and a web page
   serve        Serve gonio as a web page on this machine
 
@@ -74,6 +75,7 @@ pub struct Cli {
 #[derive(Subcommand, Debug)]
 pub enum Command {
     Render(Box<commands::render::RenderArgs>),
+    Trace(Box<commands::trace::TraceArgs>),
     Probe(Box<commands::probe::ProbeArgs>),
     Frame(Box<commands::frame::FrameArgs>),
     Convert(commands::convert::ConvertArgs),
@@ -99,6 +101,7 @@ impl Command {
     pub fn name(&self) -> &'static str {
         match self {
             Command::Render(_) => "render",
+            Command::Trace(_) => "trace",
             Command::Probe(_) => "probe",
             Command::Frame(_) => "frame",
             Command::Convert(_) => "convert",
@@ -120,6 +123,7 @@ impl Command {
     pub fn general(&self) -> GeneralOptions {
         let options = match self {
             Command::Render(args) => &args.general,
+            Command::Trace(args) => &args.general,
             Command::Probe(args) => &args.general,
             Command::Frame(args) => &args.general,
             Command::Convert(args) => &args.general,
@@ -140,6 +144,7 @@ impl Command {
     pub fn run(&self, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
         match self {
             Command::Render(args) => commands::render::run(args, reporter),
+            Command::Trace(args) => commands::trace::run(args, reporter),
             Command::Probe(args) => commands::probe::run(args, reporter),
             Command::Frame(args) => commands::frame::run(args, reporter),
             Command::Convert(args) => commands::convert::run(args, reporter),

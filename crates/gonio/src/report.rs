@@ -317,6 +317,18 @@ impl Progress {
     }
 }
 
+impl Progress {
+    /// Replaces the label of a bar that is visible.
+    pub fn message(&self, text: String) {
+        if let Some((_, bar)) = &self.bar
+            && let Ok(bar) = bar.lock()
+            && let Some(bar) = &*bar
+        {
+            bar.set_message(text);
+        }
+    }
+}
+
 impl Drop for Progress {
     fn drop(&mut self) {
         if let Some((_, bar)) = &self.bar

@@ -1,6 +1,5 @@
 //! `--backend` draws by OpenGL, or by the CPU in its place with a note about the reason; `gonio frame` lists OpenGL's calls. Needs the
 //! OpenGL that the README names; Mesa's llvmpipe is enough.
-#![allow(clippy::unwrap_used)]
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;

@@ -1,5 +1,4 @@
 //! `gonio render`, `scene` and `probe` on good input, drawn by the CPU.
-#![allow(clippy::unwrap_used)]
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;

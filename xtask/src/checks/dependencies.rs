@@ -30,6 +30,7 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-environment", may_know: &["gonio-light", "gonio-image"], tests_may_know: &[] },
     Rule { krate: "gonio-scene", may_know: BELOW_SCENES, tests_may_know: &[] },
     Rule { krate: "gonio-reference", may_know: BELOW_PICTURES, tests_may_know: &[] },
+    Rule { krate: "gonio-trace", may_know: BELOW_PICTURES, tests_may_know: &["gonio-reference"] },
     // OpenGL alone: no scenes, meshes or lights.
     Rule { krate: "gonio-gl", may_know: &[], tests_may_know: &[] },
     // The GPU's pictures are compared with the reference's.
@@ -115,6 +116,7 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-environment",
     "gonio-scene",
     "gonio-reference",
+    "gonio-trace",
     "gonio-gl",
     "gonio-render",
     "gonio-gallery",

@@ -12,4 +12,5 @@ pub mod render;
 pub mod scene;
 pub mod serve;
 pub mod tour;
+pub mod trace;
 pub mod view;

@@ -176,6 +176,34 @@ pub fn samples(text: &str) -> Result<u32, String> {
     }
 }
 
+/// Parses the number of paths per pixel.
+pub fn paths(text: &str) -> Result<u32, String> {
+    match text.trim().parse() {
+        Ok(n) if (1..=MAX_PATHS).contains(&n) => Ok(n),
+        _ => Err(format!("invalid number of paths `{text}`: expected 1 to {MAX_PATHS}")),
+    }
+}
+
+/// Parses a duration in seconds.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    number_in(text, |v| v > 0.0 && v <= 1e9, "seconds above 0, at most 1e9")
+}
+
+/// Parses a percentage.
+pub fn percent(text: &str) -> Result<f64, String> {
+    number_in(text.trim_end_matches('%'), |v| v > 0.0 && v <= 100.0, "a percentage above 0, at most 100")
+}
+
+/// Parses a radius in world units.
+pub fn radius(text: &str) -> Result<f64, String> {
+    number_in(text, |v| v >= 0.0, "0 or more")
+}
+
+/// Parses a distance in world units.
+pub fn distance(text: &str) -> Result<f64, String> {
+    number_in(text, |v| v > 0.0, "a number above 0")
+}
+
 /// Parses a number of frames.
 pub fn frames(text: &str) -> Result<u32, String> {
     match text.trim().parse() {
@@ -263,6 +291,8 @@ fn check_size(width: u64, height: u64) -> Result<(), String> {
 
 /// Most frames of an animation: as many as four digits can number.
 const MAX_FRAMES: u32 = 9999;
+/// The most paths per pixel.
+const MAX_PATHS: u32 = 1_000_000_000;
 
 /// A parser for a list of debug views.
 pub fn view_list() -> clap::builder::ValueParser {

@@ -1,0 +1,148 @@
+//! What the four lanes of light along a path mean: RGB, or four wavelengths.
+
+use crate::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, daylight, matching};
+use crate::upsampling::Coefficients;
+use glam::{Vec3, Vec4};
+
+/// How light is carried along a path.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ColorMode {
+    /// Four wavelengths per path, by hero-wavelength sampling (A. Wilkie et al., *Hero Wavelength Spectral Sampling*, EGSR
+    /// 2014).
+    #[default]
+    Spectral,
+    /// Red, green and blue, as in OpenGL: faster, and wrong where colours multiply several times.
+    Rgb,
+}
+
+/// The wavelengths of one path, nm, and the reciprocals of their densities divided by their number. In RGB mode unused.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wavelengths {
+    pub lambda: Vec4,
+    weight: Vec4,
+}
+
+/// Wavelengths are sampled with the density `sech^2(STEEPNESS (lambda - CENTER))`, which is close to what eyes see (M.
+/// Radziszewski et al., *An Improved Technique for Full Spectral Rendering*, WSCG 2009).
+const STEEPNESS: f64 = 0.0072;
+const CENTER: f64 = 538.0;
+
+impl Wavelengths {
+    /// Four wavelengths, at `u` in `[0, 1)` and a quarter apart from each other in the distribution.
+    pub fn sample(u: f32) -> Self {
+        let edge = |lambda: f64| (STEEPNESS * (lambda - CENTER)).tanh();
+        let (low, high) = (edge(LAMBDA_MIN), edge(LAMBDA_MAX));
+        let (mut lambda, mut weight) = (Vec4::ZERO, Vec4::ZERO);
+        for i in 0..4 {
+            let t = low + (high - low) * (f64::from(u) + 0.25 * i as f64).fract();
+            // sech^2 = 1 - tanh^2
+            let density = STEEPNESS * (1.0 - t * t) / (high - low);
+            lambda[i] = (CENTER + t.atanh() / STEEPNESS) as f32;
+            weight[i] = (0.25 / density) as f32;
+        }
+        Wavelengths { lambda, weight }
+    }
+
+    /// Keeps the first wavelength only: the path now depends on it (dispersion).
+    pub fn keep_first(&mut self) {
+        if self.weight.y != 0.0 {
+            self.weight = Vec4::new(4.0 * self.weight.x, 0.0, 0.0, 0.0);
+        }
+    }
+}
+
+impl ColorMode {
+    /// A reflectance in the lanes of a path.
+    pub(crate) fn reflectance(self, rgb: Vec3, wavelengths: &Wavelengths) -> Vec4 {
+        match self {
+            ColorMode::Rgb => rgb.extend(0.0),
+            ColorMode::Spectral => Coefficients::of(rgb).at(wavelengths.lambda),
+        }
+    }
+
+    /// Light of a linear RGB colour, not negative, in the lanes of a path: the colour's spectrum times daylight.
+    pub(crate) fn light(self, rgb: Vec3, wavelengths: &Wavelengths) -> Vec4 {
+        match self {
+            ColorMode::Rgb => rgb.extend(0.0),
+            ColorMode::Spectral => {
+                let scale = 2.0 * rgb.max_element();
+                if scale <= 0.0 || !scale.is_finite() {
+                    return Vec4::ZERO;
+                }
+                let lambda = wavelengths.lambda;
+                let white = Vec4::from(lambda.to_array().map(|l| daylight(l.into()) as f32));
+                scale * Coefficients::of(rgb / scale).at(lambda) * white
+            }
+        }
+    }
+
+    /// A value per channel that is no reflectance and may exceed 1 (absorption): smooth between the channels' dominant
+    /// wavelengths (465, 550 and 612 nm), constant beyond them.
+    pub(crate) fn coefficient(self, rgb: Vec3, wavelengths: &Wavelengths) -> Vec4 {
+        match self {
+            ColorMode::Rgb => rgb.extend(0.0),
+            ColorMode::Spectral => Vec4::from(wavelengths.lambda.to_array().map(|l| {
+                if l < 550.0 {
+                    rgb.z + (rgb.y - rgb.z) * ((l - 465.0) / 85.0).clamp(0.0, 1.0)
+                } else {
+                    rgb.y + (rgb.x - rgb.y) * ((l - 550.0) / 62.0).clamp(0.0, 1.0)
+                }
+            })),
+        }
+    }
+
+    /// The estimate of a linear sRGB colour that light along a path makes.
+    pub(crate) fn rgb(self, light: Vec4, wavelengths: &Wavelengths) -> Vec3 {
+        match self {
+            ColorMode::Rgb => light.truncate(),
+            ColorMode::Spectral => {
+                let weighted = light * wavelengths.weight;
+                let mut xyz = glam::DVec3::ZERO;
+                for i in 0..4 {
+                    if weighted[i] != 0.0 {
+                        xyz += matching(wavelengths.lambda[i].into()) * f64::from(weighted[i]);
+                    }
+                }
+                (COLORIMETRY.rgb_from_xyz * (xyz / COLORIMETRY.y_integral)).as_vec3()
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The mean of many paths that carry a colour unchanged is the colour.
+    #[test]
+    fn light_keeps_its_color() {
+        for rgb in [Vec3::ONE, Vec3::new(3.0, 0.5, 0.1), Vec3::new(0.0, 1.0, 0.3), Vec3::new(0.02, 0.05, 7.0)] {
+            let count = 4096;
+            let mean: Vec3 = (0..count)
+                .map(|i| {
+                    let wavelengths = Wavelengths::sample((i as f32 + 0.5) / count as f32);
+                    ColorMode::Spectral.rgb(ColorMode::Spectral.light(rgb, &wavelengths), &wavelengths)
+                })
+                .sum::<Vec3>()
+                / count as f32;
+            // The table of spectra is good to 1/100 of the largest channel.
+            assert!((mean - rgb).abs().max_element() < 0.01 * rgb.max_element(), "{rgb}: {mean}");
+        }
+    }
+
+    #[test]
+    fn the_first_wavelength_alone_has_the_same_mean() {
+        let count = 8192;
+        let mean: Vec3 = (0..count)
+            .map(|i| {
+                let mut wavelengths = Wavelengths::sample((i as f32 + 0.5) / count as f32);
+                wavelengths.keep_first();
+                wavelengths.keep_first();
+                ColorMode::Spectral.rgb(ColorMode::Spectral.light(Vec3::ONE, &wavelengths), &wavelengths)
+            })
+            .sum::<Vec3>()
+            / count as f32;
+        // The midpoint rule over a smooth function, and the tables' kinks.
+        assert!((mean - 1.0).abs().max_element() < 1e-3, "{mean}");
+    }
+}

@@ -1,0 +1,250 @@
+//! The scene's triangles, in a space of their own: the world, moved and scaled uniformly into the unit cube, where f32 is
+//! fine enough wherever the scene is and however large.
+
+use crate::tree::{Hit, Tree};
+use glam::{DMat3, DVec3, Vec2, Vec3};
+use gonio_light::vector;
+use gonio_mesh::Mesh;
+use gonio_scene::scene_file::Shading;
+use gonio_scene::{Object, Scene};
+
+/// All triangles, and the tree over them. Lengths are units of trace space.
+pub(crate) struct Geometry {
+    positions: Vec<Vec3>,
+    /// Unit, world space; zero where degenerate.
+    normals: Vec<Vec3>,
+    pub triangles: Vec<Triangle>,
+    objects: Vec<Placed>,
+    pub tree: Tree,
+    pub space: Space,
+}
+
+/// From the world to trace space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Space {
+    /// World position of the origin.
+    pub center: DVec3,
+    /// Units of trace space per world unit.
+    pub scale: f64,
+}
+
+impl Space {
+    /// A point of the world in trace space.
+    pub fn point(&self, world: DVec3) -> Vec3 {
+        ((world - self.center) * self.scale).as_vec3()
+    }
+}
+
+/// One triangle of one object.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Triangle {
+    /// Indices into the vertices of all objects.
+    pub vertices: [u32; 3],
+    pub object: u32,
+    /// Index into the scene's materials.
+    pub material: u32,
+    /// Its light, if its material emits light.
+    pub light: Option<u32>,
+}
+
+/// An object in its place.
+#[derive(Clone, Copy, Debug)]
+struct Placed {
+    /// Index into the scene's meshes.
+    mesh: usize,
+    first_vertex: u32,
+    /// For directions along the surface.
+    world_from_model: DMat3,
+    /// -1 where the transformation mirrors: the front is the side that is clockwise.
+    handedness: f32,
+    /// Normals are those of the triangles.
+    flat: bool,
+}
+
+/// The geometry of a place on a surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    /// Trace space.
+    pub position: Vec3,
+    /// Bound of the position's rounding error along any axis.
+    pub error: f32,
+    /// Unit, towards the front of the triangle.
+    pub geometric_normal: Vec3,
+    /// Unit, interpolated, on the side of the geometric normal.
+    pub normal: Vec3,
+    /// The derivative of the position by u, not of unit length, and the sign of the bitangent; where the mesh has it.
+    pub tangent: Option<(Vec3, f32)>,
+    pub uv: Vec2,
+    /// White where the mesh has no colours.
+    pub color: Vec3,
+}
+
+impl Geometry {
+    /// Triangles with corners that are not finite, or with indices beyond the mesh, are left out.
+    pub fn new(scene: &Scene) -> Self {
+        let (low, high) = scene.bounds();
+        let largest = (high - low).max_element();
+        let scale = if largest > 0.0 && largest.is_finite() { 1.0 / largest } else { 1.0 };
+        let space = Space { center: 0.5 * (low + high), scale };
+        let mut geometry = Geometry {
+            positions: Vec::new(),
+            normals: Vec::new(),
+            triangles: Vec::new(),
+            objects: Vec::new(),
+            tree: Tree::default(),
+            space,
+        };
+        for (index, object) in scene.objects.iter().enumerate() {
+            geometry.add(scene, index as u32, object);
+        }
+        let corners: Vec<[Vec3; 3]> = geometry.triangles.iter().map(|t| geometry.corners(t)).collect();
+        geometry.tree = Tree::new(&corners);
+        geometry
+    }
+
+    fn add(&mut self, scene: &Scene, index: u32, object: &Object) {
+        let directions = DMat3::from_mat4(object.world_from_model);
+        let first_vertex = self.positions.len() as u32;
+        let handedness = if directions.determinant() < 0.0 { -1.0 } else { 1.0 };
+        self.objects.push(Placed {
+            mesh: object.mesh,
+            first_vertex,
+            world_from_model: directions,
+            handedness,
+            flat: matches!(object.shading, Shading::Flat | Shading::FlatPerFace),
+        });
+        let Some(mesh) = scene.meshes.get(object.mesh) else { return };
+        // M^-T up to a positive factor: defined for singular matrices too.
+        let m = directions;
+        let normal_matrix =
+            DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
+                * f64::from(handedness);
+        let world = |p: [f32; 3]| object.world_from_model.transform_point3(DVec3::from(p.map(f64::from)));
+        self.positions.extend(mesh.positions.iter().map(|&p| self.space.point(world(p))));
+        self.normals.extend((0..mesh.positions.len()).map(|i| {
+            let normal = mesh.normals.get(i).map_or(DVec3::ZERO, |&n| DVec3::from(n.map(f64::from)));
+            vector::unit(normal_matrix * normal).unwrap_or(DVec3::ZERO).as_vec3()
+        }));
+        for part in &object.parts {
+            if part.material >= scene.materials.len() {
+                continue;
+            }
+            let end = part.first_triangle.saturating_add(part.triangle_count).min(mesh.triangle_count());
+            for in_mesh in part.first_triangle..end {
+                let local = mesh.triangle(in_mesh);
+                if local.iter().any(|&v| v >= mesh.positions.len()) {
+                    continue;
+                }
+                let vertices = local.map(|v| first_vertex + v as u32);
+                if vertices.iter().all(|&v| self.positions[v as usize].is_finite()) {
+                    self.triangles.push(Triangle {
+                        vertices,
+                        object: index,
+                        material: part.material as u32,
+                        light: None,
+                    });
+                }
+            }
+        }
+    }
+
+    /// The corners of a triangle.
+    pub fn corners(&self, triangle: &Triangle) -> [Vec3; 3] {
+        triangle.vertices.map(|v| self.positions[v as usize])
+    }
+
+    /// Unit, towards the front; zero for a triangle without area.
+    pub fn geometric_normal(&self, triangle: &Triangle) -> Vec3 {
+        let [a, b, c] = self.corners(triangle);
+        let normal = (b - a).cross(c - a);
+        let largest = normal.abs().max_element();
+        if largest > 0.0 {
+            (normal / largest).normalize() * self.objects[triangle.object as usize].handedness
+        } else {
+            Vec3::ZERO
+        }
+    }
+
+    /// Area of a triangle, in units of trace space squared.
+    pub fn area(&self, triangle: &Triangle) -> f32 {
+        let [a, b, c] = self.corners(triangle);
+        0.5 * (b - a).cross(c - a).length()
+    }
+
+    /// A point of a triangle, with the bound of its rounding error.
+    pub fn point(&self, triangle: &Triangle, weights: Vec3) -> (Vec3, f32) {
+        let [a, b, c] = self.corners(triangle);
+        let position = a * weights.x + b * weights.y + c * weights.z;
+        // Seven roundings (M. Pharr, W. Jakob, G. Humphreys, *Physically Based Rendering*, 4th edition, section 6.8.4).
+        let largest = a.abs().max(b.abs()).max(c.abs()).max_element();
+        (position, 7.0 * 0.5 * f32::EPSILON * largest)
+    }
+
+    /// The mesh of a triangle, and its corners in that mesh.
+    fn in_mesh<'s>(&self, scene: &'s Scene, triangle: &Triangle) -> (&'s Mesh, [usize; 3]) {
+        let object = &self.objects[triangle.object as usize];
+        (&scene.meshes[object.mesh], triangle.vertices.map(|v| (v - object.first_vertex) as usize))
+    }
+
+    /// The place where a ray hit.
+    pub fn place(&self, scene: &Scene, hit: &Hit) -> Place {
+        let triangle = &self.triangles[hit.triangle as usize];
+        let weights = hit.barycentrics;
+        let (position, error) = self.point(triangle, weights);
+        let geometric_normal = self.geometric_normal(triangle);
+        let object = &self.objects[triangle.object as usize];
+        let normal = if object.flat {
+            geometric_normal
+        } else {
+            let [a, b, c] = triangle.vertices.map(|v| self.normals[v as usize]);
+            let normal = (a * weights.x + b * weights.y + c * weights.z).normalize_or(geometric_normal);
+            if normal.dot(geometric_normal) < 0.0 { -normal } else { normal }
+        };
+        let (mesh, corners) = self.in_mesh(scene, triangle);
+        let uv = mesh.tex_coords.len();
+        let uv = if uv == 0 {
+            Vec2::ZERO
+        } else {
+            let [a, b, c] = corners.map(|v| mesh.tex_coords.get(v).map_or(Vec2::ZERO, |&uv| uv.into()));
+            a * weights.x + b * weights.y + c * weights.z
+        };
+        let color = if mesh.colors.is_empty() {
+            Vec3::ONE
+        } else {
+            let [a, b, c] = corners.map(|v| mesh.colors.get(v).map_or(Vec3::ONE, |c| Vec3::new(c[0], c[1], c[2])));
+            a * weights.x + b * weights.y + c * weights.z
+        };
+        let tangent = (!mesh.tangents.is_empty()).then(|| {
+            let [a, b, c] = corners.map(|v| mesh.tangents.get(v).copied().unwrap_or_default());
+            let mix = |i: usize| a[i] * weights.x + b[i] * weights.y + c[i] * weights.z;
+            let along = object.world_from_model * DVec3::new(mix(0).into(), mix(1).into(), mix(2).into());
+            (along.as_vec3(), if mix(3) * object.handedness < 0.0 { -1.0 } else { 1.0 })
+        });
+        Place { position, error, geometric_normal, normal, tangent, uv, color }
+    }
+}
+
+impl Place {
+    /// The origin of a ray that leaves the surface along `direction`: just outside of what rounding may have done to the
+    /// position.
+    pub fn leave(&self, direction: Vec3) -> Vec3 {
+        offset(self.position, self.error, self.geometric_normal, direction)
+    }
+}
+
+/// `position` moved along `normal` to the side of `direction`, beyond its rounding error.
+pub(crate) fn offset(position: Vec3, error: f32, normal: Vec3, direction: Vec3) -> Vec3 {
+    let distance = error * normal.abs().element_sum() + f32::MIN_POSITIVE;
+    let step = if direction.dot(normal) < 0.0 { -normal * distance } else { normal * distance };
+    let moved = position + step;
+    // Away from the surface where adding rounded towards it.
+    Vec3::from_array([0, 1, 2].map(|i| {
+        if step[i] > 0.0 {
+            moved[i].next_up()
+        } else if step[i] < 0.0 {
+            moved[i].next_down()
+        } else {
+            moved[i]
+        }
+    }))
+}

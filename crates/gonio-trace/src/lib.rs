@@ -1,0 +1,34 @@
+//! The rendering equation on the CPU: a spectral path tracer, the truth that the light equation simplifies.
+//!
+//! A path of light is followed from the eye through a pixel, from surface to surface, until it ends by chance; a
+//! pixel is the mean of its paths. Nothing is left out for speed, so pictures have noise instead of errors, and the noise is
+//! measured. The same seed gives the same bytes on any number of threads.
+//!
+//! | module | content |
+//! |---|---|
+//! | `sampler`, `sampling` | random numbers, and directions and points from them |
+//! | `observer`, `upsampling`, `color` | the CIE observer, spectra of RGB colours, the lanes of a path |
+//! | `tree`, `geometry` | rays against triangles |
+//! | `bsdf`, `material` | how a place scatters light |
+//! | `lights`, `environment` | where light comes from |
+//! | `path`, `film`, `render` | one path; the sums of pixels; all pixels |
+
+mod bsdf;
+mod color;
+mod environment;
+mod film;
+mod geometry;
+mod lights;
+mod material;
+mod observer;
+mod path;
+mod render;
+mod sampler;
+mod sampling;
+mod tree;
+mod upsampling;
+
+pub use color::ColorMode;
+pub use film::{CheckpointError, ErrorEstimate, Film, TILE, TileMask};
+pub use path::Technique;
+pub use render::{TraceScene, TraceSettings};

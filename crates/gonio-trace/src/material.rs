@@ -1,0 +1,185 @@
+//! The material at a place: textures read, colours carried to the lanes of a path.
+
+use crate::bsdf::{Lobe, Parts};
+use crate::color::{ColorMode, Wavelengths};
+use crate::geometry::Place;
+use glam::{DVec2, DVec3, Mat2, Vec2, Vec3, Vec4};
+use gonio_light::brdf::{BrdfKind, BrdfSettings};
+use gonio_light::microfacet::shininess_of_roughness;
+use gonio_light::optics::{Fresnel, reflectance};
+use gonio_light::{Equation, Specular, microfacet, vector};
+use gonio_scene::{BoundTexture, Scene, SceneMaterial, TextureFilter};
+
+/// How a scene's materials are read.
+pub(crate) struct Materials<'s> {
+    pub scene: &'s Scene,
+    pub mode: ColorMode,
+    /// The glossy lobe of materials without roughness.
+    pub brdf: BrdfSettings,
+    /// Finest or blended texels: rays are points, so there is nothing to filter.
+    pub filter: TextureFilter,
+    /// Some material is not opaque everywhere.
+    pub has_holes: bool,
+}
+
+/// The normalised lobe of an equation.
+pub(crate) fn normalised_lobe(equation: &Equation) -> BrdfSettings {
+    let kind = match equation.specular {
+        Specular::None => BrdfKind::Lambert,
+        Specular::Phong => BrdfKind::Phong,
+        Specular::BlinnPhong => BrdfKind::Blinn,
+    };
+    BrdfSettings { normalised: true, ..equation.brdf.unwrap_or(BrdfSettings::new(kind)) }
+}
+
+impl Materials<'_> {
+    fn material(&self, index: u32) -> &SceneMaterial {
+        &self.scene.materials[index as usize]
+    }
+
+    fn texel(&self, bound: &Option<BoundTexture>, uv: Vec2) -> Option<glam::DVec4> {
+        let bound = bound.as_ref()?;
+        let texture = self.scene.textures.get(bound.texture)?;
+        let [u_axis, v_axis, offset] = bound.uv_matrix().map(Vec2::from);
+        let uv: DVec2 = (Mat2::from_cols(u_axis, v_axis) * uv + offset).as_dvec2();
+        Some(texture.sample(uv, DVec2::ZERO, DVec2::ZERO, self.filter, bound.wrap))
+    }
+
+    fn color(&self, bound: &Option<BoundTexture>, uv: Vec2) -> Vec3 {
+        self.texel(bound, uv).map_or(Vec3::ONE, |t| t.truncate().as_vec3())
+    }
+
+    /// The radiance that a material emits, linear RGB.
+    pub fn emitted(&self, index: u32, uv: Vec2) -> Vec3 {
+        let SceneMaterial { material, maps, .. } = self.material(index);
+        Vec3::from(material.emitted).max(Vec3::ZERO) * self.color(&maps.emitted, uv)
+    }
+
+    /// From 0, a hole, to 1.
+    pub fn opacity(&self, index: u32, uv: Vec2) -> f32 {
+        let SceneMaterial { material, maps, .. } = self.material(index);
+        let map = self.texel(&maps.opacity, uv).map_or(1.0, |t| t.x as f32);
+        (material.opacity * map).clamp(0.0, 1.0)
+    }
+
+    /// The absorption of the material's inside in the lanes of a path, per world unit.
+    pub fn absorption(&self, index: u32, wavelengths: &Wavelengths) -> Vec4 {
+        self.mode.coefficient(self.material(index).optics.absorption.as_vec3().max(Vec3::ZERO), wavelengths)
+    }
+
+    /// Whether light goes through the material.
+    pub fn is_clear(&self, index: u32) -> bool {
+        self.material(index).optics.transmission > 0.0
+    }
+
+    /// The normal of the material's normal map about the interpolated normal.
+    pub fn normal(&self, index: u32, place: &Place) -> Vec3 {
+        let maps = &self.material(index).maps;
+        let n = place.normal;
+        let (Some((along, sign)), Some(texel)) = (place.tangent, self.texel(&maps.normal, place.uv)) else { return n };
+        let Some(t) = (along - n * n.dot(along)).try_normalize() else { return n };
+        let b = sign * n.cross(t);
+        let m = 2.0 * texel.truncate().as_vec3() - Vec3::ONE;
+        (t * m.x + b * m.y + n * m.z).normalize_or(n)
+    }
+
+    /// What the place is made of, seen along `view` (unit, away from it). A path that is split by dispersion keeps its
+    /// first wavelength only.
+    pub fn parts(&self, index: u32, place: &Place, normal: Vec3, view: Vec3, wavelengths: &mut Wavelengths) -> Parts {
+        let SceneMaterial { material, maps, optics } = self.material(index);
+        let (uv, mode) = (place.uv, self.mode);
+        let mut diffuse = Vec3::from(material.diffuse) * place.color * self.color(&maps.diffuse, uv);
+        let mut glossy = Vec3::from(material.specular) * self.color(&maps.specular, uv);
+        (diffuse, glossy) = (diffuse.max(Vec3::ZERO), glossy.max(Vec3::ZERO));
+        let lobe = self.lobe(index, uv);
+        let gain = match lobe {
+            // The glossy part takes its share from the diffuse one.
+            Lobe::Ggx(_) => diffuse.max_element().max(glossy.max_element()),
+            Lobe::Brdf(..) => (diffuse + glossy).max_element(),
+        };
+        if gain > 1.0 {
+            (diffuse, glossy) = (diffuse / gain, glossy / gain);
+        }
+        if matches!(lobe, Lobe::Brdf(BrdfSettings { kind: BrdfKind::Lambert, .. }, _)) {
+            glossy = Vec3::ZERO;
+        }
+        let mut parts = Parts {
+            diffuse: mode.reflectance(diffuse, wavelengths),
+            glossy: mode.reflectance(glossy, wavelengths),
+            lobe,
+            mirror: 0.0,
+            clear: 0.0,
+            clear_reflectance: 0.0,
+            refracted: None,
+            refraction_weight: Vec4::ONE,
+            opacity: self.opacity(index, uv),
+        };
+        if optics.is_plain() {
+            return parts;
+        }
+        let clear = optics.transmission.clamp(0.0, 1.0);
+        if clear > 0.0 && optics.dispersion != 0.0 && mode == ColorMode::Spectral {
+            wavelengths.keep_first();
+        }
+        let refraction_index = match mode {
+            ColorMode::Spectral => {
+                index_at(material.refraction_index.into(), optics.dispersion, wavelengths.lambda.x.into())
+            }
+            ColorMode::Rgb => material.refraction_index.into(),
+        };
+        let outside = place.geometric_normal.dot(view) >= 0.0;
+        // A place inside of a lit body without transmission reflects as from outside.
+        let eta = if outside || clear == 0.0 { 1.0 / refraction_index } else { refraction_index };
+        let side = if outside { 1.0 } else { -1.0 };
+        let mut n = (normal * side).as_dvec3();
+        let v = view.as_dvec3();
+        if n.dot(v) <= 0.0 {
+            n = (place.geometric_normal * side).as_dvec3();
+        }
+        let f = reflectance(optics.fresnel, n.dot(v), eta);
+        parts.mirror = match optics.fresnel {
+            Fresnel::None => optics.reflectivity,
+            Fresnel::Exact | Fresnel::Schlick => optics.reflectivity * f,
+        }
+        .clamp(0.0, 1.0) as f32;
+        parts.clear = clear as f32;
+        parts.clear_reflectance = f as f32;
+        parts.refracted = vector::refraction(n, v, eta).map(|t| t.as_vec3().normalize());
+        // Radiance is per solid angle, which refraction narrows or widens.
+        parts.refraction_weight = Vec4::splat((eta * eta) as f32);
+        if outside {
+            parts.refraction_weight *= mode.reflectance(optics.tint.as_vec3(), wavelengths);
+        }
+        parts
+    }
+
+    fn lobe(&self, index: u32, uv: Vec2) -> Lobe {
+        let SceneMaterial { material, maps, .. } = self.material(index);
+        let texel = self.texel(&maps.shininess, uv).map(|t| t.x);
+        if let Some(physical) = &material.metallic_roughness {
+            let roughness = match (texel, maps.roughness) {
+                (Some(texel), Some(roughness)) => f64::from(roughness) * texel,
+                _ => physical.roughness.into(),
+            };
+            return Lobe::Ggx(microfacet::alpha(roughness).max(microfacet::ALPHA_MIN));
+        }
+        let shininess = match (texel, maps.roughness) {
+            (Some(texel), Some(roughness)) => shininess_of_roughness(f64::from(roughness) * texel),
+            (texel, _) => f64::from(material.shininess) * texel.unwrap_or(1.0),
+        };
+        Lobe::Brdf(self.brdf, shininess)
+    }
+}
+
+/// The index of refraction at a wavelength, nm: Cauchy's `A + B / lambda^2` with `index` at 550 nm and `dispersion` between
+/// 486 and 656 nm.
+fn index_at(index: f64, dispersion: f64, lambda: f64) -> f64 {
+    let inverse_square = |nm: f64| 1.0 / (nm * nm);
+    let b = dispersion / (inverse_square(486.1) - inverse_square(656.3));
+    (index + b * (inverse_square(lambda) - inverse_square(550.0))).max(gonio_light::optics::SMALLEST_INDEX)
+}
+
+/// The radiance of a material without its texture, for choosing lights.
+pub(crate) fn bare_emitted(scene: &Scene, material: u32) -> DVec3 {
+    scene.materials.get(material as usize).map_or(DVec3::ZERO, |m| DVec3::from(m.material.emitted.map(f64::from)))
+}

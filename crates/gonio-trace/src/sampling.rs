@@ -1,0 +1,122 @@
+//! Directions and points from random numbers, each with its density.
+
+use glam::{Vec2, Vec3};
+use std::f32::consts::{FRAC_1_PI, FRAC_PI_2, FRAC_PI_4, TAU};
+
+/// A point of the unit disc, uniformly: concentric squares to concentric circles (P. Shirley and K. Chiu, *A Low Distortion
+/// Map Between Disk and Square*, JGT 2(3), 1997).
+pub(crate) fn disc(u: Vec2) -> Vec2 {
+    let p = 2.0 * u - Vec2::ONE;
+    if p == Vec2::ZERO {
+        return Vec2::ZERO;
+    }
+    let (radius, angle) =
+        if p.x.abs() > p.y.abs() { (p.x, FRAC_PI_4 * (p.y / p.x)) } else { (p.y, FRAC_PI_2 - FRAC_PI_4 * (p.x / p.y)) };
+    radius * Vec2::from_angle(angle)
+}
+
+/// A direction about +Z with density [`cosine_density`] (Malley's method).
+pub(crate) fn cosine_hemisphere(u: Vec2) -> Vec3 {
+    let p = disc(u);
+    p.extend((1.0 - p.length_squared()).max(0.0).sqrt())
+}
+
+/// `cos / pi`, in 1/sr; 0 from below.
+pub(crate) fn cosine_density(cos: f32) -> f32 {
+    cos.max(0.0) * FRAC_1_PI
+}
+
+/// A direction about +Z with a density proportional to `cos^exponent`: `(exponent + 1) / (2 pi) cos^exponent`.
+pub(crate) fn cosine_power(u: Vec2, exponent: f32) -> Vec3 {
+    let cos = (1.0 - u.x).powf(1.0 / (exponent + 1.0));
+    from_polar(cos, u.y)
+}
+
+/// The density of [`cosine_power`], in 1/sr.
+pub(crate) fn cosine_power_density(cos: f32, exponent: f32) -> f32 {
+    if cos > 0.0 { (exponent + 1.0) / TAU * cos.min(1.0).powf(exponent) } else { 0.0 }
+}
+
+/// The direction at the polar angle with this cosine, and at `turn` of a full turn about +Z.
+pub(crate) fn from_polar(cos: f32, turn: f32) -> Vec3 {
+    let sin = (1.0 - cos * cos).max(0.0).sqrt();
+    let (s, c) = (TAU * turn).sin_cos();
+    Vec3::new(sin * c, sin * s, cos)
+}
+
+/// Barycentric coordinates of a point of a triangle, uniformly over its area, with little distortion (E. Heitz, *A
+/// Low-Distortion Map Between Triangle and Square*, 2019).
+pub(crate) fn triangle(u: Vec2) -> Vec3 {
+    let (b0, b1) = if u.x < u.y {
+        let b0 = 0.5 * u.x;
+        (b0, u.y - b0)
+    } else {
+        let b1 = 0.5 * u.y;
+        (u.x - b1, b1)
+    };
+    Vec3::new(b0, b1, 1.0 - b0 - b1)
+}
+
+/// Veach's power heuristic with exponent 2: the weight of a sample of density `a` where another technique has density
+/// `b` (E. Veach, *Robust Monte Carlo Methods for Light Transport Simulation*, 1997, section 9.2.2).
+pub(crate) fn power_heuristic(a: f32, b: f32) -> f32 {
+    if a.is_infinite() {
+        return 1.0;
+    }
+    let ratio = b / a;
+    1.0 / (1.0 + ratio * ratio)
+}
+
+/// Chooses an index with a probability proportional to its weight.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Discrete {
+    /// Sums of the weights up to and including each, divided by their sum.
+    cumulative: Vec<f32>,
+    /// The sum of the weights.
+    pub total: f64,
+}
+
+impl Discrete {
+    /// Weights that are negative or not finite count as 0.
+    pub fn new(weights: impl IntoIterator<Item = f64>) -> Self {
+        let mut sums = Vec::new();
+        let mut total = 0.0;
+        for weight in weights {
+            total += if weight.is_finite() { weight.max(0.0) } else { 0.0 };
+            sums.push(total);
+        }
+        let scale = if total > 0.0 { 1.0 / total } else { 0.0 };
+        Discrete { cumulative: sums.into_iter().map(|s| (s * scale) as f32).collect(), total }
+    }
+
+    /// No index has a weight.
+    pub fn is_empty(&self) -> bool {
+        self.total <= 0.0
+    }
+
+    /// The probability of an index.
+    pub fn probability(&self, index: usize) -> f32 {
+        let below = if index == 0 { 0.0 } else { self.cumulative[index - 1] };
+        self.cumulative[index] - below
+    }
+
+    /// The index at `u` in `[0, 1)`, its probability, and `u` stretched to `[0, 1)` again within the index. `None` where
+    /// nothing has a weight.
+    pub fn sample(&self, u: f32) -> Option<(usize, f32, f32)> {
+        if self.is_empty() {
+            return None;
+        }
+        let index = self.cumulative.partition_point(|&c| c <= u).min(self.cumulative.len() - 1);
+        let probability = self.probability(index);
+        let below = self.cumulative[index] - probability;
+        // At the very end rounding may choose an index without weight; it is then left out.
+        (probability > 0.0)
+            .then(|| (index, probability, ((u - below) / probability).clamp(0.0, 1.0 - f32::EPSILON / 2.0)))
+    }
+}
+
+/// Two unit vectors that make a right-handed frame with the unit vector `n` (T. Duff et al., *Building an Orthonormal Basis,
+/// Revisited*, JCGT 6(1), 2017).
+pub(crate) fn frame(n: Vec3) -> (Vec3, Vec3) {
+    n.any_orthonormal_pair()
+}

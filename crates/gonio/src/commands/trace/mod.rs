@@ -1,0 +1,239 @@
+//! `gonio trace`: the rendering equation by path tracing, until a number of samples, a time or an error is reached.
+
+mod run;
+
+use crate::backend;
+use crate::error::{CliError, CommandOutcome};
+use crate::loading;
+use crate::options::{GeneralOptions, SceneOptions, values};
+use crate::output::atomic;
+use crate::output::{OutputKind, OutputPath, check_stdout};
+use crate::report::{Reporter, Times};
+use clap::{ArgAction, Args};
+use gonio_mesh::Diagnostic;
+use gonio_scene::{Scene, ViewSpec};
+use gonio_trace::{ColorMode, Film, TraceScene, TraceSettings};
+use run::{Goal, TraceRun};
+use serde::Serialize;
+use std::time::{Duration, Instant};
+
+/// Trace the paths of light: the rendering equation itself, with shadows and light between surfaces.
+#[derive(Args, Debug)]
+#[command(mut_arg("samples", |arg| arg
+    .help("Paths per pixel; 64 by default")
+    .help_heading("Trace options")
+    .value_parser(values::paths)
+    .conflicts_with_all(["time", "error"])))]
+#[command(after_long_help = "\
+Examples:
+  gonio trace scene.toml -o truth.png
+      64 paths per pixel.
+  gonio trace scene.toml --error 1 -o truth.exr
+      Until the error of a pixel is 1 % of the mean brightness, with 95 % confidence; noisy parts get more paths.
+  gonio trace scene.toml --time 30 -o truth.exr -o truth.png
+      For half a minute.
+  gonio trace scene.toml --samples 4096 --rgb --max-depth 2 -o direct.png
+      Red, green and blue instead of wavelengths; light sources and the surfaces that they light, without interreflection.
+  gonio trace scene.toml --views normal,albedo -o truth.exr
+      The variance and debug views as layers.
+
+Every 10 seconds the picture so far is written, and beside it a checkpoint, OUT.trace. After an interruption the same command \
+goes on from there; the result is the same, bit for bit, as without the interruption.
+
+Lights: point and spot lights obey the inverse square law; at the centre of the objects they are as bright as in the light \
+equation. Materials that emit light are light sources. Ambient light does not exist.
+
+Exit codes: 0 success, 2 error.")]
+pub struct TraceArgs {
+    /// Models or scenes (.toml); several become one scene. builtin:NAME is a built-in model.
+    #[arg(required = true, value_name = "INPUT")]
+    pub inputs: Vec<String>,
+
+    /// File to write: .exr (linear float) or .png; - is stdout. Repeat it for several formats.
+    #[arg(long, short, required = true, value_name = "FILE", action = ArgAction::Append, help_heading = "Output options",
+          allow_hyphen_values = true)]
+    pub output: Vec<OutputPath>,
+    /// Also write debug views of the light equation as layers of .exr.
+    #[arg(long, help_heading = "Output options", value_name = "VIEW,...", value_delimiter = ',',
+          value_parser = values::view_list())]
+    pub views: Vec<ViewSpec>,
+    /// Start anew even if there is a checkpoint.
+    #[arg(long, help_heading = "Output options")]
+    pub restart: bool,
+
+    /// Trace for this many seconds.
+    #[arg(long, help_heading = "Trace options", value_name = "SECONDS", value_parser = values::seconds,
+          conflicts_with = "error")]
+    pub time: Option<f64>,
+    /// Trace until the error of a pixel is this part of the picture's mean brightness, with 95 % confidence.
+    #[arg(long, help_heading = "Trace options", value_name = "PERCENT", value_parser = values::percent)]
+    pub error: Option<f64>,
+    /// Trace red, green and blue instead of wavelengths: faster, less exact.
+    #[arg(long, help_heading = "Trace options")]
+    pub rgb: bool,
+    /// Surfaces that a path meets at most; 2 means direct light only.
+    #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "64",
+          value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub max_depth: u32,
+    /// Number that the noise depends on.
+    #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "0")]
+    pub seed: u64,
+    /// Radius of the lens, in world units; 0 is a pinhole.
+    #[arg(long, help_heading = "Trace options", value_name = "RADIUS", default_value = "0", value_parser = values::radius)]
+    pub aperture: f64,
+    /// Distance at which the lens is in focus, in world units; by default that of the point the camera looks at.
+    #[arg(long, help_heading = "Trace options", value_name = "DISTANCE", value_parser = values::distance)]
+    pub focus: Option<f64>,
+    /// Threads; all cores by default.
+    #[arg(long, help_heading = "Trace options", value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+
+    /// Moment of the scene in seconds, for lights that move.
+    #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,
+          allow_negative_numbers = true, default_value = "0")]
+    pub moment: f64,
+    #[command(flatten)]
+    pub scene: SceneOptions,
+    #[command(flatten)]
+    pub general: GeneralOptions,
+}
+
+/// The paths of each pixel without `--samples`, `--time` and `--error`.
+const DEFAULT_PATHS: u32 = 64;
+
+impl TraceArgs {
+    fn goal(&self) -> Goal {
+        match (self.scene.samples, self.time, self.error) {
+            (_, Some(seconds), _) => Goal::Time(Duration::from_secs_f64(seconds)),
+            (_, _, Some(percent)) => Goal::Error(percent / 100.0),
+            (samples, None, None) => Goal::Paths(samples.unwrap_or(DEFAULT_PATHS)),
+        }
+    }
+
+    fn settings(&self, scene: &Scene, frame: &gonio_scene::Frame) -> TraceSettings {
+        let target = scene.settings.camera.target().map(glam::DVec3::from);
+        let looked_at = target.unwrap_or(0.5 * (frame.bounds_min + frame.bounds_max));
+        let focus = self.focus.unwrap_or_else(|| frame.camera.depth_of(looked_at).max(frame.camera.near));
+        TraceSettings {
+            mode: if self.rgb { ColorMode::Rgb } else { ColorMode::Spectral },
+            most_depth: self.max_depth,
+            seed: self.seed,
+            aperture: self.aperture,
+            focus,
+            ..TraceSettings::default()
+        }
+    }
+}
+
+pub fn run(args: &TraceArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    let start = Instant::now();
+    let times = Times::default();
+    check_stdout(args.output.iter().map(|output| (output, OutputKind::Binary)), reporter)?;
+    for output in &args.output {
+        run::format_of(output)?;
+        output.file().map_or(Ok(()), atomic::check_writable)?;
+    }
+    if !args.views.is_empty() && !args.output.iter().any(run::is_exr) {
+        return Err(CliError::new("--views are layers of an .exr file; add -o FILE.exr"));
+    }
+    backend::limit_threads(args.threads);
+    let options = SceneOptions { samples: None, ..args.scene.clone() };
+    let scene = {
+        let _busy = reporter.busy("reading the scene");
+        times.measure("load", || loading::load_scene(&args.inputs, &options, reporter))?
+    };
+    reporter.diagnostics(&scene.diagnostics);
+    loading::check_views(args.views.iter().copied(), &scene)?;
+    let frame = scene.frame(args.moment);
+    let settings = args.settings(&scene, &frame);
+    let ready = {
+        let _busy = reporter.busy("preparing the scene");
+        times.measure("prepare", || TraceScene::new(&scene, &frame))
+    };
+    let run = TraceRun { args, reporter, scene: &scene, frame: &frame, ready: &ready, settings };
+    let film = times.measure("trace", || run.trace(args.goal()))?;
+    let written = times.measure("write", || run.write(&film))?;
+    run.remove_checkpoint();
+    let error = film.error();
+    if film.lost_samples() > 0 {
+        reporter.warning(format_args!(
+            "{} of {} paths were not finite and count as black; the materials or lights are too bright for 32-bit floats",
+            film.lost_samples(),
+            film.total_samples()
+        ));
+    }
+    times.add("total", start.elapsed());
+    reporter.verbose_times(&times);
+    if reporter.json() {
+        reporter.report(&Report::new(args, &scene, &ready, &film, &times, &written))?;
+    } else {
+        let paths = match (film.least_samples(), film.most_samples()) {
+            (least, most) if least == most => format!("{least} paths per pixel"),
+            (least, most) => format!("{least} to {most} paths per pixel"),
+        };
+        let error = if error.relative.is_finite() {
+            format!(", error {:.2} % of the mean brightness", 100.0 * error.relative)
+        } else {
+            String::new()
+        };
+        reporter.note(format_args!("{paths}{error}, {:.1} s", start.elapsed().as_secs_f64()));
+    }
+    Ok(CommandOutcome::Done)
+}
+
+/// The report. Times are in milliseconds, sizes in pixels.
+#[derive(Serialize)]
+struct Report<'a> {
+    command: &'static str,
+    inputs: &'a [String],
+    outputs: &'a [String],
+    width: u32,
+    height: u32,
+    mode: &'static str,
+    max_depth: u32,
+    seed: u64,
+    paths_least: u32,
+    paths_most: u32,
+    paths_total: u64,
+    paths_lost: u64,
+    /// Error of a pixel's luminance relative to the mean luminance; none with one path per pixel.
+    error: Option<f64>,
+    /// Its upper bound with 95 % confidence.
+    error_bound: Option<f64>,
+    triangles: usize,
+    times_ms: serde_json::Value,
+    warnings: &'a [Diagnostic],
+}
+
+impl<'a> Report<'a> {
+    fn new(
+        args: &'a TraceArgs,
+        scene: &'a Scene,
+        ready: &TraceScene,
+        film: &Film,
+        times: &Times,
+        outputs: &'a [String],
+    ) -> Self {
+        let error = film.error();
+        let finite = |value: f64| value.is_finite().then_some(value);
+        Report {
+            command: "trace",
+            inputs: &args.inputs,
+            outputs,
+            width: film.width,
+            height: film.height,
+            mode: if args.rgb { "rgb" } else { "spectral" },
+            max_depth: args.max_depth,
+            seed: args.seed,
+            paths_least: film.least_samples(),
+            paths_most: film.most_samples(),
+            paths_total: film.total_samples(),
+            paths_lost: film.lost_samples(),
+            error: finite(error.relative),
+            error_bound: finite(error.upper),
+            triangles: ready.triangles(),
+            times_ms: times.to_json(),
+            warnings: &scene.diagnostics,
+        }
+    }
+}

@@ -1,0 +1,295 @@
+//! The passes of a trace, its checkpoints, and its files.
+
+use super::TraceArgs;
+use crate::error::CliError;
+use crate::output::{OutputFiles, OutputPath, atomic};
+use crate::report::Reporter;
+use gonio_image::encode::exr::{self, Layer};
+use gonio_image::encode::png::{self, ColorTag};
+use gonio_light::color::ColorEncoding;
+use gonio_reference::ReferenceScene;
+use gonio_scene::{DisplayMap, Frame, Picture, Scene, SceneFile};
+use gonio_trace::{CheckpointError, Film, TraceScene, TraceSettings};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+/// When a trace ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Goal {
+    /// Paths of each pixel.
+    Paths(u32),
+    Time(Duration),
+    /// Relative error, with 95 % confidence.
+    Error(f64),
+}
+
+/// How often the picture so far and the checkpoint are written.
+const CHECKPOINT_EVERY: Duration = Duration::from_secs(10);
+/// Paths of each pixel before errors are estimated.
+const FIRST_PATHS: u32 = 16;
+/// A goal that is not reached with so many paths in a pixel will not be.
+const MOST_PATHS: u32 = 1 << 24;
+
+/// Whether an output is an OpenEXR file.
+pub fn is_exr(output: &OutputPath) -> bool {
+    format_of(output).is_ok_and(|is_exr| is_exr)
+}
+
+/// Whether an output is an OpenEXR file, and not PNG.
+pub fn format_of(output: &OutputPath) -> Result<bool, CliError> {
+    let Some(path) = output.file() else { return Ok(false) };
+    match path.extension().and_then(|e| e.to_str()).map(str::to_lowercase).as_deref() {
+        Some("exr") => Ok(true),
+        Some("png") => Ok(false),
+        _ => Err(CliError::new(format!("`{}`: expected an output that ends in .exr or .png", path.display()))),
+    }
+}
+
+pub struct TraceRun<'a> {
+    pub args: &'a TraceArgs,
+    pub reporter: &'a Reporter,
+    pub scene: &'a Scene,
+    pub frame: &'a Frame,
+    pub ready: &'a TraceScene,
+    pub settings: TraceSettings,
+}
+
+impl TraceRun<'_> {
+    /// Traces until the goal is reached.
+    pub fn trace(&self, goal: Goal) -> Result<Film, CliError> {
+        let fingerprint = self.fingerprint();
+        let mut film = self.resume(fingerprint)?.unwrap_or_else(|| Film::new(self.frame.width, self.frame.height));
+        let begun = Instant::now();
+        let already = film.total_samples();
+        let mut saved = Instant::now();
+        let progress = self.reporter.progress("paths");
+        loop {
+            let (passes, tiles) = match self.next_pass(goal, &film, begun)? {
+                None => return Ok(film),
+                Some(next) => next,
+            };
+            let before = share_done(goal, &film, begun.elapsed());
+            let expected = f64::from(passes) * f64::from(film.width) * f64::from(film.height);
+            let deadline = match goal {
+                Goal::Time(time) if film.least_samples() > 0 => Some(begun + time),
+                _ => None,
+            };
+            let after = match goal {
+                Goal::Paths(paths) => before + expected / (f64::from(paths) * film_pixels(&film)),
+                _ => before,
+            };
+            let finished = self.ready.add_samples(&mut film, &self.settings, passes, tiles.as_ref(), &|share| {
+                progress.set(match goal {
+                    Goal::Time(_) => share_done(goal, &Film::new(0, 0), begun.elapsed()),
+                    _ => before + (after - before) * share,
+                });
+                deadline.is_none_or(|deadline| Instant::now() < deadline)
+            });
+            if !finished {
+                return Ok(film);
+            }
+            let error = film.error();
+            if error.relative.is_finite() {
+                progress.message(format!("{} paths, error {:.2} %", film.least_samples(), 100.0 * error.relative));
+            }
+            if saved.elapsed() >= CHECKPOINT_EVERY {
+                self.save(&film, fingerprint)?;
+                saved = Instant::now();
+            }
+            self.reporter.verbose(format_args!(
+                "{} new paths in {:.1} s, error {:.3} %",
+                film.total_samples() - already,
+                begun.elapsed().as_secs_f64(),
+                100.0 * error.relative
+            ));
+        }
+    }
+
+    /// Paths of the next pass, and its tiles if not all; none at the goal. It depends on nothing but goal and film, so that an
+    /// interruption changes nothing, except for a time.
+    fn next_pass(
+        &self,
+        goal: Goal,
+        film: &Film,
+        begun: Instant,
+    ) -> Result<Option<(u32, Option<gonio_trace::TileMask>)>, CliError> {
+        let (least, most) = (film.least_samples(), film.most_samples());
+        Ok(match goal {
+            Goal::Paths(paths) if least >= paths => None,
+            // Passes grow, so that the first picture is soon there and the last ones cost little beside the paths.
+            Goal::Paths(paths) => Some(((paths - least).min(least.clamp(1, 64)), None)),
+            Goal::Time(time) if least > 0 && begun.elapsed() >= time => None,
+            Goal::Time(time) => {
+                let per_path = begun.elapsed().as_secs_f64() / f64::from(least.max(1));
+                let left = time.saturating_sub(begun.elapsed()).as_secs_f64();
+                // The last pass should end in time: a pass that does not is discarded.
+                let fitting = if per_path > 0.0 && least > 0 { (0.5 * left / per_path) as u32 } else { 1 };
+                Some((fitting.clamp(1, 64), None))
+            }
+            Goal::Error(_) if least < FIRST_PATHS => Some((FIRST_PATHS - least, None)),
+            Goal::Error(error) => {
+                let tiles = film.unfinished(error);
+                if tiles.is_empty() {
+                    None
+                } else if most >= MOST_PATHS {
+                    return Err(CliError::new(format!(
+                        "the error is still {:.3} % after {most} paths in a pixel; choose a larger --error, or a number of \
+                         --samples",
+                        100.0 * film.error().upper
+                    )));
+                } else {
+                    Some((most / 2, Some(tiles)))
+                }
+            }
+        })
+    }
+
+    /// The film of the checkpoint, if there is one of this scene.
+    fn resume(&self, fingerprint: u64) -> Result<Option<Film>, CliError> {
+        let Some(path) = self.checkpoint().filter(|path| !self.args.restart && path.is_file()) else { return Ok(None) };
+        let bytes = std::fs::read(&path).map_err(|e| {
+            CliError::new(format!("cannot read the checkpoint `{}`: {e}; --restart ignores it", path.display()))
+        })?;
+        match Film::from_checkpoint(&bytes, fingerprint, self.frame.width, self.frame.height) {
+            Ok(film) => {
+                self.reporter.note(format_args!(
+                    "continuing from `{}` at {} paths per pixel",
+                    path.display(),
+                    film.least_samples()
+                ));
+                Ok(Some(film))
+            }
+            Err(CheckpointError::Fingerprint) => {
+                self.reporter.warning(format_args!(
+                    "`{}` is the checkpoint of another scene or of other options; starting anew",
+                    path.display()
+                ));
+                Ok(None)
+            }
+            Err(CheckpointError::Format | CheckpointError::Length) => Err(CliError::new(format!(
+                "`{}` is not a checkpoint of gonio, or is damaged; delete it, or ignore it with --restart",
+                path.display()
+            ))),
+        }
+    }
+
+    /// The file beside the first output that is a file.
+    fn checkpoint(&self) -> Option<PathBuf> {
+        self.args.output.iter().find_map(OutputPath::file).map(|path| path.with_extension("trace"))
+    }
+
+    /// Removes the checkpoint of a finished picture.
+    pub fn remove_checkpoint(&self) {
+        if let Some(path) = self.checkpoint() {
+            // There is none after a short trace.
+            let _ = std::fs::remove_file(path);
+        }
+    }
+
+    fn save(&self, film: &Film, fingerprint: u64) -> Result<(), CliError> {
+        if let Some(path) = self.checkpoint() {
+            atomic::write(&path, &film.to_checkpoint(fingerprint))?;
+            let mut files = OutputFiles::new();
+            self.add_pictures(film, &mut files, &[], |output| !output.is_stdout())?;
+            files.commit()?;
+        }
+        Ok(())
+    }
+
+    /// Identifies everything that the film depends on: scene, files and settings.
+    fn fingerprint(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        env!("CARGO_PKG_VERSION").hash(&mut hasher);
+        SceneFile::from(&self.scene.settings).to_toml_string().hash(&mut hasher);
+        self.args.moment.to_bits().hash(&mut hasher);
+        format!("{:?}", self.settings).hash(&mut hasher);
+        format!("{:?}", self.scene.materials).hash(&mut hasher);
+        for object in &self.scene.objects {
+            format!("{:?}", object.world_from_model).hash(&mut hasher);
+        }
+        for mesh in &self.scene.meshes {
+            for p in mesh.positions.iter().chain(&mesh.normals) {
+                p.map(f32::to_bits).hash(&mut hasher);
+            }
+            for uv in &mesh.tex_coords {
+                uv.map(f32::to_bits).hash(&mut hasher);
+            }
+            mesh.indices.hash(&mut hasher);
+        }
+        for texture in &self.scene.textures {
+            texture.rgba.hash(&mut hasher);
+        }
+        if let Some(environment) = &self.scene.environment {
+            for pixel in environment.mips.full().pixels() {
+                pixel.map(f32::to_bits).hash(&mut hasher);
+            }
+        }
+        hasher.finish()
+    }
+
+    /// Writes every output; returns their names.
+    pub fn write(&self, film: &Film) -> Result<Vec<String>, CliError> {
+        let views: Vec<(String, Picture)> = if self.args.views.is_empty() {
+            Vec::new()
+        } else {
+            let _busy = self.reporter.busy("drawing the views");
+            let pictures = ReferenceScene::new(self.scene).views(self.frame, &self.args.views, &|_| ());
+            let names = self.args.views.iter().map(|view| view.to_string().replace(':', "-"));
+            names.zip(pictures).map(|(name, rendered)| (name, rendered.picture)).collect()
+        };
+        let mut files = OutputFiles::new();
+        self.add_pictures(film, &mut files, &views, |_| true)?;
+        files.commit()?;
+        Ok(self.args.output.iter().filter(|o| !o.is_stdout()).map(ToString::to_string).collect())
+    }
+
+    fn add_pictures(
+        &self,
+        film: &Film,
+        files: &mut OutputFiles,
+        views: &[(String, Picture)],
+        is_wanted: impl Fn(&OutputPath) -> bool,
+    ) -> Result<(), CliError> {
+        let picture = film.picture();
+        for output in self.args.output.iter().filter(|output| is_wanted(output)) {
+            let bytes = if is_exr(output) { self.exr(film, &picture, views)? } else { self.png(&picture)? };
+            files.add_output(output, bytes)?;
+        }
+        Ok(())
+    }
+
+    fn png(&self, picture: &Picture) -> Result<Vec<u8>, CliError> {
+        let map = DisplayMap::for_view(None, self.frame);
+        let tag = match map {
+            DisplayMap::Light(transform) if transform.encoding == ColorEncoding::Srgb => ColorTag::Srgb,
+            _ => ColorTag::Untagged,
+        };
+        Ok(png::encode8(&picture.encode8(&map), tag)?)
+    }
+
+    fn exr(&self, film: &Film, picture: &Picture, views: &[(String, Picture)]) -> Result<Vec<u8>, CliError> {
+        let variance: Vec<[f32; 4]> = film.variance().iter().map(|&v| [v as f32, v as f32, v as f32, 1.0]).collect();
+        let mut layers =
+            vec![Layer { name: "picture", pixels: &picture.pixels }, Layer { name: "variance", pixels: &variance }];
+        layers.extend(views.iter().map(|(name, picture)| Layer { name, pixels: &picture.pixels }));
+        Ok(exr::encode_layers([picture.width, picture.height], &layers)?)
+    }
+}
+
+fn film_pixels(film: &Film) -> f64 {
+    f64::from(film.width) * f64::from(film.height)
+}
+
+/// The share of the work that is done, as far as one can tell.
+fn share_done(goal: Goal, film: &Film, elapsed: Duration) -> f64 {
+    match goal {
+        Goal::Paths(paths) => f64::from(film.least_samples()) / f64::from(paths.max(1)),
+        Goal::Time(time) => elapsed.as_secs_f64() / time.as_secs_f64().max(1e-9),
+        // The square of the error falls as paths are added.
+        Goal::Error(error) => {
+            let now = film.error().upper;
+            if now.is_finite() && now > 0.0 { (error / now).powi(2).min(1.0) } else { 0.0 }
+        }
+    }
+}
