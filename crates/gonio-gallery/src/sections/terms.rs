@@ -40,7 +40,7 @@ pub fn section() -> Result<Section, GalleryError> {
     Ok(Section {
         id: "terms",
         title: "The terms",
-        equation: "L_o = A + E + Σ_i diff_i + Σ_i spec_i",
+        equation: "L_o = A + E + diffuse + specular",
         introduction: "Every term can be switched off. Four pictures with one term each, and all of them together: \
                        light adds.",
         rows: vec![vec![
