@@ -19,8 +19,8 @@ const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 pub(crate) struct Sampler {
     /// Of the pixel.
     seed: u32,
-    /// Of the sample in its pixel.
-    index: u32,
+    /// The number of the sample in its pixel, its bits reversed.
+    reversed_index: u32,
     /// The next pair of dimensions.
     pair: u32,
 }
@@ -29,24 +29,29 @@ impl Sampler {
     /// Sample `index` of pixel number `pixel`.
     pub fn new(seed: u64, pixel: u32, index: u32) -> Self {
         let seed = hash(hash(seed as u32 ^ hash((seed >> 32) as u32)) ^ pixel);
-        Sampler { seed, index, pair: 0 }
+        Sampler { seed, reversed_index: index.reverse_bits(), pair: 0 }
     }
 
     /// The next number, in `[0, 1)`.
     pub fn next_1d(&mut self) -> f32 {
         let seed = self.next_seed();
-        let index = scramble(self.index, seed);
-        unit_interval(scramble(index.reverse_bits(), hash(seed ^ 1)))
+        unit_interval(permute(self.shuffled_index(seed), hash(seed ^ 1)).reverse_bits())
     }
 
     /// The next point, in `[0, 1)^2`.
     pub fn next_2d(&mut self) -> Vec2 {
         let seed = self.next_seed();
-        let index = scramble(self.index, seed);
+        let index = self.shuffled_index(seed);
+        // The first coordinate of the sequence is the index reversed, and scrambling reverses once more.
         Vec2::new(
-            unit_interval(scramble(index.reverse_bits(), hash(seed ^ 1))),
-            unit_interval(scramble(second_coordinate(index), hash(seed ^ 2))),
+            unit_interval(permute(index, hash(seed ^ 1)).reverse_bits()),
+            unit_interval(permute(pascal(index), hash(seed ^ 2)).reverse_bits()),
         )
+    }
+
+    /// The index in an order of its own for each pair: Owen's scrambling keeps every run of 2^k samples together.
+    fn shuffled_index(&self, seed: u32) -> u32 {
+        permute(self.reversed_index, seed).reverse_bits()
     }
 
     fn next_seed(&mut self) -> u32 {
@@ -60,27 +65,26 @@ fn unit_interval(bits: u32) -> f32 {
     (bits as f32 * 2.328_306_4e-10).min(BELOW_ONE)
 }
 
-/// The second coordinate of point `index` of the Sobol sequence, as a fraction of 2^32: the index times Pascal's
-/// triangle modulo 2, its bits reversed.
-fn second_coordinate(index: u32) -> u32 {
+/// The index times Pascal's triangle modulo 2: the second coordinate of that point of the Sobol sequence, as a fraction of 2^32 with
+/// its bits reversed.
+fn pascal(index: u32) -> u32 {
     let mut v = index;
     v ^= v >> 16;
     v ^= (v & 0xFF00_FF00) >> 8;
     v ^= (v & 0xF0F0_F0F0) >> 4;
     v ^= (v & 0xCCCC_CCCC) >> 2;
     v ^= (v & 0xAAAA_AAAA) >> 1;
-    v.reverse_bits()
+    v
 }
 
-/// Owen's nested uniform scrambling of a binary fraction, by Burley's hash: each bit is flipped depending on the bits
-/// above it.
-fn scramble(fraction: u32, seed: u32) -> u32 {
-    let mut x = fraction.reverse_bits().wrapping_add(seed);
+/// Burley's hash: each bit is flipped depending on the bits below it. Between two reversals of bits it is Owen's nested uniform
+/// scrambling of a binary fraction.
+fn permute(mut x: u32, seed: u32) -> u32 {
+    x = x.wrapping_add(seed);
     x ^= x.wrapping_mul(0x6c50_b47c);
     x ^= x.wrapping_mul(0xb82f_1e52);
     x ^= x.wrapping_mul(0xc7af_e638);
-    x ^= x.wrapping_mul(0x8d22_f6e6);
-    x.reverse_bits()
+    x ^ x.wrapping_mul(0x8d22_f6e6)
 }
 
 /// A bijection of 32 bits that changes half of them for each bit of its argument (C. Wellons, *Prospecting for Hash
@@ -108,7 +112,7 @@ mod tests {
                 }
                 m = m ^ (m << 1);
             }
-            assert_eq!(second_coordinate(index), expected, "{index:#x}");
+            assert_eq!(pascal(index).reverse_bits(), expected, "{index:#x}");
         }
     }
 

@@ -37,7 +37,7 @@ Examples:
   gonio trace scene.toml --views normal,albedo -o truth.exr
       The variance and debug views as layers.
 
-Every 10 seconds the picture so far is written, and beside it a checkpoint, OUT.trace. After an interruption the same command \
+While it runs, the picture so far is written, and beside it a checkpoint, OUT.trace. After an interruption the same command \
 goes on from there; the result is the same, bit for bit, as without the interruption.
 
 Lights: point and spot lights obey the inverse square law; at the centre of the objects they are as bright as in the light \
@@ -57,6 +57,10 @@ pub struct TraceArgs {
     #[arg(long, help_heading = "Output options", value_name = "VIEW,...", value_delimiter = ',',
           value_parser = values::view_list())]
     pub views: Vec<ViewSpec>,
+    /// Write the picture so far and the checkpoint this often.
+    #[arg(long, help_heading = "Output options", value_name = "SECONDS", value_parser = values::seconds,
+          default_value = "10")]
+    pub checkpoint_every: f64,
     /// Start anew even if there is a checkpoint.
     #[arg(long, help_heading = "Output options")]
     pub restart: bool,

@@ -24,8 +24,6 @@ pub enum Goal {
     Error(f64),
 }
 
-/// How often the picture so far and the checkpoint are written.
-const CHECKPOINT_EVERY: Duration = Duration::from_secs(10);
 /// Paths of each pixel before errors are estimated.
 const FIRST_PATHS: u32 = 16;
 /// A goal that is not reached with so many paths in a pixel will not be.
@@ -93,7 +91,7 @@ impl TraceRun<'_> {
             if error.relative.is_finite() {
                 progress.message(format!("{} paths, error {:.2} %", film.least_samples(), 100.0 * error.relative));
             }
-            if saved.elapsed() >= CHECKPOINT_EVERY {
+            if saved.elapsed().as_secs_f64() >= self.args.checkpoint_every {
                 self.save(&film, fingerprint)?;
                 saved = Instant::now();
             }
