@@ -20,6 +20,32 @@ pub enum ColorMode {
 pub(crate) struct Wavelengths {
     pub lambda: Vec4,
     weight: Vec4,
+    daylight: Vec4,
+}
+
+/// A constant colour, its spectrum looked up once.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tint {
+    /// Linear RGB.
+    rgb: Vec3,
+    spectrum: Coefficients,
+    /// The spectrum is multiplied by this.
+    scale: f32,
+}
+
+impl Tint {
+    /// A reflectance: channels are held in `[0, 1]`.
+    pub fn of_reflectance(rgb: Vec3) -> Self {
+        Tint { rgb, spectrum: Coefficients::of(rgb), scale: 1.0 }
+    }
+
+    /// The colour of light, not negative.
+    pub fn of_light(rgb: Vec3) -> Self {
+        let scale = 2.0 * rgb.max_element();
+        let is_light = scale > 0.0 && scale.is_finite();
+        let spectrum = Coefficients::of(if is_light { rgb / scale } else { Vec3::ZERO });
+        Tint { rgb, spectrum, scale: if is_light { scale } else { 0.0 } }
+    }
 }
 
 /// Wavelengths are sampled with the density `sech^2(STEEPNESS (lambda - CENTER))`, which is close to what eyes see (M.
@@ -28,19 +54,24 @@ const STEEPNESS: f64 = 0.0072;
 const CENTER: f64 = 538.0;
 
 impl Wavelengths {
+    /// What RGB mode has instead.
+    pub const NONE: Wavelengths = Wavelengths { lambda: Vec4::ZERO, weight: Vec4::ZERO, daylight: Vec4::ZERO };
+
     /// Four wavelengths, at `u` in `[0, 1)` and a quarter apart from each other in the distribution.
     pub fn sample(u: f32) -> Self {
         let edge = |lambda: f64| (STEEPNESS * (lambda - CENTER)).tanh();
         let (low, high) = (edge(LAMBDA_MIN), edge(LAMBDA_MAX));
-        let (mut lambda, mut weight) = (Vec4::ZERO, Vec4::ZERO);
+        let mut sampled = Wavelengths::NONE;
         for i in 0..4 {
             let t = low + (high - low) * (f64::from(u) + 0.25 * i as f64).fract();
+            let lambda = CENTER + t.atanh() / STEEPNESS;
             // sech^2 = 1 - tanh^2
             let density = STEEPNESS * (1.0 - t * t) / (high - low);
-            lambda[i] = (CENTER + t.atanh() / STEEPNESS) as f32;
-            weight[i] = (0.25 / density) as f32;
+            sampled.lambda[i] = lambda as f32;
+            sampled.weight[i] = (0.25 / density) as f32;
+            sampled.daylight[i] = daylight(lambda) as f32;
         }
-        Wavelengths { lambda, weight }
+        sampled
     }
 
     /// Keeps the first wavelength only: the path now depends on it (dispersion).
@@ -53,26 +84,18 @@ impl Wavelengths {
 
 impl ColorMode {
     /// A reflectance in the lanes of a path.
-    pub(crate) fn reflectance(self, rgb: Vec3, wavelengths: &Wavelengths) -> Vec4 {
+    pub(crate) fn reflectance(self, tint: &Tint, wavelengths: &Wavelengths) -> Vec4 {
         match self {
-            ColorMode::Rgb => rgb.extend(0.0),
-            ColorMode::Spectral => Coefficients::of(rgb).at(wavelengths.lambda),
+            ColorMode::Rgb => tint.rgb.extend(0.0),
+            ColorMode::Spectral => tint.spectrum.at(wavelengths.lambda),
         }
     }
 
-    /// Light of a linear RGB colour, not negative, in the lanes of a path: the colour's spectrum times daylight.
-    pub(crate) fn light(self, rgb: Vec3, wavelengths: &Wavelengths) -> Vec4 {
+    /// Light in the lanes of a path: the colour's spectrum times daylight.
+    pub(crate) fn light(self, tint: &Tint, wavelengths: &Wavelengths) -> Vec4 {
         match self {
-            ColorMode::Rgb => rgb.extend(0.0),
-            ColorMode::Spectral => {
-                let scale = 2.0 * rgb.max_element();
-                if scale <= 0.0 || !scale.is_finite() {
-                    return Vec4::ZERO;
-                }
-                let lambda = wavelengths.lambda;
-                let white = Vec4::from(lambda.to_array().map(|l| daylight(l.into()) as f32));
-                scale * Coefficients::of(rgb / scale).at(lambda) * white
-            }
+            ColorMode::Rgb => tint.rgb.extend(0.0),
+            ColorMode::Spectral => tint.scale * tint.spectrum.at(wavelengths.lambda) * wavelengths.daylight,
         }
     }
 
@@ -121,7 +144,7 @@ mod tests {
             let mean: Vec3 = (0..count)
                 .map(|i| {
                     let wavelengths = Wavelengths::sample((i as f32 + 0.5) / count as f32);
-                    ColorMode::Spectral.rgb(ColorMode::Spectral.light(rgb, &wavelengths), &wavelengths)
+                    ColorMode::Spectral.rgb(ColorMode::Spectral.light(&Tint::of_light(rgb), &wavelengths), &wavelengths)
                 })
                 .sum::<Vec3>()
                 / count as f32;
@@ -138,7 +161,8 @@ mod tests {
                 let mut wavelengths = Wavelengths::sample((i as f32 + 0.5) / count as f32);
                 wavelengths.keep_first();
                 wavelengths.keep_first();
-                ColorMode::Spectral.rgb(ColorMode::Spectral.light(Vec3::ONE, &wavelengths), &wavelengths)
+                ColorMode::Spectral
+                    .rgb(ColorMode::Spectral.light(&Tint::of_light(Vec3::ONE), &wavelengths), &wavelengths)
             })
             .sum::<Vec3>()
             / count as f32;

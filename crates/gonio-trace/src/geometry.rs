@@ -14,6 +14,8 @@ pub(crate) struct Geometry {
     /// Unit, world space; zero where degenerate.
     normals: Vec<Vec3>,
     pub triangles: Vec<Triangle>,
+    /// Of each triangle: unit, towards the front; zero for one without area.
+    geometric_normals: Vec<Vec3>,
     objects: Vec<Placed>,
     pub tree: Tree,
     pub space: Space,
@@ -90,6 +92,7 @@ impl Geometry {
             positions: Vec::new(),
             normals: Vec::new(),
             triangles: Vec::new(),
+            geometric_normals: Vec::new(),
             objects: Vec::new(),
             tree: Tree::default(),
             space,
@@ -98,6 +101,7 @@ impl Geometry {
             geometry.add(scene, index as u32, object);
         }
         let corners: Vec<[Vec3; 3]> = geometry.triangles.iter().map(|t| geometry.corners(t)).collect();
+        geometry.geometric_normals = geometry.triangles.iter().map(|t| geometry.front_normal(t)).collect();
         geometry.tree = Tree::new(&corners);
         geometry
     }
@@ -154,7 +158,11 @@ impl Geometry {
     }
 
     /// Unit, towards the front; zero for a triangle without area.
-    pub fn geometric_normal(&self, triangle: &Triangle) -> Vec3 {
+    pub fn geometric_normal(&self, triangle: u32) -> Vec3 {
+        self.geometric_normals[triangle as usize]
+    }
+
+    fn front_normal(&self, triangle: &Triangle) -> Vec3 {
         let [a, b, c] = self.corners(triangle);
         let normal = (b - a).cross(c - a);
         let largest = normal.abs().max_element();
@@ -191,7 +199,7 @@ impl Geometry {
         let triangle = &self.triangles[hit.triangle as usize];
         let weights = hit.barycentrics;
         let (position, error) = self.point(triangle, weights);
-        let geometric_normal = self.geometric_normal(triangle);
+        let geometric_normal = self.geometric_normal(hit.triangle);
         let object = &self.objects[triangle.object as usize];
         let normal = if object.flat {
             geometric_normal

@@ -9,6 +9,7 @@
 //!
 //! One source is chosen for each point, with a probability proportional to its power.
 
+use crate::color::Tint;
 use crate::environment::Environment;
 use crate::geometry::{Geometry, Triangle, offset};
 use crate::sampling::{self, Discrete};
@@ -18,17 +19,17 @@ use std::f64::consts::PI;
 
 /// A source of light.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Source {
+pub(crate) enum LightSource {
     /// Intensity per trace unit; `cone`: axis, cosines of outer and inner half angle.
     Point {
         position: Vec3,
-        intensity: Vec3,
+        intensity: Tint,
         cone: Option<(Vec3, f32, f32)>,
     },
     /// `direction`: unit, to the light.
     Directional {
         direction: Vec3,
-        irradiance: Vec3,
+        irradiance: Tint,
     },
     /// Index of the triangle, its area.
     Triangle {
@@ -40,7 +41,7 @@ pub(crate) enum Source {
 
 /// All sources.
 pub(crate) struct Lights {
-    pub sources: Vec<Source>,
+    pub sources: Vec<LightSource>,
     choice: Discrete,
     pub environment: Option<Environment>,
     environment_index: usize,
@@ -63,8 +64,8 @@ pub(crate) struct LightSample {
 /// The light of a sample.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Strength {
-    /// Irradiance perpendicular to the one direction, linear RGB.
-    Irradiance(Vec3),
+    /// Irradiance perpendicular to the one direction: a colour and its factor.
+    Irradiance(Tint, f32),
     /// Radiance, linear RGB.
     Radiance(Vec3),
     /// The radiance of a triangle's material at these weights of its corners.
@@ -93,8 +94,8 @@ impl Lights {
             match light.kind {
                 LightKind::Ambient => {}
                 LightKind::Directional { direction } => {
-                    let irradiance = color.as_vec3();
-                    sources.push(Source::Directional {
+                    let irradiance = Tint::of_light(color.as_vec3());
+                    sources.push(LightSource::Directional {
                         direction: -direction.as_vec3().normalize_or(-Vec3::Y),
                         irradiance,
                     });
@@ -114,7 +115,7 @@ impl Lights {
                         _ => (None, 1.0),
                     };
                     let position = space.point(position);
-                    sources.push(Source::Point { position, intensity: intensity.as_vec3(), cone });
+                    sources.push(LightSource::Point { position, intensity: Tint::of_light(intensity.as_vec3()), cone });
                     powers.push(4.0 * PI * share * mean(intensity));
                 }
             }
@@ -125,13 +126,13 @@ impl Lights {
             let area = geometry.area(&triangle);
             if area > 0.0 && radiance.max_element() > 0.0 && radiance.is_finite() {
                 geometry.triangles[index].light = Some(sources.len() as u32);
-                sources.push(Source::Triangle { triangle: index as u32, area });
+                sources.push(LightSource::Triangle { triangle: index as u32, area });
                 powers.push(2.0 * PI * f64::from(area) * mean(radiance));
             }
         }
         let environment_index = sources.len();
         if let Some(environment) = environment.as_ref().filter(|e| e.mean.max_element() > 0.0) {
-            sources.push(Source::Environment);
+            sources.push(LightSource::Environment);
             powers.push(PI * PI * mean(environment.mean));
         }
         Lights { sources, choice: Discrete::new(powers), environment, environment_index }
@@ -140,29 +141,29 @@ impl Lights {
     /// A source at `choice` in `[0, 1)`, and a direction to it from `from`.
     pub fn sample(&self, geometry: &Geometry, from: Vec3, choice: f32, u: Vec2) -> Option<LightSample> {
         let (index, probability, _) = self.choice.sample(choice)?;
-        let one = |direction, end, irradiance: Vec3| LightSample {
+        let one = |direction, end, irradiance: Tint, factor: f32| LightSample {
             direction,
             end,
-            light: Strength::Irradiance(irradiance),
+            light: Strength::Irradiance(irradiance, factor),
             density: f32::INFINITY,
             probability,
         };
         match self.sources[index] {
-            Source::Directional { direction, irradiance } => Some(one(direction, None, irradiance)),
-            Source::Point { position, intensity, cone } => {
+            LightSource::Directional { direction, irradiance } => Some(one(direction, None, irradiance, 1.0)),
+            LightSource::Point { position, intensity, cone } => {
                 let way = position - from;
                 let distance2 = way.length_squared();
                 let direction = way.try_normalize()?;
                 let spot = cone.map_or(1.0, |(axis, outer, inner)| {
                     light::smoothstep_or_step(outer.into(), inner.into(), (-direction.dot(axis)).into()) as f32
                 });
-                (spot > 0.0).then(|| one(direction, Some(position), intensity * (spot / distance2)))
+                (spot > 0.0).then(|| one(direction, Some(position), intensity, spot / distance2))
             }
-            Source::Triangle { triangle, area } => {
+            LightSource::Triangle { triangle, area } => {
                 let t = &geometry.triangles[triangle as usize];
                 let weights = sampling::triangle(u);
                 let (point, error) = geometry.point(t, weights);
-                let normal = geometry.geometric_normal(t);
+                let normal = geometry.geometric_normal(triangle);
                 let way = point - from;
                 let direction = way.try_normalize()?;
                 let cos = normal.dot(direction).abs();
@@ -175,7 +176,7 @@ impl Lights {
                     probability,
                 })
             }
-            Source::Environment => {
+            LightSource::Environment => {
                 let environment = self.environment.as_ref()?;
                 let (direction, density) = environment.sample(u)?;
                 (density > 0.0).then(|| LightSample {
@@ -193,7 +194,7 @@ impl Lights {
     /// sampled, at an angle with this cosine; in 1/sr.
     pub fn triangle_density(&self, source: u32, distance: f32, cos: f32) -> f32 {
         match self.sources[source as usize] {
-            Source::Triangle { area, .. } => {
+            LightSource::Triangle { area, .. } => {
                 let density = distance * distance / (cos * area);
                 if density.is_finite() { density * self.choice.probability(source as usize) } else { f32::INFINITY }
             }

@@ -1,7 +1,7 @@
 //! The material at a place: textures read, colours carried to the lanes of a path.
 
 use crate::bsdf::{Lobe, Parts};
-use crate::color::{ColorMode, Wavelengths};
+use crate::color::{ColorMode, Tint, Wavelengths};
 use crate::geometry::Place;
 use glam::{DVec2, DVec3, Mat2, Vec2, Vec3, Vec4};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
@@ -20,6 +20,17 @@ pub(crate) struct Materials<'s> {
     pub filter: TextureFilter,
     /// Some material is not opaque everywhere.
     pub has_holes: bool,
+    /// What is constant of each material.
+    pub constants: &'s [Constants],
+}
+
+/// What is constant of a material.
+pub(crate) struct Constants {
+    /// Diffuse and glossy colour; none where a texture gives one of them, or the lobe.
+    colors: Option<(Tint, Tint, Lobe)>,
+    /// The radiance that it emits; none where a texture gives it.
+    emitted: Option<Tint>,
+    clear_tint: Tint,
 }
 
 /// The normalised lobe of an equation.
@@ -30,6 +41,61 @@ pub(crate) fn normalised_lobe(equation: &Equation) -> BrdfSettings {
         Specular::BlinnPhong => BrdfKind::Blinn,
     };
     BrdfSettings { normalised: true, ..equation.brdf.unwrap_or(BrdfSettings::new(kind)) }
+}
+
+impl Constants {
+    /// Those of all materials of a scene.
+    pub fn of_scene(scene: &Scene, brdf: BrdfSettings) -> Vec<Constants> {
+        let one = |material: &SceneMaterial| {
+            let maps = &material.maps;
+            let has_texture = maps.diffuse.is_some() || maps.specular.is_some() || maps.shininess.is_some();
+            let (diffuse, glossy) = (material.material.diffuse.into(), material.material.specular.into());
+            Constants {
+                colors: (!has_texture).then(|| {
+                    let lobe = lobe_of(material, brdf, None);
+                    let (diffuse, glossy) = conserving(diffuse, glossy, lobe);
+                    (Tint::of_reflectance(diffuse), Tint::of_reflectance(glossy), lobe)
+                }),
+                emitted: maps
+                    .emitted
+                    .is_none()
+                    .then(|| Tint::of_light(Vec3::from(material.material.emitted).max(Vec3::ZERO))),
+                clear_tint: Tint::of_reflectance(material.optics.tint.as_vec3()),
+            }
+        };
+        scene.materials.iter().map(one).collect()
+    }
+}
+
+/// Diffuse and glossy colour, darkened where together they would reflect more than they receive.
+fn conserving(diffuse: Vec3, glossy: Vec3, lobe: Lobe) -> (Vec3, Vec3) {
+    let (diffuse, mut glossy) = (diffuse.max(Vec3::ZERO), glossy.max(Vec3::ZERO));
+    if matches!(lobe, Lobe::Brdf(BrdfSettings { kind: BrdfKind::Lambert, .. }, _)) {
+        glossy = Vec3::ZERO;
+    }
+    let gain = match lobe {
+        // The glossy part takes its share from the diffuse one.
+        Lobe::Ggx(_) => diffuse.max_element().max(glossy.max_element()),
+        Lobe::Brdf(..) => (diffuse + glossy).max_element(),
+    };
+    if gain > 1.0 { (diffuse / gain, glossy / gain) } else { (diffuse, glossy) }
+}
+
+/// The glossy lobe of a material; `texel`: of its texture of shininess or roughness.
+fn lobe_of(material: &SceneMaterial, brdf: BrdfSettings, texel: Option<f64>) -> Lobe {
+    let SceneMaterial { material, maps, .. } = material;
+    if let Some(physical) = &material.metallic_roughness {
+        let roughness = match (texel, maps.roughness) {
+            (Some(texel), Some(roughness)) => f64::from(roughness) * texel,
+            _ => physical.roughness.into(),
+        };
+        return Lobe::Ggx(microfacet::alpha(roughness).max(microfacet::ALPHA_MIN));
+    }
+    let shininess = match (texel, maps.roughness) {
+        (Some(texel), Some(roughness)) => shininess_of_roughness(f64::from(roughness) * texel),
+        (texel, _) => f64::from(material.shininess) * texel.unwrap_or(1.0),
+    };
+    Lobe::Brdf(brdf, shininess)
 }
 
 impl Materials<'_> {
@@ -49,10 +115,20 @@ impl Materials<'_> {
         self.texel(bound, uv).map_or(Vec3::ONE, |t| t.truncate().as_vec3())
     }
 
-    /// The radiance that a material emits, linear RGB.
-    pub fn emitted(&self, index: u32, uv: Vec2) -> Vec3 {
-        let SceneMaterial { material, maps, .. } = self.material(index);
-        Vec3::from(material.emitted).max(Vec3::ZERO) * self.color(&maps.emitted, uv)
+    /// The radiance that a material emits.
+    pub fn emitted(&self, index: u32, uv: Vec2) -> Tint {
+        match self.constants[index as usize].emitted {
+            Some(constant) => constant,
+            None => {
+                let SceneMaterial { material, maps, .. } = self.material(index);
+                Tint::of_light(Vec3::from(material.emitted).max(Vec3::ZERO) * self.color(&maps.emitted, uv))
+            }
+        }
+    }
+
+    /// Whether the radiance of a material is the same everywhere, and it is opaque.
+    pub fn emits_evenly(&self, index: u32) -> bool {
+        !self.has_holes && self.constants[index as usize].emitted.is_some()
     }
 
     /// From 0, a hole, to 1.
@@ -88,24 +164,21 @@ impl Materials<'_> {
     pub fn parts(&self, index: u32, place: &Place, normal: Vec3, view: Vec3, wavelengths: &mut Wavelengths) -> Parts {
         let SceneMaterial { material, maps, optics } = self.material(index);
         let (uv, mode) = (place.uv, self.mode);
-        let mut diffuse = Vec3::from(material.diffuse) * place.color * self.color(&maps.diffuse, uv);
-        let mut glossy = Vec3::from(material.specular) * self.color(&maps.specular, uv);
-        (diffuse, glossy) = (diffuse.max(Vec3::ZERO), glossy.max(Vec3::ZERO));
-        let lobe = self.lobe(index, uv);
-        let gain = match lobe {
-            // The glossy part takes its share from the diffuse one.
-            Lobe::Ggx(_) => diffuse.max_element().max(glossy.max_element()),
-            Lobe::Brdf(..) => (diffuse + glossy).max_element(),
+        let constants = &self.constants[index as usize];
+        let (diffuse, glossy, lobe) = match constants.colors {
+            Some(constant) if place.color == Vec3::ONE => constant,
+            _ => {
+                let diffuse = Vec3::from(material.diffuse) * place.color * self.color(&maps.diffuse, uv);
+                let glossy = Vec3::from(material.specular) * self.color(&maps.specular, uv);
+                let texel = self.texel(&maps.shininess, uv).map(|t| t.x);
+                let lobe = lobe_of(self.material(index), self.brdf, texel);
+                let (diffuse, glossy) = conserving(diffuse, glossy, lobe);
+                (Tint::of_reflectance(diffuse), Tint::of_reflectance(glossy), lobe)
+            }
         };
-        if gain > 1.0 {
-            (diffuse, glossy) = (diffuse / gain, glossy / gain);
-        }
-        if matches!(lobe, Lobe::Brdf(BrdfSettings { kind: BrdfKind::Lambert, .. }, _)) {
-            glossy = Vec3::ZERO;
-        }
         let mut parts = Parts {
-            diffuse: mode.reflectance(diffuse, wavelengths),
-            glossy: mode.reflectance(glossy, wavelengths),
+            diffuse: mode.reflectance(&diffuse, wavelengths),
+            glossy: mode.reflectance(&glossy, wavelengths),
             lobe,
             mirror: 0.0,
             clear: 0.0,
@@ -148,26 +221,9 @@ impl Materials<'_> {
         // Radiance is per solid angle, which refraction narrows or widens.
         parts.refraction_weight = Vec4::splat((eta * eta) as f32);
         if outside {
-            parts.refraction_weight *= mode.reflectance(optics.tint.as_vec3(), wavelengths);
+            parts.refraction_weight *= mode.reflectance(&constants.clear_tint, wavelengths);
         }
         parts
-    }
-
-    fn lobe(&self, index: u32, uv: Vec2) -> Lobe {
-        let SceneMaterial { material, maps, .. } = self.material(index);
-        let texel = self.texel(&maps.shininess, uv).map(|t| t.x);
-        if let Some(physical) = &material.metallic_roughness {
-            let roughness = match (texel, maps.roughness) {
-                (Some(texel), Some(roughness)) => f64::from(roughness) * texel,
-                _ => physical.roughness.into(),
-            };
-            return Lobe::Ggx(microfacet::alpha(roughness).max(microfacet::ALPHA_MIN));
-        }
-        let shininess = match (texel, maps.roughness) {
-            (Some(texel), Some(roughness)) => shininess_of_roughness(f64::from(roughness) * texel),
-            (texel, _) => f64::from(material.shininess) * texel.unwrap_or(1.0),
-        };
-        Lobe::Brdf(self.brdf, shininess)
     }
 }
 

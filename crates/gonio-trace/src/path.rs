@@ -4,14 +4,14 @@
 //! are added with the weights of multiple importance sampling. Long paths end by Russian roulette.
 
 use crate::bsdf::{Bsdf, Scattering};
-use crate::color::{ColorMode, Wavelengths};
+use crate::color::{ColorMode, Tint, Wavelengths};
 use crate::geometry::{Geometry, Place};
 use crate::lights::{LightSample, Lights, Strength};
 use crate::material::Materials;
 use crate::sampler::Sampler;
 use crate::sampling::power_heuristic;
 use crate::tree::Ray;
-use glam::{Vec3, Vec4};
+use glam::{Vec2, Vec3, Vec4};
 
 /// Which samples of light count: all are estimates of the same picture, with other noise.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -86,8 +86,8 @@ impl World<'_> {
                 let density = self.lights.triangle_density(source, travelled, cos);
                 let weight = self.weight_of_direction(last, density);
                 let opacity = self.materials.opacity(triangle.material, place.uv);
-                let emitted = self.materials.emitted(triangle.material, place.uv) * opacity;
-                found.light += throughput * self.light(emitted, wavelengths) * weight;
+                let emitted = self.materials.emitted(triangle.material, place.uv);
+                found.light += throughput * self.materials.mode.light(&emitted, wavelengths) * (weight * opacity);
             }
             let normal = self.materials.normal(triangle.material, &place);
             let parts = self.materials.parts(triangle.material, &place, normal, view, wavelengths);
@@ -141,11 +141,6 @@ impl World<'_> {
         found
     }
 
-    /// Light in the lanes of the path.
-    fn light(&self, rgb: Vec3, wavelengths: &Wavelengths) -> Vec4 {
-        if rgb == Vec3::ZERO { Vec4::ZERO } else { self.materials.mode.light(rgb, wavelengths) }
-    }
-
     /// The share of light found by a direction of density `last` that counts, where light samples have `density`.
     fn weight_of_direction(&self, last: Option<f32>, density: f32) -> f32 {
         match (last, self.technique) {
@@ -166,7 +161,8 @@ impl World<'_> {
         // The eye's own rays show the background, which is not always the environment.
         if let Some(environment) = self.lights.environment.as_ref().filter(|_| found.hit) {
             let weight = self.weight_of_direction(last, self.lights.environment_density(direction));
-            found.light += throughput * self.light(environment.radiance(direction), wavelengths) * weight;
+            let radiance = Tint::of_light(environment.radiance(direction));
+            found.light += throughput * self.materials.mode.light(&radiance, wavelengths) * weight;
         }
     }
 
@@ -188,27 +184,34 @@ impl World<'_> {
         if value == Vec4::ZERO {
             return Vec4::ZERO;
         }
-        let strength = match sample.light {
-            Strength::Irradiance(e) => e / sample.probability,
-            Strength::Radiance(l) => l / sample.density,
-            Strength::Emitted(triangle, weights) => self.emitted_at(triangle, weights) / sample.density,
-        };
         let clear_way = self.clear_way(place, &sample);
         if clear_way <= 0.0 {
             return Vec4::ZERO;
         }
+        let (tint, strength) = match sample.light {
+            Strength::Irradiance(tint, factor) => (tint, factor / sample.probability),
+            Strength::Radiance(radiance) => (Tint::of_light(radiance), 1.0 / sample.density),
+            Strength::Emitted(triangle, weights) => {
+                let (tint, opacity) = self.emitted_at(triangle, weights);
+                (tint, opacity / sample.density)
+            }
+        };
         let weight = match (sample.density.is_infinite(), self.technique) {
             (false, Technique::Both) => power_heuristic(sample.density, density),
             _ => 1.0,
         };
-        value * self.light(strength, wavelengths) * (weight * clear_way)
+        value * self.materials.mode.light(&tint, wavelengths) * (strength * weight * clear_way)
     }
 
-    fn emitted_at(&self, triangle: u32, weights: Vec3) -> Vec3 {
-        let hit = crate::tree::Hit { distance: 0.0, triangle, barycentrics: weights };
+    /// The radiance of a place of a lamp, and its opacity.
+    fn emitted_at(&self, triangle: u32, weights: Vec3) -> (Tint, f32) {
         let material = self.geometry.triangles[triangle as usize].material;
+        if self.materials.emits_evenly(material) {
+            return (self.materials.emitted(material, Vec2::ZERO), 1.0);
+        }
+        let hit = crate::tree::Hit { distance: 0.0, triangle, barycentrics: weights };
         let place = self.geometry.place(self.materials.scene, &hit);
-        self.materials.emitted(material, place.uv) * self.materials.opacity(material, place.uv)
+        (self.materials.emitted(material, place.uv), self.materials.opacity(material, place.uv))
     }
 
     /// The share of light that arrives from a sampled source: 0 behind an opaque surface.
@@ -252,9 +255,9 @@ impl World<'_> {
 impl ColorMode {
     /// The wavelengths of a path.
     pub(crate) fn wavelengths(self, sampler: &mut Sampler) -> Wavelengths {
-        Wavelengths::sample(match self {
-            ColorMode::Spectral => sampler.next_1d(),
-            ColorMode::Rgb => 0.0,
-        })
+        match self {
+            ColorMode::Spectral => Wavelengths::sample(sampler.next_1d()),
+            ColorMode::Rgb => Wavelengths::NONE,
+        }
     }
 }

@@ -4,7 +4,7 @@ use crate::environment::Environment;
 use crate::film::{Film, PixelSums, TileMask};
 use crate::geometry::Geometry;
 use crate::lights::Lights;
-use crate::material::{Materials, bare_emitted, normalised_lobe};
+use crate::material::{Constants, Materials, bare_emitted, normalised_lobe};
 use crate::path::{Technique, World};
 use crate::sampler::Sampler;
 use crate::tree::Ray;
@@ -52,6 +52,7 @@ pub struct TraceScene {
     geometry: Geometry,
     lights: Lights,
     has_holes: bool,
+    constants: Vec<Constants>,
 }
 
 impl TraceScene {
@@ -74,7 +75,8 @@ impl TraceScene {
         let emitted = |t: &crate::geometry::Triangle| bare_emitted(scene, t.material);
         let lights = Lights::new(&frame.lights, strength, center, &mut geometry, emitted, environment);
         let has_holes = scene.materials.iter().any(|m| m.material.opacity < 1.0 || m.maps.opacity.is_some());
-        TraceScene { scene: scene.clone(), frame: frame.clone(), geometry, lights, has_holes }
+        let constants = Constants::of_scene(scene, normalised_lobe(&frame.equation));
+        TraceScene { scene: scene.clone(), frame: frame.clone(), geometry, lights, has_holes, constants }
     }
 
     /// Triangles that can be hit.
@@ -107,6 +109,7 @@ impl TraceScene {
                     _ => TextureFilter::Linear,
                 },
                 has_holes: self.has_holes,
+                constants: &self.constants,
             },
             lights: &self.lights,
             technique: settings.technique,

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Terms of the glossary that exactly one type of the workspace may have as its name, private types included.
 pub const TERMS: &[&str] =
-    &["Frame", "Scene", "SceneFile", "Source", "Stage", "Submission", "Target", "Testbench", "Verdict"];
+    &["Frame", "Scene", "SceneFile", "Source", "SourceFile", "Stage", "Submission", "Target", "Testbench", "Verdict"];
 
 /// Limit on the number of names that public types of several crates share. Types for the same idea in different layers count
 /// too. The lower crate keeps the plain noun; the higher one takes the specific noun of its field, such as `PicturePlan`.
