@@ -260,6 +260,7 @@ mod tests {
             "Picture options",
             "Server options",
             "Shading options",
+            "Trace options",
             "Window options",
         ];
         for (path, command) in every_command() {
