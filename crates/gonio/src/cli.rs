@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn every_option_has_one_of_a_few_headings() {
-        const HEADINGS: [&str; 18] = [
+        const HEADINGS: [&str; 19] = [
             GENERAL,
             "Animation options",
             "Camera options",
