@@ -67,10 +67,11 @@ pub struct TraceArgs {
 
     /// Trace for this many seconds.
     #[arg(long, help_heading = "Trace options", value_name = "SECONDS", value_parser = values::seconds,
-          conflicts_with = "error")]
+          conflicts_with = "error", allow_negative_numbers = true)]
     pub time: Option<f64>,
     /// Trace until the error of a pixel is this part of the picture's mean brightness, with 95 % confidence.
-    #[arg(long, help_heading = "Trace options", value_name = "PERCENT", value_parser = values::percent)]
+    #[arg(long, help_heading = "Trace options", value_name = "PERCENT", value_parser = values::percent,
+          allow_negative_numbers = true)]
     pub error: Option<f64>,
     /// Trace red, green and blue instead of wavelengths: faster, less exact.
     #[arg(long, help_heading = "Trace options")]
@@ -83,10 +84,12 @@ pub struct TraceArgs {
     #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "0")]
     pub seed: u64,
     /// Radius of the lens, in world units; 0 is a pinhole.
-    #[arg(long, help_heading = "Trace options", value_name = "RADIUS", default_value = "0", value_parser = values::radius)]
+    #[arg(long, help_heading = "Trace options", value_name = "RADIUS", default_value = "0", value_parser = values::radius,
+          allow_negative_numbers = true)]
     pub aperture: f64,
     /// Distance at which the lens is in focus, in world units; by default that of the point the camera looks at.
-    #[arg(long, help_heading = "Trace options", value_name = "DISTANCE", value_parser = values::distance)]
+    #[arg(long, help_heading = "Trace options", value_name = "DISTANCE", value_parser = values::distance,
+          allow_negative_numbers = true)]
     pub focus: Option<f64>,
     /// Threads; all cores by default.
     #[arg(long, help_heading = "Trace options", value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
