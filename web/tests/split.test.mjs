@@ -198,5 +198,5 @@ test("the module that is visited notes which functions ran", () => {
 
 test("a profile of another module is refused", () => {
   assert.throws(() => halves("101"), /3 characters.*14 functions/);
-  assert.throws(() => halves("2".repeat(STAY + MOVED)), /0 and 1/);
+  assert.throws(() => halves("2".repeat(STAY + MOVED)), /0 or 1/);
 });
