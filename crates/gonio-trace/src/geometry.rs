@@ -153,8 +153,10 @@ impl Geometry {
     }
 
     /// The corners of a triangle.
+    #[inline]
     pub fn corners(&self, triangle: &Triangle) -> [Vec3; 3] {
-        triangle.vertices.map(|v| self.positions[v as usize])
+        let [a, b, c] = triangle.vertices;
+        [self.positions[a as usize], self.positions[b as usize], self.positions[c as usize]]
     }
 
     /// Unit, towards the front; zero for a triangle without area.
@@ -191,7 +193,9 @@ impl Geometry {
     /// The mesh of a triangle, and its corners in that mesh.
     fn in_mesh<'s>(&self, scene: &'s Scene, triangle: &Triangle) -> (&'s Mesh, [usize; 3]) {
         let object = &self.objects[triangle.object as usize];
-        (&scene.meshes[object.mesh], triangle.vertices.map(|v| (v - object.first_vertex) as usize))
+        let [a, b, c] = triangle.vertices;
+        let local = |v: u32| (v - object.first_vertex) as usize;
+        (&scene.meshes[object.mesh], [local(a), local(b), local(c)])
     }
 
     /// The place where a ray hit.
@@ -204,13 +208,13 @@ impl Geometry {
         let normal = if object.flat {
             geometric_normal
         } else {
-            let [a, b, c] = triangle.vertices.map(|v| self.normals[v as usize]);
+            let [a, b, c] = triangle.vertices;
+            let [a, b, c] = [self.normals[a as usize], self.normals[b as usize], self.normals[c as usize]];
             let normal = (a * weights.x + b * weights.y + c * weights.z).normalize_or(geometric_normal);
             if normal.dot(geometric_normal) < 0.0 { -normal } else { normal }
         };
         let (mesh, corners) = self.in_mesh(scene, triangle);
-        let uv = mesh.tex_coords.len();
-        let uv = if uv == 0 {
+        let uv = if mesh.tex_coords.is_empty() {
             Vec2::ZERO
         } else {
             let [a, b, c] = corners.map(|v| mesh.tex_coords.get(v).map_or(Vec2::ZERO, |&uv| uv.into()));
@@ -246,13 +250,14 @@ pub(crate) fn offset(position: Vec3, error: f32, normal: Vec3, direction: Vec3) 
     let step = if direction.dot(normal) < 0.0 { -normal * distance } else { normal * distance };
     let moved = position + step;
     // Away from the surface where adding rounded towards it.
-    Vec3::from_array([0, 1, 2].map(|i| {
-        if step[i] > 0.0 {
-            moved[i].next_up()
-        } else if step[i] < 0.0 {
-            moved[i].next_down()
+    let away = |moved: f32, step: f32| {
+        if step > 0.0 {
+            moved.next_up()
+        } else if step < 0.0 {
+            moved.next_down()
         } else {
-            moved[i]
+            moved
         }
-    }))
+    };
+    Vec3::new(away(moved.x, step.x), away(moved.y, step.y), away(moved.z, step.z))
 }

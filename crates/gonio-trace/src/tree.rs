@@ -43,15 +43,15 @@ pub(crate) struct Tree {
 struct Node {
     min: [Vec4; 3],
     max: [Vec4; 3],
-    /// An inner node's index, or [`LEAF`] and the index of the first packet; [`EMPTY`] where there is no child.
+    /// An inner node's index; or [`LEAF`], a bit for a second packet, and the index of the first packet; [`EMPTY`] where
+    /// there is no child.
     children: [u32; 4],
-    /// Packets of each leaf.
-    packets: [u8; 4],
 }
 
 const LEAF: u32 = 1 << 31;
+const SECOND_PACKET: u32 = 1 << 30;
 const EMPTY: u32 = u32::MAX;
-/// Triangles per leaf, at most.
+/// Triangles per leaf, at most: two packets.
 const MOST_IN_LEAF: u32 = 8;
 
 /// Four triangles: x, y and z of each corner. Unused places repeat the first triangle.
@@ -111,8 +111,8 @@ impl Tree {
                 if child.is_leaf() {
                     let first = child.first_index as usize;
                     let triangles = &bvh.primitive_indices[first..first + child.prim_count as usize];
-                    self.nodes[index].children[lane] = LEAF | self.packets.len() as u32;
-                    self.nodes[index].packets[lane] = triangles.len().div_ceil(4) as u8;
+                    let second = if triangles.len() > 4 { SECOND_PACKET } else { 0 };
+                    self.nodes[index].children[lane] = LEAF | second | self.packets.len() as u32;
                     self.packets.extend(triangles.chunks(4).map(|four| Packet::new(four, corners)));
                 } else {
                     let inner = self.nodes.len();
@@ -146,6 +146,7 @@ impl Tree {
     }
 
     /// Hands over hits, each nearer than what `meet` returned for the last; ends where it returns none.
+    #[inline(always)]
     fn visit(&self, ray: &Ray, mut meet: impl FnMut(Hit) -> Option<f32>) {
         if self.nodes.is_empty() {
             return;
@@ -153,14 +154,15 @@ impl Tree {
         let line = Line::new(ray);
         let mut reach = ray.reach;
         let mut stack = Stack::new();
-        stack.push(0.0, 0, 0);
-        while let Some((entry, child, packets)) = stack.pop() {
+        stack.insert(0, 0.0, 0);
+        while let Some((entry, child)) = stack.pop() {
             if entry > reach {
                 continue;
             }
             if child & LEAF != 0 {
-                let first = (child & !LEAF) as usize;
-                for packet in &self.packets[first..first + packets as usize] {
+                let first = (child & !(LEAF | SECOND_PACKET)) as usize;
+                let end = first + 1 + usize::from(child & SECOND_PACKET != 0);
+                for packet in &self.packets[first..end] {
                     if let Some(hit) = packet.nearest(&line, reach) {
                         match meet(hit) {
                             Some(nearer) => reach = nearer,
@@ -181,7 +183,7 @@ impl Tree {
                 let lane = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
                 if node.children[lane] != EMPTY {
-                    stack.insert(bottom, entries[lane], node.children[lane], node.packets[lane]);
+                    stack.insert(bottom, entries[lane], node.children[lane]);
                 }
             }
         }
@@ -201,59 +203,53 @@ fn first_children(bvh: &Bvh2) -> Vec<Bvh2Node> {
 
 /// Nodes to visit, with the distance at which the ray enters them.
 struct Stack {
-    entries: [(f32, u32, u8); Stack::SIZE],
+    /// The distance's bits above the child's: distances are not negative, so their order is that of the integers.
+    entries: [u64; Stack::SIZE],
     length: usize,
     /// What does not fit: only for trees of thousands of equal boxes.
-    rest: Vec<(f32, u32, u8)>,
+    rest: Vec<u64>,
 }
 
 impl Stack {
-    const SIZE: usize = 96;
+    const SIZE: usize = 48;
 
-    #[inline]
+    #[inline(always)]
     fn new() -> Self {
-        Stack { entries: [(0.0, 0, 0); Stack::SIZE], length: 0, rest: Vec::new() }
+        Stack { entries: [0; Stack::SIZE], length: 0, rest: Vec::new() }
     }
 
-    #[inline]
-    fn push(&mut self, entry: f32, child: u32, packets: u8) {
-        if self.length < Stack::SIZE {
-            self.entries[self.length] = (entry, child, packets);
-            self.length += 1;
+    #[inline(always)]
+    fn pop(&mut self) -> Option<(f32, u32)> {
+        let top = if self.rest.is_empty() {
+            self.length = self.length.checked_sub(1)?;
+            self.entries[self.length]
         } else {
-            self.rest.push((entry, child, packets));
-        }
-    }
-
-    #[inline]
-    fn pop(&mut self) -> Option<(f32, u32, u8)> {
-        if let Some(top) = self.rest.pop() {
-            return Some(top);
-        }
-        self.length = self.length.checked_sub(1)?;
-        Some(self.entries[self.length])
+            self.rest.pop()?
+        };
+        Some((f32::from_bits((top >> 32) as u32), top as u32))
     }
 
     /// Pushes between the entries from `bottom` on, which are sorted from far to near.
-    #[inline]
-    fn insert(&mut self, bottom: usize, entry: f32, child: u32, packets: u8) {
-        let mut at = self.length;
-        self.push(entry, child, packets);
-        if at == Stack::SIZE {
+    #[inline(always)]
+    fn insert(&mut self, bottom: usize, entry: f32, child: u32) {
+        let packed = u64::from(entry.to_bits()) << 32 | u64::from(child);
+        if self.length == Stack::SIZE || !self.rest.is_empty() {
+            self.rest.push(packed);
             return;
         }
-        while at > bottom && self.entries[at - 1].0 < entry {
+        let mut at = self.length;
+        self.length += 1;
+        while at > bottom && self.entries[at - 1] < packed {
             self.entries[at] = self.entries[at - 1];
             at -= 1;
         }
-        self.entries[at] = (entry, child, packets);
+        self.entries[at] = packed;
     }
 }
 
 impl Node {
     /// Boxes that no ray meets.
-    const EMPTY: Node =
-        Node { min: [Vec4::INFINITY; 3], max: [Vec4::NEG_INFINITY; 3], children: [EMPTY; 4], packets: [0; 4] };
+    const EMPTY: Node = Node { min: [Vec4::INFINITY; 3], max: [Vec4::NEG_INFINITY; 3], children: [EMPTY; 4] };
 
     /// The distances at which the ray enters the boxes, and a bit for each box that it meets within `reach`.
     #[inline]
