@@ -6,6 +6,7 @@ use crate::{GlError, Remedy};
 use glutin_egl_sys::egl::{self, types};
 use libloading::Library;
 use std::ffi::{CStr, CString, OsStr, c_void};
+use std::mem::ManuallyDrop;
 use std::ptr;
 
 /// EGL_MESA_platform_surfaceless
@@ -15,9 +16,9 @@ const PACKAGES: &str = "apt-get install libegl1 libgl1-mesa-dri";
 
 /// EGL's functions, and the library that they are in.
 struct Egl {
-    // Fields drop in the order of declaration: the functions before the library.
     functions: egl::Egl,
-    library: Library,
+    /// Never unloaded: EGL and the driver have destructors that run when a thread ends, long after its last context is gone.
+    library: ManuallyDrop<Library>,
 }
 
 /// A current context, destroyed when this is dropped. The display stays initialised: EGL has one for
@@ -61,6 +62,7 @@ impl Egl {
         let failed = |why| GlError::new(format!("no OpenGL: {} {why}; on Debian: {PACKAGES}", name.to_string_lossy()));
         // SAFETY: loading a library runs its initialisers; libEGL is made to be loaded this way.
         let library = unsafe { Library::new(name) }.map_err(|_| failed("could not be loaded"))?;
+        let library = ManuallyDrop::new(library);
         // The library has the functions of EGL itself; those of extensions come from `eglGetProcAddress`.
         let core = egl::Egl::load_with(|name| symbol(&library, name));
         if !core.GetPlatformDisplay.is_loaded() || !core.GetProcAddress.is_loaded() {
