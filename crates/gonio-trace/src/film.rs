@@ -159,7 +159,7 @@ impl Film {
         self.pixels.iter().map(|p| p.samples).max().unwrap_or(0)
     }
 
-    /// Samples that were left out because they were not finite numbers.
+    /// Samples that count as black because they were not finite numbers.
     pub fn lost_samples(&self) -> u64 {
         self.pixels.iter().map(|p| u64::from(p.lost)).sum()
     }

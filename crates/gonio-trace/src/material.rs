@@ -6,7 +6,7 @@ use crate::geometry::Place;
 use glam::{DVec2, DVec3, Mat2, Vec2, Vec3, Vec4};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
 use gonio_light::microfacet::shininess_of_roughness;
-use gonio_light::optics::{Fresnel, reflectance};
+use gonio_light::optics::reflectance;
 use gonio_light::{Equation, Specular, microfacet, vector};
 use gonio_scene::{BoundTexture, Scene, SceneMaterial, TextureFilter};
 
@@ -210,11 +210,7 @@ impl Materials<'_> {
             n = (place.geometric_normal * side).as_dvec3();
         }
         let f = reflectance(optics.fresnel, n.dot(v), eta);
-        parts.mirror = match optics.fresnel {
-            Fresnel::None => optics.reflectivity,
-            Fresnel::Exact | Fresnel::Schlick => optics.reflectivity * f,
-        }
-        .clamp(0.0, 1.0) as f32;
+        parts.mirror = optics.mirror_share(f).clamp(0.0, 1.0) as f32;
         parts.clear = clear as f32;
         parts.clear_reflectance = f as f32;
         parts.refracted = vector::refraction(n, v, eta).map(|t| t.as_vec3().normalize());

@@ -39,7 +39,7 @@ pub(crate) struct World<'s> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Found {
     pub light: Vec4,
-    /// Whether the first surface, holes left out, was one.
+    /// Whether any surface was hit; holes do not count.
     pub hit: bool,
 }
 
@@ -53,8 +53,7 @@ impl World<'_> {
     pub fn follow(&self, mut ray: Ray, sampler: &mut Sampler, wavelengths: &mut Wavelengths) -> Found {
         let mut found = Found { light: Vec4::ZERO, hit: false };
         let mut throughput = Vec4::ONE;
-        // The density of the last direction, and where it started; none for single directions, which no sample of a
-        // light finds.
+        // The density of the last direction; none for single directions, which no sample of a light finds.
         let mut last: Option<f32> = None;
         let mut medium: Option<u32> = None;
         let mut holes = 0;
@@ -232,7 +231,7 @@ impl World<'_> {
                 None => (sample.direction, f32::INFINITY),
             };
             let ray = Ray { origin, direction, reach };
-            if !self.has_holes() {
+            if !self.materials.has_holes {
                 return if self.geometry.tree.is_blocked(&ray) { 0.0 } else { share };
             }
             let Some(hit) = self.geometry.tree.nearest(&ray) else { return share };
@@ -245,10 +244,6 @@ impl World<'_> {
             origin = between.leave(direction);
         }
         0.0
-    }
-
-    fn has_holes(&self) -> bool {
-        self.materials.has_holes
     }
 }
 

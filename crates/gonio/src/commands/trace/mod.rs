@@ -61,7 +61,7 @@ pub struct TraceArgs {
     #[arg(long, help_heading = "Output options", value_name = "SECONDS", value_parser = values::seconds,
           default_value = "10")]
     pub checkpoint_every: f64,
-    /// Start anew even if there is a checkpoint.
+    /// Start over even if there is a checkpoint.
     #[arg(long, help_heading = "Output options")]
     pub restart: bool,
 
@@ -69,7 +69,7 @@ pub struct TraceArgs {
     #[arg(long, help_heading = "Trace options", value_name = "SECONDS", value_parser = values::seconds,
           conflicts_with = "error", allow_negative_numbers = true)]
     pub time: Option<f64>,
-    /// Trace until the error of a pixel is this part of the picture's mean brightness, with 95 % confidence.
+    /// Trace until the error of a pixel is this percentage of the mean brightness, with 95 % confidence.
     #[arg(long, help_heading = "Trace options", value_name = "PERCENT", value_parser = values::percent,
           allow_negative_numbers = true)]
     pub error: Option<f64>,
@@ -80,7 +80,7 @@ pub struct TraceArgs {
     #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "64",
           value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub max_depth: u32,
-    /// Number that the noise depends on.
+    /// Seed of the random numbers: another one gives other noise.
     #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "0")]
     pub seed: u64,
     /// Radius of the lens, in world units; 0 is a pinhole.

@@ -10,6 +10,7 @@ use gonio_light::color::ColorEncoding;
 use gonio_reference::ReferenceScene;
 use gonio_scene::{DisplayMap, Frame, Picture, Scene, SceneFile};
 use gonio_trace::{CheckpointError, Film, TraceScene, TraceSettings};
+use std::cell::LazyCell;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -56,8 +57,9 @@ pub struct TraceRun<'a> {
 impl TraceRun<'_> {
     /// Traces until the goal is reached.
     pub fn trace(&self, goal: Goal) -> Result<Film, CliError> {
-        let fingerprint = self.fingerprint();
-        let mut film = self.resume(fingerprint)?.unwrap_or_else(|| Film::new(self.frame.width, self.frame.height));
+        // Hashing a large scene takes time, and only checkpoints need it.
+        let fingerprint = LazyCell::new(|| self.fingerprint());
+        let mut film = self.resume(&fingerprint)?.unwrap_or_else(|| Film::new(self.frame.width, self.frame.height));
         let begun = Instant::now();
         let already = film.total_samples();
         let mut saved = Instant::now();
@@ -92,7 +94,7 @@ impl TraceRun<'_> {
                 progress.message(format!("{} paths, error {:.2} %", film.least_samples(), 100.0 * error.relative));
             }
             if saved.elapsed().as_secs_f64() >= self.args.checkpoint_every {
-                self.save(&film, fingerprint)?;
+                self.save(&film, *fingerprint)?;
                 saved = Instant::now();
             }
             self.reporter.verbose(format_args!(
@@ -144,12 +146,12 @@ impl TraceRun<'_> {
     }
 
     /// The film of the checkpoint, if there is one of this scene.
-    fn resume(&self, fingerprint: u64) -> Result<Option<Film>, CliError> {
+    fn resume(&self, fingerprint: &LazyCell<u64, impl FnOnce() -> u64>) -> Result<Option<Film>, CliError> {
         let Some(path) = self.checkpoint().filter(|path| !self.args.restart && path.is_file()) else { return Ok(None) };
         let bytes = std::fs::read(&path).map_err(|e| {
             CliError::new(format!("cannot read the checkpoint `{}`: {e}; --restart ignores it", path.display()))
         })?;
-        match Film::from_checkpoint(&bytes, fingerprint, self.frame.width, self.frame.height) {
+        match Film::from_checkpoint(&bytes, **fingerprint, self.frame.width, self.frame.height) {
             Ok(film) => {
                 self.reporter.note(format_args!(
                     "continuing from `{}` at {} paths per pixel",
@@ -160,7 +162,7 @@ impl TraceRun<'_> {
             }
             Err(CheckpointError::Fingerprint) => {
                 self.reporter.warning(format_args!(
-                    "`{}` is the checkpoint of another scene or of other options; starting anew",
+                    "`{}` is the checkpoint of another scene or of other options; starting over",
                     path.display()
                 ));
                 Ok(None)
