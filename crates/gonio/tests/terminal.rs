@@ -68,6 +68,8 @@ fn arguments() {
         vec!["lab", "draw", "ex07", "-o", "x.png", "--scene", EVIL],
         vec!["render", "builtin:cube", "-o", EVIL],
         vec!["render", "builtin:cube", "-o", "x.png", "--camera", EVIL],
+        vec!["trace", "builtin:cube", "-o", EVIL],
+        vec!["trace", "builtin:cube", "-o", "x.png", "--camera", EVIL],
         vec!["probe", "builtin:cube", "--at", "1,1", "--camera", EVIL],
         vec!["environment", "check", EVIL],
         vec!["diff", EVIL, EVIL],
@@ -88,6 +90,9 @@ fn names_of_missing_and_unusual_files() {
         lab.write(&broken, "\u{1b}[2K \u{202e}");
         harmless(&lab, &["render", &broken, "-o", "x.png"]);
     }
+    // The name of a checkpoint, which is damaged.
+    lab.write(&format!("picture{EVIL}.trace"), "");
+    harmless(&lab, &["trace", "builtin:cube", "-o", &format!("picture{EVIL}.png")]);
     harmless(&lab, &["inspect", &missing]);
     harmless(&lab, &["scene", &missing]);
     harmless(&lab, &["convert", &missing, "x.obj"]);
