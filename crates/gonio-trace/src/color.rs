@@ -5,11 +5,10 @@ use crate::upsampling::Coefficients;
 use glam::{Vec3, Vec4};
 
 /// How light is carried along a path.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ColorMode {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ColorMode {
     /// Four wavelengths per path, by hero-wavelength sampling (A. Wilkie et al., *Hero Wavelength Spectral Sampling*, EGSR
     /// 2014).
-    #[default]
     Spectral,
     /// Red, green and blue, as in OpenGL: faster, and wrong where colours multiply several times.
     Rgb,

@@ -12,6 +12,7 @@
 //! | `bsdf`, `material` | how a place scatters light |
 //! | `lights`, `environment` | where light comes from |
 //! | `path`, `film`, `render` | one path; the sums of pixels; all pixels |
+//! | `simplification` | the steps from the rendering equation to the light equation |
 
 mod bsdf;
 mod color;
@@ -25,10 +26,11 @@ mod path;
 mod render;
 mod sampler;
 mod sampling;
+mod simplification;
 mod tree;
 mod upsampling;
 
-pub use color::ColorMode;
 pub use film::{CheckpointError, ErrorEstimate, Film, TILE, TileMask};
 pub use path::Technique;
 pub use render::{TraceScene, TraceSettings};
+pub use simplification::{Simplification, Simplifications};

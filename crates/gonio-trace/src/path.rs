@@ -10,6 +10,7 @@ use crate::lights::{LightSample, Lights, Strength};
 use crate::material::Materials;
 use crate::sampler::Sampler;
 use crate::sampling::power_heuristic;
+use crate::simplification::{Simplification, Simplifications};
 use crate::tree::Ray;
 use glam::{Vec2, Vec3, Vec4};
 
@@ -31,6 +32,7 @@ pub(crate) struct World<'s> {
     pub materials: Materials<'s>,
     pub lights: &'s Lights,
     pub technique: Technique,
+    pub simplified: Simplifications,
     /// Surfaces that a path meets, at most; 1: only emitted light is seen.
     pub most_depth: u32,
 }
@@ -215,6 +217,9 @@ impl World<'_> {
 
     /// The share of light that arrives from a sampled source: 0 behind an opaque surface.
     fn clear_way(&self, place: &Place, sample: &LightSample) -> f32 {
+        if self.simplified.contains(Simplification::Shadows) {
+            return 1.0;
+        }
         let mut origin = place.leave(sample.direction);
         let mut share = 1.0;
         for _ in 0..MOST_HOLES {

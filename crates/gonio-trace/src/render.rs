@@ -8,7 +8,7 @@ use crate::material::{Constants, Materials, bare_emitted, normalised_lobe};
 use crate::path::{Technique, World};
 use crate::sampler::Sampler;
 use crate::tree::Ray;
-use crate::{ColorMode, sampling};
+use crate::{Simplification, Simplifications, sampling};
 use glam::{DVec3, Vec3};
 use gonio_light::equation::Convention;
 use gonio_scene::{Frame, Scene, TextureFilter};
@@ -18,8 +18,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// How a scene is traced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TraceSettings {
-    /// Spectral or RGB.
-    pub mode: ColorMode,
+    /// What is left out of the rendering equation.
+    pub simplified: Simplifications,
+    /// Points that replace a lamp or an object that emits light where [`Simplification::Sum`] is on, >= 1; 1: its centre.
+    pub points_per_light: u32,
     /// Surfaces that a path meets, at most, >= 1. With 1 only light sources are seen, with 2 they light surfaces.
     pub most_depth: u32,
     /// Which samples of light count.
@@ -30,17 +32,21 @@ pub struct TraceSettings {
     pub aperture: f64,
     /// Distance from the eye at which a lens is in focus, along the viewing direction, world units, > 0.
     pub focus: f64,
+    /// How long the shutter is open from the frame's moment on, seconds, >= 0. Closed with [`Simplification::Time`].
+    pub shutter: f64,
 }
 
 impl Default for TraceSettings {
     fn default() -> Self {
         TraceSettings {
-            mode: ColorMode::Spectral,
+            simplified: Simplifications::NONE,
+            points_per_light: 1,
             most_depth: 64,
             technique: Technique::Both,
             seed: 0,
             aperture: 0.0,
             focus: 1.0,
+            shutter: 0.0,
         }
     }
 }
@@ -102,7 +108,7 @@ impl TraceScene {
             geometry: &self.geometry,
             materials: Materials {
                 scene: &self.scene,
-                mode: settings.mode,
+                mode: settings.simplified.color_mode(),
                 brdf: normalised_lobe(&self.frame.equation),
                 filter: match self.frame.texture_filter {
                     TextureFilter::Nearest => TextureFilter::Nearest,
@@ -113,7 +119,12 @@ impl TraceScene {
             },
             lights: &self.lights,
             technique: settings.technique,
-            most_depth: settings.most_depth.max(1),
+            simplified: settings.simplified,
+            most_depth: if settings.simplified.contains(Simplification::Interreflection) {
+                settings.most_depth.clamp(1, 2)
+            } else {
+                settings.most_depth.max(1)
+            },
         };
         let width = film.width;
         let done = AtomicU64::new(0);
@@ -148,11 +159,11 @@ impl TraceScene {
         let frame = &self.frame;
         let mut sampler = Sampler::new(settings.seed, y.wrapping_mul(frame.width).wrapping_add(x), sums.samples);
         let at = sampler.next_2d();
-        let mut wavelengths = settings.mode.wavelengths(&mut sampler);
+        let mut wavelengths = world.materials.mode.wavelengths(&mut sampler);
         let (px, py) = (f64::from(x) + f64::from(at.x), f64::from(y) + f64::from(at.y));
         let ray = self.eye_ray(settings, px, py, &mut sampler);
         let found = world.follow(ray, &mut sampler, &mut wavelengths);
-        let rgb = settings.mode.rgb(found.light, &wavelengths).as_dvec3();
+        let rgb = world.materials.mode.rgb(found.light, &wavelengths).as_dvec3();
         let behind =
             if found.hit || found.light != glam::Vec4::ZERO { [0.0; 4] } else { self.background(ray.direction, py) };
         let light = rgb + DVec3::new(behind[0], behind[1], behind[2]);

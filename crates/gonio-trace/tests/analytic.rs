@@ -7,7 +7,7 @@ use common::{RGB, TestScene, cuboid, matte, point, sphere, square};
 use glam::{DMat4, DVec3};
 use gonio_light::{Fresnel, Optics};
 use gonio_mesh::{Material, MetallicRoughness};
-use gonio_trace::{ColorMode, Technique, TraceSettings};
+use gonio_trace::{Simplifications, Technique, TraceSettings};
 use std::f64::consts::PI;
 
 /// The mean is `expected` within four standard errors and `tolerance`, in every channel.
@@ -31,7 +31,7 @@ fn white_furnace() {
     let mirror = Optics { reflectivity: 1.0, ..Optics::default() };
     let lacquer = Optics { reflectivity: 1.0, fresnel: Fresnel::Exact, ..Optics::default() };
     let glass = Optics { transmission: 1.0, fresnel: Fresnel::Exact, ..Optics::default() };
-    for settings in [RGB, TraceSettings { mode: ColorMode::Spectral, ..RGB }] {
+    for settings in [RGB, TraceSettings { simplified: Simplifications::NONE, ..RGB }] {
         for (name, scene) in [
             ("matte", furnace(matte(1.0), Optics::default())),
             ("mirror", furnace(matte(0.5), mirror)),
@@ -42,7 +42,7 @@ fn white_furnace() {
         ] {
             // 0.002: directions below the triangle but above the interpolated normal are lost, and interreflections of
             // glass end at some depth.
-            assert_mean(&format!("{name}, {:?}", settings.mode), &scene, &settings, 64, 1.0, 2e-3);
+            assert_mean(&format!("{name}, {:?}", settings.simplified), &scene, &settings, 64, 1.0, 2e-3);
         }
     }
 }

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{RGB, TestScene, matte, point, sphere, square};
-use gonio_trace::{ColorMode, Film, TraceScene, TraceSettings};
+use gonio_trace::{Film, Simplifications, TraceScene, TraceSettings};
 
 fn scene() -> TestScene {
     let mut scene = TestScene::new()
@@ -18,7 +18,7 @@ fn scene() -> TestScene {
 
 #[test]
 fn threads_do_not_matter() {
-    let settings = TraceSettings { mode: ColorMode::Spectral, ..RGB };
+    let settings = TraceSettings { simplified: Simplifications::NONE, ..RGB };
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| scene().trace(&settings, 8))

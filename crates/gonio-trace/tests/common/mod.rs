@@ -10,7 +10,7 @@ use gonio_scene::{
     Background, Camera, Frame, LoadedEnvironment, Maps, Object, ObjectPart, Scene, SceneMaterial, Surroundings,
     TextureFilter,
 };
-use gonio_trace::{ColorMode, Film, TraceScene, TraceSettings};
+use gonio_trace::{Film, Simplification, Simplifications, TraceScene, TraceSettings};
 use std::sync::Arc;
 
 pub struct TestScene {
@@ -20,12 +20,14 @@ pub struct TestScene {
 
 /// RGB, no limit of depth that matters.
 pub const RGB: TraceSettings = TraceSettings {
-    mode: ColorMode::Rgb,
+    simplified: Simplifications::NONE.with(Simplification::Wavelengths),
+    points_per_light: 1,
     most_depth: 200,
     technique: gonio_trace::Technique::Both,
     seed: 1,
     aperture: 0.0,
     focus: 1.0,
+    shutter: 0.0,
 };
 
 pub fn matte(color: f32) -> Material {

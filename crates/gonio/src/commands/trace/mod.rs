@@ -12,7 +12,7 @@ use crate::report::{Reporter, Times};
 use clap::{ArgAction, Args};
 use gonio_mesh::Diagnostic;
 use gonio_scene::{Scene, ViewSpec};
-use gonio_trace::{ColorMode, Film, TraceScene, TraceSettings};
+use gonio_trace::{Film, Simplification, Simplifications, TraceScene, TraceSettings};
 use run::{Goal, TraceRun};
 use serde::Serialize;
 use std::time::{Duration, Instant};
@@ -121,8 +121,10 @@ impl TraceArgs {
         let target = scene.settings.camera.target().map(glam::DVec3::from);
         let looked_at = target.unwrap_or(0.5 * (frame.bounds_min + frame.bounds_max));
         let focus = self.focus.unwrap_or_else(|| frame.camera.depth_of(looked_at).max(frame.camera.near));
+        let simplified =
+            if self.rgb { Simplifications::NONE.with(Simplification::Wavelengths) } else { Simplifications::NONE };
         TraceSettings {
-            mode: if self.rgb { ColorMode::Rgb } else { ColorMode::Spectral },
+            simplified,
             most_depth: self.max_depth,
             seed: self.seed,
             aperture: self.aperture,
