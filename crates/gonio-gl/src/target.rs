@@ -204,6 +204,13 @@ impl Target {
 }
 
 impl Target {
+    /// Replaces the colours of a target of one sample by these, four values a texel, the bottom row first; they must be as many
+    /// as the target's. Changes the texture of the active unit.
+    pub fn fill(&self, gl: &Gl, values: &[f32]) {
+        self.bind_linear(gl);
+        gl.tex_sub_image_2d(glow::TEXTURE_2D, 0, [0, 0], self.size, Texels::f32(glow::RGBA, values));
+    }
+
     /// The texels of a target of one sample, four values each, the bottom row first. Waits for the GPU.
     pub fn read_single(&self, gl: &Gl) -> Vec<f32> {
         gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.handle()));

@@ -13,6 +13,7 @@
 //! | `lights`, `environment` | where light comes from |
 //! | `path`, `film`, `render` | one path; the sums of pixels; all pixels |
 //! | `simplification` | the steps from the rendering equation to the light equation |
+//! | `refinement` | a picture that begins coarse, for windows |
 
 mod bsdf;
 mod color;
@@ -23,6 +24,7 @@ mod lights;
 mod material;
 mod observer;
 mod path;
+mod refinement;
 mod render;
 mod sampler;
 mod sampling;
@@ -32,5 +34,6 @@ mod upsampling;
 
 pub use film::{CheckpointError, ErrorEstimate, Film, TILE, TileMask};
 pub use path::Technique;
+pub use refinement::{Refinement, RefinementStatus};
 pub use render::{TraceScene, TraceSettings};
 pub use simplification::{Simplification, Simplifications};

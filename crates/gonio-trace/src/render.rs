@@ -11,8 +11,9 @@ use crate::tree::Ray;
 use crate::{Simplification, Simplifications, sampling};
 use glam::{DVec3, Vec3};
 use gonio_light::equation::Convention;
-use gonio_scene::{Frame, Scene, TextureFilter};
+use gonio_scene::{Camera, Frame, Scene, TextureFilter};
 use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// How a scene is traced.
@@ -85,6 +86,16 @@ impl TraceScene {
         TraceScene { scene: scene.clone(), frame: frame.clone(), geometry, lights, has_holes, constants }
     }
 
+    /// Looks at the same scene at the same moment with another camera or in another size, in pixels: nothing is built again.
+    pub fn look(&mut self, camera: Camera, width: u32, height: u32) {
+        self.frame = Frame { camera, width, height, ..self.frame.clone() };
+    }
+
+    /// The frame that is traced.
+    pub fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
     /// Triangles that can be hit.
     pub fn triangles(&self) -> usize {
         self.geometry.triangles.len()
@@ -101,6 +112,20 @@ impl TraceScene {
         film: &mut Film,
         settings: &TraceSettings,
         samples: u32,
+        tiles: Option<&TileMask>,
+        progress: &(dyn Fn(f64) -> bool + Sync),
+    ) -> bool {
+        let rows = 0..film.height;
+        self.add_to_rows(film, settings, samples, rows, tiles, progress)
+    }
+
+    /// [`Self::add_samples`] to some rows of the film, which must be below its height.
+    pub(crate) fn add_to_rows(
+        &self,
+        film: &mut Film,
+        settings: &TraceSettings,
+        samples: u32,
+        rows: Range<u32>,
         tiles: Option<&TileMask>,
         progress: &(dyn Fn(f64) -> bool + Sync),
     ) -> bool {
@@ -126,17 +151,20 @@ impl TraceScene {
                 settings.most_depth.max(1)
             },
         };
-        let width = film.width;
+        let width = film.width.max(1) as usize;
         let done = AtomicU64::new(0);
         let stopped = std::sync::atomic::AtomicBool::new(false);
-        let mut added = film.pixels.clone();
-        let rows = u64::from(film.height.max(1));
-        added.par_chunks_mut(width.max(1) as usize).enumerate().for_each(|(y, row)| {
+        let Some(pixels) = film.pixels.get_mut(rows.start as usize * width..rows.end as usize * width) else {
+            return true;
+        };
+        let mut added = pixels.to_vec();
+        let (first, rows) = (rows.start, u64::from(rows.len().max(1) as u32));
+        added.par_chunks_mut(width).enumerate().for_each(|(row_index, row)| {
             if stopped.load(Ordering::Relaxed) {
                 return;
             }
             for (x, sums) in row.iter_mut().enumerate() {
-                let (x, y) = (x as u32, y as u32);
+                let (x, y) = (x as u32, first + row_index as u32);
                 if tiles.is_none_or(|tiles| tiles.contains(x, y)) {
                     for _ in 0..samples {
                         self.add_sample(&world, settings, x, y, sums);
@@ -151,7 +179,7 @@ impl TraceScene {
         if stopped.load(Ordering::Relaxed) && done.load(Ordering::Relaxed) < rows {
             return false;
         }
-        film.pixels = added;
+        pixels.copy_from_slice(&added);
         true
     }
 

@@ -65,6 +65,16 @@ impl Simplifications {
         Simplifications((2 << last as u16) - 1)
     }
 
+    /// The set as a number: bit `i` is the simplification at `i` in their order.
+    pub const fn bits(self) -> u16 {
+        self.0
+    }
+
+    /// The set of such a number. Further bits are ignored.
+    pub const fn from_bits(bits: u16) -> Self {
+        Simplifications(bits & Self::ALL.0)
+    }
+
     /// Those of the set, in order.
     pub fn iter(self) -> impl Iterator<Item = Simplification> {
         Simplification::ALL.iter().copied().filter(move |&one| self.contains(one))
@@ -94,6 +104,7 @@ mod tests {
             assert!(up_to.contains(one) && !up_to.without(one).contains(one));
             assert_eq!(up_to.without(one).with(one), up_to);
             assert_eq!(up_to.iter().collect::<Simplifications>(), up_to);
+            assert_eq!(Simplifications::from_bits(up_to.bits() | 0x8000), up_to);
         }
         assert_eq!(Simplifications::up_to(Simplification::Ambient), Simplifications::ALL);
         assert_eq!(Simplifications::NONE.iter().count(), 0);

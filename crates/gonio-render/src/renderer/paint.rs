@@ -137,6 +137,55 @@ impl Renderer {
     }
 }
 
+/// The largest half float: what is brighter would become infinite.
+const MOST: f32 = 65504.0;
+
+impl Renderer {
+    /// Shows a finished linear picture, premultiplied, as the frame's picture is shown: exposure, tone mapping, encoding. The
+    /// display texture takes the frame's size; a picture of another size is stretched, its pixels being rectangles. Does not wait,
+    /// and leaves the window's state as [`Renderer::paint`] does.
+    pub fn paint_picture(
+        &mut self,
+        picture: &Picture,
+        frame: &Frame,
+        canvas: &mut DisplayTexture,
+    ) -> Result<(), GlError> {
+        let shared = self.shared.clone();
+        let gl = &shared.gl;
+        let _state = SavedState::save(gl);
+        let _group = DebugGroup::new(gl, "finished picture");
+        let most = shared.info.max_size;
+        let [width, height] = [frame.width, frame.height].map(|side| side.clamp(1, most));
+        let size = [width as i32, height as i32];
+        let target = match self.targets.find(size, Sampling::Multi(1), ColorPrecision::Half) {
+            Some(target) => target,
+            None => {
+                self.targets.make_room(PANES);
+                let precision = ColorPrecision::Half;
+                let made = Target::new(gl, shared.info.dialect, size, Sampling::Multi(1), precision)?;
+                let made = Rc::new(made);
+                self.targets.keep(made.clone());
+                made
+            }
+        };
+        canvas.fit([width, height])?;
+        let along = |at: u32, side: u32, count: u32| u64::from(at) * u64::from(count) / u64::from(side);
+        let mut values = Vec::with_capacity(4 * width as usize * height as usize);
+        for y in (0..height).rev() {
+            let row = along(y, height, picture.height) * u64::from(picture.width);
+            for x in 0..width {
+                let pixel = picture.pixels.get((row + along(x, width, picture.width)) as usize);
+                values.extend(pixel.copied().unwrap_or_default().map(|v| v.clamp(-MOST, MOST)));
+            }
+        }
+        gl.active_texture(glow::TEXTURE0);
+        target.fill(gl, &values);
+        let look = DisplaySettings::new(None, frame).to_be_shown();
+        let whole = Band { picture_height: size[1], first_row: 0, rows: size[1] };
+        shared.output_into(canvas.output(), &target, whole, &look, look.encoded())
+    }
+}
+
 /// The colours of a difference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceScale {

@@ -53,6 +53,32 @@ fn a_display_texture_has_the_pixels_of_a_file() {
     }
 }
 
+/// A finished picture of the same light is shown as the scene that it is of; at twice the size each pixel is four.
+#[test]
+fn a_finished_picture_is_shown_like_a_drawn_one() {
+    let scene = loaded(&format!("{MONKEY}[environment]\nimage = \"debug\"\n"));
+    for es in [false, true] {
+        let (gl, mut renderer) = renderer(es);
+        let mut frame = gonio_scene::Frame { samples: 1, ..scene.frame(0.0) };
+        frame.output.exposure = -0.7;
+        let uploaded = renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
+        let [mut drawn, mut shown, mut large] =
+            [0; 3].map(|_| DisplayTexture::new(&gl, [1, 1]).unwrap_or_else(|error| panic!("{error}")));
+        renderer.paint(&uploaded, &frame, &DisplayOptions::default(), &mut drawn).unwrap_or_else(|e| panic!("{e}"));
+        let light = renderer.paint_linear(&uploaded, &frame, None).unwrap_or_else(|error| panic!("{error}"));
+        renderer.paint_picture(&light, &frame, &mut shown).unwrap_or_else(|error| panic!("{error}"));
+        let (drawn, shown) = (drawn.read8(), shown.read8());
+        // Full floats against half floats: one step.
+        assert!(drawn.iter().zip(&shown).all(|(a, b)| a.abs_diff(*b) <= 1), "es {es}");
+        let twice = gonio_scene::Frame { width: 180, height: 140, ..frame };
+        renderer.paint_picture(&light, &twice, &mut large).unwrap_or_else(|error| panic!("{error}"));
+        let large_pixels = large.read8();
+        assert_eq!(large.size(), [180, 140]);
+        let pixel = |pixels: &[u8], i: usize| [0, 1, 2].map(|c| pixels[4 * i + c]);
+        assert!((0..180 * 140).all(|i| pixel(&large_pixels, i) == pixel(&shown, i / 360 * 90 + i % 180 / 2)));
+    }
+}
+
 #[test]
 fn where_nothing_is_a_canvas_is_premultiplied() {
     let scene = loaded(&format!("[background]\ntransparent = true\n{MONKEY}"));
