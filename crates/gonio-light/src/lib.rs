@@ -19,6 +19,7 @@
 //! | [`vector`] | reflection, refraction, half vector |
 //! | [`optics`] | mirrors and glass: how a surface shows its surroundings; Fresnel factors |
 //! | [`color`] | sRGB, exposure, tone mapping |
+//! | [`simplification`] | the steps from the rendering equation to this one |
 //! | [`quantity`] | the vectors and scalars of the equation by name |
 
 #[macro_use]
@@ -31,6 +32,7 @@ pub mod microfacet;
 pub mod optics;
 pub mod quantity;
 pub mod shading_point;
+pub mod simplification;
 pub mod vector;
 
 pub use equation::{Convention, Equation, LightSums, LightTerms, Specular, TermSwitches, Terms};
@@ -39,3 +41,4 @@ pub use light::{Attenuation, Incident, Light, LightKind};
 pub use optics::{Fresnel, Optics, Sight, Surfaces};
 pub use quantity::{Quantity, Value, is_noise};
 pub use shading_point::{ShadingPoint, Surface};
+pub use simplification::{Simplification, Simplifications};

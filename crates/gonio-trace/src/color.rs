@@ -3,6 +3,7 @@
 use crate::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, daylight, matching};
 use crate::upsampling::Coefficients;
 use glam::{Vec3, Vec4};
+use gonio_light::{Simplification, Simplifications};
 
 /// How light is carried along a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,6 +13,13 @@ pub(crate) enum ColorMode {
     Spectral,
     /// Red, green and blue, as in OpenGL: faster, and wrong where colours multiply several times.
     Rgb,
+}
+
+impl ColorMode {
+    /// The mode of a set of simplifications.
+    pub fn of(simplified: Simplifications) -> Self {
+        if simplified.contains(Simplification::Wavelengths) { ColorMode::Rgb } else { ColorMode::Spectral }
+    }
 }
 
 /// The wavelengths of one path, nm, and the reciprocals of their densities divided by their number. In RGB mode unused.

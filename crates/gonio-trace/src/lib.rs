@@ -12,7 +12,6 @@
 //! | `bsdf`, `material` | how a place scatters light |
 //! | `lights`, `environment` | where light comes from |
 //! | `path`, `film`, `render` | one path; the sums of pixels; all pixels |
-//! | `simplification` | the steps from the rendering equation to the light equation |
 //! | `refinement` | a picture that begins coarse, for windows |
 
 mod bsdf;
@@ -28,12 +27,12 @@ mod refinement;
 mod render;
 mod sampler;
 mod sampling;
-mod simplification;
 mod tree;
 mod upsampling;
+
+pub use gonio_light::{Simplification, Simplifications};
 
 pub use film::{CheckpointError, ErrorEstimate, Film, TILE, TileMask};
 pub use path::Technique;
 pub use refinement::{Refinement, RefinementStatus};
 pub use render::{TraceScene, TraceSettings};
-pub use simplification::{Simplification, Simplifications};

@@ -10,8 +10,8 @@ use crate::lights::{LightSample, Lights, Strength};
 use crate::material::Materials;
 use crate::sampler::Sampler;
 use crate::sampling::power_heuristic;
-use crate::simplification::{Simplification, Simplifications};
 use crate::tree::Ray;
+use crate::{Simplification, Simplifications};
 use glam::{Vec2, Vec3, Vec4};
 
 /// Which samples of light count: all are estimates of the same picture, with other noise.

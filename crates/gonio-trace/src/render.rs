@@ -1,5 +1,6 @@
 //! Samples of all pixels, on all threads.
 
+use crate::color::ColorMode;
 use crate::environment::Environment;
 use crate::film::{Film, PixelSums, TileMask};
 use crate::geometry::Geometry;
@@ -133,7 +134,7 @@ impl TraceScene {
             geometry: &self.geometry,
             materials: Materials {
                 scene: &self.scene,
-                mode: settings.simplified.color_mode(),
+                mode: ColorMode::of(settings.simplified),
                 brdf: normalised_lobe(&self.frame.equation),
                 filter: match self.frame.texture_filter {
                     TextureFilter::Nearest => TextureFilter::Nearest,

@@ -1,8 +1,5 @@
 //! The steps from the rendering equation to the light equation, each of which can be taken by itself.
 
-use crate::color::ColorMode;
-use gonio_light::named_enum;
-
 named_enum! {
     /// A simplification of the rendering equation, in the order in which the lecture makes them. With all of them a picture is the
     /// light equation's.
@@ -78,11 +75,6 @@ impl Simplifications {
     /// Those of the set, in order.
     pub fn iter(self) -> impl Iterator<Item = Simplification> {
         Simplification::ALL.iter().copied().filter(move |&one| self.contains(one))
-    }
-
-    /// How light is carried along a path.
-    pub(crate) fn color_mode(self) -> ColorMode {
-        if self.contains(Simplification::Wavelengths) { ColorMode::Rgb } else { ColorMode::Spectral }
     }
 }
 
