@@ -23,6 +23,10 @@ pub const FAR: f64 = 100.0;
 pub const LIGHT_COLOR: Color = Color::grey(1.0);
 /// The factor of a light's colour.
 pub const LIGHT_INTENSITY: f64 = 1.0;
+/// The radius of a point light or a spot, world units.
+pub const LIGHT_RADIUS: f64 = 0.0;
+/// Width and height of a rectangle, world units.
+pub const LIGHT_SIZE: [f64; 2] = [1.0, 1.0];
 /// `k_c`, `k_l` and `k_q` of a point light or a spot: no attenuation.
 pub const ATTENUATION: [f64; 3] = [1.0, 0.0, 0.0];
 /// Half angle of a spot's fully lit cone, degrees.

@@ -11,7 +11,7 @@ use gonio_light::brdf::BrdfSettings;
 use gonio_light::color::OutputTransform;
 use gonio_light::vector::unit;
 use gonio_light::{Attenuation, Equation, Light, LightKind, TermSwitches};
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The background: linear radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,27 @@ impl Background {
     }
 }
 
+/// The extent of a lamp around the position of its light. Its radiance is uniform.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum LightShape {
+    /// No extent; ambient and directional lights too.
+    #[default]
+    Point,
+    /// A sphere that shines outwards.
+    Sphere {
+        /// World units, > 0.
+        radius: f64,
+    },
+    /// A rectangle that shines to one side, along `half_right x half_up`.
+    Rectangle {
+        /// From the centre to the middle of the edge that is on the right of what it shines at, world space; perpendicular
+        /// to the scene's up direction.
+        half_right: DVec3,
+        /// From the centre to the middle of the upper edge, world space.
+        half_up: DVec3,
+    },
+}
+
 /// The input of a renderer besides geometry and materials.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
@@ -50,6 +71,9 @@ pub struct Frame {
     pub camera: Camera,
     /// The lights at `time`, in the scene's order.
     pub lights: Vec<Light>,
+    /// The extent of each of `lights`, around its position: what the light equation leaves out. Where it is shorter, the
+    /// others are points.
+    pub light_shapes: Vec<LightShape>,
     /// The form of the equation.
     pub equation: Equation,
     /// Whether the normal is turned to the viewer on back faces.
@@ -80,6 +104,7 @@ impl Scene {
             time,
             camera: scene.camera.to_camera(),
             lights: scene.lights.iter().map(|light| light_at(light, time)).collect(),
+            light_shapes: scene.lights.iter().map(|light| shape_of(light, scene.camera.up.into())).collect(),
             equation: Equation::from(&scene.equation),
             two_sided: scene.equation.two_sided,
             background: Background {
@@ -172,7 +197,7 @@ impl Scene {
 fn light_at(light: &LightSettings, time: f64) -> Light {
     let position = DVec3::from(light.position.unwrap_or_default());
     let position = light.motion.as_ref().map_or(position, |motion| position_at(motion, position, time));
-    let direction = light.direction.and_then(|d| unit(d.into())).unwrap_or(DVec3::NEG_Y);
+    let direction = direction_of(light);
     let kind = match light.kind {
         LightSourceKind::Ambient => LightKind::Ambient,
         LightSourceKind::Directional => LightKind::Directional { direction },
@@ -183,6 +208,10 @@ fn light_at(light: &LightSettings, time: f64) -> Light {
             inner_rad: light.inner_angle.to_radians(),
             outer_rad: light.outer_angle.to_radians(),
         },
+        // The smoothstep of the cosine is close to the cosine of a flat lamp.
+        LightSourceKind::Rectangle => {
+            LightKind::Spot { position, axis: direction, inner_rad: 0.0, outer_rad: FRAC_PI_2 }
+        }
     };
     Light {
         kind,
@@ -190,6 +219,36 @@ fn light_at(light: &LightSettings, time: f64) -> Light {
         color: if light.enabled { DVec3::from(light.color) * light.intensity } else { DVec3::ZERO },
         attenuation: Attenuation { constant: light.constant, linear: light.linear, quadratic: light.quadratic },
     }
+}
+
+/// The unit vector along which the light shines.
+fn direction_of(light: &LightSettings) -> DVec3 {
+    light.direction.and_then(|d| unit(d.into())).unwrap_or(DVec3::NEG_Y)
+}
+
+/// The extent of a light in a scene with this up direction, of any length.
+fn shape_of(light: &LightSettings, up: DVec3) -> LightShape {
+    match light.kind {
+        LightSourceKind::Point | LightSourceKind::Spot if light.radius > 0.0 => {
+            LightShape::Sphere { radius: light.radius }
+        }
+        LightSourceKind::Rectangle => {
+            let direction = direction_of(light);
+            // A lamp that shines straight up or down has its width along x, or, where that is up, along z.
+            let up = unit(up).unwrap_or(DVec3::Y);
+            let right = unit_across(up.cross(direction))
+                .or_else(|| unit_across(DVec3::X - direction.x * direction))
+                .unwrap_or(DVec3::Z);
+            let [width, height] = light.size;
+            LightShape::Rectangle { half_right: 0.5 * width * right, half_up: 0.5 * height * direction.cross(right) }
+        }
+        _ => LightShape::Point,
+    }
+}
+
+/// The unit vector along `v`; `None` where `v` is 0 but for rounding.
+fn unit_across(v: DVec3) -> Option<DVec3> {
+    (v.length() > 1e-9).then(|| v.normalize())
 }
 
 /// The position at `time`, seconds, of a light whose motion starts at `position`.

@@ -9,11 +9,13 @@ use std::ops::Range;
 
 /// The keys that belong to a light's motion; `motion` itself names its kind.
 const OF_MOTION: [&str; 5] = ["period", "amplitude", "center", "axis", "points"];
-const OF_LIGHT: [&str; 17] = [
+const OF_LIGHT: [&str; 19] = [
     "name",
     "enabled",
     "position",
     "direction",
+    "radius",
+    "size",
     "color",
     "intensity",
     "constant",
@@ -62,7 +64,7 @@ fn read_light(text: &str) -> Result<LightSpec, Fault> {
     let words = words(text, |c| c.is_whitespace());
     let whole = 0..text.len();
     let Some((first, rest)) = words.split_first().filter(|(first, _)| !first.1.contains('=')) else {
-        let message = "a light begins with its kind of light: ambient, directional, point or spot";
+        let message = "a light begins with its kind of light: ambient, directional, point, spot or rectangle";
         return Err(Fault::at(&whole, message));
     };
     let mut light = vec![entry("kind", &first.0, Value::Text(first.1.to_owned()), &first.0)];

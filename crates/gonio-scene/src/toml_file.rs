@@ -169,6 +169,8 @@ pub(crate) fn read_light(mut t: TableReader<'_>) -> Result<LightSpec, Fault> {
         enabled: t.truth("enabled")?,
         position: t.vector("position")?,
         direction: t.vector("direction")?,
+        radius: t.number("radius")?,
+        size: t.pair("size", "two numbers [width, height]")?,
         color: t.color("color")?,
         intensity: t.number("intensity")?,
         constant: t.number("constant")?,

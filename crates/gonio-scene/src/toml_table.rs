@@ -218,6 +218,11 @@ impl<'a> TableReader<'a> {
         self.get(key).map(|item| vector_of(key, item)).transpose()
     }
 
+    /// Two numbers; `what` describes them.
+    pub fn pair(&mut self, key: &'static str, what: &str) -> Result<Option<[f64; 2]>, Fault> {
+        self.get(key).map(|item| numbers_of(key, what, item)).transpose()
+    }
+
     /// A list of triples of numbers.
     pub fn vectors(&mut self, key: &'static str) -> Result<Option<Vec<[f64; 3]>>, Fault> {
         let Some(item) = self.get(key) else { return Ok(None) };
@@ -299,18 +304,22 @@ pub(crate) fn unknown_word(key: &str, unknown: &UnknownName) -> String {
 }
 
 fn vector_of(key: &str, item: &Item) -> Result<[f64; 3], Fault> {
-    let expected =
-        |at: &Item, got: String| Fault::at(&at.span, format!("`{key}`: expected three numbers [x, y, z], found {got}"));
+    numbers_of(key, "three numbers [x, y, z]", item)
+}
+
+/// A list of `N` numbers, which `what` describes.
+fn numbers_of<const N: usize>(key: &str, what: &str, item: &Item) -> Result<[f64; N], Fault> {
+    let expected = |at: &Item, got: String| Fault::at(&at.span, format!("`{key}`: expected {what}, found {got}"));
     let Value::List(items) = &item.value else { return Err(expected(item, item.value.describe())) };
-    let mut vector = [0.0; 3];
+    let mut numbers = [0.0; N];
     for (i, item) in items.iter().enumerate() {
         match item.value {
-            Value::Number(number) if i < 3 => vector[i] = number,
+            Value::Number(number) if i < N => numbers[i] = number,
             Value::Number(_) => break,
             _ => return Err(expected(item, format!("{} among them", item.value.describe()))),
         }
     }
-    if items.len() == 3 { Ok(vector) } else { Err(expected(item, item.value.describe())) }
+    if items.len() == N { Ok(numbers) } else { Err(expected(item, item.value.describe())) }
 }
 
 /// The word among `known` that `given` was probably meant to be: one letter in three may be wrong, or the end missing.

@@ -186,11 +186,13 @@ pub(crate) fn check_material(at: &str, m: &MaterialOverride) -> Check {
 
 /// Checks one light, whose path is `at` (for example `light[0]`).
 pub fn check_light(at: &str, l: &LightSpec) -> Check {
-    use LightSourceKind::{Ambient, Directional, Point, Spot};
+    use LightSourceKind::{Ambient, Directional, Point, Rectangle, Spot};
     let (has_position, has_direction) = (l.kind.has_position(), l.kind.has_direction());
     let given = [
         ("position", l.position.is_some(), has_position),
         ("direction", l.direction.is_some(), has_direction),
+        ("radius", l.radius.is_some(), l.kind.has_radius()),
+        ("size", l.size.is_some(), l.kind == Rectangle),
         ("constant", l.constant.is_some(), has_position),
         ("linear", l.linear.is_some(), has_position),
         ("quadratic", l.quadratic.is_some(), has_position),
@@ -203,8 +205,13 @@ pub fn check_light(at: &str, l: &LightSpec) -> Check {
         let (article, own) = match kind {
             Ambient => ("an", "color, intensity"),
             Directional => ("a", "direction, color, intensity"),
-            Point => ("a", "position, color, intensity, constant, linear, quadratic, motion"),
-            Spot => ("a", ""),
+            Point => ("a", "position, radius, color, intensity, constant, linear, quadratic, motion"),
+            Spot => (
+                "a",
+                "position, direction, radius, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, \
+                 motion",
+            ),
+            Rectangle => ("a", "position, direction, size, color, intensity, constant, linear, quadratic, motion"),
         };
         return fail(at, key, format!("`{key}` does not belong to {article} {kind} light; it takes kind, name, {own}"));
     }
@@ -217,6 +224,13 @@ pub fn check_light(at: &str, l: &LightSpec) -> Check {
     }
     check_point(at, "position", l.position)?;
     check_direction(at, "direction", l.direction)?;
+    let length = "must be 0 or more world units";
+    check_number(at, "radius", l.radius, |v| (0.0..=MAX_LENGTH).contains(&v), length)?;
+    if let Some(size) = l.size.filter(|size| !size.iter().all(|v| *v > 0.0 && *v <= MAX_LENGTH)) {
+        let message =
+            format!("`size` must be two lengths greater than 0, the rectangle's width and height, not {size:?}");
+        return fail(at, "size", message);
+    }
     check_color(at, "color", l.color.map(|c| c.0))?;
     for (key, value) in
         [("intensity", l.intensity), ("constant", l.constant), ("linear", l.linear), ("quadratic", l.quadratic)]

@@ -63,6 +63,7 @@ impl TestScene {
                     100.0,
                 ),
                 lights: Vec::new(),
+                light_shapes: Vec::new(),
                 equation: Equation { specular: Specular::None, convention: Convention::Lab, ..Equation::default() },
                 two_sided: true,
                 background: Background { top: DVec3::ZERO, bottom: DVec3::ZERO, transparent: false },

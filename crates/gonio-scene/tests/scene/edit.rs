@@ -83,7 +83,7 @@ fn drawn(scene: &Scene) -> Vec<String> {
 type Edit = (&'static str, fn(&mut SceneSettings), [bool; 2]);
 
 /// Each edit, and whether it changes the geometry and the materials.
-const EDITS: [Edit; 22] = [
+const EDITS: [Edit; 23] = [
     ("nothing", |_| (), [false, false]),
     ("the picture", |s| (s.picture.width, s.picture.exposure) = (64, 1.0), [false, false]),
     ("the camera", |s| (s.camera.position, s.camera.fov_y) = ([1.0, 2.0, 5.0], 50.0), [false, false]),
@@ -96,6 +96,7 @@ const EDITS: [Edit; 22] = [
         [false; 2],
     ),
     ("a light moved", |s| s.lights[0].position = Some([0.0, 1.0, 0.0]), [false, false]),
+    ("a lamp's radius", |s| s.lights[0].radius = 0.25, [false, false]),
     ("a light more", |s| s.lights.push(LightSettings::new(LightSourceKind::Ambient)), [false, false]),
     ("the environment turned", |s| environment(s).rotate = [10.0, 20.0, 30.0], [false, false]),
     ("the environment lights", |s| environment(s).light = true, [false, false]),
@@ -262,6 +263,9 @@ fn a_light_takes_the_keys_of_a_scene_file() {
     assert_eq!(light.direction, Some([0.0, -1.0, 0.0]));
     assert_eq!(light.color, Some(Color([1.0; 3])));
     assert_eq!((light.intensity, light.inner_angle, light.quadratic), (Some(2.0), Some(10.0), Some(0.5)));
+    let lamp = LightSpec::from_option_text("rectangle position=0,1,0 direction=0,-1,0 size=2,0.5").unwrap();
+    assert_eq!((lamp.kind, lamp.size), (LightSourceKind::Rectangle, Some([2.0, 0.5])));
+    assert_eq!(LightSpec::from_option_text("point position=0,1,0 radius=0.2").unwrap().radius, Some(0.2));
     let grey = LightSpec::from_option_text("ambient color=0.5 name=3").unwrap();
     assert_eq!((grey.color, grey.name.as_str()), (Some(Color::grey(0.5)), "3"));
 }
@@ -297,13 +301,13 @@ fn errors_have_a_place_in_the_text() {
     check_message(
         "point position=1,2,3 colr=1,1,1",
         "`point position=1,2,3 colr=1,1,1`, at 22: unknown key `colr` in a light; did you mean `color`? Known keys: \
-         name, enabled, position, direction, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, \
+         name, enabled, position, direction, radius, size, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, \
          motion, period, amplitude, center, axis, points",
     );
     check_message(
         "pont position=1,2,3",
         "`pont position=1,2,3`: `kind`: invalid kind of light `pont`: expected one of ambient, directional, \
-         point, spot; did you mean `point`?",
+         point, spot, rectangle; did you mean `point`?",
     );
     check_message(
         "point position=1,2",
@@ -311,7 +315,7 @@ fn errors_have_a_place_in_the_text() {
     );
     check_message(
         "position=1,2,3",
-        "`position=1,2,3`: a light begins with its kind of light: ambient, directional, point or spot",
+        "`position=1,2,3`: a light begins with its kind of light: ambient, directional, point, spot or rectangle",
     );
     check_message(
         "point position=1,2,3 position=1,2,3",

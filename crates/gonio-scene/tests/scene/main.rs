@@ -6,6 +6,7 @@ mod camera;
 mod edit;
 mod environments;
 mod from_models;
+mod lamps;
 mod limits;
 mod messages;
 mod round_trip;

@@ -25,7 +25,7 @@ fn unknown_keys_suggest_the_nearest_known_one() {
     check_message(
         "[[light]]\nkind = \"ambient\"\ncolr = [1, 1, 1]\n",
         "5:1: unknown key `colr` in [[light]]; did you mean `color`? Known keys: kind, name, enabled, position, \
-         direction, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, motion",
+         direction, radius, size, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, motion",
     );
     check_message(
         "[lights]\n",
@@ -144,7 +144,7 @@ fn lights_take_the_keys_of_their_kind() {
     );
     check_message(
         "[[light]]\nposition = [0, 0, 0]\n",
-        "3:1: this light needs `kind`, one of ambient, directional, point, spot",
+        "3:1: this light needs `kind`, one of ambient, directional, point, spot, rectangle",
     );
     check_message("[[light]]\nkind = \"point\"\n", "3:1: this point light needs `position`");
     check_message(
@@ -161,6 +161,28 @@ fn lights_take_the_keys_of_their_kind() {
         "7:15: `outer_angle` must be 0 to 90 degrees (half of the cone), not 91",
     );
     check_message(&format!("{spot}intensity = -1\n"), "7:13: `intensity` must be finite and not negative, not -1");
+    check_message(&format!("{spot}radius = -1\n"), "7:10: `radius` must be 0 or more world units, not -1");
+    check_message(
+        &format!("{spot}size = [1, 1]\n"),
+        "7:8: `size` does not belong to a spot light; it takes kind, name, position, direction, radius, color, \
+         intensity, constant, linear, quadratic, inner_angle, outer_angle, motion",
+    );
+    let rectangle = "[[light]]\nkind = \"rectangle\"\nposition = [0, 0, 0]\n";
+    check_message(rectangle, "3:1: this rectangle light needs `direction`, the way its light travels");
+    let rectangle = format!("{rectangle}direction = [0, -1, 0]\n");
+    check_message(
+        &format!("{rectangle}radius = 1\n"),
+        "7:10: `radius` does not belong to a rectangle light; it takes kind, name, position, direction, size, color, \
+         intensity, constant, linear, quadratic, motion",
+    );
+    check_message(
+        &format!("{rectangle}size = [1, 0]\n"),
+        "7:8: `size` must be two lengths greater than 0, the rectangle's width and height, not [1.0, 0.0]",
+    );
+    check_message(
+        &format!("{rectangle}size = 2\n"),
+        "7:8: `size`: expected two numbers [width, height], found a number",
+    );
     let fault = read(&format!("{OBJECT}{spot}constant = 0\n")).unwrap_err().to_string();
     assert!(fault.starts_with("7:12: one of `constant`, `linear` and `quadratic` must be greater"), "{fault}");
 }

@@ -83,6 +83,13 @@ fn a_scene_with_everything_in_it() {
         linear = 0.3
         quadratic = 0.7
         inner_angle = 33
+        radius = 0.3
+        [[light]]
+        kind = "rectangle"
+        position = [0.3, 2, 0.1]
+        direction = [0.1, -1, 0.2]
+        size = [0.7, 0.1]
+        motion = { kind = "oscillate", period = 2, amplitude = [1, 0, 0.1] }
         [[light]]
         kind = "point"
         motion = { kind = "path", period = 3, points = [[0.1, 0.2, 0.3], [3, 2, 1]] }

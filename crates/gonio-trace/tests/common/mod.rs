@@ -61,6 +61,7 @@ impl TestScene {
                     1e6,
                 ),
                 lights: Vec::new(),
+                light_shapes: Vec::new(),
                 equation: Equation {
                     specular: Specular::Phong,
                     convention: Convention::Physical,

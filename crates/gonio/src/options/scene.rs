@@ -70,9 +70,9 @@ pub struct SceneOptions {
 
     /// A light that replaces the scene's lights; repeat it for several.
     ///
-    /// KIND is ambient, directional, point or spot. Keys: position, direction, color, intensity, constant, linear,
-    /// quadratic, inner-angle, outer-angle, name; motion=oscillate|circle|path with period, amplitude, center, axis,
-    /// points.
+    /// KIND is ambient, directional, point, spot or rectangle. Keys: position, direction, radius, size, color, intensity,
+    /// constant, linear, quadratic, inner-angle, outer-angle, name; motion=oscillate|circle|path with period, amplitude,
+    /// center, axis, points.
     #[arg(long, help_heading = "Light options", value_name = "KIND KEY=VALUE ...", action = ArgAction::Append,
           value_parser = LightSpec::from_option_text)]
     pub light: Vec<LightSpec>,

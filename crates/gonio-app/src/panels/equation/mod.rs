@@ -316,14 +316,15 @@ fn now(scene: &SceneSettings, session: &Session, term: Term) -> Option<String> {
             format!("{on} of {} lights are on", lit.count())
         }
         Term::Attenuation => {
-            let places = count(LightSourceKind::Point) + count(LightSourceKind::Spot);
+            let places: usize = LightSourceKind::ALL.iter().filter(|k| k.has_position()).map(|&k| count(k)).sum();
             match places {
                 0 => "This scene has only directional lights: att is 1".into(),
                 1 => "Applies to one light; directional lights have att = 1".into(),
                 n => format!("Applies to {n} lights; directional lights have att = 1"),
             }
         }
-        Term::Spot => match count(LightSourceKind::Spot) {
+        // The equation treats a rectangle as a spot.
+        Term::Spot => match count(LightSourceKind::Spot) + count(LightSourceKind::Rectangle) {
             0 => "This scene has no spot light: spot is 1".into(),
             1 => "Applies to one spot light; other lights have spot = 1".into(),
             n => format!("Applies to {n} spot lights; other lights have spot = 1"),

@@ -59,6 +59,7 @@ fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
             Vector::new(&id("direction"), "direction").tip(tip).step(0.01).show(ui, direction)
         });
     }
+    extent(ui, light, session, index);
     let tip = "Colour of L_i, linear RGB";
     row(ui, "Colour", tip, |ui| color(ui, &id("color"), "colour", &mut light.color, Some(defaults::LIGHT_COLOR), tip));
     if light.position.is_some() {
@@ -69,6 +70,31 @@ fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
     }
     if light.position.is_some() {
         motion(ui, light, session, index);
+    }
+}
+
+/// Radius or size of the lamp.
+fn extent(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
+    let (_, around) = edits::around(session);
+    let number = |ui: &mut Ui, name: &str, tip: &str, default: f64, width: Option<f32>, value: &mut f64| {
+        let id = format!("light-{index}-{name}");
+        let field = NumberField::new(&id, name).tip(tip).range(0.0..=1e6).default(default).step(0.005 * around);
+        match width {
+            Some(width) => field.width(width).show(ui, value),
+            None => field.show(ui, value),
+        };
+    };
+    if light.kind.has_radius() {
+        let tip = "Radius of the lamp, in world units; the light equation uses its centre";
+        row(ui, "Radius", tip, |ui| number(ui, "radius", tip, defaults::LIGHT_RADIUS, None, &mut light.radius));
+    } else if light.kind == LightSourceKind::Rectangle {
+        let tip = "Width and height of the lamp, in world units; the light equation uses its centre";
+        let [width, height] = &mut light.size;
+        let default = defaults::LIGHT_SIZE;
+        row(ui, "Size", tip, |ui| {
+            number(ui, "width", tip, default[0], Some(82.0), width);
+            number(ui, "height", tip, default[1], Some(82.0), height);
+        });
     }
 }
 
@@ -146,10 +172,13 @@ fn cone(ui: &mut Ui, light: &mut LightSettings, index: usize) {
     (light.inner_angle, light.outer_angle) = (inner, outer);
 }
 
-/// Keeps the previous direction if the new one has no length.
+/// Keeps the previous direction if the new one has no length, and the previous size if the new one has no area.
 fn keep_possible(light: &mut LightSettings, before: &LightSettings) {
     if light.direction == Some([0.0; 3]) {
         light.direction = before.direction;
+    }
+    if light.size.contains(&0.0) {
+        light.size = before.size;
     }
 }
 

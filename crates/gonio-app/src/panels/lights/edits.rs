@@ -100,6 +100,9 @@ pub fn add(document: &mut Document, session: &mut Session, kind: LightSourceKind
     }
     light.direction = kind.has_direction().then(|| (-way).to_array().map(tidy_unit));
     light.position = kind.has_position().then(|| tidy(center + 1.6 * radius * way));
+    if kind == LightSourceKind::Rectangle {
+        light.size = size_for(radius);
+    }
     document.scene.lights.push(light);
     session.selection = Selection::Light(document.scene.lights.len() - 1);
     session.announcement = format!("a {kind} light was added");
@@ -119,6 +122,10 @@ pub fn convert(light: &mut LightSettings, kind: LightSourceKind, session: &Sessi
         [light.constant, light.linear, light.quadratic] = defaults::ATTENUATION;
         light.motion = None;
     }
+    if !kind.has_radius() {
+        light.radius = defaults::LIGHT_RADIUS;
+    }
+    light.size = if kind == LightSourceKind::Rectangle { size_for(radius) } else { defaults::LIGHT_SIZE };
     if kind != LightSourceKind::Spot {
         (light.inner_angle, light.outer_angle) = (defaults::INNER_ANGLE, defaults::OUTER_ANGLE);
     }
@@ -129,6 +136,11 @@ pub fn around(session: &Session) -> (DVec3, f64) {
     let (min, max) = session.loaded.as_ref().map(|loaded| loaded.bounds()).unwrap_or_default();
     let radius = 0.5 * (max - min).length();
     (0.5 * (min + max), if radius > 1e-12 { radius } else { 1.0 })
+}
+
+/// Width and height of a rectangle that lights a scene of this radius.
+fn size_for(radius: f64) -> [f64; 2] {
+    [tidy(0.6 * radius, radius); 2]
 }
 
 /// Rounds to three digits relative to the size of the scene.

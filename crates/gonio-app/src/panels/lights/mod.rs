@@ -20,6 +20,7 @@ pub fn icon_of(kind: LightSourceKind) -> &'static str {
         LightSourceKind::Directional => icons::SUN,
         LightSourceKind::Point => icons::LIGHTBULB,
         LightSourceKind::Spot => icons::FLASHLIGHT,
+        LightSourceKind::Rectangle => icons::FRAME_CORNERS,
     }
 }
 

@@ -5,10 +5,10 @@ use crate::scene_view::{Projection, paint};
 use egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2};
 use glam::{DQuat, DVec3};
 use gonio_light::LightKind;
-use gonio_light::vector::any_orthonormal_vector;
-use gonio_scene::Scene;
+use gonio_light::vector::{any_orthonormal_vector, unit};
 use gonio_scene::frame::position_at;
 use gonio_scene::settings::LightSettings;
+use gonio_scene::{LightShape, Scene};
 
 /// Radius of a light's disc, points.
 pub const RADIUS: f32 = 7.0;
@@ -34,6 +34,24 @@ pub fn light(painter: &Painter, projection: &Projection, mark: &Mark, emphasised
     }
     let radius = if emphasised { RADIUS + 1.0 } else { RADIUS };
     paint::disc(painter, place, radius, mark.color, mark.off);
+}
+
+/// The outline of a lamp that is a sphere or a rectangle.
+pub fn shape(painter: &Painter, projection: &Projection, mark: &Mark) {
+    let outline = match mark.shape {
+        LightShape::Point => return,
+        LightShape::Sphere { radius } => {
+            let towards_eye = projection.camera().position - mark.anchor;
+            let Some(axis) = unit(towards_eye) else { return };
+            circle(projection, mark.anchor, axis, radius)
+        }
+        LightShape::Rectangle { half_right, half_up } => {
+            [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)]
+                .map(|(x, y)| projection.to_window(mark.anchor + x * half_right + y * half_up))
+                .to_vec()
+        }
+    };
+    paint::curve(painter, &outline, 1.5, mark.color);
 }
 
 /// A mark at the picture's edge for a light outside of it, which points to the light.

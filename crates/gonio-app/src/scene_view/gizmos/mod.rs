@@ -23,7 +23,7 @@ use egui::{Align2, Color32, CursorIcon, Id, Painter, Pos2, Rect, Response, Rgba,
 use glam::DVec3;
 use gonio_light::LightKind;
 use gonio_scene::settings::LightSettings;
-use gonio_scene::{Frame, Scene};
+use gonio_scene::{Frame, LightShape, Scene};
 
 /// Radius around its centre, in points, in which a handle is hit by the pointer or by a finger.
 const HIT: f32 = 13.0;
@@ -41,6 +41,7 @@ const WIDEST_SPOT: f64 = 85.0;
 pub struct Mark {
     index: usize,
     kind: LightKind,
+    shape: LightShape,
     /// Position of the light, or where a directional light is shown, world space.
     anchor: DVec3,
     /// Position in the window; `None` behind the eye and outside of the picture.
@@ -123,7 +124,10 @@ pub fn show(
         .iter()
         .zip(&loaded.settings.lights)
         .enumerate()
-        .filter_map(|(index, (light, spec))| handles.mark(index, light.kind, spec))
+        .filter_map(|(index, (light, spec))| {
+            let shape = frame.light_shapes.get(index).copied().unwrap_or_default();
+            handles.mark(index, (light.kind, shape), spec)
+        })
         .collect();
     // The selected light is drawn last.
     marks.sort_by_key(|mark| chosen == Some(mark.index));
@@ -138,7 +142,7 @@ pub fn show(
 }
 
 impl Handles<'_> {
-    fn mark(&self, index: usize, kind: LightKind, spec: &LightSettings) -> Option<Mark> {
+    fn mark(&self, index: usize, (kind, shape): (LightKind, LightShape), spec: &LightSettings) -> Option<Mark> {
         let anchor = match kind {
             LightKind::Ambient => return None,
             LightKind::Directional { direction } => self.center - direction * self.sun_distance(),
@@ -160,7 +164,7 @@ impl Handles<'_> {
         } else {
             Color32::from(Rgba::from_rgb(scale * red, scale * green, scale * blue))
         };
-        Some(Mark { index, kind, anchor, place, color, off })
+        Some(Mark { index, kind, shape, anchor, place, color, off })
     }
 
     /// The point of the picture's edge nearest to a light outside of it.
@@ -185,6 +189,7 @@ impl Handles<'_> {
     /// Shows one light. Returns whether it was selected. `shown` is the light in the picture, `spec` is edited.
     fn light(&self, mark: &Mark, shown: &LightSettings, spec: &mut LightSettings, is_chosen: bool) -> bool {
         let mut touched = false;
+        draw::shape(&self.painter, self.projection, mark);
         if is_chosen {
             draw::path(&self.painter, self.projection, shown, mark.color);
             if let LightKind::Spot { axis, inner_rad, outer_rad, .. } = mark.kind {
@@ -276,11 +281,14 @@ impl Handles<'_> {
         let reach = (self.center - mark.anchor).dot(axis).max(0.35 * self.radius);
         let end = mark.anchor + axis * reach;
         let widest = WIDEST_SPOT.to_radians();
-        draw::cone(&self.painter, self.projection, mark, end, (inner.min(widest), outer.min(widest)));
+        let is_flat = matches!(mark.shape, LightShape::Rectangle { .. });
+        if !is_flat {
+            draw::cone(&self.painter, self.projection, mark, end, (inner.min(widest), outer.min(widest)));
+        }
         let mut touched = false;
         if let Some(place) = self.projection.to_window(end) {
             let response = self.handle(mark, Part::AxisEnd, place);
-            exported_handle(self, &response, mark.index, "axis", "direction of the spot light", "");
+            exported_handle(self, &response, mark.index, "axis", "direction of the light", "");
             let radius = if response.hovered() || response.dragged() { 6.0 } else { 4.5 };
             paint::disc(&self.painter, place, radius, mark.color, false);
             if let Some(from) = mark.place {
@@ -293,6 +301,9 @@ impl Handles<'_> {
                 }
                 touched = true;
             }
+        }
+        if is_flat {
+            return touched;
         }
         // To the right in the picture, where the circle appears widest.
         let right = self.projection.camera().right;

@@ -1,0 +1,86 @@
+//! Lamps with an extent, in a frame.
+
+use glam::DVec3;
+use gonio_light::LightKind;
+use gonio_scene::files::BuiltinOnly;
+use gonio_scene::load::load;
+use gonio_scene::toml_file::read;
+use gonio_scene::{Frame, LightShape, Scene};
+use std::f64::consts::FRAC_PI_2;
+use std::path::Path;
+
+fn loaded(text: &str) -> Scene {
+    let scene = read(&format!("{text}\n[[object]]\nmodel = \"builtin:cube\"\n")).unwrap();
+    load(scene, Path::new(""), &BuiltinOnly).unwrap()
+}
+
+/// The frame of a scene with one rectangle that is 4 wide and 2 high.
+fn with_rectangle(up: [f64; 3], direction: [f64; 3]) -> Frame {
+    let light =
+        format!("[[light]]\nkind = \"rectangle\"\nposition = [1, 2, 3]\nsize = [4, 2]\ndirection = {direction:?}");
+    loaded(&format!("camera = {{ up = {up:?} }}\n{light}")).frame(0.0)
+}
+
+#[test]
+fn point_lights_and_spots_may_be_spheres() {
+    let lights = "[[light]]\nkind = \"ambient\"\n\
+                  [[light]]\nkind = \"directional\"\ndirection = [0, -1, 0]\n\
+                  [[light]]\nkind = \"point\"\nposition = [0, 1, 0]\nradius = 0.5\n\
+                  [[light]]\nkind = \"point\"\nposition = [0, 1, 0]\nradius = 0\n\
+                  [[light]]\nkind = \"spot\"\nposition = [0, 1, 0]\ndirection = [0, -1, 0]\nradius = 2\nenabled = false\n";
+    let frame = loaded(lights).frame(0.0);
+    let point = LightShape::Point;
+    let sphere = |radius| LightShape::Sphere { radius };
+    assert_eq!(frame.light_shapes, [point, point, sphere(0.5), point, sphere(2.0)]);
+    assert_eq!(frame.lights.len(), frame.light_shapes.len());
+}
+
+/// The light equation sees a spot at the centre, whose factor is near the cosine.
+#[test]
+fn a_rectangle_is_a_wide_spot_at_its_centre() {
+    let frame = with_rectangle([0.0, 1.0, 0.0], [0.0, 0.0, -2.0]);
+    let spot = LightKind::Spot {
+        position: DVec3::new(1.0, 2.0, 3.0),
+        axis: DVec3::NEG_Z,
+        inner_rad: 0.0,
+        outer_rad: FRAC_PI_2,
+    };
+    assert_eq!(frame.lights[0].kind, spot);
+    for degrees in [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 89.0_f64] {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let to_light = DVec3::new(sin, 0.0, cos);
+        let spot = frame.lights[0].incident(DVec3::new(1.0, 2.0, 3.0) - to_light, DVec3::Z).unwrap().spot;
+        // 3 c^2 - 2 c^3 is within 0.1 of c.
+        assert!((spot - cos).abs() < 0.1, "{degrees}: {spot} and {cos}");
+    }
+    let behind = frame.lights[0].incident(DVec3::new(1.0, 2.0, 4.0), DVec3::Z).unwrap();
+    assert_eq!(behind.spot, 0.0);
+}
+
+#[test]
+fn the_width_of_a_rectangle_is_horizontal() {
+    let ups = [DVec3::Y, DVec3::Z, DVec3::new(0.6, 0.8, 0.0)];
+    let directions = [
+        DVec3::NEG_Z,
+        DVec3::NEG_Y,
+        DVec3::Y,
+        DVec3::X,
+        DVec3::NEG_X,
+        DVec3::new(0.6, 0.8, 0.0),
+        DVec3::new(0.3, -0.9, 0.2),
+        DVec3::new(1e-12, -1.0, 0.0),
+    ];
+    for up in ups {
+        for direction in directions {
+            let frame = with_rectangle(up.to_array(), direction.to_array());
+            let LightShape::Rectangle { half_right, half_up } = frame.light_shapes[0] else { panic!("no rectangle") };
+            let what = format!("up {up}, direction {direction}: {half_right} and {half_up}");
+            assert!((half_right.length() - 2.0).abs() < 1e-9 && (half_up.length() - 1.0).abs() < 1e-9, "{what}");
+            assert!(half_right.cross(half_up).normalize().abs_diff_eq(direction.normalize(), 1e-9), "{what}");
+            assert!(half_right.dot(up).abs() < 1e-9 && half_up.dot(up) > -1e-9, "{what}");
+        }
+    }
+    // Whoever stands at +z and looks along -z has +x on the right; the lamp faces them.
+    let frame = with_rectangle([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    assert_eq!(frame.light_shapes[0], LightShape::Rectangle { half_right: 2.0 * DVec3::X, half_up: DVec3::Y });
+}
