@@ -1,7 +1,7 @@
 //! A small markup for formulas in captions and equations: MathML and HTML for the page, text runs for the sheet.
 //!
 //! `_x`, `_{..}` is a subscript; `^x`, `^{..}` a superscript; `\f{a}{b}` a fraction; `!{..}` stressed; `~{..}` faded;
-//! `{..}` a group. All other text is literal, and no text is an error.
+//! `-{..}` struck out; `{..}` a group. All other text is literal, and no text is an error.
 
 /// The emphasis of a part of a formula.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,6 +13,8 @@ pub enum Emphasis {
     Stressed,
     /// A term that is switched off.
     Faded,
+    /// A term that is removed.
+    Struck,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +81,7 @@ pub fn html(markup: &str) -> String {
                 Node::Group(Emphasis::Plain, inner) => ("", inner, ""),
                 Node::Group(Emphasis::Stressed, inner) => ("<b>", inner, "</b>"),
                 Node::Group(Emphasis::Faded, inner) => ("<span class=\"off\">", inner, "</span>"),
+                Node::Group(Emphasis::Struck, inner) => ("<s>", inner, "</s>"),
                 Node::Below(inner) => ("<sub>", inner, "</sub>"),
                 Node::Above(inner) => ("<sup>", inner, "</sup>"),
             };
@@ -120,6 +123,7 @@ fn row(nodes: &[Node]) -> String {
                     Emphasis::Plain => "",
                     Emphasis::Stressed => " class=\"on\"",
                     Emphasis::Faded => " class=\"off\"",
+                    Emphasis::Struck => " class=\"struck\"",
                 };
                 atoms.push(Atom { base: format!("<mrow{class}>{}</mrow>", row(inner)), ..Atom::default() });
             }
@@ -209,6 +213,9 @@ fn nodes(rest: &mut &str, depth: usize) -> Vec<Node> {
         } else if rest.starts_with("~{") {
             *rest = &rest[1..];
             Some(Node::Group(Emphasis::Faded, argument(rest, depth)))
+        } else if rest.starts_with("-{") {
+            *rest = &rest[1..];
+            Some(Node::Group(Emphasis::Struck, argument(rest, depth)))
         } else if rest.starts_with("\\f{") {
             *rest = &rest[2..];
             let over = argument(rest, depth);
@@ -262,6 +269,7 @@ mod tests {
              <mfrac><mrow><mn>1</mn></mrow><mrow><mi>π</mi></mrow></mfrac></math>"
         );
         assert!(mathml("!{N·L}").contains("<mrow class=\"on\"><mi>N</mi><mo>·</mo><mi>L</mi></mrow>"));
+        assert!(mathml("f(x-{, t})").contains("<mrow class=\"struck\"><mo>,</mo><mi>t</mi></mrow><mo stretchy=\"false\">)</mo>"));
         assert!(mathml("a < b").contains("<mo>&lt;</mo>"));
         assert!(mathml("cos θ").contains("<mspace"));
     }

@@ -4,7 +4,8 @@ use crate::drawing::{DrawnExhibit, grouped};
 use crate::exhibit::{ExhibitSubject, Section};
 use crate::markup::{self, escape, html, mathml};
 
-const STYLE: &str = include_str!("page.css");
+/// The style of gonio's pages: colours of light and dark, type, figures, formulas.
+pub const STYLE: &str = include_str!("page.css");
 
 /// Writes the page. Pictures and scenes are named relative to it: `pictures/NAME.png`, `scenes/NAME.toml`, `sheet.png`.
 /// `drawn_by` is a clause such as "drawn by the CPU reference".

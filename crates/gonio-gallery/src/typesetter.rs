@@ -37,7 +37,7 @@ impl TextColors {
         match emphasis {
             Emphasis::Plain => self.plain,
             Emphasis::Stressed => self.stressed,
-            Emphasis::Faded => self.faded,
+            Emphasis::Faded | Emphasis::Struck => self.faded,
         }
     }
 }

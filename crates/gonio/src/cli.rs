@@ -15,6 +15,7 @@ macro_rules! overview {
 Pictures:
   render       Draw a model or a scene: one picture, debug views or an animation
   trace        Trace the paths of light: shadows and light between surfaces
+  simplify     Simplify the rendering equation step by step to the light equation
   tour         Draw every technique on several models: a contact sheet and a web page
   serve        Serve gonio as a web page on this machine
 
@@ -76,6 +77,7 @@ pub struct Cli {
 pub enum Command {
     Render(Box<commands::render::RenderArgs>),
     Trace(Box<commands::trace::TraceArgs>),
+    Simplify(Box<commands::simplify::SimplifyArgs>),
     Probe(Box<commands::probe::ProbeArgs>),
     Frame(Box<commands::frame::FrameArgs>),
     Convert(commands::convert::ConvertArgs),
@@ -102,6 +104,7 @@ impl Command {
         match self {
             Command::Render(_) => "render",
             Command::Trace(_) => "trace",
+            Command::Simplify(_) => "simplify",
             Command::Probe(_) => "probe",
             Command::Frame(_) => "frame",
             Command::Convert(_) => "convert",
@@ -124,6 +127,7 @@ impl Command {
         let options = match self {
             Command::Render(args) => &args.general,
             Command::Trace(args) => &args.general,
+            Command::Simplify(args) => &args.general,
             Command::Probe(args) => &args.general,
             Command::Frame(args) => &args.general,
             Command::Convert(args) => &args.general,
@@ -145,6 +149,7 @@ impl Command {
         match self {
             Command::Render(args) => commands::render::run(args, reporter),
             Command::Trace(args) => commands::trace::run(args, reporter),
+            Command::Simplify(args) => commands::simplify::run(args, reporter),
             Command::Probe(args) => commands::probe::run(args, reporter),
             Command::Frame(args) => commands::frame::run(args, reporter),
             Command::Convert(args) => commands::convert::run(args, reporter),

@@ -22,6 +22,7 @@ fn equal_pictures_do_not_differ() {
     let json = lab.diff(&["a.png", "a.png", "--json", "--max-difference", "0", "--min-ssim", "1"]).good().json();
     assert_eq!(json["steps"], serde_json::json!({ "mean": 0.0, "rms": 0.0, "max": 0.0 }));
     assert_eq!((json["differing_pixels"].as_u64(), json["ssim"].as_f64()), (Some(0), Some(1.0)));
+    assert_eq!(json["flip"].as_f64(), Some(0.0));
     assert!(json["worst"].is_null());
 }
 
@@ -44,6 +45,7 @@ fn the_numbers_of_one_different_pixel() {
     near(&json["linear"]["max"], decode(112.0) - decode(100.0));
     assert_eq!(json["worst"], serde_json::json!({ "x": 3, "y": 5, "a": "#646464", "b": "#706464" }));
     assert!(json["ssim"].as_f64().unwrap() < 1.0);
+    assert!(json["flip"].as_f64().is_some_and(|flip| flip > 1e-4 && flip < 0.1), "{}", json["flip"]);
 }
 
 #[test]

@@ -113,6 +113,12 @@ fn pictures_of_one_command_are_written_completely() {
 }
 
 #[test]
+fn the_steps_of_a_simplification_are_written_completely() {
+    let small = ["--size", "48x32", "--samples", "2", "--only", "shadows"];
+    all_or_none(|_| {}, &[&["simplify", "builtin:cube", "-o", "new/stairs"][..], &small].concat());
+}
+
+#[test]
 fn the_tour_is_written_completely() {
     all_or_none(|_| {}, &["tour", "-o", "new/tour", "--scale", "0.05", "--backend", "cpu"]);
 }

@@ -70,6 +70,7 @@ fn arguments() {
         vec!["render", "builtin:cube", "-o", "x.png", "--camera", EVIL],
         vec!["trace", "builtin:cube", "-o", EVIL],
         vec!["trace", "builtin:cube", "-o", "x.png", "--camera", EVIL],
+        vec!["simplify", "builtin:cube", "-o", "x", "--camera", EVIL],
         vec!["probe", "builtin:cube", "--at", "1,1", "--camera", EVIL],
         vec!["environment", "check", EVIL],
         vec!["diff", EVIL, EVIL],
@@ -103,6 +104,7 @@ fn names_of_missing_and_unusual_files() {
     harmless_unquoted(&lab, &["lab", "check", "ex07", &folder]);
     harmless(&lab, &["diff", &missing, "x.png"]);
     harmless(&lab, &["tour", "-o", &format!("broken{EVIL}.obj")]);
+    harmless(&lab, &["simplify", "builtin:cube", "-o", &format!("broken{EVIL}.obj")]);
 }
 
 /// A model with hostile names of everything, and what reads it.

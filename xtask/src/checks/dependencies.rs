@@ -37,6 +37,8 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-render", may_know: BELOW_RENDERER, tests_may_know: &["gonio-reference"] },
     // It draws, and sets text as the window does.
     Rule { krate: "gonio-gallery", may_know: BELOW_GALLERY, tests_may_know: &[] },
+    // It compares pictures by both equations, and writes a page like the gallery's.
+    Rule { krate: "gonio-simplify", may_know: BELOW_SIMPLIFY, tests_may_know: &[] },
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
@@ -71,6 +73,15 @@ const BELOW_GALLERY: &[&str] = &[
     "gonio-render",
     "harfrust",
     "vello_cpu",
+];
+const BELOW_SIMPLIFY: &[&str] = &[
+    "gonio-light",
+    "gonio-image",
+    "gonio-environment",
+    "gonio-scene",
+    "gonio-reference",
+    "gonio-trace",
+    "gonio-gallery",
 ];
 const BELOW_CHECK: &[&str] = &[
     "gonio-light",
@@ -120,6 +131,7 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-gl",
     "gonio-render",
     "gonio-gallery",
+    "gonio-simplify",
     "gonio-glsl",
     "gonio-check",
     "gonio-exercises",

@@ -11,6 +11,7 @@ pub mod probe;
 pub mod render;
 pub mod scene;
 pub mod serve;
+pub mod simplify;
 pub mod tour;
 pub mod trace;
 pub mod view;

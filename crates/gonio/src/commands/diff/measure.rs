@@ -2,6 +2,8 @@
 
 use super::read::Pixels;
 use crate::error::CliError;
+use gonio_image::flip::{self, PIXELS_PER_DEGREE};
+use gonio_light::color::srgb_decode;
 use gonio_scene::difference::DifferenceStatistics;
 pub use gonio_scene::difference::{Spread, within};
 use image_compare::Algorithm;
@@ -30,6 +32,8 @@ pub struct PictureDifference {
     pub differing_percent: f64,
     /// Structural similarity (Wang et al. 2004) in windows of 8x8 pixels, the least of R, G and B; 1 for equal pictures.
     pub ssim: f64,
+    /// How different they look (FLIP, Andersson et al. 2020), the mean of all pixels, over black; 0 for equal pictures, 1 at most.
+    pub flip: f64,
     /// The pixel with `steps.max`, if that is not 0.
     pub worst: Option<Worst>,
     /// Pixels that are NaN or infinite in only one picture. They count as differing and are in none of the sums.
@@ -96,6 +100,7 @@ pub fn measure(a: &Pixels, b: &Pixels, tolerance: f64) -> Result<PictureDifferen
         differing_pixels: differing,
         differing_percent: 100.0 * differing as f64 / pixels.max(1) as f64,
         ssim: ssim(a, b)?,
+        flip: flip(a, b),
         worst,
         not_finite: total.not_finite,
     })
@@ -133,6 +138,13 @@ impl Row {
             not_finite: self.not_finite + next.not_finite,
         }
     }
+}
+
+fn flip(a: &Pixels, b: &Pixels) -> f64 {
+    let displayed = |p: &Pixels| -> Vec<[f32; 3]> {
+        (0..p.len()).map(|i| [0, 1, 2].map(|c| srgb_decode(p.encoded(i)[c]) as f32)).collect()
+    };
+    flip::mean(&flip::flip(a.width as usize, &displayed(a), &displayed(b), PIXELS_PER_DEGREE))
 }
 
 fn ssim(a: &Pixels, b: &Pixels) -> Result<f64, CliError> {

@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 #[command(after_long_help = "\
 Examples:
   gonio diff a.png b.png
-      Mean, RMS and largest difference, share of differing pixels, SSIM.
+      Mean, RMS and largest difference, share of differing pixels, SSIM, FLIP.
   gonio diff a.png b.png -o map.png
       A map of the differences in heat colours, with its scale below.
   gonio diff a.png b.png --side-by-side sheet.png --wipe wipe.png
@@ -238,6 +238,7 @@ fn text(args: &DiffArgs, a: &Pixels, b: &Pixels, n: &PictureDifference) -> Termi
         number(n.tolerance)
     ));
     page.line(format_args!("{:18}{:>14}", "SSIM", number(n.ssim)));
+    page.line(format_args!("{:18}{:>14}", "FLIP", number(n.flip)));
     if let Some(worst) = &n.worst {
         page.blank();
         page.line(format_args!("largest at {},{}: {} and {}", worst.x, worst.y, worst.a, worst.b));
