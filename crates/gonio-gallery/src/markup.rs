@@ -269,7 +269,10 @@ mod tests {
              <mfrac><mrow><mn>1</mn></mrow><mrow><mi>π</mi></mrow></mfrac></math>"
         );
         assert!(mathml("!{N·L}").contains("<mrow class=\"on\"><mi>N</mi><mo>·</mo><mi>L</mi></mrow>"));
-        assert!(mathml("f(x-{, t})").contains("<mrow class=\"struck\"><mo>,</mo><mi>t</mi></mrow><mo stretchy=\"false\">)</mo>"));
+        assert!(
+            mathml("f(x-{, t})")
+                .contains("<mrow class=\"struck\"><mo>,</mo><mi>t</mi></mrow><mo stretchy=\"false\">)</mo>")
+        );
         assert!(mathml("a < b").contains("<mo>&lt;</mo>"));
         assert!(mathml("cos θ").contains("<mspace"));
     }

@@ -85,9 +85,7 @@ pub fn compare(before: &TracedPicture, after: &TracedPicture, frame: &Frame, uni
     let unit = if unit > 0.0 { unit } else { 1.0 };
     let halves = |traced: &TracedPicture| traced.halves.each_ref().map(|film| film.picture());
     let ([a1, a2], [b1, b2]) = (halves(before), halves(after));
-    let difference = |i: usize| {
-        [light(b1.pixels[i]) - light(a1.pixels[i]), light(b2.pixels[i]) - light(a2.pixels[i])]
-    };
+    let difference = |i: usize| [light(b1.pixels[i]) - light(a1.pixels[i]), light(b2.pixels[i]) - light(a2.pixels[i])];
     let pixels = before.picture.pixels.len();
     let values = 3.0 * pixels.max(1) as f64;
     let (mut squares, mut noise) = (0.0, 0.0);
@@ -174,7 +172,8 @@ pub fn fit_ambient(
         let pixels = truth.pixels.iter().zip(&base.pixels).zip(&coefficients.pixels);
         pixels.map(|((&t, &b), &k)| (light(t) - light(b), light(k))).filter(|(d, k)| *k != DVec3::ZERO && d.is_finite())
     };
-    let (over, under) = triples().fold((DVec3::ZERO, DVec3::ZERO), |(over, under), (d, k)| (over + k * d, under + k * k));
+    let (over, under) =
+        triples().fold((DVec3::ZERO, DVec3::ZERO), |(over, under), (d, k)| (over + k * d, under + k * k));
     if under.max_element() <= 0.0 {
         return None;
     }

@@ -276,7 +276,11 @@ fn tables(report: &StaircaseReport) -> String {
             percent(c.rms),
             percent(c.noise),
             c.flip,
-            if c.below_noise { "below the noise".to_owned() } else { c.brighter.map_or_else(String::new, signed_percent) },
+            if c.below_noise {
+                "below the noise".to_owned()
+            } else {
+                c.brighter.map_or_else(String::new, signed_percent)
+            },
             step.picture.seconds_at_one_percent.map_or_else(|| "–".to_owned(), |s| format!("{s:.2}")),
         )
     };
@@ -309,7 +313,13 @@ fn signed_percent(share: f64) -> String {
 }
 
 fn seconds(s: f64) -> String {
-    if s < 0.1 { format!("{:.1} ms", 1e3 * s) } else if s < 10.0 { format!("{s:.2} s") } else { format!("{s:.0} s") }
+    if s < 0.1 {
+        format!("{:.1} ms", 1e3 * s)
+    } else if s < 10.0 {
+        format!("{s:.2} s")
+    } else {
+        format!("{s:.0} s")
+    }
 }
 
 /// Two significant digits.

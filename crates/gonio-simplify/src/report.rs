@@ -8,7 +8,7 @@ use crate::staircase::{EquationPicture, SimplifiedPicture, Staircase, StaircaseS
 use glam::DVec3;
 use gonio_light::{DVec4, LightKind, Specular};
 use gonio_reference::ReferenceScene;
-use gonio_scene::{DisplayMap, Frame, Scene, SceneMaterial};
+use gonio_scene::{DisplayMap, Frame, LightShape, Scene, SceneMaterial};
 use gonio_trace::{Simplification, Simplifications};
 use serde::Serialize;
 
@@ -141,19 +141,27 @@ pub fn heading(step: Simplification) -> (&'static str, &'static str, &'static st
             "Attenuation with distance",
             "att_i = 1 / (k_c + k_l d + k_q d^2) in place of the inverse square law.",
         ),
-        Simplification::Sum => {
-            ("8", "The integral becomes a sum", "There is only a finite number of lights, and they are points: ∫ → Σ_N.")
-        }
-        Simplification::Ambient => {
-            ("9", "Too dark? Ambient light", "Too many simplifications: add a constant A for the light of other objects.")
-        }
+        Simplification::Sum => (
+            "8",
+            "The integral becomes a sum",
+            "There is only a finite number of lights, and they are points: ∫ → Σ_N.",
+        ),
+        Simplification::Ambient => (
+            "9",
+            "Too dark? Ambient light",
+            "Too many simplifications: add a constant A for the light of other objects.",
+        ),
     }
 }
 
 /// A share as a percentage with two significant digits.
 pub fn percent(share: f64) -> String {
     let value = 100.0 * share;
-    let decimals = if value.abs() >= 9.95 || value == 0.0 { 0 } else { (1.0 - value.abs().log10().floor()).clamp(0.0, 6.0) as usize };
+    let decimals = if value.abs() >= 9.95 || value == 0.0 {
+        0
+    } else {
+        (1.0 - value.abs().log10().floor()).clamp(0.0, 6.0) as usize
+    };
     format!("{value:.decimals$} %")
 }
 
@@ -179,7 +187,8 @@ pub fn report(scene: &Scene, frame: &Frame, settings: &StaircaseSettings, stairc
         }
     };
     let before = |now: &SimplifiedPicture| now.traced.simplified.without(now.step);
-    let equation = |drawn: &EquationPicture| EquationReport { seconds: drawn.seconds, rms: drawn.rms, flip: drawn.flip };
+    let equation =
+        |drawn: &EquationPicture| EquationReport { seconds: drawn.seconds, rms: drawn.rms, flip: drawn.flip };
     StaircaseReport {
         width: frame.width,
         height: frame.height,
@@ -226,12 +235,16 @@ impl Observer<'_> {
         let scene = self.scene;
         let all = |test: &dyn Fn(&SceneMaterial) -> bool| scene.materials.iter().all(test);
         let reason = match step {
-            Simplification::Time if self.shutter <= 0.0 => "the shutter is open for a moment only (--shutter opens it longer)",
+            Simplification::Time if self.shutter <= 0.0 => {
+                "the shutter is open for a moment only (--shutter opens it longer)"
+            }
             Simplification::Time if !self.moves() => "nothing moves here",
             Simplification::Emission if all(&|m| m.maps.emitted.is_none()) => "no part emits light with a texture",
             Simplification::Cosine if self.keeps_cosine() => "the scene's equation keeps the cosine",
             Simplification::Cosine if self.frame.equation.specular == Specular::None => "there is no specular term",
-            Simplification::Cosine if all(&|m| m.material.specular == [0.0; 3]) => "no material reflects specular light",
+            Simplification::Cosine if all(&|m| m.material.specular == [0.0; 3]) => {
+                "no material reflects specular light"
+            }
             Simplification::Attenuation if !self.has_points() => "no light has a position",
             Simplification::Ambient if crate::staircase::own_ambient(self.frame) == DVec3::ZERO => {
                 "the scene has no ambient light"
@@ -255,10 +268,40 @@ impl Observer<'_> {
 
     /// What is seen at a pixel.
     fn seen_at(&self, x: u32, y: u32) -> String {
-        match self.reference.probe(self.frame, x, y) {
-            Some(probe) => format!("`{}`", probe.object_name),
-            None => "the background".to_owned(),
+        let seen = self.reference.probe(self.frame, x, y);
+        let eye = self.frame.camera.position;
+        match (self.lamp_at(x, y, seen.as_ref().map(|probe| probe.position.distance(eye))), seen) {
+            (Some(lamp), _) => format!("the lamp of light {lamp}"),
+            (None, Some(probe)) => format!("`{}`", probe.object_name),
+            (None, None) => "the background".to_owned(),
         }
+    }
+
+    /// The light whose lamp is seen at a pixel, nearer than `nearest`; its number, from 0.
+    fn lamp_at(&self, x: u32, y: u32, nearest: Option<f64>) -> Option<usize> {
+        let Frame { camera, width, height, lights, light_shapes, .. } = self.frame;
+        let d = camera.ray_direction(f64::from(x) + 0.5, f64::from(y) + 0.5, *width, *height);
+        let seen = lights.iter().zip(light_shapes).enumerate().filter_map(|(index, (light, shape))| {
+            let (LightKind::Point { position } | LightKind::Spot { position, .. }) = light.kind else { return None };
+            let to_center = position - camera.position;
+            let distance = match *shape {
+                LightShape::Point => return None,
+                LightShape::Sphere { radius } => {
+                    let along = to_center.dot(d);
+                    let inside = radius * radius - (to_center - along * d).length_squared();
+                    (inside > 0.0).then(|| along - inside.sqrt())?
+                }
+                LightShape::Rectangle { half_right, half_up } => {
+                    let normal = half_right.cross(half_up);
+                    let distance = to_center.dot(normal) / d.dot(normal);
+                    let at = distance * d - to_center;
+                    let is_in = |half: DVec3| at.dot(half).abs() <= half.length_squared();
+                    (is_in(half_right) && is_in(half_up)).then_some(distance)?
+                }
+            };
+            (distance > 0.0 && nearest.is_none_or(|nearest| distance < nearest)).then_some((index, distance))
+        });
+        seen.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
     }
 
     fn look(&self, now: &SimplifiedPicture) -> String {
@@ -275,7 +318,8 @@ impl Observer<'_> {
             let because = reason.map(|reason| format!(": {reason}")).unwrap_or_default();
             return format!("The difference is below the noise ({noise} of the mean light){because}.");
         };
-        let mut text = format!("Look at {} around ({}, {}): {}.", self.seen_at(most.x, most.y), most.x, most.y, self.change(most));
+        let mut text =
+            format!("Look at {} around ({}, {}): {}.", self.seen_at(most.x, most.y), most.x, most.y, self.change(most));
         if let Some(brighter) = to_before.brighter {
             let (amount, direction) = (percent(brighter.abs()), if brighter < 0.0 { "less" } else { "more" });
             if brighter.abs() >= 5e-4 {
@@ -306,7 +350,11 @@ impl Observer<'_> {
         if !ratio.is_finite() || before <= 0.0 {
             format!("light appears where there was none ({colors})")
         } else if ratio >= 1.02 {
-            let amount = if ratio >= 3.0 { format!("{ratio:.1} times as bright") } else { format!("{} brighter", percent(ratio - 1.0)) };
+            let amount = if ratio >= 3.0 {
+                format!("{ratio:.1} times as bright")
+            } else {
+                format!("{} brighter", percent(ratio - 1.0))
+            };
             format!("it becomes {amount} ({colors})")
         } else if ratio <= 0.98 {
             format!("it becomes {} darker ({colors})", percent(1.0 - ratio))

@@ -249,10 +249,11 @@ impl Tracer<'_> {
             for (half, film) in (0_u32..).zip(&mut halves) {
                 let settings =
                     TraceSettings { simplified, seed: seed.wrapping_add(u64::from(half)), ..self.settings.trace };
+                let (progress, count) = (self.progress, self.count as f64);
                 let from = done + (after - done) * 0.5 * f64::from(half);
                 let tell = |share: f64| {
                     let here = from + (after - done) * 0.5 * share;
-                    (self.progress)((index as f64 + here) / self.count as f64, name)
+                    progress((index as f64 + here) / count, name)
                 };
                 if !self.ready.add_samples(film, &settings, paths, None, &tell) {
                     return None;

@@ -6,7 +6,16 @@ mod common;
 use common::Lab;
 
 const ORDER: [&str; 10] = [
-    "time", "wavelengths", "emission", "brdf", "interreflection", "shadows", "cosine", "attenuation", "sum", "ambient",
+    "time",
+    "wavelengths",
+    "emission",
+    "brdf",
+    "interreflection",
+    "shadows",
+    "cosine",
+    "attenuation",
+    "sum",
+    "ambient",
 ];
 
 /// Two cubes, one on the other, under a point light with ambient light.
@@ -79,14 +88,21 @@ fn the_staircase_ends_at_the_light_equation() {
 /// The page shows every step, holds its pictures, and every file has its place.
 fn page_is_complete(lab: &Lab, report: &serde_json::Value) {
     let page = String::from_utf8(lab.read("out/index.html")).unwrap();
-    assert!(!page.contains("http://") && !page.contains("https://") && !page.contains("src=\"0"), "it needs other files");
+    assert!(
+        !page.contains("http://") && !page.contains("https://") && !page.contains("src=\"0"),
+        "it needs other files"
+    );
     let places: Vec<usize> = ORDER.iter().map(|name| page.find(&format!("id=\"{name}\"")).unwrap()).collect();
     assert!(places.is_sorted());
     assert!(page.matches("src=\"data:image/png;base64,").count() >= 3 * ORDER.len());
     assert!(page.contains("class=\"struck\""));
-    for (tag, close) in
-        [("<figure", "</figure>"), ("<section", "</section>"), ("<mrow", "</mrow>"), ("<div", "</div>"), ("<dl", "</dl>")]
-    {
+    for (tag, close) in [
+        ("<figure", "</figure>"),
+        ("<section", "</section>"),
+        ("<mrow", "</mrow>"),
+        ("<div", "</div>"),
+        ("<dl", "</dl>"),
+    ] {
         assert_eq!(page.matches(tag).count(), page.matches(close).count(), "{tag}");
     }
     let json: serde_json::Value = serde_json::from_slice(&lab.read("out/steps.json")).unwrap();
@@ -128,10 +144,12 @@ fn chosen_steps_are_made_in_the_order_of_the_lecture() {
 #[test]
 fn mirrors_are_compared_with_a_cubemap() {
     let lab = Lab::new();
-    let args = ["simplify", "builtin:glass-and-mirror", "--size", "48x30", "--samples", "2", "--only", "time", "--json"];
+    let args =
+        ["simplify", "builtin:glass-and-mirror", "--size", "48x30", "--samples", "2", "--only", "time", "--json"];
     let report = lab.run(&[&args[..], &["-o", "out"]].concat()).good().json();
     let objects = report["cubemap"]["objects"].as_array().unwrap();
-    let reason = |name: &str| objects.iter().find(|o| o["name"] == name).unwrap()["reason"].as_str().unwrap().to_owned();
+    let reason =
+        |name: &str| objects.iter().find(|o| o["name"] == name).unwrap()["reason"].as_str().unwrap().to_owned();
     assert!(reason("mirror").contains("never another object") && !reason("mirror").contains("bent"));
     assert!(reason("glass").contains("where it enters and where it leaves"));
     assert!(!objects.iter().any(|o| o["name"] == "clay"));

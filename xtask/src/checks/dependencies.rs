@@ -74,15 +74,8 @@ const BELOW_GALLERY: &[&str] = &[
     "harfrust",
     "vello_cpu",
 ];
-const BELOW_SIMPLIFY: &[&str] = &[
-    "gonio-light",
-    "gonio-image",
-    "gonio-environment",
-    "gonio-scene",
-    "gonio-reference",
-    "gonio-trace",
-    "gonio-gallery",
-];
+const BELOW_SIMPLIFY: &[&str] =
+    &["gonio-light", "gonio-image", "gonio-scene", "gonio-reference", "gonio-trace", "gonio-gallery"];
 const BELOW_CHECK: &[&str] = &[
     "gonio-light",
     "gonio-mesh",

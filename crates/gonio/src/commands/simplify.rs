@@ -160,10 +160,7 @@ pub fn run(args: &SimplifyArgs, reporter: &Reporter) -> Result<CommandOutcome, C
     let times = Times::default();
     check_folder(&args.output, "`gonio simplify`")?;
     if args.output.exists() && !args.output.is_dir() {
-        return Err(CliError::new(format!(
-            "`{}` is a file; name a folder with -o",
-            args.output.display()
-        )));
+        return Err(CliError::new(format!("`{}` is a file; name a folder with -o", args.output.display())));
     }
     let mut files = OutputFiles::new();
     files.make_folder(&args.output)?;
