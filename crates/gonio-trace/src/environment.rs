@@ -27,15 +27,22 @@ pub(crate) struct Environment {
 
 impl Environment {
     pub fn new(loaded: Arc<LoadedEnvironment>, surroundings: Surroundings) -> Self {
-        let cells = Discrete::new(spread(&radiance_by_cell(loaded.mips.full())));
-        let mean = loaded.mips.full().mean_radiance() * surroundings.intensity;
+        let by_cell = radiance_by_cell(loaded.mips.full());
+        let cells = Discrete::new(spread(&by_cell));
+        let mut mean = loaded.mips.full().mean_radiance() * surroundings.intensity;
+        if !mean.is_finite() {
+            // Without the texels that are not.
+            let sum = by_cell.iter().sum::<f64>() / (3.0 * 2.0 * std::f64::consts::TAU);
+            mean = DVec3::splat(sum * surroundings.intensity);
+        }
         Environment { loaded, surroundings, cells, mean }
     }
 
-    /// Radiance from a direction of the world, linear RGB.
+    /// Radiance from a direction of the world, linear RGB; 0 where it is not finite.
     pub fn radiance(&self, direction: Vec3) -> Vec3 {
         let d = self.surroundings.environment_from_world * direction.as_dvec3();
-        (self.loaded.mips.full().sample(d) * self.surroundings.intensity).as_vec3().max(Vec3::ZERO)
+        let radiance = (self.loaded.mips.full().sample(d) * self.surroundings.intensity).as_vec3();
+        if radiance.is_finite() { radiance.max(Vec3::ZERO) } else { Vec3::ZERO }
     }
 
     /// A direction of the world with its density, in 1/sr.

@@ -14,7 +14,7 @@ use crate::environment::Environment;
 use crate::geometry::{Geometry, Triangle, offset};
 use crate::sampling::{self, Discrete};
 use glam::{DVec3, Vec2, Vec3};
-use gonio_light::{Light, LightKind, light};
+use gonio_light::{Attenuation, Light, LightKind, light};
 use std::f64::consts::PI;
 
 /// A source of light.
@@ -102,8 +102,7 @@ impl Lights {
                     powers.push(mean(color) * PI);
                 }
                 LightKind::Point { position } | LightKind::Spot { position, .. } => {
-                    let distance = position.distance(reference).max(1e-9);
-                    let intensity = color * (light.attenuation.at(distance) * distance * distance);
+                    let intensity = color * inverse_square_factor(&light.attenuation, position.distance(reference));
                     // Distances are scaled, so is their square.
                     let intensity = intensity * space.scale * space.scale;
                     let (cone, share) = match light.kind {
@@ -211,6 +210,16 @@ impl Lights {
             _ => 0.0,
         }
     }
+}
+
+/// The intensity of a light under the inverse square law that has the given attenuation at `distance`, for a colour of 1.
+/// Without the cap of the light equation: a light with `k_q` alone has the intensity `1 / k_q` wherever it is.
+fn inverse_square_factor(attenuation: &Attenuation, distance: f64) -> f64 {
+    let Attenuation { constant, linear, quadratic } = *attenuation;
+    if constant == 0.0 && linear == 0.0 && quadratic > 0.0 {
+        return 1.0 / quadratic;
+    }
+    attenuation.at(distance) * distance * distance
 }
 
 fn mean(color: DVec3) -> f64 {
