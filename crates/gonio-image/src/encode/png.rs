@@ -59,6 +59,15 @@ pub fn encode8(picture: &EncodedPicture<u8>, tag: ColorTag) -> Result<Vec<u8>, I
     Rows::of_8_bits(picture, KeepAlpha::IfUsed).encode(tag)
 }
 
+/// [`encode8`] with a text chunk, `Comment`: Latin-1, at most a line or two.
+///
+/// # Errors
+///
+/// As for [`encode8`], and a comment with characters beyond Latin-1.
+pub fn encode8_with_comment(picture: &EncodedPicture<u8>, tag: ColorTag, comment: &str) -> Result<Vec<u8>, ImageError> {
+    Rows::of_8_bits(picture, KeepAlpha::IfUsed).encode_with(tag, Some(comment))
+}
+
 /// Encodes a picture as PNG of 16 bits a channel, without alpha if it is opaque.
 ///
 /// # Errors
@@ -120,9 +129,17 @@ impl<'a> Rows<'a> {
     }
 
     fn encode(&self, tag: ColorTag) -> Result<Vec<u8>, ImageError> {
+        self.encode_with(tag, None)
+    }
+
+    fn encode_with(&self, tag: ColorTag, comment: Option<&str>) -> Result<Vec<u8>, ImageError> {
         let mut file = Vec::with_capacity(self.bytes.len() / 4);
         let write = |file: &mut Vec<u8>| {
-            let mut writer = self.encoder(file, tag).write_header()?;
+            let mut encoder = self.encoder(file, tag);
+            if let Some(comment) = comment {
+                encoder.add_text_chunk("Comment".to_owned(), comment.to_owned())?;
+            }
+            let mut writer = encoder.write_header()?;
             writer.write_image_data(&self.bytes)?;
             writer.finish()
         };
