@@ -19,6 +19,8 @@ pub(crate) struct PixelSums {
     /// Linear RGB.
     pub light: DVec3,
     pub alpha: f64,
+    /// Linear RGB of the samples in one half: see [`PixelSums::is_in_half`].
+    pub half: DVec3,
     /// Second and fourth powers of the luminance.
     pub squares: f64,
     pub fourths: f64,
@@ -48,6 +50,7 @@ pub(crate) fn luminance(rgb: DVec3) -> f64 {
 
 impl PixelSums {
     pub(crate) fn add(&mut self, light: DVec3, alpha: f64) {
+        let is_in_half = Self::is_in_half(self.samples);
         self.samples += 1;
         if !light.is_finite() {
             self.lost += 1;
@@ -55,14 +58,32 @@ impl PixelSums {
         }
         let y = luminance(light);
         self.light += light;
+        if is_in_half {
+            self.half += light;
+        }
         self.alpha += alpha;
         self.squares += y * y;
         self.cubes += y * y * y;
         self.fourths += y * y * y * y;
     }
 
+    /// Whether a sample belongs to the first of two halves with independent noise. A half is made of runs of eight samples,
+    /// each of them stratified; every second sample, say, would be all samples in the left half of the pixel.
+    fn is_in_half(sample: u32) -> bool {
+        sample & 8 == 0
+    }
+
+    /// The means of both halves, and their shares of the samples; none where one is empty.
+    pub(crate) fn halves(&self) -> Option<[(DVec3, f64); 2]> {
+        let n = self.samples;
+        let first = n / 16 * 8 + (n % 16).min(8);
+        let second = n - first;
+        let mean = |sum: DVec3, count: u32| (sum / f64::from(count), f64::from(count) / f64::from(n));
+        (first > 0 && second > 0).then(|| [mean(self.half, first), mean(self.light - self.half, second)])
+    }
+
     /// The variance of the mean, and the variance of that estimate; 0 with fewer than two samples.
-    fn variance(&self) -> (f64, f64) {
+    pub(crate) fn variance(&self) -> (f64, f64) {
         let n = f64::from(self.samples);
         if self.samples < 2 {
             return (0.0, 0.0);
@@ -178,6 +199,11 @@ impl TileMask {
         self.tiles.get((y / TILE * self.columns + x / TILE) as usize).copied().unwrap_or(false)
     }
 
+    /// Pixels of the chosen tiles, as if each were complete.
+    pub fn pixels(&self) -> u32 {
+        self.tiles.iter().filter(|&&chosen| chosen).count() as u32 * TILE * TILE
+    }
+
     /// No tile is chosen.
     pub fn is_empty(&self) -> bool {
         !self.tiles.contains(&true)
@@ -195,8 +221,8 @@ pub enum CheckpointError {
     Length,
 }
 
-const MAGIC: &[u8; 8] = b"gonioTR1";
-const PIXEL_BYTES: usize = 7 * 8 + 2 * 4;
+const MAGIC: &[u8; 8] = b"gonioTR2";
+const PIXEL_BYTES: usize = 10 * 8 + 2 * 4;
 
 impl Film {
     /// All sums, bit for bit. `fingerprint` identifies scene and settings.
@@ -207,8 +233,13 @@ impl Film {
         bytes.extend(self.width.to_le_bytes());
         bytes.extend(self.height.to_le_bytes());
         for p in &self.pixels {
-            let sums = [p.light.x, p.light.y, p.light.z, p.alpha, p.squares, p.cubes, p.fourths];
-            sums.iter().for_each(|v| bytes.extend(v.to_le_bytes()));
+            let sums = [p.alpha, p.squares, p.cubes, p.fourths];
+            p.light
+                .to_array()
+                .iter()
+                .chain(&p.half.to_array())
+                .chain(&sums)
+                .for_each(|v| bytes.extend(v.to_le_bytes()));
             bytes.extend(p.samples.to_le_bytes());
             bytes.extend(p.lost.to_le_bytes());
         }
@@ -230,13 +261,14 @@ impl Film {
         }
         let pixel = |bytes: &[u8; PIXEL_BYTES]| {
             let sum = |i: usize| f64::from_le_bytes(std::array::from_fn(|k| bytes[8 * i + k]));
-            let count = |i: usize| u32::from_le_bytes(std::array::from_fn(|k| bytes[56 + 4 * i + k]));
+            let count = |i: usize| u32::from_le_bytes(std::array::from_fn(|k| bytes[80 + 4 * i + k]));
             PixelSums {
                 light: DVec3::new(sum(0), sum(1), sum(2)),
-                alpha: sum(3),
-                squares: sum(4),
-                cubes: sum(5),
-                fourths: sum(6),
+                half: DVec3::new(sum(3), sum(4), sum(5)),
+                alpha: sum(6),
+                squares: sum(7),
+                cubes: sum(8),
+                fourths: sum(9),
                 samples: count(0),
                 lost: count(1),
             }
@@ -275,9 +307,22 @@ mod tests {
     }
 
     #[test]
+    fn halves_have_every_sample_once() {
+        let mut sums = PixelSums::default();
+        for k in 0..24 {
+            assert_eq!(sums.halves().is_some(), k > 8, "{k} samples");
+            sums.add(DVec3::splat(if (8..16).contains(&k) { 3.0 } else { f64::from(k < 8) }), 1.0);
+        }
+        // 0 to 7 and 16 to 23; 8 to 15.
+        let [(first, share), (second, rest)] = sums.halves().unwrap();
+        assert_eq!((first.x, share, second.x, rest), (0.5, 16.0 / 24.0, 3.0, 8.0 / 24.0));
+    }
+
+    #[test]
     fn unfinished_tiles_are_those_with_noise() {
         let film = film();
         let mask = film.unfinished(0.05);
+        assert_eq!(mask.pixels(), 2 * TILE * TILE);
         assert!(mask.contains(0, 0) && mask.contains(15, 19) && !mask.contains(16, 0) && !mask.contains(39, 19));
         assert!(film.unfinished(0.5).is_empty());
     }
@@ -285,6 +330,7 @@ mod tests {
     #[test]
     fn checkpoints_keep_every_bit() {
         let mut film = film();
+        assert_ne!(film.pixels[0].half, film.pixels[0].light);
         film.pixels[3].add(DVec3::new(f64::NAN, 0.1, 0.2), 1.0);
         assert_eq!(film.lost_samples(), 1);
         let bytes = film.to_checkpoint(77);

@@ -13,15 +13,20 @@
 //! | `lights`, `environment` | where light comes from |
 //! | `path`, `film`, `render` | one path; the sums of pixels; all pixels |
 //! | `refinement` | a picture that begins coarse, for windows |
+//! | `oddities` | what a scene has that a trace survives |
+//! | `features`, `denoise` | what a picture shows without its light; a picture without its noise |
 
 mod bsdf;
 mod color;
+mod denoise;
 mod environment;
+mod features;
 mod film;
 mod geometry;
 mod lights;
 mod material;
 mod observer;
+mod oddities;
 mod path;
 mod refinement;
 mod render;
@@ -32,7 +37,9 @@ mod upsampling;
 
 pub use gonio_light::{Simplification, Simplifications};
 
+pub use features::Features;
 pub use film::{CheckpointError, ErrorEstimate, Film, TILE, TileMask};
+pub use oddities::TraceOddity;
 pub use path::Technique;
 pub use refinement::{Refinement, RefinementStatus};
 pub use render::{TraceScene, TraceSettings};

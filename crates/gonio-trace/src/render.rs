@@ -55,10 +55,10 @@ impl Default for TraceSettings {
 
 /// A scene at one moment, ready to be traced.
 pub struct TraceScene {
-    scene: Scene,
-    frame: Frame,
-    geometry: Geometry,
-    lights: Lights,
+    pub(crate) scene: Scene,
+    pub(crate) frame: Frame,
+    pub(crate) geometry: Geometry,
+    pub(crate) lights: Lights,
     has_holes: bool,
     constants: Vec<Constants>,
 }
@@ -132,17 +132,7 @@ impl TraceScene {
     ) -> bool {
         let world = World {
             geometry: &self.geometry,
-            materials: Materials {
-                scene: &self.scene,
-                mode: ColorMode::of(settings.simplified),
-                brdf: normalised_lobe(&self.frame.equation),
-                filter: match self.frame.texture_filter {
-                    TextureFilter::Nearest => TextureFilter::Nearest,
-                    _ => TextureFilter::Linear,
-                },
-                has_holes: self.has_holes,
-                constants: &self.constants,
-            },
+            materials: self.materials(ColorMode::of(settings.simplified)),
             lights: &self.lights,
             technique: settings.technique,
             simplified: settings.simplified,
@@ -184,6 +174,21 @@ impl TraceScene {
         true
     }
 
+    /// The scene's materials, read for paths of this mode.
+    pub(crate) fn materials(&self, mode: ColorMode) -> Materials<'_> {
+        Materials {
+            scene: &self.scene,
+            mode,
+            brdf: normalised_lobe(&self.frame.equation),
+            filter: match self.frame.texture_filter {
+                TextureFilter::Nearest => TextureFilter::Nearest,
+                _ => TextureFilter::Linear,
+            },
+            has_holes: self.has_holes,
+            constants: &self.constants,
+        }
+    }
+
     fn add_sample(&self, world: &World, settings: &TraceSettings, x: u32, y: u32, sums: &mut PixelSums) {
         let frame = &self.frame;
         let mut sampler = Sampler::new(settings.seed, y.wrapping_mul(frame.width).wrapping_add(x), sums.samples);
@@ -217,7 +222,7 @@ impl TraceScene {
     }
 
     /// The ray through a point of the picture, from the near plane to the far plane.
-    fn eye_ray(&self, settings: &TraceSettings, px: f64, py: f64, sampler: &mut Sampler) -> Ray {
+    pub(crate) fn eye_ray(&self, settings: &TraceSettings, px: f64, py: f64, sampler: &mut Sampler) -> Ray {
         let Frame { camera, width, height, .. } = &self.frame;
         let mut eye = camera.position;
         let mut direction = camera.ray_direction(px, py, *width, *height);
