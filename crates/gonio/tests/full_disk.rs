@@ -103,6 +103,8 @@ fn pictures_of_one_command_are_written_completely() {
         &[&["render", "builtin:suzanne", "-o", "a.png", "--views", "N,diffuse,depth"][..], &small].concat(),
     );
     all_or_none(|_| {}, &[&["render", "builtin:cube", "-o", "a.png", "-o", "a.exr"][..], &small].concat());
+    let traced = ["--samples", "4", "--size", "160x120", "-o", "a.png", "-o", "a.exr", "--denoise"];
+    all_or_none(|_| {}, &[&["trace", "builtin:cube"][..], &traced].concat());
     let two = |lab: &Lab| {
         for (name, size) in [("a.png", "160x120"), ("b.png", "160x120")] {
             lab.run(&["render", "builtin:suzanne", "-o", name, "--size", size, "--samples", "1", "--backend", "cpu"])

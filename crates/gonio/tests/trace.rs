@@ -32,6 +32,138 @@ fn writes_pictures_and_layers() {
     assert_ne!(picture.get_pixel(24, 16), picture.get_pixel(0, 0));
 }
 
+/// All layers of an .exr file: name, and R, G, B, A of each pixel.
+fn layers(bytes: &[u8]) -> Vec<(String, Vec<[f32; 4]>)> {
+    use exr::prelude::*;
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .all_layers()
+        .all_attributes()
+        .from_buffered(std::io::Cursor::new(bytes))
+        .unwrap();
+    let layer = |layer: &Layer<AnyChannels<FlatSamples>>| {
+        let channel = |name: &str| {
+            let found = layer.channel_data.list.iter().find(|c| c.name.to_string() == name);
+            found.unwrap().sample_data.values_as_f32().collect::<Vec<f32>>()
+        };
+        let [r, g, b, a] = ["R", "G", "B", "A"].map(channel);
+        let pixels = (0..r.len()).map(|i| [r[i], g[i], b[i], a[i]]).collect();
+        (layer.attributes.layer_name.clone().map_or_else(String::new, |name| name.to_string()), pixels)
+    };
+    image.layer_data.iter().map(layer).collect()
+}
+
+#[test]
+fn views_are_those_of_render() {
+    let lab = Lab::new();
+    let views = ["--views", "normal,albedo,tangent,depth,diffuse:0"];
+    lab.run(&[&args(&["--samples", "1", "-o", "a.exr"])[..], &views].concat()).good();
+    let drawn = ["render", "builtin:cube", "--size", "48x32", "--backend", "cpu", "-o", "b.exr"];
+    lab.run(&[&drawn[..], &views].concat()).good();
+    let without = |file: &str, names: &[&str]| {
+        layers(&lab.read(file)).into_iter().filter(|(name, _)| !names.contains(&name.as_str())).collect::<Vec<_>>()
+    };
+    let (traced, drawn) = (without("a.exr", &["picture", "variance"]), without("b.exr", &["picture"]));
+    assert_eq!(traced.len(), 5);
+    assert!(traced == drawn, "{:?}", traced.iter().map(|(name, _)| name).collect::<Vec<_>>());
+}
+
+#[test]
+fn filtering_is_never_silent() {
+    let lab = Lab::new();
+    let outputs = ["-o", "a.exr", "-o", "a.png"];
+    lab.run(&[&args(&["--samples", "16"])[..], &outputs].concat()).good();
+    let (exact, plain) = (layers(&lab.read("a.exr")), lab.read("a.png"));
+    let run = lab.run(&[&args(&["--samples", "16", "--denoise"])[..], &outputs].concat()).good();
+    assert!(run.stderr.contains("note: denoised"), "{}", run.stderr);
+    let (filtered, png) = (layers(&lab.read("a.exr")), lab.read("a.png"));
+    let names: Vec<&str> = filtered.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["picture", "variance", "denoised", "guide-albedo", "guide-normal"]);
+    assert!(filtered[..2] == exact[..], "the traced picture changed");
+    assert!(filtered[2].1 != filtered[0].1);
+    // In the middle is the cube, in the corner nothing.
+    let length = |p: [f32; 4]| (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
+    assert!((length(filtered[4].1[16 * 48 + 24]) - 1.0).abs() < 1e-3 && length(filtered[4].1[0]) == 0.0);
+    let says_so = |bytes: &[u8]| bytes.windows(8).any(|w| w == b"Denoised");
+    assert!(says_so(&png) && !says_so(&plain) && png != plain);
+    let few = lab.run(&args(&["--samples", "2", "--denoise", "-o", "b.png"]));
+    few.refused(&["--denoise needs at least 4 --samples", "it has 2"]);
+}
+
+/// Signals at any moment leave the last checkpoint, and the same command goes on from there.
+#[test]
+fn a_trace_survives_being_killed_again_and_again() {
+    let lab = Lab::new();
+    let command = args(&["--samples", "3000", "-o", "a.exr", "--checkpoint-every", "0.02", "--rgb"]);
+    for _ in 0..3 {
+        let before = lab.path("a.trace").exists().then(|| lab.read("a.trace"));
+        let mut child = lab.command(&command).stderr(Stdio::null()).spawn().unwrap();
+        while lab.path("a.trace").exists().then(|| lab.read("a.trace")) == before {
+            assert!(child.try_wait().unwrap().is_none(), "it ended too early: {:?}", lab.names());
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+        // The picture so far is complete, if there is one.
+        if lab.path("a.exr").exists() {
+            assert_eq!(layers(&lab.read("a.exr")).len(), 2);
+        }
+    }
+    let run = lab.run(&command).good();
+    assert!(run.stderr.contains("continuing from `a.trace` at "), "{}", run.stderr);
+    lab.run(&args(&["--samples", "3000", "-o", "b.exr", "--rgb"])).good();
+    assert!(lab.read("a.exr") == lab.read("b.exr"), "the pictures differ");
+}
+
+/// Passes end often enough that a picture and its checkpoint appear long before 10^9 paths.
+#[test]
+fn a_huge_number_of_paths_is_traced_in_short_passes() {
+    for size in ["1x1", "96x64"] {
+        let lab = Lab::new();
+        let command = ["trace", "builtin:cube", "--size", size, "--samples", "1000000000", "-o", "a.png"];
+        let mut child = lab
+            .command(&[&command[..], &["--checkpoint-every", "0.2"]].concat())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        while !(lab.path("a.trace").exists() && lab.path("a.png").exists()) {
+            assert!(child.try_wait().unwrap().is_none(), "it ended: {:?}", lab.names());
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+}
+
+#[test]
+fn odd_scenes_are_traced_and_explained() {
+    let lab = Lab::new();
+    lab.write("flat.mtl", "newmtl lamp\nKd 0 0 0\nKe 5 5 5\n");
+    lab.write(
+        "flat.obj",
+        "mtllib flat.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nf 1 2 3\nusemtl lamp\nf 1 2 4\nf 1 1 1\n",
+    );
+    let small = ["--samples", "2", "-o", "a.exr", "--size"];
+    for (scene, size, warning) in [
+        (&["builtin:cube", "--light", "ambient"][..], "9x7", "nothing lights the scene"),
+        (&["flat.obj"], "9x7", "triangles that emit light have no area"),
+        // The eye in the middle of the cube.
+        (&["builtin:cube", "--camera-position", "0,0,0", "--camera-target", "1,0,0"], "9x7", ""),
+        (&["builtin:cube"], "1x1", ""),
+    ] {
+        let run = lab.run(&[&["trace"][..], scene, &small, &[size]].concat()).good();
+        assert!(run.stderr.contains(warning), "{scene:?}: {}", run.stderr);
+        let pixels = &layers(&lab.read("a.exr"))[0].1;
+        assert!(pixels.iter().flatten().all(|v| v.is_finite() && *v >= -0.01), "{scene:?}");
+    }
+    // An error that cannot be reached is refused, not traced for ever; one path is the least that there is.
+    lab.run(&args(&["--error", "1e-400", "-o", "b.png"])).refused(&["invalid number `1e-400`"]);
+    lab.run(&args(&["--time", "1e-9", "-o", "b.png"])).good();
+    lab.run(&args(&["--time", "1e300", "-o", "b.png"])).refused(&["invalid number `1e300`"]);
+}
+
 #[test]
 fn threads_and_formats_do_not_change_a_picture() {
     let lab = Lab::new();

@@ -6,9 +6,20 @@ pub use atomic::OutputFiles;
 
 use crate::error::CliError;
 use crate::report::{self, Reporter};
+use gonio_image::encode::png::ColorTag;
+use gonio_light::color::ColorEncoding;
+use gonio_scene::DisplayMap;
 use std::ffi::OsString;
 use std::fmt::{Display, Formatter};
 use std::path::{Path, PathBuf};
+
+/// The colour tag of a picture's PNG file: encoded light is tagged, the numbers of a debug view are not.
+pub fn color_tag(map: &DisplayMap) -> ColorTag {
+    match map {
+        DisplayMap::Light(transform) if transform.encoding == ColorEncoding::Srgb => ColorTag::Srgb,
+        _ => ColorTag::Untagged,
+    }
+}
 
 /// A file, or stdout, which is written `-`.
 #[derive(Clone, Debug, PartialEq, Eq)]

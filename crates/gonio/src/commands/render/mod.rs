@@ -9,14 +9,13 @@ use crate::error::{CliError, CommandOutcome};
 use crate::loading;
 use crate::options::values::{self, DebugView};
 use crate::options::{BackendChoice, BackendOptions, GeneralOptions, SceneOptions};
-use crate::output::{OutputFiles, OutputPath};
+use crate::output::{OutputFiles, OutputPath, color_tag};
 use crate::report::{Reporter, Times};
 use animation::{AnimationFile, Frames};
 use clap::{ArgAction, Args};
 use gonio_image::ImageError;
 use gonio_image::encode::exr::{self, Layer};
-use gonio_image::encode::png::{self, ColorTag};
-use gonio_light::color::ColorEncoding;
+use gonio_image::encode::png;
 use gonio_mesh::Diagnostic;
 use gonio_render::{DisplayOptions, View};
 use gonio_scene::scene_file::Shading;
@@ -303,10 +302,7 @@ impl Drawing<'_> {
         animations: &mut [Option<AnimationFile>],
     ) -> Result<(), CliError> {
         let times = self.times;
-        let tag = match DisplayMap::for_view(view, frame) {
-            DisplayMap::Light(transform) if transform.encoding == ColorEncoding::Srgb => ColorTag::Srgb,
-            _ => ColorTag::Untagged,
-        };
+        let tag = color_tag(&DisplayMap::for_view(view, frame));
         for (plan, animation) in self.plans.iter().zip(animations) {
             let bytes = match (plan.format, animation) {
                 (PictureFormat::Exr, _) => continue,

@@ -34,11 +34,13 @@ Examples:
       For half a minute.
   gonio trace scene.toml --samples 4096 --rgb --max-depth 2 -o direct.png
       Red, green and blue instead of wavelengths; light sources and the surfaces that they light, without interreflection.
+  gonio trace scene.toml --samples 32 --denoise -o quick.png
+      Few paths, and a filter that removes most of their noise.
   gonio trace scene.toml --views normal,albedo -o truth.exr
       The variance and debug views as layers.
 
-While it runs, the picture so far is written, and beside it a checkpoint, OUT.trace. After an interruption the same command \
-goes on from there; the result is the same, bit for bit, as without the interruption.
+While it runs, the picture so far is written, and beside it a checkpoint, OUT.trace. After an interruption (Ctrl-C, say) the \
+same command goes on from there; the result is the same, bit for bit, as without the interruption.
 
 Lights: point and spot lights obey the inverse square law; at the centre of the objects they are as bright as in the light \
 equation. Materials that emit light are light sources. Ambient light does not exist.
@@ -53,6 +55,11 @@ pub struct TraceArgs {
     #[arg(long, short, required = true, value_name = "FILE", action = ArgAction::Append, help_heading = "Output options",
           allow_hyphen_values = true)]
     pub output: Vec<OutputPath>,
+    /// Remove noise: .png shows the filtered picture; .exr keeps the traced one and has the filtered one as layer `denoised`.
+    ///
+    /// Filtering guesses: what it makes of noise may be wrong. Its guides are the layers `guide-albedo` and `guide-normal`.
+    #[arg(long, help_heading = "Output options")]
+    pub denoise: bool,
     /// Also write debug views of the light equation as layers of .exr.
     #[arg(long, help_heading = "Output options", value_name = "VIEW,...", value_delimiter = ',',
           value_parser = values::view_list())]
@@ -108,6 +115,9 @@ pub struct TraceArgs {
 /// The paths of each pixel without `--samples`, `--time` and `--error`.
 const DEFAULT_PATHS: u32 = 64;
 
+/// Paths without which the noise of a pixel is not known.
+const LEAST_DENOISED: u32 = 4;
+
 impl TraceArgs {
     fn goal(&self) -> Goal {
         match (self.scene.samples, self.time, self.error) {
@@ -159,7 +169,16 @@ pub fn run(args: &TraceArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
         let _busy = reporter.busy("preparing the scene");
         times.measure("prepare", || TraceScene::new(&scene, &frame))
     };
+    for oddity in ready.oddities() {
+        reporter.warning(oddity);
+    }
     let run = TraceRun { args, reporter, scene: &scene, frame: &frame, ready: &ready, settings };
+    if args.denoise && matches!(args.goal(), Goal::Paths(paths) if paths < LEAST_DENOISED) {
+        return Err(CliError::new(format!(
+            "--denoise needs at least {LEAST_DENOISED} --samples to tell noise from light; it has {}",
+            args.scene.samples.unwrap_or(DEFAULT_PATHS)
+        )));
+    }
     let film = times.measure("trace", || run.trace(args.goal()))?;
     let written = times.measure("write", || run.write(&film))?;
     run.remove_checkpoint();
@@ -186,6 +205,9 @@ pub fn run(args: &TraceArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
             String::new()
         };
         reporter.note(format_args!("{paths}{error}, {:.1} s", start.elapsed().as_secs_f64()));
+        if args.denoise {
+            reporter.note("denoised: the error above is that of the traced picture; what the filter made of its noise may be wrong");
+        }
     }
     Ok(CommandOutcome::Done)
 }
@@ -210,6 +232,8 @@ struct Report<'a> {
     /// Its upper bound with 95 % confidence.
     error_bound: Option<f64>,
     triangles: usize,
+    /// Whether the picture was filtered.
+    denoised: bool,
     times_ms: serde_json::Value,
     warnings: &'a [Diagnostic],
 }
@@ -241,6 +265,7 @@ impl<'a> Report<'a> {
             error: finite(error.relative),
             error_bound: finite(error.upper),
             triangles: ready.triangles(),
+            denoised: args.denoise,
             times_ms: times.to_json(),
             warnings: &scene.diagnostics,
         }

@@ -2,14 +2,13 @@
 
 use super::TraceArgs;
 use crate::error::CliError;
-use crate::output::{OutputFiles, OutputPath, atomic};
+use crate::output::{OutputFiles, OutputPath, atomic, color_tag};
 use crate::report::Reporter;
 use gonio_image::encode::exr::{self, Layer};
-use gonio_image::encode::png::{self, ColorTag};
-use gonio_light::color::ColorEncoding;
+use gonio_image::encode::png;
 use gonio_reference::ReferenceScene;
 use gonio_scene::{DisplayMap, Frame, Picture, Scene, SceneFile};
-use gonio_trace::{CheckpointError, Film, TraceScene, TraceSettings};
+use gonio_trace::{CheckpointError, Features, Film, TileMask, TraceScene, TraceSettings};
 use std::cell::LazyCell;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
@@ -29,6 +28,12 @@ pub enum Goal {
 const FIRST_PATHS: u32 = 16;
 /// A goal that is not reached with so many paths in a pixel will not be.
 const MOST_PATHS: u32 = 1 << 24;
+/// A time ends early with so many paths in a pixel: their number has 32 bits.
+const MOST_PATHS_IN_TIME: u32 = 4_000_000_000;
+/// Paths of one pass, where a pixel gets more than one: pictures are written and errors are estimated between passes.
+const PASS: f64 = 2e6;
+/// Points of a pixel at which its surfaces are looked at.
+const FEATURE_SAMPLES: u32 = 16;
 
 /// Whether an output is an OpenEXR file.
 pub fn is_exr(output: &OutputPath) -> bool {
@@ -63,9 +68,11 @@ impl TraceRun<'_> {
         let begun = Instant::now();
         let already = film.total_samples();
         let mut saved = Instant::now();
+        let mut can_save = true;
         let progress = self.reporter.progress("paths");
         loop {
-            let (passes, tiles) = match self.next_pass(goal, &film, begun)? {
+            let traced = (film.total_samples() - already) as f64;
+            let (passes, tiles) = match self.next_pass(goal, &film, begun, traced)? {
                 None => return Ok(film),
                 Some(next) => next,
             };
@@ -93,8 +100,12 @@ impl TraceRun<'_> {
             if error.relative.is_finite() {
                 progress.message(format!("{} paths, error {:.2} %", film.least_samples(), 100.0 * error.relative));
             }
-            if saved.elapsed().as_secs_f64() >= self.args.checkpoint_every {
-                self.save(&film, *fingerprint)?;
+            if can_save && saved.elapsed().as_secs_f64() >= self.args.checkpoint_every {
+                if let Err(error) = self.save(&film, *fingerprint) {
+                    // The disk may have room when the picture is finished, and hours of work are worth the try.
+                    self.reporter.warning(format_args!("{error}; going on without further checkpoints"));
+                    can_save = false;
+                }
                 saved = Instant::now();
             }
             self.reporter.verbose(format_args!(
@@ -106,28 +117,35 @@ impl TraceRun<'_> {
         }
     }
 
-    /// Paths of the next pass, and its tiles if not all; none at the goal. It depends on nothing but goal and film, so that an
-    /// interruption changes nothing, except for a time.
+    /// Paths of the next pass, and its tiles if not all; none at the goal. `traced`: paths since the start. With tiles it
+    /// depends on nothing but goal and film, so that an interruption changes nothing; without, passes of any size give the
+    /// same picture.
     fn next_pass(
         &self,
         goal: Goal,
         film: &Film,
         begun: Instant,
-    ) -> Result<Option<(u32, Option<gonio_trace::TileMask>)>, CliError> {
+        traced: f64,
+    ) -> Result<Option<(u32, Option<TileMask>)>, CliError> {
         let (least, most) = (film.least_samples(), film.most_samples());
+        let elapsed = begun.elapsed();
+        // Passes grow, so that the first picture is soon there and the last ones cost little beside the paths, until they
+        // take as long as the time between checkpoints.
+        let per_path = elapsed.as_secs_f64() * film_pixels(film) / traced.max(1.0);
+        let in_time = if traced > 0.0 { (0.5 * self.args.checkpoint_every / per_path) as u32 } else { u32::MAX };
+        let growing = least.clamp(1, in_time.min((PASS / film_pixels(film)) as u32).max(1));
         Ok(match goal {
             Goal::Paths(paths) if least >= paths => None,
-            // Passes grow, so that the first picture is soon there and the last ones cost little beside the paths.
-            Goal::Paths(paths) => Some(((paths - least).min(least.clamp(1, 64)), None)),
-            Goal::Time(time) if least > 0 && begun.elapsed() >= time => None,
+            Goal::Paths(paths) => Some(((paths - least).min(growing), None)),
+            Goal::Time(time) if least > 0 && elapsed >= time => None,
+            Goal::Time(_) if most >= MOST_PATHS_IN_TIME => None,
             Goal::Time(time) => {
-                let per_path = begun.elapsed().as_secs_f64() / f64::from(least.max(1));
-                let left = time.saturating_sub(begun.elapsed()).as_secs_f64();
+                let left = time.saturating_sub(elapsed).as_secs_f64();
                 // The last pass should end in time: a pass that does not is discarded.
-                let fitting = if per_path > 0.0 && least > 0 { (0.5 * left / per_path) as u32 } else { 1 };
-                Some((fitting.clamp(1, 64), None))
+                let fitting = if traced > 0.0 { (0.5 * left / per_path) as u32 } else { 1 };
+                Some((fitting.clamp(1, growing).min(MOST_PATHS_IN_TIME - most), None))
             }
-            Goal::Error(_) if least < FIRST_PATHS => Some((FIRST_PATHS - least, None)),
+            Goal::Error(_) if least < FIRST_PATHS => Some((growing.min(FIRST_PATHS - least), None)),
             Goal::Error(error) => {
                 let tiles = film.unfinished(error);
                 if tiles.is_empty() {
@@ -139,7 +157,8 @@ impl TraceRun<'_> {
                         100.0 * film.error().upper
                     )));
                 } else {
-                    Some((most / 2, Some(tiles)))
+                    let at_once = (PASS / f64::from(tiles.pixels())) as u32;
+                    Some(((most / 2).min(at_once).max(1), Some(tiles)))
                 }
             }
         })
@@ -191,7 +210,7 @@ impl TraceRun<'_> {
         if let Some(path) = self.checkpoint() {
             atomic::write(&path, &film.to_checkpoint(fingerprint))?;
             let mut files = OutputFiles::new();
-            self.add_pictures(film, &mut files, &[], |output| !output.is_stdout())?;
+            self.add_pictures(film, &mut files, &[], None, |output| !output.is_stdout())?;
             files.commit()?;
         }
         Ok(())
@@ -234,12 +253,21 @@ impl TraceRun<'_> {
             Vec::new()
         } else {
             let _busy = self.reporter.busy("drawing the views");
-            let pictures = ReferenceScene::new(self.scene).views(self.frame, &self.args.views, &|_| ());
+            let mut scene = self.scene.clone();
+            if self.args.views.iter().any(|view| view.quantity == gonio_light::Quantity::Tangent) {
+                scene.add_tangents();
+            }
+            let pictures = ReferenceScene::new(&scene).views(self.frame, &self.args.views, &|_| ());
             let names = self.args.views.iter().map(|view| view.to_string().replace(':', "-"));
             names.zip(pictures).map(|(name, rendered)| (name, rendered.picture)).collect()
         };
+        let denoised = self.args.denoise.then(|| {
+            let _busy = self.reporter.busy("denoising");
+            let features = self.ready.features(&self.settings, FEATURE_SAMPLES);
+            (film.denoised(&features), features)
+        });
         let mut files = OutputFiles::new();
-        self.add_pictures(film, &mut files, &views, |_| true)?;
+        self.add_pictures(film, &mut files, &views, denoised.as_ref(), |_| true)?;
         files.commit()?;
         Ok(self.args.output.iter().filter(|o| !o.is_stdout()).map(ToString::to_string).collect())
     }
@@ -249,33 +277,52 @@ impl TraceRun<'_> {
         film: &Film,
         files: &mut OutputFiles,
         views: &[(String, Picture)],
+        denoised: Option<&(Picture, Features)>,
         is_wanted: impl Fn(&OutputPath) -> bool,
     ) -> Result<(), CliError> {
         let picture = film.picture();
         for output in self.args.output.iter().filter(|output| is_wanted(output)) {
-            let bytes = if is_exr(output) { self.exr(film, &picture, views)? } else { self.png(&picture)? };
+            let bytes = if is_exr(output) {
+                self.exr(film, &picture, views, denoised)?
+            } else {
+                self.png(denoised.map_or(&picture, |(picture, _)| picture), denoised.is_some())?
+            };
             files.add_output(output, bytes)?;
         }
         Ok(())
     }
 
-    fn png(&self, picture: &Picture) -> Result<Vec<u8>, CliError> {
+    fn png(&self, picture: &Picture, is_denoised: bool) -> Result<Vec<u8>, CliError> {
         let map = DisplayMap::for_view(None, self.frame);
-        let tag = match map {
-            DisplayMap::Light(transform) if transform.encoding == ColorEncoding::Srgb => ColorTag::Srgb,
-            _ => ColorTag::Untagged,
-        };
-        Ok(png::encode8(&picture.encode8(&map), tag)?)
+        let (picture, tag) = (picture.encode8(&map), color_tag(&map));
+        Ok(if is_denoised { png::encode8_with_comment(&picture, tag, DENOISED)? } else { png::encode8(&picture, tag)? })
     }
 
-    fn exr(&self, film: &Film, picture: &Picture, views: &[(String, Picture)]) -> Result<Vec<u8>, CliError> {
+    fn exr(
+        &self,
+        film: &Film,
+        picture: &Picture,
+        views: &[(String, Picture)],
+        denoised: Option<&(Picture, Features)>,
+    ) -> Result<Vec<u8>, CliError> {
         let variance: Vec<[f32; 4]> = film.variance().iter().map(|&v| [v as f32, v as f32, v as f32, 1.0]).collect();
+        let opaque = |guide: &[[f32; 3]]| guide.iter().map(|&[r, g, b]| [r, g, b, 1.0]).collect::<Vec<[f32; 4]>>();
+        let guides = denoised.map(|(_, features)| (opaque(&features.albedo), opaque(&features.normal)));
         let mut layers =
             vec![Layer { name: "picture", pixels: &picture.pixels }, Layer { name: "variance", pixels: &variance }];
+        if let (Some((denoised, _)), Some((albedo, normal))) = (denoised, &guides) {
+            // The views of the lab's equation have the names without `guide`.
+            layers.push(Layer { name: "denoised", pixels: &denoised.pixels });
+            layers.push(Layer { name: "guide-albedo", pixels: albedo });
+            layers.push(Layer { name: "guide-normal", pixels: normal });
+        }
         layers.extend(views.iter().map(|(name, picture)| Layer { name, pixels: &picture.pixels }));
         Ok(exr::encode_layers([picture.width, picture.height], &layers)?)
     }
 }
+
+/// The comment in a filtered .png file.
+const DENOISED: &str = "Denoised by gonio: noise of the path tracer was removed by a filter that may be wrong.";
 
 fn film_pixels(film: &Film) -> f64 {
     f64::from(film.width) * f64::from(film.height)
