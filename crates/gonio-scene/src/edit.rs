@@ -53,6 +53,7 @@ pub fn apply(loaded: &Scene, mut scene: SceneSettings) -> Result<Edited, Invalid
         return Ok(Edited::NeedsFiles(Box::new(scene)));
     };
     for (object, (model, _)) in scene.objects.iter_mut().zip(&known) {
+        object.start_on_path();
         if object.name.is_empty() {
             object.name = cache.models[*model].object_name();
         }

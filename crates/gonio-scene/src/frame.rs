@@ -12,6 +12,7 @@ use gonio_light::color::OutputTransform;
 use gonio_light::vector::unit;
 use gonio_light::{Attenuation, Equation, Light, LightKind, TermSwitches};
 use std::f64::consts::{FRAC_PI_2, TAU};
+use std::sync::OnceLock;
 
 /// The background: linear radiance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,7 +94,25 @@ pub struct Frame {
 }
 
 impl Scene {
-    /// The scene at `time`, seconds.
+    /// Whether an object moves, so that [`Scene::at`] has other places at other times.
+    pub fn has_moving_objects(&self) -> bool {
+        self.settings.objects.iter().any(|object| object.motion.is_some())
+    }
+
+    /// The scene with every object where its motion takes it by `time`, seconds. The settings stay, so another time can be
+    /// taken from the result. Geometry, textures and environment are shared.
+    pub fn at(&self, time: f64) -> Scene {
+        let mut moved = self.clone();
+        for (object, spec) in moved.objects.iter_mut().zip(&self.settings.objects) {
+            let Some(motion) = spec.motion.clone() else { continue };
+            let position = position_at(&motion.into(), spec.translate.into(), time);
+            object.world_from_model.w_axis = position.extend(1.0);
+            moved.known_bounds = OnceLock::new();
+        }
+        moved
+    }
+
+    /// Camera, lights and switches at `time`, seconds. Objects do not move: see [`Scene::at`].
     pub fn frame(&self, time: f64) -> Frame {
         let scene = &self.settings;
         let (bounds_min, bounds_max) = self.bounds();
@@ -251,9 +270,9 @@ fn unit_across(v: DVec3) -> Option<DVec3> {
     (v.length() > 1e-9).then(|| v.normalize())
 }
 
-/// The position at `time`, seconds, of a light whose motion starts at `position`.
+/// The position at `time`, seconds, of a light or an object whose motion starts at `position`.
 ///
-/// All motions repeat after `period`. At time 0 the light is at `position`, on a path at its first point.
+/// All motions repeat after `period`. At time 0 it is at `position`, on a path at its first point.
 pub fn position_at(motion: &Motion, position: DVec3, time: f64) -> DVec3 {
     let turns = time / motion.period;
     if !turns.is_finite() {

@@ -3,9 +3,10 @@
 use crate::camera::Camera;
 use crate::color_value::Color;
 use crate::defaults;
+use crate::frame::position_at;
 use crate::scene::{Extent, Scene};
-use crate::scene_file::{CameraSpec, LightSourceKind};
-use crate::settings::{Aim, CameraSettings, EquationSettings, LightSettings};
+use crate::scene_file::{CameraSpec, LightSourceKind, ObjectSpec};
+use crate::settings::{Aim, CameraSettings, EquationSettings, LightSettings, Motion};
 use glam::{DQuat, DVec3};
 use gonio_light::Convention;
 use gonio_light::vector::unit;
@@ -14,6 +15,8 @@ use gonio_light::vector::unit;
 const FILLED: f64 = 0.92;
 /// Largest ratio of far to near: beyond it a 24-bit depth buffer is too coarse.
 const FAR_OVER_NEAR: f64 = 1e4;
+/// Moments of a period at which the place of a moving object is computed.
+const DRIFT_STEPS: u32 = 64;
 /// The default view: from the right of the front (+Z) ...
 const AZIMUTH_DEG: f64 = 25.0;
 /// ... and from above: a little for upright objects, more for flat ones, so that a table top is
@@ -25,12 +28,16 @@ const ELEVATION_DEG: (f64, f64) = (12.0, 27.0);
 pub(crate) struct BoundingSphere {
     pub center: DVec3,
     pub radius: f64,
+    /// How far moving objects go from where they are at time 0.
+    pub drift: f64,
 }
 
 impl BoundingSphere {
-    pub fn new(min: DVec3, max: DVec3) -> Self {
+    /// The sphere around the box from `min` to `max` that `objects` have at time 0.
+    pub fn new(min: DVec3, max: DVec3, objects: &[ObjectSpec]) -> Self {
         let radius = 0.5 * (max - min).length();
-        BoundingSphere { center: 0.5 * (min + max), radius: if radius > 1e-12 { radius } else { 1.0 } }
+        let drift = objects.iter().map(drift).fold(0.0, f64::max);
+        BoundingSphere { center: 0.5 * (min + max), radius: if radius > 1e-12 { radius } else { 1.0 }, drift }
     }
 
     /// Rounded to about a thousandth of the radius: numbers that a person likes to read.
@@ -81,8 +88,16 @@ pub(crate) fn complete_camera(
     };
     let aim = angles.map_or(Aim::Target(target), |(yaw, pitch)| Aim::Angles { yaw, pitch });
     let distance = DVec3::from(position).distance(around.center);
-    let (near, far) = planes((spec.near, spec.far), distance, around.radius);
+    let (near, far) = planes((spec.near, spec.far), distance, around.radius + around.drift);
     CameraSettings { position, aim, up: world_up, fov_y, near, far }
+}
+
+/// The farthest that an object goes from where it is at time 0.
+fn drift(object: &ObjectSpec) -> f64 {
+    let Some(motion) = object.motion.clone().map(Motion::from) else { return 0.0 };
+    let start = DVec3::from(object.translate);
+    let times = (1..DRIFT_STEPS).map(|step| motion.period * f64::from(step) / f64::from(DRIFT_STEPS));
+    times.map(|time| position_at(&motion, start, time).distance(start)).fold(0.0, f64::max)
 }
 
 impl Scene {
@@ -90,7 +105,7 @@ impl Scene {
     /// field of view stay.
     pub fn framed(&self, camera: &CameraSettings, aspect: f64) -> CameraSettings {
         let (min, max) = self.bounds();
-        let around = BoundingSphere::new(min, max);
+        let around = BoundingSphere::new(min, max, &self.settings.objects);
         let front = camera.to_camera().front;
         let up = unit(camera.up.into()).unwrap_or(DVec3::Y);
         let fit = Fit::new(front, up, camera.fov_y, aspect, around.center, self);
@@ -102,9 +117,9 @@ impl Scene {
     /// `camera` with near and far planes that suit its position: no object is cut off, if the depth buffer allows it.
     pub fn with_planes(&self, camera: CameraSettings) -> CameraSettings {
         let (min, max) = self.bounds();
-        let around = BoundingSphere::new(min, max);
+        let around = BoundingSphere::new(min, max, &self.settings.objects);
         let distance = DVec3::from(camera.position).distance(around.center);
-        let (near, far) = planes((None, None), distance, around.radius);
+        let (near, far) = planes((None, None), distance, around.radius + around.drift);
         CameraSettings { near, far, ..camera }
     }
 }

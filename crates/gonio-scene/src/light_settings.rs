@@ -77,16 +77,16 @@ impl From<LightSpec> for LightSettings {
     }
 }
 
-/// The motion of a light.
+/// The motion of a light or an object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// Seconds until the light is back, > 0.
+    /// Seconds until it is back, > 0.
     pub period: f64,
     /// The path.
     pub path: MotionPath,
 }
 
-/// The path of a moving light.
+/// The path of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionPath {
     /// position + amplitude * sin(2 pi time / period)
@@ -94,7 +94,7 @@ pub enum MotionPath {
         /// The largest displacement, world space.
         amplitude: [f64; 3],
     },
-    /// Around `center` about `axis`, starting at the light's position.
+    /// Around `center` about `axis`, starting at the position.
     Circle {
         /// World space.
         center: [f64; 3],

@@ -25,11 +25,11 @@ named_enum! {
 }
 
 named_enum! {
-    /// The motion of a light.
+    /// The motion of a light or an object.
     pub enum MotionKind {
         /// position + amplitude * sin(2 pi time / period)
         Oscillate = "oscillate",
-        /// Around `center` about `axis`, starting at the light's position.
+        /// Around `center` about `axis`, starting at the position.
         Circle = "circle",
         /// Along `points`, linearly, one `period` for the whole path, closed.
         Path = "path",
@@ -115,7 +115,7 @@ pub struct LightSpec {
     pub motion: Option<MotionSpec>,
 }
 
-/// The motion of a light.
+/// The motion of a light or an object.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MotionSpec {

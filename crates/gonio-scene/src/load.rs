@@ -119,6 +119,7 @@ pub fn load_within(
     limits: &Limits,
 ) -> Result<Scene, ReadError> {
     validate::check(&scene)?;
+    scene.objects.iter_mut().for_each(ObjectSpec::start_on_path);
     let files = &Budgeted::new(files, limits.max_bytes);
 
     // Each file once.
@@ -244,7 +245,7 @@ pub(crate) fn lacks_surroundings() -> Diagnostic {
 fn complete(file: SceneFile, scene: &Scene) -> SceneSettings {
     let SceneFile { picture, camera, background, environment, equation, objects, lights } = file;
     let (min, max) = scene.bounds();
-    let around = BoundingSphere::new(min, max);
+    let around = BoundingSphere::new(min, max, &objects);
     let aspect = f64::from(picture.width) / f64::from(picture.height);
     let camera = framing::complete_camera(&camera, around, scene, aspect);
     let environment = environment.map(|spec| EnvironmentSettings::new(spec, lights.is_empty()));

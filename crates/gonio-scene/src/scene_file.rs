@@ -287,9 +287,30 @@ pub struct ObjectSpec {
     /// which averages all.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crease_angle: Option<f64>,
+    /// Its motion, of the translation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionSpec>,
     /// Values that replace those of the model's materials.
     #[serde(skip_serializing_if = "MaterialOverride::is_empty")]
     pub material: MaterialOverride,
+}
+
+impl ObjectSpec {
+    /// Moves the object; a path moves with it.
+    pub fn move_to(&mut self, translate: [f64; 3]) {
+        let way = [0, 1, 2].map(|axis| translate[axis] - self.translate[axis]);
+        for point in self.motion.iter_mut().flat_map(|motion| &mut motion.points).flatten() {
+            *point = [0, 1, 2].map(|axis| point[axis] + way[axis]);
+        }
+        self.translate = translate;
+        self.start_on_path();
+    }
+
+    /// An object on a path starts at the path's first point.
+    pub(crate) fn start_on_path(&mut self) {
+        let first = self.motion.as_ref().and_then(|motion| motion.points.as_ref()?.first());
+        self.translate = *first.unwrap_or(&self.translate);
+    }
 }
 
 impl Default for ObjectSpec {
@@ -303,6 +324,7 @@ impl Default for ObjectSpec {
             shading: Shading::Phong,
             normals: Normals::File,
             crease_angle: None,
+            motion: None,
             material: MaterialOverride::default(),
         }
     }

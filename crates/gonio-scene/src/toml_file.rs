@@ -133,6 +133,7 @@ fn read_object(mut t: TableReader<'_>) -> Result<ObjectSpec, Fault> {
         shading: t.word("shading")?.unwrap_or(d.shading),
         normals: t.word("normals")?.unwrap_or(d.normals),
         crease_angle: t.number("crease_angle")?,
+        motion: t.table("motion", "[object.motion]")?.map(read_motion).transpose()?,
         material: material.map_or(Ok(d.material), read_material)?,
     };
     t.finish().map(|()| object)

@@ -138,6 +138,15 @@ fn check_object(at: &str, o: &ObjectSpec) -> Check {
         return fail(at, "scale", "`scale` must not be 0 along any axis; a flat model has no inside to light");
     }
     check_number(at, "crease_angle", o.crease_angle, |v| (0.0..=180.0).contains(&v), "must be 0 to 180 degrees")?;
+    if let Some(motion) = &o.motion {
+        check_motion(at, motion)?;
+        let first = motion.points.as_ref().and_then(|p| p.first());
+        if first.is_some_and(|first| ![*first, [0.0; 3]].contains(&o.translate)) {
+            let message =
+                "an object on a path starts at the first of `points`; leave `translate` out or make it the same";
+            return fail(at, "translate", message);
+        }
+    }
     check_material(&format!("{at}.material"), &o.material)
 }
 
@@ -252,14 +261,21 @@ pub fn check_light(at: &str, l: &LightSpec) -> Check {
             format!("`inner_angle` must not be greater than `outer_angle`, but {inner} is greater than {outer}");
         return fail(at, "inner_angle", message);
     }
-    match &l.motion {
-        None => Ok(()),
-        Some(motion) => check_motion(at, motion, l.position),
+    if let Some(motion) = &l.motion {
+        check_motion(at, motion)?;
     }
+    if let (Some(first), Some(position)) = (path_begins, l.position)
+        && *first != position
+    {
+        let message = "a light on a path starts at the first of `points`; leave `position` out or make it the same";
+        return fail(at, "position", message);
+    }
+    Ok(())
 }
 
-fn check_motion(at_light: &str, m: &MotionSpec, position: Option<[f64; 3]>) -> Check {
-    let at = &format!("{at_light}.motion");
+/// Checks the motion of the light or the object whose path is `at`.
+fn check_motion(at: &str, m: &MotionSpec) -> Check {
+    let at = &format!("{at}.motion");
     let kind = m.kind;
     let given = [
         ("amplitude", m.amplitude.is_some(), kind == MotionKind::Oscillate),
@@ -291,12 +307,6 @@ fn check_motion(at_light: &str, m: &MotionSpec, position: Option<[f64; 3]>) -> C
     check_direction(at, "axis", m.axis)?;
     for (i, point) in m.points.iter().flatten().enumerate() {
         check_point(at, "points", Some(*point)).map_err(|p| InvalidValue { path: format!("{at}.points[{i}]"), ..p })?;
-    }
-    if let (Some(first), Some(position)) = (m.points.as_ref().and_then(|p| p.first()), position)
-        && *first != position
-    {
-        let message = "a light on a path starts at the first of `points`; leave `position` out or make it the same";
-        return fail(at_light, "position", message);
     }
     Ok(())
 }

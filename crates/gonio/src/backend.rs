@@ -219,6 +219,20 @@ pub struct BackendReport {
 }
 
 impl Backend {
+    /// Takes the scene at another time: objects have moved. The GPU's meshes and textures stay.
+    pub fn follow(&mut self, moved: &Scene, times: &Times) -> Result<(), CliError> {
+        times.measure("upload", || match self {
+            Backend::Gl { gl, gpu } => {
+                **gpu = gl.renderer.upload(moved)?;
+                Ok(())
+            }
+            Backend::Cpu { scene, .. } => {
+                **scene = ReferenceScene::new(moved);
+                Ok(())
+            }
+        })
+    }
+
     /// Draws the picture (`None`) and debug views of one frame, and calls `each` for each with its index in `views`. The CPU
     /// traces its rays once for all of them; a picture leaves the GPU before the next is drawn.
     pub fn draw(

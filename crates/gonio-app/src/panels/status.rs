@@ -60,10 +60,12 @@ fn amount(files: usize, bytes: u64) -> String {
     format!("{files} file{plural}, {:.1} MB", bytes as f64 / 1e6)
 }
 
-/// The longest period of all moving lights, in seconds; `None` if no light moves.
+/// The longest period of all lights and objects that move, in seconds; `None` if none moves.
 pub fn period(document: &Document) -> Option<f64> {
-    let motions = document.scene.lights.iter().filter(|light| light.enabled).filter_map(|light| light.motion.as_ref());
-    let longest = motions.map(|motion| motion.period).fold(0.0, f64::max);
+    let lights = document.scene.lights.iter().filter(|light| light.enabled);
+    let of_lights = lights.filter_map(|light| Some(light.motion.as_ref()?.period));
+    let of_objects = document.scene.objects.iter().filter_map(|object| Some(object.motion.as_ref()?.period));
+    let longest = of_lights.chain(of_objects).fold(0.0, f64::max);
     (longest > 0.0 && longest.is_finite()).then_some(longest)
 }
 

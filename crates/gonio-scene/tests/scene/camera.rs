@@ -1,4 +1,4 @@
-//! Cameras, framing of models, and lights that move.
+//! Cameras, framing of models, and lights and objects that move.
 
 use glam::{DVec3, DVec4};
 use gonio_light::LightKind;
@@ -263,4 +263,62 @@ fn path() {
     at(text, 12.0, [0.0, 0.0, 0.0]);
     at(text, -5.0, [3.0, 4.0, 0.0]);
     at("point motion=path period=1 points=1,2,3;1,2,3", 0.3, [1.0, 2.0, 3.0]);
+}
+
+const MOVING: &str = "[[object]]\nmodel = \"builtin:cube\"\ntranslate = [1, 2, 3]\nrotate = [0, 30, 0]\nscale = [2, 1, 1]\n\
+                      motion = { kind = \"oscillate\", period = 4, amplitude = [0, 0, 50] }\n\
+                      [[object]]\nmodel = \"builtin:cube\"\n\
+                      [[object]]\nmodel = \"builtin:cube\"\n\
+                      motion = { kind = \"path\", period = 2, points = [[5, 0, 0], [7, 0, 0]] }\n";
+
+fn moving() -> Scene {
+    load(gonio_scene::toml_file::read(MOVING).unwrap(), Path::new(""), &BuiltinOnly).unwrap()
+}
+
+#[test]
+fn objects_move_and_keep_their_rotation_and_scale() {
+    let scene = moving();
+    assert!(scene.has_moving_objects() && !loaded("builtin:cube", |_| ()).has_moving_objects());
+    let places = |scene: &Scene| scene.objects.iter().map(|o| o.world_from_model.w_axis.truncate()).collect::<Vec<_>>();
+    let start = [DVec3::new(1.0, 2.0, 3.0), DVec3::ZERO, DVec3::new(5.0, 0.0, 0.0)];
+    assert_eq!(places(&scene), start);
+    assert_eq!(places(&scene.at(0.0)), start);
+    let later = scene.at(1.0);
+    let expected = [DVec3::new(1.0, 2.0, 53.0), DVec3::ZERO, DVec3::new(7.0, 0.0, 0.0)];
+    assert!(places(&later).iter().zip(expected).all(|(a, b)| a.abs_diff_eq(b, 1e-12)), "{:?}", places(&later));
+    for (a, b) in later.objects.iter().zip(&scene.objects) {
+        let linear = |o: &gonio_scene::Object| glam::DMat3::from_mat4(o.world_from_model);
+        assert_eq!(linear(a), linear(b));
+    }
+    // Nothing is copied, and another moment can be taken from any.
+    assert!(later.meshes.iter().zip(&scene.meshes).all(|(a, b)| std::sync::Arc::ptr_eq(a, b)));
+    assert_eq!(places(&later.at(0.0)), start);
+    // The boxes are those of the moment.
+    assert!((scene.bounds().1.z, later.bounds().1.z) < (10.0, 60.0) && later.bounds().1.z > 50.0);
+    assert_eq!(later.frame(1.0).bounds_max, later.bounds().1);
+}
+
+/// The planes that are chosen for a camera are those of the whole motion.
+#[test]
+fn nothing_that_moves_is_cut_off() {
+    let scene = moving();
+    for step in 0..16 {
+        let moved = scene.at(0.25 * f64::from(step));
+        let frame = moved.frame(0.0);
+        let (min, max) = moved.bounds();
+        let farthest = (0..8).map(|i| {
+            let pick = |axis: usize| if i >> axis & 1 == 1 { max[axis] } else { min[axis] };
+            frame.camera.depth_of(DVec3::new(pick(0), pick(1), pick(2)))
+        });
+        assert!(farthest.fold(0.0, f64::max) < frame.camera.far, "{step}");
+    }
+}
+
+#[test]
+fn a_path_moves_with_its_object() {
+    let mut object = moving().settings.objects[2].clone();
+    assert_eq!(object.translate, [5.0, 0.0, 0.0], "it starts at the first point");
+    object.move_to([5.0, 1.0, 0.0]);
+    assert_eq!(object.translate, [5.0, 1.0, 0.0]);
+    assert_eq!(object.motion.unwrap().points, Some(vec![[5.0, 1.0, 0.0], [7.0, 1.0, 0.0]]));
 }

@@ -83,7 +83,7 @@ fn drawn(scene: &Scene) -> Vec<String> {
 type Edit = (&'static str, fn(&mut SceneSettings), [bool; 2]);
 
 /// Each edit, and whether it changes the geometry and the materials.
-const EDITS: [Edit; 23] = [
+const EDITS: [Edit; 24] = [
     ("nothing", |_| (), [false, false]),
     ("the picture", |s| (s.picture.width, s.picture.exposure) = (64, 1.0), [false, false]),
     ("the camera", |s| (s.camera.position, s.camera.fov_y) = ([1.0, 2.0, 5.0], 50.0), [false, false]),
@@ -102,6 +102,7 @@ const EDITS: [Edit; 23] = [
     ("the environment lights", |s| environment(s).light = true, [false, false]),
     ("no environment", |s| s.environment = None, [false, false]),
     ("an object moved", |s| s.objects[0].translate = [1.0, 1.0, -1.0], [true, false]),
+    ("an object moves", |s| s.objects[0].motion = some_motion(), [false, false]),
     ("an object mirrored", |s| s.objects[1].scale = [-1.0, 2.0, 1.0], [true, false]),
     ("a name left out", |s| s.objects[2].name.clear(), [false, false]),
     ("shading", |s| s.objects[0].shading = Shading::Gouraud, [false, false]),
@@ -124,6 +125,11 @@ const EDITS: [Edit; 23] = [
         [false, true],
     ),
 ];
+
+fn some_motion() -> Option<gonio_scene::scene_file::MotionSpec> {
+    let light = LightSpec::from_option_text("point position=0,0,0 motion=oscillate period=2 amplitude=0,0,2");
+    light.unwrap().motion
+}
 
 fn environment(scene: &mut SceneSettings) -> &mut EnvironmentSettings {
     scene.environment.as_mut().unwrap()

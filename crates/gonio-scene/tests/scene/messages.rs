@@ -212,6 +212,19 @@ fn motions_take_the_keys_of_their_kind() {
 }
 
 #[test]
+fn objects_move_like_lights() {
+    check_message("[object.motion]\nperiod = 2\n", "3:1: this motion needs `kind`, one of oscillate, circle, path");
+    check_message(
+        "motion = { kind = \"circle\", period = 0, center = [0, 0, 0] }\n",
+        "3:38: `period` must be greater than 0, in seconds, not 0",
+    );
+    check_message(
+        "translate = [1, 0, 0]\nmotion = { kind = \"path\", period = 1, points = [[0, 0, 1]] }\n",
+        "3:13: an object on a path starts at the first of `points`; leave `translate` out or make it the same",
+    );
+}
+
+#[test]
 fn errors_of_toml_have_a_place() {
     let error = read("[camera]\nfov_y = = 3\n").unwrap_err();
     assert_eq!((error.place.line, error.place.column.is_some()), (Some(2), true));

@@ -73,6 +73,13 @@ fn a_scene_with_everything_in_it() {
         shading = "flat-per-face"
         normals = "averaged"
         material = { ambient = "#fff", diffuse = [0.1, 0.2, 0.3], specular = "#010203", emitted = [0, 0, 9], shininess = 7.7, refraction_index = 1.33, opacity = 0.3, textures = false }
+        [object.motion]
+        kind = "circle"
+        period = 0.7
+        center = [0.1, 0.2, 0.3]
+        [[object]]
+        model = "builtin:cube"
+        motion = { kind = "path", period = 3, points = [[0.1, 0.2, 0.3], [3, 2, 1]] }
         [[light]]
         kind = "spot"
         position = [1, 2, 3]

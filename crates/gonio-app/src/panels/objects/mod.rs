@@ -106,9 +106,13 @@ fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
         exported::note(ui, &response, &id("name"), WidgetRole::Text, "name", &spec.name);
     });
     let tip = "Applied last, in world units";
+    let mut translate = spec.translate;
     row(ui, "Translate", tip, |ui| {
-        Vector::new(&id("translate"), "translate").tip(tip).default([0.0; 3]).show(ui, &mut spec.translate)
+        Vector::new(&id("translate"), "translate").tip(tip).default([0.0; 3]).show(ui, &mut translate)
     });
+    if translate != spec.translate {
+        spec.move_to(translate);
+    }
     let tip = "About the world's x, then y, then z axis";
     row(ui, "Rotate", tip, |ui| {
         let id = id("rotate");
@@ -221,7 +225,8 @@ fn apply(document: &mut Document, session: &mut Session, edit: Edit) {
             let width = bounds.map_or(1.0, |(min, max)| 1.15 * (max.x - min.x));
             let mut copy = objects[index].clone();
             copy.name = format!("{} copy", copy.name.trim_end_matches(" copy"));
-            copy.translate[0] = ((copy.translate[0] + width) * 1000.0).round() / 1000.0;
+            let [x, y, z] = copy.translate;
+            copy.move_to([((x + width) * 1000.0).round() / 1000.0, y, z]);
             objects.insert(index + 1, copy);
             session.selection = Selection::Object(index + 1);
         }

@@ -4,7 +4,7 @@
 //! window stays responsive.
 
 use super::details::Details;
-use super::pane::{PaneDrawing, triangles, with_settings};
+use super::pane::{PaneDrawing, at_time, triangles, with_settings};
 use crate::document::{DifferenceSettings, Document, Pane};
 use crate::session::Session;
 use crate::session::comparison::{Curve, CurvePoint, DifferenceFacts};
@@ -150,6 +150,7 @@ impl CurveRun {
             let Some(meshes) = details.meshes(&loaded, level) else { return Ok(true) };
             loaded = Arc::new(detail::with_meshes(&loaded, &meshes));
         }
+        let loaded = at_time(loaded, self.time);
         let uploaded = renderer.upload(&loaded)?;
         let [width, height] = self.frame_size;
         let frame = Frame { width, height, ..loaded.frame(self.time) };

@@ -140,8 +140,9 @@ impl PaneRenderer {
             counted: session.tab == Tab::Compare,
         };
         let pane = &mut self.panes[index];
-        pane.follow(&mut self.renderer, &mut self.details, base, session.generation, settings)?;
-        pane.draw(&self.gl, &mut self.renderer, session.clock.time, size, pace, facts)?;
+        let time = session.clock.time;
+        pane.follow(&mut self.renderer, &mut self.details, base, session.generation, settings, time)?;
+        pane.draw(&self.gl, &mut self.renderer, time, size, pace, facts)?;
         let picture = pane.canvas.as_ref().map(|canvas| self.presenter.presentation(canvas.texture()));
         Ok(picture.map(|picture| if pane.is_opaque() { picture.opaque() } else { picture }))
     }

@@ -33,6 +33,8 @@ pub struct PaneDrawing {
     from: Option<Arc<Scene>>,
     generation: u64,
     settings: Pane,
+    /// Seconds; counts only where objects move.
+    time: f64,
     pub loaded: Option<Arc<Scene>>,
     /// Meshes at the pane's level of detail, with the generation of their scene; shown while others are created.
     detailed: Option<(u64, Vec<Arc<Mesh>>)>,
@@ -46,8 +48,8 @@ pub struct PaneDrawing {
 }
 
 impl PaneDrawing {
-    /// Updates the pane's scene to the document's with the pane's settings. GPU data are kept unless geometry or materials changed,
-    /// so that moving a light uploads nothing.
+    /// Updates the pane's scene to the document's at `time`, with the pane's settings. GPU data are kept unless geometry or
+    /// materials changed, so that moving a light uploads nothing. An object that moves gets another matrix.
     pub fn follow(
         &mut self,
         renderer: &mut Renderer,
@@ -55,13 +57,15 @@ impl PaneDrawing {
         base: &Arc<Scene>,
         generation: u64,
         settings: &Pane,
+        time: f64,
     ) -> Result<(), GlError> {
         let same_base = self.from.as_ref().is_some_and(|from| Arc::ptr_eq(from, base));
-        if same_base && self.settings == *settings && self.uploaded.is_some() && !self.facts.preparing {
+        let same_places = self.time == time || !base.has_moving_objects();
+        if same_base && same_places && self.settings == *settings && self.uploaded.is_some() && !self.facts.preparing {
             return Ok(());
         }
         let loaded = with_settings(base, settings);
-        let loaded = self.with_detail(loaded, details, generation, settings);
+        let loaded = at_time(self.with_detail(loaded, details, generation, settings), time);
         let known = self.uploaded.as_ref().filter(|_| self.generation == generation);
         if !known.is_some_and(|(uploaded, _)| is_same_on_gpu(uploaded, &loaded)) {
             self.uploaded = Some((loaded.clone(), renderer.upload(&loaded)?));
@@ -72,6 +76,7 @@ impl PaneDrawing {
         self.from = Some(base.clone());
         self.generation = generation;
         self.settings = settings.clone();
+        self.time = time;
         Ok(())
     }
 
@@ -181,6 +186,11 @@ pub fn with_settings(base: &Arc<Scene>, settings: &Pane) -> Arc<Scene> {
     }
 }
 
+/// The scene at `time`, seconds.
+pub fn at_time(loaded: Arc<Scene>, time: f64) -> Arc<Scene> {
+    if loaded.has_moving_objects() { Arc::new(loaded.at(time)) } else { loaded }
+}
+
 /// Triangles of all objects.
 pub fn triangles(loaded: &Scene) -> usize {
     let of = |object: &gonio_scene::Object| loaded.meshes.get(object.mesh).map_or(0, |mesh| mesh.triangle_count());
@@ -204,13 +214,16 @@ fn vertices(loaded: &Scene) -> u64 {
     loaded.objects.iter().filter_map(of).sum()
 }
 
-/// Whether the GPU data of one scene can be used for another of the same generation: the same meshes, shadings and environment.
+/// Whether the GPU data of one scene can be used for another of the same generation: the same meshes, places, shadings and
+/// environment.
 fn is_same_on_gpu(uploaded: &Scene, loaded: &Scene) -> bool {
     let environment = |scene: &Scene| scene.environment.as_ref().map(Arc::as_ptr);
     uploaded.objects.len() == loaded.objects.len()
         && environment(uploaded) == environment(loaded)
         && uploaded.objects.iter().zip(&loaded.objects).all(|(a, b)| {
             let mesh = |scene: &Scene, index: usize| scene.meshes.get(index).map(Arc::as_ptr);
-            a.shading == b.shading && mesh(uploaded, a.mesh) == mesh(loaded, b.mesh)
+            a.shading == b.shading
+                && a.world_from_model == b.world_from_model
+                && mesh(uploaded, a.mesh) == mesh(loaded, b.mesh)
         })
 }

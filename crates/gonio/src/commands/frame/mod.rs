@@ -80,7 +80,7 @@ pub fn run(args: &FrameArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     let backend = BackendOptions { backend: BackendChoice::Gl, threads: None, egl_library: args.egl_library.clone() };
     let (scene, context) =
         loading::load_scene_while(&args.inputs, &args.scene, reporter, &times, || open_context(&backend));
-    let scene = scene?;
+    let scene = scene?.at(args.time);
     reporter.diagnostics(&scene.diagnostics);
     loading::check_views(args.debug, &scene)?;
     // The CPU makes no OpenGL calls.

@@ -86,7 +86,7 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     let (scene, opened) = loading::load_scene_while(&args.inputs, &args.scene, reporter, &times, || {
         Opened::new(&args.backend, None, &times)
     });
-    let scene = scene?;
+    let scene = scene?.at(args.time);
     reporter.diagnostics(&scene.diagnostics);
     // One sample: the ray through the centre of the pixel.
     let frame = Frame { samples: 1, ..scene.frame(args.time) };

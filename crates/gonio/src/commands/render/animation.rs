@@ -105,13 +105,22 @@ impl<'a> Frames<'a> {
         Frames { scene, start, fps, step }
     }
 
+    /// The scene of the frame with this index, from 0, if it differs from that of the others: objects move.
+    pub fn scene_at(&self, index: u32) -> Option<Scene> {
+        self.scene.has_moving_objects().then(|| self.scene.at(self.time(index)))
+    }
+
     /// The frame with this index, from 0.
     pub fn at(&self, index: u32) -> Frame {
-        let frame = self.scene.frame(self.start + f64::from(index) / self.fps);
+        let frame = self.scene.frame(self.time(index));
         match self.step {
             Some(step) => self.scene.orbit(&self.scene.orbit_start(&frame), step * f64::from(index)),
             None => frame,
         }
+    }
+
+    fn time(&self, index: u32) -> f64 {
+        self.start + f64::from(index) / self.fps
     }
 }
 

@@ -96,7 +96,7 @@ pub struct RenderArgs {
     #[arg(long, help_heading = "Animation options", value_name = "DEG", value_parser = values::number,
           allow_negative_numbers = true, requires = "frames")]
     pub orbit: Option<f64>,
-    /// Frames per second, of the animation and of lights that move.
+    /// Frames per second, of the animation and of lights and objects that move.
     #[arg(long, help_heading = "Animation options", value_name = "RATE", value_parser = values::frame_rate,
           default_value = "24")]
     pub fps: f64,
@@ -180,7 +180,7 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
     let (scene, opened) = loading::load_scene_while(&args.inputs, &args.scene, reporter, &times, || {
         Opened::new(&args.backend, args.capture.as_deref(), &times)
     });
-    let mut scene = scene?;
+    let mut scene = scene?.at(args.time);
     reporter.diagnostics(&scene.diagnostics);
     let views = || args.views.iter().copied().chain(args.debug.and_then(DebugView::quantity));
     loading::check_views(views(), &scene)?;
@@ -238,6 +238,9 @@ impl Drawing<'_> {
             .collect();
         let progress = (count > 1).then(|| self.reporter.progress("frames"));
         for index in 0..count {
+            if let Some(moved) = frames.scene_at(index).filter(|_| index > 0) {
+                backend.follow(&moved, self.times)?;
+            }
             self.draw_frame(index, &frames.at(index), backend, &mut animations)?;
             if let Some(progress) = &progress {
                 progress.set(f64::from(index + 1) / f64::from(count));

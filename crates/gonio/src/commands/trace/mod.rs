@@ -159,7 +159,7 @@ pub fn run(args: &TraceArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     let options = SceneOptions { samples: None, ..args.scene.clone() };
     let scene = {
         let _busy = reporter.busy("reading the scene");
-        times.measure("load", || loading::load_scene(&args.inputs, &options, reporter))?
+        times.measure("load", || loading::load_scene(&args.inputs, &options, reporter))?.at(args.moment)
     };
     reporter.diagnostics(&scene.diagnostics);
     loading::check_views(args.views.iter().copied(), &scene)?;
