@@ -47,6 +47,8 @@ pub(crate) struct Triangle {
     pub material: u32,
     /// Its light, if its material emits light.
     pub light: Option<u32>,
+    /// The interpolated normal is the triangle's own everywhere.
+    flat: bool,
 }
 
 /// An object in its place.
@@ -102,6 +104,9 @@ impl Geometry {
         }
         let corners: Vec<[Vec3; 3]> = geometry.triangles.iter().map(|t| geometry.corners(t)).collect();
         geometry.geometric_normals = geometry.triangles.iter().map(|t| geometry.front_normal(t)).collect();
+        for i in 0..geometry.triangles.len() {
+            geometry.triangles[i].flat = geometry.is_flat(i);
+        }
         geometry.tree = Tree::new(&corners);
         geometry
     }
@@ -146,6 +151,7 @@ impl Geometry {
                         object: index,
                         material: part.material as u32,
                         light: None,
+                        flat: false,
                     });
                 }
             }
@@ -162,6 +168,18 @@ impl Geometry {
     /// Unit, towards the front; zero for a triangle without area.
     pub fn geometric_normal(&self, triangle: u32) -> Vec3 {
         self.geometric_normals[triangle as usize]
+    }
+
+    /// Whether the normals of the corners are the triangle's: as exactly as f32 tells.
+    fn is_flat(&self, index: usize) -> bool {
+        let triangle = &self.triangles[index];
+        let own = self.geometric_normals[index];
+        self.objects[triangle.object as usize].flat
+            || triangle.vertices.iter().all(|&v| {
+                let normal = self.normals[v as usize];
+                let difference = if normal.dot(own) < 0.0 { normal + own } else { normal - own };
+                difference.abs().max_element() < 4.0 * f32::EPSILON
+            })
     }
 
     fn front_normal(&self, triangle: &Triangle) -> Vec3 {
@@ -185,9 +203,10 @@ impl Geometry {
     pub fn point(&self, triangle: &Triangle, weights: Vec3) -> (Vec3, f32) {
         let [a, b, c] = self.corners(triangle);
         let position = a * weights.x + b * weights.y + c * weights.z;
-        // Seven roundings (M. Pharr, W. Jakob, G. Humphreys, *Physically Based Rendering*, 4th edition, section 6.8.4).
+        // Seven roundings (M. Pharr, W. Jakob, G. Humphreys, *Physically Based Rendering*, 4th edition, section 6.8.4), and two
+        // for the step away from the surface.
         let largest = a.abs().max(b.abs()).max(c.abs()).max_element();
-        (position, 7.0 * 0.5 * f32::EPSILON * largest)
+        (position, 9.0 * 0.5 * f32::EPSILON * largest)
     }
 
     /// The mesh of a triangle, and its corners in that mesh.
@@ -205,7 +224,7 @@ impl Geometry {
         let (position, error) = self.point(triangle, weights);
         let geometric_normal = self.geometric_normal(hit.triangle);
         let object = &self.objects[triangle.object as usize];
-        let normal = if object.flat {
+        let normal = if triangle.flat {
             geometric_normal
         } else {
             let [a, b, c] = triangle.vertices;
@@ -244,20 +263,9 @@ impl Place {
     }
 }
 
-/// `position` moved along `normal` to the side of `direction`, beyond its rounding error.
+/// `position` moved along `normal` to the side of `direction`, beyond its rounding error. `error` covers the rounding of
+/// this step too.
 pub(crate) fn offset(position: Vec3, error: f32, normal: Vec3, direction: Vec3) -> Vec3 {
     let distance = error * normal.abs().element_sum() + f32::MIN_POSITIVE;
-    let step = if direction.dot(normal) < 0.0 { -normal * distance } else { normal * distance };
-    let moved = position + step;
-    // Away from the surface where adding rounded towards it.
-    let away = |moved: f32, step: f32| {
-        if step > 0.0 {
-            moved.next_up()
-        } else if step < 0.0 {
-            moved.next_down()
-        } else {
-            moved
-        }
-    };
-    Vec3::new(away(moved.x, step.x), away(moved.y, step.y), away(moved.z, step.z))
+    position + normal * distance.copysign(direction.dot(normal))
 }

@@ -35,7 +35,7 @@ impl Sampler {
     /// The next number, in `[0, 1)`.
     pub fn next_1d(&mut self) -> f32 {
         let seed = self.next_seed();
-        unit_interval(permute(self.shuffled_index(seed), hash(seed ^ 1)).reverse_bits())
+        unit_interval(permute(self.shuffled_index(seed), other_seed(seed, FIRST)).reverse_bits())
     }
 
     /// The next point, in `[0, 1)^2`.
@@ -44,8 +44,8 @@ impl Sampler {
         let index = self.shuffled_index(seed);
         // The first coordinate of the sequence is the index reversed, and scrambling reverses once more.
         Vec2::new(
-            unit_interval(permute(index, hash(seed ^ 1)).reverse_bits()),
-            unit_interval(permute(pascal(index), hash(seed ^ 2)).reverse_bits()),
+            unit_interval(permute(index, other_seed(seed, FIRST)).reverse_bits()),
+            unit_interval(permute(pascal(index), other_seed(seed, SECOND)).reverse_bits()),
         )
     }
 
@@ -58,6 +58,15 @@ impl Sampler {
         self.pair += 1;
         hash(self.seed ^ self.pair.wrapping_mul(0x9E37_79B9))
     }
+}
+
+/// Odd, with bits that look random: the seeds of the two coordinates.
+const FIRST: u64 = 0x9E37_79B9_7F4A_7C15;
+const SECOND: u64 = 0xD1B5_4A32_D192_ED03;
+
+/// A seed for another purpose: the upper half of the product depends on all bits of a hash.
+fn other_seed(seed: u32, factor: u64) -> u32 {
+    (u64::from(seed).wrapping_mul(factor) >> 32) as u32
 }
 
 fn unit_interval(bits: u32) -> f32 {

@@ -41,8 +41,8 @@ pub(crate) struct Tree {
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    min: [Vec4; 3],
-    max: [Vec4; 3],
+    /// The least and the largest coordinates, by axis.
+    bounds: [[Vec4; 2]; 3],
     /// An inner node's index; or [`LEAF`], a bit for a second packet, and the index of the first packet; [`EMPTY`] where
     /// there is no child.
     children: [u32; 4],
@@ -105,8 +105,8 @@ impl Tree {
             for (lane, child) in children.iter().enumerate() {
                 let aabb = child.aabb();
                 for axis in 0..3 {
-                    self.nodes[index].min[axis][lane] = aabb.min[axis];
-                    self.nodes[index].max[axis][lane] = aabb.max[axis];
+                    self.nodes[index].bounds[axis][0][lane] = aabb.min[axis];
+                    self.nodes[index].bounds[axis][1][lane] = aabb.max[axis];
                 }
                 if child.is_leaf() {
                     let first = child.first_index as usize;
@@ -128,7 +128,8 @@ impl Tree {
     /// The nearest triangle in front of the ray's origin.
     pub fn nearest(&self, ray: &Ray) -> Option<Hit> {
         let mut hit = None;
-        self.visit(ray, |found| {
+        self.visit::<true>(ray, |packet, line, reach| {
+            let Some(found) = packet.nearest(line, reach) else { return Some(reach) };
             hit = Some(found);
             Some(found.distance)
         });
@@ -138,36 +139,35 @@ impl Tree {
     /// Whether any triangle lies in the ray's reach.
     pub fn is_blocked(&self, ray: &Ray) -> bool {
         let mut blocked = false;
-        self.visit(ray, |_| {
-            blocked = true;
-            None
+        self.visit::<false>(ray, |packet, line, reach| {
+            blocked = packet.blocks(line, reach);
+            (!blocked).then_some(reach)
         });
         blocked
     }
 
-    /// Hands over hits, each nearer than what `meet` returned for the last; ends where it returns none.
+    /// Hands over packets that may have a hit within reach, which is what `meet` returned for the last; ends where it returns
+    /// none. `SORTED`: near ones first.
     #[inline(always)]
-    fn visit(&self, ray: &Ray, mut meet: impl FnMut(Hit) -> Option<f32>) {
+    fn visit<const SORTED: bool>(&self, ray: &Ray, mut meet: impl FnMut(&Packet, &Line, f32) -> Option<f32>) {
         if self.nodes.is_empty() {
             return;
         }
         let line = Line::new(ray);
         let mut reach = ray.reach;
         let mut stack = Stack::new();
-        stack.insert(0, 0.0, 0);
+        stack.insert::<SORTED>(0, 0.0, 0);
         while let Some((entry, child)) = stack.pop() {
-            if entry > reach {
+            if SORTED && entry > reach {
                 continue;
             }
             if child & LEAF != 0 {
                 let first = (child & !(LEAF | SECOND_PACKET)) as usize;
                 let end = first + 1 + usize::from(child & SECOND_PACKET != 0);
                 for packet in &self.packets[first..end] {
-                    if let Some(hit) = packet.nearest(&line, reach) {
-                        match meet(hit) {
-                            Some(nearer) => reach = nearer,
-                            None => return,
-                        }
+                    match meet(packet, &line, reach) {
+                        Some(nearer) => reach = nearer,
+                        None => return,
                     }
                 }
                 continue;
@@ -183,7 +183,7 @@ impl Tree {
                 let lane = bits.trailing_zeros() as usize;
                 bits &= bits - 1;
                 if node.children[lane] != EMPTY {
-                    stack.insert(bottom, entries[lane], node.children[lane]);
+                    stack.insert::<SORTED>(bottom, entries[lane], node.children[lane]);
                 }
             }
         }
@@ -211,7 +211,7 @@ struct Stack {
 }
 
 impl Stack {
-    const SIZE: usize = 48;
+    const SIZE: usize = 32;
 
     #[inline(always)]
     fn new() -> Self {
@@ -229,9 +229,9 @@ impl Stack {
         Some((f32::from_bits((top >> 32) as u32), top as u32))
     }
 
-    /// Pushes between the entries from `bottom` on, which are sorted from far to near.
+    /// Pushes, `SORTED` between the entries from `bottom` on, which are sorted from far to near.
     #[inline(always)]
-    fn insert(&mut self, bottom: usize, entry: f32, child: u32) {
+    fn insert<const SORTED: bool>(&mut self, bottom: usize, entry: f32, child: u32) {
         let packed = u64::from(entry.to_bits()) << 32 | u64::from(child);
         if self.length == Stack::SIZE || !self.rest.is_empty() {
             self.rest.push(packed);
@@ -239,7 +239,7 @@ impl Stack {
         }
         let mut at = self.length;
         self.length += 1;
-        while at > bottom && self.entries[at - 1] < packed {
+        while SORTED && at > bottom && self.entries[at - 1] < packed {
             self.entries[at] = self.entries[at - 1];
             at -= 1;
         }
@@ -249,15 +249,16 @@ impl Stack {
 
 impl Node {
     /// Boxes that no ray meets.
-    const EMPTY: Node = Node { min: [Vec4::INFINITY; 3], max: [Vec4::NEG_INFINITY; 3], children: [EMPTY; 4] };
+    const EMPTY: Node = Node { bounds: [[Vec4::INFINITY, Vec4::NEG_INFINITY]; 3], children: [EMPTY; 4] };
 
     /// The distances at which the ray enters the boxes, and a bit for each box that it meets within `reach`.
     #[inline]
     fn entries(&self, line: &Line, reach: f32) -> (Vec4, u32) {
         let (mut from, mut to) = (Vec4::ZERO, Vec4::splat(reach));
         for axis in 0..3 {
-            let (near, far) =
-                if line.negative[axis] { (self.max[axis], self.min[axis]) } else { (self.min[axis], self.max[axis]) };
+            // Looked up, because a branch would often be predicted wrongly.
+            let near = self.bounds[axis][line.negative[axis] & 1];
+            let far = self.bounds[axis][line.negative[axis] & 1 ^ 1];
             // In this order a NaN (0 times infinity: the ray lies in a side of the box) leaves the interval as it is.
             from = ((near - line.box_origin[axis]) * line.inverse[axis]).max(from);
             to = ((far - line.box_origin[axis]) * line.inverse_out[axis]).min(to);
@@ -273,7 +274,8 @@ struct Line {
     /// The same, a little larger, so that no box is missed by rounding (T. Ize, *Robust BVH Ray Traversal*, JCGT 2(2),
     /// 2013).
     inverse_out: [Vec4; 3],
-    negative: [bool; 3],
+    /// 1 where the direction's component is negative, else 0.
+    negative: [usize; 3],
     /// The axes, the direction's largest component last.
     axes: [usize; 3],
     shear: [Vec4; 3],
@@ -289,14 +291,14 @@ impl Line {
         if d[z] < 0.0 {
             std::mem::swap(&mut x, &mut y);
         }
-        let inverse = d.recip();
+        let inverse = Vec4::ONE / d.extend(1.0);
         Line {
             box_origin: [0, 1, 2].map(|i| Vec4::splat(o[i])),
             inverse: [0, 1, 2].map(|i| Vec4::splat(inverse[i])),
             inverse_out: [0, 1, 2].map(|i| Vec4::splat(inverse[i] * (1.0 + 4.0 * f32::EPSILON))),
-            negative: [0, 1, 2].map(|i| inverse[i] < 0.0),
+            negative: [0, 1, 2].map(|i| usize::from(inverse[i] < 0.0)),
             axes: [x, y, z],
-            shear: [d[x] / d[z], d[y] / d[z], 1.0 / d[z]].map(Vec4::splat),
+            shear: [d[x] * inverse[z], d[y] * inverse[z], inverse[z]].map(Vec4::splat),
             origin: [x, y, z].map(|i| Vec4::splat(o[i])),
         }
     }
@@ -310,8 +312,9 @@ impl Packet {
         Packet { corners, triangles }
     }
 
-    #[inline]
-    fn nearest(&self, line: &Line, reach: f32) -> Option<Hit> {
+    /// The triangles that the line meets, as bits, with the weights of their corners before normalisation, and the distances.
+    #[inline(always)]
+    fn meet(&self, line: &Line, reach: f32) -> Option<(u32, [Vec4; 4], Vec4)> {
         let [kx, ky, kz] = line.axes;
         let [sx, sy, sz] = line.shear;
         let [ox, oy, oz] = line.origin;
@@ -334,7 +337,19 @@ impl Packet {
         let determinant = u + v + w;
         let distance = (u * az + v * bz + w * cz) * sz / determinant;
         // A comparison with NaN (no area, or seen from the side) fails.
-        let mut met = (inside & distance.cmpgt(Vec4::ZERO) & distance.cmplt(Vec4::splat(reach))).bitmask();
+        let met = (inside & distance.cmpgt(Vec4::ZERO) & distance.cmplt(Vec4::splat(reach))).bitmask();
+        (met != 0).then_some((met, [u, v, w, determinant], distance))
+    }
+
+    /// Whether any triangle lies within reach.
+    #[inline]
+    fn blocks(&self, line: &Line, reach: f32) -> bool {
+        self.meet(line, reach).is_some()
+    }
+
+    #[inline]
+    fn nearest(&self, line: &Line, reach: f32) -> Option<Hit> {
+        let (mut met, [u, v, w, determinant], distance) = self.meet(line, reach)?;
         let mut nearest: Option<usize> = None;
         while met != 0 {
             let lane = met.trailing_zeros() as usize;
