@@ -121,6 +121,7 @@ impl TestScene {
         self
     }
 
+    #[track_caller]
     pub fn trace(&self, settings: &TraceSettings, samples: u32) -> Film {
         let mut film = Film::new(self.frame.width, self.frame.height);
         let finished =
