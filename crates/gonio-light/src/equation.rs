@@ -181,6 +181,31 @@ impl Equation {
         if self.terms.emitted { capped(surface.emitted) } else { DVec3::ZERO }
     }
 
+    /// `diff`, and `spec` as it enters the sum (gated and cosine-weighted if the equation is), for light from the unit
+    /// vector `l`, world space. For a BRDF: `1/pi`, and its specular lobe for `b = 1` times `<N.L>`.
+    pub fn factors(&self, point: &ShadingPoint, surface: &Surface, l: DVec3) -> (f64, f64) {
+        let (n, v) = (point.normal, point.view);
+        let cos_theta = n.dot(l);
+        let lambert = cos_theta.max(0.0);
+        match &self.brdf {
+            Some(brdf) => (FRAC_1_PI, brdf.lobe(point, surface, l) * lambert),
+            None => {
+                let diff = match self.convention {
+                    Convention::Lab => 1.0,
+                    Convention::Physical => FRAC_1_PI,
+                };
+                let spec = match self.specular {
+                    Specular::None => 0.0,
+                    Specular::Phong => brdf::cosine_power(vector::reflection(n, l).dot(v), surface.shininess),
+                    Specular::BlinnPhong => brdf::cosine_power(n.dot(vector::half_vector(l, v, n)), surface.shininess),
+                };
+                let gate = if self.gated && cos_theta <= 0.0 { 0.0 } else { 1.0 };
+                let weight = if self.cosine_weighted { lambert } else { 1.0 };
+                (diff, spec * gate * weight)
+            }
+        }
+    }
+
     /// One light's terms at one point, or `None` for an ambient light.
     pub fn light_terms(
         &self,
@@ -199,23 +224,7 @@ impl Equation {
         let h = vector::half_vector(l, v, n);
         let (r_dot_v, n_dot_h) = (r.dot(v), n.dot(h));
 
-        let (diff, spec) = match &self.brdf {
-            Some(brdf) => (FRAC_1_PI, brdf.lobe(point, surface, l) * lambert),
-            None => {
-                let diff = match self.convention {
-                    Convention::Lab => 1.0,
-                    Convention::Physical => FRAC_1_PI,
-                };
-                let spec = match self.specular {
-                    Specular::None => 0.0,
-                    Specular::Phong => brdf::cosine_power(r_dot_v, surface.shininess),
-                    Specular::BlinnPhong => brdf::cosine_power(n_dot_h, surface.shininess),
-                };
-                let gate = if self.gated && cos_theta <= 0.0 { 0.0 } else { 1.0 };
-                let weight = if self.cosine_weighted { lambert } else { 1.0 };
-                (diff, spec * gate * weight)
-            }
-        };
+        let (diff, spec) = self.factors(point, surface, l);
         let incident_light = capped(capped(light.color) * attenuation * spot);
         let diffuse_light = if self.terms.diffuse { diff * lambert * incident_light } else { DVec3::ZERO };
         let specular_light = if self.terms.specular { capped(spec * incident_light) } else { DVec3::ZERO };

@@ -4,8 +4,7 @@ use crate::geometry::{Triangle, WorldGeometry};
 use crate::intersect::{Crossing, RaySpace, plane_barycentrics};
 use glam::{DMat2, DVec2, DVec3, DVec4};
 use gonio_light::Surface;
-use gonio_light::microfacet::shininess_of_roughness;
-use gonio_mesh::{AmbientRule, Mesh};
+use gonio_mesh::Mesh;
 use gonio_scene::{BoundTexture, Scene, SceneMaterial, TextureFilter};
 
 /// The three corners' weights, applied to anything that corners have.
@@ -180,24 +179,7 @@ impl<'a> Fragment<'a> {
 
     /// The material at the fragment.
     pub fn surface(&self) -> Surface {
-        let SceneMaterial { material, maps, .. } = self.material();
-        let color = |map, bound| self.texel(map, bound).map_or(DVec3::ONE, |t| t.value.truncate());
-        let base = base_surface(self.material());
-        let tint = self.vertex_color() * color("diffuse", &maps.diffuse);
-        Surface {
-            ambient: match material.ambient {
-                AmbientRule::FollowsDiffuse => base.diffuse * tint,
-                AmbientRule::Value(_) => base.ambient,
-            },
-            diffuse: base.diffuse * tint,
-            specular: base.specular * color("specular", &maps.specular),
-            emitted: base.emitted * color("emitted", &maps.emitted),
-            shininess: match (self.texel("shininess", &maps.shininess), maps.roughness) {
-                (Some(texel), Some(roughness)) => shininess_of_roughness(f64::from(roughness) * texel.value.x),
-                (texel, _) => base.shininess * texel.map_or(1.0, |t| t.value.x),
-            },
-            refraction_index: base.refraction_index,
-        }
+        self.material().surface(self.vertex_color(), |map, bound| self.texel(map, bound).map(|t| t.value))
     }
 
     /// All textures that the fragment reads; for reports.
@@ -222,21 +204,4 @@ pub(crate) fn corner<T: Copy>(values: &[T], vertex: usize) -> Option<T> {
 
 fn uv_of(v: [f32; 2]) -> DVec2 {
     DVec2::new(v[0].into(), v[1].into())
-}
-
-/// The material's numbers without textures and vertex colours: the values at a vertex.
-pub(crate) fn base_surface(material: &SceneMaterial) -> Surface {
-    let m = &material.material;
-    let color = |c: [f32; 3]| DVec3::from(c.map(f64::from));
-    Surface {
-        ambient: match m.ambient {
-            AmbientRule::FollowsDiffuse => color(m.diffuse),
-            AmbientRule::Value(v) => color(v),
-        },
-        diffuse: color(m.diffuse),
-        specular: color(m.specular),
-        emitted: color(m.emitted),
-        shininess: m.shininess.into(),
-        refraction_index: m.refraction_index.into(),
-    }
 }

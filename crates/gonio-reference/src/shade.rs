@@ -1,7 +1,7 @@
 //! The equation at a fragment, evaluated at the points that the object's shading chooses.
 
 use crate::environment::Environment;
-use crate::fragment::{Fragment, base_surface, corner, interpolate};
+use crate::fragment::{Fragment, corner, interpolate};
 use crate::geometry::WorldGeometry;
 use glam::DVec3;
 use gonio_light::quantity::Geometry;
@@ -137,7 +137,7 @@ impl Shader<'_> {
         entry.get_or_insert_with(|| {
             let (equation, lights) = (&self.frame.equation, &self.frame.lights);
             let points = self.corner_points(fragment);
-            let surface = base_surface(fragment.material());
+            let surface = fragment.material().base_surface();
             let once = Self::shading(fragment) == Shading::FlatPerFace;
             let sums = thrice(once, |i| equation.light_sums(&points[i], &surface, lights));
             let terms = with_terms.then(|| thrice(once, |i| equation.evaluate(&points[i], &surface, lights)));

@@ -5,9 +5,10 @@ use crate::environment::LoadedEnvironment;
 use crate::scene_file::{ObjectSpec, Shading};
 use crate::settings::SceneSettings;
 use crate::texture::Texture;
-use glam::{DMat4, DQuat, DVec3};
-use gonio_light::Optics;
-use gonio_mesh::{Diagnostic, Material, Mesh, Wrap};
+use glam::{DMat4, DQuat, DVec3, DVec4};
+use gonio_light::microfacet::shininess_of_roughness;
+use gonio_light::{Optics, Surface};
+use gonio_mesh::{AmbientRule, Diagnostic, Material, Mesh, Wrap};
 use std::sync::{Arc, OnceLock};
 
 /// A surface less opaque than this is a hole: a debug view shows what is behind it.
@@ -143,6 +144,52 @@ pub struct SceneMaterial {
     pub maps: Maps,
     /// Reflection and refraction of the environment.
     pub optics: Optics,
+}
+
+impl SceneMaterial {
+    /// The material's numbers without textures and vertex colours: the values at a vertex.
+    pub fn base_surface(&self) -> Surface {
+        let m = &self.material;
+        let color = |c: [f32; 3]| DVec3::from(c.map(f64::from));
+        Surface {
+            ambient: match m.ambient {
+                AmbientRule::FollowsDiffuse => color(m.diffuse),
+                AmbientRule::Value(v) => color(v),
+            },
+            diffuse: color(m.diffuse),
+            specular: color(m.specular),
+            emitted: color(m.emitted),
+            shininess: m.shininess.into(),
+            refraction_index: m.refraction_index.into(),
+        }
+    }
+
+    /// The material where the mesh has the colour `vertex_color`, and where `texel` looks up a texture of this name: linear
+    /// RGBA, `None` where there is none.
+    pub fn surface(
+        &self,
+        vertex_color: DVec3,
+        texel: impl Fn(&'static str, &Option<BoundTexture>) -> Option<DVec4>,
+    ) -> Surface {
+        let SceneMaterial { material, maps, .. } = self;
+        let color = |map, bound| texel(map, bound).map_or(DVec3::ONE, |t| t.truncate());
+        let base = self.base_surface();
+        let tint = vertex_color * color("diffuse", &maps.diffuse);
+        Surface {
+            ambient: match material.ambient {
+                AmbientRule::FollowsDiffuse => base.diffuse * tint,
+                AmbientRule::Value(_) => base.ambient,
+            },
+            diffuse: base.diffuse * tint,
+            specular: base.specular * color("specular", &maps.specular),
+            emitted: base.emitted * color("emitted", &maps.emitted),
+            shininess: match (texel("shininess", &maps.shininess), maps.roughness) {
+                (Some(texel), Some(roughness)) => shininess_of_roughness(f64::from(roughness) * texel.x),
+                (texel, _) => base.shininess * texel.map_or(1.0, |t| t.x),
+            },
+            refraction_index: base.refraction_index,
+        }
+    }
 }
 
 /// A material's textures. Each multiplies the number of the same name, except `normal`.

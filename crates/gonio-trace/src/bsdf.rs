@@ -14,6 +14,8 @@
 //! on the viewer's side of the triangle as well as of the interpolated normal.
 
 use crate::geometry::Place;
+use crate::material::{Lobe, Parts};
+use crate::rules::Rules;
 use crate::sampling;
 use glam::{DVec3, Vec2, Vec3, Vec4};
 use gonio_environment::BrdfTable;
@@ -21,50 +23,27 @@ use gonio_light::brdf::{BrdfKind, BrdfSettings, effective_shininess, ward};
 use gonio_light::{ShadingPoint, Surface, microfacet};
 use std::f32::consts::FRAC_1_PI;
 
-/// The glossy part's shape.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Lobe {
-    /// A normalised lobe of Appendix 6 with its exponent.
-    Brdf(BrdfSettings, f64),
-    /// Microfacets with `alpha`; the reflectance at normal incidence is the glossy colour.
-    Ggx(f64),
-}
-
-/// What a place is made of, in the lanes of a path.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Parts {
-    pub diffuse: Vec4,
-    pub glossy: Vec4,
-    pub lobe: Lobe,
-    /// Share of light that a mirror reflects, at this angle.
-    pub mirror: f32,
-    /// Share of light that meets a clear boundary instead of the surface.
-    pub clear: f32,
-    /// Reflectance of the clear boundary, at this angle; 1 where reflection is total.
-    pub clear_reflectance: f32,
-    /// The refracted direction; none where reflection is total.
-    pub refracted: Option<Vec3>,
-    /// What refraction multiplies light by besides: tint, and the squared ratio of the indices.
-    pub refraction_weight: Vec4,
-    pub opacity: f32,
-}
-
 /// How a place scatters light towards one direction.
-pub(crate) struct Bsdf {
+pub(crate) struct Bsdf<'r> {
+    pub(crate) rules: &'r Rules,
+    /// `rules` change nothing.
+    exact: bool,
     /// Unit, to where the light goes.
     view: Vec3,
     /// On the viewer's side.
     geometric_normal: Vec3,
     /// Shading normal on the viewer's side, and a frame about it.
-    normal: Vec3,
+    pub(crate) normal: Vec3,
     tangent: Vec3,
     bitangent: Vec3,
-    parts: Parts,
+    pub(crate) parts: Parts,
     /// Weights of diffuse and glossy part: what mirror, clear part and hole leave.
-    diffuse: Vec4,
-    glossy: Vec4,
+    pub(crate) diffuse: Vec4,
+    pub(crate) glossy: Vec4,
+    /// The share of light that meets neither mirror nor clear part nor hole.
+    pub lit: f32,
     /// Probabilities of the parts, in the order of the table.
-    probabilities: [f32; 5],
+    pub(crate) probabilities: [f32; 5],
 }
 
 /// A direction that light comes from.
@@ -87,13 +66,16 @@ pub(crate) enum Scattering {
     Straight,
 }
 
-impl Bsdf {
+impl<'r> Bsdf<'r> {
     /// `view`: unit, away from the surface.
-    pub fn new(place: &Place, normal: Vec3, view: Vec3, parts: Parts) -> Self {
+    pub fn new(place: &Place, normal: Vec3, view: Vec3, parts: Parts, rules: &'r Rules) -> Self {
         let side = if place.geometric_normal.dot(view) < 0.0 { -1.0 } else { 1.0 };
         let geometric_normal = place.geometric_normal * side;
-        let mut normal = normal * side;
-        if normal.dot(view) <= 0.0 {
+        let mut normal = normal;
+        if rules.equation.is_none() || rules.two_sided {
+            normal *= side;
+        }
+        if rules.equation.is_none() && normal.dot(view) <= 0.0 {
             normal = geometric_normal;
         }
         let (tangent, bitangent) = match place.tangent {
@@ -115,7 +97,21 @@ impl Bsdf {
             [diffuse.max_element(), glossy.max_element(), mirror, refraction * refraction_color, 1.0 - parts.opacity];
         let sum: f32 = shares.iter().sum();
         let probabilities = if sum > 0.0 { shares.map(|s| s / sum) } else { [0.0; 5] };
-        Bsdf { view, geometric_normal, normal, tangent, bitangent, parts, diffuse, glossy, probabilities }
+        let exact = rules.are_exact();
+        Bsdf {
+            rules,
+            exact,
+            view,
+            geometric_normal,
+            normal,
+            tangent,
+            bitangent,
+            parts,
+            diffuse,
+            glossy,
+            lit,
+            probabilities,
+        }
     }
 
     /// Whether light from many directions is scattered to the view: else lights need not be sampled.
@@ -131,6 +127,9 @@ impl Bsdf {
     /// BSDF times cosine for light from `direction`, and the density with which [`Self::sample`] finds it. Only the
     /// diffuse and glossy parts: the others have no value.
     pub fn evaluate(&self, direction: Vec3) -> (Vec4, f32) {
+        if !self.exact {
+            return self.evaluate_simplified(direction);
+        }
         let cos = self.normal.dot(direction);
         if cos <= 0.0 || self.geometric_normal.dot(direction) <= 0.0 {
             return (Vec4::ZERO, 0.0);
@@ -145,18 +144,26 @@ impl Bsdf {
         (value * cos, density)
     }
 
+    /// Whether the surface is between the viewer and light from `direction`.
+    pub fn is_behind(&self, direction: Vec3) -> bool {
+        self.geometric_normal.dot(direction) <= 0.0
+    }
+
+    pub(crate) fn shading_point(&self) -> ShadingPoint {
+        ShadingPoint {
+            position: DVec3::ZERO,
+            normal: self.normal.as_dvec3(),
+            view: self.view.as_dvec3(),
+            tangent: self.tangent.as_dvec3(),
+        }
+    }
+
     /// The glossy part for light from `direction`, and the share of light that it leaves to the diffuse part.
-    fn glossy_value(&self, direction: Vec3, cos: f32) -> (Vec4, f32) {
+    pub(crate) fn glossy_value(&self, direction: Vec3, cos: f32) -> (Vec4, f32) {
         match self.parts.lobe {
             Lobe::Brdf(brdf, shininess) => {
-                let point = ShadingPoint {
-                    position: DVec3::ZERO,
-                    normal: self.normal.as_dvec3(),
-                    view: self.view.as_dvec3(),
-                    tangent: self.tangent.as_dvec3(),
-                };
                 let surface = Surface { shininess, ..Surface::default() };
-                (self.glossy * brdf.lobe(&point, &surface, direction.as_dvec3()) as f32, 1.0)
+                (self.glossy * brdf.lobe(&self.shading_point(), &surface, direction.as_dvec3()) as f32, 1.0)
             }
             Lobe::Ggx(alpha) => {
                 let Some(half) = (self.view + direction).try_normalize() else { return (Vec4::ZERO, 1.0) };
@@ -217,7 +224,7 @@ impl Bsdf {
     }
 
     /// The density of [`Self::sample_lobe`], in 1/sr.
-    fn lobe_density(&self, direction: Vec3) -> f32 {
+    pub(crate) fn lobe_density(&self, direction: Vec3) -> f32 {
         let about_half = |density: &dyn Fn(f32) -> f32| {
             let Some(half) = (self.view + direction).try_normalize() else { return 0.0 };
             let (cos_h, cos_d) = (self.normal.dot(half), self.view.dot(half));
@@ -347,6 +354,8 @@ mod tests {
             error: 0.0,
             geometric_normal: normal,
             normal,
+            normal_turned: false,
+            flat: false,
             tangent: None,
             uv: Vec2::ZERO,
             color: Vec3::ONE,
@@ -387,7 +396,7 @@ mod tests {
         for (name, diffuse, glossy, lobe) in lobes() {
             for (angle, view) in views() {
                 let place = place();
-                let bsdf = Bsdf::new(&place, place.normal, view, parts(diffuse, glossy, lobe));
+                let bsdf = Bsdf::new(&place, place.normal, view, parts(diffuse, glossy, lobe), &Rules::EXACT);
                 let local = |d: Vec3| bsdf.to_local(d);
                 let cell = |d: Vec3| {
                     let d = local(d);
@@ -456,7 +465,7 @@ mod tests {
         for (name, diffuse, glossy, lobe) in lobes() {
             for (angle, view) in views() {
                 let place = place();
-                let bsdf = Bsdf::new(&place, place.normal, view, parts(diffuse, glossy, lobe));
+                let bsdf = Bsdf::new(&place, place.normal, view, parts(diffuse, glossy, lobe), &Rules::EXACT);
                 let count = 1 << 14;
                 let mean = (0..count)
                     .map(|i| {

@@ -1,6 +1,9 @@
 //! What the four lanes of light along a path mean: RGB, or four wavelengths.
 
 use crate::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, daylight, matching};
+use crate::sampler::Sampler;
+use crate::sampling::Discrete;
+use crate::spectra::{Spectra, SpectrumTable, choose};
 use crate::upsampling::Coefficients;
 use glam::{Vec3, Vec4};
 use gonio_light::{Simplification, Simplifications};
@@ -24,10 +27,11 @@ impl ColorMode {
 
 /// The wavelengths of one path, nm, and the reciprocals of their densities divided by their number. In RGB mode unused.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Wavelengths {
+pub(crate) struct Wavelengths<'s> {
     pub lambda: Vec4,
     weight: Vec4,
     daylight: Vec4,
+    tables: &'s [SpectrumTable],
 }
 
 /// A constant colour, its spectrum looked up once.
@@ -38,12 +42,30 @@ pub(crate) struct Tint {
     spectrum: Coefficients,
     /// The spectrum is multiplied by this.
     scale: f32,
+    /// The index of the table that replaces `spectrum`, and daylight.
+    table: Option<u32>,
 }
 
 impl Tint {
     /// A reflectance: channels are held in `[0, 1]`.
     pub fn of_reflectance(rgb: Vec3) -> Self {
-        Tint { rgb, spectrum: Coefficients::of(rgb), scale: 1.0 }
+        Tint { rgb, spectrum: Coefficients::of(rgb), scale: 1.0, table: None }
+    }
+
+    /// Linear RGB.
+    pub fn rgb(&self) -> Vec3 {
+        self.rgb
+    }
+
+    /// The same colour with a spectrum of its own: a reflectance.
+    pub fn with_reflectance(self, table: u32) -> Self {
+        Tint { table: Some(table), scale: 1.0, ..self }
+    }
+
+    /// Light with a spectrum of its own, as bright as the colour.
+    pub fn with_light(self, table: u32, luminance: f64) -> Self {
+        let scale = crate::film::luminance(self.rgb.as_dvec3()) / luminance;
+        if scale.is_finite() { Tint { table: Some(table), scale: scale as f32, ..self } } else { self }
     }
 
     /// The colour of light, not negative.
@@ -51,7 +73,7 @@ impl Tint {
         let scale = 2.0 * rgb.max_element();
         let is_light = scale > 0.0 && scale.is_finite();
         let spectrum = Coefficients::of(if is_light { rgb / scale } else { Vec3::ZERO });
-        Tint { rgb, spectrum, scale: if is_light { scale } else { 0.0 } }
+        Tint { rgb, spectrum, scale: if is_light { scale } else { 0.0 }, table: None }
     }
 }
 
@@ -60,9 +82,37 @@ impl Tint {
 const STEEPNESS: f64 = 0.0072;
 const CENTER: f64 = 538.0;
 
-impl Wavelengths {
+/// The density of wavelengths without tables, 1/nm.
+fn visible_density(lambda: f64) -> f64 {
+    let edge = |lambda: f64| (STEEPNESS * (lambda - CENTER)).tanh();
+    // sech^2 = 1 - tanh^2
+    STEEPNESS * (1.0 - edge(lambda).powi(2)) / (edge(LAMBDA_MAX) - edge(LAMBDA_MIN))
+}
+
+impl Spectra {
+    /// [`Spectra::choose_for`] these lights: tables and weights.
+    pub(crate) fn finish(mut self, lights: &[(u32, f64)]) -> Self {
+        self.choose_for(lights, visible_density);
+        self
+    }
+}
+
+impl<'s> Wavelengths<'s> {
     /// What RGB mode has instead.
-    pub const NONE: Wavelengths = Wavelengths { lambda: Vec4::ZERO, weight: Vec4::ZERO, daylight: Vec4::ZERO };
+    pub const NONE: Wavelengths<'static> =
+        Wavelengths { lambda: Vec4::ZERO, weight: Vec4::ZERO, daylight: Vec4::ZERO, tables: &[] };
+
+    /// [`Self::sample`] where some light has a spectrum of its own.
+    fn choose(u: f32, choice: &Discrete) -> Self {
+        let mut sampled = Wavelengths::NONE;
+        for i in 0..4 {
+            let Some((lambda, density)) = choose(choice, (u + 0.25 * i as f32).fract()) else { continue };
+            sampled.lambda[i] = lambda as f32;
+            sampled.weight[i] = (0.25 / density) as f32;
+            sampled.daylight[i] = daylight(lambda) as f32;
+        }
+        sampled
+    }
 
     /// Four wavelengths, at `u` in `[0, 1)` and a quarter apart from each other in the distribution.
     pub fn sample(u: f32) -> Self {
@@ -90,19 +140,36 @@ impl Wavelengths {
 }
 
 impl ColorMode {
-    /// A reflectance in the lanes of a path.
-    pub(crate) fn reflectance(self, tint: &Tint, wavelengths: &Wavelengths) -> Vec4 {
+    /// The wavelengths of a path.
+    pub(crate) fn wavelengths<'s>(self, sampler: &mut Sampler, spectra: &'s Spectra) -> Wavelengths<'s> {
         match self {
-            ColorMode::Rgb => tint.rgb.extend(0.0),
-            ColorMode::Spectral => tint.spectrum.at(wavelengths.lambda),
+            ColorMode::Spectral => {
+                let u = sampler.next_1d();
+                let sampled =
+                    spectra.choice.as_ref().map_or_else(|| Wavelengths::sample(u), |c| Wavelengths::choose(u, c));
+                Wavelengths { tables: &spectra.tables, ..sampled }
+            }
+            ColorMode::Rgb => Wavelengths::NONE,
         }
     }
 
-    /// Light in the lanes of a path: the colour's spectrum times daylight.
+    /// A reflectance in the lanes of a path.
+    pub(crate) fn reflectance(self, tint: &Tint, wavelengths: &Wavelengths) -> Vec4 {
+        match (self, tint.table) {
+            (ColorMode::Rgb, _) => tint.rgb.extend(0.0),
+            (ColorMode::Spectral, None) => tint.spectrum.at(wavelengths.lambda),
+            (ColorMode::Spectral, Some(table)) => wavelengths.tables[table as usize].at(wavelengths.lambda),
+        }
+    }
+
+    /// Light in the lanes of a path: the colour's spectrum times daylight, or its own spectrum.
     pub(crate) fn light(self, tint: &Tint, wavelengths: &Wavelengths) -> Vec4 {
-        match self {
-            ColorMode::Rgb => tint.rgb.extend(0.0),
-            ColorMode::Spectral => tint.scale * tint.spectrum.at(wavelengths.lambda) * wavelengths.daylight,
+        match (self, tint.table) {
+            (ColorMode::Rgb, _) => tint.rgb.extend(0.0),
+            (ColorMode::Spectral, None) => tint.scale * tint.spectrum.at(wavelengths.lambda) * wavelengths.daylight,
+            (ColorMode::Spectral, Some(table)) => {
+                tint.scale * wavelengths.tables[table as usize].at(wavelengths.lambda)
+            }
         }
     }
 
@@ -158,6 +225,33 @@ mod tests {
             // The table of spectra is good to 1/100 of the largest channel.
             assert!((mean - rgb).abs().max_element() < 0.01 * rgb.max_element(), "{rgb}: {mean}");
         }
+    }
+
+    /// A line of 4 nm: its luminance is that of the colour, and no path is much brighter than the mean.
+    #[test]
+    fn narrow_light_has_the_right_mean_and_little_variance() {
+        let mut spectra = Spectra::default();
+        let line = SpectrumTable::new(|lambda| (2.0 - (lambda - 589.0).abs()).max(0.0));
+        let luminance = line.luminance;
+        let table = spectra.add(line);
+        let spectra = spectra.finish(&[(table, 1.0)]);
+        let tint = Tint::of_light(Vec3::new(2.0, 1.0, 0.1)).with_light(table, luminance);
+        let count = 4096;
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for i in 0..count {
+            let mut sampler = Sampler::new(1, 0, i);
+            let wavelengths = ColorMode::Spectral.wavelengths(&mut sampler, &spectra);
+            let rgb = ColorMode::Spectral.rgb(ColorMode::Spectral.light(&tint, &wavelengths), &wavelengths);
+            let y = crate::film::luminance(rgb.as_dvec3());
+            sum += y;
+            squares += y * y;
+        }
+        let mean = sum / f64::from(count);
+        let expected = crate::film::luminance(glam::DVec3::new(2.0, 1.0, 0.1));
+        assert!((mean / expected - 1.0).abs() < 0.01, "{mean} instead of {expected}");
+        // Half of the wavelengths are chosen for the line, so paths miss it in one case of 16, and vary with its shape.
+        let deviation = (squares / f64::from(count) - mean * mean).sqrt();
+        assert!(deviation < 0.6 * mean, "{deviation} of {mean}");
     }
 
     #[test]

@@ -1,8 +1,11 @@
 //! What a picture shows without its light: colour, direction and distance of the first surface behind each pixel.
 
+use crate::Simplification;
 use crate::color::{ColorMode, Wavelengths};
+use crate::path::World;
 use crate::render::{TraceScene, TraceSettings};
 use crate::sampler::Sampler;
+use crate::tree::Ray;
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -41,13 +44,15 @@ impl TraceScene {
         let (width, height) = (self.frame.width, self.frame.height);
         let count = width as usize * height as usize;
         let samples = samples.max(1);
+        let rgb = TraceSettings { simplified: settings.simplified.with(Simplification::Wavelengths), ..*settings };
+        let world = self.posed.world(&self.frame, &rgb, None);
         let pixels: Vec<Feature> = (0..count)
             .into_par_iter()
             .map(|i| {
                 let (x, y) = (i as u32 % width, i as u32 / width);
                 let mut sum = Feature::default();
                 for sample in 0..samples {
-                    let one = self.feature(settings, x, y, sample);
+                    let one = self.feature(&world, settings, x, y, sample);
                     sum.albedo += one.albedo;
                     sum.normal += one.normal;
                     sum.depth += one.depth;
@@ -65,20 +70,26 @@ impl TraceScene {
         }
     }
 
-    fn feature(&self, settings: &TraceSettings, x: u32, y: u32, sample: u32) -> Feature {
+    fn feature(&self, world: &World, settings: &TraceSettings, x: u32, y: u32, sample: u32) -> Feature {
         // The points of the film's samples, so that outlines have the same shares.
         let mut sampler = Sampler::new(settings.seed, y.wrapping_mul(self.frame.width).wrapping_add(x), sample);
         let at = sampler.next_2d();
-        ColorMode::of(settings.simplified).wavelengths(&mut sampler);
+        ColorMode::of(settings.simplified).wavelengths(&mut sampler, world.materials.spectra);
         let mut wavelengths = Wavelengths::NONE;
-        let materials = self.materials(ColorMode::Rgb);
+        let (materials, geometry) = (&world.materials, world.geometry);
         let (px, py) = (f64::from(x) + f64::from(at.x), f64::from(y) + f64::from(at.y));
-        let mut ray = self.eye_ray(settings, px, py, &mut sampler);
+        let mut ray = self.eye_ray(world, settings, px, py, &mut sampler);
         let mut travelled = 0.0;
         for _ in 0..MOST_HOLES {
-            let Some(hit) = self.geometry.tree.nearest(&ray) else { break };
-            let place = self.geometry.place(materials.scene, &hit);
-            let material = self.geometry.triangles[hit.triangle as usize].material;
+            let hit = geometry.tree.nearest(&ray);
+            let reach = hit.as_ref().map_or(ray.reach, |hit| hit.distance);
+            if let Some((_, distance, _)) = world.lights.nearest_lamp(&Ray { reach, ..ray }) {
+                return Feature { albedo: Vec3::ONE, normal: -ray.direction, depth: travelled + distance };
+            }
+            let Some(hit) = hit else { break };
+            let place = geometry.place(materials.scene, &hit);
+            let triangle = &geometry.triangles[hit.triangle as usize];
+            let material = triangle.material;
             travelled += hit.distance;
             if sampler.next_1d() >= materials.opacity(material, place.uv) {
                 ray.origin = place.leave(ray.direction);
@@ -91,7 +102,7 @@ impl TraceScene {
             let through = (parts.mirror.max(parts.clear)).clamp(0.0, 1.0);
             let rough = (parts.diffuse + parts.glossy).truncate().clamp(Vec3::ZERO, Vec3::ONE);
             let albedo = rough.lerp(Vec3::ONE, through);
-            let emits = materials.emitted(material, place.uv);
+            let emits = materials.emitted(triangle, place.uv);
             let albedo =
                 if materials.mode.light(&emits, &wavelengths) == glam::Vec4::ZERO { albedo } else { Vec3::ONE };
             let normal = if normal.dot(view) < 0.0 { -normal } else { normal };

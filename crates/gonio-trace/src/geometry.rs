@@ -76,6 +76,10 @@ pub(crate) struct Place {
     pub geometric_normal: Vec3,
     /// Unit, interpolated, on the side of the geometric normal.
     pub normal: Vec3,
+    /// The interpolated normal was on the other side, and was turned.
+    pub normal_turned: bool,
+    /// Whether the normal is that of the triangle.
+    pub flat: bool,
     /// The derivative of the position by u, not of unit length, and the sign of the bitangent; where the mesh has it.
     pub tangent: Option<(Vec3, f32)>,
     pub uv: Vec2,
@@ -224,13 +228,13 @@ impl Geometry {
         let (position, error) = self.point(triangle, weights);
         let geometric_normal = self.geometric_normal(hit.triangle);
         let object = &self.objects[triangle.object as usize];
-        let normal = if triangle.flat {
-            geometric_normal
+        let (normal, normal_turned) = if triangle.flat {
+            (geometric_normal, false)
         } else {
             let [a, b, c] = triangle.vertices;
             let [a, b, c] = [self.normals[a as usize], self.normals[b as usize], self.normals[c as usize]];
             let normal = (a * weights.x + b * weights.y + c * weights.z).normalize_or(geometric_normal);
-            if normal.dot(geometric_normal) < 0.0 { -normal } else { normal }
+            if normal.dot(geometric_normal) < 0.0 { (-normal, true) } else { (normal, false) }
         };
         let (mesh, corners) = self.in_mesh(scene, triangle);
         let uv = if mesh.tex_coords.is_empty() {
@@ -251,7 +255,7 @@ impl Geometry {
             let along = object.world_from_model * DVec3::new(mix(0).into(), mix(1).into(), mix(2).into());
             (along.as_vec3(), if mix(3) * object.handedness < 0.0 { -1.0 } else { 1.0 })
         });
-        Place { position, error, geometric_normal, normal, tangent, uv, color }
+        Place { position, error, geometric_normal, normal, normal_turned, flat: object.flat, tangent, uv, color }
     }
 }
 

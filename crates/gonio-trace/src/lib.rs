@@ -7,38 +7,47 @@
 //! | module | content |
 //! |---|---|
 //! | `sampler`, `sampling` | random numbers, and directions and points from them |
-//! | `observer`, `upsampling`, `color` | the CIE observer, spectra of RGB colours, the lanes of a path |
+//! | `observer`, `upsampling`, `spectra`, `color` | the CIE observer, spectra of RGB colours and others, the lanes of a path |
 //! | `tree`, `geometry` | rays against triangles |
 //! | `bsdf`, `material` | how a place scatters light |
-//! | `lights`, `environment` | where light comes from |
+//! | `rules`, `posed` | what the simplifications change; a scene at one moment |
+//! | `lights`, `lamps`, `environment` | where light comes from |
 //! | `path`, `film`, `render` | one path; the sums of pixels; all pixels |
+//! | `contributions` | where the light of one pixel comes from |
 //! | `refinement` | a picture that begins coarse, for windows |
 //! | `oddities` | what a scene has that a trace survives |
 //! | `features`, `denoise` | what a picture shows without its light; a picture without its noise |
 
 mod bsdf;
 mod color;
+mod contributions;
 mod denoise;
 mod environment;
 mod features;
 mod film;
 mod geometry;
+mod lamps;
 mod lights;
 mod material;
 mod observer;
 mod oddities;
 mod path;
+mod posed;
 mod refinement;
 mod render;
+mod rules;
 mod sampler;
 mod sampling;
+mod spectra;
 mod tree;
 mod upsampling;
 
 pub use gonio_light::{Simplification, Simplifications};
 
+pub use contributions::PixelContributions;
 pub use features::Features;
 pub use film::{CheckpointError, ErrorEstimate, Film, TILE, TileMask};
+pub use lights::LightOrigin;
 pub use oddities::TraceOddity;
 pub use path::Technique;
 pub use refinement::{Refinement, RefinementStatus};

@@ -4,33 +4,63 @@
 //! |---|---|---|
 //! | point, spot | radiant intensity, W/sr; falls with the square of the distance | its one direction |
 //! | directional | irradiance perpendicular to the rays, W/m^2 | its one direction |
+//! | lamp | radiance | its visible part, see `lamps` |
 //! | triangle | radiance of its material, on both sides | a point of its area |
 //! | environment | radiance | brightness |
 //!
-//! One source is chosen for each point, with a probability proportional to its power.
+//! One source is chosen for each point, with a probability proportional to its power. Where points replace all other sources
+//! (`Simplification::Sum`) the first surface of a path adds up all of them.
 
 use crate::color::Tint;
 use crate::environment::Environment;
 use crate::geometry::{Geometry, Triangle, offset};
+use crate::lamps::{Cone, Falloff, Lamp, LampShape, LightRules};
 use crate::sampling::{self, Discrete};
+use crate::tree::Ray;
 use glam::{DVec3, Vec2, Vec3};
-use gonio_light::{Attenuation, Light, LightKind, light};
+use gonio_light::{Light, LightKind};
+use gonio_scene::LightShape;
 use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// Where light comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightOrigin {
+    /// A light: its index in the frame.
+    Light(usize),
+    /// An object that emits light: its index in the scene.
+    Object(usize),
+    /// The environment.
+    Environment,
+    /// The ambient term, of all ambient lights together; only with [`Simplification::Ambient`](crate::Simplification::Ambient).
+    Ambient,
+}
+
+/// A light of the light equation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PlacedLight {
+    pub light: Light,
+    pub shape: LightShape,
+    pub origin: LightOrigin,
+}
 
 /// A source of light.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum LightSource {
-    /// Intensity per trace unit; `cone`: axis, cosines of outer and inner half angle.
+    /// Intensity per trace unit.
     Point {
         position: Vec3,
         intensity: Tint,
-        cone: Option<(Vec3, f32, f32)>,
+        cone: Option<Cone>,
+        falloff: Falloff,
     },
     /// `direction`: unit, to the light.
     Directional {
         direction: Vec3,
         irradiance: Tint,
     },
+    /// Index into the lamps.
+    Lamp(usize),
     /// Index of the triangle, its area.
     Triangle {
         triangle: u32,
@@ -42,8 +72,12 @@ pub(crate) enum LightSource {
 /// All sources.
 pub(crate) struct Lights {
     pub sources: Vec<LightSource>,
+    /// Of each source.
+    pub origins: Vec<LightOrigin>,
     choice: Discrete,
-    pub environment: Option<Environment>,
+    /// With the index of each among the sources.
+    pub lamps: Vec<(Lamp, usize)>,
+    pub environment: Option<Arc<Environment>>,
     environment_index: usize,
 }
 
@@ -59,6 +93,7 @@ pub(crate) struct LightSample {
     pub density: f32,
     /// The probability of the source.
     pub probability: f32,
+    pub source: usize,
 }
 
 /// The light of a sample.
@@ -66,99 +101,220 @@ pub(crate) struct LightSample {
 pub(crate) enum Strength {
     /// Irradiance perpendicular to the one direction: a colour and its factor.
     Irradiance(Tint, f32),
-    /// Radiance, linear RGB.
-    Radiance(Vec3),
+    /// Radiance: a colour and its factor.
+    Radiance(Tint, f32),
     /// The radiance of a triangle's material at these weights of its corners.
     Emitted(u32, Vec3),
 }
 
+/// What lights of a frame are turned into sources with.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LightUnits {
+    /// Lights of colour 1 give this irradiance, or intensity.
+    pub strength: f64,
+    /// Where lights with another falloff than the inverse square law shine as brightly as they do in the light equation,
+    /// world space.
+    pub reference: DVec3,
+    /// Lights are at least so far from there, world units: a light of constant brightness at the reference would have
+    /// no intensity.
+    pub least_distance: f64,
+}
+
 impl Lights {
-    /// `emitted`: the radiance of a material without its texture. `reference`: where lights with another falloff than
-    /// the inverse square law shine as brightly as they do in the light equation, world space.
-    pub fn new(
-        lights: &[Light],
-        strength: f64,
-        reference: DVec3,
-        geometry: &mut Geometry,
-        emitted: impl Fn(&Triangle) -> DVec3,
-        environment: Option<Environment>,
-    ) -> Self {
-        let mut sources = Vec::new();
+    /// Those of a frame; triangles and environment are added by [`Self::add_triangles`] and [`Self::add_environment`], and
+    /// [`Self::finish`] ends it.
+    pub fn new(lights: &[PlacedLight], units: &LightUnits, geometry: &Geometry) -> (Self, Vec<f64>) {
+        let mut built = Lights {
+            sources: Vec::new(),
+            origins: Vec::new(),
+            choice: Discrete::default(),
+            lamps: Vec::new(),
+            environment: None,
+            environment_index: usize::MAX,
+        };
         let mut powers = Vec::new();
-        let space = geometry.space;
-        for light in lights {
-            let color = light.color.max(DVec3::ZERO) * strength;
+        for PlacedLight { light, shape, origin } in lights {
+            let color = light.color.max(DVec3::ZERO) * units.strength;
             if !color.is_finite() || color == DVec3::ZERO {
                 continue;
             }
-            match light.kind {
-                LightKind::Ambient => {}
-                LightKind::Directional { direction } => {
-                    let irradiance = Tint::of_light(color.as_vec3());
-                    sources.push(LightSource::Directional {
-                        direction: -direction.as_vec3().normalize_or(-Vec3::Y),
-                        irradiance,
-                    });
-                    powers.push(mean(color) * PI);
-                }
-                LightKind::Point { position } | LightKind::Spot { position, .. } => {
-                    let intensity = color * inverse_square_factor(&light.attenuation, position.distance(reference));
-                    // Distances are scaled, so is their square.
-                    let intensity = intensity * space.scale * space.scale;
-                    let (cone, share) = match light.kind {
-                        LightKind::Spot { axis, inner_rad, outer_rad, .. } => {
-                            let (outer, inner) = (outer_rad.cos(), inner_rad.cos());
-                            let axis = axis.as_vec3().normalize_or(-Vec3::Y);
-                            (Some((axis, outer as f32, inner as f32)), 0.5 * (1.0 - 0.5 * (outer + inner)))
-                        }
-                        _ => (None, 1.0),
-                    };
-                    let position = space.point(position);
-                    sources.push(LightSource::Point { position, intensity: Tint::of_light(intensity.as_vec3()), cone });
-                    powers.push(4.0 * PI * share * mean(intensity));
-                }
+            if let Some((source, power)) = built.source_of(light, shape, color, units, geometry) {
+                built.sources.push(source);
+                built.origins.push(*origin);
+                powers.push(power);
             }
         }
+        (built, powers)
+    }
+
+    fn source_of(
+        &mut self,
+        light: &Light,
+        shape: &LightShape,
+        color: DVec3,
+        units: &LightUnits,
+        geometry: &Geometry,
+    ) -> Option<(LightSource, f64)> {
+        let space = geometry.space;
+        let (position, cone) = match light.kind {
+            LightKind::Ambient => return None,
+            LightKind::Directional { direction } => {
+                let irradiance = Tint::of_light(color.as_vec3());
+                let direction = -direction.as_vec3().normalize_or(-Vec3::Y);
+                return Some((LightSource::Directional { direction, irradiance }, mean(color) * PI));
+            }
+            LightKind::Point { position } => (position, None),
+            LightKind::Spot { position, axis, inner_rad, outer_rad } => {
+                let axis = axis.as_vec3().normalize_or(-Vec3::Y);
+                (position, Some(Cone { axis, outer: outer_rad.cos() as f32, inner: inner_rad.cos() as f32 }))
+            }
+        };
+        let distance = position.distance(units.reference).max(units.least_distance);
+        // As bright at the reference as the attenuation says; a light that obeys the inverse square law is itself.
+        let a = light.attenuation;
+        let at_reference = if a.constant == 0.0 && a.linear == 0.0 && a.quadratic > 0.0 {
+            1.0 / a.quadratic
+        } else {
+            a.at(distance) * distance * distance
+        };
+        let falloff = Falloff { attenuation: a, norm: 1.0 / at_reference };
+        let intensity = color * at_reference;
+        let share = cone.map_or(1.0, |c| 0.5 * (1.0 - 0.5 * f64::from(c.outer + c.inner)));
+        let power = 4.0 * PI * share * mean(intensity) * space.scale * space.scale;
+        let center = space.point(position);
+        let scaled = |v: DVec3| (v * space.scale).as_vec3();
+        let lamp = match *shape {
+            LightShape::Sphere { radius } if radius > 0.0 => {
+                // E = L pi r^2 / d^2 = I / d^2
+                let radiance = intensity / (PI * radius * radius);
+                Some((LampShape::Sphere { center, radius: (radius * space.scale) as f32 }, radiance, cone))
+            }
+            LightShape::Rectangle { half_right, half_up } => {
+                let (right, up) = (half_right.length(), half_up.length());
+                let normal = half_right.cross(half_up).normalize_or_zero();
+                // Turned to the reference it is as bright there as the spot that stands for it; turned aside, nearly.
+                let cos = normal.dot((units.reference - position).normalize_or(normal)).clamp(0.25, 1.0);
+                let gain = cos * (3.0 - 2.0 * cos);
+                let radiance = intensity * gain / (distance * distance * facing_irradiance(right, up, distance));
+                let half = Vec2::new((right * space.scale) as f32, (up * space.scale) as f32);
+                let (right, up) = (scaled(half_right).normalize_or_zero(), scaled(half_up).normalize_or_zero());
+                Some((LampShape::Rectangle { center, right, up, half }, radiance, None))
+            }
+            _ => None,
+        };
+        Some(match lamp {
+            Some((shape, radiance, cone)) => {
+                let lamp = Lamp { shape, radiance: Tint::of_light(radiance.as_vec3()), cone, falloff };
+                if !(shape.area() > 0.0 && shape.area().is_finite() && radiance.is_finite()) {
+                    return None;
+                }
+                self.lamps.push((lamp, self.sources.len()));
+                (LightSource::Lamp(self.lamps.len() - 1), power)
+            }
+            None => {
+                // Distances are scaled, so is their square.
+                let intensity = Tint::of_light((intensity * space.scale * space.scale).as_vec3());
+                (LightSource::Point { position: center, intensity, cone, falloff }, power)
+            }
+        })
+    }
+
+    /// Adds the triangles that emit light. `emitted`: the radiance of a material without its texture.
+    pub fn add_triangles(
+        &mut self,
+        powers: &mut Vec<f64>,
+        geometry: &mut Geometry,
+        emitted: impl Fn(&Triangle) -> DVec3,
+    ) {
         for index in 0..geometry.triangles.len() {
             let triangle = geometry.triangles[index];
             let radiance = emitted(&triangle);
             let area = geometry.area(&triangle);
             if area > 0.0 && radiance.max_element() > 0.0 && radiance.is_finite() {
-                geometry.triangles[index].light = Some(sources.len() as u32);
-                sources.push(LightSource::Triangle { triangle: index as u32, area });
+                geometry.triangles[index].light = Some(self.sources.len() as u32);
+                self.sources.push(LightSource::Triangle { triangle: index as u32, area });
+                self.origins.push(LightOrigin::Object(triangle.object as usize));
                 powers.push(2.0 * PI * f64::from(area) * mean(radiance));
             }
         }
-        let environment_index = sources.len();
+    }
+
+    /// Adds the environment.
+    pub fn add_environment(&mut self, powers: &mut Vec<f64>, environment: Option<Arc<Environment>>) {
         if let Some(environment) = environment.as_ref().filter(|e| e.mean.max_element() > 0.0) {
-            sources.push(LightSource::Environment);
+            self.environment_index = self.sources.len();
+            self.sources.push(LightSource::Environment);
+            self.origins.push(LightOrigin::Environment);
             powers.push(PI * PI * mean(environment.mean));
         }
-        Lights { sources, choice: Discrete::new(powers), environment, environment_index }
+        self.environment = environment;
+    }
+
+    /// Ends the list, with the power of each source.
+    pub fn finish(mut self, powers: Vec<f64>) -> Self {
+        self.choice = Discrete::new(powers);
+        self
     }
 
     /// A source at `choice` in `[0, 1)`, and a direction to it from `from`.
-    pub fn sample(&self, geometry: &Geometry, from: Vec3, choice: f32, u: Vec2) -> Option<LightSample> {
+    pub fn sample(
+        &self,
+        geometry: &Geometry,
+        rules: &LightRules,
+        from: Vec3,
+        choice: f32,
+        u: Vec2,
+    ) -> Option<LightSample> {
         let (index, probability, _) = self.choice.sample(choice)?;
+        self.sample_source(index, probability, geometry, rules, from, u)
+    }
+
+    /// A direction to one source, which is chosen with `probability`.
+    pub fn sample_source(
+        &self,
+        index: usize,
+        probability: f32,
+        geometry: &Geometry,
+        rules: &LightRules,
+        from: Vec3,
+        u: Vec2,
+    ) -> Option<LightSample> {
         let one = |direction, end, irradiance: Tint, factor: f32| LightSample {
             direction,
             end,
             light: Strength::Irradiance(irradiance, factor),
             density: f32::INFINITY,
             probability,
+            source: index,
         };
-        match self.sources[index] {
-            LightSource::Directional { direction, irradiance } => Some(one(direction, None, irradiance, 1.0)),
-            LightSource::Point { position, intensity, cone } => {
-                let way = position - from;
+        match &self.sources[index] {
+            &LightSource::Directional { direction, irradiance } => Some(one(direction, None, irradiance, 1.0)),
+            LightSource::Point { position, intensity, cone, falloff } => {
+                let way = *position - from;
                 let distance2 = way.length_squared();
                 let direction = way.try_normalize()?;
-                let spot = cone.map_or(1.0, |(axis, outer, inner)| {
-                    light::smoothstep_or_step(outer.into(), inner.into(), (-direction.dot(axis)).into()) as f32
-                });
-                (spot > 0.0).then(|| one(direction, Some(position), intensity, spot / distance2))
+                let spot = cone.filter(|_| rules.has_cones).map_or(1.0, |cone| cone.at(-direction));
+                let strength = if rules.attenuation {
+                    spot * falloff.gain(rules, distance2.sqrt()) / distance2
+                } else {
+                    spot / distance2
+                };
+                (spot > 0.0).then(|| one(direction, Some(*position), *intensity, strength))
             }
-            LightSource::Triangle { triangle, area } => {
+            LightSource::Lamp(lamp) => {
+                let (lamp, _) = &self.lamps[*lamp];
+                let (direction, distance, density) = lamp.shape.sample(from, u)?;
+                let strength = lamp.strength(rules, direction, Some(distance));
+                (strength > 0.0).then(|| LightSample {
+                    direction,
+                    end: Some(from + direction * distance),
+                    light: Strength::Radiance(lamp.radiance, strength),
+                    density: density * probability,
+                    probability,
+                    source: index,
+                })
+            }
+            &LightSource::Triangle { triangle, area } => {
                 let t = &geometry.triangles[triangle as usize];
                 let weights = sampling::triangle(u);
                 let (point, error) = geometry.point(t, weights);
@@ -173,6 +329,7 @@ impl Lights {
                     light: Strength::Emitted(triangle, weights),
                     density: density * probability,
                     probability,
+                    source: index,
                 })
             }
             LightSource::Environment => {
@@ -181,12 +338,37 @@ impl Lights {
                 (density > 0.0).then(|| LightSample {
                     direction,
                     end: None,
-                    light: Strength::Radiance(environment.radiance(direction)),
+                    light: Strength::Radiance(Tint::of_light(environment.radiance(direction)), 1.0),
                     density: density * probability,
                     probability,
+                    source: index,
                 })
             }
         }
+    }
+
+    /// The nearest lamp that a ray meets before its end: its index, the distance, and whether where it shines.
+    pub fn nearest_lamp(&self, ray: &Ray) -> Option<(usize, f32, bool)> {
+        let mut nearest = None;
+        let mut reach = ray.reach;
+        for (index, (lamp, _)) in self.lamps.iter().enumerate() {
+            if let Some((distance, shines)) = lamp.shape.hit(&Ray { reach, ..*ray }) {
+                reach = distance;
+                nearest = Some((index, distance, shines));
+            }
+        }
+        nearest
+    }
+
+    /// Whether a lamp other than that of `source` is in the way.
+    pub fn lamps_block(&self, ray: &Ray, source: usize) -> bool {
+        self.lamps.iter().any(|(lamp, own)| *own != source && lamp.shape.hit(ray).is_some())
+    }
+
+    /// The density with which [`Self::sample`] finds a direction that meets a lamp at `distance`, in 1/sr.
+    pub fn lamp_density(&self, lamp: usize, from: Vec3, direction: Vec3, distance: f32) -> f32 {
+        let (lamp, source) = &self.lamps[lamp];
+        lamp.shape.density(from, direction, distance) * self.choice.probability(*source)
     }
 
     /// The density with which [`Self::sample`] finds the point of a triangle light that lies at `distance` from where it is
@@ -212,14 +394,23 @@ impl Lights {
     }
 }
 
-/// The intensity of a light under the inverse square law that has the given attenuation at `distance`, for a colour of 1.
-/// Without the cap of the light equation: a light with `k_q` alone has the intensity `1 / k_q` wherever it is.
-fn inverse_square_factor(attenuation: &Attenuation, distance: f64) -> f64 {
-    let Attenuation { constant, linear, quadratic } = *attenuation;
-    if constant == 0.0 && linear == 0.0 && quadratic > 0.0 {
-        return 1.0 / quadratic;
+impl Lamp {
+    /// The radiance along a ray that meets the lamp where it shines, relative to [`Lamp::radiance`]; `distance` from where
+    /// light is scattered, none to the eye.
+    pub fn strength(&self, rules: &LightRules, direction: Vec3, distance: Option<f32>) -> f32 {
+        let spot = self.cone.filter(|_| rules.has_cones).map_or(1.0, |cone| cone.at(-direction));
+        spot * distance.map_or(1.0, |distance| self.falloff.gain(rules, distance))
     }
-    attenuation.at(distance) * distance * distance
+}
+
+/// The irradiance of a surface from a rectangle of radiance 1 and these half edges, in front of its centre and facing it (J. H.
+/// Lambert, *Photometria*, 1760).
+fn facing_irradiance(half_width: f64, half_height: f64, distance: f64) -> f64 {
+    let one = |a: f64, b: f64| {
+        let slant = a.hypot(distance);
+        a / slant * (b / slant).atan()
+    };
+    2.0 * (one(half_width, half_height) + one(half_height, half_width))
 }
 
 fn mean(color: DVec3) -> f64 {

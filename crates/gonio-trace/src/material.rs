@@ -1,14 +1,45 @@
 //! The material at a place: textures read, colours carried to the lanes of a path.
 
-use crate::bsdf::{Lobe, Parts};
 use crate::color::{ColorMode, Tint, Wavelengths};
-use crate::geometry::Place;
-use glam::{DVec2, DVec3, Mat2, Vec2, Vec3, Vec4};
+use crate::geometry::{Geometry, Place, Triangle};
+use crate::sampling;
+use crate::spectra::Spectra;
+use crate::tree::Hit;
+use glam::{DVec2, DVec3, DVec4, Mat2, Vec2, Vec3, Vec4};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
 use gonio_light::microfacet::shininess_of_roughness;
 use gonio_light::optics::reflectance;
-use gonio_light::{Equation, Specular, microfacet, vector};
+use gonio_light::{Equation, Specular, Surface, microfacet, vector};
 use gonio_scene::{BoundTexture, Scene, SceneMaterial, TextureFilter};
+use std::collections::HashMap;
+
+/// The glossy part's shape.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Lobe {
+    /// A normalised lobe of Appendix 6 with its exponent.
+    Brdf(BrdfSettings, f64),
+    /// Microfacets with `alpha`; the reflectance at normal incidence is the glossy colour.
+    Ggx(f64),
+}
+
+/// What a place is made of, in the lanes of a path.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parts {
+    pub diffuse: Vec4,
+    pub glossy: Vec4,
+    pub lobe: Lobe,
+    /// Share of light that a mirror reflects, at this angle.
+    pub mirror: f32,
+    /// Share of light that meets a clear boundary instead of the surface.
+    pub clear: f32,
+    /// Reflectance of the clear boundary, at this angle; 1 where reflection is total.
+    pub clear_reflectance: f32,
+    /// The refracted direction; none where reflection is total.
+    pub refracted: Option<Vec3>,
+    /// What refraction multiplies light by besides: tint, and the squared ratio of the indices.
+    pub refraction_weight: Vec4,
+    pub opacity: f32,
+}
 
 /// How a scene's materials are read.
 pub(crate) struct Materials<'s> {
@@ -22,6 +53,68 @@ pub(crate) struct Materials<'s> {
     pub has_holes: bool,
     /// What is constant of each material.
     pub constants: &'s [Constants],
+    pub spectra: &'s Spectra,
+    /// The light equation in place of the BRDF.
+    pub equation: Option<Equation>,
+    /// Mean emission of objects and materials, where it replaces textures.
+    pub mean_emission: Option<&'s MeanEmission>,
+    /// Emission is seen: not switched off.
+    pub emits: bool,
+    /// The colour of the ambient lights, where they count.
+    pub ambient: Option<AmbientTerm>,
+}
+
+/// The ambient term of the light equation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AmbientTerm {
+    pub equation: Equation,
+    pub color: DVec3,
+    pub light: Tint,
+}
+
+/// The mean radiance of each material with an emission texture on each object, by both indices.
+pub(crate) type MeanEmission = HashMap<(u32, u32), Tint>;
+
+/// The mean radiance that each object emits from each material with a texture of it, linear RGB.
+pub(crate) fn mean_emission(scene: &Scene, geometry: &Geometry, filter: TextureFilter) -> HashMap<(u32, u32), Vec3> {
+    /// Places on an object at which its texture is looked up.
+    const PLACES: f64 = 4096.0;
+    let mut groups: HashMap<(u32, u32), Vec<u32>> = HashMap::new();
+    for (index, triangle) in geometry.triangles.iter().enumerate() {
+        let material = &scene.materials[triangle.material as usize];
+        if material.maps.emitted.is_some() && material.material.emitted != [0.0; 3] {
+            groups.entry((triangle.object, triangle.material)).or_default().push(index as u32);
+        }
+    }
+    let mean = |(key, triangles): ((u32, u32), Vec<u32>)| {
+        let material = &scene.materials[key.1 as usize];
+        let areas: Vec<f64> =
+            triangles.iter().map(|&t| geometry.area(&geometry.triangles[t as usize]).into()).collect();
+        let whole: f64 = areas.iter().sum();
+        let mut sum = DVec3::ZERO;
+        for (&triangle, area) in triangles.iter().zip(areas) {
+            let count = (PLACES * area / whole.max(f64::MIN_POSITIVE)).ceil().clamp(1.0, PLACES) as u32;
+            let mut of_triangle = DVec3::ZERO;
+            for i in 0..count {
+                let u = sampling::r2(i);
+                let hit = Hit { distance: 0.0, triangle, barycentrics: sampling::triangle(u) };
+                let uv = geometry.place(scene, &hit).uv;
+                of_triangle += texel(scene, filter, &material.maps.emitted, uv).map_or(DVec3::ONE, |t| t.truncate());
+            }
+            sum += of_triangle * (area / f64::from(count));
+        }
+        let texture = if whole > 0.0 { sum / whole } else { DVec3::ONE };
+        (key, Vec3::from(material.material.emitted).max(Vec3::ZERO) * texture.as_vec3())
+    };
+    groups.into_iter().map(mean).collect()
+}
+
+fn texel(scene: &Scene, filter: TextureFilter, bound: &Option<BoundTexture>, uv: Vec2) -> Option<DVec4> {
+    let bound = bound.as_ref()?;
+    let texture = scene.textures.get(bound.texture)?;
+    let [u_axis, v_axis, offset] = bound.uv_matrix().map(Vec2::from);
+    let uv: DVec2 = (Mat2::from_cols(u_axis, v_axis) * uv + offset).as_dvec2();
+    Some(texture.sample(uv, DVec2::ZERO, DVec2::ZERO, filter, bound.wrap))
 }
 
 /// What is constant of a material.
@@ -103,27 +196,25 @@ impl Materials<'_> {
         &self.scene.materials[index as usize]
     }
 
-    fn texel(&self, bound: &Option<BoundTexture>, uv: Vec2) -> Option<glam::DVec4> {
-        let bound = bound.as_ref()?;
-        let texture = self.scene.textures.get(bound.texture)?;
-        let [u_axis, v_axis, offset] = bound.uv_matrix().map(Vec2::from);
-        let uv: DVec2 = (Mat2::from_cols(u_axis, v_axis) * uv + offset).as_dvec2();
-        Some(texture.sample(uv, DVec2::ZERO, DVec2::ZERO, self.filter, bound.wrap))
+    fn texel(&self, bound: &Option<BoundTexture>, uv: Vec2) -> Option<DVec4> {
+        texel(self.scene, self.filter, bound, uv)
     }
 
     fn color(&self, bound: &Option<BoundTexture>, uv: Vec2) -> Vec3 {
         self.texel(bound, uv).map_or(Vec3::ONE, |t| t.truncate().as_vec3())
     }
 
-    /// The radiance that a material emits.
-    pub fn emitted(&self, index: u32, uv: Vec2) -> Tint {
-        match self.constants[index as usize].emitted {
-            Some(constant) => constant,
-            None => {
-                let SceneMaterial { material, maps, .. } = self.material(index);
-                Tint::of_light(Vec3::from(material.emitted).max(Vec3::ZERO) * self.color(&maps.emitted, uv))
-            }
+    /// The radiance that a triangle emits.
+    pub fn emitted(&self, triangle: &Triangle, uv: Vec2) -> Tint {
+        let index = triangle.material;
+        if let Some(constant) = self.constants[index as usize].emitted {
+            return constant;
         }
+        if let Some(mean) = self.mean_emission.and_then(|means| means.get(&(triangle.object, index))) {
+            return *mean;
+        }
+        let SceneMaterial { material, maps, .. } = self.material(index);
+        Tint::of_light(Vec3::from(material.emitted).max(Vec3::ZERO) * self.color(&maps.emitted, uv))
     }
 
     /// Whether the radiance of a material is the same everywhere, and it is opaque.
@@ -145,13 +236,17 @@ impl Materials<'_> {
 
     /// Whether light goes through the material.
     pub fn is_clear(&self, index: u32) -> bool {
-        self.material(index).optics.transmission > 0.0
+        self.equation.is_none() && self.material(index).optics.transmission > 0.0
     }
 
     /// The normal of the material's normal map about the interpolated normal.
     pub fn normal(&self, index: u32, place: &Place) -> Vec3 {
         let maps = &self.material(index).maps;
-        let n = place.normal;
+        // The light equation takes the normal as it is, and has no normal map on flat triangles.
+        let n = if place.normal_turned && self.equation.is_some() { -place.normal } else { place.normal };
+        if place.flat && self.equation.is_some() {
+            return n;
+        }
         let (Some((along, sign)), Some(texel)) = (place.tangent, self.texel(&maps.normal, place.uv)) else { return n };
         let Some(t) = (along - n * n.dot(along)).try_normalize() else { return n };
         let b = sign * n.cross(t);
@@ -162,6 +257,9 @@ impl Materials<'_> {
     /// What the place is made of, seen along `view` (unit, away from it). A path that is split by dispersion keeps its
     /// first wavelength only.
     pub fn parts(&self, index: u32, place: &Place, normal: Vec3, view: Vec3, wavelengths: &mut Wavelengths) -> Parts {
+        if let Some(equation) = &self.equation {
+            return self.parts_of_equation(equation, index, place, wavelengths);
+        }
         let SceneMaterial { material, maps, optics } = self.material(index);
         let (uv, mode) = (place.uv, self.mode);
         let constants = &self.constants[index as usize];
@@ -220,6 +318,43 @@ impl Materials<'_> {
             parts.refraction_weight *= mode.reflectance(&constants.clear_tint, wavelengths);
         }
         parts
+    }
+}
+
+impl Materials<'_> {
+    fn surface(&self, index: u32, place: &Place) -> Surface {
+        self.material(index).surface(place.color.as_dvec3(), |_, bound| self.texel(bound, place.uv))
+    }
+
+    /// The diffuse and the specular term of the light equation: no mirror, no glass.
+    fn parts_of_equation(&self, equation: &Equation, index: u32, place: &Place, wavelengths: &Wavelengths) -> Parts {
+        let surface = self.surface(index, place);
+        let color = |color: DVec3, counts: bool| {
+            let color = if counts { color.as_vec3().max(Vec3::ZERO) } else { Vec3::ZERO };
+            self.mode.reflectance(&Tint::of_reflectance(color), wavelengths)
+        };
+        let has_lobe = self.brdf.kind != BrdfKind::Lambert;
+        Parts {
+            diffuse: color(surface.diffuse, equation.terms.diffuse),
+            glossy: color(surface.specular, equation.terms.specular && has_lobe),
+            lobe: Lobe::Brdf(self.brdf, surface.shininess),
+            mirror: 0.0,
+            clear: 0.0,
+            clear_reflectance: 0.0,
+            refracted: None,
+            refraction_weight: Vec4::ONE,
+            opacity: self.opacity(index, place.uv),
+        }
+    }
+
+    /// The ambient term at a place, in the lanes of a path.
+    pub fn ambient(&self, term: &AmbientTerm, index: u32, place: &Place, wavelengths: &Wavelengths) -> Vec4 {
+        let surface = self.surface(index, place);
+        if term.equation.ambient(&surface, term.color) == DVec3::ZERO {
+            return Vec4::ZERO;
+        }
+        let reflectance = Tint::of_reflectance(surface.ambient.as_vec3().max(Vec3::ZERO));
+        self.mode.reflectance(&reflectance, wavelengths) * self.mode.light(&term.light, wavelengths)
     }
 }
 

@@ -53,7 +53,8 @@ impl Display for TraceOddity {
 impl TraceScene {
     /// What is odd about the scene, and survived.
     pub fn oddities(&self) -> Vec<TraceOddity> {
-        let TraceScene { scene, frame, geometry, lights, .. } = self;
+        let TraceScene { frame, posed, .. } = self;
+        let (scene, geometry, lights) = (&posed.scene, &posed.geometry, &posed.sources);
         let mut found = Vec::new();
         let mesh_of = |object: &gonio_scene::Object| scene.meshes.get(object.mesh);
         let all: usize = scene

@@ -4,13 +4,15 @@
 //! are added with the weights of multiple importance sampling. Long paths end by Russian roulette.
 
 use crate::bsdf::{Bsdf, Scattering};
-use crate::color::{ColorMode, Tint, Wavelengths};
+use crate::color::{Tint, Wavelengths};
 use crate::geometry::{Geometry, Place};
-use crate::lights::{LightSample, Lights, Strength};
+use crate::lamps::LightRules;
+use crate::lights::{LightOrigin, LightSample, Lights, Strength};
 use crate::material::Materials;
+use crate::rules::Rules;
 use crate::sampler::Sampler;
 use crate::sampling::power_heuristic;
-use crate::tree::Ray;
+use crate::tree::{Hit, Ray};
 use crate::{Simplification, Simplifications};
 use glam::{Vec2, Vec3, Vec4};
 
@@ -31,10 +33,27 @@ pub(crate) struct World<'s> {
     pub geometry: &'s Geometry,
     pub materials: Materials<'s>,
     pub lights: &'s Lights,
+    /// [`Technique::Lights`] where a direction cannot find all light that counts: without shadows it would find only
+    /// the nearest source, and points are never found.
     pub technique: Technique,
     pub simplified: Simplifications,
+    pub rules: Rules,
+    pub light_rules: LightRules,
+    /// Directions find the environment, although they find nothing else: nothing blocks it.
+    pub finds_environment: bool,
     /// Surfaces that a path meets, at most; 1: only emitted light is seen.
     pub most_depth: u32,
+}
+
+/// Takes note of the light that a path finds.
+pub(crate) trait Recorder {
+    /// Light that was scattered this many times, from the source `origin`.
+    fn add(&mut self, scatterings: u32, origin: LightOrigin, light: Vec4);
+}
+
+impl Recorder for () {
+    #[inline]
+    fn add(&mut self, _: u32, _: LightOrigin, _: Vec4) {}
 }
 
 /// What a path found.
@@ -50,22 +69,59 @@ const ROULETTE_FROM: u32 = 3;
 /// Holes and transparent surfaces in a row that count, at most: a bound, not a limit that scenes meet.
 const MOST_HOLES: u32 = 256;
 
+/// Point lights that are added up at the first surface, at most; of more, one is chosen.
+const MOST_SUMMED: usize = 1024;
+
 impl World<'_> {
     /// The light that comes along a ray from the eye.
-    pub fn follow(&self, mut ray: Ray, sampler: &mut Sampler, wavelengths: &mut Wavelengths) -> Found {
+    pub fn follow(
+        &self,
+        mut ray: Ray,
+        sampler: &mut Sampler,
+        wavelengths: &mut Wavelengths,
+        recorder: &mut impl Recorder,
+    ) -> Found {
         let mut found = Found { light: Vec4::ZERO, hit: false };
         let mut throughput = Vec4::ONE;
         // The density of the last direction; none for single directions, which no sample of a light finds.
         let mut last: Option<f32> = None;
+        // Where that direction was chosen.
+        let mut from = ray.origin;
+        // Only light sources count on this part of the way.
+        let mut to_sources = false;
         let mut medium: Option<u32> = None;
         let mut holes = 0;
         let mut travelled = 0.0;
         // Product of the squared ratios of indices: not a loss, so roulette must not count it as one.
         let mut refraction_scale = 1.0_f32;
         let mut depth = 0;
+        let unblocked = self.simplified.contains(Simplification::Shadows);
         while depth < self.most_depth {
-            let Some(hit) = self.geometry.tree.nearest(&ray) else {
-                self.add_environment(&mut found, throughput, ray.direction, last, wavelengths);
+            let hit = self.geometry.tree.nearest(&ray);
+            if !self.lights.lamps.is_empty() && (last.is_none() || !unblocked) {
+                let reach = hit.as_ref().map_or(ray.reach, |hit| hit.distance);
+                if let Some((lamp, distance, shines)) = self.lights.nearest_lamp(&Ray { reach, ..ray }) {
+                    found.hit = true;
+                    if let Some(body) = medium {
+                        throughput *= self.transmittance(body, distance, wavelengths);
+                    }
+                    if shines {
+                        let way = travelled + distance;
+                        let light = self.seen_lamp(lamp, from, ray.direction, way, last, wavelengths) * throughput;
+                        found.light += light;
+                        recorder.add(depth, self.lights.origins[self.lights.lamps[lamp].1], light);
+                    }
+                    break;
+                }
+            }
+            let Some(hit) = hit else {
+                // The eye's own rays show the background, which is not always the environment.
+                if found.hit {
+                    let weight = |density| self.weight_of_direction(last, density);
+                    let light = throughput * self.environment_light(ray.direction, weight, wavelengths);
+                    found.light += light;
+                    recorder.add(depth, LightOrigin::Environment, light);
+                }
                 break;
             };
             let place = self.geometry.place(self.materials.scene, &hit);
@@ -78,31 +134,47 @@ impl World<'_> {
                     .then_some(triangle.material)
             });
             if let Some(body) = inside {
-                let way = f64::from(hit.distance) / self.geometry.space.scale;
-                let absorption = self.materials.absorption(body, wavelengths);
-                throughput *= (absorption * -(way as f32)).map(f32::exp);
+                throughput *= self.transmittance(body, hit.distance, wavelengths);
             }
             if let Some(source) = triangle.light {
-                let cos = place.geometric_normal.dot(view).abs();
-                let density = self.lights.triangle_density(source, travelled, cos);
-                let weight = self.weight_of_direction(last, density);
-                let opacity = self.materials.opacity(triangle.material, place.uv);
-                let emitted = self.materials.emitted(triangle.material, place.uv);
-                found.light += throughput * self.materials.mode.light(&emitted, wavelengths) * (weight * opacity);
+                let weight = match (last, self.technique) {
+                    (None, _) | (_, Technique::Directions) => 1.0,
+                    (Some(_), Technique::Lights) => 0.0,
+                    (Some(_), Technique::Both) => {
+                        let cos = place.geometric_normal.dot(view).abs();
+                        self.weight_of_direction(last, self.lights.triangle_density(source, travelled, cos))
+                    }
+                };
+                if weight > 0.0 && self.materials.emits {
+                    let opacity = self.materials.opacity(triangle.material, place.uv);
+                    let emitted = self.materials.emitted(triangle, place.uv);
+                    let light = throughput * self.materials.mode.light(&emitted, wavelengths) * (weight * opacity);
+                    found.light += light;
+                    recorder.add(depth, LightOrigin::Object(triangle.object as usize), light);
+                }
+            }
+            if to_sources {
+                // What a hole lets through.
+                throughput *= 1.0 - self.materials.opacity(triangle.material, place.uv);
+                holes += 1;
+                if throughput == Vec4::ZERO || holes > MOST_HOLES {
+                    break;
+                }
+                ray = Ray { origin: place.leave(ray.direction), direction: ray.direction, reach: f32::INFINITY };
+                continue;
             }
             let normal = self.materials.normal(triangle.material, &place);
             let parts = self.materials.parts(triangle.material, &place, normal, view, wavelengths);
-            let bsdf = Bsdf::new(&place, normal, view, parts);
+            let bsdf = Bsdf::new(&place, normal, view, parts, &self.rules);
+            if let Some(term) = &self.materials.ambient {
+                let light =
+                    self.materials.ambient(term, triangle.material, &place, wavelengths) * bsdf.lit * throughput;
+                found.light += light;
+                recorder.add(depth + 1, LightOrigin::Ambient, light);
+            }
             let choice = sampler.next_2d();
-            let Some(next) = bsdf.sample(choice.x, sampler.next_2d()) else {
-                found.hit = true;
-                if bsdf.is_rough() && depth + 1 < self.most_depth {
-                    let direct = self.direct(&place, &bsdf, choice.y, sampler, wavelengths);
-                    found.light += throughput * direct / bsdf.probability_of_surface();
-                }
-                break;
-            };
-            if next.kind == Scattering::Straight {
+            let next = bsdf.sample(choice.x, sampler.next_2d());
+            if let Some(next) = next.as_ref().filter(|next| next.kind == Scattering::Straight) {
                 holes += 1;
                 if holes > MOST_HOLES {
                     break;
@@ -115,17 +187,50 @@ impl World<'_> {
             found.hit = true;
             depth += 1;
             if bsdf.is_rough() && depth < self.most_depth {
-                let direct = self.direct(&place, &bsdf, choice.y, sampler, wavelengths);
-                found.light += throughput * direct / bsdf.probability_of_surface();
+                let share = throughput / bsdf.probability_of_surface();
+                if depth == 1 && self.sums() {
+                    for source in 0..self.lights.sources.len() {
+                        let u = Vec2::splat(0.5);
+                        let sample =
+                            self.lights.sample_source(source, 1.0, self.geometry, &self.light_rules, place.position, u);
+                        self.add_direct(&mut found, &place, &bsdf, sample, share, depth, wavelengths, recorder);
+                    }
+                } else if self.technique != Technique::Directions {
+                    let u = sampler.next_2d();
+                    let sample = self.lights.sample(self.geometry, &self.light_rules, place.position, choice.y, u);
+                    self.add_direct(&mut found, &place, &bsdf, sample, share, depth, wavelengths, recorder);
+                } else {
+                    sampler.next_2d();
+                }
             }
+            let Some(next) = next else { break };
             throughput *= next.weight;
+            last = next.density.is_finite().then_some(next.density);
+            if let Some(density) = last {
+                if self.finds_environment && depth < self.most_depth {
+                    let weight = |light_density| power_heuristic(density, light_density);
+                    let light = throughput * self.environment_light(next.direction, weight, wavelengths);
+                    found.light += light;
+                    recorder.add(depth, LightOrigin::Environment, light);
+                }
+                if bsdf.is_behind(next.direction) {
+                    break;
+                }
+            }
             if next.kind == Scattering::Refracted {
                 let entering = place.geometric_normal.dot(next.direction) < 0.0;
                 medium = entering.then_some(triangle.material);
                 refraction_scale *= next.weight.max_element().max(1e-6);
             }
+            if self.simplified.contains(Simplification::Interreflection) {
+                // Light on its way through a body does not come from another surface.
+                to_sources = medium.is_none();
+                if to_sources && last.is_some() && self.technique == Technique::Lights {
+                    break;
+                }
+            }
             travelled = 0.0;
-            last = next.density.is_finite().then_some(next.density);
+            from = place.position;
             ray = Ray { origin: place.leave(next.direction), direction: next.direction, reach: f32::INFINITY };
             let survival = throughput.max_element() / refraction_scale;
             if survival.is_nan() || survival <= 0.0 {
@@ -142,6 +247,34 @@ impl World<'_> {
         found
     }
 
+    /// Whether all sources are added up.
+    fn sums(&self) -> bool {
+        self.simplified.contains(Simplification::Sum) && self.lights.sources.len() <= MOST_SUMMED
+    }
+
+    /// The share of light that a body lets through along a way in trace space.
+    fn transmittance(&self, body: u32, distance: f32, wavelengths: &Wavelengths) -> Vec4 {
+        let way = f64::from(distance) / self.geometry.space.scale;
+        (self.materials.absorption(body, wavelengths) * -(way as f32)).map(f32::exp)
+    }
+
+    /// The light of a lamp that a direction from `from` found at `distance`.
+    fn seen_lamp(
+        &self,
+        lamp: usize,
+        from: Vec3,
+        direction: Vec3,
+        distance: f32,
+        last: Option<f32>,
+        wavelengths: &Wavelengths,
+    ) -> Vec4 {
+        // Light that is seen, in a mirror too, does not fall with the distance.
+        let strength = self.lights.lamps[lamp].0.strength(&self.light_rules, direction, last.map(|_| distance));
+        let weight = last
+            .map_or(1.0, |_| self.weight_of_direction(last, self.lights.lamp_density(lamp, from, direction, distance)));
+        self.materials.mode.light(&self.lights.lamps[lamp].0.radiance, wavelengths) * (strength * weight)
+    }
+
     /// The share of light found by a direction of density `last` that counts, where light samples have `density`.
     fn weight_of_direction(&self, last: Option<f32>, density: f32) -> f32 {
         match (last, self.technique) {
@@ -151,68 +284,70 @@ impl World<'_> {
         }
     }
 
-    fn add_environment(
-        &self,
-        found: &mut Found,
-        throughput: Vec4,
-        direction: Vec3,
-        last: Option<f32>,
-        wavelengths: &Wavelengths,
-    ) {
-        // The eye's own rays show the background, which is not always the environment.
-        if let Some(environment) = self.lights.environment.as_ref().filter(|_| found.hit) {
-            let weight = self.weight_of_direction(last, self.lights.environment_density(direction));
-            let radiance = Tint::of_light(environment.radiance(direction));
-            found.light += throughput * self.materials.mode.light(&radiance, wavelengths) * weight;
-        }
-    }
-
-    /// Light of one sampled source that the place scatters to the view.
-    fn direct(
-        &self,
-        place: &Place,
-        bsdf: &Bsdf,
-        choice: f32,
-        sampler: &mut Sampler,
-        wavelengths: &Wavelengths,
-    ) -> Vec4 {
-        let u = sampler.next_2d();
-        if self.technique == Technique::Directions {
+    /// Light of the environment; `weight` of the density with which light samples find the direction.
+    fn environment_light(&self, direction: Vec3, weight: impl Fn(f32) -> f32, wavelengths: &Wavelengths) -> Vec4 {
+        let Some(environment) = &self.lights.environment else { return Vec4::ZERO };
+        let weight = weight(self.lights.environment_density(direction));
+        if weight == 0.0 {
             return Vec4::ZERO;
         }
-        let Some(sample) = self.lights.sample(self.geometry, place.position, choice, u) else { return Vec4::ZERO };
+        let radiance = Tint::of_light(environment.radiance(direction));
+        self.materials.mode.light(&radiance, wavelengths) * weight
+    }
+
+    /// Adds the light of one sample that the place scatters to the view.
+    #[allow(clippy::too_many_arguments)]
+    fn add_direct(
+        &self,
+        found: &mut Found,
+        place: &Place,
+        bsdf: &Bsdf,
+        sample: Option<LightSample>,
+        throughput: Vec4,
+        depth: u32,
+        wavelengths: &Wavelengths,
+        recorder: &mut impl Recorder,
+    ) {
+        let Some(sample) = sample else { return };
+        let light = throughput * self.direct(place, bsdf, &sample, wavelengths);
+        found.light += light;
+        recorder.add(depth, self.lights.origins[sample.source], light);
+    }
+
+    /// Light of a sample that the place scatters to the view.
+    fn direct(&self, place: &Place, bsdf: &Bsdf, sample: &LightSample, wavelengths: &Wavelengths) -> Vec4 {
         let (value, density) = bsdf.evaluate(sample.direction);
         if value == Vec4::ZERO {
             return Vec4::ZERO;
         }
-        let clear_way = self.clear_way(place, &sample);
+        let clear_way = self.clear_way(place, sample);
         if clear_way <= 0.0 {
             return Vec4::ZERO;
         }
         let (tint, strength) = match sample.light {
             Strength::Irradiance(tint, factor) => (tint, factor / sample.probability),
-            Strength::Radiance(radiance) => (Tint::of_light(radiance), 1.0 / sample.density),
+            Strength::Radiance(tint, factor) => (tint, factor / sample.density),
             Strength::Emitted(triangle, weights) => {
                 let (tint, opacity) = self.emitted_at(triangle, weights);
                 (tint, opacity / sample.density)
             }
         };
-        let weight = match (sample.density.is_infinite(), self.technique) {
-            (false, Technique::Both) => power_heuristic(sample.density, density),
-            _ => 1.0,
-        };
+        let also_found = self.technique == Technique::Both
+            || self.finds_environment && self.lights.origins[sample.source] == LightOrigin::Environment;
+        let weight =
+            if also_found && sample.density.is_finite() { power_heuristic(sample.density, density) } else { 1.0 };
         value * self.materials.mode.light(&tint, wavelengths) * (strength * weight * clear_way)
     }
 
     /// The radiance of a place of a lamp, and its opacity.
     fn emitted_at(&self, triangle: u32, weights: Vec3) -> (Tint, f32) {
-        let material = self.geometry.triangles[triangle as usize].material;
-        if self.materials.emits_evenly(material) {
-            return (self.materials.emitted(material, Vec2::ZERO), 1.0);
+        let of = &self.geometry.triangles[triangle as usize];
+        if self.materials.emits_evenly(of.material) {
+            return (self.materials.emitted(of, Vec2::ZERO), 1.0);
         }
-        let hit = crate::tree::Hit { distance: 0.0, triangle, barycentrics: weights };
+        let hit = Hit { distance: 0.0, triangle, barycentrics: weights };
         let place = self.geometry.place(self.materials.scene, &hit);
-        (self.materials.emitted(material, place.uv), self.materials.opacity(material, place.uv))
+        (self.materials.emitted(of, place.uv), self.materials.opacity(of.material, place.uv))
     }
 
     /// The share of light that arrives from a sampled source: 0 behind an opaque surface.
@@ -222,6 +357,11 @@ impl World<'_> {
         }
         let mut origin = place.leave(sample.direction);
         let mut share = 1.0;
+        // A point that stands for an object is not in its shadow.
+        let own = match self.lights.origins[sample.source] {
+            LightOrigin::Object(object) if self.simplified.contains(Simplification::Sum) => Some(object as u32),
+            _ => None,
+        };
         for _ in 0..MOST_HOLES {
             let (direction, reach) = match sample.end {
                 Some(end) => {
@@ -236,28 +376,23 @@ impl World<'_> {
                 None => (sample.direction, f32::INFINITY),
             };
             let ray = Ray { origin, direction, reach };
-            if !self.materials.has_holes {
+            if self.lights.lamps_block(&ray, sample.source) {
+                return 0.0;
+            }
+            if !self.materials.has_holes && own.is_none() {
                 return if self.geometry.tree.is_blocked(&ray) { 0.0 } else { share };
             }
             let Some(hit) = self.geometry.tree.nearest(&ray) else { return share };
             let between = self.geometry.place(self.materials.scene, &hit);
-            let material = self.geometry.triangles[hit.triangle as usize].material;
-            share *= 1.0 - self.materials.opacity(material, between.uv);
+            let triangle = &self.geometry.triangles[hit.triangle as usize];
+            if own != Some(triangle.object) {
+                share *= 1.0 - self.materials.opacity(triangle.material, between.uv);
+            }
             if share <= 0.0 {
                 return 0.0;
             }
             origin = between.leave(direction);
         }
         0.0
-    }
-}
-
-impl ColorMode {
-    /// The wavelengths of a path.
-    pub(crate) fn wavelengths(self, sampler: &mut Sampler) -> Wavelengths {
-        match self {
-            ColorMode::Spectral => Wavelengths::sample(sampler.next_1d()),
-            ColorMode::Rgb => Wavelengths::NONE,
-        }
     }
 }

@@ -1,21 +1,20 @@
 //! Samples of all pixels, on all threads.
 
-use crate::color::ColorMode;
-use crate::environment::Environment;
+use crate::color::Wavelengths;
 use crate::film::{Film, PixelSums, TileMask};
-use crate::geometry::Geometry;
-use crate::lights::Lights;
-use crate::material::{Constants, Materials, bare_emitted, normalised_lobe};
-use crate::path::{Technique, World};
+use crate::path::{Recorder, Technique, World};
+use crate::posed::{Posed, Timeless};
 use crate::sampler::Sampler;
 use crate::tree::Ray;
 use crate::{Simplification, Simplifications, sampling};
 use glam::{DVec3, Vec3};
-use gonio_light::equation::Convention;
-use gonio_scene::{Camera, Frame, Scene, TextureFilter};
+use gonio_light::Light;
+use gonio_scene::{Camera, Frame, Scene};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::ops::Range;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// How a scene is traced.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +33,8 @@ pub struct TraceSettings {
     pub aperture: f64,
     /// Distance from the eye at which a lens is in focus, along the viewing direction, world units, > 0.
     pub focus: f64,
-    /// How long the shutter is open from the frame's moment on, seconds, >= 0. Closed with [`Simplification::Time`].
+    /// How long the shutter is open from the frame's moment on, seconds, >= 0. Closed with
+    /// [`Simplification::Time`].
     pub shutter: f64,
 }
 
@@ -55,36 +55,50 @@ impl Default for TraceSettings {
 
 /// A scene at one moment, ready to be traced.
 pub struct TraceScene {
-    pub(crate) scene: Scene,
     pub(crate) frame: Frame,
-    pub(crate) geometry: Geometry,
-    pub(crate) lights: Lights,
-    has_holes: bool,
-    constants: Vec<Constants>,
+    /// At the frame's moment.
+    pub(crate) posed: Arc<Posed>,
+    timeless: Arc<Timeless>,
+    /// Other moments, by the bits of their time; the last ones only.
+    moments: Mutex<Vec<(u64, Arc<Posed>)>>,
+}
+
+/// Moments that are remembered: a pass over a part of a picture is followed by the same pass over its next part.
+const MOST_MOMENTS: usize = 16;
+
+/// The moment of sample `index` of every pixel, from 0, when the shutter opens, to 1: the sequence of van der Corput, moved by
+/// a number that depends on the seed.
+fn moment(seed: u64, index: u32) -> f64 {
+    // The constants of SplitMix64 (G. Steele, D. Lea and C. Flood, *Fast Splittable Pseudorandom Number Generators*, 2014).
+    let mut bits = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    let start = (bits >> 11) as f64 / (1_u64 << 53) as f64;
+    (start + f64::from(index.reverse_bits()) / f64::from(u32::MAX)).fract()
 }
 
 impl TraceScene {
-    /// Builds the tree, finds the lights, prepares the environment.
+    /// Builds the tree, finds the lights, prepares the environment. Objects that move must be where they are at the frame's
+    /// moment ([`Scene::at`]).
     ///
     /// A light of colour `L` in the lab's convention gives the irradiance `pi L`, so that a diffuse surface is as bright as
     /// the light equation makes it. Point and spot lights obey the inverse square law; at the centre of the objects they
     /// are as strong as their attenuation says. Ambient lights have no place in the rendering equation.
+    ///
+    /// A light with a shape is a lamp: a surface of uniform radiance that shines outwards, or to the front of a rectangle, as
+    /// brightly at the centre of the objects as the light does in the light equation. The eye and mirrors see it, and it
+    /// blocks light. The material of an object that emits light does so on both sides.
     pub fn new(scene: &Scene, frame: &Frame) -> Self {
-        let mut geometry = Geometry::new(scene);
-        let strength = match frame.equation.convention {
-            Convention::Lab => std::f64::consts::PI,
-            Convention::Physical => 1.0,
-        };
-        let environment = match (&scene.environment, frame.surroundings) {
-            (Some(loaded), Some(surroundings)) => Some(Environment::new(loaded.clone(), surroundings)),
-            _ => None,
-        };
-        let center = 0.5 * (frame.bounds_min + frame.bounds_max);
-        let emitted = |t: &crate::geometry::Triangle| bare_emitted(scene, t.material);
-        let lights = Lights::new(&frame.lights, strength, center, &mut geometry, emitted, environment);
-        let has_holes = scene.materials.iter().any(|m| m.material.opacity < 1.0 || m.maps.opacity.is_some());
-        let constants = Constants::of_scene(scene, normalised_lobe(&frame.equation));
-        TraceScene { scene: scene.clone(), frame: frame.clone(), geometry, lights, has_holes, constants }
+        let timeless = Arc::new(Timeless::new(scene, frame));
+        let posed = Arc::new(Posed::new(scene.clone(), &frame.lights, &frame.light_shapes, timeless.clone()));
+        TraceScene { frame: frame.clone(), posed, timeless, moments: Mutex::default() }
+    }
+
+    /// The lights that replace lamps, objects that emit light, and the environment where [`Sum`](Simplification::Sum) is on: those
+    /// of the frame, in its order, a lamp divided into `points_per_light` points, and as many points for each object that
+    /// emits light. With 1 a lamp is the light at its centre.
+    pub fn point_lights(&self, points_per_light: u32) -> Vec<Light> {
+        self.posed.point_lights(&self.frame, points_per_light).iter().map(|placed| placed.light).collect()
     }
 
     /// Looks at the same scene at the same moment with another camera or in another size, in pixels: nothing is built again.
@@ -97,9 +111,46 @@ impl TraceScene {
         &self.frame
     }
 
+    /// The scene at the moment of sample `index` of every pixel.
+    pub(crate) fn posed_for(&self, settings: &TraceSettings, index: u32) -> Arc<Posed> {
+        if !self.moves(settings) {
+            return self.posed.clone();
+        }
+        let time = self.frame.time + settings.shutter * moment(settings.seed, index);
+        let mut known = self.moments.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, posed)) = known.iter().find(|(bits, _)| *bits == time.to_bits()) {
+            return posed.clone();
+        }
+        let scene = self.posed.scene.at(time);
+        let posed = if self.lights_move() {
+            let Frame { lights, light_shapes, .. } = scene.frame(time);
+            Posed::new(scene, &lights, &light_shapes, self.timeless.clone())
+        } else {
+            Posed::new(scene, &self.frame.lights, &self.frame.light_shapes, self.timeless.clone())
+        };
+        let posed = Arc::new(posed);
+        if known.len() >= MOST_MOMENTS {
+            known.remove(0);
+        }
+        known.push((time.to_bits(), posed.clone()));
+        posed
+    }
+
+    /// Whether samples happen at different moments, and something moves between them.
+    fn moves(&self, settings: &TraceSettings) -> bool {
+        settings.shutter > 0.0
+            && settings.shutter.is_finite()
+            && !settings.simplified.contains(Simplification::Time)
+            && (self.posed.scene.has_moving_objects() || self.lights_move())
+    }
+
+    fn lights_move(&self) -> bool {
+        self.posed.scene.settings.lights.iter().any(|light| light.motion.is_some())
+    }
+
     /// Triangles that can be hit.
     pub fn triangles(&self) -> usize {
-        self.geometry.triangles.len()
+        self.posed.geometry.triangles.len()
     }
 
     /// Adds `samples` to each pixel of the film, which has the frame's size, or only to those of some tiles. `progress` is
@@ -130,85 +181,89 @@ impl TraceScene {
         tiles: Option<&TileMask>,
         progress: &(dyn Fn(f64) -> bool + Sync),
     ) -> bool {
-        let world = World {
-            geometry: &self.geometry,
-            materials: self.materials(ColorMode::of(settings.simplified)),
-            lights: &self.lights,
-            technique: settings.technique,
-            simplified: settings.simplified,
-            most_depth: if settings.simplified.contains(Simplification::Interreflection) {
-                settings.most_depth.clamp(1, 2)
-            } else {
-                settings.most_depth.max(1)
-            },
-        };
         let width = film.width.max(1) as usize;
-        let done = AtomicU64::new(0);
-        let stopped = std::sync::atomic::AtomicBool::new(false);
         let Some(pixels) = film.pixels.get_mut(rows.start as usize * width..rows.end as usize * width) else {
             return true;
         };
         let mut added = pixels.to_vec();
-        let (first, rows) = (rows.start, u64::from(rows.len().max(1) as u32));
-        added.par_chunks_mut(width).enumerate().for_each(|(row_index, row)| {
-            if stopped.load(Ordering::Relaxed) {
-                return;
-            }
-            for (x, sums) in row.iter_mut().enumerate() {
-                let (x, y) = (x as u32, first + row_index as u32);
-                if tiles.is_none_or(|tiles| tiles.contains(x, y)) {
-                    for _ in 0..samples {
-                        self.add_sample(&world, settings, x, y, sums);
+        let first = rows.start;
+        let is_wanted = |index: usize| {
+            tiles.is_none_or(|tiles| tiles.contains((index % width) as u32, first + (index / width) as u32))
+        };
+        // All samples at once, or, where something moves, one index of all pixels after the other.
+        let steps: Vec<Range<u32>> = if self.moves(settings) {
+            let counts = pixels.iter().enumerate().filter(|(index, _)| is_wanted(*index)).map(|(_, sums)| sums.samples);
+            let all: BTreeSet<u32> = counts.flat_map(|count| count..count.saturating_add(samples)).collect();
+            all.into_iter().map(|index| index..index + 1).collect()
+        } else {
+            vec![0..u32::MAX]
+        };
+        let work = steps.len() as u64 * rows.len() as u64;
+        let done = AtomicU64::new(0);
+        let stopped = AtomicBool::new(false);
+        for indices in steps {
+            let posed = self.posed_for(settings, indices.start);
+            let summed = posed.summed(&self.frame, settings);
+            let world = posed.world(&self.frame, settings, summed.as_deref());
+            added.par_chunks_mut(width).zip(pixels.par_chunks(width)).enumerate().for_each(|(y, (row, before))| {
+                if stopped.load(Ordering::Relaxed) {
+                    return;
+                }
+                for (x, (sums, before)) in row.iter_mut().zip(before).enumerate() {
+                    if is_wanted(y * width + x) {
+                        let end = before.samples.saturating_add(samples).min(indices.end);
+                        while sums.samples >= indices.start && sums.samples < end {
+                            self.add_sample(&world, settings, x as u32, first + y as u32, sums);
+                        }
                     }
                 }
-            }
-            let rows_done = done.fetch_add(1, Ordering::Relaxed) + 1;
-            if !progress(rows_done as f64 / rows as f64) {
-                stopped.store(true, Ordering::Relaxed);
-            }
-        });
-        if stopped.load(Ordering::Relaxed) && done.load(Ordering::Relaxed) < rows {
+                let rows_done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                if !progress(rows_done as f64 / work as f64) {
+                    stopped.store(true, Ordering::Relaxed);
+                }
+            });
+        }
+        if stopped.load(Ordering::Relaxed) && done.load(Ordering::Relaxed) < work {
             return false;
         }
         pixels.copy_from_slice(&added);
         true
     }
 
-    /// The scene's materials, read for paths of this mode.
-    pub(crate) fn materials(&self, mode: ColorMode) -> Materials<'_> {
-        Materials {
-            scene: &self.scene,
-            mode,
-            brdf: normalised_lobe(&self.frame.equation),
-            filter: match self.frame.texture_filter {
-                TextureFilter::Nearest => TextureFilter::Nearest,
-                _ => TextureFilter::Linear,
-            },
-            has_holes: self.has_holes,
-            constants: &self.constants,
-        }
+    fn add_sample(&self, world: &World, settings: &TraceSettings, x: u32, y: u32, sums: &mut PixelSums) {
+        let (light, alpha, _) = self.sample(world, settings, x, y, sums.samples, &mut ());
+        sums.add(light, alpha);
     }
 
-    fn add_sample(&self, world: &World, settings: &TraceSettings, x: u32, y: u32, sums: &mut PixelSums) {
+    /// Sample `index` of a pixel: linear RGB, alpha, and the wavelengths of the path.
+    pub(crate) fn sample<'w>(
+        &self,
+        world: &'w World,
+        settings: &TraceSettings,
+        x: u32,
+        y: u32,
+        index: u32,
+        recorder: &mut impl Recorder,
+    ) -> (DVec3, f64, Wavelengths<'w>) {
         let frame = &self.frame;
-        let mut sampler = Sampler::new(settings.seed, y.wrapping_mul(frame.width).wrapping_add(x), sums.samples);
+        let mut sampler = Sampler::new(settings.seed, y.wrapping_mul(frame.width).wrapping_add(x), index);
         let at = sampler.next_2d();
-        let mut wavelengths = world.materials.mode.wavelengths(&mut sampler);
+        let mode = world.materials.mode;
+        let mut wavelengths = mode.wavelengths(&mut sampler, world.materials.spectra);
         let (px, py) = (f64::from(x) + f64::from(at.x), f64::from(y) + f64::from(at.y));
-        let ray = self.eye_ray(settings, px, py, &mut sampler);
-        let found = world.follow(ray, &mut sampler, &mut wavelengths);
-        let rgb = world.materials.mode.rgb(found.light, &wavelengths).as_dvec3();
-        let behind =
-            if found.hit || found.light != glam::Vec4::ZERO { [0.0; 4] } else { self.background(ray.direction, py) };
+        let ray = self.eye_ray(world, settings, px, py, &mut sampler);
+        let found = world.follow(ray, &mut sampler, &mut wavelengths, recorder);
+        let rgb = mode.rgb(found.light, &wavelengths).as_dvec3();
+        let behind = if found.hit { [0.0; 4] } else { self.background(world, ray.direction, py) };
         let light = rgb + DVec3::new(behind[0], behind[1], behind[2]);
-        sums.add(light, if found.hit { 1.0 } else { behind[3] });
+        (light, if found.hit { 1.0 } else { behind[3] }, wavelengths)
     }
 
     /// What is seen where there is nothing.
-    fn background(&self, direction: Vec3, py: f64) -> [f64; 4] {
-        match (&self.lights.environment, self.frame.surroundings) {
+    fn background(&self, world: &World, direction: Vec3, py: f64) -> [f64; 4] {
+        match (&world.lights.environment, self.frame.surroundings) {
             (Some(environment), Some(surroundings)) if surroundings.visible => {
-                let seen = match &self.scene.environment {
+                let seen = match &world.materials.scene.environment {
                     Some(loaded) if loaded.background.is_some() => {
                         let d = surroundings.environment_from_world * direction.as_dvec3();
                         loaded.seen().full().sample(d) * surroundings.intensity
@@ -222,7 +277,14 @@ impl TraceScene {
     }
 
     /// The ray through a point of the picture, from the near plane to the far plane.
-    pub(crate) fn eye_ray(&self, settings: &TraceSettings, px: f64, py: f64, sampler: &mut Sampler) -> Ray {
+    pub(crate) fn eye_ray(
+        &self,
+        world: &World,
+        settings: &TraceSettings,
+        px: f64,
+        py: f64,
+        sampler: &mut Sampler,
+    ) -> Ray {
         let Frame { camera, width, height, .. } = &self.frame;
         let mut eye = camera.position;
         let mut direction = camera.ray_direction(px, py, *width, *height);
@@ -233,7 +295,7 @@ impl TraceScene {
             direction = (focused - eye).normalize_or(camera.front);
         }
         let cos = direction.dot(camera.front);
-        let space = &self.geometry.space;
+        let space = &world.geometry.space;
         let start = eye + direction * (camera.near / cos);
         Ray {
             origin: space.point(start),

@@ -70,6 +70,13 @@ pub(crate) fn triangle(u: Vec2) -> Vec3 {
     Vec3::new(b0, b1, 1.0 - b0 - b1)
 }
 
+/// Point `i` of a sequence that fills the unit square evenly (M. Roberts, *The Unreasonable Effectiveness of Quasirandom
+/// Sequences*, 2018).
+pub(crate) fn r2(i: u32) -> Vec2 {
+    let at = |step: f64| (0.5 + step * f64::from(i + 1)).fract() as f32;
+    Vec2::new(at(0.754_877_666_246_692_8), at(0.569_840_290_998_053_3))
+}
+
 /// Veach's power heuristic with exponent 2: the weight of a sample of density `a` where another technique has density
 /// `b` (E. Veach, *Robust Monte Carlo Methods for Light Transport Simulation*, 1997, section 9.2.2).
 pub(crate) fn power_heuristic(a: f32, b: f32) -> f32 {

@@ -98,11 +98,15 @@ pub struct TraceArgs {
     #[arg(long, help_heading = "Trace options", value_name = "DISTANCE", value_parser = values::distance,
           allow_negative_numbers = true)]
     pub focus: Option<f64>,
+    /// How long the shutter is open, in seconds, from --moment on: what moves is blurred.
+    #[arg(long, help_heading = "Trace options", value_name = "SECONDS", default_value = "0",
+          value_parser = values::not_negative, allow_negative_numbers = true)]
+    pub shutter: f64,
     /// Threads; all cores by default.
     #[arg(long, help_heading = "Trace options", value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
 
-    /// Moment of the scene in seconds, for lights that move.
+    /// Moment of the scene in seconds, for lights and objects that move.
     #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,
           allow_negative_numbers = true, default_value = "0")]
     pub moment: f64,
@@ -139,6 +143,7 @@ impl TraceArgs {
             seed: self.seed,
             aperture: self.aperture,
             focus,
+            shutter: self.shutter,
             ..TraceSettings::default()
         }
     }
