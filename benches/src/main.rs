@@ -1,5 +1,5 @@
-//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|window`. `cargo xtask bench` builds everything
-//! and runs it. Each benchmark prints a table and writes `target/bench/NAME.json`.
+//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|trace|window`. `cargo xtask bench` builds
+//! everything and runs it. Each benchmark prints a table and writes `target/bench/NAME.json`.
 //!
 //! Times are medians of alternating runs, so that other load on the machine affects all sides alike.
 
@@ -12,6 +12,7 @@ mod obj_readers;
 mod peers;
 mod render;
 mod screen;
+mod trace;
 mod window;
 mod window_process;
 
@@ -36,6 +37,7 @@ const BENCHES: &[(&str, Bench)] = &[
     ("lights", render::run_lights),
     ("obj", obj::run),
     ("environment", environment::run),
+    ("trace", trace::run),
     ("window", window::run),
 ];
 
