@@ -21,10 +21,10 @@ const OWN_STYLE: &str = "
 header p, .slide > p { max-width: 62rem; }
 .slide { min-height: 60vh; }
 .slide h2 b { color: var(--accent); font-weight: 300; padding-right: .6rem; }
-.slide > .formula { color: var(--text); }
-.slide > .formula math { font-size: clamp(1rem, 2vw, 1.5rem); math-style: normal; }
+.slide p code { display: inline; padding: .1rem .3rem; }
 .formulas { min-height: 8.6rem; }
 .formulas .formula + .formula::before { content: '\\2192'; color: var(--soft); padding-right: .7rem; }
+.formulas .formula.where::before { content: 'with' !important; }
 .formulas math { font-size: clamp(1rem, 2vw, 1.5rem); math-style: normal; }
 .pictures { display: grid; gap: 1rem; grid-template-columns: 2fr 1fr; margin: .8rem 0; }
 .pictures figure:first-child { grid-row: span 2; }
@@ -109,7 +109,7 @@ pub fn files(
         "<section class=\"slide first\" id=\"truth\" data-title=\"The rendering equation\">\n<h2><b>0</b>The rendering equation</h2>\n\
          <p>Light comes from everywhere: it is added up over all directions, at every wavelength and moment. What comes in is what \
          another surface sends out, so this is a recursive call. This picture solves it by following the paths of light.</p>\n\
-         <div class=\"formulas\"><div class=\"formula\">{}</div>\n<div class=\"formula\">{}</div></div>\n\
+         <div class=\"formulas\"><div class=\"formula\">{}</div>\n<div class=\"formula where\">{}</div></div>\n\
          <div class=\"pictures\"><figure>{truth}<figcaption>The truth</figcaption></figure></div>\n<dl>{}</dl>\n</section>\n",
         mathml(&report.truth_formula),
         mathml("L_i(x, ω_i, λ, t) = L_o(x', −ω_i, λ, t)"),
@@ -224,7 +224,7 @@ fn cubemap_slide(cubemap: &CubemapReport, [truth, picture, map]: [String; 3]) ->
     format!(
         "<section class=\"slide\" id=\"cubemap\" data-title=\"With a cubemap\">\n<h2><b>?</b>Is this image achievable with OpenGL? \
          Yes: with a cubemap</h2>\n<p>Mirrors and glass look up the environment where their rays of sight go. The cubemap has no \
-         object in it, and there are no shadows.</p>\n<div class=\"pictures\">\n<figure>{picture}<figcaption>The light equation with \
+         object in it, and there are no shadows.</p>\n<div class=\"pictures two\">\n<figure>{picture}<figcaption>The light equation with \
          the cubemap, in {}</figcaption></figure>\n<figure>{truth}<figcaption>The truth</figcaption></figure>\n<figure>{map}\
          <figcaption>What differs: FLIP {:.4}</figcaption></figure></div>\n<table><tr><th>object</th><th>FLIP on it</th><th>brighter \
          than the truth</th><th>why</th></tr>\n{rows}</table>\n</section>\n",

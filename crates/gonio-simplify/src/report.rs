@@ -320,6 +320,9 @@ impl Observer<'_> {
         };
         let mut text =
             format!("Look at {} around ({}, {}): {}.", self.seen_at(most.x, most.y), most.x, most.y, self.change(most));
+        if let Some(source) = &now.source {
+            text += &format!(" Most of the change there is light from {source}.");
+        }
         if let Some(brighter) = to_before.brighter {
             let (amount, direction) = (percent(brighter.abs()), if brighter < 0.0 { "less" } else { "more" });
             if brighter.abs() >= 5e-4 {

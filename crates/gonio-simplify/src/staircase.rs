@@ -1,12 +1,14 @@
 //! The pictures of all steps, with the time that each takes.
 
-use crate::comparison::{AmbientFit, PictureComparison, compare, fit_ambient, flip_map, mean_luminance};
+use crate::comparison::{
+    AmbientFit, LargestDifference, PictureComparison, compare, fit_ambient, flip_map, mean_luminance,
+};
 use glam::DVec3;
 use gonio_image::flip;
 use gonio_light::{Light, LightKind, Quantity};
 use gonio_reference::ReferenceScene;
-use gonio_scene::{Frame, Picture, Scene, ViewSpec};
-use gonio_trace::{Film, Simplification, Simplifications, TraceScene, TraceSettings};
+use gonio_scene::{Frame, LightShape, Picture, Scene, ViewSpec};
+use gonio_trace::{Film, LightOrigin, PixelContributions, Simplification, Simplifications, TraceScene, TraceSettings};
 use std::time::{Duration, Instant};
 
 /// When a picture is finished.
@@ -57,6 +59,8 @@ pub struct SimplifiedPicture {
     pub to_before: PictureComparison,
     /// Compared with the truth.
     pub to_truth: PictureComparison,
+    /// The source of most of the change where the picture before and this one differ most, as text; none where no source has most.
+    pub source: Option<String>,
 }
 
 /// A picture by the light equation on the CPU, as `gonio render` draws it.
@@ -94,6 +98,8 @@ pub struct Staircase {
 
 /// Paths of each pixel, in both halves together, before errors are estimated.
 const FIRST_PATHS: u32 = 16;
+/// Paths that find the source of a change.
+const SOURCE_PATHS: u32 = 256;
 /// The most paths of a pixel for a requested error.
 const MOST_PATHS: u32 = 1 << 16;
 
@@ -164,7 +170,8 @@ pub fn build(
         let before = steps.last().map_or(&truth, |before| &before.traced);
         let to_before = compare(before, &traced, frame, unit);
         let to_truth = compare(&truth, &traced, frame, unit);
-        steps.push(SimplifiedPicture { step, traced, to_before, to_truth });
+        let source = tracer.source(scene, step, simplified, to_before.most.as_ref());
+        steps.push(SimplifiedPicture { step, traced, to_before, to_truth, source });
     }
     let mut by_itself: Vec<SimplifiedPicture> = Vec::new();
     for (index, &step) in alone.iter().enumerate() {
@@ -174,7 +181,8 @@ pub fn build(
                 let only = Simplifications::NONE.with(step);
                 let traced = tracer.trace(settings.steps.len() + index, only, step.name())?;
                 let to_truth = compare(&truth, &traced, frame, unit);
-                by_itself.push(SimplifiedPicture { step, traced, to_before: to_truth.clone(), to_truth });
+                let source = tracer.source(scene, step, only, to_truth.most.as_ref());
+                by_itself.push(SimplifiedPicture { step, traced, to_before: to_truth.clone(), to_truth, source });
             }
         }
     }
@@ -265,6 +273,48 @@ impl Tracer<'_> {
         Some(TracedPicture { simplified, picture: combined(&halves), halves, seconds })
     }
 
+    /// Which source of light changed most in the middle of a square, if it did as the square.
+    fn source(
+        &self,
+        scene: &Scene,
+        step: Simplification,
+        simplified: Simplifications,
+        most: Option<&LargestDifference>,
+    ) -> Option<String> {
+        let most = most?;
+        let parts = |simplified| {
+            let settings = TraceSettings { simplified, ..self.settings.trace };
+            self.ready.contributions(&settings, most.x, most.y, SOURCE_PATHS, &|_| true)
+        };
+        let (before, after) = (parts(simplified.without(step)), parts(simplified));
+        let change = after.total - before.total;
+        let expected = most.after - most.before;
+        if change.dot(expected) < 0.3 * expected.length_squared() {
+            return None;
+        }
+        let from = |parts: &PixelContributions, origin: LightOrigin| {
+            parts.direct.iter().find(|(known, _)| *known == origin).map_or(DVec3::ZERO, |(_, light)| *light)
+        };
+        let origins = before.direct.iter().chain(&after.direct).map(|(origin, _)| *origin);
+        let name = |origin| match origin {
+            LightOrigin::Light(index) => format!("light {index}"),
+            LightOrigin::Object(index) => {
+                scene.objects.get(index).map_or_else(|| "an object".to_owned(), |object| format!("`{}`", object.name))
+            }
+            LightOrigin::Environment => "the environment".to_owned(),
+            LightOrigin::Ambient => "the ambient term".to_owned(),
+        };
+        let of_sources = origins.map(|origin| (name(origin), from(&after, origin) - from(&before, origin)));
+        let others = after.first_bounce + after.rest - before.first_bounce - before.rest;
+        let all = of_sources.chain([("other surfaces".to_owned(), others)]);
+        // Most of it: more than half, in the direction of the change.
+        let half = 0.5 * change.length_squared();
+        all.map(|(name, part)| (name, part.dot(change)))
+            .filter(|part| part.1 > half)
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .map(|part| part.0)
+    }
+
     /// Paths that each half gets next; none at the goal.
     fn next_pass(&self, halves: &[Film; 2], begun: Instant) -> Option<u32> {
         let least = halves[0].least_samples();
@@ -313,12 +363,15 @@ impl Tracer<'_> {
 /// The scene and the frame of which the light equation's picture is that with all simplifications: lamps, objects that emit light
 /// and the environment are point lights or nothing, mirrors and glass are surfaces like others.
 pub fn light_equation_scene(scene: &Scene, frame: &Frame, ready: &TraceScene, points: u32) -> (Scene, Frame) {
-    let _ = (ready, points);
     let mut scene = scene.clone();
     for material in &mut scene.materials {
         material.optics = gonio_light::Optics::default();
     }
-    let mut frame = frame.clone();
+    let ambient = frame.lights.iter().filter(|light| light.kind == LightKind::Ambient);
+    let others = ready.point_lights(points).into_iter().filter(|light| light.kind != LightKind::Ambient);
+    let lights: Vec<Light> = others.chain(ambient.copied()).collect();
+    let light_shapes = vec![LightShape::Point; lights.len()];
+    let mut frame = Frame { lights, light_shapes, ..frame.clone() };
     if let Some(surroundings) = &mut frame.surroundings {
         surroundings.lights = false;
     }
