@@ -254,11 +254,13 @@ impl Observer<'_> {
         Some(reason.to_owned())
     }
 
-    /// Whether anything is elsewhere at the end of the exposure.
+    /// Whether anything moves during the exposure.
     fn moves(&self) -> bool {
-        let later = self.scene.frame(self.frame.time + self.shutter);
-        let half = self.scene.frame(self.frame.time + 0.5 * self.shutter);
-        later.lights != self.frame.lights || half.lights != self.frame.lights
+        // A period may end with the exposure.
+        self.scene.has_moving_objects()
+            || [0.5, 1.0].iter().any(|part| {
+                self.scene.frame(self.frame.time + part * self.shutter).lights != self.frame.lights
+            })
     }
 
     fn has_points(&self) -> bool {

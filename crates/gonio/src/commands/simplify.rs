@@ -134,7 +134,7 @@ impl SimplifyArgs {
     /// The scene, no larger than [`DEFAULT_SIDE`] unless a size was asked for.
     fn load(&self, reporter: &Reporter) -> Result<Scene, CliError> {
         let options = SceneOptions { samples: None, ..self.scene.clone() };
-        let mut scene = loading::load_scene(&self.inputs, &options, reporter)?;
+        let mut scene = loading::load_scene(&self.inputs, &options, reporter)?.at(self.moment);
         let picture = &mut scene.settings.picture;
         let longest = picture.width.max(picture.height);
         if self.scene.size.is_none() && longest > DEFAULT_SIDE {
