@@ -14,10 +14,10 @@ pub fn formula(simplified: Simplifications, keeps_cosine: bool) -> Formula {
     let has = |one| simplified.contains(one);
     let mut pieces: Formula = Vec::new();
     // The arguments of a function: place, directions, wavelength, moment.
-    let call = |pieces: &mut Formula, name: &'static str, directions: &[&'static str], has_wavelength: bool| {
+    let call = |pieces: &mut Formula, name: &'static str, directions: &[&'static str]| {
         pieces.extend([name, "(", "x"]);
         pieces.extend(directions);
-        if has_wavelength && !has(Wavelengths) {
+        if !has(Wavelengths) {
             pieces.push(", λ");
         }
         if !has(Time) {
@@ -27,7 +27,7 @@ pub fn formula(simplified: Simplifications, keeps_cosine: bool) -> Formula {
     };
     // As in the lecture, the direction goes once the light that comes in does not depend on directions either.
     let out: &[&str] = if has(Brdf) && has(Interreflection) { &[] } else { &[", ω_o"] };
-    call(&mut pieces, "L_o", out, true);
+    call(&mut pieces, "L_o", out);
     pieces.push("=");
     if has(Ambient) {
         pieces.extend(["A", "+"]);
@@ -35,27 +35,28 @@ pub fn formula(simplified: Simplifications, keeps_cosine: bool) -> Formula {
     if has(Emission) {
         pieces.push("E");
     } else {
-        call(&mut pieces, "L_e", &[", ω_o"], true);
+        call(&mut pieces, "L_e", &[", ω_o"]);
     }
     pieces.push("+");
     pieces.push(if has(Sum) { "Σ_N" } else { "∫_Ω" });
     let splits_cosine = has(Cosine) && !keeps_cosine;
     match (has(Brdf), splits_cosine) {
-        (false, false) => call(&mut pieces, "f_r", &[", ω_i", ", ω_o"], true),
+        (false, false) => call(&mut pieces, "f_r", &[", ω_i", ", ω_o"]),
         (false, true) => {
             pieces.push("[");
-            call(&mut pieces, "f_{diff}", &[", ω_i", ", ω_o"], true);
+            call(&mut pieces, "f_{diff}", &[", ω_i", ", ω_o"]);
             pieces.extend(["(ω_i·n)", "+"]);
-            call(&mut pieces, "f_{spec}", &[", ω_i", ", ω_o"], true);
+            call(&mut pieces, "f_{spec}", &[", ω_i", ", ω_o"]);
             pieces.push("]");
         }
-        (true, false) => pieces.extend(["(", "diff", "+", "spec", ")"]),
-        (true, true) => pieces.extend(["(", "diff", "(ω_i·n)", "+", "spec", ")"]),
+        // Blanks distinguish these parentheses from those of a function.
+        (true, false) => pieces.extend(["( ", "diff", "+", "spec", " )"]),
+        (true, true) => pieces.extend(["( ", "diff", "(ω_i·n)", "+", "spec", " )"]),
     }
     match (has(Interreflection), has(Shadows)) {
-        (false, false) => call(&mut pieces, "L_i", &[", ω_i"], true),
+        (false, false) => call(&mut pieces, "L_i", &[", ω_i"]),
         // Light passes through surfaces, but those behind still emit and reflect.
-        (false, true) => call(&mut pieces, "L_i^{V=1}", &[", ω_i"], true),
+        (false, true) => call(&mut pieces, "L_i^{V=1}", &[", ω_i"]),
         (true, blocked) => {
             pieces.push("L_i");
             if !has(Wavelengths) || !has(Time) {
@@ -66,7 +67,7 @@ pub fn formula(simplified: Simplifications, keeps_cosine: bool) -> Formula {
                 pieces.push(")");
             }
             if !blocked {
-                call(&mut pieces, "V", &[", ω_i"], false);
+                pieces.push(if has(Time) { "V(x, ω_i)" } else { "V(x, ω_i, t)" });
             }
         }
     }
@@ -145,7 +146,7 @@ fn written(changes: &[(&'static str, Change)], marked: Change, mark: &str, left_
             text.push_str(mark);
         }
         is_marked = change == marked;
-        text.push_str(piece);
+        text.push_str(piece.trim());
     }
     if is_marked {
         text.push('}');
@@ -155,7 +156,7 @@ fn written(changes: &[(&'static str, Change)], marked: Change, mark: &str, left_
 
 /// An equation as markup.
 pub fn plain(formula: &Formula) -> String {
-    formula.join(" ")
+    formula.iter().map(|piece| piece.trim()).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -215,6 +216,9 @@ mod tests {
             set = set.with(one);
         }
         let time = changes(&formula(Simplifications::NONE, false), &formula(Simplifications::NONE.with(Time), false));
+        let brdf = Simplifications::up_to(Emission);
+        let brdf = changes(&formula(brdf, false), &formula(brdf.with(Brdf), false));
+        assert!(without_blanks(&struck(&brdf)).contains("∫_Ω-{f_r(x,ω_i,ω_o)}L_i(x,ω_i)"), "{}", struck(&brdf));
         assert!(struck(&time).starts_with("L_o ( x , ω_o , λ -{, t} ) = L_e"), "{}", struck(&time));
     }
 }

@@ -258,9 +258,9 @@ impl Observer<'_> {
     fn moves(&self) -> bool {
         // A period may end with the exposure.
         self.scene.has_moving_objects()
-            || [0.5, 1.0].iter().any(|part| {
-                self.scene.frame(self.frame.time + part * self.shutter).lights != self.frame.lights
-            })
+            || [0.5, 1.0]
+                .iter()
+                .any(|part| self.scene.frame(self.frame.time + part * self.shutter).lights != self.frame.lights)
     }
 
     fn has_points(&self) -> bool {
