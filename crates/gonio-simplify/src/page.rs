@@ -22,7 +22,7 @@ header p, .slide > p { max-width: 62rem; }
 .slide { min-height: 60vh; }
 .slide h2 b { color: var(--accent); font-weight: 300; padding-right: .6rem; }
 .slide p code { display: inline; padding: .1rem .3rem; }
-.formulas { min-height: 8.6rem; }
+.formulas { min-height: 6.4rem; }
 .formulas .formula + .formula::before { content: '\\2192'; color: var(--soft); padding-right: .7rem; }
 .formulas .formula.where::before { content: 'with' !important; }
 .formulas math { font-size: clamp(1rem, 2vw, 1.5rem); math-style: normal; }
