@@ -1,7 +1,7 @@
 // Puts the page together: node pack.mjs MODULE_FOLDER DIST [--plain]
 //
 // MODULE_FOLDER holds gonio.js and gonio_bg.wasm as wasm-bindgen and wasm-opt left them; gonio_rest.wasm too, where
-// the module was split. DIST becomes the page: names with their content's hash, brotli and gzip beside each file
+// the module was split; and gonio_trace.js and gonio_trace_bg.wasm, the path tracer. DIST becomes the page: names with their content's hash, brotli and gzip beside each file
 // (--plain: nothing beside them), a service worker that knows them all. Prints one JSON object, the sizes; `cargo xtask
 // web` runs this and makes a table of them.
 
@@ -65,9 +65,9 @@ async function bundled(name) {
     plugins: [{
       name: "wasm-bindgen",
       setup: ({ onResolve, onLoad }) => {
-        const path = join(moduleFolder, "gonio.js");
-        onResolve({ filter: /^\.\/gonio\.js$/ }, () => ({ path, namespace: "wasm-bindgen" }));
-        onLoad({ filter: /.*/, namespace: "wasm-bindgen" }, async () => ({ contents: await readFile(path, "utf8") + INNER }));
+        const place = ({ path }) => ({ path: join(moduleFolder, path), namespace: "wasm-bindgen" });
+        onResolve({ filter: /^\.\/gonio(_trace)?\.js$/ }, place);
+        onLoad({ filter: /.*/, namespace: "wasm-bindgen" }, async ({ path }) => ({ contents: await readFile(path, "utf8") + INNER }));
       },
     }],
   });
@@ -120,11 +120,17 @@ const main = addHashed("main.js", await bundled("main.js"), { first: true });
 /** What checks students' files, in a thread of its own. */
 const checker = addHashed("checker.js", await bundled("checker.js"), { first: false });
 
+/** What traces pictures, in a thread and a module of its own. */
+const tracer = addHashed("tracer.js", await bundled("tracer.js"), { first: false });
+const traceModule = addHashed("gonio-trace.wasm", await readFile(join(moduleFolder, "gonio_trace_bg.wasm")), { first: false });
+
 const index = replaceAll(withoutComments(await read("index.html")), [
   ['<meta name="builtin-files">', builtin],
   ['"gonio.wasm"', `"${module}"`],
   ['<meta id="rest" content="gonio-rest.wasm">', rest ? `<meta id="rest" content="${rest}">` : ""],
   ['"checker.js"', `"${checker}"`],
+  ['"tracer.js"', `"${tracer}"`],
+  ['"gonio-trace.wasm"', `"${traceModule}"`],
   ['"page.css"', `"${css}"`],
   ['"main.js"', `"${main}"`],
   ['"icon.svg"', `"${icon}"`],

@@ -4,6 +4,7 @@ import { begin as beginCheck, prepare as prepareChecks } from "./checking.js";
 import { trustDevicePixelRatio } from "./emulated.js";
 import * as application from "./gonio.js";
 import { askForRest, firstHalf, imports as rest, loadRest, streams } from "./rest.js";
+import { begin as beginTrace, prepare as prepareTraces } from "./tracing.js";
 import { noModule, noWebGl2, stopped } from "./trouble.js";
 
 /** Attributes of the context. The canvas needs no samples and no depth, because pictures are drawn into textures first. */
@@ -36,6 +37,7 @@ async function begin(response) {
   firstHalf(instance.exports);
   application.moduleReady(instance, module);
   prepareChecks(module, urlOf, application.endless_check);
+  prepareTraces(() => [...builtinFiles("first"), ...builtinFiles("later")]);
 }
 
 /** The built-in files of one kind: `first` are those of the first scene, which the page's head has requested. */
@@ -108,7 +110,7 @@ async function run() {
 /** Starts the application, or resumes it after its graphics context was lost. */
 async function start(inputs = []) {
   try {
-    await application.start(canvas, inputs, beginCheck);
+    await application.start(canvas, inputs, beginCheck, beginTrace);
   } catch (error) {
     stopped(error, application.last_panic());
     return;

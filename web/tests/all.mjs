@@ -6,6 +6,7 @@ import "./equation.test.mjs";
 import "./lights.test.mjs";
 import "./probe.test.mjs";
 import "./compare.test.mjs";
+import "./truth.test.mjs";
 import "./keys.test.mjs";
 import "./frame.test.mjs";
 import "./files.test.mjs";

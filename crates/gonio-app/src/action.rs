@@ -44,6 +44,8 @@ pub enum Action {
     Overlay(PaneOverlay),
     /// Switches a special view of the current pane.
     Special(SpecialView),
+    /// Switches between the traced picture and OpenGL's in the current pane.
+    ToggleTruth,
     /// Shows or hides the keyboard shortcuts.
     ToggleHelp,
     /// Switches between the light and the dark theme.

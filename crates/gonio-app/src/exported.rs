@@ -3,11 +3,13 @@
 //! Every widget is exported with a stable id; the page exposes the state as
 //! `window.gonio.state()`.
 
-use crate::document::{Document, History, PaneArrangement, Panes};
+use crate::document::{Document, History, Pane, PaneArrangement, Panes};
 use crate::session::comparison::{DifferenceFacts, PaneFacts};
 use crate::session::probing::Reading;
 use crate::session::{MessageSeverity, RecordedFrame, Selection, Session};
+use crate::truth::TracedPane;
 use egui::{Context, Id, Response, Ui};
+use gonio_light::Simplification;
 use gonio_scene::SceneFile;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -100,6 +102,7 @@ pub fn triangles(session: &Session) -> usize {
 /// | `panes`, `pane`, `pane_settings` | their number; the current one; for each, the settings that differ from the scene, and its view |
 /// | `arrangement` | `kind`: side-by-side, wipe or difference; `wipe`: the share left of the divider, or null; `pair`: the two panes |
 /// | `measured`, `difference` | measurements of each pane; the difference of the pair in 8-bit steps, or null |
+/// | `traced` | for each pane null, or its traced picture: the simplifications, paths per pixel, relative error or null |
 /// | `selection`, `tab`, `help`, `asking` | the selection, the tab, whether the shortcuts are shown; the text of the path field, or null |
 /// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the observer's view is shown |
 /// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it is recorded |
@@ -160,6 +163,7 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
         "pane_settings": panes,
         "arrangement": arrangement(&document.panes),
         "measured": session.comparison.panes.iter().map(measured).collect::<Vec<_>>(),
+        "traced": session.traced.iter().zip(&document.panes.list).map(traced).collect::<Vec<_>>(),
         "difference": session.comparison.difference.as_ref().map(difference),
         "recorded_frame": session.recorded_frame.as_ref().map(recorded_frame),
         "selection": selection,
@@ -211,6 +215,20 @@ fn arrangement(panes: &Panes) -> Value {
         PaneArrangement::Difference => ("difference", None),
     };
     json!({ "kind": kind, "wipe": wipe, "pair": panes.pair })
+}
+
+fn traced((traced, pane): (&TracedPane, &Pane)) -> Value {
+    let Some(settings) = pane.truth else { return Value::Null };
+    json!({
+        "simplified": settings.simplified.iter().map(Simplification::name).collect::<Vec<_>>(),
+        "pictures": traced.serial,
+        "requests": traced.requests,
+        "paths": traced.facts.paths,
+        "error": traced.facts.error,
+        "done": traced.facts.done,
+        "running": traced.is_running(),
+        "failed": traced.failed,
+    })
 }
 
 fn measured(facts: &PaneFacts) -> Value {

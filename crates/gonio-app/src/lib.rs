@@ -16,6 +16,7 @@
 //! | [`files`] | files that the user drops, chooses or links to |
 //! | [`saving`] | pictures and scenes as files |
 //! | [`platform`] | what desktop and web implement differently |
+//! | [`truth`] | traced pictures: requests and answers |
 //! | [`widgets`] | numbers, colours, choices |
 //! | [`typeset`] | mathematical formulas |
 //! | [`theme`] | fonts, colours, spacing |
@@ -34,6 +35,7 @@ pub mod scene_view;
 pub mod session;
 pub mod shortcuts;
 pub mod theme;
+pub mod truth;
 pub mod typeset;
 pub mod widgets;
 

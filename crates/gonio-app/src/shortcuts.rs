@@ -62,6 +62,11 @@ const TABLE: &[Shortcut] = &[
         .on(Modifiers::SHIFT, Key::U, || Action::Special(SpecialView::UvChecker)),
     row(PICTURE, "Shift + V", "overdraw: fragments per pixel")
         .on(Modifiers::SHIFT, Key::V, || Action::Special(SpecialView::Overdraw)),
+    row(PICTURE, "Shift + T", "the traced picture: the rendering equation in place of the light equation").on(
+        Modifiers::SHIFT,
+        Key::T,
+        || Action::ToggleTruth,
+    ),
     row(WINDOW, "Ctrl + Y, Ctrl + Shift + Z", "redo").on(SHIFTED, Key::Z, || Action::Redo),
     row(WINDOW, "", "").on(Modifiers::COMMAND, Key::Y, || Action::Redo),
     row(WINDOW, "Ctrl + Z", "undo").on(Modifiers::COMMAND, Key::Z, || Action::Undo),
@@ -127,8 +132,7 @@ pub fn handle(ui: &Ui, document: &mut Document, session: &mut Session, actions: 
             && let Some(pane) = document.panes.current_mut()
         {
             let quantity = number.checked_sub(1).and_then(|n| VIEW_KEYS.get(n));
-            pane.view = quantity.map(|&quantity| ViewSpec { quantity, light: None });
-            pane.special = None;
+            pane.show_view(quantity.map(|&quantity| ViewSpec { quantity, light: None }));
         }
     }
 }

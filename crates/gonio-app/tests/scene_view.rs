@@ -7,6 +7,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use glam::DVec3;
 use gonio_app::exported;
 use gonio_app::session::{Selection, Tab};
+use gonio_app::truth::{TraceFacts, TracedPane};
 use gonio_reference::ReferenceScene;
 use gonio_scene::Frame;
 use gonio_scene::settings::CameraSettings;
@@ -284,4 +285,79 @@ fn a_tap_moves_the_camera_however_short_it_is() {
     window.steps(2);
     assert_ne!(window.app().document().scene.camera, before);
     assert_eq!(window.app().state(&window.harness.ctx)["undo"], true);
+}
+
+impl Window {
+    /// The traced picture of a pane, once `holds` is true of it; the tracer has as many frames as it needs.
+    fn traced(&mut self, pane: usize, holds: impl Fn(&TracedPane) -> bool) -> (u64, TraceFacts) {
+        loop {
+            self.steps(1);
+            if let Some(traced) = self.app().session().traced.get(pane).filter(|traced| holds(traced)) {
+                return (traced.serial, traced.facts);
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+}
+
+/// The traced picture becomes finer while nothing changes, and starts again with every change of the light.
+#[test]
+fn the_truth_is_refined_and_starts_again() {
+    let mut window = Window::showing("truth", SCENE, vec2(600.0, 420.0));
+    let middle = window.center("pane-0");
+    window.move_to(middle);
+    window.press(Modifiers::SHIFT, Key::T);
+    assert_eq!(window.widget("view-chooser").value, "Traced (truth)");
+    let (first, coarse) = window.traced(0, |traced| traced.serial > 0);
+    assert!(coarse.paths > 0.0);
+    let (later, fine) = window.traced(0, |traced| traced.facts.error.is_some());
+    assert!(later > first && fine.paths >= 2.0, "{coarse:?} {fine:?}");
+    assert!(window.widget("pane-0").value.starts_with("traced: "), "{}", window.widget("pane-0").value);
+    let drawn = window.pictures();
+    assert!(drawn >= later, "{drawn} pictures were shown of {later}");
+    // While nothing changes it is the same request; the camera and a light start another one, and each begins coarse.
+    let requests = |window: &Window| window.app().session().traced[0].requests;
+    let before = requests(&window);
+    window.steps(3);
+    assert_eq!(requests(&window), before);
+    window.drag(middle + vec2(-100.0, 90.0), vec2(40.0, 10.0));
+    let turned = requests(&window);
+    assert!(turned > before, "the camera was moved");
+    let lamp = window.center("light-0-handle");
+    window.drag(lamp, vec2(20.0, -10.0));
+    assert!(requests(&window) > turned, "a lamp was moved");
+    window.traced(0, |traced| traced.facts.error.is_some());
+    // Back to OpenGL's picture: nothing is traced.
+    let before = window.app().document().clone();
+    window.press(Modifiers::NONE, Key::Num0);
+    assert_eq!(window.app().document().panes.list[0].truth, None);
+    let traced = &window.app().session().traced[0];
+    assert!(traced.picture.is_none() && !traced.is_running());
+    window.press(Modifiers::COMMAND, Key::Z);
+    assert_eq!(window.app().document(), &before, "the kind of pane is a step of undo");
+    window.traced(0, |traced| traced.serial > 0);
+}
+
+/// It is wiped and compared with OpenGL's picture like any other, through the same exposure and tone mapping.
+#[test]
+fn the_truth_is_compared_with_opengl() {
+    let mut window = Window::showing("compared", SCENE, vec2(900.0, 900.0));
+    let tab = window.center("tab-compare");
+    window.click_at(tab);
+    let preset = window.center("preset-truth");
+    window.click_at(preset);
+    assert_eq!(window.app().document().panes.list.len(), 2);
+    window.traced(0, |traced| traced.facts.error.is_some());
+    let mode = window.center("difference-mode");
+    window.click_at(mode);
+    window.traced(0, |traced| traced.facts.error.is_some_and(|error| error < 0.2));
+    window.steps(2);
+    let facts = window.app().session().comparison.difference.clone().unwrap_or_else(|| panic!("it is compared"));
+    // The sphere is the same but for the highlight and the ambient light; the background is the same.
+    let share = facts.percent();
+    assert!((1.0..80.0).contains(&share), "{share} % differ");
+    let mode = window.center("wipe-mode");
+    window.click_at(mode);
+    window.traced(0, |traced| traced.serial > 0);
+    assert!(window.widget("pane-1").value == "as in the scene" && !window.app().session().traced[1].is_running());
 }

@@ -1,7 +1,7 @@
 //! The gonio window as a web page: the entry points that a browser calls.
 //!
-//! `page` has the functions for the page's loader (`web/page/main.js`), `check` those for its worker (`web/page/checker.js`). On
-//! other targets the program does nothing.
+//! `page` has the functions for the page's loader (`web/page/main.js`), `check` those for its worker (`web/page/checker.js`). The
+//! path tracer is another program, `gonio-web-trace`. On other targets the program does nothing.
 
 #[cfg(target_arch = "wasm32")]
 mod check;

@@ -2,7 +2,7 @@
 
 use eframe::egui;
 use gonio_app::App;
-use gonio_app::platform::web::{PageChecks, PageFiles, Web, gl_of};
+use gonio_app::platform::web::{PageChecks, PageFiles, PageTraces, Web, gl_of};
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -45,12 +45,14 @@ pub fn expect(name: String) {
 }
 
 /// Starts the application in the canvas with `inputs` to open (none: the first scene), or resumes it after
-/// [`pause`]. `check` starts a check of a student's files (`web/page/checking.js`). Fails if the canvas has no WebGL 2.
+/// [`pause`]. `check` starts a check of a student's files (`web/page/checking.js`), `trace` starts a worker for traced pictures
+/// (`web/page/tracing.js`). Fails if the canvas has no WebGL 2.
 #[wasm_bindgen]
 pub async fn start(
     canvas: web_sys::HtmlCanvasElement,
     inputs: Vec<String>,
     check: js_sys::Function,
+    trace: js_sys::Function,
 ) -> Result<(), JsValue> {
     let runner = eframe::WebRunner::new();
     with_page(|page| page.runner = Some(runner.clone()));
@@ -60,9 +62,9 @@ pub async fn start(
         dithering: false,
         ..Default::default()
     };
-    let checks = PageChecks::new(check);
+    let (checks, traces) = (PageChecks::new(check), PageTraces::new(trace));
     let created = |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
-        Ok(Box::new(with_page(|page| page.app(creation, inputs, checks))))
+        Ok(Box::new(with_page(|page| page.app(creation, inputs, checks, traces))))
     };
     runner.start(canvas, options, Box::new(created)).await
 }
@@ -103,7 +105,13 @@ pub fn last_panic() -> Option<String> {
 }
 
 impl Page {
-    fn app(&mut self, creation: &eframe::CreationContext<'_>, inputs: Vec<String>, checks: PageChecks) -> Shell {
+    fn app(
+        &mut self,
+        creation: &eframe::CreationContext<'_>,
+        inputs: Vec<String>,
+        checks: PageChecks,
+        traces: PageTraces,
+    ) -> Shell {
         let context = creation.egui_ctx.clone();
         if let Some(before) = self.context.replace(context.clone()) {
             // Scroll positions and open panels are kept.
@@ -117,7 +125,7 @@ impl Page {
                 app.clone()
             }
             None => {
-                let platform = Box::new(Web::new(self.files.clone(), checks));
+                let platform = Box::new(Web::new(self.files.clone(), checks, traces));
                 Rc::new(RefCell::new(App::new(&context, gl, platform, inputs)))
             }
         };

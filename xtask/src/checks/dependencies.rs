@@ -44,10 +44,19 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
     Rule { krate: "gonio-exercises", may_know: BELOW_EXERCISES, tests_may_know: &[] },
     Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
-    // The page is the application, and the checker in a worker beside it.
+    // The page is the application, and the checker and the path tracer in workers beside it.
     Rule {
         krate: "gonio-web",
-        may_know: &["gonio-app", "gonio-gl", "gonio-check", "gonio-exercises"],
+        may_know: &[
+            "gonio-app",
+            "gonio-gl",
+            "gonio-check",
+            "gonio-exercises",
+            "gonio-light",
+            "gonio-mesh",
+            "gonio-scene",
+            "gonio-trace",
+        ],
         tests_may_know: &[],
     },
     Rule { krate: "gonio", may_know: COMMAND_LINE, tests_may_know: &[] },
@@ -106,6 +115,7 @@ const BELOW_SHELLS: &[&str] = &[
     "gonio-environment",
     "gonio-scene",
     "gonio-reference",
+    "gonio-trace",
     "gonio-gl",
     "gonio-render",
     "gonio-glsl",

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! crates/gonio-web   cargo, profile `web`    one WebAssembly module
-//!                    web/bindgen             its JavaScript bindings
+//!                                            and a small one with the path tracer, for a worker
+//!                    web/bindgen             their JavaScript bindings
 //!                    web/build/profile.mjs   records the functions that run before the first picture, in headless Chromium
 //!                    web/split               splits the module into those and the rest
 //!                    binaryen's wasm-opt     optimises both
@@ -82,16 +83,19 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
     let folder = target_folder(root);
     let stage = folder.join("web-page");
     std::fs::create_dir_all(&stage).map_err(|e| format!("cannot make {}: {e}", stage.display()))?;
-    let module = folder.join(target).join(profile).join("gonio-web.wasm");
     let tools = Tools::build(root)?;
-    checked(Command::new(tools.bindgen).args([&module, &stage]))?;
+    for (program, name) in [("gonio-web", "gonio"), ("gonio-web-trace", "gonio_trace")] {
+        let module = folder.join(target).join(profile).join(format!("{program}.wasm"));
+        checked(Command::new(&tools.bindgen).args([&module, &stage]).arg(name))?;
+    }
+    let tracer = stage.join("gonio_trace_bg.wasm");
     let (first, rest) = (stage.join("gonio_bg.wasm"), stage.join("gonio_rest.wasm"));
     // From an earlier build.
     let _ = std::fs::remove_file(&rest);
     if build == Build::Shipped {
         split::split(&web, &tools.split, &first, &rest, say)?;
-        say("optimising the module (wasm-opt)");
-        for half in [&first, &rest].into_iter().filter(|half| half.is_file()) {
+        say("optimising the modules (wasm-opt)");
+        for half in [&first, &rest, &tracer].into_iter().filter(|half| half.is_file()) {
             optimise(&web, half)?;
         }
     }

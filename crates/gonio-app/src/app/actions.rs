@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::action::Action;
+use crate::document::TruthSettings;
 use crate::exercise::Start;
 use crate::files::link;
 use crate::platform::FileDialog;
@@ -75,7 +76,12 @@ impl App {
             }
             Action::Special(view) => {
                 if let Some(pane) = self.document.panes.current_mut() {
-                    pane.special = if pane.special == Some(view) { None } else { Some(view) };
+                    pane.show_special(if pane.special == Some(view) { None } else { Some(view) });
+                }
+            }
+            Action::ToggleTruth => {
+                if let Some(pane) = self.document.panes.current_mut() {
+                    pane.show_truth(if pane.truth.is_some() { None } else { Some(TruthSettings::default()) });
                 }
             }
             Action::ToggleHelp => self.session.help = !self.session.help,

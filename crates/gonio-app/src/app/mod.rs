@@ -12,6 +12,7 @@ use crate::files::Layered;
 use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::session::{MessageSeverity, Session};
+use crate::truth::{TraceRequest, TracedPane};
 use crate::{exported, panels, scene_view, shortcuts, theme};
 use egui::Ui;
 use gonio_gl::Gl;
@@ -165,6 +166,7 @@ impl App {
         let ctx = ui.ctx().clone();
         self.receive(&ctx);
         if self.exercise.is_open {
+            self.session.traced.iter_mut().for_each(TracedPane::stop);
             return self.exercise_ui(ui);
         }
         self.advance(&ctx);
@@ -219,6 +221,7 @@ impl App {
             (self.session.sketching, self.sketched) = (false, None);
         }
         let pictures = self.session.facts.pictures;
+        self.take_traced();
         egui::CentralPanel::no_frame().show(ui, |ui| {
             self.frame_opened(&ctx, ui.available_size());
             let drawn = scene_view::show(ui, &mut self.document, &mut self.session, self.pane_renderer.as_mut());
@@ -226,8 +229,46 @@ impl App {
                 self.session.messages.report(MessageSeverity::Error, error.to_string());
             }
         });
+        self.trace(&ctx);
         if self.session.sketching && self.sketched.is_none() && self.session.facts.pictures > pictures {
             self.sketched = Some(self.platform.shown(&ctx));
+        }
+    }
+
+    /// Takes the newest traced pictures.
+    fn take_traced(&mut self) {
+        self.session.traced.resize_with(self.document.panes.list.len(), Default::default);
+        for traced in &mut self.session.traced {
+            if let Some(error) = traced.poll() {
+                self.session.messages.report(MessageSeverity::Error, error);
+            }
+        }
+    }
+
+    /// Has the visible panes traced that show the truth, as they were just drawn.
+    fn trace(&mut self, ctx: &egui::Context) {
+        let panes = &self.document.panes;
+        let seen = panes.seen();
+        for (index, (pane, traced)) in panes.list.iter().zip(&mut self.session.traced).enumerate() {
+            let Some(settings) = pane.truth else {
+                *traced = TracedPane::default();
+                continue;
+            };
+            let drawn = self.pane_renderer.as_ref().filter(|_| seen.contains(&index));
+            let drawn = drawn.and_then(|drawn| Some((drawn.loaded(index)?, drawn.frame(index)?)));
+            let Some((scene, frame)) = drawn else {
+                traced.stop();
+                continue;
+            };
+            let request = TraceRequest {
+                scene: scene.clone(),
+                frame: frame.clone(),
+                settings,
+                generation: self.session.generation,
+                files: self.files.clone(),
+                paths: self.read.clone(),
+            };
+            traced.follow(request, || self.platform.tracer(ctx));
         }
     }
 

@@ -2,7 +2,9 @@
 
 mod pane;
 
-pub use pane::{DifferenceSettings, Pane, PaneArrangement, PaneOverlay, PaneReflectance, Panes, VIEW_KEYS};
+pub use pane::{
+    DifferenceSettings, Pane, PaneArrangement, PaneOverlay, PaneReflectance, Panes, TruthSettings, VIEW_KEYS,
+};
 
 use gonio_scene::SceneSettings;
 

@@ -1,7 +1,7 @@
 //! A pane: the scene and its camera, with settings of its own.
 
 use gonio_light::brdf::BrdfKind;
-use gonio_light::{Convention, Quantity, Specular};
+use gonio_light::{Convention, Quantity, Simplification, Simplifications, Specular};
 use gonio_render::{DisplayOptions, View};
 use gonio_scene::detail::LevelOfDetail;
 use gonio_scene::scene_file::Shading;
@@ -56,6 +56,21 @@ impl PaneReflectance {
     }
 }
 
+/// Settings of a pane that shows the traced picture: the rendering equation in place of the light equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TruthSettings {
+    /// What is left out of the rendering equation.
+    pub simplified: Simplifications,
+    /// Points that replace a lamp where the integral is a sum, >= 1.
+    pub points_per_light: u32,
+}
+
+impl Default for TruthSettings {
+    fn default() -> Self {
+        TruthSettings { simplified: Simplifications::NONE, points_per_light: 1 }
+    }
+}
+
 /// Settings of one pane. `None` means: as in the scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pane {
@@ -77,9 +92,26 @@ pub struct Pane {
     pub special: Option<SpecialView>,
     /// The overlays.
     pub overlays: Overlays,
+    /// The traced picture in place of OpenGL's, without view and overlays.
+    pub truth: Option<TruthSettings>,
 }
 
 impl Pane {
+    /// Shows a quantity of the equation, or the picture.
+    pub fn show_view(&mut self, view: Option<ViewSpec>) {
+        (self.view, self.special, self.truth) = (view, None, None);
+    }
+
+    /// Shows a view that is not a quantity, or the picture.
+    pub fn show_special(&mut self, view: Option<SpecialView>) {
+        (self.special, self.truth) = (view, None);
+    }
+
+    /// Shows the traced picture, or OpenGL's.
+    pub fn show_truth(&mut self, truth: Option<TruthSettings>) {
+        (self.view, self.special, self.truth) = (None, None, truth);
+    }
+
     /// Shows or hides an overlay.
     pub fn toggle_overlay(&mut self, overlay: PaneOverlay) {
         let on = match overlay {
@@ -92,6 +124,9 @@ impl Pane {
 
     /// The view and the overlays, for the renderer.
     pub fn show(&self) -> DisplayOptions {
+        if self.truth.is_some() {
+            return DisplayOptions::default();
+        }
         let view = self.special.map_or_else(|| self.view.into(), View::Special);
         DisplayOptions { view, overlays: self.overlays }
     }
@@ -126,6 +161,7 @@ impl Pane {
     /// The settings that differ from the scene, in words.
     pub fn words(&self) -> Vec<String> {
         let mut words: Vec<String> = Vec::new();
+        words.extend(self.truth.map(|truth| traced(truth.simplified)));
         words.extend(self.shading.map(|s| written(s.name())));
         words.extend(self.detail.map(detail_name));
         words.extend(self.specular.map(|s| match s {
@@ -144,7 +180,7 @@ impl Pane {
             Some(light) => format!("{} of light {light}", view.quantity),
             None => view.quantity.to_string(),
         }));
-        let overlays = self.overlays;
+        let overlays = if self.truth.is_some() { Overlays::default() } else { self.overlays };
         let names = [(overlays.wireframe, "wireframe"), (overlays.normals, "normals"), (overlays.boxes, "boxes")];
         words.extend(names.into_iter().filter(|(on, _)| *on).map(|(_, name)| name.to_owned()));
         words
@@ -154,6 +190,16 @@ impl Pane {
     pub fn caption(&self) -> String {
         let words = self.words();
         if words.is_empty() { "as in the scene".to_owned() } else { words.join(" · ") }
+    }
+}
+
+/// `traced`, and what is simplified.
+fn traced(simplified: Simplifications) -> String {
+    let names: Vec<&str> = simplified.iter().map(Simplification::name).collect();
+    match names.as_slice() {
+        [] => "traced".to_owned(),
+        _ if simplified == Simplifications::ALL => "traced with all simplifications".to_owned(),
+        names => format!("traced, simplified: {}", names.join(", ")),
     }
 }
 
@@ -327,6 +373,20 @@ mod tests {
         panes.remove(0);
         assert_eq!((panes.list.len(), panes.current, panes.arrangement), (1, 0, PaneArrangement::SideBySide));
         assert!(panes.pair.iter().all(|i| *i < panes.list.len()));
+    }
+
+    #[test]
+    fn a_pane_shows_the_traced_picture_or_a_view() {
+        let mut pane = Pane::default();
+        pane.toggle_overlay(PaneOverlay::Boxes);
+        pane.show_view(Some(ViewSpec { quantity: Quantity::Normal, light: None }));
+        pane.show_truth(Some(TruthSettings::default()));
+        assert_eq!((pane.caption().as_str(), pane.show()), ("traced", DisplayOptions::default()));
+        let simplified = Simplifications::up_to(Simplification::Wavelengths);
+        pane.truth = Some(TruthSettings { simplified, points_per_light: 1 });
+        assert_eq!(pane.caption(), "traced, simplified: time, wavelengths");
+        pane.show_special(Some(SpecialView::Overdraw));
+        assert_eq!((pane.truth, pane.show().view), (None, View::Special(SpecialView::Overdraw)));
     }
 
     #[test]

@@ -8,6 +8,7 @@ pub mod web;
 use crate::files::ExerciseFile;
 use crate::saving::Product;
 use crate::session::Settings;
+use crate::truth::Tracer;
 use gonio_check::verdict::{Outcome, Verdict};
 use gonio_scene::files::FileSource;
 use serde_json::Value;
@@ -144,6 +145,14 @@ pub trait Platform {
     fn trial(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<TrialOutcome>> {
         Box::new(ByCheck::new(self.check(request, ctx)))
     }
+    /// Makes a tracer for the pictures of one pane, which repaints `ctx`.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn tracer(&mut self, ctx: &egui::Context) -> Box<dyn Tracer> {
+        Box::new(desktop::trace::ThreadTracer::start(ctx))
+    }
+    /// Makes a tracer for the pictures of one pane, which repaints `ctx`.
+    #[cfg(target_arch = "wasm32")]
+    fn tracer(&mut self, ctx: &egui::Context) -> Box<dyn Tracer>;
     /// Publishes the state after a frame, for tests.
     fn publish(&mut self, state: &dyn Fn() -> Value) {
         let _ = state;

@@ -55,7 +55,7 @@ pub fn label(ui: &Ui, index: usize, rect: Rect, document: &Document, session: &S
     } else if panes.list.first().is_none_or(|pane| pane.words().is_empty()) {
         return;
     }
-    let mut text = caption(document, index);
+    let mut text = caption(document, session, index);
     if session.comparison.panes.get(index).is_some_and(|facts| facts.preparing) {
         text.push_str(" (simplifying)");
     }
@@ -118,7 +118,7 @@ pub fn wipe(
     for (index, part) in [(first, left), (second, right)] {
         // A narrow part has no room for a caption.
         if part.width() > 90.0 {
-            written(ui, part, Align2::CENTER_BOTTOM, caption(document, index));
+            written(ui, part, Align2::CENTER_BOTTOM, caption(document, session, index));
         }
     }
     Ok(())
@@ -166,9 +166,9 @@ pub fn difference(
         ui.painter().circle_stroke(place, 9.0, Stroke::new(1.5, Color32::WHITE));
     }
     let text = if settings.signed {
-        format!("{} minus {}", caption(document, second), caption(document, first))
+        format!("{} minus {}", caption(document, session, second), caption(document, session, first))
     } else {
-        format!("difference of {} and {}", caption(document, first), caption(document, second))
+        format!("difference of {} and {}", caption(document, session, first), caption(document, session, second))
     };
     written(ui, room, Align2::CENTER_BOTTOM, text);
     Ok(())

@@ -27,7 +27,7 @@ pub fn show(
         &format!("pane-{index}"),
         WidgetRole::Picture,
         "picture of the scene",
-        caption(document, index),
+        caption(document, session, index),
     );
     navigation::handle(ui, &response, document, session);
     if response.clicked() || response.drag_started() {
@@ -56,9 +56,11 @@ pub fn drawn(
     picture
 }
 
-/// The caption of a pane.
-pub fn caption(document: &Document, index: usize) -> String {
-    document.panes.list.get(index).map(|pane| pane.caption()).unwrap_or_default()
+/// The caption of a pane; of a traced picture with the number of its paths and its error.
+pub fn caption(document: &Document, session: &Session, index: usize) -> String {
+    let Some(pane) = document.panes.list.get(index) else { return String::new() };
+    let facts = pane.truth.and_then(|_| session.traced.get(index)).map(|traced| format!(": {}", traced.caption()));
+    pane.caption() + &facts.unwrap_or_default()
 }
 
 /// Everything over a pane's picture: light gizmos, the probe's arrows, axes, observer's view, toolbar.

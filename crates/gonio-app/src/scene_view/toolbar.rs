@@ -1,6 +1,6 @@
 //! The toolbar over the picture: view, overlays, and the legend of debug views.
 
-use crate::document::{Document, Pane, VIEW_KEYS};
+use crate::document::{Document, Pane, TruthSettings, VIEW_KEYS};
 use crate::exported::{self, WidgetRole};
 use crate::session::{Session, Tab};
 use crate::theme::{self, colors, icons};
@@ -12,6 +12,11 @@ use gonio_scene::{DisplayMap, SpecialView, ViewSpec};
 
 /// Height with margins, points.
 pub const HEIGHT: f32 = 34.0;
+
+const TRACED: &str = "Traced (truth)";
+const ABOUT_TRACED: &str = "Solves the rendering equation by following paths of light: shadows, light between surfaces and \
+                            everything else that the light equation leaves out. It begins coarse and becomes finer while \
+                            nothing changes.";
 
 /// Shows the toolbar at the upper left of a pane. `frame` is the drawn frame.
 pub fn show(ui: &mut Ui, rect: Rect, frame: &gonio_scene::Frame, document: &mut Document, session: &mut Session) {
@@ -44,7 +49,9 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
     let menu = ui.menu_button(title, |ui| {
         ui.set_min_width(210.0);
         let entry = |ui: &mut Ui, pane: &mut Pane, key: Option<usize>, quantity: Quantity| {
-            let is_shown = pane.special.is_none() && pane.view.map_or(Quantity::Total, |v| v.quantity) == quantity;
+            let is_shown = pane.special.is_none()
+                && pane.truth.is_none()
+                && pane.view.map_or(Quantity::Total, |v| v.quantity) == quantity;
             let symbol = quantity.symbol().map(|s| format!("  {s}")).unwrap_or_default();
             let name = if quantity == Quantity::Total { "picture".to_owned() } else { format!("{quantity}{symbol}") };
             let mut button = egui::Button::selectable(is_shown, name.as_str());
@@ -54,13 +61,19 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
             let response = ui.add(button);
             exported::note(ui, &response, &format!("view-{quantity}"), WidgetRole::Choice, &name, is_shown);
             if response.on_hover_text(quantity.description().trim()).clicked() {
-                pane.special = None;
-                pane.view = (quantity != Quantity::Total).then_some(ViewSpec { quantity, light: None });
+                pane.show_view((quantity != Quantity::Total).then_some(ViewSpec { quantity, light: None }));
                 ui.close();
             }
         };
         egui::ScrollArea::vertical().max_height(420.0).show(ui, |ui| {
             entry(ui, pane, Some(0), Quantity::Total);
+            let traced = egui::Button::selectable(pane.truth.is_some(), TRACED).shortcut_text("Shift + T");
+            let traced = ui.add(traced);
+            exported::note(ui, &traced, "view-traced", WidgetRole::Choice, TRACED, pane.truth.is_some());
+            if traced.on_hover_text(ABOUT_TRACED).clicked() {
+                pane.show_truth(Some(TruthSettings::default()));
+                ui.close();
+            }
             for (number, quantity) in VIEW_KEYS.into_iter().enumerate() {
                 entry(ui, pane, Some(number + 1), quantity);
             }
@@ -71,7 +84,7 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
                 let response = ui.add(egui::Button::selectable(is_shown, view.name()).shortcut_text(key));
                 exported::note(ui, &response, &format!("view-{view}"), WidgetRole::Choice, view.name(), is_shown);
                 if response.on_hover_text(view.description().trim()).clicked() {
-                    pane.special = Some(view);
+                    pane.show_special(Some(view));
                     ui.close();
                 }
             }
@@ -102,6 +115,9 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
 }
 
 fn title_of(pane: &Pane) -> String {
+    if pane.truth.is_some() {
+        return TRACED.to_owned();
+    }
     match (pane.special, pane.view) {
         (Some(special), _) => special.name().to_owned(),
         (None, Some(view)) => view.to_string(),

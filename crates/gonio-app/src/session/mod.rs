@@ -13,6 +13,7 @@ pub use probing::Probing;
 pub use settings::Settings;
 
 use crate::saving::Product;
+use crate::truth::TracedPane;
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use gonio_gl::trace::{Finding, FrameRecord, lint};
 use gonio_scene::Scene;
@@ -87,6 +88,8 @@ pub struct Session {
     pub generation: u64,
     /// Measurements of the panes.
     pub comparison: PaneComparison,
+    /// The traced picture of each pane.
+    pub traced: Vec<TracedPane>,
     /// Whether slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
     /// Whether something is being dragged, or time runs.
@@ -121,6 +124,7 @@ impl Default for Session {
             announcement: String::new(),
             generation: 0,
             comparison: PaneComparison::default(),
+            traced: Vec::new(),
             adaptive: true,
             moving: false,
             unframed: false,

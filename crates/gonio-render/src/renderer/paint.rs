@@ -178,6 +178,7 @@ impl Renderer {
                 values.extend(pixel.copied().unwrap_or_default().map(|v| v.clamp(-MOST, MOST)));
             }
         }
+        gl.disable(glow::SCISSOR_TEST);
         gl.active_texture(glow::TEXTURE0);
         target.fill(gl, &values);
         let look = DisplaySettings::new(None, frame).to_be_shown();

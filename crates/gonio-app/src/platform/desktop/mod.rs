@@ -6,6 +6,7 @@ mod dialog;
 mod drafts;
 mod open;
 mod storage;
+pub(super) mod trace;
 pub mod trial;
 mod watch;
 pub mod worker;

@@ -1,6 +1,9 @@
-//! The browser: a canvas in a page, dropped files, and checks in a worker beside the page.
+//! The browser: a canvas in a page, dropped files, and checks and traced pictures in workers beside the page.
 
 mod document;
+mod trace;
+
+pub use trace::PageTraces;
 
 use super::{
     CheckRequest, CheckResult, Event, FileDialog, FrameShown, MOMENT, Pending, Platform, Purpose, Ready, SceneInput,
@@ -8,6 +11,7 @@ use super::{
 use crate::files::{ExerciseFile, Layered, MemoryFiles, gather, link, zip};
 use crate::saving::Product;
 use crate::session::Settings;
+use crate::truth::Tracer;
 use gonio_gl::Gl;
 use gonio_scene::files::{FileBytes, FileSource, is_builtin};
 use js_sys::{Array, Function, Object, Promise, Reflect, Uint8Array};
@@ -80,14 +84,15 @@ pub fn gl_of(creation: &eframe::CreationContext<'_>) -> Option<Gl> {
 pub struct Web {
     files: PageFiles,
     checks: PageChecks,
+    traces: PageTraces,
     /// Events since the last poll. Files are read between two frames.
     events: Rc<RefCell<Vec<Event>>>,
 }
 
 impl Web {
-    /// Creates the platform with the files that the page fetches and its function for checks.
-    pub fn new(files: PageFiles, checks: PageChecks) -> Self {
-        Web { files, checks, events: Rc::default() }
+    /// Creates the platform with the files that the page fetches and its functions for checks and traced pictures.
+    pub fn new(files: PageFiles, checks: PageChecks, traces: PageTraces) -> Self {
+        Web { files, checks, traces, events: Rc::default() }
     }
 
     /// Reads files, and turns them into an event.
@@ -153,7 +158,12 @@ impl Platform for Web {
     }
 
     fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> FileDialog {
-        let web = Web { files: self.files.clone(), checks: self.checks.clone(), events: self.events.clone() };
+        let web = Web {
+            files: self.files.clone(),
+            checks: self.checks.clone(),
+            traces: self.traces.clone(),
+            events: self.events.clone(),
+        };
         let inner = ctx.clone();
         if let Err(error) = document::choose(move |files| web.take(files, purpose, &inner)) {
             self.events.borrow_mut().push(Event::Failed(error));
@@ -208,6 +218,10 @@ impl Platform for Web {
             Ok(checking) => Box::new(checking),
             Err(error) => Box::new(Ready::new(Err(error))),
         }
+    }
+
+    fn tracer(&mut self, ctx: &egui::Context) -> Box<dyn Tracer> {
+        self.traces.start(ctx)
     }
 
     fn settings(&self) -> Settings {

@@ -142,7 +142,12 @@ impl PaneRenderer {
         let pane = &mut self.panes[index];
         let time = session.clock.time;
         pane.follow(&mut self.renderer, &mut self.details, base, session.generation, settings, time)?;
-        pane.draw(&self.gl, &mut self.renderer, time, size, pace, facts)?;
+        let traced = settings.truth.and_then(|_| session.traced.get(index));
+        // OpenGL's picture stands in until there is a traced one.
+        match traced.and_then(|traced| Some((traced.serial, traced.picture.as_ref()?))) {
+            Some(traced) => pane.show_traced(&self.gl, &mut self.renderer, traced, time, size, facts)?,
+            None => pane.draw(&self.gl, &mut self.renderer, time, size, pace, facts)?,
+        }
         let picture = pane.canvas.as_ref().map(|canvas| self.presenter.presentation(canvas.texture()));
         Ok(picture.map(|picture| if pane.is_opaque() { picture.opaque() } else { picture }))
     }
@@ -231,23 +236,28 @@ impl PaneRenderer {
 }
 
 impl PaneRenderer {
-    /// The picture as displayed; `None` if the pane has not been drawn. Waits for the GPU.
+    /// The picture as displayed; `None` if the pane has not been drawn. Waits for the GPU. A traced picture of another size is
+    /// stretched.
     pub fn shown(&mut self, index: usize, size: Option<[u32; 2]>) -> Result<Option<DisplayedPicture>, GlError> {
-        let Some((uploaded, frame, show)) = self.panes.get(index).and_then(|pane| pane.to_save(size)) else {
-            return Ok(None);
-        };
+        let Some(pane) = self.panes.get(index) else { return Ok(None) };
+        let Some((uploaded, frame, show)) = pane.to_save(size) else { return Ok(None) };
         let mut canvas = DisplayTexture::new(&self.gl, [frame.width, frame.height])?;
-        self.renderer.paint(uploaded, &frame, &show, &mut canvas)?;
+        match &pane.traced {
+            Some((_, picture)) => self.renderer.paint_picture(picture, &frame, &mut canvas)?,
+            None => self.renderer.paint(uploaded, &frame, &show, &mut canvas).map(drop)?,
+        }
         let is_srgb = show.view == View::Picture && frame.output.encoding == ColorEncoding::Srgb;
         Ok(Some(DisplayedPicture { size: canvas.size(), rgba: canvas.read8(), is_srgb }))
     }
 
     /// The light, linear and premultiplied: the values of the quantity shown, or else those of the picture. `None` if the pane has
-    /// not been drawn. Waits for the GPU.
+    /// not been drawn. Waits for the GPU. A traced picture has the size that it was traced in.
     pub fn light(&mut self, index: usize, size: Option<[u32; 2]>) -> Result<Option<Picture>, GlError> {
-        let Some((uploaded, frame, show)) = self.panes.get(index).and_then(|pane| pane.to_save(size)) else {
-            return Ok(None);
-        };
+        let Some(pane) = self.panes.get(index) else { return Ok(None) };
+        if let Some((_, picture)) = &pane.traced {
+            return Ok(Some(Picture::clone(picture)));
+        }
+        let Some((uploaded, frame, show)) = pane.to_save(size) else { return Ok(None) };
         let view = if let View::Quantity(view) = show.view { Some(view) } else { None };
         self.renderer.paint_linear(uploaded, &frame, view).map(Some)
     }

@@ -9,7 +9,7 @@ use gonio_mesh::Mesh;
 use gonio_render::{DisplayOptions, DisplayTexture, GpuScene, Renderer, View};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::scene_file::Shading;
-use gonio_scene::{Frame, Scene, detail};
+use gonio_scene::{Frame, Picture, Scene, detail};
 use std::sync::Arc;
 
 /// Above this time for all panes, in milliseconds, a drag is not smooth: fewer than 20 pictures per second.
@@ -42,6 +42,8 @@ pub struct PaneDrawing {
     pub canvas: Option<DisplayTexture>,
     /// The frame on the canvas.
     pub drawn: Option<(Frame, DisplayOptions)>,
+    /// The traced picture on the canvas, with its number ([`TracedPane::serial`]); `None` if OpenGL's is there.
+    pub traced: Option<(u64, Arc<Picture>)>,
     /// Counts the pictures.
     pub serial: u64,
     pub facts: PaneFacts,
@@ -110,6 +112,41 @@ impl PaneDrawing {
         self.drawn.as_ref().is_some_and(is_whole)
     }
 
+    /// Shows the traced picture with the frame's exposure and tone mapping, if anything changed.
+    pub fn show_traced(
+        &mut self,
+        gl: &Gl,
+        renderer: &mut Renderer,
+        traced: (u64, &Arc<Picture>),
+        time: f64,
+        size: [u32; 2],
+        facts: &mut FrameFacts,
+    ) -> Result<(), GlError> {
+        let Some(loaded) = &self.loaded else { return Ok(()) };
+        let frame = Frame { width: size[0], height: size[1], ..loaded.frame(time) };
+        let (serial, picture) = traced;
+        let is_same = |drawn: &Frame| {
+            let look = |frame: &Frame| (frame.width, frame.height, frame.output, frame.background);
+            look(drawn) == look(&frame)
+        };
+        let is_shown = self.traced.as_ref().is_some_and(|(shown, _)| *shown == serial)
+            && self.drawn.as_ref().is_some_and(|(drawn, _)| is_same(drawn));
+        if !is_shown {
+            let canvas = match &mut self.canvas {
+                Some(canvas) => canvas,
+                none => none.insert(DisplayTexture::new(gl, size)?),
+            };
+            renderer.paint_picture(picture, &frame, canvas)?;
+            self.traced = Some((serial, picture.clone()));
+            self.serial += 1;
+            facts.pictures += 1;
+        }
+        // Its noise is not a matter of samples: the picture counts as complete.
+        facts.samples = frame.samples;
+        self.drawn = Some((frame, DisplayOptions::default()));
+        Ok(())
+    }
+
     /// Draws the picture if anything changed.
     pub fn draw(
         &mut self,
@@ -121,6 +158,9 @@ impl PaneDrawing {
         facts: &mut FrameFacts,
     ) -> Result<(), GlError> {
         let (Some(loaded), Some((_, uploaded))) = (&self.loaded, &self.uploaded) else { return Ok(()) };
+        if self.traced.take().is_some() {
+            self.drawn = None;
+        }
         let full = Frame { width: size[0], height: size[1], ..loaded.frame(time) };
         let show = self.settings.show();
         if let Some((drawn, shown)) = &self.drawn

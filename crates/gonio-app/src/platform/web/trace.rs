@@ -1,0 +1,144 @@
+//! Traced pictures of the page: by a worker per pane, with a module of its own.
+
+use super::message_of;
+use crate::truth::{ERROR_GOAL, TraceFacts, TraceReply, TraceRequest, Tracer};
+use gonio_scene::{Picture, SceneFile};
+use js_sys::{Array, Float32Array, Float64Array, Function, Object, Reflect, Uint8Array};
+use std::cell::RefCell;
+use std::rc::Rc;
+use wasm_bindgen::closure::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+
+/// The page's function that starts a worker (`web/page/tracing.js`). Its argument is a function that receives each picture. It
+/// returns an object: `trace`, a function that requests a picture, and `end`, which ends the worker.
+#[derive(Clone)]
+pub struct PageTraces(Function);
+
+impl PageTraces {
+    /// Uses this function.
+    pub fn new(begin: Function) -> Self {
+        PageTraces(begin)
+    }
+
+    /// Starts a worker. If that fails, the tracer says so.
+    pub fn start(&self, ctx: &egui::Context) -> Box<dyn Tracer> {
+        let answers = Rc::new(RefCell::new(Answers::default()));
+        let (slot, ctx) = (answers.clone(), ctx.clone());
+        let receive: Closure<dyn FnMut(JsValue)> = Closure::new(move |message: JsValue| {
+            slot.borrow_mut().take(&message);
+            ctx.request_repaint();
+        });
+        let worker = self.0.call1(&JsValue::NULL, receive.as_ref()).map_err(|error| message_of(&error));
+        Box::new(WorkerTracer { worker, answers, before: None, _receive: receive })
+    }
+}
+
+/// The newest answer to the newest request.
+#[derive(Default)]
+struct Answers {
+    number: f64,
+    newest: Option<Result<TraceReply, String>>,
+}
+
+impl Answers {
+    fn take(&mut self, message: &JsValue) {
+        let number = |name: &str| Reflect::get(message, &name.into()).ok().and_then(|value| value.as_f64());
+        if number("number").is_some_and(|of| of != self.number) {
+            return;
+        }
+        if let Some(failed) = Reflect::get(message, &"failed".into()).ok().and_then(|value| value.as_string()) {
+            self.newest = Some(Err(failed));
+            return;
+        }
+        let pixels =
+            Reflect::get(message, &"pixels".into()).ok().and_then(|value| value.dyn_into::<Float32Array>().ok());
+        let (Some(pixels), Some(width), Some(height)) = (pixels, number("width"), number("height")) else { return };
+        let pixels = pixels.to_vec().as_chunks::<4>().0.to_vec();
+        let done = Reflect::get(message, &"done".into()).is_ok_and(|value| value.is_truthy());
+        let facts = TraceFacts {
+            paths: number("paths").unwrap_or_default(),
+            error: number("error").filter(|error| !error.is_nan()),
+            pass: number("pass").unwrap_or_default(),
+            done,
+        };
+        let picture = Picture { width: width as u32, height: height as u32, pixels };
+        self.newest = Some(Ok(TraceReply { picture, facts }));
+    }
+}
+
+struct WorkerTracer {
+    worker: Result<JsValue, String>,
+    answers: Rc<RefCell<Answers>>,
+    before: Option<TraceRequest>,
+    // The worker calls it until it is ended.
+    _receive: Closure<dyn FnMut(JsValue)>,
+}
+
+impl Tracer for WorkerTracer {
+    fn trace(&mut self, request: TraceRequest) {
+        let number = {
+            let mut answers = self.answers.borrow_mut();
+            (answers.number, answers.newest) = (answers.number + 1.0, None);
+            answers.number
+        };
+        let is_known = self.before.as_ref().is_some_and(|before| before.is_same_but_camera(&request));
+        let sent = self
+            .worker
+            .clone()
+            .and_then(|worker| send(&worker, number, &request, is_known).map_err(|error| message_of(&error)));
+        if let Err(error) = sent {
+            let error = format!("the scene could not be traced: {error}");
+            self.answers.borrow_mut().newest = Some(Err(error));
+        }
+        self.before = Some(request);
+    }
+
+    fn poll(&mut self) -> Option<Result<TraceReply, String>> {
+        self.answers.borrow_mut().newest.take()
+    }
+}
+
+impl Drop for WorkerTracer {
+    fn drop(&mut self) {
+        if let Ok(worker) = &self.worker {
+            let end = Reflect::get(worker, &"end".into()).and_then(|end| end.dyn_into::<Function>());
+            let _ = end.and_then(|end| end.call0(&JsValue::NULL));
+        }
+    }
+}
+
+/// Sends a request, without the scene if the worker has read it already.
+fn send(worker: &JsValue, number: f64, request: &TraceRequest, is_known: bool) -> Result<(), JsValue> {
+    let frame = &request.frame;
+    let camera = &frame.camera;
+    let [position, front, up] = [camera.position, camera.front, camera.up].map(|v| v.to_array());
+    let lens = [camera.fov_y_rad, camera.near, camera.far];
+    let message = Object::new();
+    let set = |object: &Object, name: &str, value: JsValue| Reflect::set(object, &name.into(), &value).map(drop);
+    set(&message, "number", number.into())?;
+    set(&message, "width", frame.width.into())?;
+    set(&message, "height", frame.height.into())?;
+    set(&message, "camera", Float64Array::from([position, front, up, lens].concat().as_slice()).into())?;
+    if !is_known {
+        let scene = Object::new();
+        set(&scene, "text", SceneFile::from(&request.scene.settings).to_toml_string().into())?;
+        let files = Array::new();
+        for path in &request.paths {
+            // Files that are not there were looked for in vain.
+            if let Ok(bytes) = request.files.read(path) {
+                let file = Object::new();
+                set(&file, "name", JsValue::from_str(&path.to_string_lossy()))?;
+                set(&file, "bytes", Uint8Array::from(&bytes[..]).into())?;
+                files.push(&file);
+            }
+        }
+        set(&scene, "files", files.into())?;
+        set(&scene, "time", frame.time.into())?;
+        set(&scene, "simplified", request.settings.simplified.bits().into())?;
+        set(&scene, "points", request.settings.points_per_light.into())?;
+        set(&scene, "goal", ERROR_GOAL.into())?;
+        set(&message, "scene", scene.into())?;
+    }
+    let trace: Function = Reflect::get(worker, &"trace".into()).and_then(JsCast::dyn_into)?;
+    trace.call1(&JsValue::NULL, &message).map(drop)
+}

@@ -1,0 +1,246 @@
+//! Traced pictures: what the panes that show the rendering equation ask for, and the answers.
+//!
+//! A [`Tracer`] of the platform works beside the window, in a thread or in a worker, and sends finer and finer pictures. Any
+//! change of the light in a pane is a new request, which cancels the one before.
+
+use crate::document::TruthSettings;
+use gonio_scene::files::FileSource;
+use gonio_scene::{Frame, Picture, Scene, SceneSettings};
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Tracing stops at this error of a pixel, relative to the picture's mean luminance.
+pub const ERROR_GOAL: f64 = 0.005;
+
+/// A picture to trace.
+#[derive(Clone)]
+pub struct TraceRequest {
+    /// The scene with the pane's settings.
+    pub scene: Arc<Scene>,
+    /// Size, time and camera.
+    pub frame: Frame,
+    /// The simplifications.
+    pub settings: TruthSettings,
+    /// Changes with geometry, materials and environment: [`crate::session::Session::generation`].
+    pub generation: u64,
+    /// The source of the scene's files, for a worker that has to read them again.
+    pub files: Arc<dyn FileSource>,
+    /// The paths that were read from it.
+    pub paths: Vec<PathBuf>,
+}
+
+impl TraceRequest {
+    /// Whether both ask for the same light: exposure, tone mapping and encoding do not matter.
+    pub fn is_same_light(&self, other: &TraceRequest) -> bool {
+        let Frame { camera, width, height, .. } = other.frame;
+        let frame = Frame { camera, width, height, ..self.frame.clone() };
+        frame == self.frame && self.is_same_but_camera(other)
+    }
+
+    /// Whether the scenes differ in camera and size alone, so that nothing has to be built again.
+    pub fn is_same_but_camera(&self, other: &TraceRequest) -> bool {
+        let Frame { camera, width, height, samples, output, .. } = other.frame.clone();
+        let (a, b) = (&self.scene, &other.scene);
+        let settings = || {
+            let (camera, picture) = (b.settings.camera.clone(), b.settings.picture.clone());
+            SceneSettings { camera, picture, ..a.settings.clone() } == b.settings
+        };
+        self.generation == other.generation
+            && self.settings == other.settings
+            && Frame { camera, width, height, samples, output, ..self.frame.clone() } == other.frame
+            && a.meshes.len() == b.meshes.len()
+            && a.meshes.iter().zip(&b.meshes).all(|(a, b)| Arc::ptr_eq(a, b))
+            && (Arc::ptr_eq(a, b) || settings())
+    }
+}
+
+/// A picture so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TraceReply {
+    /// Linear, premultiplied.
+    pub picture: Picture,
+    /// What is known about it.
+    pub facts: TraceFacts,
+}
+
+/// Facts about a traced picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TraceFacts {
+    /// Paths per pixel, in the mean; below 1 while pixels are large. 0 before the first picture.
+    pub paths: f64,
+    /// Root of the mean square error of a pixel's luminance, relative to the picture's mean, if it is known.
+    pub error: Option<f64>,
+    /// The share of the current pass that is done, 0 to 1.
+    pub pass: f64,
+    /// Whether the error is below [`ERROR_GOAL`].
+    pub done: bool,
+}
+
+/// Traces one picture at a time, beside the window. Dropping it ends the work.
+pub trait Tracer {
+    /// Starts this picture, and stops the one before.
+    fn trace(&mut self, request: TraceRequest);
+    /// Returns the newest picture, once. The window is repainted when there is one. An error is one sentence; nothing follows it.
+    fn poll(&mut self) -> Option<Result<TraceReply, String>>;
+}
+
+/// The traced picture of one pane.
+#[derive(Default)]
+pub struct TracedPane {
+    tracer: Option<Box<dyn Tracer>>,
+    requested: Option<TraceRequest>,
+    /// The newest picture: of an older request until the first of the new one is there.
+    pub picture: Option<Arc<Picture>>,
+    /// Counts the pictures.
+    pub serial: u64,
+    /// Counts the requests: each starts the picture again.
+    pub requests: u64,
+    /// Facts about the picture of the current request.
+    pub facts: TraceFacts,
+    /// Why there is no picture, in one sentence.
+    pub failed: Option<String>,
+}
+
+impl TracedPane {
+    /// Takes the newest picture. Returns an error once.
+    pub fn poll(&mut self) -> Option<String> {
+        match self.tracer.as_mut()?.poll()? {
+            Ok(TraceReply { picture, facts }) => {
+                (self.picture, self.facts) = (Some(Arc::new(picture)), facts);
+                self.serial += 1;
+                None
+            }
+            Err(error) => {
+                // The request stays, so that the same is not tried again.
+                self.tracer = None;
+                self.failed = Some(error.clone());
+                Some(error)
+            }
+        }
+    }
+
+    /// Asks for a picture, unless it is being traced already. `start` makes a tracer.
+    pub fn follow(&mut self, request: TraceRequest, start: impl FnOnce() -> Box<dyn Tracer>) {
+        if self.requested.as_ref().is_some_and(|before| before.is_same_light(&request)) {
+            return;
+        }
+        (self.facts, self.failed) = (TraceFacts::default(), None);
+        self.tracer.get_or_insert_with(start).trace(request.clone());
+        self.requested = Some(request);
+        self.requests += 1;
+    }
+
+    /// Ends the work, and keeps the picture.
+    pub fn stop(&mut self) {
+        (self.tracer, self.requested) = (None, None);
+    }
+
+    /// Whether a picture is being traced.
+    pub fn is_running(&self) -> bool {
+        self.tracer.is_some() && !self.facts.done
+    }
+
+    /// The facts in words: `12 paths per pixel, error 3.4 %`.
+    pub fn caption(&self) -> String {
+        if self.failed.is_some() {
+            return "not possible here".to_owned();
+        }
+        let TraceFacts { paths, error, .. } = self.facts;
+        let mut text = match paths {
+            0.0 => return "the first paths are on their way".to_owned(),
+            _ if paths < 1.0 => format!("1 path per {:.0} pixels", 1.0 / paths),
+            _ if paths < 1.5 => "1 path per pixel".to_owned(),
+            _ => format!("{paths:.0} paths per pixel"),
+        };
+        if let Some(error) = error {
+            let percent = 100.0 * error;
+            // Writing to a string does not fail.
+            let _ = if percent < 10.0 {
+                write!(text, ", error {percent:.1} %")
+            } else {
+                write!(text, ", error {percent:.0} %")
+            };
+        }
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gonio_scene::files::BuiltinOnly;
+    use gonio_scene::load;
+    use std::cell::RefCell;
+    use std::path::Path;
+    use std::rc::Rc;
+
+    fn request() -> TraceRequest {
+        let described = load::describe(&["builtin:cube"], &BuiltinOnly).unwrap_or_else(|error| panic!("{error}"));
+        let scene = load::load(described, Path::new(""), &BuiltinOnly).unwrap_or_else(|error| panic!("{error}"));
+        let frame = scene.frame(0.0);
+        TraceRequest {
+            scene: Arc::new(scene),
+            frame,
+            settings: TruthSettings::default(),
+            generation: 1,
+            files: Arc::new(BuiltinOnly),
+            paths: Vec::new(),
+        }
+    }
+
+    /// Counts requests, and answers each with an error.
+    struct Counting(Rc<RefCell<usize>>);
+
+    impl Tracer for Counting {
+        fn trace(&mut self, _: TraceRequest) {
+            *self.0.borrow_mut() += 1;
+        }
+        fn poll(&mut self) -> Option<Result<TraceReply, String>> {
+            Some(Err("no".into()))
+        }
+    }
+
+    #[test]
+    fn only_light_starts_a_picture_again() {
+        let count = Rc::new(RefCell::new(0));
+        let mut pane = TracedPane::default();
+        let mut requests_after = |change: fn(&mut TraceRequest)| {
+            let mut request = request();
+            change(&mut request);
+            // Scenes are read again by each request, and share no mesh.
+            pane.requested =
+                pane.requested.take().map(|before| TraceRequest { scene: request.scene.clone(), ..before });
+            pane.follow(request, || Box::new(Counting(count.clone())));
+            *count.borrow()
+        };
+        assert_eq!(requests_after(|_| ()), 1);
+        assert_eq!(requests_after(|request| request.frame.output.exposure = 2.0), 1, "exposure is not light");
+        assert_eq!(requests_after(|request| request.frame.width = 7), 2);
+        assert_eq!(requests_after(|request| (request.frame.width, request.frame.time) = (7, 1.0)), 3);
+        assert_eq!(requests_after(|_| ()), 4);
+        assert_eq!(requests_after(|request| request.generation = 2), 5);
+    }
+
+    #[test]
+    fn a_failure_is_reported_once_and_not_tried_again() {
+        let (count, request) = (Rc::new(RefCell::new(0)), request());
+        let mut pane = TracedPane::default();
+        pane.follow(request.clone(), || Box::new(Counting(count.clone())));
+        assert_eq!((pane.poll().as_deref(), pane.poll()), (Some("no"), None));
+        pane.follow(request, || Box::new(Counting(count.clone())));
+        assert_eq!((*count.borrow(), pane.is_running()), (1, false));
+    }
+
+    #[test]
+    fn facts_are_said_in_words() {
+        let said = |paths, error| {
+            TracedPane { facts: TraceFacts { paths, error, ..TraceFacts::default() }, ..TracedPane::default() }
+                .caption()
+        };
+        assert_eq!(said(1.0 / 64.0, None), "1 path per 64 pixels");
+        assert_eq!(said(1.0, None), "1 path per pixel");
+        assert_eq!(said(12.0, Some(0.034)), "12 paths per pixel, error 3.4 %");
+        assert_eq!(said(2.0, Some(0.5)), "2 paths per pixel, error 50 %");
+    }
+}

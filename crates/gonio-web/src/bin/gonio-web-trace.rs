@@ -1,0 +1,157 @@
+//! The path tracer that the page's worker calls (`web/page/tracer.js`): a module of its own, loaded when a pane shows the traced
+//! picture. On other targets the program does nothing.
+
+#[cfg(target_arch = "wasm32")]
+mod tracer {
+    use glam::DVec3;
+    use gonio_light::Simplifications;
+    use gonio_mesh::Limits;
+    use gonio_scene::edit::{self, Edited};
+    use gonio_scene::files::{FileBytes, FileSource, is_builtin, within};
+    use gonio_scene::{Camera, Frame, Scene, load, toml_file};
+    use gonio_trace::{Refinement, TraceScene, TraceSettings};
+    use std::collections::BTreeMap;
+    use std::io::{Error, ErrorKind};
+    use std::path::{Path, PathBuf};
+    use std::sync::{Mutex, PoisonError};
+    use wasm_bindgen::prelude::*;
+
+    /// The scene's files: the user's by their paths, and built-in ones by their paths below `assets`.
+    #[derive(Default)]
+    struct WorkerFiles {
+        opened: BTreeMap<String, FileBytes>,
+        /// `None` for a file that could not be fetched.
+        builtin: BTreeMap<String, Option<FileBytes>>,
+        /// Built-in files that were asked for and are not here.
+        missing: Mutex<Vec<String>>,
+    }
+
+    impl FileSource for WorkerFiles {
+        fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
+            match self.opened.get(&*path.to_string_lossy()) {
+                Some(bytes) => within(bytes.clone(), most),
+                None => Err(Error::new(ErrorKind::NotFound, "it is not among the opened files")),
+            }
+        }
+        fn list(&self, folder: &Path) -> Vec<PathBuf> {
+            let names = self.opened.keys().map(Path::new).filter(|path| path.parent() == Some(folder));
+            names.filter_map(|path| path.file_name().map(PathBuf::from)).collect()
+        }
+        fn builtin(&self, name: &str) -> Option<FileBytes> {
+            let known = self.builtin.get(name);
+            if known.is_none() && is_builtin(name) {
+                self.missing.lock().unwrap_or_else(PoisonError::into_inner).push(name.to_owned());
+            }
+            known.cloned().flatten()
+        }
+    }
+
+    /// Traces one picture after the other.
+    #[wasm_bindgen]
+    #[derive(Default)]
+    pub struct PageTracer {
+        files: WorkerFiles,
+        refinement: Option<Refinement>,
+    }
+
+    #[wasm_bindgen]
+    impl PageTracer {
+        /// Creates a tracer without files.
+        #[wasm_bindgen(constructor)]
+        pub fn new() -> PageTracer {
+            PageTracer::default()
+        }
+
+        /// Adds a built-in file, or notes that it could not be fetched: `name` is its path below `assets`.
+        pub fn give(&mut self, name: String, bytes: Option<Vec<u8>>) {
+            self.files.builtin.insert(name, bytes.map(FileBytes::from));
+        }
+
+        /// Adds a file that the user has opened, by its path.
+        pub fn give_opened(&mut self, path: String, bytes: Vec<u8>) {
+            self.files.opened.insert(path, FileBytes::from(bytes));
+        }
+
+        /// Reads a scene file, for a picture at `time` in seconds. `simplified` is a set of simplifications as a number, `goal` the
+        /// relative error to reach. Returns the names of built-in files that are missing: then nothing has begun. An error is one
+        /// sentence.
+        pub fn open(
+            &mut self,
+            text: &str,
+            time: f64,
+            simplified: u16,
+            points_per_light: u32,
+            goal: f64,
+        ) -> Result<Vec<String>, String> {
+            self.refinement = None;
+            let scene = self.read(text);
+            let missing = std::mem::take(&mut *self.files.missing.lock().unwrap_or_else(PoisonError::into_inner));
+            if !missing.is_empty() {
+                return Ok(missing);
+            }
+            let scene = scene?.at(time);
+            let settings = TraceSettings {
+                simplified: Simplifications::from_bits(simplified),
+                points_per_light,
+                ..TraceSettings::default()
+            };
+            // Its camera and size come with `look`.
+            let frame = Frame { width: 1, height: 1, ..scene.frame(time) };
+            self.refinement = Some(Refinement::new(TraceScene::new(&scene, &frame), settings, goal));
+            Ok(Vec::new())
+        }
+
+        fn read(&self, text: &str) -> Result<Scene, String> {
+            let file = toml_file::read(text).map_err(|error| error.to_string())?;
+            let is_dark = file.lights.is_empty();
+            let scene = load::load_within(file, Path::new(""), &self.files, &Limits::default());
+            let scene = scene.map_err(|error| error.to_string())?;
+            if !is_dark {
+                return Ok(scene);
+            }
+            // Loading adds lights to a scene without any; here the user removed them.
+            let mut dark = scene.settings.clone();
+            dark.lights.clear();
+            match edit::apply(&scene, dark).map_err(|error| error.to_string())? {
+                Edited::Done(applied) => Ok(applied.loaded),
+                Edited::NeedsFiles(_) => Ok(scene),
+            }
+        }
+
+        /// Begins a picture of the open scene, of `width` x `height` pixels. `camera`: position, front and up in world space, the
+        /// vertical field of view in radians, the near and the far plane. Returns whether there is a scene.
+        pub fn look(&mut self, camera: &[f64], width: u32, height: u32) -> bool {
+            let (Some(refinement), &[px, py, pz, fx, fy, fz, ux, uy, uz, fov, near, far]) =
+                (&mut self.refinement, camera)
+            else {
+                return false;
+            };
+            let [position, front, up] = [[px, py, pz], [fx, fy, fz], [ux, uy, uz]].map(DVec3::from);
+            refinement.restart(Camera::looking_along(position, front, up, fov, near, far), [width, height]);
+            true
+        }
+
+        /// Traces the next rows, at most `rows` of them.
+        pub fn advance(&mut self, rows: u32) {
+            if let Some(refinement) = &mut self.refinement {
+                refinement.advance(rows, &|| true);
+            }
+        }
+
+        /// Paths per pixel; the relative error, or NaN while it is unknown; the share of the pass that is done; and 1 if the error is
+        /// below the goal, or else 0.
+        pub fn facts(&self) -> Vec<f64> {
+            let Some(refinement) = &self.refinement else { return Vec::new() };
+            let status = refinement.status();
+            vec![status.paths, status.error.unwrap_or(f64::NAN), status.pass, f64::from(u8::from(status.done))]
+        }
+
+        /// The picture so far: four values a pixel, linear and premultiplied, the top row first.
+        pub fn picture(&self) -> Vec<f32> {
+            let picture = self.refinement.as_ref().map(|refinement| refinement.picture().pixels);
+            picture.unwrap_or_default().into_iter().flatten().collect()
+        }
+    }
+}
+
+fn main() {}

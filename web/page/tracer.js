@@ -1,0 +1,85 @@
+// Traces pictures in a worker, in a module of its own (`gonio-web-trace`). `tracing.js` starts it. The work is cut into slices, and
+// between two of them a newer request is taken.
+
+import * as module from "./gonio_trace.js";
+
+/** Milliseconds of one slice, and between two pictures of one stage. */
+const SLICE = 25;
+const BETWEEN = 150;
+
+let tracer;
+/** The newest request, until work on it begins. */
+let wanted;
+let working = false;
+
+/** Lets messages arrive; a timer would wait for milliseconds. */
+const channel = new MessageChannel();
+const turn = () => new Promise((resolve) => {
+  channel.port1.onmessage = resolve;
+  channel.port2.postMessage(null);
+});
+
+async function load(url) {
+  const response = await fetch(url, { credentials: "same-origin" });
+  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
+  const { instance, module: compiled } = await WebAssembly.instantiate(await response.arrayBuffer(), module.moduleImports());
+  module.moduleReady(instance, compiled);
+  return new module.PageTracer();
+}
+
+/** Fetches a built-in file. One that does not arrive is reported by the scene's reader. */
+async function give(name, builtin) {
+  const response = await fetch(builtin[name], { credentials: "same-origin" }).catch(() => undefined);
+  tracer.give(name, response?.ok ? new Uint8Array(await response.arrayBuffer()) : undefined);
+}
+
+/** Reads the request's scene with all files that it needs. */
+async function open({ text, files, time, simplified, points, goal, builtin }) {
+  for (const { name, bytes } of files) tracer.give_opened(name, bytes);
+  for (;;) {
+    const missing = tracer.open(text, time, simplified, points, goal);
+    if (missing.length === 0) return;
+    await Promise.all(missing.map((name) => give(name, builtin)));
+  }
+}
+
+async function trace({ number, url, scene, camera, width, height }) {
+  tracer ??= await load(url);
+  if (scene !== undefined) await open(scene);
+  if (!tracer.look(camera, width, height)) throw new Error("there is no scene to trace");
+  let [rows, sent] = [4, performance.now()];
+  while (wanted === undefined) {
+    const start = performance.now();
+    tracer.advance(rows);
+    const end = performance.now();
+    rows = Math.max(1, Math.min(4096, Math.floor((rows * SLICE) / Math.max(end - start, 0.1))));
+    const [paths, error, pass, done] = tracer.facts();
+    if ((pass === 0 && paths <= 2) || done || end - sent >= BETWEEN) {
+      const pixels = tracer.picture();
+      sent = performance.now();
+      self.postMessage({ number, pixels, width, height, paths, error, pass, done: done === 1 }, [pixels.buffer]);
+    }
+    if (done) return;
+    await turn();
+  }
+}
+
+async function work() {
+  working = true;
+  while (wanted !== undefined) {
+    const request = wanted;
+    wanted = undefined;
+    try {
+      await trace(request);
+    } catch (error) {
+      self.postMessage({ number: request.number, failed: typeof error === "string" ? error : String(error?.message ?? error) });
+    }
+  }
+  working = false;
+}
+
+self.onmessage = ({ data }) => {
+  // A request without a scene is for the one before, which may be waiting itself.
+  wanted = { ...data, scene: data.scene ?? wanted?.scene };
+  if (!working) work();
+};

@@ -1,0 +1,71 @@
+// The traced picture of the page: by a worker, finer and finer, beside OpenGL's.
+
+import assert from "node:assert/strict";
+import { crop, differing } from "./support/png.mjs";
+import { settled, suite } from "./support/lab.mjs";
+
+const { test } = suite();
+
+const options = { viewport: { width: 800, height: 560 } };
+
+/** A sphere that shades the ground. */
+const open = async (lab) => {
+  await lab.until(settled);
+  await lab.drop({ name: "shaded.toml", text: `
+[camera]
+position = [0, 2, 5]
+target = [0, 0, 0]
+[[object]]
+model = "builtin:sphere-smooth"
+[[object]]
+model = "builtin:cube"
+translate = [0, -1.2, 0]
+scale = [4, 0.1, 4]
+[[light]]
+kind = "directional"
+direction = [-1, -1, -0.3]
+` });
+  await lab.until((state) => settled(state) && state.title === "shaded.toml");
+};
+
+const middle = async (lab, id) => {
+  const picture = await lab.picture(id);
+  const [left, top] = [picture.width, picture.height].map((side) => Math.floor(side / 4));
+  return crop(picture, left, top, 2 * left, 2 * top);
+};
+
+test("the traced picture is refined, starts again with the camera, and ends with its pane", async (lab) => {
+  await open(lab);
+  const before = await middle(lab, "pane-0");
+  await lab.click("view-chooser");
+  await lab.click("view-traced");
+  const coarse = await lab.until((state) => state.traced[0]?.pictures > 0);
+  assert.ok(coarse.traced[0].paths > 0, JSON.stringify(coarse.traced));
+  const fine = await lab.until((state) => state.traced[0]?.error !== null);
+  assert.ok(fine.traced[0].pictures > coarse.traced[0].pictures && fine.traced[0].paths >= 2, JSON.stringify(fine.traced));
+  assert.equal(fine.traced[0].requests, 1, "nothing has changed");
+  await lab.park();
+  assert.ok(differing(before, await middle(lab, "pane-0")) > 0.05, "there is no shadow");
+  const [x, y] = await lab.middle("pane-0");
+  const turned = await lab.drag([x, y], [x + 60, y + 10]);
+  assert.ok(turned.traced[0].requests > 1, "the camera was moved");
+  await lab.until((state) => state.traced[0]?.error !== null);
+  const ended = await lab.key("0");
+  assert.deepEqual(ended.traced, [null]);
+  assert.ok(ended.pane_settings.length === 1 && settled(ended));
+}, options);
+
+test("it is wiped and compared with OpenGL's picture, and each simplification is one switch", async (lab) => {
+  await open(lab);
+  await lab.click("tab-compare");
+  await lab.click("preset-truth");
+  await lab.until((state) => state.traced[0]?.error !== null && state.traced[1] === null);
+  await lab.click("difference-mode");
+  const { difference } = await lab.until((state) => state.difference !== null && state.traced[0]?.error !== null);
+  assert.ok(difference.percent > 1 && difference.percent < 95, JSON.stringify(difference));
+  const first = await lab.click("truth-wavelengths");
+  assert.deepEqual(first.traced[0].simplified, ["wavelengths"]);
+  const again = await lab.click("truth-wavelengths");
+  assert.deepEqual(again.traced[0].simplified, []);
+  await lab.until((state) => state.traced[0]?.pictures > 0);
+}, options);
