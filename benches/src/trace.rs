@@ -11,7 +11,7 @@ use glam::{DMat4, DVec3, Vec3};
 use gonio_light::{Equation, Optics, Simplification, Simplifications, Specular};
 use gonio_mesh::{Material, Mesh};
 use gonio_scene::scene_file::Shading;
-use gonio_scene::{Background, Camera, Frame, Maps, Object, ObjectPart, Scene, SceneMaterial, TextureFilter};
+use gonio_scene::{Background, Camera, Frame, Object, ObjectPart, Scene, SceneMaterial, TextureFilter};
 use gonio_trace::{Film, TraceScene, TraceSettings};
 use serde_json::json;
 use std::path::Path;
@@ -229,7 +229,7 @@ fn add(scene: &mut Scene, mesh: Mesh, material: &Material) {
     });
     scene.meshes.push(Arc::new(mesh));
     let optics = Optics::default();
-    scene.materials.push(SceneMaterial { material: material.clone(), maps: Maps::default(), optics });
+    scene.materials.push(SceneMaterial { optics, ..material.clone().into() });
 }
 
 /// Nothing but the objects, with a black background.

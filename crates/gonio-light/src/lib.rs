@@ -19,6 +19,7 @@
 //! | [`vector`] | reflection, refraction, half vector |
 //! | [`optics`] | mirrors and glass: how a surface shows its surroundings; Fresnel factors |
 //! | [`color`] | sRGB, exposure, tone mapping |
+//! | [`observer`], [`spectrum`] | the CIE observer and daylight; spectra and their colours |
 //! | [`simplification`] | the steps from the rendering equation to this one |
 //! | [`quantity`] | the vectors and scalars of the equation by name |
 
@@ -29,10 +30,12 @@ pub mod color;
 pub mod equation;
 pub mod light;
 pub mod microfacet;
+pub mod observer;
 pub mod optics;
 pub mod quantity;
 pub mod shading_point;
 pub mod simplification;
+pub mod spectrum;
 pub mod vector;
 
 pub use equation::{Convention, Equation, LightSums, LightTerms, Specular, TermSwitches, Terms};
@@ -42,3 +45,4 @@ pub use optics::{Fresnel, Optics, Sight, Surfaces};
 pub use quantity::{Quantity, Value, is_noise};
 pub use shading_point::{ShadingPoint, Surface};
 pub use simplification::{Simplification, Simplifications};
+pub use spectrum::Spectrum;

@@ -294,14 +294,14 @@ fn rounded_down(v: DVec3) -> Vec3A {
 #[cfg(test)]
 pub(crate) fn one_object(mesh: gonio_mesh::Mesh, optics: gonio_light::Optics) -> Scene {
     use gonio_scene::scene_file::Shading;
-    use gonio_scene::{Maps, ObjectPart, SceneMaterial};
+    use gonio_scene::{ObjectPart, SceneMaterial};
     let part =
         ObjectPart { name: String::new(), first_triangle: 0, triangle_count: mesh.triangle_count(), material: 0 };
     let (name, world_from_model) = (String::new(), DMat4::IDENTITY);
     let object = Object { name, mesh: 0, shading: Shading::Flat, world_from_model, parts: vec![part], closed: false };
     Scene {
         meshes: vec![std::sync::Arc::new(mesh)],
-        materials: vec![SceneMaterial { material: Default::default(), maps: Maps::default(), optics }],
+        materials: vec![SceneMaterial { optics, ..gonio_mesh::Material::default().into() }],
         objects: vec![object],
         ..Scene::default()
     }

@@ -8,7 +8,7 @@ use crate::load::{assemble, lacks_surroundings};
 use crate::material_binding::{MaterialBinder, MaterialSource};
 use crate::scene::{Scene, world_from_model};
 use crate::scene_file::{ObjectSpec, SceneFile};
-use crate::settings::SceneSettings;
+use crate::settings::{LightSettings, SceneSettings};
 use crate::validate::{self, InvalidValue};
 use gonio_mesh::Diagnostic;
 use std::sync::{Arc, OnceLock};
@@ -39,12 +39,18 @@ pub struct Applied {
 /// environment; of objects' placement, shading and names; for removed and copied objects; for the numbers of a
 /// material, and textures that were read before. It needs files for other models, normals, environments and textures.
 ///
+/// A light or an object whose colour was edited loses the spectrum of that colour.
+///
 /// An object without a name gets that of its model. Settings without lights get no default lights.
 ///
 /// # Errors
 ///
 /// The first value that is out of its range.
 pub fn apply(loaded: &Scene, mut scene: SceneSettings) -> Result<Edited, InvalidValue> {
+    scene.lights.iter_mut().for_each(LightSettings::keep_spectrum);
+    for object in scene.objects.iter_mut().filter(|o| o.material.diffuse.is_some()) {
+        object.material.diffuse_spectrum = None;
+    }
     validate::check(&SceneFile::from(&scene))?;
     let cache = &loaded.cache;
     let known: Option<Vec<(usize, usize)>> = scene.objects.iter().map(|object| cache.find(object)).collect();

@@ -3,6 +3,8 @@
 use crate::color_value::Color;
 use crate::defaults;
 use crate::light_spec::{LightSourceKind, LightSpec, MotionKind, MotionSpec};
+use gonio_light::Spectrum;
+use std::sync::Arc;
 
 /// A light.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +25,8 @@ pub struct LightSettings {
     pub size: [f64; 2],
     /// `L_i` is `color` times `intensity`.
     pub color: Color,
+    /// The spectrum that `color` is derived from. A light whose colour is another loses it.
+    pub spectrum: Option<Arc<Spectrum>>,
     /// `L_i` is `color` times `intensity`.
     pub intensity: f64,
     /// `k_c`, for lights with a position.
@@ -49,6 +53,16 @@ impl LightSettings {
     }
 }
 
+impl LightSettings {
+    /// Removes the spectrum if the colour was edited.
+    pub(crate) fn keep_spectrum(&mut self) {
+        let derived = self.spectrum.as_ref().and_then(|s| s.color_of_light());
+        if derived.is_none_or(|c| c.to_array() != self.color.0) {
+            self.spectrum = None;
+        }
+    }
+}
+
 impl From<LightSpec> for LightSettings {
     fn from(spec: LightSpec) -> Self {
         let has_position = spec.kind.has_position();
@@ -57,6 +71,8 @@ impl From<LightSpec> for LightSettings {
         // Where one of the angles is left out, the default must not contradict the other.
         let inner_given = spec.inner_angle.unwrap_or(0.0);
         let outer_angle = spec.outer_angle.unwrap_or(defaults::OUTER_ANGLE.max(inner_given));
+        let spectrum = spec.spectrum.map(|samples| Arc::new(Spectrum::new(samples)));
+        let own_color = spectrum.as_ref().and_then(|s| s.color_of_light()).map(|c| Color(c.to_array()));
         LightSettings {
             kind: spec.kind,
             name: spec.name,
@@ -65,7 +81,8 @@ impl From<LightSpec> for LightSettings {
             direction: spec.direction,
             radius: spec.radius.unwrap_or(defaults::LIGHT_RADIUS),
             size: spec.size.unwrap_or(defaults::LIGHT_SIZE),
-            color: spec.color.unwrap_or(defaults::LIGHT_COLOR),
+            spectrum,
+            color: own_color.or(spec.color).unwrap_or(defaults::LIGHT_COLOR),
             intensity: spec.intensity.unwrap_or(defaults::LIGHT_INTENSITY),
             constant: spec.constant.unwrap_or(constant),
             linear: spec.linear.unwrap_or(linear),
@@ -146,7 +163,8 @@ impl From<&LightSettings> for LightSpec {
             direction: light.direction.filter(|_| has_direction),
             radius: light.kind.has_radius().then_some(light.radius),
             size: (light.kind == LightSourceKind::Rectangle).then_some(light.size),
-            color: Some(light.color),
+            color: light.spectrum.is_none().then_some(light.color),
+            spectrum: light.spectrum.as_ref().map(|s| s.samples().to_vec()),
             intensity: Some(light.intensity),
             constant: has_position.then_some(light.constant),
             linear: has_position.then_some(light.linear),

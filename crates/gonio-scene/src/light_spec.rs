@@ -86,6 +86,10 @@ pub struct LightSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = defaults::LIGHT_COLOR))]
     pub color: Option<Color>,
+    /// The spectrum in place of `color`: wavelengths in nm, rising, and relative power. The colour derived from it has
+    /// luminance 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spectrum: Option<Vec<[f64; 2]>>,
     /// `L_i` is `color` times `intensity`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("default" = defaults::LIGHT_INTENSITY))]

@@ -10,7 +10,7 @@ use crate::texture::Texture;
 use crate::texture_library::{DecodedLibrary, Requester, TextureCache, TextureLibrary, TextureUse};
 use crate::texture_recipe::{Metal, Purpose, Rule};
 use glam::DVec3;
-use gonio_light::{Fresnel, Optics};
+use gonio_light::{Fresnel, Optics, Spectrum};
 use gonio_mesh::{AmbientRule, Diagnostic, EmbeddedImage, Format, Material, Model, TextureMap};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -62,6 +62,7 @@ type Request = Option<(usize, TextureMap)>;
 
 struct PendingMaterial {
     material: Material,
+    diffuse_spectrum: Option<Arc<Spectrum>>,
     optics: Optics,
     diffuse: Request,
     specular: Request,
@@ -130,6 +131,7 @@ impl<'a> MaterialBinder<'a> {
                 PendingMaterial::without_textures(material)
             };
             pending.optics = optics_of(with);
+            pending.diffuse_spectrum = with.diffuse_spectrum.clone().map(|samples| Arc::new(Spectrum::new(samples)));
             self.pending.push(pending);
         }
         first
@@ -151,6 +153,7 @@ fn bound(pending: &[PendingMaterial], library: DecodedLibrary) -> Bound {
         .iter()
         .map(|p| SceneMaterial {
             material: p.material.clone(),
+            diffuse_spectrum: p.diffuse_spectrum.clone(),
             optics: p.optics,
             maps: Maps {
                 diffuse: bind(&p.diffuse),
@@ -176,6 +179,7 @@ impl PendingMaterial {
     fn without_textures(material: Material) -> Self {
         PendingMaterial {
             material,
+            diffuse_spectrum: None,
             optics: Optics::default(),
             diffuse: None,
             specular: None,
@@ -203,6 +207,7 @@ impl Requests<'_, '_> {
         let normal = |m: &TextureMap| Purpose::Normal(m.bump_multiplier.to_bits());
         let bump = |m: &TextureMap| Purpose::Bump(m.bump_multiplier.to_bits());
         let mut pending = PendingMaterial {
+            diffuse_spectrum: None,
             diffuse: self.one(&material.diffuse_map, color, "map_Kd", "diffuse texture"),
             specular: self.one(&material.specular_map, color, "map_Ks", "specular texture"),
             emitted: self.one(&material.emitted_map, color, "map_Ke", "emission texture"),
@@ -257,6 +262,7 @@ impl Requests<'_, '_> {
             Some((job, placement.clone()))
         };
         if with.diffuse.is_none()
+            && with.diffuse_spectrum.is_none()
             && from.metallic_map.is_some()
             && let Some(request) = made(Purpose::MetalDiffuse(metal))
         {
@@ -301,6 +307,10 @@ fn overridden(mut material: Material, with: &MaterialOverride) -> Material {
     }
     if let Some(c) = with.diffuse {
         (material.diffuse, material.diffuse_map) = (rgb(c), None);
+    }
+    if let Some(samples) = &with.diffuse_spectrum {
+        let color = Spectrum::new(samples.clone()).color_of_surface();
+        (material.diffuse, material.diffuse_map) = (color.as_vec3().to_array(), None);
     }
     if let Some(c) = with.specular {
         (material.specular, material.specular_map) = (rgb(c), None);

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// The keys that belong to a light's motion; `motion` itself names its kind.
 const OF_MOTION: [&str; 5] = ["period", "amplitude", "center", "axis", "points"];
-const OF_LIGHT: [&str; 19] = [
+const OF_LIGHT: [&str; 20] = [
     "name",
     "enabled",
     "position",
@@ -17,6 +17,7 @@ const OF_LIGHT: [&str; 19] = [
     "radius",
     "size",
     "color",
+    "spectrum",
     "intensity",
     "constant",
     "linear",
@@ -204,7 +205,7 @@ fn pairs(words: &[(Range<usize>, &str)]) -> Result<Vec<Entry>, Fault> {
 /// `1` a number, `1,2,3` a list, `1,2,3;4,5,6` a list of lists, `true` and `false`, else text.
 fn value_of(key: &str, text: &str, span: &Range<usize>) -> Value {
     let item = |value: Value| Item { value, span: span.clone() };
-    if key == "points" {
+    if ["points", "spectrum", "diffuse_spectrum"].contains(&key) {
         let points = text.split(';').map(str::trim).filter(|t| !t.is_empty());
         return Value::List(points.map(|t| item(value_of("", t, span))).collect());
     }

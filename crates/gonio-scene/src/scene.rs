@@ -7,7 +7,7 @@ use crate::settings::SceneSettings;
 use crate::texture::Texture;
 use glam::{DMat4, DQuat, DVec3, DVec4};
 use gonio_light::microfacet::shininess_of_roughness;
-use gonio_light::{Optics, Surface};
+use gonio_light::{Optics, Spectrum, Surface};
 use gonio_mesh::{AmbientRule, Diagnostic, Material, Mesh, Wrap};
 use std::sync::{Arc, OnceLock};
 
@@ -140,6 +140,8 @@ pub struct ObjectPart {
 pub struct SceneMaterial {
     /// The numbers, overrides applied.
     pub material: Material,
+    /// The reflectance that the diffuse colour is derived from; `None` where only the colour is known.
+    pub diffuse_spectrum: Option<Arc<Spectrum>>,
     /// The textures that were found.
     pub maps: Maps,
     /// Reflection and refraction of the environment.
@@ -251,6 +253,6 @@ impl SceneMaterial {
 /// A material whose textures were all found, for tests and tools that build scenes by hand.
 impl From<Material> for SceneMaterial {
     fn from(material: Material) -> Self {
-        SceneMaterial { material, maps: Maps::default(), optics: Optics::default() }
+        SceneMaterial { material, diffuse_spectrum: None, maps: Maps::default(), optics: Optics::default() }
     }
 }

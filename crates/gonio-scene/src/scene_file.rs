@@ -341,6 +341,10 @@ pub struct MaterialOverride {
     /// `k_d`
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diffuse: Option<Color>,
+    /// The reflectance in place of `diffuse`: wavelengths in nm, rising, and shares of 0 to 1. `k_d` is its colour in
+    /// daylight.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diffuse_spectrum: Option<Vec<[f64; 2]>>,
     /// `k_s`
     #[serde(skip_serializing_if = "Option::is_none")]
     pub specular: Option<Color>,

@@ -232,6 +232,16 @@ impl<'a> TableReader<'a> {
         }
     }
 
+    /// A list of pairs of wavelengths and values.
+    pub fn spectrum(&mut self, key: &'static str) -> Result<Option<Vec<[f64; 2]>>, Fault> {
+        let Some(item) = self.get(key) else { return Ok(None) };
+        let what = "two numbers [wavelength in nm, value]";
+        match &item.value {
+            Value::List(items) => items.iter().map(|i| numbers_of(key, what, i)).collect::<Result<_, _>>().map(Some),
+            _ => Err(Self::expected(key, "a list of pairs [[wavelength in nm, value], ...]", item)),
+        }
+    }
+
     /// A colour.
     pub fn color(&mut self, key: &'static str) -> Result<Option<Color>, Fault> {
         let Some(item) = self.get(key) else { return Ok(None) };

@@ -6,6 +6,7 @@ use crate::scene_file::{
     ObjectSpec, PictureSpec, SceneFile,
 };
 use glam::DVec3;
+use gonio_light::Spectrum;
 use gonio_light::vector::unit;
 use gonio_mesh::{Cause, ReadError};
 
@@ -174,6 +175,11 @@ pub(crate) fn check_material(at: &str, m: &MaterialOverride) -> Check {
     {
         check_color(at, key, color.map(|c| c.0))?;
     }
+    check_spectrum(at, "diffuse_spectrum", m.diffuse_spectrum.as_deref(), 1.0)?;
+    if m.diffuse.is_some() && m.diffuse_spectrum.is_some() {
+        let message = "the material has both `diffuse` and `diffuse_spectrum`; leave one of them out";
+        return fail(at, "diffuse_spectrum", message);
+    }
     check_number(at, "shininess", m.shininess, |v| (1.0..=1e6).contains(&v), "must be 1 to 1000000")?;
     let index = "must be greater than 0 and at most 100";
     check_number(at, "refraction_index", m.refraction_index, |v| v > 0.0 && v <= 100.0, index)?;
@@ -241,6 +247,16 @@ pub fn check_light(at: &str, l: &LightSpec) -> Check {
         return fail(at, "size", message);
     }
     check_color(at, "color", l.color.map(|c| c.0))?;
+    check_spectrum(at, "spectrum", l.spectrum.as_deref(), 1e9)?;
+    if let Some(samples) = &l.spectrum {
+        if l.color.is_some() {
+            return fail(at, "spectrum", "the light has both `color` and `spectrum`; leave one of them out");
+        }
+        if Spectrum::new(samples.clone()).color_of_light().is_none() {
+            let message = "`spectrum` must have visible light: power between 380 and 780 nm at two wavelengths or more";
+            return fail(at, "spectrum", message);
+        }
+    }
     for (key, value) in
         [("intensity", l.intensity), ("constant", l.constant), ("linear", l.linear), ("quadratic", l.quadratic)]
     {
@@ -343,6 +359,30 @@ fn check_direction(at: &str, key: &str, value: Option<[f64; 3]>) -> Check {
         }
         _ => Ok(()),
     }
+}
+
+/// Checks the samples of a spectrum whose values are at most `most`.
+fn check_spectrum(at: &str, key: &str, samples: Option<&[[f64; 2]]>, most: f64) -> Check {
+    let Some(samples) = samples else { return Ok(()) };
+    let sample_at = |i: usize| format!("{key}[{i}]");
+    for (i, [lambda, value]) in samples.iter().enumerate() {
+        if !(300.0..=1000.0).contains(lambda) {
+            let message = format!("`{key}` must have wavelengths of 300 to 1000 nm, not {lambda}");
+            return fail(at, &sample_at(i), message);
+        }
+        if !(0.0..=most).contains(value) {
+            return fail(at, &sample_at(i), format!("`{key}` must have values of 0 to {most}, not {value}"));
+        }
+    }
+    if let Some(i) = (1..samples.len()).find(|&i| samples[i - 1][0] >= samples[i][0]) {
+        let [before, after] = [samples[i - 1][0], samples[i][0]];
+        let message = format!("`{key}` must have rising wavelengths, but {after} follows {before}");
+        return fail(at, &sample_at(i), message);
+    }
+    if samples.iter().all(|[_, value]| *value == 0.0) {
+        return fail(at, key, format!("`{key}` must have a value greater than 0"));
+    }
+    Ok(())
 }
 
 fn check_color(at: &str, key: &str, value: Option<[f64; 3]>) -> Check {

@@ -1,11 +1,11 @@
 //! What the four lanes of light along a path mean: RGB, or four wavelengths.
 
-use crate::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, daylight, matching};
 use crate::sampler::Sampler;
 use crate::sampling::Discrete;
 use crate::spectra::{Spectra, SpectrumTable, choose};
 use crate::upsampling::Coefficients;
 use glam::{Vec3, Vec4};
+use gonio_light::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, daylight, matching};
 use gonio_light::{Simplification, Simplifications};
 
 /// How light is carried along a path.

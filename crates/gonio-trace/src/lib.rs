@@ -7,7 +7,7 @@
 //! | module | content |
 //! |---|---|
 //! | `sampler`, `sampling` | random numbers, and directions and points from them |
-//! | `observer`, `upsampling`, `spectra`, `color` | the CIE observer, spectra of RGB colours and others, the lanes of a path |
+//! | `upsampling`, `spectra`, `color` | spectra of RGB colours and others, the lanes of a path |
 //! | `tree`, `geometry` | rays against triangles |
 //! | `bsdf`, `material` | how a place scatters light |
 //! | `rules`, `posed` | what the simplifications change; a scene at one moment |
@@ -29,7 +29,6 @@ mod geometry;
 mod lamps;
 mod lights;
 mod material;
-mod observer;
 mod oddities;
 mod path;
 mod posed;

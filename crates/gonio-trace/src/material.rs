@@ -260,7 +260,7 @@ impl Materials<'_> {
         if let Some(equation) = &self.equation {
             return self.parts_of_equation(equation, index, place, wavelengths);
         }
-        let SceneMaterial { material, maps, optics } = self.material(index);
+        let SceneMaterial { material, maps, optics, .. } = self.material(index);
         let (uv, mode) = (place.uv, self.mode);
         let constants = &self.constants[index as usize];
         let (diffuse, glossy, lobe) = match constants.colors {

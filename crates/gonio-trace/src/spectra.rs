@@ -1,8 +1,8 @@
 //! Tabulated spectra of lights and materials, and the choice of wavelengths where lamps have lines.
 
-use crate::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, matching};
 use crate::sampling::Discrete;
 use glam::Vec4;
+use gonio_light::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, matching};
 
 /// Intervals of a table, 1 nm each.
 const INTERVALS: usize = (LAMBDA_MAX - LAMBDA_MIN) as usize;

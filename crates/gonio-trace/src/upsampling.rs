@@ -7,8 +7,8 @@
 //! *Source*: W. Jakob and J. Hanika, *A Low-Dimensional Function Space for Efficient Spectral Upsampling*, Computer Graphics
 //! Forum 38(2), 2019.
 
-use crate::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, SAMPLES, daylight, matching};
 use glam::{DMat3, DVec3, Vec3, Vec4};
+use gonio_light::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, SAMPLES, daylight, matching};
 use rayon::prelude::*;
 use std::sync::LazyLock;
 

@@ -122,7 +122,7 @@ impl TestScene {
             closed: false,
         });
         scene.meshes.push(std::sync::Arc::new(mesh));
-        scene.materials.push(SceneMaterial { material, maps, optics: Optics::default() });
+        scene.materials.push(SceneMaterial { maps, ..material.into() });
         self
     }
 

@@ -307,7 +307,7 @@ fn errors_have_a_place_in_the_text() {
     check_message(
         "point position=1,2,3 colr=1,1,1",
         "`point position=1,2,3 colr=1,1,1`, at 22: unknown key `colr` in a light; did you mean `color`? Known keys: \
-         name, enabled, position, direction, radius, size, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, \
+         name, enabled, position, direction, radius, size, color, spectrum, intensity, constant, linear, quadratic, inner_angle, outer_angle, \
          motion, period, amplitude, center, axis, points",
     );
     check_message(

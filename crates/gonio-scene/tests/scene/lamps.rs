@@ -1,7 +1,9 @@
-//! Lamps with an extent, in a frame.
+//! Lamps with an extent, in a frame, and spectra.
 
 use glam::DVec3;
 use gonio_light::LightKind;
+use gonio_scene::color_value::Color;
+use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::BuiltinOnly;
 use gonio_scene::load::load;
 use gonio_scene::toml_file::read;
@@ -83,4 +85,32 @@ fn the_width_of_a_rectangle_is_horizontal() {
     // Whoever stands at +z and looks along -z has +x on the right; the lamp faces them.
     let frame = with_rectangle([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
     assert_eq!(frame.light_shapes[0], LightShape::Rectangle { half_right: 2.0 * DVec3::X, half_up: DVec3::Y });
+}
+
+#[test]
+fn colours_are_derived_from_spectra() {
+    let text = "[[light]]\nkind = \"point\"\nposition = [0, 1, 0]\nintensity = 2\nspectrum = [[580, 0], [589, 1], [600, 0]]\n\
+                [[object]]\nmodel = \"builtin:sphere-512\"\nmaterial = { diffuse_spectrum = [[400, 0.1], [500, 0.1], [600, 0.9]] }";
+    let scene = loaded(text);
+    let sodium = scene.settings.lights[0].spectrum.clone().unwrap();
+    let color = sodium.color_of_light().unwrap();
+    assert!(color.x > 2.0 * color.y && color.y > 0.5 && color.z < 1e-9, "{color}");
+    assert_eq!(scene.frame(0.0).lights[0].color, 2.0 * color);
+    let painted = scene.materials.iter().find(|m| m.diffuse_spectrum.is_some()).unwrap();
+    let surface = painted.diffuse_spectrum.as_ref().unwrap().color_of_surface();
+    assert_eq!(painted.material.diffuse, surface.as_vec3().to_array());
+    assert!(surface.x > 0.6 && surface.z < 0.2, "{surface}");
+
+    // Whoever edits a colour replaces the spectrum.
+    let mut settings = scene.settings.clone();
+    settings.lights[0].color = Color::grey(0.5);
+    settings.objects[0].material.diffuse = Some(Color::grey(0.25));
+    let Edited::Done(edited) = edit::apply(&scene, settings).unwrap() else { panic!("no file is needed") };
+    assert_eq!(edited.loaded.settings.lights[0].spectrum, None);
+    assert_eq!(edited.loaded.settings.objects[0].material.diffuse_spectrum, None);
+    // Whoever edits something else keeps it.
+    let mut settings = scene.settings.clone();
+    settings.lights[0].intensity = 3.0;
+    let Edited::Done(edited) = edit::apply(&scene, settings).unwrap() else { panic!("no file is needed") };
+    assert_eq!(edited.loaded.settings.lights[0].spectrum, Some(sodium));
 }

@@ -25,7 +25,7 @@ fn unknown_keys_suggest_the_nearest_known_one() {
     check_message(
         "[[light]]\nkind = \"ambient\"\ncolr = [1, 1, 1]\n",
         "5:1: unknown key `colr` in [[light]]; did you mean `color`? Known keys: kind, name, enabled, position, \
-         direction, radius, size, color, intensity, constant, linear, quadratic, inner_angle, outer_angle, motion",
+         direction, radius, size, color, spectrum, intensity, constant, linear, quadratic, inner_angle, outer_angle, motion",
     );
     check_message(
         "[lights]\n",
@@ -40,7 +40,7 @@ fn unknown_keys_suggest_the_nearest_known_one() {
     check_message(
         "[object.material]\nshinyness = 3\n",
         "4:1: unknown key `shinyness` in [object.material]; did you mean `shininess`? Known keys: ambient, diffuse, \
-         specular, emitted, shininess, refraction_index, opacity, textures, medium, reflectivity, \
+         diffuse_spectrum, specular, emitted, shininess, refraction_index, opacity, textures, medium, reflectivity, \
          transmission, fresnel, tint, absorption, dispersion, surfaces",
     );
 }
@@ -208,6 +208,37 @@ fn motions_take_the_keys_of_their_kind() {
     check_message(
         &format!("{point}kind = \"path\"\nperiod = 1\npoints = [[1, 0, 0], [0, 0, 1]]\n"),
         "5:12: a light on a path starts at the first of `points`; leave `position` out or make it the same",
+    );
+}
+
+#[test]
+fn spectra_rise_and_replace_a_colour() {
+    let lamp = "[[light]]\nkind = \"ambient\"\n";
+    let both = "[[light]]\nkind = \"ambient\"\ncolor = [1, 1, 1]\n";
+    let lights: [(&str, &str, &str); 8] = [
+        (lamp, "[[500, 1], [500, 2]]", "5:23: `spectrum` must have rising wavelengths, but 500 follows 500"),
+        (lamp, "[[299, 1]]", "5:13: `spectrum` must have wavelengths of 300 to 1000 nm, not 299"),
+        (lamp, "[[500, -1]]", "5:13: `spectrum` must have values of 0 to 1000000000, not -1"),
+        (lamp, "[[500, nan]]", "5:13: `spectrum` must have values of 0 to 1000000000, not NaN"),
+        (lamp, "[[400, 0], [500, 0]]", "5:12: `spectrum` must have a value greater than 0"),
+        (
+            lamp,
+            "[[800, 1], [900, 1]]",
+            "5:12: `spectrum` must have visible light: power between 380 and 780 nm at two wavelengths or more",
+        ),
+        (lamp, "[500, 1]", "5:13: `spectrum`: expected two numbers [wavelength in nm, value], found a number"),
+        (both, "[[400, 1], [500, 1]]", "6:12: the light has both `color` and `spectrum`; leave one of them out"),
+    ];
+    for (light, spectrum, expected) in lights {
+        check_message(&format!("{light}spectrum = {spectrum}\n"), expected);
+    }
+    check_message(
+        "[object.material]\ndiffuse_spectrum = [[400, 0.5], [500, 1.5]]\n",
+        "4:33: `diffuse_spectrum` must have values of 0 to 1, not 1.5",
+    );
+    check_message(
+        "[object.material]\ndiffuse = [1, 1, 1]\ndiffuse_spectrum = [[400, 0.5], [500, 1]]\n",
+        "5:20: the material has both `diffuse` and `diffuse_spectrum`; leave one of them out",
     );
 }
 

@@ -80,6 +80,7 @@ fn a_scene_with_everything_in_it() {
         [[object]]
         model = "builtin:cube"
         motion = { kind = "path", period = 3, points = [[0.1, 0.2, 0.3], [3, 2, 1]] }
+        material = { diffuse_spectrum = [[400, 0.1], [700, 0.6]] }
         [[light]]
         kind = "spot"
         position = [1, 2, 3]
@@ -96,6 +97,7 @@ fn a_scene_with_everything_in_it() {
         position = [0.3, 2, 0.1]
         direction = [0.1, -1, 0.2]
         size = [0.7, 0.1]
+        spectrum = [[400, 0.1], [500, 0.30000000000000004], [700, 0.7]]
         motion = { kind = "oscillate", period = 2, amplitude = [1, 0, 0.1] }
         [[light]]
         kind = "point"

@@ -7,8 +7,7 @@ use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Optics, S
 use gonio_mesh::{Material, Mesh};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{
-    Background, Camera, Frame, LoadedEnvironment, Maps, Object, ObjectPart, Scene, SceneMaterial, Surroundings,
-    TextureFilter,
+    Background, Camera, Frame, LoadedEnvironment, Object, ObjectPart, Scene, SceneMaterial, Surroundings, TextureFilter,
 };
 use gonio_trace::{Film, Simplification, Simplifications, TraceScene, TraceSettings};
 use std::sync::Arc;
@@ -110,7 +109,7 @@ impl TestScene {
             closed: false,
         });
         scene.meshes.push(Arc::new(mesh));
-        scene.materials.push(SceneMaterial { material, maps: Maps::default(), optics });
+        scene.materials.push(SceneMaterial { optics, ..material.into() });
         self
     }
 

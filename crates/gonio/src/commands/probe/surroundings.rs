@@ -136,7 +136,7 @@ mod tests {
         let map = Cubemap::from_function(64, |d| DVec3::splat(if d.z > 0.0 { 0.2 } else { 0.8 }));
         let scene = Scene {
             meshes: vec![std::sync::Arc::new(mesh)],
-            materials: vec![SceneMaterial { material, maps: Default::default(), optics }],
+            materials: vec![SceneMaterial { optics, ..material.into() }],
             objects: vec![Object {
                 name: "pane".into(),
                 mesh: 0,

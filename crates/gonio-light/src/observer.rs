@@ -3,18 +3,18 @@
 //! *Sources*: CIE 15:2004, *Colorimetry*, tables T.1 (illuminant D65, here every 10 nm, between which CIE interpolates linearly)
 //! and T.4 (colour matching functions, every 5 nm). IEC 61966-2-1:1999 for the primaries of sRGB.
 
-use glam::{DMat3, DVec3};
+use crate::{DMat3, DVec3};
 use std::sync::LazyLock;
 
 /// The shortest wavelength of the tables, nm.
-pub(crate) const LAMBDA_MIN: f64 = 380.0;
+pub const LAMBDA_MIN: f64 = 380.0;
 /// The longest, nm.
-pub(crate) const LAMBDA_MAX: f64 = 780.0;
+pub const LAMBDA_MAX: f64 = 780.0;
 /// Wavelengths of [`MATCHING`].
-pub(crate) const SAMPLES: usize = 81;
+pub const SAMPLES: usize = 81;
 
 /// The colour matching functions at wavelength `lambda` (nm), linear between the table's values; 0 beyond them.
-pub(crate) fn matching(lambda: f64) -> DVec3 {
+pub fn matching(lambda: f64) -> DVec3 {
     let at = (lambda - LAMBDA_MIN) / 5.0;
     if !(0.0..=(SAMPLES - 1) as f64).contains(&at) {
         return DVec3::ZERO;
@@ -24,7 +24,7 @@ pub(crate) fn matching(lambda: f64) -> DVec3 {
 }
 
 /// D65 relative to its mean luminance: a light of this radiance per nm has Y = 1. 0 beyond the tables.
-pub(crate) fn daylight(lambda: f64) -> f64 {
+pub fn daylight(lambda: f64) -> f64 {
     relative_daylight(lambda) * COLORIMETRY.daylight_scale
 }
 
@@ -38,16 +38,17 @@ fn relative_daylight(lambda: f64) -> f64 {
 }
 
 /// Everything that follows from the tables.
-pub(crate) struct Colorimetry {
+pub struct Colorimetry {
     /// The integral of the second colour matching function, nm.
     pub y_integral: f64,
+    /// The factor of the table of daylight.
     daylight_scale: f64,
     /// Linear sRGB from XYZ, with the white of [`daylight`] at (1, 1, 1).
     pub rgb_from_xyz: DMat3,
 }
 
 /// Computed once.
-pub(crate) static COLORIMETRY: LazyLock<Colorimetry> = LazyLock::new(|| {
+pub static COLORIMETRY: LazyLock<Colorimetry> = LazyLock::new(|| {
     let lambdas = || (0..SAMPLES).map(|i| LAMBDA_MIN + 5.0 * i as f64);
     let y_integral: f64 = 5.0 * lambdas().map(|l| matching(l).y).sum::<f64>();
     let white: DVec3 = lambdas().map(|l| matching(l) * relative_daylight(l)).sum::<DVec3>() * (5.0 / y_integral);
