@@ -361,6 +361,8 @@ impl Observer<'_> {
                 format!("{} brighter", percent(ratio - 1.0))
             };
             format!("it becomes {amount} ({colors})")
+        } else if ratio < 0.005 {
+            format!("it turns black ({colors})")
         } else if ratio <= 0.98 {
             format!("it becomes {} darker ({colors})", percent(1.0 - ratio))
         } else {
