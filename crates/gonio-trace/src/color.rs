@@ -57,9 +57,9 @@ impl Tint {
         self.rgb
     }
 
-    /// The same colour with a spectrum of its own: a reflectance.
-    pub fn with_reflectance(self, table: u32) -> Self {
-        Tint { table: Some(table), scale: 1.0, ..self }
+    /// The same colour with a spectrum of its own, `scale` times the table: a reflectance.
+    pub fn with_reflectance(self, table: u32, scale: f32) -> Self {
+        Tint { table: Some(table), scale, ..self }
     }
 
     /// Light with a spectrum of its own, as bright as the colour.
@@ -158,7 +158,9 @@ impl ColorMode {
         match (self, tint.table) {
             (ColorMode::Rgb, _) => tint.rgb.extend(0.0),
             (ColorMode::Spectral, None) => tint.spectrum.at(wavelengths.lambda),
-            (ColorMode::Spectral, Some(table)) => wavelengths.tables[table as usize].at(wavelengths.lambda),
+            (ColorMode::Spectral, Some(table)) => {
+                tint.scale * wavelengths.tables[table as usize].at(wavelengths.lambda)
+            }
         }
     }
 

@@ -42,6 +42,15 @@ pub(crate) struct PlacedLight {
     pub light: Light,
     pub shape: LightShape,
     pub origin: LightOrigin,
+    /// The table of its spectrum, and that table's luminance.
+    pub spectrum: Option<(u32, f64)>,
+}
+
+impl PlacedLight {
+    fn tint(&self, rgb: DVec3) -> Tint {
+        let tint = Tint::of_light(rgb.as_vec3());
+        self.spectrum.map_or(tint, |(table, luminance)| tint.with_light(table, luminance))
+    }
 }
 
 /// A source of light.
@@ -133,14 +142,14 @@ impl Lights {
             environment_index: usize::MAX,
         };
         let mut powers = Vec::new();
-        for PlacedLight { light, shape, origin } in lights {
-            let color = light.color.max(DVec3::ZERO) * units.strength;
+        for placed in lights {
+            let color = placed.light.color.max(DVec3::ZERO) * units.strength;
             if !color.is_finite() || color == DVec3::ZERO {
                 continue;
             }
-            if let Some((source, power)) = built.source_of(light, shape, color, units, geometry) {
+            if let Some((source, power)) = built.source_of(placed, color, units, geometry) {
                 built.sources.push(source);
-                built.origins.push(*origin);
+                built.origins.push(placed.origin);
                 powers.push(power);
             }
         }
@@ -149,17 +158,17 @@ impl Lights {
 
     fn source_of(
         &mut self,
-        light: &Light,
-        shape: &LightShape,
+        placed: &PlacedLight,
         color: DVec3,
         units: &LightUnits,
         geometry: &Geometry,
     ) -> Option<(LightSource, f64)> {
+        let PlacedLight { light, shape, .. } = placed;
         let space = geometry.space;
         let (position, cone) = match light.kind {
             LightKind::Ambient => return None,
             LightKind::Directional { direction } => {
-                let irradiance = Tint::of_light(color.as_vec3());
+                let irradiance = placed.tint(color);
                 let direction = -direction.as_vec3().normalize_or(-Vec3::Y);
                 return Some((LightSource::Directional { direction, irradiance }, mean(color) * PI));
             }
@@ -204,7 +213,7 @@ impl Lights {
         };
         Some(match lamp {
             Some((shape, radiance, cone)) => {
-                let lamp = Lamp { shape, radiance: Tint::of_light(radiance.as_vec3()), cone, falloff };
+                let lamp = Lamp { shape, radiance: placed.tint(radiance), cone, falloff };
                 if !(shape.area() > 0.0 && shape.area().is_finite() && radiance.is_finite()) {
                     return None;
                 }
@@ -213,7 +222,7 @@ impl Lights {
             }
             None => {
                 // Distances are scaled, so is their square.
-                let intensity = Tint::of_light((intensity * space.scale * space.scale).as_vec3());
+                let intensity = placed.tint(intensity * space.scale * space.scale);
                 (LightSource::Point { position: center, intensity, cone, falloff }, power)
             }
         })

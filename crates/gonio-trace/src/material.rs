@@ -124,6 +124,8 @@ pub(crate) struct Constants {
     /// The radiance that it emits; none where a texture gives it.
     emitted: Option<Tint>,
     clear_tint: Tint,
+    /// The table of the diffuse reflectance; the largest channel of its colour.
+    diffuse_table: Option<(u32, f32)>,
 }
 
 /// The normalised lobe of an equation.
@@ -138,16 +140,19 @@ pub(crate) fn normalised_lobe(equation: &Equation) -> BrdfSettings {
 
 impl Constants {
     /// Those of all materials of a scene.
-    pub fn of_scene(scene: &Scene, brdf: BrdfSettings) -> Vec<Constants> {
-        let one = |material: &SceneMaterial| {
+    /// `tables`: of diffuse reflectances, by material.
+    pub fn of_scene(scene: &Scene, brdf: BrdfSettings, tables: &[Option<u32>]) -> Vec<Constants> {
+        let one = |(material, table): (&SceneMaterial, &Option<u32>)| {
             let maps = &material.maps;
             let has_texture = maps.diffuse.is_some() || maps.specular.is_some() || maps.shininess.is_some();
-            let (diffuse, glossy) = (material.material.diffuse.into(), material.material.specular.into());
+            let (diffuse, glossy) = (Vec3::from(material.material.diffuse), material.material.specular.into());
+            let diffuse_table = table.map(|table| (table, diffuse.max_element()));
             Constants {
+                diffuse_table,
                 colors: (!has_texture).then(|| {
                     let lobe = lobe_of(material, brdf, None);
                     let (diffuse, glossy) = conserving(diffuse, glossy, lobe);
-                    (Tint::of_reflectance(diffuse), Tint::of_reflectance(glossy), lobe)
+                    (diffuse_tint(diffuse, diffuse_table), Tint::of_reflectance(glossy), lobe)
                 }),
                 emitted: maps
                     .emitted
@@ -156,7 +161,16 @@ impl Constants {
                 clear_tint: Tint::of_reflectance(material.optics.tint.as_vec3()),
             }
         };
-        scene.materials.iter().map(one).collect()
+        scene.materials.iter().zip(tables).map(one).collect()
+    }
+}
+
+/// A diffuse colour; with its table, scaled as the colour was.
+fn diffuse_tint(color: Vec3, table: Option<(u32, f32)>) -> Tint {
+    let tint = Tint::of_reflectance(color);
+    match table {
+        Some((table, largest)) if largest > 0.0 => tint.with_reflectance(table, color.max_element() / largest),
+        _ => tint,
     }
 }
 
@@ -271,7 +285,7 @@ impl Materials<'_> {
                 let texel = self.texel(&maps.shininess, uv).map(|t| t.x);
                 let lobe = lobe_of(self.material(index), self.brdf, texel);
                 let (diffuse, glossy) = conserving(diffuse, glossy, lobe);
-                (Tint::of_reflectance(diffuse), Tint::of_reflectance(glossy), lobe)
+                (diffuse_tint(diffuse, constants.diffuse_table), Tint::of_reflectance(glossy), lobe)
             }
         };
         let mut parts = Parts {
@@ -329,14 +343,15 @@ impl Materials<'_> {
     /// The diffuse and the specular term of the light equation: no mirror, no glass.
     fn parts_of_equation(&self, equation: &Equation, index: u32, place: &Place, wavelengths: &Wavelengths) -> Parts {
         let surface = self.surface(index, place);
-        let color = |color: DVec3, counts: bool| {
+        let color = |color: DVec3, counts: bool, table: Option<(u32, f32)>| {
             let color = if counts { color.as_vec3().max(Vec3::ZERO) } else { Vec3::ZERO };
-            self.mode.reflectance(&Tint::of_reflectance(color), wavelengths)
+            self.mode.reflectance(&diffuse_tint(color, table), wavelengths)
         };
+        let table = self.constants[index as usize].diffuse_table;
         let has_lobe = self.brdf.kind != BrdfKind::Lambert;
         Parts {
-            diffuse: color(surface.diffuse, equation.terms.diffuse),
-            glossy: color(surface.specular, equation.terms.specular && has_lobe),
+            diffuse: color(surface.diffuse, equation.terms.diffuse, table),
+            glossy: color(surface.specular, equation.terms.specular && has_lobe, None),
             lobe: Lobe::Brdf(self.brdf, surface.shininess),
             mirror: 0.0,
             clear: 0.0,

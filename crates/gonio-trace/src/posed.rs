@@ -9,7 +9,7 @@ use crate::material::{AmbientTerm, Constants, Materials, MeanEmission, bare_emit
 use crate::path::{Technique, World};
 use crate::render::TraceSettings;
 use crate::rules::{Rules, SpecularCosine};
-use crate::spectra::Spectra;
+use crate::spectra::{Spectra, SpectrumTable};
 use crate::{Simplification, sampling};
 use glam::{DVec3, Vec3};
 use gonio_light::equation::Convention;
@@ -23,6 +23,8 @@ pub(crate) struct Timeless {
     pub constants: Vec<Constants>,
     pub has_holes: bool,
     pub spectra: Spectra,
+    /// Of each light with a spectrum: its table, and that table's luminance.
+    pub light_spectra: Vec<Option<(u32, f64)>>,
     pub units: LightUnits,
 }
 
@@ -66,11 +68,33 @@ impl Timeless {
             reference: 0.5 * (frame.bounds_min + frame.bounds_max),
             least_distance: (0.05 * (frame.bounds_max - frame.bounds_min).length()).max(1e-9),
         };
+        let mut spectra = Spectra::default();
+        let reflectances = scene.materials.iter().map(|material| {
+            let spectrum = material.diffuse_spectrum.as_ref()?;
+            Some(spectra.add(SpectrumTable::new(|lambda| spectrum.reflectance_at(lambda))))
+        });
+        let constants = Constants::of_scene(scene, normalised_lobe(&frame.equation), &reflectances.collect::<Vec<_>>());
+        let light_spectra: Vec<Option<(u32, f64)>> = (scene.settings.lights.iter())
+            .map(|light| {
+                let spectrum = light.spectrum.as_ref()?;
+                let table = SpectrumTable::new(|lambda| spectrum.power_at(lambda));
+                let luminance = table.luminance;
+                Some((spectra.add(table), luminance))
+            })
+            .collect();
+        let weights: Vec<(u32, f64)> = (frame.lights.iter().zip(&light_spectra))
+            .filter_map(|(light, spectrum)| {
+                let (table, luminance) = (*spectrum)?;
+                Some((table, light.color.max_element() / luminance))
+            })
+            .filter(|(_, weight)| weight.is_finite())
+            .collect();
         Timeless {
             environment,
-            constants: Constants::of_scene(scene, normalised_lobe(&frame.equation)),
+            constants,
             has_holes: scene.materials.iter().any(|m| m.material.opacity < 1.0 || m.maps.opacity.is_some()),
-            spectra: Spectra::default(),
+            spectra: spectra.finish(&weights),
+            light_spectra,
             units,
         }
     }
@@ -87,6 +111,7 @@ impl Posed {
                 light,
                 shape: shapes.get(index).copied().unwrap_or_default(),
                 origin: LightOrigin::Light(index),
+                spectrum: timeless.light_spectra.get(index).copied().flatten(),
             })
             .collect();
         let (mut sources, mut powers) = Lights::new(&placed, &timeless.units, &geometry);
@@ -176,6 +201,7 @@ impl Posed {
                 attenuation: Attenuation::INVERSE_SQUARE,
             },
             shape: LightShape::Point,
+            spectrum: None,
             origin: LightOrigin::Object(object as usize),
         };
         if points == 1 {

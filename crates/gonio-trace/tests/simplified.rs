@@ -6,9 +6,11 @@ mod common;
 use common::{RGB, TestScene, matte, point, sphere, square};
 use glam::{DMat4, DVec3};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
-use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Optics, Specular};
+use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Optics, Spectrum, Specular};
 use gonio_mesh::{AmbientRule, Material, MetallicRoughness};
 use gonio_reference::ReferenceScene;
+use gonio_scene::scene_file::LightSourceKind;
+use gonio_scene::settings::LightSettings;
 use gonio_scene::texture::{ColorSpace, Texture};
 use gonio_scene::{BoundTexture, LightShape};
 use gonio_trace::{LightOrigin, Simplification, Simplifications, TraceScene, TraceSettings};
@@ -328,4 +330,34 @@ fn light_of_lamps() {
             assert!(error < 0.02 * expected);
         }
     }
+}
+
+/// A lamp with one narrow line has the luminance of its colour, without much noise, and surfaces reflect what they reflect
+/// at that line: two of nearly the same colour differ by a factor of 8.
+#[test]
+fn a_narrow_lamp_shows_what_colors_hide() {
+    let line = || Spectrum::new(vec![[588.0, 0.0], [589.0, 1.0], [590.0, 0.0]]);
+    let mut means = Vec::new();
+    for at_line in [0.1, 0.8] {
+        let mut scene = floor_under(point([0.0, 0.0, 2.0], 4.0));
+        let color = line().color_of_light().unwrap();
+        scene.frame.lights[0].color *= color;
+        let mut settings = LightSettings::new(LightSourceKind::Point);
+        settings.spectrum = Some(Arc::new(line()));
+        scene.scene.settings.lights.push(settings);
+        let samples = vec![[579.0, 0.45], [580.0, at_line], [598.0, at_line], [599.0, 0.45]];
+        scene.scene.materials[0].diffuse_spectrum = Some(Arc::new(Spectrum::new(samples)));
+        scene.scene.materials[0].material.diffuse = [0.45; 3];
+        let luminance = |c: DVec3| c.dot(DVec3::new(0.2126, 0.7152, 0.0722));
+        let (mean, error) = scene.mean(&TraceSettings { simplified: Simplifications::NONE, ..RGB }, 256);
+        let expected = at_line / std::f64::consts::PI * luminance(scene.frame.lights[0].color) / 4.0;
+        // The table has 8 points per nm of a line that is 2 nm wide.
+        assert!((luminance(mean) - expected).abs() < 4.0 * error + 0.005 * expected, "{mean} {expected}");
+        assert!(error < 0.01 * expected, "{error} of {expected}");
+        means.push(luminance(mean));
+        let rgb = luminance(scene.mean(&RGB, 16).0);
+        let expected = 0.45 / std::f64::consts::PI * luminance(scene.frame.lights[0].color) / 4.0;
+        assert!((rgb - expected).abs() < 1e-3 * expected, "{rgb} {expected}");
+    }
+    assert!((means[1] / means[0] - 8.0).abs() < 0.2, "{means:?}");
 }
