@@ -196,7 +196,7 @@ impl TraceScene {
             let all: BTreeSet<u32> = counts.flat_map(|count| count..count.saturating_add(samples)).collect();
             all.into_iter().map(|index| index..index + 1).collect()
         } else {
-            vec![0..u32::MAX]
+            std::iter::once(0..u32::MAX).collect()
         };
         let work = steps.len() as u64 * rows.len() as u64;
         let done = AtomicU64::new(0);
