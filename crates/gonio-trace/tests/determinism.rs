@@ -87,7 +87,7 @@ fn moving() -> TestScene {
 /// The square is seen for a tenth of a second.
 #[test]
 fn what_moves_is_blurred() {
-    for (shutter, time, expected) in [(0.4, 0.0, 0.5), (0.08, 0.16, 2.0), (0.05, 0.0, 0.0), (0.0, 0.2, 2.0)] {
+    for (shutter, time, expected) in [(0.3, 0.0, 2.0 / 3.0), (0.08, 0.16, 2.0), (0.05, 0.0, 0.0), (0.0, 0.2, 2.0)] {
         let mut scene = moving();
         scene.scene = scene.scene.at(time);
         scene.frame.time = time;

@@ -188,16 +188,16 @@ fn interreflection() {
 fn attenuation() {
     let attenuation = Attenuation { constant: 1.0, linear: 0.5, quadratic: 0.0 };
     let mean = |one, shape| {
-        let light = Light { attenuation, ..point([0.0, 0.0, 1.0], 1.0) };
+        let light = Light { attenuation, ..point([0.0, 0.0, 2.0], 1.0) };
         let mut scene = floor_under(light);
         (scene.frame.bounds_min, scene.frame.bounds_max) = (DVec3::splat(-4.0), DVec3::new(4.0, 4.0, -2.0));
         scene.frame.light_shapes = vec![shape];
         scene.mean(&with(one), 256).0.x
     };
-    // The centre of the box is 4 away, where the light has 1/3 of its strength.
+    // The centre of the box is 5 away, where the light has 1/3.5 of its strength.
     for shape in [LightShape::Point, LightShape::Sphere { radius: 0.01 }] {
-        let exact = 0.5 / std::f64::consts::PI * 16.0 / 3.0;
-        let simple = 0.5 / std::f64::consts::PI / 1.5;
+        let exact = 0.5 / std::f64::consts::PI * 25.0 / 3.5 / 4.0;
+        let simple = 0.5 / std::f64::consts::PI / 2.0;
         let (a, b) = (mean(Simplification::Time, shape), mean(Simplification::Attenuation, shape));
         assert!((a / exact - 1.0).abs() < 1e-3, "{shape:?}: {a} instead of {exact}");
         assert!((b / simple - 1.0).abs() < 0.02, "{shape:?}: {b} instead of {simple}");
