@@ -134,12 +134,15 @@ fn recent_entries(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
 fn sentence(sample: &str) -> &'static str {
     match sample {
         "cube" => "Six faces with hard edges: flat and Phong shading look the same",
+        "screen" => "A rectangle that emits the light of a picture",
         "sphere-coarse" => "Few triangles with one normal per face: the shadings differ most",
         "sphere-coarse-averaged" => "Few triangles with averaged normals: interpolation hides the edges",
         "sphere-smooth" => "Many triangles: all shadings look the same",
         "still-life" => "Several materials and textures on one table",
         "suzanne" => "Blender's monkey head",
+        "easy-to-simplify" => "Each simplification of the rendering equation costs little here",
         "glass-and-mirror" => "Objects that reflect and refract their surroundings",
+        "hard-to-simplify" => "Each simplification of the rendering equation costs much here",
         "lab-07" => "The scene of exercise 07",
         "light-kinds" => "A directional, a point and a spot light side by side",
         "shadings" => "Flat, Gouraud and Phong shading side by side",

@@ -28,6 +28,8 @@ macro_rules! builtin_files {
 static FILES: &[(&str, Option<&[u8]>)] = builtin_files![
     "models/cube.obj",
     "models/cube.mtl",
+    "models/screen.obj",
+    "models/screen.mtl",
     "models/sphere_coarse.obj",
     "models/sphere_coarse.mtl",
     "models/sphere_coarse_averaged.obj",
@@ -41,7 +43,9 @@ static FILES: &[(&str, Option<&[u8]>)] = builtin_files![
     "models/textures/checker.png",
     "models/textures/planks.png",
     "models/textures/tiles.png",
+    "scenes/easy-to-simplify.toml",
     "scenes/glass-and-mirror.toml",
+    "scenes/hard-to-simplify.toml",
     "scenes/lab-07.toml",
     "scenes/light-kinds.toml",
     "scenes/shadings.toml",

@@ -1,11 +1,12 @@
 //! Lamps with an extent, in a frame, and spectra.
 
 use glam::DVec3;
-use gonio_light::LightKind;
+use gonio_light::observer::{COLORIMETRY, daylight, matching};
+use gonio_light::{LightKind, Spectrum};
 use gonio_scene::color_value::Color;
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::BuiltinOnly;
-use gonio_scene::load::load;
+use gonio_scene::load::{describe, load};
 use gonio_scene::toml_file::read;
 use gonio_scene::{Frame, LightShape, Scene};
 use std::f64::consts::FRAC_PI_2;
@@ -113,4 +114,34 @@ fn colours_are_derived_from_spectra() {
     settings.lights[0].intensity = 3.0;
     let Edited::Done(edited) = edit::apply(&scene, settings).unwrap() else { panic!("no file is needed") };
     assert_eq!(edited.loaded.settings.lights[0].spectrum, Some(sodium));
+}
+
+/// CIELAB (CIE 15, equations 8.3 to 8.5) of a surface under a light whose power is a function of the wavelength, nm, with
+/// D65 as its white.
+fn lab(surface: &Spectrum, light: impl Fn(f64) -> f64) -> DVec3 {
+    let lambdas = || (0..=4000).map(|i| 380.0 + 0.1 * f64::from(i));
+    let luminance: f64 = lambdas().map(|l| light(l) * matching(l).y).sum();
+    let xyz: DVec3 = lambdas().map(|l| matching(l) * light(l) * surface.reflectance_at(l)).sum::<DVec3>() / luminance;
+    let white = COLORIMETRY.rgb_from_xyz.inverse() * DVec3::ONE;
+    let f = |t: f64| if t > 216.0 / 24389.0 { t.cbrt() } else { (24389.0 / 27.0 * t + 16.0) / 116.0 };
+    let [x, y, z] = (xyz / white).to_array().map(f);
+    DVec3::new(116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z))
+}
+
+#[test]
+fn the_metamers_are_equal_in_daylight_and_differ_under_their_lamp() {
+    let file = describe(&["builtin:hard-to-simplify"], &BuiltinOnly).unwrap();
+    let scene = load(file, Path::new(""), &BuiltinOnly).unwrap();
+    let spectra: Vec<&Spectrum> = scene.materials.iter().filter_map(|m| m.diffuse_spectrum.as_deref()).collect();
+    let [a, b] = spectra[..] else { panic!("there are two: {}", spectra.len()) };
+    let lamp = scene.settings.lights[0].spectrum.clone().unwrap();
+    let by_day = lab(a, daylight).distance(lab(b, daylight));
+    let under_lamp = lab(a, |l| lamp.power_at(l)).distance(lab(b, |l| lamp.power_at(l)));
+    // A difference of 1 is about the smallest that is seen.
+    assert!(by_day < 1.0 && under_lamp > 50.0, "{by_day} and {under_lamp}");
+    // Whoever knows only RGB sees two equal spheres under a white lamp.
+    assert!((a.color_of_surface() - b.color_of_surface()).abs().max_element() < 2e-3);
+    assert!((lamp.color_of_light().unwrap() - 1.0).abs().max_element() < 0.02, "{:?}", lamp.color_of_light());
+    // Both move.
+    assert_eq!(scene.settings.objects.iter().filter(|o| o.motion.is_some()).count(), 2);
 }
