@@ -244,6 +244,7 @@ fn frame(scene: &Scene, camera: Camera, width: u32, height: u32) -> Frame {
         lights: Vec::new(),
         light_shapes: Vec::new(),
         equation: Equation { specular: Specular::Phong, ..Equation::default() },
+        shadows: false,
         two_sided: true,
         background: Background { top: DVec3::ZERO, bottom: DVec3::ZERO, transparent: false },
         surroundings: None,

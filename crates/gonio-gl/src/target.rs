@@ -220,6 +220,53 @@ impl Target {
     }
 }
 
+/// Depths alone, in a texture that shaders read.
+pub struct DepthTarget {
+    framebuffer: Framebuffer,
+    texture: TextureObject,
+    size: [i32; 2],
+}
+
+impl DepthTarget {
+    /// Depths in 32-bit floats, not filtered. The texture stays bound to the active unit.
+    pub fn new(gl: &Gl, size: [i32; 2], name: &str) -> Result<Self, GlError> {
+        let texture = TextureObject::bound(gl, name)?;
+        storage(gl, glow::DEPTH_COMPONENT32F, (glow::DEPTH_COMPONENT, glow::FLOAT), size);
+        for (parameter, value) in [
+            (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
+            (glow::TEXTURE_MAG_FILTER, glow::NEAREST),
+            (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE),
+            (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE),
+        ] {
+            gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, value as i32);
+        }
+        let framebuffer = Framebuffer::bound(gl, name)?;
+        let (target, attachment) = (glow::FRAMEBUFFER, glow::DEPTH_ATTACHMENT);
+        gl.framebuffer_texture_2d(target, attachment, glow::TEXTURE_2D, Some(texture.handle()), 0);
+        check_complete(gl, name, size, 1)?;
+        Ok(DepthTarget { framebuffer, texture, size })
+    }
+
+    /// Binds it for drawing with a depth of 1 everywhere. The viewport is the caller's.
+    pub fn begin(&self, gl: &Gl) {
+        gl.bind_framebuffer(glow::FRAMEBUFFER, Some(self.framebuffer.handle()));
+        gl.disable(glow::SCISSOR_TEST);
+        gl.depth_mask(true);
+        gl.clear_depth_f32(1.0);
+        gl.clear(glow::DEPTH_BUFFER_BIT);
+    }
+
+    /// OpenGL's name of the texture.
+    pub fn texture(&self) -> glow::Texture {
+        self.texture.handle()
+    }
+
+    /// Texels.
+    pub fn size(&self) -> [i32; 2] {
+        self.size
+    }
+}
+
 /// An encoded picture, to be shown or read back: 8 bits per channel, or floats.
 pub struct OutputTarget {
     framebuffer: Framebuffer,

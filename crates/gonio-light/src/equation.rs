@@ -117,16 +117,38 @@ pub struct LightTerms {
     /// `spec` as it enters the sum: gated and cosine-weighted if the equation is. For a BRDF, its
     /// specular lobe for `b = 1`, times `<N.L>`.
     pub spec: f64,
-    /// `L_i att_i spot_i`
+    /// `v_i`: the share of the light that reaches the point, 0 in a shadow; 1 where shadows are not computed.
+    pub visibility: f64,
+    /// `L_i att_i spot_i v_i`
     pub incident: DVec3,
-    /// `diff <N.L> L_i att_i spot_i`: what `k_d` is multiplied with.
+    /// `diff <N.L>` times `incident`: what `k_d` is multiplied with.
     pub diffuse_light: DVec3,
-    /// `spec L_i att_i spot_i`: what `k_s` is multiplied with.
+    /// `spec` times `incident`: what `k_s` is multiplied with.
     pub specular_light: DVec3,
     /// `k_d` times `diffuse_light`
     pub diffuse: DVec3,
     /// `k_s` times `specular_light`
     pub specular: DVec3,
+}
+
+impl LightTerms {
+    /// The same light of which only a share reaches the point: `visibility` is in [0, 1], 0 in a shadow.
+    pub fn seen(self, visibility: f64) -> LightTerms {
+        LightTerms {
+            visibility,
+            incident: visibility * self.incident,
+            diffuse_light: visibility * self.diffuse_light,
+            specular_light: visibility * self.specular_light,
+            diffuse: visibility * self.diffuse,
+            specular: visibility * self.specular,
+            ..self
+        }
+    }
+
+    /// Whether the light adds nothing at the point, shadows aside.
+    pub fn is_dark(&self) -> bool {
+        self.diffuse_light == DVec3::ZERO && self.specular_light == DVec3::ZERO
+    }
 }
 
 /// The sum over the lights without the material's colours: what Gouraud shading interpolates.
@@ -241,6 +263,7 @@ impl Equation {
             n_dot_h,
             diff,
             spec,
+            visibility: 1.0,
             incident: incident_light,
             diffuse_light,
             specular_light,
@@ -251,11 +274,24 @@ impl Equation {
 
     /// The sums over the lights, without the material's colours.
     pub fn light_sums(&self, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> LightSums {
+        self.light_sums_where(point, surface, lights, |_| 1.0)
+    }
+
+    /// [`Self::light_sums`] of the light that reaches the point: `visibility` says which share of each light's terms does.
+    /// It is not asked about lights that add nothing.
+    pub fn light_sums_where(
+        &self,
+        point: &ShadingPoint,
+        surface: &Surface,
+        lights: &[Light],
+        visibility: impl Fn(&LightTerms) -> f64,
+    ) -> LightSums {
         let mut sums = LightSums::default();
         for (index, light) in lights.iter().enumerate() {
-            if let Some(terms) = self.light_terms(index, light, point, surface) {
-                sums.diffuse += terms.diffuse_light;
-                sums.specular += terms.specular_light;
+            if let Some(terms) = self.light_terms(index, light, point, surface).filter(|terms| !terms.is_dark()) {
+                let share = visibility(&terms);
+                sums.diffuse += share * terms.diffuse_light;
+                sums.specular += share * terms.specular_light;
             }
         }
         sums
@@ -276,10 +312,25 @@ impl Equation {
 
     /// Every term at one point.
     pub fn evaluate(&self, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> Terms {
+        self.evaluate_where(point, surface, lights, |_| 1.0)
+    }
+
+    /// [`Self::evaluate`] with the share of each light that reaches the point.
+    pub fn evaluate_where(
+        &self,
+        point: &ShadingPoint,
+        surface: &Surface,
+        lights: &[Light],
+        visibility: impl Fn(&LightTerms) -> f64,
+    ) -> Terms {
         let lights_terms: Vec<LightTerms> = lights
             .iter()
             .enumerate()
             .filter_map(|(index, light)| self.light_terms(index, light, point, surface))
+            .map(|terms| {
+                let share = visibility(&terms);
+                terms.seen(share)
+            })
             .collect();
         let ambient = self.ambient(surface, light::ambient_color(lights));
         let emitted = self.emitted(surface);

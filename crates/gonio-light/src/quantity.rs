@@ -37,6 +37,8 @@ named_enum! {
         Attenuation = "attenuation",
         /// `spot`.
         Spot = "spot",
+        /// `v`, the share of the light that reaches the point: 0 in a shadow; 1 where shadows are off.
+        Visibility = "visibility",
         /// `<N.L>`.
         CosTheta = "cos-theta",
         /// `spec`.
@@ -93,7 +95,7 @@ impl Quantity {
             }
             Position => Encoding::Position,
             Depth | Distance => Encoding::Distance,
-            Uv | Attenuation | Spot | CosTheta | Spec | Fresnel => Encoding::Factor,
+            Uv | Attenuation | Spot | Visibility | CosTheta | Spec | Fresnel => Encoding::Factor,
             Albedo | Ambient | Emitted | Diffuse | Specular | EnvironmentDiffuse | EnvironmentSpecular | Reflected
             | Transmitted | Total => Encoding::Color,
         }
@@ -102,7 +104,7 @@ impl Quantity {
     /// Whether it belongs to one light (and `NAME:INDEX` chooses which).
     pub const fn per_light(self) -> bool {
         use Quantity::*;
-        matches!(self, Light | Reflection | Half | Distance | Attenuation | Spot | CosTheta | Spec)
+        matches!(self, Light | Reflection | Half | Distance | Attenuation | Spot | Visibility | CosTheta | Spec)
     }
 
     /// Whether one light's share can be chosen (else the sum is shown).
@@ -122,6 +124,7 @@ impl Quantity {
             Refraction => Some("T"),
             Fresnel => Some("F"),
             Attenuation => Some("att"),
+            Visibility => Some("v"),
             Distance => Some("d"),
             Ambient => Some("A"),
             Emitted => Some("E"),
@@ -188,6 +191,7 @@ impl Terms {
             Quantity::Distance => scalar_of(|t| if t.distance.is_finite() { t.distance } else { 0.0 }),
             Quantity::Attenuation => scalar_of(|t| t.attenuation),
             Quantity::Spot => scalar_of(|t| t.spot),
+            Quantity::Visibility => scalar_of(|t| t.visibility),
             Quantity::CosTheta => scalar_of(|t| t.cos_theta.max(0.0)),
             Quantity::Spec => scalar_of(|t| t.spec),
             Quantity::Albedo => self.surface.diffuse,

@@ -12,6 +12,7 @@
 //! | `visibility` | which triangles the rays of a block of pixels see |
 //! | `fragment` | place, texture coordinates and material where a ray meets a triangle |
 //! | `shade` | the equation there: flat, Gouraud, Phong |
+//! | `shadow` | whether a triangle is between a point and a light |
 //! | `environment` | the environment that is seen there, and behind the objects |
 //! | `ray`, `body` | rays from anywhere, and through the inside of an object |
 //! | `render` | samples, transparency, threads |
@@ -24,7 +25,9 @@
 //!   top-left rule;
 //! - surfaces that are not opaque are composited from front to back ("over", Porter and Duff 1984), at most
 //!   [`MAX_LAYERS`] of them; below an opacity of [`HOLE`] there is a hole;
-//! - a debug view shows the nearest surface that is not a hole, as if it were opaque.
+//! - a debug view shows the nearest surface that is not a hole, as if it were opaque;
+//! - shadows are those of the triangles, not of the smooth surface that their normals suggest: near the boundary of light
+//!   and dark they follow the facets.
 
 mod body;
 mod environment;
@@ -37,6 +40,7 @@ mod ray;
 mod render;
 mod samples;
 mod shade;
+mod shadow;
 mod visibility;
 
 pub use geometry::ReferenceGeometry;

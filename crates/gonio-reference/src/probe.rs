@@ -249,6 +249,7 @@ struct LightReport {
     n_dot_h: f64,
     diff: f64,
     spec: f64,
+    visibility: f64,
     incident: DVec3,
     diffuse_light: DVec3,
     specular_light: DVec3,

@@ -6,6 +6,7 @@ use crate::intersect::{EyeSpace, RaySpace, cross};
 use crate::sample_positions;
 use crate::samples::sample_width;
 use crate::shade::{CornerCache, Shader};
+use crate::shadow::Shadows;
 use crate::visibility::{Block, Layer, NOTHING, Visible};
 use crate::{ReferenceScene, Rendered};
 use glam::{DVec2, DVec3, DVec4};
@@ -52,7 +53,9 @@ impl<'a> FrameContext<'a> {
     pub fn new(reference: &'a ReferenceScene, frame: &'a Frame, pixel_angle_rad: f64) -> Self {
         let sample_angle_rad = pixel_angle_rad * sample_width(frame.samples);
         let environment = Environment::new(&reference.scene, frame, sample_angle_rad);
-        FrameContext { reference, frame, shader: Shader { geometry: reference.world(), frame, environment } }
+        let geometry = reference.world();
+        let shadows = frame.shadows.then(|| Shadows::new(&reference.scene, geometry, environment.is_some()));
+        FrameContext { reference, frame, shader: Shader { geometry, frame, environment, shadows } }
     }
 
     /// The context of a picture by the frame's camera.

@@ -3,9 +3,10 @@
 use crate::environment::Environment;
 use crate::fragment::{Fragment, corner, interpolate};
 use crate::geometry::WorldGeometry;
+use crate::shadow::Shadows;
 use glam::DVec3;
 use gonio_light::quantity::Geometry;
-use gonio_light::{Light, LightSums, Quantity, ShadingPoint, Surface, Terms, light, vector};
+use gonio_light::{Light, LightSums, LightTerms, Quantity, ShadingPoint, Surface, Terms, light, vector};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, ViewSpec};
 
@@ -43,6 +44,8 @@ pub(crate) struct Shader<'a> {
     pub frame: &'a Frame,
     /// `None` where the frame has none.
     pub environment: Option<Environment<'a>>,
+    /// `None` where the frame has none.
+    pub shadows: Option<Shadows<'a>>,
 }
 
 impl Shader<'_> {
@@ -117,6 +120,22 @@ impl Shader<'_> {
         }
     }
 
+    /// The share of a light that reaches a point.
+    fn visibility(&self, point: &ShadingPoint, light: &LightTerms) -> f64 {
+        self.shadows.as_ref().map_or(1.0, |shadows| shadows.visibility(point.position, light))
+    }
+
+    /// The sums over the lights, shadows included.
+    fn light_sums(&self, point: &ShadingPoint, surface: &Surface) -> LightSums {
+        let Frame { equation, lights, .. } = self.frame;
+        equation.light_sums_where(point, surface, lights, |light| self.visibility(point, light))
+    }
+
+    /// Every term at a point, shadows included.
+    fn evaluate(&self, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> Terms {
+        self.frame.equation.evaluate_where(point, surface, lights, |light| self.visibility(point, light))
+    }
+
     /// Light at the corners or at the centroid, remembered from the last sample on the same triangle.
     fn corner_light<'c>(
         &self,
@@ -135,12 +154,11 @@ impl Shader<'_> {
             *entry = None;
         }
         entry.get_or_insert_with(|| {
-            let (equation, lights) = (&self.frame.equation, &self.frame.lights);
             let points = self.corner_points(fragment);
             let surface = fragment.material().base_surface();
             let once = Self::shading(fragment) == Shading::FlatPerFace;
-            let sums = thrice(once, |i| equation.light_sums(&points[i], &surface, lights));
-            let terms = with_terms.then(|| thrice(once, |i| equation.evaluate(&points[i], &surface, lights)));
+            let sums = thrice(once, |i| self.light_sums(&points[i], &surface));
+            let terms = with_terms.then(|| thrice(once, |i| self.evaluate(&points[i], &surface, &self.frame.lights)));
             CornerLight { triangle: id, turned, sums, terms }
         })
     }
@@ -175,7 +193,7 @@ impl Shader<'_> {
 
     /// Every term at the fragment itself, whatever the shading.
     pub fn terms(&self, fragment: &Fragment, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> Terms {
-        let terms = self.frame.equation.evaluate(point, surface, lights);
+        let terms = self.evaluate(point, surface, lights);
         let optics = &fragment.material().optics;
         match &self.environment {
             None => terms,
@@ -187,7 +205,10 @@ impl Shader<'_> {
     pub fn lit(&self, fragment: &Fragment, id: u32, surface: &Surface, cache: &mut CornerCache) -> DVec3 {
         let Frame { equation, lights, .. } = self.frame;
         match Self::shading(fragment) {
-            Shading::Flat | Shading::Phong => equation.radiance(&self.fragment_point(fragment), surface, lights),
+            Shading::Flat | Shading::Phong => {
+                let sums = self.light_sums(&self.fragment_point(fragment), surface);
+                equation.radiance_from_sums(surface, light::ambient_color(lights), &sums)
+            }
             Shading::Gouraud | Shading::FlatPerFace => {
                 let sums = interpolated_sums(fragment, self.corner_light(fragment, id, false, cache));
                 equation.radiance_from_sums(surface, light::ambient_color(lights), &sums)
@@ -228,7 +249,7 @@ impl Shader<'_> {
             let terms = if needs_environment(view.quantity) {
                 self.terms(fragment, &point, surface, lights)
             } else {
-                equation.evaluate(&point, surface, lights)
+                self.evaluate(&point, surface, lights)
             };
             return terms.quantity(view.quantity, view.light, &geometry);
         }

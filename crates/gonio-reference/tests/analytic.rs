@@ -223,3 +223,38 @@ fn position_and_depth_are_those_of_the_ray() {
         assert!(near(f64::from(depths.at(x, y)[0]), depth, 1e-5));
     }
 }
+
+/// The shadow of a square of half size 1 at z = 2 on the plane z = 0.
+#[test]
+fn a_square_casts_the_shadow_of_its_projection() {
+    let lamp = |z: f64| point([0.5, 0.3, z], 1.0, Attenuation::NONE);
+    let sun = directional([1.0, 0.5, -1.0], 1.0);
+    // A lamp between the plane and the square, and a square that lets most of the light through, cast none.
+    for (light, opacity, casts) in
+        [(sun, 1.0, true), (lamp(4.0), 1.0, true), (lamp(1.0), 1.0, false), (sun, 0.4, false)]
+    {
+        let sheet = gonio_mesh::Material { opacity, ..matte([0.5; 3]) };
+        let lab = TestScene::new()
+            .object(square(8.0, 0.0), Shading::Phong, matte([0.5; 3]))
+            .object(square(1.0, 2.0), Shading::Phong, sheet)
+            .light(ambient(0.1))
+            .light(light)
+            .eye([2.0, 1.0, 12.0], [1.0, 0.5, 0.0])
+            .frame(|frame| frame.shadows = true);
+        let reference = ReferenceScene::new(&lab.scene);
+        let (mut lit, mut dark) = (0, 0);
+        for (x, y) in (0..33).flat_map(|y| (0..33).map(move |x| (x, y))) {
+            let Some(probe) = reference.probe(&lab.frame, x, y).filter(|probe| probe.object == 0) else { continue };
+            let terms = probe.terms.lights[0];
+            let t = 2.0 / terms.l.z;
+            let crossing = probe.position + t * terms.l;
+            let expected = !(casts && t < terms.distance && crossing.truncate().abs().max_element() < 1.0);
+            assert_eq!(terms.visibility, if expected { 1.0 } else { 0.0 }, "{light:?} at {}", probe.position);
+            // Ambient light stays.
+            let share = if expected { terms.cos_theta * terms.spot } else { 0.0 };
+            assert!(near(probe.radiance.x, 0.5 * (0.1 + share), 1e-6), "{} {share}", probe.radiance);
+            if expected { lit += 1 } else { dark += 1 }
+        }
+        assert!(lit > 50 && (dark > 10) == casts, "{light:?}: {lit} lit, {dark} dark");
+    }
+}

@@ -1,13 +1,6 @@
 // The light equation over all lights of a scene: the twin of gonio-light's equation.rs.
 // Used by the vertex shader (Gouraud, flat per face) or by the fragment shader (Phong, flat).
 
-// One light is LIGHT_TEXELS vec4: in uniforms if there are few lights, otherwise in a float texture,
-// LIGHTS_PER_ROW lights per row, so that any number fits one pass.
-#if LIGHTS_IN_TEXTURE
-uniform highp sampler2D light_table;
-#else
-uniform vec4 light_values[LIGHTS_IN_UNIFORMS * LIGHT_TEXELS];
-#endif
 // Lights are sorted by kind, so that each loop has one kind. Very few lights are summed one by one (LIGHT_0 is the kind of
 // the first): half the cost on software drivers, some of which do not unroll loops and compile the body of a loop that
 // never runs.
@@ -36,6 +29,7 @@ struct LightTerms {
     float distance;
     float attenuation;
     float spot;
+    float visibility;
     float cos_theta;
     vec3 r;
     vec3 h;
@@ -48,14 +42,6 @@ struct LightSums {
     vec3 diffuse;
     vec3 specular;
 };
-
-vec4 light_texel(int light, int texel) {
-#if !LIGHTS_IN_TEXTURE
-    return light_values[light * LIGHT_TEXELS + texel];
-#else
-    return texelFetch(light_table, ivec2((light % LIGHTS_PER_ROW) * LIGHT_TEXELS + texel, light / LIGHTS_PER_ROW), 0);
-#endif
-}
 
 // `spec` of the lab's equation, or a BRDF's specular lobe times <N.L>, for k_s = 1.
 float specular_factor(vec3 n, vec3 v, vec3 l, vec3 r, vec3 h, float cos_theta, float shininess) {
@@ -103,11 +89,15 @@ LightTerms light_terms(int kind, int light, vec3 position, vec3 n, vec3 v, float
     }
     t.attenuation = mix(1.0, t.attenuation, attenuation_switch);
     t.spot = mix(1.0, t.spot, spot_switch);
+    t.visibility = 1.0;
+#if SHADOWS
+    t.visibility = light_visibility(light, position, t.l);
+#endif
     t.cos_theta = dot(n, t.l);
     t.r = reflection(n, t.l);
     t.h = half_vector(t.l, v, n);
     t.spec = specular_factor(n, v, t.l, t.r, t.h, t.cos_theta, shininess);
-    vec3 incident = color * (t.attenuation * t.spot);
+    vec3 incident = color * (t.attenuation * t.spot * t.visibility);
     t.diffuse_light = (diffuse_switch * diff_factor * max(t.cos_theta, 0.0)) * incident;
     t.specular_light = (specular_switch * t.spec) * incident;
     return t;

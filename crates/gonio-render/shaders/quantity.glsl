@@ -25,6 +25,7 @@ vec3 quantity_of_point(vec3 position, vec3 n, vec3 v, float shininess) {
     if (view_quantity == QUANTITY_DISTANCE) return vec3(t.distance);
     if (view_quantity == QUANTITY_ATTENUATION) return vec3(t.attenuation);
     if (view_quantity == QUANTITY_SPOT) return vec3(t.spot);
+    if (view_quantity == QUANTITY_VISIBILITY) return vec3(t.visibility);
     if (view_quantity == QUANTITY_COS_THETA) return vec3(max(t.cos_theta, 0.0));
     if (view_quantity == QUANTITY_SPEC) return vec3(t.spec);
     return vec3(0.0);

@@ -83,6 +83,13 @@ void main() {
 #endif
 #else
     vec3 n = shading_normal(v);
+#if SHADOWS
+#if SHADING == SHADING_FLAT
+    receiver_normal = unit_or(v_normal_in_world, v);
+#else
+    receiver_normal = normal_by_derivatives(n);
+#endif
+#endif
 #if VIEW
     LightSums sums = light_sums_of_view(v_position_in_world, n, v, s.shininess);
 #else

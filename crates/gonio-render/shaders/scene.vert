@@ -74,6 +74,9 @@ void main() {
 #endif
     vec3 v = unit_or(eye_in_world - lit_position, vec3(0.0, 1.0, 0.0));
     n = unit_or(n, v);
+#if SHADOWS
+    receiver_normal = n;   // of the vertex: the triangles are not known here
+#endif
     LightSums front = sums_of(lit_position, n, v);
     v_diffuse_light = front.diffuse;
     v_specular_light = front.specular;

@@ -9,6 +9,7 @@ pub use special::{OVERDRAW_SCALE, SpecialProgram};
 pub use surroundings::{SurfaceOptics, SurroundingsKey, sky_sources};
 
 use crate::body::LEAF_STEP;
+use crate::shadow_map::MOST_SHADOWED_LIGHTS;
 use gonio_gl::Dialect;
 use gonio_light::brdf::{self, BrdfKind};
 use gonio_light::color::{self, ToneMap};
@@ -31,6 +32,13 @@ pub const LIGHTS_IN_UNIFORMS: usize = 16;
 pub const LIGHTS_UNROLLED: usize = 4;
 /// Texels in one row of the table of an object's body: the least maximum of WebGL2.
 pub const BODY_ROW: usize = 2048;
+/// Texels of one shadow map in the table of shadow maps.
+pub const SHADOW_TEXELS: usize = 6;
+/// Rows of the table of shadow maps: six for each light.
+pub const SHADOW_ROWS: usize = 6 * MOST_SHADOWED_LIGHTS;
+/// Depths within this many widths of a shadow map's texels are the same surface. Less leaves dark lines where surfaces
+/// meet; more parts shadows of thin sheets from them.
+pub const SHADOW_BIAS_TEXELS: f64 = 1.5;
 /// Kinds of light in the light table.
 pub const LIGHT_DIRECTIONAL: i32 = 0;
 /// A point light.
@@ -39,7 +47,7 @@ pub const LIGHT_POINT: i32 = 1;
 pub const LIGHT_SPOT: i32 = 2;
 
 /// The texture units: one for each texture of a material, the lights, and the environment. 16 are guaranteed.
-pub const TEXTURE_UNITS: [(&str, u32); 11] = [
+pub const TEXTURE_UNITS: [(&str, u32); 13] = [
     ("diffuse_map", 0),
     ("specular_map", 1),
     ("emitted_map", 2),
@@ -51,6 +59,8 @@ pub const TEXTURE_UNITS: [(&str, u32); 11] = [
     ("glossy_map", 8),
     ("environment_brdf", 9),
     ("body_table", 10),
+    ("shadow_atlas", 11),
+    ("shadow_table", 12),
 ];
 
 /// The unit of a sampler by its name in GLSL.
@@ -136,6 +146,8 @@ pub struct SceneKey {
     pub view: bool,
     /// The storage of the lights, and the form of the loops over them.
     pub lights: LightLoops,
+    /// Whether lights have shadow maps.
+    pub shadows: bool,
     /// The part of the environment that the surface shows.
     pub surroundings: SurroundingsKey,
 }
@@ -202,10 +214,12 @@ impl SceneKey {
                                     two_sided,
                                     view,
                                     lights,
+                                    shadows: false,
                                     surroundings: SurroundingsKey::NONE,
                                 };
                                 keys.extend(loops.map(|lights| key(lights, false)));
                                 keys.push(key(LightLoops::Uniforms, true));
+                                keys.push(SceneKey { shadows: true, ..key(LightLoops::Uniforms, false) });
                                 keys.extend(surroundings::added_to(key(LightLoops::Uniforms, false)));
                             }
                         }
@@ -236,6 +250,7 @@ impl SceneKey {
             ("VERTEX_COLORS", bit(self.vertex_colors)),
             ("TWO_SIDED", bit(self.two_sided)),
             ("VIEW", bit(self.view)),
+            ("SHADOWS", bit(self.shadows)),
             ("LIGHTS_IN_TEXTURE", bit(self.lights == LightLoops::Texture)),
             ("LIGHTS_UNROLLED", bit(matches!(self.lights, LightLoops::Unrolled(_)))),
             ("FLAT_IF_PER_TRIANGLE", flat(per_triangle)),
@@ -265,7 +280,8 @@ impl SceneKey {
     pub fn sources(&self, dialect: Dialect) -> [String; 2] {
         let shared = format!("{}{}{}", dialect.header(), constants(), self.defines());
         let view = if self.view { QUANTITY } else { "" };
-        let lit = [VECTOR, LIGHT, FRESNEL, BRDF, LIGHTING, view].concat();
+        let shadow = if self.shadows { SHADOW } else { "" };
+        let lit = [VECTOR, LIGHT, FRESNEL, BRDF, LIGHT_TABLE, shadow, LIGHTING, view].concat();
         let (vertex_light, fragment_light) = if self.vertex_lit() {
             (lit.as_str(), "struct LightSums { vec3 diffuse; vec3 specular; };\nuniform vec3 eye_in_world;\n")
         } else {
@@ -283,7 +299,7 @@ impl SceneKey {
     /// The name in labels and messages.
     pub fn name(&self) -> String {
         format!(
-            "scene {} {}{}{}{}{}{}{}{}",
+            "scene {} {}{}{}{}{}{}{}{}{}",
             self.shading,
             self.reflectance.define().trim_start_matches("REFLECTANCE_").to_ascii_lowercase(),
             match self.maps {
@@ -300,6 +316,7 @@ impl SceneKey {
                 LightLoops::Uniforms => " few-lights".to_owned(),
                 LightLoops::Texture => " many-lights".to_owned(),
             },
+            if self.shadows { " shadows" } else { "" },
             self.surroundings.name(),
         )
     }
@@ -312,6 +329,8 @@ const BRDF: &str = include_str!("../shaders/light/brdf.glsl");
 const OPTICS: &str = include_str!("../shaders/light/optics.glsl");
 const ENVIRONMENT_LIGHT: &str = include_str!("../shaders/light/environment_light.glsl");
 const COLOR: &str = include_str!("../shaders/light/color.glsl");
+const LIGHT_TABLE: &str = include_str!("../shaders/light_table.glsl");
+const SHADOW: &str = include_str!("../shaders/shadow.glsl");
 const LIGHTING: &str = include_str!("../shaders/lighting.glsl");
 const QUANTITY: &str = include_str!("../shaders/quantity.glsl");
 const MATERIAL: &str = include_str!("../shaders/material.glsl");
@@ -383,6 +402,7 @@ fn constants() -> String {
         ("RADIANCE_CAP", color::RADIANCE_CAP),
         ("EXPOSURE_LIMIT", color::EXPOSURE_LIMIT),
         ("HOLE_OPACITY", HOLE_OPACITY),
+        ("SHADOW_BIAS_TEXELS", SHADOW_BIAS_TEXELS),
         ("WEIGHT_THAT_COUNTS", optics::WEIGHT_THAT_COUNTS),
         ("NEAREST_MEETING", optics::NEAREST_MEETING),
         ("PI", std::f64::consts::PI),

@@ -15,6 +15,7 @@ pub mod glsl;
 mod light_table;
 mod renderer;
 mod scene_on_gpu;
+mod shadow_map;
 mod textures;
 pub mod user_program;
 

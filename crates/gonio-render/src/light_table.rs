@@ -1,6 +1,7 @@
 //! The lights of a frame, as uniforms or as a float texture: any number in one pass.
 
 use crate::glsl::{LIGHT_DIRECTIONAL, LIGHT_POINT, LIGHT_SPOT, LIGHT_TEXELS, LIGHTS_IN_UNIFORMS, LIGHTS_PER_ROW};
+use crate::shadow_map::ShadowPlan;
 use glam::DVec3;
 use gonio_gl::objects::TextureObject;
 use gonio_gl::{Gl, GlError, Texels};
@@ -47,11 +48,15 @@ impl LightTable {
     }
 
     /// Fills it; the texture stays bound to the active unit.
-    pub fn fill(&mut self, gl: &Gl, lights: &[Light]) {
+    pub fn fill(&mut self, gl: &Gl, lights: &[Light], shadows: Option<&ShadowPlan>) {
         let kinds = [LIGHT_DIRECTIONAL, LIGHT_POINT, LIGHT_SPOT];
         let mut rows = Vec::with_capacity(lights.len());
         for (kind, end) in kinds.into_iter().zip(&mut self.ends) {
-            rows.extend(lights.iter().filter(|l| kind_of(l) == Some(kind)).map(row_of));
+            let of_kind = lights.iter().enumerate().filter(|(_, l)| kind_of(l) == Some(kind));
+            rows.extend(of_kind.map(|(index, light)| {
+                let maps = shadows.and_then(|plan| plan.rows.get(index)).copied().unwrap_or_default();
+                row_of(light, maps.map(|number| number as f64))
+            }));
             *end = rows.len();
         }
         if !self.is_in_texture() {
@@ -94,9 +99,9 @@ fn kind_of(light: &Light) -> Option<i32> {
     }
 }
 
-/// Place or direction; colour; axis and cosine of the outer angle; attenuation and cosine of the inner
+/// Place or direction, first shadow map; colour, number of shadow maps; axis and cosine of the outer angle; attenuation and cosine of the inner
 /// angle. `light_terms` in lighting.glsl reads this.
-fn row_of(light: &Light) -> Row {
+fn row_of(light: &Light, [first_map, maps]: [f64; 2]) -> Row {
     let texel = |v: DVec3, w: f64| [v.x as f32, v.y as f32, v.z as f32, w as f32];
     let a = light.attenuation;
     let attenuation = DVec3::new(a.constant, a.linear, a.quadratic);
@@ -108,7 +113,7 @@ fn row_of(light: &Light) -> Row {
             (position, direction_of(axis), [outer_rad.cos(), inner_rad.cos()])
         }
     };
-    [texel(place, 0.0), texel(light.color, 0.0), texel(axis, cosines[0]), texel(attenuation, cosines[1])]
+    [texel(place, first_map), texel(light.color, maps), texel(axis, cosines[0]), texel(attenuation, cosines[1])]
 }
 
 /// The unit direction, as in the reference; zero if there is none.

@@ -3,6 +3,7 @@
 use crate::body::{BodyOnGpu, BodyTable};
 use crate::environment_on_gpu::EnvironmentOnGpu;
 use crate::geometry::{Form, MeshOnGpu};
+use crate::renderer::ShadowMaps;
 use crate::textures;
 use glam::{DMat4, Mat3, Vec3};
 use gonio_gl::objects::TextureObject;
@@ -30,6 +31,8 @@ pub struct GpuScene {
     meshes: Vec<Arc<Mesh>>,
     /// The geometry of overlays, by mesh and form.
     overlays: RefCell<HashMap<(usize, Form), Rc<MeshOnGpu>>>,
+    /// The shadow maps, as drawn last.
+    pub(crate) shadows: RefCell<Option<Rc<ShadowMaps>>>,
     /// Bytes of geometry on the GPU.
     pub geometry_bytes: usize,
     /// Triangles of all objects.
@@ -123,9 +126,25 @@ impl GpuScene {
             notes,
             meshes: scene.meshes.clone(),
             overlays: RefCell::default(),
+            shadows: RefCell::default(),
             geometry_bytes,
             triangle_count,
         })
+    }
+
+    /// The geometry that an object's shading draws.
+    pub(crate) fn geometry_of(&self, object: &GpuObject) -> Result<&MeshOnGpu, GlError> {
+        let geometries = self.geometries.get(object.object.mesh);
+        let flat = wants_unshared(object.object.shading);
+        let geometry = geometries.and_then(|g| if flat { g.unshared.as_deref() } else { g.shared.as_deref() });
+        geometry.ok_or_else(|| {
+            GlError::new(format!("`{}` was not uploaded for {} shading", object.object.name, object.object.shading))
+        })
+    }
+
+    /// Whether light is summed at the vertices of any object.
+    pub(crate) fn is_lit_at_vertices(&self) -> bool {
+        self.objects.iter().any(|o| matches!(o.object.shading, Shading::Gouraud | Shading::FlatPerFace))
     }
 
     /// The geometry of an overlay of an object, created on first use.

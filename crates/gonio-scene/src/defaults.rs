@@ -40,3 +40,8 @@ pub const MOTION_AXIS: [f64; 3] = [0.0, 1.0, 0.0];
 pub fn cosine_weighted(convention: Convention) -> bool {
     convention == Convention::Physical
 }
+
+/// Whether objects cast shadows: the light equation has none, the rendering equation does.
+pub fn shadows(convention: Convention) -> bool {
+    convention == Convention::Physical
+}

@@ -77,6 +77,8 @@ pub struct Frame {
     pub light_shapes: Vec<LightShape>,
     /// The form of the equation.
     pub equation: Equation,
+    /// Whether objects cast shadows.
+    pub shadows: bool,
     /// Whether the normal is turned to the viewer on back faces.
     pub two_sided: bool,
     /// The background.
@@ -125,6 +127,7 @@ impl Scene {
             lights: scene.lights.iter().map(|light| light_at(light, time)).collect(),
             light_shapes: scene.lights.iter().map(|light| shape_of(light, scene.camera.up.into())).collect(),
             equation: Equation::from(&scene.equation),
+            shadows: scene.equation.shadows,
             two_sided: scene.equation.two_sided,
             background: Background {
                 top: scene.background.top.into(),

@@ -14,6 +14,9 @@ use std::sync::{Arc, OnceLock};
 /// A surface less opaque than this is a hole: a debug view shows what is behind it.
 pub const HOLE_OPACITY: f64 = 1.0 / 255.0;
 
+/// A surface blocks light if its opacity is at least this.
+pub const SHADOW_OPACITY: f64 = 0.5;
+
 /// A scene with its files read: what both renderers draw. Cloning shares geometry, textures and environment.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
@@ -247,6 +250,32 @@ impl SceneMaterial {
     /// Whether any part shows what is behind it.
     pub fn is_transparent(&self) -> bool {
         self.material.opacity < 1.0 || self.maps.opacity.is_some()
+    }
+}
+
+/// The part of a material's surface that blocks light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShadowCaster {
+    /// None: light goes through.
+    Nothing,
+    /// All of it.
+    Everything,
+    /// Where the texture of opacity, times the material's opacity, is at least [`SHADOW_OPACITY`].
+    WhereOpaque,
+}
+
+impl SceneMaterial {
+    /// The part of its surface that blocks light. In an environment a material that lets at least half of the light through
+    /// (glass) blocks none.
+    pub fn shadow_caster(&self, in_environment: bool) -> ShadowCaster {
+        let clear = in_environment && self.optics.transmission >= 0.5;
+        if clear || f64::from(self.material.opacity) < SHADOW_OPACITY {
+            ShadowCaster::Nothing
+        } else if self.maps.opacity.is_some() {
+            ShadowCaster::WhereOpaque
+        } else {
+            ShadowCaster::Everything
+        }
     }
 }
 

@@ -227,6 +227,10 @@ pub struct EquationSpec {
     /// Whether the specular term is weighted by <N.L>; by default in the physical convention only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cosine_weighted: Option<bool>,
+    /// Whether objects cast shadows: the light of a directional light, a point light or a spot reaches only what it sees.
+    /// By default in the physical convention only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shadows: Option<bool>,
     /// The normal is turned to the viewer on back faces.
     pub two_sided: bool,
     /// Whether `A` is added.
@@ -253,6 +257,7 @@ impl Default for EquationSpec {
             lafortune: [1.0, 1.0, -1.0],
             gated: true,
             cosine_weighted: None,
+            shadows: None,
             two_sided: true,
             ambient: true,
             emitted: true,

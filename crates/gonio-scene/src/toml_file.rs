@@ -110,6 +110,7 @@ fn read_equation(mut t: TableReader<'_>) -> Result<EquationSpec, Fault> {
         lafortune: t.vector("lafortune")?.unwrap_or(d.lafortune),
         gated: t.truth("gated")?.unwrap_or(d.gated),
         cosine_weighted: t.truth("cosine_weighted")?,
+        shadows: t.truth("shadows")?,
         two_sided: t.truth("two_sided")?.unwrap_or(d.two_sided),
         ambient: t.truth("ambient")?.unwrap_or(d.ambient),
         emitted: t.truth("emitted")?.unwrap_or(d.emitted),

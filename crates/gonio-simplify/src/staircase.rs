@@ -371,7 +371,7 @@ pub fn light_equation_scene(scene: &Scene, frame: &Frame, ready: &TraceScene, po
     let others = ready.point_lights(points).into_iter().filter(|light| light.kind != LightKind::Ambient);
     let lights: Vec<Light> = others.chain(ambient.copied()).collect();
     let light_shapes = vec![LightShape::Point; lights.len()];
-    let mut frame = Frame { lights, light_shapes, ..frame.clone() };
+    let mut frame = Frame { lights, light_shapes, shadows: false, ..frame.clone() };
     if let Some(surroundings) = &mut frame.surroundings {
         surroundings.lights = false;
     }

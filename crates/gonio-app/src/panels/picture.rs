@@ -47,7 +47,7 @@ const GROUPS: [(&str, &[Quantity]); 4] = {
                 Total,
             ],
         ),
-        ("Factors", &[CosTheta, Spec, Attenuation, Spot, Fresnel]),
+        ("Factors", &[CosTheta, Spec, Attenuation, Spot, Visibility, Fresnel]),
         ("Places", &[Position, Depth, Distance, Uv]),
     ]
 };

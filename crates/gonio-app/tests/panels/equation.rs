@@ -135,7 +135,7 @@ fn the_convention_brings_its_cosine() {
     bench.click("term-diffuse");
     bench.click("convention-physical");
     let e = &bench.document().scene.equation;
-    assert_eq!((e.convention, e.cosine_weighted), (Convention::Physical, true));
+    assert_eq!((e.convention, e.cosine_weighted, e.shadows), (Convention::Physical, true, true));
 }
 
 /// All terms stay within the window, apart from each other, from a wide one to a phone.

@@ -73,6 +73,8 @@ fn choices() -> Result<Vec<Exhibit>, GalleryError> {
     let scene = BaseScene::Suzanne.with(|s| {
         closer(s);
         s.equation.convention = Convention::Physical;
+        // The row compares highlights alone.
+        s.equation.shadows = Some(false);
         radiometric(s);
     })?;
     row.push(Exhibit::new("specular-physical", "physical", scene).remark("k_d / π, cosine-weighted").aspect(1.25).about(

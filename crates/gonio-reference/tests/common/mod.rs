@@ -65,6 +65,7 @@ impl TestScene {
                 lights: Vec::new(),
                 light_shapes: Vec::new(),
                 equation: Equation { specular: Specular::None, convention: Convention::Lab, ..Equation::default() },
+                shadows: false,
                 two_sided: true,
                 background: Background { top: DVec3::ZERO, bottom: DVec3::ZERO, transparent: false },
                 surroundings: None,

@@ -3,6 +3,7 @@
 use super::define;
 use super::output::output_vertex;
 use gonio_gl::Dialect;
+use gonio_scene::scene::SHADOW_OPACITY;
 use std::fmt::Write;
 
 const PLAIN_VERT: &str = include_str!("../../shaders/plain.vert");
@@ -13,6 +14,7 @@ const WIREFRAME_VERT: &str = include_str!("../../shaders/wireframe.vert");
 const WIREFRAME_FRAG: &str = include_str!("../../shaders/wireframe.frag");
 const LINE_VERT: &str = include_str!("../../shaders/line.vert");
 const LINE_FRAG: &str = include_str!("../../shaders/line.frag");
+const SHADOW_MAP_FRAG: &str = include_str!("../../shaders/shadow_map.frag");
 
 /// The colours of 0, 1, 2 ... fragments at a pixel, as displayed; the last is for 8 and more. Dark to light,
 /// blue through green and yellow to red, so that they can also be distinguished by lightness.
@@ -41,16 +43,22 @@ pub enum SpecialProgram {
     Wireframe,
     /// Lines of the world, one an instance.
     Line,
+    /// Depths of a shadow map.
+    ShadowMap,
+    /// The same of a surface with holes.
+    MaskedShadowMap,
 }
 
 impl SpecialProgram {
     /// All programs.
-    pub const ALL: [SpecialProgram; 5] = [
+    pub const ALL: [SpecialProgram; 7] = [
         SpecialProgram::UvChecker,
         SpecialProgram::Count,
         SpecialProgram::Overdraw,
         SpecialProgram::Wireframe,
         SpecialProgram::Line,
+        SpecialProgram::ShadowMap,
+        SpecialProgram::MaskedShadowMap,
     ];
 
     /// Vertex and fragment shader.
@@ -61,10 +69,18 @@ impl SpecialProgram {
             SpecialProgram::Overdraw => (output_vertex(), OVERDRAW_FRAG),
             SpecialProgram::Wireframe => (WIREFRAME_VERT, WIREFRAME_FRAG),
             SpecialProgram::Line => (LINE_VERT, LINE_FRAG),
+            SpecialProgram::ShadowMap | SpecialProgram::MaskedShadowMap => (PLAIN_VERT, SHADOW_MAP_FRAG),
         };
         let header = dialect.header();
-        let scale = if self == SpecialProgram::Overdraw { overdraw_scale() } else { String::new() };
-        [[header, vertex].concat(), [header, &scale, fragment].concat()]
+        let constants = match self {
+            SpecialProgram::Overdraw => overdraw_scale(),
+            SpecialProgram::ShadowMap => "#define MASKED 0\n".to_owned(),
+            SpecialProgram::MaskedShadowMap => {
+                format!("#define MASKED 1\n#define SHADOW_OPACITY {SHADOW_OPACITY:e}\n")
+            }
+            _ => String::new(),
+        };
+        [[header, vertex].concat(), [header, &constants, fragment].concat()]
     }
 
     /// The name in labels and messages.
@@ -75,6 +91,8 @@ impl SpecialProgram {
             SpecialProgram::Overdraw => "overdraw",
             SpecialProgram::Wireframe => "wireframe",
             SpecialProgram::Line => "lines",
+            SpecialProgram::ShadowMap => "shadow map",
+            SpecialProgram::MaskedShadowMap => "shadow map with holes",
         }
     }
 }

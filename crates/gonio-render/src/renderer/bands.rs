@@ -51,6 +51,7 @@ impl Renderer {
         let output = OutputTarget::new(gl, [width, height], false)?;
         let look = DisplaySettings::new(view, frame);
         let mut statistics = GpuStatistics::default();
+        self.shadow_maps(scene, frame, &mut notes)?;
         for first_row in (0..height).step_by(band_rows as usize) {
             let band = Band { picture_height: height, first_row, rows: band_rows.min(height - first_row) };
             let queries = StatisticsQueries::begin(gl, &shared.info)?;

@@ -6,6 +6,7 @@ mod output;
 mod paint;
 mod pass;
 mod record;
+mod shadows;
 mod shared;
 mod special;
 mod surroundings;
@@ -13,6 +14,7 @@ mod surroundings;
 pub use bands::RenderedPicture;
 pub use output::RenderedFrame;
 pub use paint::{DifferenceScale, Painted};
+pub(crate) use shadows::ShadowMaps;
 
 use crate::glsl::texture_unit;
 use crate::light_table::LightTable;
@@ -22,7 +24,7 @@ use gonio_gl::Dialect;
 use gonio_gl::DriverInfo;
 use gonio_gl::objects::StatisticsQueries;
 use gonio_gl::objects::{DebugGroup, TextureObject, VertexArray};
-use gonio_gl::target::{ColorPrecision, Sampling, Target};
+use gonio_gl::target::{ColorPrecision, DepthTarget, Sampling, Target};
 use gonio_gl::{Gl, GlError, Remedy};
 use gonio_scene::{Frame, Scene, ViewSpec};
 use output::DisplaySettings;
@@ -40,6 +42,8 @@ pub struct Renderer {
     white: TextureObject,
     pub(crate) targets: Targets,
     pub(crate) cache: GpuCache,
+    /// The memory of shadow maps, kept between scenes.
+    shadow_atlases: Vec<Rc<DepthTarget>>,
 }
 
 impl Renderer {
@@ -59,7 +63,14 @@ impl Renderer {
             difference: RefCell::default(),
             no_attributes,
         });
-        Ok(Renderer { shared, light_table, white, targets: Targets::default(), cache: GpuCache::default() })
+        Ok(Renderer {
+            shared,
+            light_table,
+            white,
+            targets: Targets::default(),
+            cache: GpuCache::default(),
+            shadow_atlases: Vec::new(),
+        })
     }
 
     /// The driver.
@@ -101,6 +112,8 @@ impl Renderer {
         let gl = &shared.gl;
         let mut notes = Vec::new();
         let target = self.target_for(scene, frame, frame.height as i32, precision, 1, &mut notes)?;
+        // Before counting: the counters are those of the picture.
+        self.shadow_maps(scene, frame, &mut notes)?;
         let queries = StatisticsQueries::begin(gl, &shared.info)?;
         let draw_calls = {
             let _group = DebugGroup::new(gl, "scene");
@@ -173,8 +186,12 @@ impl Renderer {
     ) -> Result<u32, GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
+        let shadows = self.shadow_maps(scene, frame, &mut Vec::new())?;
+        if let Some(shadows) = &shadows {
+            shadows.bind(gl);
+        }
         gl.active_texture(glow::TEXTURE0 + texture_unit("light_table"));
-        self.light_table.fill(gl, &frame.lights);
+        self.light_table.fill(gl, &frame.lights, shadows.as_ref().map(|shadows| &shadows.plan));
         target.begin(gl, first_row, frame.height as i32);
         gl.enable(glow::DEPTH_TEST);
         gl.depth_func(glow::LESS);
@@ -187,6 +204,7 @@ impl Renderer {
             white: self.white.handle(),
             lights: &self.light_table,
             around: BoundEnvironment::bound(&shared, scene, frame)?,
+            shadows: shadows.is_some(),
             prepared: HashMap::new(),
         };
         let opaque: Vec<Draw<'_>> = scene

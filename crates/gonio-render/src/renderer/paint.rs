@@ -115,6 +115,9 @@ impl Renderer {
             // Before anything is drawn: checking whether a program linked waits for all earlier draws.
             shared.output_program_for(&target, look.encoded())?;
         }
+        if special.is_none() {
+            self.shadow_maps(scene, frame, &mut notes)?;
+        }
         let queries = counted.then(|| StatisticsQueries::begin(gl, &shared.info)).transpose()?;
         let drawn = match special {
             Some(special) => shared.draw_special(special, scene, frame, &target),

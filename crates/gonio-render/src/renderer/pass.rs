@@ -7,7 +7,7 @@ use crate::glsl::{
     LightLoops, MapSet, Reflectance, SceneKey, SurroundingsKey, TEXTURE_UNITS, quantity_number, texture_unit,
 };
 use crate::light_table::LightTable;
-use crate::scene_on_gpu::{GpuObject, GpuScene, Run, wants_unshared};
+use crate::scene_on_gpu::{GpuObject, GpuScene, Run};
 use crate::textures;
 use glam::{DMat4, DVec3};
 use gonio_gl::GlError;
@@ -38,16 +38,18 @@ pub(super) struct Pass<'a> {
     pub lights: &'a LightTable,
     /// The environment.
     pub around: Option<BoundEnvironment<'a>>,
+    /// Whether shadow maps are bound.
+    pub shadows: bool,
     /// Programs whose uniforms of the frame are set.
     pub prepared: HashMap<SceneKey, Rc<Program>>,
 }
 
-impl<'a> Pass<'a> {
+impl Pass<'_> {
     /// Links the program of a draw. Checking the result waits for all earlier draws on the web, so this is called for all draws
     /// before the first one.
     pub fn prepare(&mut self, draw: &Draw<'_>) -> Result<(), GlError> {
         let material = &self.scene.materials[draw.run.material];
-        let key = self.key(draw.object, self.geometry(draw.object)?, material);
+        let key = self.key(draw.object, self.scene.geometry_of(draw.object)?, material);
         self.prepared(key).map(drop)
     }
 
@@ -62,12 +64,12 @@ impl<'a> Pass<'a> {
             part: draw.run.name.clone(),
             material: material.material.name.clone(),
         });
-        let geometry = self.geometry(object)?;
+        let geometry = self.scene.geometry_of(object)?;
         let key = self.key(object, geometry, material);
         let program = self.prepared(key)?;
         program.bind();
         geometry.bind(gl);
-        self.set_object(&program, object);
+        self.set_object(&program, key, object);
         self.set_material(&program, key, object, material);
         let first = draw.run.first_triangle * 3 * size_of::<u32>();
         let count = draw.run.triangle_count * 3;
@@ -80,15 +82,6 @@ impl<'a> Pass<'a> {
         gl.front_face(if object.mirrored { glow::CW } else { glow::CCW });
         gl.draw_elements(glow::TRIANGLES, count as i32, glow::UNSIGNED_INT, first as i32);
         Ok(())
-    }
-
-    fn geometry(&self, object: &GpuObject) -> Result<&'a MeshOnGpu, GlError> {
-        let scene = self.scene;
-        let geometries = &scene.geometries[object.object.mesh];
-        let geometry = if wants_unshared(object.object.shading) { &geometries.unshared } else { &geometries.shared };
-        geometry.as_deref().ok_or_else(|| {
-            GlError::new(format!("`{}` was not uploaded for {} shading", object.object.name, object.object.shading))
-        })
     }
 
     fn key(&self, object: &GpuObject, geometry: &MeshOnGpu, material: &SceneMaterial) -> SceneKey {
@@ -111,6 +104,7 @@ impl<'a> Pass<'a> {
             two_sided: self.frame.two_sided && !object.object.closed,
             view: self.is_view(),
             lights: LightLoops::for_ends(self.lights.ends),
+            shadows: self.shadows,
             surroundings: self
                 .around
                 .as_ref()
@@ -183,7 +177,7 @@ impl<'a> Pass<'a> {
         Ok(program)
     }
 
-    fn set_object(&self, program: &Program, object: &GpuObject) {
+    fn set_object(&self, program: &Program, key: SceneKey, object: &GpuObject) {
         let frame = self.frame;
         let aspect = f64::from(frame.width) / f64::from(frame.height);
         // Multiplied in f64, so that a model far from the origin keeps its place to the pixel.
@@ -193,6 +187,9 @@ impl<'a> Pass<'a> {
         program.set_mat4("world_from_model", &object.world_from_model.as_mat4());
         program.set_mat3("normal_world_from_model", &object.normal_world_from_model);
         program.set_f32("handedness", if object.mirrored { -1.0 } else { 1.0 });
+        if key.shadows {
+            program.set_i32("closed_receiver", object.object.closed.into());
+        }
     }
 
     fn set_material(&self, program: &Program, key: SceneKey, object: &GpuObject, material: &SceneMaterial) {
@@ -256,9 +253,8 @@ impl super::Renderer {
         if !object.transparent.is_empty() {
             return Err(wrong());
         }
-        let geometries = scene.geometries.get(object.object.mesh).ok_or_else(wrong)?;
-        let geometry = if wants_unshared(object.object.shading) { &geometries.unshared } else { &geometries.shared };
-        geometry.as_ref().ok_or_else(wrong)?.bind(gl);
+        let geometry = scene.geometry_of(object)?;
+        geometry.bind(gl);
         let first = run.first_triangle * 3 * size_of::<u32>();
         let count = run.triangle_count * 3;
         if object.object.closed {

@@ -50,9 +50,12 @@ impl Renderer {
         let gl = &shared.gl;
         let recording = Recording::begin(gl)?;
         let mut notes = Vec::new();
+        // Drawn again, so that they are in the record.
+        scene.shadows.replace(None);
         let target = self.target_for(scene, frame, frame.height as i32, ColorPrecision::Half, PANES, &mut notes)?;
         {
             let _group = DebugGroup::new(gl, "scene");
+            self.shadow_maps(scene, frame, &mut notes)?;
             self.draw_scene(scene, frame, view, &target, 0)?;
         }
         target.resolve(gl);
@@ -84,7 +87,9 @@ impl Shared {
                 }
                 id => {
                     let scene = scenes.iter().find(|(_, known)| known.id() == id).map(|(key, _)| key.sources(dialect));
-                    scene.or_else(|| {
+                    let special = self.special_programs.borrow();
+                    let special = special.iter().find(|(_, known)| known.id() == id);
+                    scene.or_else(|| special.map(|(which, _)| which.sources(dialect))).or_else(|| {
                         outputs.iter().find(|(_, known)| known.id() == id).map(|(key, _)| key.sources(dialect))
                     })
                 }

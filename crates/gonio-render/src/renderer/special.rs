@@ -68,11 +68,7 @@ impl Shared {
         flipped: bool,
     ) -> Result<(), GlError> {
         let gl = &self.gl;
-        let geometries = scene.geometries.get(object.object.mesh);
-        let flat = wants_unshared(object.object.shading);
-        let geometry = geometries.and_then(|g| if flat { g.unshared.as_ref() } else { g.shared.as_ref() });
-        let missing = || GlError::new(format!("`{}` was not uploaded", object.object.name));
-        geometry.ok_or_else(missing)?.bind(gl);
+        scene.geometry_of(object)?.bind(gl);
         program.set_mat4("clip_from_model", &(*clip_from_world * object.world_from_model).as_mat4());
         program.set_mat4("world_from_model", &object.world_from_model.as_mat4());
         program.set_mat3("normal_world_from_model", &object.normal_world_from_model);

@@ -8,6 +8,7 @@
 
 mod bench;
 mod environment;
+mod shadows;
 mod textured_model;
 
 use bench::{Bench, scene_from};
@@ -54,7 +55,7 @@ fn every_shading_light_and_convention_with_and_without_textures() {
     for shading in ["flat", "gouraud", "phong"] {
         for kind in ["directional", "point", "spot", "all"] {
             for (convention, specular) in [("lab", "blinn-phong"), ("physical", "phong")] {
-                let equation = format!("convention = \"{convention}\"\nspecular = \"{specular}\"\n");
+                let equation = format!("convention = \"{convention}\"\nspecular = \"{specular}\"\nshadows = false\n");
                 let plain = scene(&equation, &lights(kind), &object("sphere-coarse-averaged", shading, CLAY));
                 bench.check(&format!("{shading} {kind} {convention} plain"), &plain, None);
                 let object = object("sphere-coarse-averaged", shading, "");

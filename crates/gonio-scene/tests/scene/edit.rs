@@ -83,7 +83,7 @@ fn drawn(scene: &Scene) -> Vec<String> {
 type Edit = (&'static str, fn(&mut SceneSettings), [bool; 2]);
 
 /// Each edit, and whether it changes the geometry and the materials.
-const EDITS: [Edit; 24] = [
+const EDITS: [Edit; 25] = [
     ("nothing", |_| (), [false, false]),
     ("the picture", |s| (s.picture.width, s.picture.exposure) = (64, 1.0), [false, false]),
     ("the camera", |s| (s.camera.position, s.camera.fov_y) = ([1.0, 2.0, 5.0], 50.0), [false, false]),
@@ -95,6 +95,7 @@ const EDITS: [Edit; 24] = [
         |s| (s.equation.convention, s.equation.cosine_weighted) = (Convention::Physical, true),
         [false; 2],
     ),
+    ("shadows", |s| s.equation.shadows = true, [false; 2]),
     ("a light moved", |s| s.lights[0].position = Some([0.0, 1.0, 0.0]), [false, false]),
     ("a lamp's radius", |s| s.lights[0].radius = 0.25, [false, false]),
     ("a light more", |s| s.lights.push(LightSettings::new(LightSourceKind::Ambient)), [false, false]),

@@ -66,6 +66,7 @@ impl TestScene {
                     convention: Convention::Physical,
                     ..Equation::default()
                 },
+                shadows: false,
                 two_sided: true,
                 background: Background { top: DVec3::ZERO, bottom: DVec3::ZERO, transparent: false },
                 surroundings: None,

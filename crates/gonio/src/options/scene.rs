@@ -54,6 +54,10 @@ pub struct SceneOptions {
     #[arg(long, help_heading = "Equation options", value_name = "BOOL", num_args = 0..=1, require_equals = true,
           default_missing_value = "true")]
     pub cosine_weighted: Option<bool>,
+    /// Objects cast shadows; =false switches that off. Default: on in the physical convention.
+    #[arg(long, help_heading = "Equation options", value_name = "BOOL", num_args = 0..=1, require_equals = true,
+          default_missing_value = "true")]
+    pub shadows: Option<bool>,
     /// Keep specular light where N.L <= 0, as the lab's own solutions do.
     #[arg(long, help_heading = "Equation options")]
     pub ungated: bool,
@@ -167,6 +171,7 @@ impl SceneOptions {
         equation.brdf = self.brdf.or(equation.brdf);
         equation.brdf_normalised |= self.brdf_normalised;
         equation.cosine_weighted = self.cosine_weighted.or(equation.cosine_weighted);
+        equation.shadows = self.shadows.or(equation.shadows);
         equation.gated &= !self.ungated;
         equation.two_sided = (equation.two_sided || self.two_sided) && !self.one_sided;
         for term in &self.without {

@@ -103,6 +103,9 @@ pub fn equation(scene: &SceneSettings) -> Vec<Node> {
     for term in [Term::Light, Term::Attenuation, Term::Spot] {
         factors.extend([Node::thin(), symbol(term)]);
     }
+    if e.shadows {
+        factors.extend([Node::thin(), indexed(v("v"))]);
+    }
     if weighted {
         factors.extend([Node::thin(), symbol(Term::Cosine)]);
     }

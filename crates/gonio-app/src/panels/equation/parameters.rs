@@ -53,6 +53,10 @@ pub fn show(
                         ui.label(RichText::new(about).weak());
                     }
                 }
+                if term == Term::Light {
+                    let tip = "Objects cast shadows: the light of directional, point and spot lights reaches only what it sees";
+                    toggle(ui, "shadows", "shadows", &mut document.scene.equation.shadows, tip);
+                }
                 link(ui, "Lights", Tab::Lights, actions);
             }
             Term::Emitted => {
@@ -98,6 +102,7 @@ fn convention(ui: &mut Ui, document: &mut Document) {
             let e = &mut document.scene.equation;
             e.convention = value;
             e.cosine_weighted = defaults::cosine_weighted(value);
+            e.shadows = defaults::shadows(value);
         }
     }
 }

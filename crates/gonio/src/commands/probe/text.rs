@@ -161,12 +161,21 @@ impl<'a> ProbePage<'a> {
         );
         self.scalar("R.V", light.r_dot_v, "");
         self.scalar("N.H", light.n_dot_h, "");
-        self.vector("L_i * att_i * spot_i", light.incident, "");
+        let incident = self.incident();
+        if self.frame.shadows {
+            self.scalar("v", light.visibility, if light.visibility <= 0.0 { "in the shadow" } else { "" });
+        }
+        self.vector(incident, light.incident, "");
         self.scalar("diff", light.diff, self.diff_remark());
         let shininess = probe.surface.shininess.max(1.0);
         self.scalar("spec", light.spec, &self.spec_remark(light, shininess));
-        self.vector("diffuse", light.diffuse, "= diff * k_d * <N.L_i> * L_i * att_i * spot_i");
-        self.vector("specular", light.specular, "= k_s * spec_i * L_i * att_i * spot_i");
+        self.vector("diffuse", light.diffuse, &format!("= diff * k_d * <N.L_i> * {incident}"));
+        self.vector("specular", light.specular, &format!("= k_s * spec_i * {incident}"));
+    }
+
+    /// The light that arrives, in symbols: with the visibility if there are shadows.
+    fn incident(&self) -> &'static str {
+        if self.frame.shadows { "L_i * att_i * spot_i * v_i" } else { "L_i * att_i * spot_i" }
     }
 
     fn diff_remark(&self) -> &'static str {
@@ -211,8 +220,9 @@ impl<'a> ProbePage<'a> {
         }
         if let Some(sums) = &probe.interpolated {
             self.heading(if at_corners { "light, interpolated" } else { "light" });
-            self.vector("diffuse light", sums.diffuse, "= sum_i diff * <N.L_i> * L_i * att_i * spot_i");
-            self.vector("specular light", sums.specular, "= sum_i spec_i * L_i * att_i * spot_i");
+            let incident = self.incident();
+            self.vector("diffuse light", sums.diffuse, &format!("= sum_i diff * <N.L_i> * {incident}"));
+            self.vector("specular light", sums.specular, &format!("= sum_i spec_i * {incident}"));
         }
     }
 
@@ -261,8 +271,10 @@ impl<'a> ProbePage<'a> {
     /// The light equation in symbols, and in numbers for each channel, one line per light.
     fn equation(&mut self, probe: &Probe) {
         let symbols = match probe.interpolated {
-            Some(_) => "L_o = A + E + k_d * diffuse light + k_s * specular light",
-            None => "L_o = A + E + sum_i [ diff * k_d * <N.L_i> + k_s * spec_i ] * L_i * att_i * spot_i",
+            Some(_) => "L_o = A + E + k_d * diffuse light + k_s * specular light".to_owned(),
+            None => {
+                format!("L_o = A + E + sum_i [ diff * k_d * <N.L_i> + k_s * spec_i ] * {}", self.incident())
+            }
         };
         self.text.blank();
         self.text.line(format_args!("  {symbols}"));

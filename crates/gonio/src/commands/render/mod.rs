@@ -49,8 +49,8 @@ Examples:
       A RenderDoc capture with every draw, texture and uniform of the frame (Debian: apt-get install librenderdoc).
 
 Debug views: normal (N), geometric-normal, tangent, position, depth, uv, view (V), light (L), reflection (R), half (H), \
-refraction (T), distance (d), attenuation (att), spot, cos-theta, spec, albedo, ambient (A), emitted (E), diffuse, specular, \
-total. With OpenGL also uv-checker (squares along u and v), overdraw (fragments shaded at each pixel) and nothing (the \
+refraction (T), distance (d), attenuation (att), spot, visibility (v: 0 in a shadow), cos-theta, spec, albedo, ambient (A), emitted (E), \
+diffuse, specular, total. With OpenGL also uv-checker (squares along u and v), overdraw (fragments shaded at each pixel) and nothing (the \
 background, for overlays alone).
 
 Exit codes: 0 success, 2 error.")]
