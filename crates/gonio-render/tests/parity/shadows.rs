@@ -7,23 +7,21 @@ use super::bench::{Bench, scene_from};
 use super::{CLAY, textured_model};
 use gonio_light::Quantity;
 use gonio_reference::ReferenceScene;
-use gonio_scene::{DisplayMap, Frame, Picture, Scene, ViewSpec};
+use gonio_scene::{DisplayMap, Picture, Scene, ViewSpec};
 
 const SIZE: [u32; 2] = [480, 360];
 /// Pixels from an edge within which the two may differ.
 const BAND: i32 = 2;
 
-/// Pixels near an edge of the reference's visibility, or near an outline: there neighbours see different surfaces (for flat shading,
-/// different triangles).
-fn near_edges(reference: &ReferenceScene, frame: &Frame, visibility: &Picture) -> Vec<bool> {
+/// Pixels near an edge of the reference's visibility, or near an outline: there neighbours see different surfaces (with flat
+/// shading, different triangles).
+fn near_edges([visibility, positions, normals]: [&Picture; 3], flat: bool) -> Vec<bool> {
     let [w, h] = SIZE.map(|side| side as i32);
-    let probes = (0..h).flat_map(|y| (0..w).map(move |x| (x, y))).map(|(x, y)| {
-        reference.probe(frame, x as u32, y as u32).map(|p| {
-            (if p.shading.name() == "flat" { p.triangle } else { 0 }, p.object, p.position, p.geometry.geometric_normal)
-        })
-    });
-    let probes: Vec<_> = probes.collect();
     let at = |x: i32, y: i32| (y * w + x) as usize;
+    let vector = |picture: &Picture, i: usize| {
+        let [x, y, z, _] = picture.pixels[i].map(f64::from);
+        glam::DVec3::new(x, y, z)
+    };
     let mut edge = vec![false; (w * h) as usize];
     for y in 0..h {
         for x in 0..w {
@@ -33,14 +31,11 @@ fn near_edges(reference: &ReferenceScene, frame: &Frame, visibility: &Picture) -
                 }
                 let (i, j) = (at(x, y), at(x + dx, y + dy));
                 let lit = |i: usize| visibility.pixels[i][0] > 0.5;
-                let same = match (&probes[i], &probes[j]) {
-                    (None, None) => true,
-                    (Some((t, a, p, n)), Some((u, b, q, _))) => {
-                        t == u && a == b && (*q - *p).dot(*n).abs() <= 0.35 * (*q - *p).length()
-                    }
-                    _ => false,
-                };
-                if lit(i) != lit(j) || !same {
+                let seen = |i: usize| positions.pixels[i][3] > 0.5;
+                let (n, other) = (vector(normals, i), vector(normals, j));
+                let way = vector(positions, j) - vector(positions, i);
+                let folded = way.dot(n).abs() > 0.35 * way.length() || (flat && n.distance(other) > 1e-5);
+                if lit(i) != lit(j) || seen(i) != seen(j) || (seen(i) && folded) {
                     (edge[i], edge[j]) = (true, true);
                 }
             }
@@ -49,9 +44,8 @@ fn near_edges(reference: &ReferenceScene, frame: &Frame, visibility: &Picture) -
     let mut near = vec![false; edge.len()];
     for y in 0..h {
         for x in 0..w {
-            let around = (-BAND..=BAND).flat_map(|dy| (-BAND..=BAND).map(move |dx| (x + dx, y + dy)));
-            near[at(x, y)] =
-                around.filter(|(x, y)| (0..w).contains(x) && (0..h).contains(y)).any(|(x, y)| edge[at(x, y)]);
+            let mut around = (-BAND..=BAND).flat_map(|dy| (-BAND..=BAND).map(move |dx| (x + dx, y + dy)));
+            near[at(x, y)] = around.any(|(x, y)| (0..w).contains(&x) && (0..h).contains(&y) && edge[at(x, y)]);
         }
     }
     near
@@ -68,8 +62,12 @@ fn compare(bench: &mut Bench, name: &str, scene: &Scene, lights: &[usize]) {
     for &light in lights {
         let view = Some(ViewSpec { quantity: Quantity::Visibility, light: Some(light) });
         let gpu = bench.renderer.render(&uploaded, &frame, view).unwrap().linear().unwrap();
-        let cpu = reference.render(&frame, view, &|_| ()).picture;
-        let near = near_edges(&reference, &frame, &cpu);
+        let whole = |quantity| ViewSpec { quantity, light: None };
+        let views = [view.unwrap(), whole(Quantity::Position), whole(Quantity::GeometricNormal)];
+        let views = reference.views(&frame, &views, &|_| ());
+        let cpu = &views[0].picture;
+        let flat = scene.objects[0].shading.name() == "flat";
+        let near = near_edges([cpu, &views[1].picture, &views[2].picture], flat);
         let (mut lit, mut dark, mut acne, mut leaks) = (0, 0, Vec::new(), Vec::new());
         for (i, (a, b)) in gpu.pixels.iter().zip(&cpu.pixels).enumerate() {
             if near[i] || b[3] < 0.5 {
@@ -182,12 +180,18 @@ fn shadows_of_what_is_not_opaque() {
     let folder = tempfile::tempdir().unwrap();
     let model = textured_model::write(folder.path());
     let mut bench = Bench::new();
-    let scene = |opacity: f64, textured: bool| {
+    let scene = |opacity: f32, textured: bool| {
         let stage = "[[object]]\nmodel = \"builtin:cube\"\nscale = [4, 0.1, 4]\ntranslate = [0, -1.6, 0]\n";
         let model = if textured { model.display().to_string() } else { "builtin:sphere-smooth".to_owned() };
-        let caster = format!("[[object]]\nmodel = \"{model}\"\nmaterial = {{ opacity = {opacity} }}\n");
+        let caster = format!("[[object]]\nmodel = \"{model}\"\n");
         let camera = "position = [1.5, 3.0, 6.0]\ntarget = [0.1, -0.6, 0.0]";
-        scene_from(camera, "shadows = true", SUN, &format!("{stage}{caster}"))
+        let mut scene = scene_from(camera, "shadows = true", SUN, &format!("{stage}{caster}"));
+        // Of the sphere alone; `opacity` in a scene file replaces the texture.
+        if let Some(material) = scene.materials.last_mut() {
+            assert_eq!(material.maps.opacity.is_some(), textured);
+            material.material.opacity = opacity;
+        }
+        scene
     };
     for (opacity, textured, casts) in [(0.4, false, false), (0.6, false, true), (1.0, true, true), (0.5, true, false)] {
         let scene = scene(opacity, textured);
