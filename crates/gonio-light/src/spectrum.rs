@@ -104,8 +104,8 @@ mod tests {
     #[test]
     fn grey_and_daylight_have_no_hue() {
         let grey = Spectrum::new(vec![[400.0, 0.3]]).color_of_surface();
-        // Sums at the tables' wavelengths differ from exact integrals in the fifth digit.
-        assert!((grey - 0.3).abs().max_element() < 1e-4, "{grey}");
+        // The white is a sum at the tables' wavelengths: it differs from the exact integral in the fourth digit.
+        assert!((grey - 0.3).abs().max_element() < 2e-4, "{grey}");
         let day = Spectrum::new((380..=780).step_by(10).map(|l| [f64::from(l), daylight(f64::from(l))]).collect());
         assert!((day.color_of_light().unwrap() - 1.0).abs().max_element() < 1e-3);
         assert!((day.luminance() - 1.0).abs() < 1e-3, "{}", day.luminance());
