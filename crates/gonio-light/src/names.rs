@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn names_round_trip() {
         round_trip! {
-            Quantity, 28;
+            Quantity, 29;
             BrdfKind, 5;
             Convention, 2;
             Specular, 3;

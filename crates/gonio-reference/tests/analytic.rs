@@ -248,7 +248,12 @@ fn a_square_casts_the_shadow_of_its_projection() {
             let terms = probe.terms.lights[0];
             let t = 2.0 / terms.l.z;
             let crossing = probe.position + t * terms.l;
-            let expected = !(casts && t < terms.distance && crossing.truncate().abs().max_element() < 1.0);
+            let reach = crossing.truncate().abs().max_element();
+            if (reach - 1.0).abs() < 1e-9 {
+                // The very edge may be lit or dark.
+                continue;
+            }
+            let expected = !(casts && t < terms.distance && reach < 1.0);
             assert_eq!(terms.visibility, if expected { 1.0 } else { 0.0 }, "{light:?} at {}", probe.position);
             // Ambient light stays.
             let share = if expected { terms.cos_theta * terms.spot } else { 0.0 };
