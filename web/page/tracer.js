@@ -10,6 +10,10 @@ const BETWEEN = 150;
 let tracer;
 /** The newest request, until work on it begins. */
 let wanted;
+/** The request whose picture is refined. */
+let begun;
+/** The probed pixel, column and row, or undefined. */
+let pixel;
 let working = false;
 
 /** Lets messages arrive; a timer would wait for milliseconds. */
@@ -43,43 +47,63 @@ async function open({ text, files, time, simplified, points, goal, builtin }) {
   }
 }
 
-async function trace({ number, url, scene, camera, width, height }) {
+/** Loads what the request needs, and begins its picture. */
+async function begin({ url, scene, camera, width, height }) {
   tracer ??= await load(url);
   if (scene !== undefined) await open(scene);
   if (!tracer.look(camera, width, height)) throw new Error("there is no scene to trace");
+}
+
+/** Refines the picture and the light of the probed pixel, until both are finished or there is another request. */
+async function refine({ number, width, height }) {
   let [rows, sent] = [4, performance.now()];
+  let was = tracer.facts()[3] === 1;
   while (wanted === undefined) {
     const start = performance.now();
     tracer.advance(rows);
     const end = performance.now();
     rows = Math.max(1, Math.min(4096, Math.floor((rows * SLICE) / Math.max(end - start, 0.1))));
-    const [paths, error, pass, done] = tracer.facts();
-    if ((pass === 0 && paths <= 2) || done || end - sent >= BETWEEN) {
+    const [paths, error, pass, is] = tracer.facts();
+    const done = is === 1;
+    const facts = { number, width, height, paths, error, pass, done };
+    if (!was && ((pass === 0 && paths <= 2) || done || end - sent >= BETWEEN)) {
       const pixels = tracer.picture();
       sent = performance.now();
-      self.postMessage({ number, pixels, width, height, paths, error, pass, done: done === 1 }, [pixels.buffer]);
+      self.postMessage({ ...facts, pixels }, [pixels.buffer]);
     }
-    if (done) return;
+    const light = pixel === undefined ? [] : tracer.probe(...pixel);
+    if (light.length > 0) self.postMessage({ ...facts, light });
+    if (done && light.length === 0) return;
+    was = done;
     await turn();
   }
 }
 
 async function work() {
   working = true;
-  while (wanted !== undefined) {
+  do {
     const request = wanted;
     wanted = undefined;
     try {
-      await trace(request);
+      if (request !== undefined) {
+        begun = undefined;
+        await begin(request);
+        begun = request;
+      }
+      if (begun !== undefined) await refine(begun);
     } catch (error) {
-      self.postMessage({ number: request.number, failed: typeof error === "string" ? error : String(error?.message ?? error) });
+      const { number } = request ?? begun;
+      self.postMessage({ number, failed: typeof error === "string" ? error : String(error?.message ?? error) });
+      begun = undefined;
     }
-  }
+  } while (wanted !== undefined);
   working = false;
 }
 
 self.onmessage = ({ data }) => {
-  // A request without a scene is for the one before, which may be waiting itself.
-  wanted = { ...data, scene: data.scene ?? wanted?.scene };
+  pixel = data.pixel;
+  // Without a camera it is another pixel of the same picture. A request without a scene is for the one before, which may
+  // be waiting itself.
+  if (data.camera !== undefined) wanted = { ...data, scene: data.scene ?? wanted?.scene };
   if (!working) work();
 };

@@ -69,3 +69,21 @@ test("it is wiped and compared with OpenGL's picture, and each simplification is
   assert.deepEqual(again.traced[0].simplified, []);
   await lab.until((state) => state.traced[0]?.pictures > 0);
 }, options);
+
+test("a click lists the light of the pixel by the way it took, in the same picture", async (lab) => {
+  await open(lab);
+  await lab.click("view-chooser");
+  await lab.click("view-traced");
+  await lab.until((state) => state.traced[0]?.pictures > 0);
+  const [x, y] = await lab.middle("pane-0");
+  await lab.clickAt([x, y]);
+  const ways = (state) => Object.fromEntries((state.probe?.traced ?? []).map(([name, , rgb]) => [name, rgb]));
+  const state = await lab.until((state) => state.probe?.pinned && ways(state).total !== undefined);
+  const { total, emitted, "first bounce": bounce, "the rest": rest, "directional 0": sun } = ways(state);
+  assert.ok(sun[0] > 0, JSON.stringify(state.probe));
+  assert.ok(Math.abs(total[0] - emitted[0] - bounce[0] - rest[0] - sun[0]) < 1e-4 * total[0], JSON.stringify(state.probe));
+  const { requests } = state.traced[0];
+  await lab.clickAt([x + 20, y]);
+  const other = await lab.until((now) => now.probe?.pixel[0] !== state.probe.pixel[0] && ways(now).total !== undefined);
+  assert.equal(other.traced[0].requests, requests);
+}, options);

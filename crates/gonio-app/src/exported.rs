@@ -205,6 +205,7 @@ fn probe(reading: &Reading, session: &Session) -> Value {
         "reference": reading.reference,
         "displayed": reading.displayed,
         "gpu": reading.gpu,
+        "traced": session.pixel_light().map(|light| reading.ways(light)),
     })
 }
 

@@ -4,6 +4,7 @@
 //! change of the light in a pane is a new request, which cancels the one before.
 
 use crate::document::TruthSettings;
+use glam::DVec3;
 use gonio_scene::files::FileSource;
 use gonio_scene::{Frame, Picture, Scene, SceneSettings};
 use std::fmt::Write;
@@ -24,6 +25,8 @@ pub struct TraceRequest {
     pub settings: TruthSettings,
     /// Changes with geometry, materials and environment: [`crate::session::Session::generation`].
     pub generation: u64,
+    /// The pixel whose light is listed by the way it took: column and row.
+    pub pixel: Option<[u32; 2]>,
     /// The source of the scene's files, for a worker that has to read them again.
     pub files: Arc<dyn FileSource>,
     /// The paths that were read from it.
@@ -58,10 +61,41 @@ impl TraceRequest {
 /// A picture so far.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TraceReply {
-    /// Linear, premultiplied.
-    pub picture: Picture,
+    /// Linear, premultiplied; `None` if it has not changed.
+    pub picture: Option<Picture>,
     /// What is known about it.
     pub facts: TraceFacts,
+    /// The light of the request's pixel, if it has changed.
+    pub light: Option<PixelLight>,
+}
+
+impl TraceReply {
+    /// Both replies in one.
+    pub fn and(self, newer: TraceReply) -> TraceReply {
+        let TraceReply { picture, facts, light } = newer;
+        TraceReply { picture: picture.or(self.picture), facts, light: light.or(self.light) }
+    }
+}
+
+/// The light of a pixel, by the way it took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PixelLight {
+    /// Column and row.
+    pub pixel: [u32; 2],
+    /// Paths that were followed.
+    pub paths: f64,
+    /// What a part is, the index of its light or object, and its linear RGB: as `PixelContributions::to_numbers` of gonio-trace
+    /// lists them.
+    pub parts: Vec<(u32, usize, DVec3)>,
+}
+
+impl PixelLight {
+    /// Reads the numbers of `PixelContributions::to_numbers`.
+    pub fn from_numbers(pixel: [u32; 2], numbers: &[f64]) -> Option<Self> {
+        let (&paths, parts) = numbers.split_first()?;
+        let part = |&[part, index, r, g, b]: &[f64; 5]| (part as u32, index as usize, DVec3::new(r, g, b));
+        Some(PixelLight { pixel, paths, parts: parts.as_chunks().0.iter().map(part).collect() })
+    }
 }
 
 /// Facts about a traced picture.
@@ -81,6 +115,8 @@ pub struct TraceFacts {
 pub trait Tracer {
     /// Starts this picture, and stops the one before.
     fn trace(&mut self, request: TraceRequest);
+    /// Goes on with the picture, and looks at another pixel.
+    fn probe(&mut self, pixel: Option<[u32; 2]>);
     /// Returns the newest picture, once. The window is repainted when there is one. An error is one sentence; nothing follows it.
     fn poll(&mut self) -> Option<Result<TraceReply, String>>;
 }
@@ -98,6 +134,8 @@ pub struct TracedPane {
     pub requests: u64,
     /// Facts about the picture of the current request.
     pub facts: TraceFacts,
+    /// The light of the pixel that was asked for last.
+    pub light: Option<PixelLight>,
     /// Why there is no picture, in one sentence.
     pub failed: Option<String>,
 }
@@ -106,9 +144,16 @@ impl TracedPane {
     /// Takes the newest picture. Returns an error once.
     pub fn poll(&mut self) -> Option<String> {
         match self.tracer.as_mut()?.poll()? {
-            Ok(TraceReply { picture, facts }) => {
-                (self.picture, self.facts) = (Some(Arc::new(picture)), facts);
-                self.serial += 1;
+            Ok(TraceReply { picture, facts, light }) => {
+                self.facts = facts;
+                if let Some(picture) = picture {
+                    self.picture = Some(Arc::new(picture));
+                    self.serial += 1;
+                }
+                let asked = self.requested.as_ref().and_then(|request| request.pixel);
+                if let Some(light) = light.filter(|light| Some(light.pixel) == asked) {
+                    self.light = Some(light);
+                }
                 None
             }
             Err(error) => {
@@ -122,10 +167,16 @@ impl TracedPane {
 
     /// Asks for a picture, unless it is being traced already. `start` makes a tracer.
     pub fn follow(&mut self, request: TraceRequest, start: impl FnOnce() -> Box<dyn Tracer>) {
-        if self.requested.as_ref().is_some_and(|before| before.is_same_light(&request)) {
+        if let Some(before) = self.requested.as_mut().filter(|before| before.is_same_light(&request)) {
+            if before.pixel != request.pixel {
+                (before.pixel, self.light) = (request.pixel, None);
+                if let Some(tracer) = &mut self.tracer {
+                    tracer.probe(request.pixel);
+                }
+            }
             return;
         }
-        (self.facts, self.failed) = (TraceFacts::default(), None);
+        (self.facts, self.light, self.failed) = (TraceFacts::default(), None, None);
         self.tracer.get_or_insert_with(start).trace(request.clone());
         self.requested = Some(request);
         self.requests += 1;
@@ -184,6 +235,7 @@ mod tests {
             frame,
             settings: TruthSettings::default(),
             generation: 1,
+            pixel: None,
             files: Arc::new(BuiltinOnly),
             paths: Vec::new(),
         }
@@ -196,9 +248,61 @@ mod tests {
         fn trace(&mut self, _: TraceRequest) {
             *self.0.borrow_mut() += 1;
         }
+        fn probe(&mut self, _: Option<[u32; 2]>) {}
         fn poll(&mut self) -> Option<Result<TraceReply, String>> {
             Some(Err("no".into()))
         }
+    }
+
+    /// Answers each pixel with its number of calls.
+    struct Probing(u32, Option<[u32; 2]>);
+
+    impl Tracer for Probing {
+        fn trace(&mut self, request: TraceRequest) {
+            self.1 = request.pixel;
+        }
+        fn probe(&mut self, pixel: Option<[u32; 2]>) {
+            (self.0, self.1) = (self.0 + 1, pixel);
+        }
+        fn poll(&mut self) -> Option<Result<TraceReply, String>> {
+            let numbers = [f64::from(self.0), 1.0, 2.0, 0.25, 0.5, 1.0];
+            let light = self.1.and_then(|pixel| PixelLight::from_numbers(pixel, &numbers));
+            Some(Ok(TraceReply { picture: None, facts: TraceFacts::default(), light }))
+        }
+    }
+
+    #[test]
+    fn another_pixel_is_probed_in_the_same_picture() {
+        let mut pane = TracedPane::default();
+        let mut light_of = |change: fn(&mut TraceRequest)| {
+            let mut request = request();
+            change(&mut request);
+            pane.requested =
+                pane.requested.take().map(|before| TraceRequest { scene: request.scene.clone(), ..before });
+            pane.follow(request, || Box::new(Probing(0, None)));
+            let before = pane.light.as_ref().map(|light| light.pixel);
+            assert_eq!(pane.poll(), None);
+            (before, pane.light.clone(), pane.requests, pane.serial)
+        };
+        let light = |pixel, paths| Some(PixelLight { pixel, paths, parts: vec![(1, 2, DVec3::new(0.25, 0.5, 1.0))] });
+        assert_eq!(light_of(|_| ()), (None, None, 1, 0));
+        assert_eq!(light_of(|request| request.pixel = Some([3, 4])), (None, light([3, 4], 1.0), 1, 0));
+        assert_eq!(light_of(|request| request.pixel = Some([3, 4])), (Some([3, 4]), light([3, 4], 1.0), 1, 0));
+        // Of another pixel, and of none, the numbers are gone at once.
+        assert_eq!(light_of(|request| request.pixel = Some([5, 4])), (None, light([5, 4], 2.0), 1, 0));
+        assert_eq!(light_of(|_| ()), (None, None, 1, 0));
+        let other = |request: &mut TraceRequest| (request.generation, request.pixel) = (2, Some([5, 4]));
+        assert_eq!(light_of(other), (None, light([5, 4], 3.0), 2, 0));
+    }
+
+    #[test]
+    fn replies_of_one_frame_are_joined() {
+        let picture = Picture { width: 1, height: 1, pixels: vec![[0.5; 4]] };
+        let light = PixelLight::from_numbers([0, 0], &[7.0]);
+        let facts = TraceFacts { paths: 2.0, ..TraceFacts::default() };
+        let older = TraceReply { picture: Some(picture.clone()), facts: TraceFacts::default(), light: None };
+        let both = older.and(TraceReply { picture: None, facts, light: light.clone() });
+        assert_eq!(both, TraceReply { picture: Some(picture), facts, light });
     }
 
     #[test]

@@ -7,10 +7,11 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use glam::DVec3;
 use gonio_app::exported;
 use gonio_app::session::{Selection, Tab};
-use gonio_app::truth::{TraceFacts, TracedPane};
+use gonio_app::truth::{PixelLight, TraceFacts, TracedPane};
 use gonio_reference::ReferenceScene;
 use gonio_scene::Frame;
 use gonio_scene::settings::CameraSettings;
+use gonio_trace::{TraceScene, TraceSettings};
 use std::time::Duration;
 use support::Window;
 
@@ -298,6 +299,14 @@ impl Window {
             std::thread::sleep(Duration::from_millis(5));
         }
     }
+
+    /// Waits until this number of paths is followed through the pinned pixel.
+    fn followed(&mut self, paths: f64) {
+        while self.app().session().pixel_light().is_none_or(|light| light.paths < paths) {
+            self.steps(1);
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
 }
 
 /// The traced picture becomes finer while nothing changes, and starts again with every change of the light.
@@ -360,4 +369,32 @@ fn the_truth_is_compared_with_opengl() {
     window.click_at(mode);
     window.traced(0, |traced| traced.serial > 0);
     assert!(window.widget("pane-1").value == "as in the scene" && !window.app().session().traced[1].is_running());
+}
+
+/// A click in a traced pane lists the light of that pixel: the same paths as those of the scene, while the picture goes on.
+#[test]
+fn a_click_lists_the_light_of_a_traced_pixel() {
+    let mut window = Window::showing("ways", SCENE, vec2(600.0, 420.0));
+    let middle = window.center("pane-0");
+    window.move_to(middle);
+    window.press(Modifiers::SHIFT, Key::T);
+    window.traced(0, |traced| traced.serial > 0);
+    window.click_at(middle);
+    window.followed(4096.0);
+    let session = window.app().session();
+    let reading = session.probing.reading().unwrap_or_else(|| panic!("it is pinned"));
+    let light = session.pixel_light().unwrap_or_else(|| panic!("it is followed"));
+    let first = light.pixel;
+    let ready = TraceScene::new(&reading.loaded, &reading.frame);
+    let expected = ready.contributions(&TraceSettings::default(), reading.x, reading.y, 4096, &|_| true);
+    assert_eq!(PixelLight::from_numbers([reading.x, reading.y], &expected.to_numbers()).as_ref(), Some(light));
+    // The lamp before the sphere lights its middle.
+    let ways = reading.ways(light);
+    assert!(ways.iter().any(|(name, _, rgb)| name == "lamp" && rgb.x > 0.0), "{ways:?}");
+    // Another pixel in the same picture, also after it is finished.
+    let requests = session.traced[0].requests;
+    window.click_at(middle + vec2(8.0, 0.0));
+    window.followed(256.0);
+    assert_eq!(window.app().session().traced[0].requests, requests);
+    assert_ne!(window.app().session().pixel_light().map(|light| light.pixel), Some(first));
 }

@@ -43,7 +43,7 @@ mod upsampling;
 
 pub use gonio_light::{Simplification, Simplifications};
 
-pub use contributions::PixelContributions;
+pub use contributions::{PixelContributions, PixelPaths};
 pub use features::Features;
 pub use film::{CheckpointError, ErrorEstimate, Film, TILE, TileMask};
 pub use lights::LightOrigin;

@@ -3,6 +3,7 @@
 //! The first stage has a few thousand large pixels, and each further stage has four times as many, until a pixel of the
 //! picture has one path. Then paths are added, to all pixels first and later only to the tiles that need them.
 
+use crate::contributions::PixelPaths;
 use crate::film::{Film, TileMask};
 use crate::render::{TraceScene, TraceSettings};
 use gonio_scene::{Camera, Picture};
@@ -15,6 +16,9 @@ const FIRST_SAMPLES: u32 = 4;
 const MOST_SAMPLES: u32 = 16;
 /// From this number of samples, the error of a tile is known well enough to leave finished ones out.
 const TRUSTED: u32 = 16;
+/// Paths that are followed through a pixel that is looked at closely, and how many of them at once.
+const PIXEL_PATHS: u32 = 4096;
+const PIXEL_PATHS_AT_ONCE: u32 = 256;
 
 /// What has been traced so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +53,7 @@ pub struct Refinement {
     coarser: Option<(Picture, u32)>,
     error: Option<f64>,
     done: bool,
+    pixel: Option<PixelPaths>,
 }
 
 impl Refinement {
@@ -71,6 +76,7 @@ impl Refinement {
             coarser: None,
             error: None,
             done: false,
+            pixel: None,
         };
         started.restart(camera, size);
         started
@@ -81,7 +87,7 @@ impl Refinement {
         (self.camera, self.size) = (camera, size.map(|side| side.max(1)));
         let pixels = u64::from(self.size[0]) * u64::from(self.size[1]);
         let side = (0..16).map(|power| 1_u32 << power).find(|&side| pixels / u64::from(side).pow(2) <= FIRST_PIXELS);
-        (self.coarser, self.error, self.done) = (None, None, false);
+        (self.coarser, self.error, self.done, self.pixel) = (None, None, false, None);
         self.begin_stage(side.unwrap_or(1 << 15));
         self.samples = FIRST_SAMPLES;
     }
@@ -128,6 +134,27 @@ impl Refinement {
         }
         self.rows = 0;
         self.samples = least.clamp(1, MOST_SAMPLES);
+    }
+
+    /// Follows the next paths through the pixel in column `pixel[0]` and row `pixel[1]` of the picture, which becomes no finer by
+    /// it. Returns their sum once there are more of them. `go_on` is asked after each path; where it says no, the rest of them is left
+    /// for the next call.
+    pub fn probe(&mut self, pixel: [u32; 2], go_on: &dyn Fn() -> bool) -> Option<&PixelPaths> {
+        let [width, height] = self.size;
+        if pixel[0] >= width || pixel[1] >= height {
+            return None;
+        }
+        let mut paths = self.pixel.take().filter(|paths| paths.pixel() == pixel).unwrap_or(PixelPaths::new(pixel));
+        let before = paths.samples();
+        let wanted = (before + PIXEL_PATHS_AT_ONCE).min(PIXEL_PATHS);
+        self.scene.look(self.camera, width, height);
+        while paths.samples() < wanted && go_on() {
+            paths.follow(&self.scene, &self.settings);
+        }
+        // The picture's stage may have larger pixels.
+        self.scene.look(self.camera, self.film.width, self.film.height);
+        let kept = self.pixel.insert(paths);
+        (kept.samples() > before).then_some(kept)
     }
 
     /// Rows of the film that a pass has; [`Self::advance`] counts in them.
@@ -212,6 +239,36 @@ mod tests {
         let mut plain = Film::new(size[0], size[1]);
         assert!(scene.add_samples(&mut plain, &TraceSettings::default(), 2, None, &|_| true));
         assert_eq!(picture.pixels, plain.picture().pixels);
+    }
+
+    /// The same numbers as those of the scene itself, at any stage, and the picture stays as it was.
+    #[test]
+    fn a_pixel_is_looked_at_closely_at_every_stage() {
+        let size = [250, 130];
+        let mut refined = refinement(size, 0.0);
+        let plain = refinement(size, 0.0);
+        let mut scene = plain.into_scene();
+        let camera = scene.frame().camera;
+        scene.look(camera, size[0], size[1]);
+        let expected = |x, y| scene.contributions(&TraceSettings::default(), x, y, 512, &|_| true);
+        for stage in [2, 1] {
+            while refined.side > stage {
+                assert!(refined.advance(16, &|| true));
+            }
+            let picture = refined.picture();
+            let pixel = [120, 60 + stage];
+            assert!(refined.probe(pixel, &|| false).is_none(), "no path was followed");
+            assert_eq!(refined.probe(pixel, &|| true).map(PixelPaths::samples), Some(256));
+            let found = refined.probe(pixel, &|| true).map(PixelPaths::contributions);
+            assert_eq!(found, Some(expected(pixel[0], pixel[1])));
+            assert!(refined.picture() == picture && refined.advance(1, &|| true));
+        }
+        let mut more = 0;
+        while refined.probe([120, 61], &|| true).is_some() {
+            more += 1;
+        }
+        assert_eq!(more, (PIXEL_PATHS - 512) / PIXEL_PATHS_AT_ONCE, "it ends");
+        assert!(refined.probe([250, 0], &|| true).is_none(), "outside");
     }
 
     #[test]

@@ -9,8 +9,7 @@
 
 use glam::{DMat3, DVec3, Vec3, Vec4};
 use gonio_light::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, SAMPLES, daylight, matching};
-use rayon::prelude::*;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 /// `c0, c1, c2` of a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,13 +45,15 @@ fn grey(value: f64) -> f64 {
 const RESOLUTION: usize = 24;
 
 /// Fits over the cube of colours: for each channel that may be the largest, over its value and the other two relative to
-/// it (Jakob and Hanika, section 4).
+/// it (Jakob and Hanika, section 4). A row has all values of one hue and saturation. It is fitted when it is first asked for:
+/// all of them take longer than a first coarse picture may.
 struct Table {
-    /// `[largest][value][second][third]`.
-    coefficients: Vec<Vec3>,
+    /// `[largest][second][third]`.
+    rows: Vec<OnceLock<[Vec3; RESOLUTION]>>,
 }
 
-static TABLE: LazyLock<Table> = LazyLock::new(Table::new);
+static TABLE: LazyLock<Table> =
+    LazyLock::new(|| Table { rows: (0..3 * RESOLUTION * RESOLUTION).map(|_| OnceLock::new()).collect() });
 
 /// The value of the largest channel at grid point `k`: more points near 0 and 1, where coefficients change fast.
 fn value_at(k: usize) -> f64 {
@@ -61,22 +62,10 @@ fn value_at(k: usize) -> f64 {
 }
 
 impl Table {
-    fn new() -> Self {
-        let mut coefficients = vec![Vec3::ZERO; 3 * RESOLUTION.pow(3)];
-        let rows: Vec<(usize, usize, Vec<DVec3>)> = (0..3 * RESOLUTION * RESOLUTION)
-            .into_par_iter()
-            .map(|index| {
-                let (largest, ratios) = (index / (RESOLUTION * RESOLUTION), index % (RESOLUTION * RESOLUTION));
-                let (second, third) = (ratios / RESOLUTION, ratios % RESOLUTION);
-                (largest, ratios, fit_along_value(largest, ratio_at(second), ratio_at(third)))
-            })
-            .collect();
-        for (largest, ratios, row) in rows {
-            for (k, c) in row.into_iter().enumerate() {
-                coefficients[(largest * RESOLUTION + k) * RESOLUTION * RESOLUTION + ratios] = c.as_vec3();
-            }
-        }
-        Table { coefficients }
+    /// The coefficients at all grid points of the value.
+    fn row(&self, largest: usize, second: usize, third: usize) -> &[Vec3; RESOLUTION] {
+        self.rows[(largest * RESOLUTION + second) * RESOLUTION + third]
+            .get_or_init(|| fit_along_value(largest, ratio_at(second), ratio_at(third)).map(|c| c.as_vec3()))
     }
 
     fn interpolate(&self, rgb: Vec3) -> Coefficients {
@@ -93,12 +82,10 @@ impl Table {
         let along = (value - low) / (high - low);
         let (yi, xi) = ((y as usize).min(RESOLUTION - 2), (x as usize).min(RESOLUTION - 2));
         let (fy, fx) = (y - yi as f32, x - xi as f32);
-        let at = |k: usize, i: usize, j: usize| {
-            self.coefficients[((largest * RESOLUTION + k) * RESOLUTION + i) * RESOLUTION + j]
-        };
+        let rows = [0, 1].map(|i| [0, 1].map(|j| self.row(largest, yi + i, xi + j)));
         let plane = |k: usize| {
-            let row = |i: usize| at(k, i, xi).lerp(at(k, i, xi + 1), fx);
-            row(yi).lerp(row(yi + 1), fy)
+            let row = |[left, right]: [&[Vec3; RESOLUTION]; 2]| left[k].lerp(right[k], fx);
+            row(rows[0]).lerp(row(rows[1]), fy)
         };
         Coefficients(plane(after - 1).lerp(plane(after), along))
     }
@@ -113,7 +100,7 @@ fn ratio_at(i: usize) -> f64 {
 
 /// Fits of colours of the same hue and saturation, from a middle value to the darkest and to the brightest: each starts
 /// where its neighbour ended.
-fn fit_along_value(largest: usize, second: f64, third: f64) -> Vec<DVec3> {
+fn fit_along_value(largest: usize, second: f64, third: f64) -> [DVec3; RESOLUTION] {
     let color = |k: usize| {
         let mut rgb = DVec3::ZERO;
         rgb[largest] = 1.0;
@@ -122,7 +109,7 @@ fn fit_along_value(largest: usize, second: f64, third: f64) -> Vec<DVec3> {
         // Coefficients of 0 and 1 are infinite.
         rgb * value_at(k).clamp(1e-4, 1.0 - 1e-4)
     };
-    let mut fits = vec![DVec3::ZERO; RESOLUTION];
+    let mut fits = [DVec3::ZERO; RESOLUTION];
     let middle = RESOLUTION / 5;
     let mut c = DVec3::ZERO;
     let (darker, brighter) = fits.split_at_mut(middle);

@@ -239,3 +239,39 @@ fn bad_options_are_refused() {
         assert_eq!(lab.names(), Vec::<String>::new(), "{more:?}");
     }
 }
+
+/// The light of one pixel by the way it took, as text and for machines; the sum is the pixel of the same paths.
+#[test]
+fn a_probe_lists_the_ways_of_light() {
+    let lab = Lab::new();
+    let scene =
+        "[[object]]\nmodel = \"builtin:cube\"\n[[light]]\nkind = \"point\"\nname = \"key\"\nposition = [1, 2, 3]\n";
+    lab.write("lit.toml", scene);
+    let probe = ["probe", "lit.toml", "--at", "24,16", "--size", "48x32", "--backend", "cpu"];
+    let run = |more: &[&str]| lab.run(&[&probe[..], more].concat());
+    let report = run(&["--traced", "--samples", "64", "--json"]).good().json();
+    let traced = &report["traced"];
+    assert_eq!(traced["paths"], 64, "{report}");
+    assert_eq!((&traced["direct"][0]["source"], &traced["direct"][0]["name"]), (&"light".into(), &"key".into()));
+    let rgb = |value: &serde_json::Value| [0, 1, 2].map(|c| value[c].as_f64().unwrap());
+    let (direct, total) = (rgb(&traced["direct"][0]["value"]), rgb(&traced["total"]));
+    let others = ["emitted", "first_bounce", "rest"].map(|part| rgb(&traced[part]));
+    for c in 0..3 {
+        let sum = direct[c] + others.iter().map(|part| part[c]).sum::<f64>();
+        // The lanes of a path are added in another order, in f32.
+        assert!(direct[c] > 0.0 && (sum - total[c]).abs() < 1e-5 * total[c], "{traced}");
+    }
+    lab.run(&["trace", "lit.toml", "--size", "48x32", "--samples", "64", "-o", "a.exr"]).good();
+    let picture = &layers(&lab.read("a.exr"))[0].1;
+    let pixel = picture[16 * 48 + 24];
+    assert!((0..3).all(|c| (f64::from(pixel[c]) - total[c]).abs() < 1e-5), "{pixel:?} {traced}");
+    let text = run(&["--traced"]).good();
+    for line in
+        ["by the way it took: 4096 paths through the pixel", "`key`; one surface scattered it", "standard error"]
+    {
+        assert!(text.text().contains(line), "{}", text.text());
+    }
+    // Without it there is nothing to count the paths of.
+    assert!(run(&["--json"]).good().json()["traced"].is_null());
+    assert_eq!(run(&["--samples", "4"]).code, 2);
+}

@@ -265,6 +265,7 @@ impl App {
                 frame: frame.clone(),
                 settings,
                 generation: self.session.generation,
+                pixel: self.session.probing.pinned_pixel(index, frame),
                 files: self.files.clone(),
                 paths: self.read.clone(),
             };

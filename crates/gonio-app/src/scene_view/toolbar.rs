@@ -17,6 +17,12 @@ const TRACED: &str = "Traced (truth)";
 const ABOUT_TRACED: &str = "Solves the rendering equation by following paths of light: shadows, light between surfaces and \
                             everything else that the light equation leaves out. It begins coarse and becomes finer while \
                             nothing changes.";
+/// What a traced pane does not follow. The page's worker reads the scene again, without levels of detail.
+const NOT_TRACED: &str = if cfg!(target_arch = "wasm32") {
+    "Overlays are not drawn over it, and it has all triangles at any level of detail."
+} else {
+    "Overlays are not drawn over it."
+};
 
 /// Shows the toolbar at the upper left of a pane. `frame` is the drawn frame.
 pub fn show(ui: &mut Ui, rect: Rect, frame: &gonio_scene::Frame, document: &mut Document, session: &mut Session) {
@@ -70,7 +76,7 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
             let traced = egui::Button::selectable(pane.truth.is_some(), TRACED).shortcut_text("Shift + T");
             let traced = ui.add(traced);
             exported::note(ui, &traced, "view-traced", WidgetRole::Choice, TRACED, pane.truth.is_some());
-            if traced.on_hover_text(ABOUT_TRACED).clicked() {
+            if traced.on_hover_text(format!("{ABOUT_TRACED} {NOT_TRACED}")).clicked() {
                 pane.show_truth(Some(TruthSettings::default()));
                 ui.close();
             }

@@ -13,7 +13,7 @@ pub use probing::Probing;
 pub use settings::Settings;
 
 use crate::saving::Product;
-use crate::truth::TracedPane;
+use crate::truth::{PixelLight, TracedPane};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use gonio_gl::trace::{Finding, FrameRecord, lint};
 use gonio_scene::Scene;
@@ -274,5 +274,14 @@ impl RecordedFrame {
     /// A small picture of a texture, by id.
     pub fn thumbnail(&self, id: u32) -> Option<&TextureHandle> {
         self.thumbnails.get(&id)
+    }
+}
+
+impl Session {
+    /// The light of the probed pixel by the way it took, if its pane is traced and it is known.
+    pub fn pixel_light(&self) -> Option<&PixelLight> {
+        let reading = self.probing.reading()?;
+        let light = self.traced.get(self.probing.pane)?.light.as_ref();
+        light.filter(|light| light.pixel == [reading.x, reading.y])
     }
 }

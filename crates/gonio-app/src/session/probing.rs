@@ -4,6 +4,8 @@
 //! The reference's bounding volume hierarchy is built once per geometry, in a thread if possible; changes of lights and
 //! colours do not rebuild it.
 
+use crate::truth::PixelLight;
+use glam::DVec3;
 use gonio_reference::{Probe, ReferenceGeometry, ReferenceScene};
 use gonio_scene::{DisplayMap, Frame, Scene};
 use serde::Serialize;
@@ -74,6 +76,12 @@ impl Probing {
     /// The place that is probed: the pinned one, else the one under the pointer if it is followed.
     pub fn place(&self) -> Option<[f64; 2]> {
         self.pinned.or(self.hovered.filter(|_| self.follows))
+    }
+
+    /// Column and row of the pinned place, if it is in this pane with this frame.
+    pub fn pinned_pixel(&self, pane: usize, frame: &Frame) -> Option<[u32; 2]> {
+        let place = self.pinned.filter(|_| pane == self.pane)?;
+        Some(pixel_at(place, [frame.width, frame.height]))
     }
 
     /// The values at that place, once known.
@@ -160,6 +168,38 @@ impl Probing {
 }
 
 impl Reading {
+    /// A light's name, or its kind and number.
+    pub fn light_name(&self, index: usize) -> String {
+        match self.loaded.settings.lights.get(index) {
+            Some(spec) if !spec.name.is_empty() => spec.name.clone(),
+            Some(spec) => format!("{} {index}", spec.kind.name()),
+            None => format!("light {index}"),
+        }
+    }
+
+    /// The parts of the pixel's light: a name, what it means, and linear RGB.
+    pub fn ways(&self, light: &PixelLight) -> Vec<(String, &'static str, DVec3)> {
+        const DIRECT: &str = "Light of this source that only the visible surface scattered";
+        let way = |&(part, index, rgb): &(u32, usize, DVec3)| {
+            let (name, about) = match part {
+                0 => ("emitted", "Light that no surface scattered: of what shines itself, or the background"),
+                1 => return (self.light_name(index), DIRECT, rgb),
+                2 => {
+                    let object = self.loaded.objects.get(index).map(|object| object.name.as_str());
+                    return (format!("object {}", object.unwrap_or_default()), DIRECT, rgb);
+                }
+                3 => ("environment", DIRECT),
+                4 => ("ambient", "k_a times the ambient light"),
+                5 => ("first bounce", "Light that two surfaces scattered"),
+                6 => ("the rest", "Light that more than two surfaces scattered"),
+                7 => ("total", "The sum, which is the traced picture's pixel"),
+                _ => ("standard error", "Of the total: how far it may be from its true value"),
+            };
+            (name.to_owned(), about, rgb)
+        };
+        light.parts.iter().map(way).collect()
+    }
+
     /// Reads a pixel.
     fn at_pixel(
         reference: &ReferenceScene,

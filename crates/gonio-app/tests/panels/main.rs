@@ -3,6 +3,7 @@
 
 mod compare;
 mod equation;
+mod probe;
 mod scene_panels;
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};

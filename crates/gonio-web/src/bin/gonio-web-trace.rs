@@ -146,6 +146,14 @@ mod tracer {
             vec![status.paths, status.error.unwrap_or(f64::NAN), status.pass, f64::from(u8::from(status.done))]
         }
 
+        /// Follows more paths through a pixel, column and row. Returns both, and the numbers of
+        /// [`gonio_trace::PixelContributions::to_numbers`]; nothing if no path is left to follow.
+        pub fn probe(&mut self, x: u32, y: u32) -> Vec<f64> {
+            let paths = self.refinement.as_mut().and_then(|refinement| refinement.probe([x, y], &|| true));
+            let Some(paths) = paths else { return Vec::new() };
+            [vec![f64::from(x), f64::from(y)], paths.contributions().to_numbers()].concat()
+        }
+
         /// The picture so far: four values a pixel, linear and premultiplied, the top row first.
         pub fn picture(&self) -> Vec<f32> {
             let picture = self.refinement.as_ref().map(|refinement| refinement.picture().pixels);

@@ -37,7 +37,7 @@ fn bars(reading: &Reading, probe: &Probe) -> Vec<Bar> {
     } else {
         for light in &terms.lights {
             let parts = vec![("diffuse", DIFFUSE, light.diffuse), ("specular", SPECULAR, light.specular)];
-            bar(super::lights::name(reading, light.light), parts);
+            bar(reading.light_name(light.light), parts);
         }
     }
     let around = &terms.environment;

@@ -8,15 +8,6 @@ use egui::{Grid, RichText, Ui};
 use gonio_light::{LightTerms, Terms};
 use gonio_reference::Probe;
 
-/// A light's name, or its kind and number.
-pub fn name(reading: &Reading, index: usize) -> String {
-    match reading.loaded.settings.lights.get(index) {
-        Some(spec) if !spec.name.is_empty() => spec.name.clone(),
-        Some(spec) => format!("{} {index}", spec.kind.name()),
-        None => format!("light {index}"),
-    }
-}
-
 /// Shows all lights: at the pixel, or where the shading evaluates the equation.
 pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection) {
     if let Some(sums) = &probe.interpolated {
@@ -40,7 +31,7 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection)
         return;
     }
     for light in &probe.terms.lights {
-        let title = name(reading, light.light);
+        let title = reading.light_name(light.light);
         ui.add_space(10.0);
         let chosen = selection == Selection::Light(light.light);
         let color = if chosen { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
@@ -101,7 +92,7 @@ fn corner(ui: &mut Ui, reading: &Reading, terms: &Terms, number: usize) {
         vector_row(ui, "position", "World space", terms.point.position, None);
         vector_row(ui, "N", "The normal at this point", terms.point.normal, Some(colors::NORMAL.of(ui)));
         for light in &terms.lights {
-            let of = name(reading, light.light);
+            let of = reading.light_name(light.light);
             let (diffuse, specular) = (colors::DIFFUSE.of(ui), colors::SPECULAR.of(ui));
             let factors = format!(
                 "{of}: N.L {:.4}, att {:.4}, spot {:.4}, spec {:.4}",

@@ -11,12 +11,13 @@ use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::session::probing::{GpuValue, Reading};
 use crate::theme::{self, icons};
+use crate::truth::PixelLight;
 use egui::{Align, Color32, Grid, Layout, Response, RichText, Sense, Ui, vec2};
 use glam::DVec3;
 use gonio_light::is_noise;
 use std::fmt::Write;
 
-pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     let reading = session.probing.reading().cloned();
     header(ui, session, reading.as_deref(), actions);
     if session.probing.is_building() {
@@ -34,6 +35,9 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
         return;
     };
     values(ui, &reading);
+    if document.panes.list.get(session.probing.pane).is_some_and(|pane| pane.truth.is_some()) {
+        traced(ui, session, &reading);
+    }
     let Some(probe) = &reading.probe else {
         ui.add_space(8.0);
         let sky = reading.frame.surroundings.is_some_and(|s| s.visible);
@@ -49,8 +53,31 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
     surface::show(ui, &reading, probe);
 }
 
+/// The light of a traced pixel, by the way it took.
+fn traced(ui: &mut Ui, session: &Session, reading: &Reading) {
+    heading(ui, "Light that arrived at this pixel, by the way it took");
+    let Some(light) = session.pixel_light() else {
+        let hint = match session.probing.pinned {
+            Some(_) => "The first paths are on their way.",
+            None => "A click pins a pixel, and paths of light are followed through it.",
+        };
+        ui.label(RichText::new(hint).weak());
+        return;
+    };
+    Grid::new("ways").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
+        for (name, about, rgb) in reading.ways(light) {
+            vector_row(ui, &name, about, rgb, None);
+        }
+    });
+    let text = format!("linear RGB, mean of {} paths through the pixel", light.paths);
+    let response = ui.label(RichText::new(text).small().weak());
+    exported::note(ui, &response, "probe-paths", WidgetRole::Text, "paths through the pixel", light.paths);
+}
+
 /// The pixel's position, with buttons to unpin and copy it.
 fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions: &mut Vec<Action>) {
+    let light = session.pixel_light().cloned();
+    let light = light.as_ref();
     ui.horizontal(|ui| {
         let place = reading.map_or_else(|| "no pixel".to_owned(), |r| format!("pixel {}, {}", r.x, r.y));
         ui.label(RichText::new(place).font(theme::bold(14.0)));
@@ -72,15 +99,16 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
             let tip = "Copy all numbers as JSON";
             if button(ui, "probe-copy-json", icons::CODE, tip, reading.is_some()).clicked()
                 && let Some(reading) = reading
-                && let Ok(json) = serde_json::to_string_pretty(reading)
+                && let Ok(mut json) = serde_json::to_value(reading)
             {
-                actions.push(Action::CopyText(json));
+                json["traced"] = serde_json::json!(light.map(|light| reading.ways(light)));
+                actions.push(Action::CopyText(format!("{json:#}")));
             }
             let tip = "Copy as text";
             if button(ui, "probe-copy-text", icons::COPY, tip, reading.is_some()).clicked()
                 && let Some(reading) = reading
             {
-                actions.push(Action::CopyText(format_reading(reading)));
+                actions.push(Action::CopyText(format_reading(reading, light)));
             }
         });
     });
@@ -150,7 +178,7 @@ fn fact(ui: &mut Ui, name: &str, value: impl Into<egui::WidgetText>) {
 }
 
 /// Formats a reading in aligned lines: the pixel, its value, and every factor of every light if a surface is visible.
-fn format_reading(reading: &Reading) -> String {
+fn format_reading(reading: &Reading, light: Option<&PixelLight>) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
         let _ = writeln!(text, "{name:16} {value}");
@@ -163,6 +191,9 @@ fn format_reading(reading: &Reading) -> String {
         line("OpenGL", format!("{r} {g} {b} {a}, {}", hex(gpu.displayed)));
         line("difference", number(gpu.difference));
     }
+    for (name, _, rgb) in light.map(|light| reading.ways(light)).unwrap_or_default() {
+        line(&format!("traced {name}"), triple(rgb));
+    }
     let Some(probe) = &reading.probe else { return text };
     line("object", probe.object_name.clone());
     line("material", probe.material_name.clone());
@@ -173,7 +204,7 @@ fn format_reading(reading: &Reading) -> String {
     line("A", triple(probe.terms.ambient));
     line("E", triple(probe.terms.emitted));
     for light in &probe.terms.lights {
-        line("light", lights::name(reading, light.light));
+        line("light", reading.light_name(light.light));
         line("  L", triple(light.l));
         let factors = [
             ("N.L", light.cos_theta),

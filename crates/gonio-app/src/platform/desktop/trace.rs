@@ -1,10 +1,10 @@
 //! Traced pictures of the window: by a thread per pane, and a pool of threads that leaves a core to the interface.
 
-use crate::truth::{ERROR_GOAL, TraceFacts, TraceReply, TraceRequest, Tracer};
+use crate::truth::{ERROR_GOAL, PixelLight, TraceFacts, TraceReply, TraceRequest, Tracer};
 use gonio_trace::{Refinement, TraceScene, TraceSettings};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// The time between two pictures, except of new stages.
@@ -15,12 +15,19 @@ const STEP: Duration = Duration::from_millis(40);
 /// The number of a request.
 type Number = u64;
 
+/// The pixel that is probed, for both threads.
+type Probed = Arc<Mutex<Option<[u32; 2]>>>;
+
+/// A message to the thread: a picture, or `None` if the probed pixel is another one.
+type Order = Option<(Number, TraceRequest)>;
+
 /// Traces in a thread. A new request stops the work within a row of the picture.
 pub struct ThreadTracer {
-    requests: Sender<(Number, TraceRequest)>,
+    requests: Sender<Order>,
     replies: Receiver<(Number, TraceReply)>,
     /// The newest request: the thread stops working on others.
     newest: Arc<AtomicU64>,
+    probed: Probed,
     number: Number,
     is_lost: bool,
 }
@@ -31,9 +38,10 @@ impl ThreadTracer {
         let (requests, received) = channel();
         let (sender, replies) = channel();
         let newest = Arc::new(AtomicU64::new(0));
-        let worker = Worker { newest: newest.clone(), replies: sender, ctx: ctx.clone() };
+        let probed = Probed::default();
+        let worker = Worker { newest: newest.clone(), probed: probed.clone(), replies: sender, ctx: ctx.clone() };
         std::thread::spawn(move || worker.run(&received));
-        ThreadTracer { requests, replies, newest, number: 0, is_lost: false }
+        ThreadTracer { requests, replies, newest, probed, number: 0, is_lost: false }
     }
 }
 
@@ -41,18 +49,29 @@ impl Tracer for ThreadTracer {
     fn trace(&mut self, request: TraceRequest) {
         self.number += 1;
         self.newest.store(self.number, Ordering::Relaxed);
+        *self.probed.lock().unwrap_or_else(PoisonError::into_inner) = request.pixel;
         // If the thread has ended, `poll` says so.
-        let _ = self.requests.send((self.number, request));
+        let _ = self.requests.send(Some((self.number, request)));
+    }
+
+    fn probe(&mut self, pixel: Option<[u32; 2]>) {
+        *self.probed.lock().unwrap_or_else(PoisonError::into_inner) = pixel;
+        let _ = self.requests.send(None);
     }
 
     fn poll(&mut self) -> Option<Result<TraceReply, String>> {
-        let mut newest = None;
+        let mut newest: Option<TraceReply> = None;
         loop {
             match self.replies.try_recv() {
-                Ok((number, reply)) if number == self.number => newest = Some(Ok(reply)),
+                Ok((number, reply)) if number == self.number => {
+                    newest = Some(match newest {
+                        Some(before) => before.and(reply),
+                        None => reply,
+                    });
+                }
                 Ok(_) => {}
-                Err(TryRecvError::Empty) => return newest,
-                Err(TryRecvError::Disconnected) if self.is_lost => return newest,
+                Err(TryRecvError::Empty) => return newest.map(Ok),
+                Err(TryRecvError::Disconnected) if self.is_lost => return newest.map(Ok),
                 Err(TryRecvError::Disconnected) => {
                     self.is_lost = true;
                     return Some(Err("the scene could not be traced: the path tracer ended unexpectedly".to_owned()));
@@ -70,24 +89,31 @@ impl Drop for ThreadTracer {
 
 struct Worker {
     newest: Arc<AtomicU64>,
+    probed: Probed,
     replies: Sender<(Number, TraceReply)>,
     ctx: egui::Context,
 }
 
 impl Worker {
-    fn run(&self, requests: &Receiver<(Number, TraceRequest)>) {
+    fn run(&self, requests: &Receiver<Order>) {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let pool = rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build();
-        let mut kept: Option<(TraceRequest, Refinement)> = None;
+        let mut kept: Option<(Number, TraceRequest, Refinement)> = None;
         while let Ok(mut next) = requests.recv() {
             while let Ok(newer) = requests.try_recv() {
-                next = newer;
+                next = newer.or(next);
             }
-            let (number, request) = next;
             let trace = || {
-                let mut refinement = started(kept.take(), &request);
+                let (number, request, mut refinement) = match (next, kept.take()) {
+                    (Some((number, request)), before) => {
+                        let refinement = started(before, &request);
+                        (number, request, refinement)
+                    }
+                    (None, Some(before)) => before,
+                    (None, None) => return,
+                };
                 self.refine(number, &mut refinement);
-                kept = Some((request, refinement));
+                kept = Some((number, request, refinement));
             };
             match &pool {
                 Ok(pool) => pool.install(trace),
@@ -96,11 +122,12 @@ impl Worker {
         }
     }
 
-    /// Refines a picture until it is finished or another one is requested.
+    /// Refines a picture and the light of the probed pixel until both are finished or another picture is requested.
     fn refine(&self, number: Number, refinement: &mut Refinement) {
         let goes_on = || self.newest.load(Ordering::Relaxed) == number;
         let (mut rows, mut sent) = (16, Instant::now());
         loop {
+            let was_done = refinement.status().done;
             let start = Instant::now();
             if !refinement.advance(rows, &goes_on) {
                 return;
@@ -109,26 +136,38 @@ impl Worker {
             rows = (f64::from(rows) * STEP.as_secs_f64() / taken.as_secs_f64()).clamp(4.0, 4096.0) as u32;
             let status = refinement.status();
             let is_stage = status.pass == 0.0 && status.paths <= 2.0;
-            if is_stage || status.done || sent.elapsed() >= BETWEEN {
+            let is_sent = !was_done && (is_stage || status.done || sent.elapsed() >= BETWEEN);
+            let picture = is_sent.then(|| refinement.picture());
+            let light = self.light(refinement, &goes_on);
+            let is_finished = status.done && light.is_none();
+            if picture.is_some() || light.is_some() {
                 let facts =
                     TraceFacts { paths: status.paths, error: status.error, pass: status.pass, done: status.done };
+                sent = if is_sent { Instant::now() } else { sent };
                 // The pane may be closed by now.
-                let _ = self.replies.send((number, TraceReply { picture: refinement.picture(), facts }));
+                let _ = self.replies.send((number, TraceReply { picture, facts, light }));
                 self.ctx.request_repaint();
-                sent = Instant::now();
             }
-            if status.done {
+            if is_finished {
                 return;
             }
         }
     }
+
+    /// The light of the probed pixel, if there is something new about it.
+    fn light(&self, refinement: &mut Refinement, goes_on: &dyn Fn() -> bool) -> Option<PixelLight> {
+        let probed = || *self.probed.lock().unwrap_or_else(PoisonError::into_inner);
+        let pixel = probed()?;
+        let paths = refinement.probe(pixel, &|| goes_on() && probed() == Some(pixel))?;
+        PixelLight::from_numbers(pixel, &paths.contributions().to_numbers())
+    }
 }
 
 /// The beginning of a request's picture. The scene of the last one is used again if only the camera has moved.
-fn started(kept: Option<(TraceRequest, Refinement)>, request: &TraceRequest) -> Refinement {
+fn started(kept: Option<(Number, TraceRequest, Refinement)>, request: &TraceRequest) -> Refinement {
     let frame = &request.frame;
     match kept {
-        Some((before, mut refinement)) if before.is_same_but_camera(request) => {
+        Some((_, before, mut refinement)) if before.is_same_but_camera(request) => {
             refinement.restart(frame.camera, [frame.width, frame.height]);
             refinement
         }

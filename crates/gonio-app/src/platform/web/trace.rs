@@ -1,9 +1,9 @@
 //! Traced pictures of the page: by a worker per pane, with a module of its own.
 
 use super::message_of;
-use crate::truth::{ERROR_GOAL, TraceFacts, TraceReply, TraceRequest, Tracer};
+use crate::truth::{ERROR_GOAL, PixelLight, TraceFacts, TraceReply, TraceRequest, Tracer};
 use gonio_scene::{Picture, SceneFile};
-use js_sys::{Array, Float32Array, Float64Array, Function, Object, Reflect, Uint8Array};
+use js_sys::{Array, Float32Array, Float64Array, Function, Object, Reflect, Uint8Array, Uint32Array};
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::closure::Closure;
@@ -50,10 +50,18 @@ impl Answers {
             self.newest = Some(Err(failed));
             return;
         }
+        let floats = |name: &str| Reflect::get(message, &name.into()).ok()?.dyn_into::<Float64Array>().ok();
         let pixels =
             Reflect::get(message, &"pixels".into()).ok().and_then(|value| value.dyn_into::<Float32Array>().ok());
-        let (Some(pixels), Some(width), Some(height)) = (pixels, number("width"), number("height")) else { return };
-        let pixels = pixels.to_vec().as_chunks::<4>().0.to_vec();
+        let picture = pixels.zip(number("width")).zip(number("height")).map(|((pixels, width), height)| {
+            let pixels = pixels.to_vec().as_chunks::<4>().0.to_vec();
+            Picture { width: width as u32, height: height as u32, pixels }
+        });
+        let light = floats("light").and_then(|light| {
+            let light = light.to_vec();
+            let (&[x, y], numbers) = light.split_first_chunk()?;
+            PixelLight::from_numbers([x as u32, y as u32], numbers)
+        });
         let done = Reflect::get(message, &"done".into()).is_ok_and(|value| value.is_truthy());
         let facts = TraceFacts {
             paths: number("paths").unwrap_or_default(),
@@ -61,8 +69,11 @@ impl Answers {
             pass: number("pass").unwrap_or_default(),
             done,
         };
-        let picture = Picture { width: width as u32, height: height as u32, pixels };
-        self.newest = Some(Ok(TraceReply { picture, facts }));
+        let reply = TraceReply { picture, facts, light };
+        self.newest = Some(Ok(match self.newest.take() {
+            Some(Ok(before)) => before.and(reply),
+            _ => reply,
+        }));
     }
 }
 
@@ -93,6 +104,13 @@ impl Tracer for WorkerTracer {
         self.before = Some(request);
     }
 
+    fn probe(&mut self, pixel: Option<[u32; 2]>) {
+        if let Ok(worker) = &self.worker {
+            // A worker that does not listen has failed, and has said so.
+            let _ = post(worker, &Object::new(), pixel);
+        }
+    }
+
     fn poll(&mut self) -> Option<Result<TraceReply, String>> {
         self.answers.borrow_mut().newest.take()
     }
@@ -114,7 +132,6 @@ fn send(worker: &JsValue, number: f64, request: &TraceRequest, is_known: bool) -
     let [position, front, up] = [camera.position, camera.front, camera.up].map(|v| v.to_array());
     let lens = [camera.fov_y_rad, camera.near, camera.far];
     let message = Object::new();
-    let set = |object: &Object, name: &str, value: JsValue| Reflect::set(object, &name.into(), &value).map(drop);
     set(&message, "number", number.into())?;
     set(&message, "width", frame.width.into())?;
     set(&message, "height", frame.height.into())?;
@@ -139,6 +156,18 @@ fn send(worker: &JsValue, number: f64, request: &TraceRequest, is_known: bool) -
         set(&scene, "goal", ERROR_GOAL.into())?;
         set(&message, "scene", scene.into())?;
     }
+    post(worker, &message, request.pixel)
+}
+
+fn set(object: &Object, name: &str, value: JsValue) -> Result<(), JsValue> {
+    Reflect::set(object, &name.into(), &value).map(drop)
+}
+
+/// Posts a message with the probed pixel; without a camera the worker goes on with the picture that it has.
+fn post(worker: &JsValue, message: &Object, pixel: Option<[u32; 2]>) -> Result<(), JsValue> {
+    if let Some(pixel) = pixel {
+        set(message, "pixel", Uint32Array::from(&pixel[..]).into())?;
+    }
     let trace: Function = Reflect::get(worker, &"trace".into()).and_then(JsCast::dyn_into)?;
-    trace.call1(&JsValue::NULL, &message).map(drop)
+    trace.call1(&JsValue::NULL, message).map(drop)
 }

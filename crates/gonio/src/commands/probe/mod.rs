@@ -2,6 +2,7 @@
 
 mod surroundings;
 mod text;
+mod traced;
 
 use crate::backend::{self, Backend, BackendReport, Opened};
 use crate::error::{CliError, CommandOutcome};
@@ -15,9 +16,14 @@ use gonio_mesh::Diagnostic;
 use gonio_reference::{Probe, ReferenceScene};
 use gonio_scene::{DisplayMap, Frame, Scene};
 use serde::Serialize;
+use traced::TracedPixel;
 
 /// Evaluate the light equation at one pixel, term by term and light by light.
 #[derive(Args, Debug)]
+#[command(mut_arg("samples", |arg| arg
+    .help("Paths with --traced; 4096 by default")
+    .value_parser(values::paths)
+    .requires("traced")))]
 #[command(after_long_help = "\
 Examples:
   gonio probe model.obj --at 512,384
@@ -26,6 +32,8 @@ Examples:
       With options of render. For Gouraud shading, the light is listed at the triangle's corners.
   gonio probe model.obj --at 512,384 --json
       The same for machines.
+  gonio probe scene.toml --at 100,80 --traced
+      Also the light of the rendering equation there: emitted, direct from each source, of the first bounce, and the rest.
 
 The numbers come from the CPU reference (f64, through the centre of the pixel). Where OpenGL is available, the pixel that it \
 draws with one sample is listed for comparison. Where no object is visible, the background is listed.")]
@@ -41,6 +49,9 @@ pub struct ProbeArgs {
     #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,
           allow_negative_numbers = true, default_value = "0")]
     pub time: f64,
+    /// Also follow paths of light through the pixel, and list what they bring by the way they took.
+    #[arg(long, help_heading = "Picture options")]
+    pub traced: bool,
     #[command(flatten)]
     pub scene: SceneOptions,
     #[command(flatten)]
@@ -67,6 +78,8 @@ struct Report<'a> {
     /// The displayed pixel, `#rrggbb`.
     displayed: String,
     gpu: Option<GpuValue>,
+    /// With `--traced`.
+    traced: Option<TracedPixel>,
     backend: BackendReport,
     warnings: &'a [Diagnostic],
 }
@@ -83,7 +96,8 @@ struct GpuValue {
 pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let times = Times::default();
     let (x, y) = args.at;
-    let (scene, opened) = loading::load_scene_while(&args.inputs, &args.scene, reporter, &times, || {
+    let options = SceneOptions { samples: None, ..args.scene.clone() };
+    let (scene, opened) = loading::load_scene_while(&args.inputs, &options, reporter, &times, || {
         Opened::new(&args.backend, None, &times)
     });
     let scene = scene?.at(args.time);
@@ -112,6 +126,7 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
         Backend::Cpu { scene, .. } => probe_with(scene),
         Backend::Gl { .. } => probe_with(&ReferenceScene::new(&scene)),
     };
+    let traced = args.traced.then(|| TracedPixel::new(&scene, &frame, (x, y), args.scene.samples, reporter, &times));
     let gpu = gpu_value(&mut backend, &frame, (x, y), reference, reporter, &times)?;
     if let Some(driver) = backend.driver() {
         reporter.verbose(format_args!("driver: {}", backend::driver_line(driver)));
@@ -129,6 +144,7 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
         reference,
         displayed: displayed(&frame, reference),
         gpu,
+        traced,
         backend: backend.report(),
         warnings: &scene.diagnostics,
     };

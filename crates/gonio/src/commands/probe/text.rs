@@ -45,6 +45,9 @@ impl<'a> ProbePage<'a> {
                 self.surroundings(probe);
             }
         }
+        if let Some(traced) = &report.traced {
+            self.traced(traced);
+        }
         self.result(report);
         self.text
     }
