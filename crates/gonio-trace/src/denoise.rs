@@ -98,6 +98,7 @@ impl Film {
             guides: Guides::new(features),
         };
         let row = self.width as usize;
+        let before = denoiser.noisy_sum(&picture);
         picture.pixels.par_chunks_mut(row * BAND).enumerate().for_each(|(band, pixels)| {
             let filtered = denoiser.band(band * BAND, pixels.len() / row);
             for (i, (pixel, light)) in pixels.iter_mut().zip(filtered).enumerate() {
@@ -109,6 +110,12 @@ impl Film {
                 }
             }
         });
+        // What the fits lost or gained, together, goes back to the pixels that were filtered.
+        let ratio = before / denoiser.noisy_sum(&picture);
+        let ratio = [ratio.x, ratio.y, ratio.z].map(|r| if (0.8..1.25).contains(&r) { r as f32 } else { 1.0 });
+        for (_, pixel) in picture.pixels.iter_mut().enumerate().filter(|(i, _)| denoiser.is_noisy(*i)) {
+            pixel.iter_mut().zip(ratio).for_each(|(channel, ratio)| *channel *= ratio);
+        }
         for channel in picture.pixels.iter_mut().flatten().filter(|channel| !channel.is_finite()) {
             *channel = 0.0;
         }
@@ -209,6 +216,18 @@ impl Guides {
 }
 
 impl Denoiser {
+    /// Whether the noise of a pixel exceeds rounding.
+    fn is_noisy(&self, i: usize) -> bool {
+        let Half { value, variance, .. } = &self.halves[0];
+        variance[i].max_element() > 1e-8 * value[i].length_squared()
+    }
+
+    /// The light of all pixels with noise.
+    fn noisy_sum(&self, picture: &Picture) -> DVec3 {
+        let noisy = picture.pixels.iter().enumerate().filter(|(i, _)| self.is_noisy(*i));
+        noisy.map(|(_, &[r, g, b, _])| Vec3::new(r, g, b).as_dvec3()).sum()
+    }
+
     /// The filtered light of `rows` rows from `top`, without albedo.
     fn band(&self, top: usize, rows: usize) -> Vec<Vec3> {
         let mut fits = vec![[NO_FIT; 2]; rows * self.width];
