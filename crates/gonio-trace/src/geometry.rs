@@ -10,12 +10,11 @@ use gonio_scene::{Object, Scene};
 
 /// All triangles, and the tree over them. Lengths are units of trace space.
 pub(crate) struct Geometry {
-    positions: Vec<Vec3>,
-    /// Unit, world space; zero where degenerate.
+    /// Of each vertex: unit, world space; zero where degenerate.
     normals: Vec<Vec3>,
     pub triangles: Vec<Triangle>,
-    /// Of each triangle: unit, towards the front; zero for one without area.
-    geometric_normals: Vec<Vec3>,
+    /// Of each triangle.
+    facets: Vec<Facet>,
     objects: Vec<Placed>,
     pub tree: Tree,
     pub space: Space,
@@ -49,6 +48,18 @@ pub(crate) struct Triangle {
     pub light: Option<u32>,
     /// The interpolated normal is the triangle's own everywhere.
     flat: bool,
+    /// The mesh has neither texture coordinates nor colours nor tangents.
+    bare: bool,
+}
+
+/// What a triangle's corners say.
+#[derive(Clone, Copy, Debug)]
+struct Facet {
+    corners: [Vec3; 3],
+    /// Unit, towards the front; zero for a triangle without area.
+    normal: Vec3,
+    /// Bound of the rounding error of a point's position along any axis.
+    error: f32,
 }
 
 /// An object in its place.
@@ -95,19 +106,25 @@ impl Geometry {
         let scale = if largest > 0.0 && largest.is_finite() { 1.0 / largest } else { 1.0 };
         let space = Space { center: 0.5 * (low + high), scale };
         let mut geometry = Geometry {
-            positions: Vec::new(),
             normals: Vec::new(),
             triangles: Vec::new(),
-            geometric_normals: Vec::new(),
+            facets: Vec::new(),
             objects: Vec::new(),
             tree: Tree::default(),
             space,
         };
+        let mut positions = Vec::new();
         for (index, object) in scene.objects.iter().enumerate() {
-            geometry.add(scene, index as u32, object);
+            geometry.add(scene, index as u32, object, &mut positions);
         }
-        let corners: Vec<[Vec3; 3]> = geometry.triangles.iter().map(|t| geometry.corners(t)).collect();
-        geometry.geometric_normals = geometry.triangles.iter().map(|t| geometry.front_normal(t)).collect();
+        let corners_of = |t: &Triangle| t.vertices.map(|v| positions[v as usize]);
+        let corners: Vec<[Vec3; 3]> = geometry.triangles.iter().map(corners_of).collect();
+        geometry.facets = geometry
+            .triangles
+            .iter()
+            .zip(&corners)
+            .map(|(t, corners)| Facet::new(*corners, geometry.objects[t.object as usize].handedness))
+            .collect();
         for i in 0..geometry.triangles.len() {
             geometry.triangles[i].flat = geometry.is_flat(i);
         }
@@ -115,9 +132,9 @@ impl Geometry {
         geometry
     }
 
-    fn add(&mut self, scene: &Scene, index: u32, object: &Object) {
+    fn add(&mut self, scene: &Scene, index: u32, object: &Object, positions: &mut Vec<Vec3>) {
         let directions = DMat3::from_mat4(object.world_from_model);
-        let first_vertex = self.positions.len() as u32;
+        let first_vertex = positions.len() as u32;
         let handedness = if directions.determinant() < 0.0 { -1.0 } else { 1.0 };
         self.objects.push(Placed {
             mesh: object.mesh,
@@ -133,7 +150,8 @@ impl Geometry {
             DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis))
                 * f64::from(handedness);
         let world = |p: [f32; 3]| object.world_from_model.transform_point3(DVec3::from(p.map(f64::from)));
-        self.positions.extend(mesh.positions.iter().map(|&p| self.space.point(world(p))));
+        positions.extend(mesh.positions.iter().map(|&p| self.space.point(world(p))));
+        let bare = mesh.tex_coords.is_empty() && mesh.colors.is_empty() && mesh.tangents.is_empty();
         self.normals.extend((0..mesh.positions.len()).map(|i| {
             let normal = mesh.normals.get(i).map_or(DVec3::ZERO, |&n| DVec3::from(n.map(f64::from)));
             vector::unit(normal_matrix * normal).unwrap_or(DVec3::ZERO).as_vec3()
@@ -149,35 +167,30 @@ impl Geometry {
                     continue;
                 }
                 let vertices = local.map(|v| first_vertex + v as u32);
-                if vertices.iter().all(|&v| self.positions[v as usize].is_finite()) {
+                if vertices.iter().all(|&v| positions[v as usize].is_finite()) {
                     self.triangles.push(Triangle {
                         vertices,
                         object: index,
                         material: part.material as u32,
                         light: None,
                         flat: false,
+                        bare,
                     });
                 }
             }
         }
     }
 
-    /// The corners of a triangle.
-    #[inline]
-    pub fn corners(&self, triangle: &Triangle) -> [Vec3; 3] {
-        let [a, b, c] = triangle.vertices;
-        [self.positions[a as usize], self.positions[b as usize], self.positions[c as usize]]
-    }
-
     /// Unit, towards the front; zero for a triangle without area.
+    #[inline]
     pub fn geometric_normal(&self, triangle: u32) -> Vec3 {
-        self.geometric_normals[triangle as usize]
+        self.facets[triangle as usize].normal
     }
 
     /// Whether the normals of the corners are the triangle's: as exactly as f32 tells.
     fn is_flat(&self, index: usize) -> bool {
         let triangle = &self.triangles[index];
-        let own = self.geometric_normals[index];
+        let own = self.facets[index].normal;
         self.objects[triangle.object as usize].flat
             || triangle.vertices.iter().all(|&v| {
                 let normal = self.normals[v as usize];
@@ -186,31 +199,18 @@ impl Geometry {
             })
     }
 
-    fn front_normal(&self, triangle: &Triangle) -> Vec3 {
-        let [a, b, c] = self.corners(triangle);
-        let normal = (b - a).cross(c - a);
-        let largest = normal.abs().max_element();
-        if largest > 0.0 {
-            (normal / largest).normalize() * self.objects[triangle.object as usize].handedness
-        } else {
-            Vec3::ZERO
-        }
-    }
-
     /// Area of a triangle, in units of trace space squared.
-    pub fn area(&self, triangle: &Triangle) -> f32 {
-        let [a, b, c] = self.corners(triangle);
+    pub fn area(&self, triangle: u32) -> f32 {
+        let [a, b, c] = self.facets[triangle as usize].corners;
         0.5 * (b - a).cross(c - a).length()
     }
 
     /// A point of a triangle, with the bound of its rounding error.
-    pub fn point(&self, triangle: &Triangle, weights: Vec3) -> (Vec3, f32) {
-        let [a, b, c] = self.corners(triangle);
-        let position = a * weights.x + b * weights.y + c * weights.z;
-        // Seven roundings (M. Pharr, W. Jakob, G. Humphreys, *Physically Based Rendering*, 4th edition, section 6.8.4), and two
-        // for the step away from the surface.
-        let largest = a.abs().max(b.abs()).max(c.abs()).max_element();
-        (position, 9.0 * 0.5 * f32::EPSILON * largest)
+    #[inline]
+    pub fn point(&self, triangle: u32, weights: Vec3) -> (Vec3, f32) {
+        let facet = &self.facets[triangle as usize];
+        let [a, b, c] = facet.corners;
+        (a * weights.x + b * weights.y + c * weights.z, facet.error)
     }
 
     /// The mesh of a triangle, and its corners in that mesh.
@@ -222,46 +222,78 @@ impl Geometry {
     }
 
     /// The place where a ray hit.
+    #[inline]
     pub fn place(&self, scene: &Scene, hit: &Hit) -> Place {
         let triangle = &self.triangles[hit.triangle as usize];
         let weights = hit.barycentrics;
-        let (position, error) = self.point(triangle, weights);
+        let (position, error) = self.point(hit.triangle, weights);
         let geometric_normal = self.geometric_normal(hit.triangle);
+        let mut place = Place {
+            position,
+            error,
+            geometric_normal,
+            normal: geometric_normal,
+            normal_turned: false,
+            flat: true,
+            tangent: None,
+            uv: Vec2::ZERO,
+            color: Vec3::ONE,
+        };
+        if !(triangle.flat && triangle.bare) {
+            self.interpolate(scene, triangle, weights, &mut place);
+        }
+        place
+    }
+
+    /// What the corners of a triangle give besides the position.
+    #[inline(never)]
+    fn interpolate(&self, scene: &Scene, triangle: &Triangle, weights: Vec3, place: &mut Place) {
         let object = &self.objects[triangle.object as usize];
-        let (normal, normal_turned) = if triangle.flat {
-            (geometric_normal, false)
-        } else {
-            let [a, b, c] = triangle.vertices;
-            let [a, b, c] = [self.normals[a as usize], self.normals[b as usize], self.normals[c as usize]];
-            let normal = (a * weights.x + b * weights.y + c * weights.z).normalize_or(geometric_normal);
-            if normal.dot(geometric_normal) < 0.0 { (-normal, true) } else { (normal, false) }
-        };
+        place.flat = object.flat;
+        if !triangle.flat {
+            let [a, b, c] = triangle.vertices.map(|v| self.normals[v as usize]);
+            let normal = (a * weights.x + b * weights.y + c * weights.z).normalize_or(place.geometric_normal);
+            place.normal_turned = normal.dot(place.geometric_normal) < 0.0;
+            place.normal = if place.normal_turned { -normal } else { normal };
+        }
+        if triangle.bare {
+            return;
+        }
         let (mesh, corners) = self.in_mesh(scene, triangle);
-        let uv = if mesh.tex_coords.is_empty() {
-            Vec2::ZERO
-        } else {
+        if !mesh.tex_coords.is_empty() {
             let [a, b, c] = corners.map(|v| mesh.tex_coords.get(v).map_or(Vec2::ZERO, |&uv| uv.into()));
-            a * weights.x + b * weights.y + c * weights.z
-        };
-        let color = if mesh.colors.is_empty() {
-            Vec3::ONE
-        } else {
+            place.uv = a * weights.x + b * weights.y + c * weights.z;
+        }
+        if !mesh.colors.is_empty() {
             let [a, b, c] = corners.map(|v| mesh.colors.get(v).map_or(Vec3::ONE, |c| Vec3::new(c[0], c[1], c[2])));
-            a * weights.x + b * weights.y + c * weights.z
-        };
-        let tangent = (!mesh.tangents.is_empty()).then(|| {
+            place.color = a * weights.x + b * weights.y + c * weights.z;
+        }
+        place.tangent = (!mesh.tangents.is_empty()).then(|| {
             let [a, b, c] = corners.map(|v| mesh.tangents.get(v).copied().unwrap_or_default());
             let mix = |i: usize| a[i] * weights.x + b[i] * weights.y + c[i] * weights.z;
             let along = object.world_from_model * DVec3::new(mix(0).into(), mix(1).into(), mix(2).into());
             (along.as_vec3(), if mix(3) * object.handedness < 0.0 { -1.0 } else { 1.0 })
         });
-        Place { position, error, geometric_normal, normal, normal_turned, flat: object.flat, tangent, uv, color }
+    }
+}
+
+impl Facet {
+    fn new(corners: [Vec3; 3], handedness: f32) -> Self {
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a);
+        let largest = normal.abs().max_element();
+        let normal = if largest > 0.0 { (normal / largest).normalize() * handedness } else { Vec3::ZERO };
+        // Seven roundings (M. Pharr, W. Jakob, G. Humphreys, *Physically Based Rendering*, 4th edition, section 6.8.4), and two
+        // for the step away from the surface.
+        let largest = a.abs().max(b.abs()).max(c.abs()).max_element();
+        Facet { corners, normal, error: 9.0 * 0.5 * f32::EPSILON * largest }
     }
 }
 
 impl Place {
     /// The origin of a ray that leaves the surface along `direction`: just outside of what rounding may have done to the
     /// position.
+    #[inline]
     pub fn leave(&self, direction: Vec3) -> Vec3 {
         offset(self.position, self.error, self.geometric_normal, direction)
     }
@@ -269,6 +301,7 @@ impl Place {
 
 /// `position` moved along `normal` to the side of `direction`, beyond its rounding error. `error` covers the rounding of
 /// this step too.
+#[inline]
 pub(crate) fn offset(position: Vec3, error: f32, normal: Vec3, direction: Vec3) -> Vec3 {
     let distance = error * normal.abs().element_sum() + f32::MIN_POSITIVE;
     position + normal * distance.copysign(direction.dot(normal))

@@ -238,7 +238,7 @@ impl Lights {
         for index in 0..geometry.triangles.len() {
             let triangle = geometry.triangles[index];
             let radiance = emitted(&triangle);
-            let area = geometry.area(&triangle);
+            let area = geometry.area(index as u32);
             if area > 0.0 && radiance.max_element() > 0.0 && radiance.is_finite() {
                 geometry.triangles[index].light = Some(self.sources.len() as u32);
                 self.sources.push(LightSource::Triangle { triangle: index as u32, area });
@@ -266,6 +266,7 @@ impl Lights {
     }
 
     /// A source at `choice` in `[0, 1)`, and a direction to it from `from`.
+    #[inline]
     pub fn sample(
         &self,
         geometry: &Geometry,
@@ -275,10 +276,16 @@ impl Lights {
         u: Vec2,
     ) -> Option<LightSample> {
         let (index, probability, _) = self.choice.sample(choice)?;
-        self.sample_source(index, probability, geometry, rules, from, u)
+        match self.sources[index] {
+            LightSource::Triangle { triangle, area } => {
+                sample_triangle(index, triangle, area, probability, geometry, from, u)
+            }
+            _ => self.sample_source(index, probability, geometry, rules, from, u),
+        }
     }
 
     /// A direction to one source, which is chosen with `probability`.
+    #[inline(never)]
     pub fn sample_source(
         &self,
         index: usize,
@@ -324,22 +331,7 @@ impl Lights {
                 })
             }
             &LightSource::Triangle { triangle, area } => {
-                let t = &geometry.triangles[triangle as usize];
-                let weights = sampling::triangle(u);
-                let (point, error) = geometry.point(t, weights);
-                let normal = geometry.geometric_normal(triangle);
-                let way = point - from;
-                let direction = way.try_normalize()?;
-                let cos = normal.dot(direction).abs();
-                let density = way.length_squared() / (cos * area);
-                (density.is_finite() && density > 0.0).then(|| LightSample {
-                    direction,
-                    end: Some(offset(point, error, normal, -direction)),
-                    light: Strength::Emitted(triangle, weights),
-                    density: density * probability,
-                    probability,
-                    source: index,
-                })
+                sample_triangle(index, triangle, area, probability, geometry, from, u)
             }
             LightSource::Environment => {
                 let environment = self.environment.as_ref()?;
@@ -401,6 +393,36 @@ impl Lights {
             _ => 0.0,
         }
     }
+}
+
+/// A direction to a triangle, source `index`, which is chosen with `probability`.
+#[inline(always)]
+fn sample_triangle(
+    index: usize,
+    triangle: u32,
+    area: f32,
+    probability: f32,
+    geometry: &Geometry,
+    from: Vec3,
+    u: Vec2,
+) -> Option<LightSample> {
+    let weights = sampling::triangle(u);
+    let (point, error) = geometry.point(triangle, weights);
+    let normal = geometry.geometric_normal(triangle);
+    let way = point - from;
+    let distance2 = way.length_squared();
+    let direction = way * (1.0 / distance2.sqrt());
+    let cos = normal.dot(direction).abs();
+    let density = distance2 / (cos * area);
+    // Not where the light is seen from the side, or so near that the direction is lost.
+    (density.is_finite() && density > 0.0 && distance2 >= f32::MIN_POSITIVE).then(|| LightSample {
+        direction,
+        end: Some(offset(point, error, normal, -direction)),
+        light: Strength::Emitted(triangle, weights),
+        density: density * probability,
+        probability,
+        source: index,
+    })
 }
 
 impl Lamp {

@@ -88,8 +88,7 @@ pub(crate) fn mean_emission(scene: &Scene, geometry: &Geometry, filter: TextureF
     }
     let mean = |(key, triangles): ((u32, u32), Vec<u32>)| {
         let material = &scene.materials[key.1 as usize];
-        let areas: Vec<f64> =
-            triangles.iter().map(|&t| geometry.area(&geometry.triangles[t as usize]).into()).collect();
+        let areas: Vec<f64> = triangles.iter().map(|&t| geometry.area(t).into()).collect();
         let whole: f64 = areas.iter().sum();
         let mut sum = DVec3::ZERO;
         for (&triangle, area) in triangles.iter().zip(areas) {
@@ -124,6 +123,8 @@ pub(crate) struct Constants {
     /// The radiance that it emits; none where a texture gives it.
     emitted: Option<Tint>,
     clear_tint: Tint,
+    /// The diffuse colour of a surface that does nothing else, where no mesh colours it.
+    only_diffuse: Option<Tint>,
     /// The table of the diffuse reflectance; the largest channel of its colour.
     diffuse_table: Option<(u32, f32)>,
 }
@@ -147,13 +148,21 @@ impl Constants {
             let has_texture = maps.diffuse.is_some() || maps.specular.is_some() || maps.shininess.is_some();
             let (diffuse, glossy) = (Vec3::from(material.material.diffuse), material.material.specular.into());
             let diffuse_table = table.map(|table| (table, diffuse.max_element()));
+            let colors = (!has_texture).then(|| {
+                let lobe = lobe_of(material, brdf, None);
+                let (diffuse, glossy) = conserving(diffuse, glossy, lobe);
+                (diffuse_tint(diffuse, diffuse_table), Tint::of_reflectance(glossy), lobe)
+            });
+            let is_plain = maps.normal.is_none()
+                && maps.opacity.is_none()
+                && material.material.opacity >= 1.0
+                && material.optics.is_plain();
             Constants {
                 diffuse_table,
-                colors: (!has_texture).then(|| {
-                    let lobe = lobe_of(material, brdf, None);
-                    let (diffuse, glossy) = conserving(diffuse, glossy, lobe);
-                    (diffuse_tint(diffuse, diffuse_table), Tint::of_reflectance(glossy), lobe)
-                }),
+                only_diffuse: colors
+                    .filter(|(_, glossy, _)| is_plain && glossy.rgb() == Vec3::ZERO)
+                    .map(|(diffuse, ..)| diffuse),
+                colors,
                 emitted: maps
                     .emitted
                     .is_none()
@@ -266,6 +275,13 @@ impl Materials<'_> {
         let b = sign * n.cross(t);
         let m = 2.0 * texel.truncate().as_vec3() - Vec3::ONE;
         (t * m.x + b * m.y + n * m.z).normalize_or(n)
+    }
+
+    /// The colour, in the lanes of a path, of a place that only scatters diffusely, if it is one.
+    #[inline]
+    pub fn only_diffuse(&self, index: u32, place: &Place, wavelengths: &Wavelengths) -> Option<Vec4> {
+        let tint = self.constants[index as usize].only_diffuse.as_ref()?;
+        (place.color == Vec3::ONE).then(|| self.mode.reflectance(tint, wavelengths))
     }
 
     /// What the place is made of, seen along `view` (unit, away from it). A path that is split by dispersion keeps its

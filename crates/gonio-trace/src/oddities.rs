@@ -98,11 +98,11 @@ impl TraceScene {
                 found.push(TraceOddity::Environment(count));
             }
         }
-        let emits = |t: &&crate::geometry::Triangle| {
+        let emits = |(index, t): &(usize, &crate::geometry::Triangle)| {
             let radiance = crate::material::bare_emitted(scene, t.material);
-            radiance.max_element() > 0.0 && radiance.is_finite() && geometry.area(t) <= 0.0
+            radiance.max_element() > 0.0 && radiance.is_finite() && geometry.area(*index as u32) <= 0.0
         };
-        let flat = geometry.triangles.iter().filter(emits).count();
+        let flat = geometry.triangles.iter().enumerate().filter(emits).count();
         if flat > 0 {
             found.push(TraceOddity::LampsWithoutArea(flat));
         }

@@ -5,6 +5,8 @@
 
 use crate::bsdf::{Bsdf, Scattering};
 use crate::color::{Tint, Wavelengths};
+use crate::diffuse::{Diffuse, Scatter};
+use crate::eye::Eye;
 use crate::geometry::{Geometry, Place};
 use crate::lamps::LightRules;
 use crate::lights::{LightOrigin, LightSample, Lights, Strength};
@@ -37,6 +39,7 @@ pub(crate) struct World<'s> {
     /// the nearest source, and points are never found.
     pub technique: Technique,
     pub simplified: Simplifications,
+    pub eye: Eye,
     pub rules: Rules,
     pub light_rules: LightRules,
     /// Directions find the environment, although they find nothing else: nothing blocks it.
@@ -95,6 +98,7 @@ impl World<'_> {
         // Product of the squared ratios of indices: not a loss, so roulette must not count it as one.
         let mut refraction_scale = 1.0_f32;
         let mut depth = 0;
+        let exact = self.rules.are_exact();
         let unblocked = self.simplified.contains(Simplification::Shadows);
         while depth < self.most_depth {
             let hit = self.geometry.tree.nearest(&ray);
@@ -163,12 +167,15 @@ impl World<'_> {
                 ray = Ray { origin: place.leave(ray.direction), direction: ray.direction, reach: f32::INFINITY };
                 continue;
             }
-            let normal = self.materials.normal(triangle.material, &place);
-            let parts = self.materials.parts(triangle.material, &place, normal, view, wavelengths);
-            let bsdf = Bsdf::new(&place, normal, view, parts, &self.rules);
+            let only_diffuse =
+                if exact { self.materials.only_diffuse(triangle.material, &place, wavelengths) } else { None };
+            let bsdf = match only_diffuse {
+                Some(color) => Scatter::Diffuse(Diffuse::new(&place, view, color)),
+                None => Scatter::Any(self.bsdf(triangle.material, &place, view, wavelengths)),
+            };
             if let Some(term) = &self.materials.ambient {
                 let light =
-                    self.materials.ambient(term, triangle.material, &place, wavelengths) * bsdf.lit * throughput;
+                    self.materials.ambient(term, triangle.material, &place, wavelengths) * bsdf.lit() * throughput;
                 found.light += light;
                 recorder.add(depth + 1, LightOrigin::Ambient, light);
             }
@@ -189,12 +196,7 @@ impl World<'_> {
             if bsdf.is_rough() && depth < self.most_depth {
                 let share = throughput / bsdf.probability_of_surface();
                 if depth == 1 && self.sums() {
-                    for source in 0..self.lights.sources.len() {
-                        let u = Vec2::splat(0.5);
-                        let sample =
-                            self.lights.sample_source(source, 1.0, self.geometry, &self.light_rules, place.position, u);
-                        self.add_direct(&mut found, &place, &bsdf, sample, share, depth, wavelengths, recorder);
-                    }
+                    self.add_all(&mut found, &place, &bsdf, share, wavelengths, recorder);
                 } else if self.technique != Technique::Directions {
                     let u = sampler.next_2d();
                     let sample = self.lights.sample(self.geometry, &self.light_rules, place.position, choice.y, u);
@@ -247,6 +249,14 @@ impl World<'_> {
         found
     }
 
+    /// How a surface of any material scatters light.
+    #[inline(never)]
+    fn bsdf(&self, material: u32, place: &Place, view: Vec3, wavelengths: &mut Wavelengths) -> Bsdf<'_> {
+        let normal = self.materials.normal(material, place);
+        let parts = self.materials.parts(material, place, normal, view, wavelengths);
+        Bsdf::new(place, normal, view, parts, &self.rules)
+    }
+
     /// Whether all sources are added up.
     fn sums(&self) -> bool {
         self.simplified.contains(Simplification::Sum) && self.lights.sources.len() <= MOST_SUMMED
@@ -295,13 +305,32 @@ impl World<'_> {
         self.materials.mode.light(&radiance, wavelengths) * weight
     }
 
+    /// Adds the light of all sources, each at its middle, that the first surface scatters to the eye.
+    #[inline(never)]
+    fn add_all(
+        &self,
+        found: &mut Found,
+        place: &Place,
+        bsdf: &Scatter,
+        throughput: Vec4,
+        wavelengths: &Wavelengths,
+        recorder: &mut impl Recorder,
+    ) {
+        for source in 0..self.lights.sources.len() {
+            let u = Vec2::splat(0.5);
+            let sample = self.lights.sample_source(source, 1.0, self.geometry, &self.light_rules, place.position, u);
+            self.add_direct(found, place, bsdf, sample, throughput, 1, wavelengths, recorder);
+        }
+    }
+
     /// Adds the light of one sample that the place scatters to the view.
     #[allow(clippy::too_many_arguments)]
+    #[inline]
     fn add_direct(
         &self,
         found: &mut Found,
         place: &Place,
-        bsdf: &Bsdf,
+        bsdf: &Scatter,
         sample: Option<LightSample>,
         throughput: Vec4,
         depth: u32,
@@ -315,7 +344,8 @@ impl World<'_> {
     }
 
     /// Light of a sample that the place scatters to the view.
-    fn direct(&self, place: &Place, bsdf: &Bsdf, sample: &LightSample, wavelengths: &Wavelengths) -> Vec4 {
+    #[inline]
+    fn direct(&self, place: &Place, bsdf: &Scatter, sample: &LightSample, wavelengths: &Wavelengths) -> Vec4 {
         let (value, density) = bsdf.evaluate(sample.direction);
         if value == Vec4::ZERO {
             return Vec4::ZERO;
@@ -351,11 +381,27 @@ impl World<'_> {
     }
 
     /// The share of light that arrives from a sampled source: 0 behind an opaque surface.
+    #[inline]
     fn clear_way(&self, place: &Place, sample: &LightSample) -> f32 {
         if self.simplified.contains(Simplification::Shadows) {
             return 1.0;
         }
-        let mut origin = place.leave(sample.direction);
+        let origin = place.leave(sample.direction);
+        let is_simple = !self.materials.has_holes && self.lights.lamps.is_empty();
+        if !is_simple || self.simplified.contains(Simplification::Sum) {
+            return self.clear_way_through(origin, sample);
+        }
+        let ray = match sample.end {
+            // The way is the unit of length. A light closer than rounding can tell is not blocked.
+            Some(end) => Ray { origin, direction: end - origin, reach: 1.0 - 4.0 * f32::EPSILON },
+            None => Ray { origin, direction: sample.direction, reach: f32::INFINITY },
+        };
+        if ray.direction != Vec3::ZERO && self.geometry.tree.is_blocked(&ray) { 0.0 } else { 1.0 }
+    }
+
+    /// [`Self::clear_way`] where holes let light through, and lamps and objects may be in the way.
+    #[inline(never)]
+    fn clear_way_through(&self, mut origin: Vec3, sample: &LightSample) -> f32 {
         let mut share = 1.0;
         // A point that stands for an object is not in its shadow.
         let own = match self.lights.origins[sample.source] {

@@ -2,6 +2,7 @@
 
 use crate::color::{ColorMode, Tint};
 use crate::environment::Environment;
+use crate::eye::Eye;
 use crate::geometry::{Geometry, Triangle};
 use crate::lamps::LightRules;
 use crate::lights::{LightOrigin, LightUnits, Lights, PlacedLight};
@@ -177,7 +178,7 @@ impl Posed {
         let mut weight = 0.0;
         for &index in triangles {
             let triangle = &self.geometry.triangles[index as usize];
-            let area = f64::from(self.geometry.area(triangle)) / (space.scale * space.scale);
+            let area = f64::from(self.geometry.area(index)) / (space.scale * space.scale);
             let radiance = means
                 .get(&(triangle.object, triangle.material))
                 .map_or_else(|| bare_emitted(&self.scene, triangle.material), |mean| mean.rgb().as_dvec3());
@@ -185,7 +186,7 @@ impl Posed {
             let power = radiance * (area * opacity.clamp(0.0, 1.0));
             whole += power;
             weight += power.element_sum();
-            center += self.geometry.point(triangle, Vec3::splat(1.0 / 3.0)).0.as_dvec3() * power.element_sum();
+            center += self.geometry.point(index, Vec3::splat(1.0 / 3.0)).0.as_dvec3() * power.element_sum();
             sums.push(power.element_sum());
         }
         if !(weight > 0.0 && whole.is_finite()) {
@@ -211,8 +212,7 @@ impl Posed {
         (0..points)
             .filter_map(|i| {
                 let (triangle, _, _) = choice.sample((i as f32 + 0.5) / points as f32)?;
-                let triangle = &self.geometry.triangles[triangles[triangle] as usize];
-                Some(light(self.geometry.point(triangle, sampling::triangle(sampling::r2(i))).0.as_dvec3()))
+                Some(light(self.geometry.point(triangles[triangle], sampling::triangle(sampling::r2(i))).0.as_dvec3()))
             })
             .collect()
     }
@@ -286,6 +286,7 @@ impl Posed {
         };
         let finds_one = has(Simplification::Sum) || has(Simplification::Shadows);
         World {
+            eye: Eye::new(frame, &self.geometry.space),
             geometry: &self.geometry,
             materials,
             lights: summed.unwrap_or(&self.sources),

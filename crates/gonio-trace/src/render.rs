@@ -285,15 +285,16 @@ impl TraceScene {
         py: f64,
         sampler: &mut Sampler,
     ) -> Ray {
+        if settings.aperture <= 0.0 || settings.aperture.is_nan() {
+            return world.eye.ray(px, py);
+        }
         let Frame { camera, width, height, .. } = &self.frame;
         let mut eye = camera.position;
         let mut direction = camera.ray_direction(px, py, *width, *height);
-        if settings.aperture > 0.0 {
-            let on_lens = sampling::disc(sampler.next_2d()).as_dvec2() * settings.aperture;
-            let focused = eye + direction * (settings.focus / direction.dot(camera.front));
-            eye += camera.right * on_lens.x + camera.up * on_lens.y;
-            direction = (focused - eye).normalize_or(camera.front);
-        }
+        let on_lens = sampling::disc(sampler.next_2d()).as_dvec2() * settings.aperture;
+        let focused = eye + direction * (settings.focus / direction.dot(camera.front));
+        eye += camera.right * on_lens.x + camera.up * on_lens.y;
+        direction = (focused - eye).normalize_or(camera.front);
         let cos = direction.dot(camera.front);
         let space = &world.geometry.space;
         let start = eye + direction * (camera.near / cos);

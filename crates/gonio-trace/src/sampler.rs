@@ -27,18 +27,21 @@ pub(crate) struct Sampler {
 
 impl Sampler {
     /// Sample `index` of pixel number `pixel`.
+    #[inline]
     pub fn new(seed: u64, pixel: u32, index: u32) -> Self {
         let seed = hash(hash(seed as u32 ^ hash((seed >> 32) as u32)) ^ pixel);
         Sampler { seed, reversed_index: index.reverse_bits(), pair: 0 }
     }
 
     /// The next number, in `[0, 1)`.
+    #[inline]
     pub fn next_1d(&mut self) -> f32 {
         let seed = self.next_seed();
         unit_interval(permute(self.shuffled_index(seed), other_seed(seed, FIRST)).reverse_bits())
     }
 
     /// The next point, in `[0, 1)^2`.
+    #[inline]
     pub fn next_2d(&mut self) -> Vec2 {
         let seed = self.next_seed();
         let index = self.shuffled_index(seed);
@@ -50,10 +53,12 @@ impl Sampler {
     }
 
     /// The index in an order of its own for each pair: Owen's scrambling keeps every run of 2^k samples together.
+    #[inline]
     fn shuffled_index(&self, seed: u32) -> u32 {
         permute(self.reversed_index, seed).reverse_bits()
     }
 
+    #[inline]
     fn next_seed(&mut self) -> u32 {
         self.pair += 1;
         hash(self.seed ^ self.pair.wrapping_mul(0x9E37_79B9))
@@ -65,10 +70,12 @@ const FIRST: u64 = 0x9E37_79B9_7F4A_7C15;
 const SECOND: u64 = 0xD1B5_4A32_D192_ED03;
 
 /// A seed for another purpose: the upper half of the product depends on all bits of a hash.
+#[inline]
 fn other_seed(seed: u32, factor: u64) -> u32 {
     (u64::from(seed).wrapping_mul(factor) >> 32) as u32
 }
 
+#[inline]
 fn unit_interval(bits: u32) -> f32 {
     // 2^-32. The largest integers round to 1.
     (bits as f32 * 2.328_306_4e-10).min(BELOW_ONE)
@@ -76,6 +83,7 @@ fn unit_interval(bits: u32) -> f32 {
 
 /// The index times Pascal's triangle modulo 2: the second coordinate of that point of the Sobol sequence, as a fraction of 2^32 with
 /// its bits reversed.
+#[inline]
 fn pascal(index: u32) -> u32 {
     let mut v = index;
     v ^= v >> 16;
@@ -88,6 +96,7 @@ fn pascal(index: u32) -> u32 {
 
 /// Burley's hash: each bit is flipped depending on the bits below it. Between two reversals of bits it is Owen's nested uniform
 /// scrambling of a binary fraction.
+#[inline]
 fn permute(mut x: u32, seed: u32) -> u32 {
     x = x.wrapping_add(seed);
     x ^= x.wrapping_mul(0x6c50_b47c);
@@ -98,6 +107,7 @@ fn permute(mut x: u32, seed: u32) -> u32 {
 
 /// A bijection of 32 bits that changes half of them for each bit of its argument (C. Wellons, *Prospecting for Hash
 /// Functions*, 2018).
+#[inline]
 fn hash(mut x: u32) -> u32 {
     x ^= x >> 16;
     x = x.wrapping_mul(0x7feb_352d);

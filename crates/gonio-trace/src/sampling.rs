@@ -5,22 +5,21 @@ use std::f32::consts::{FRAC_1_PI, FRAC_PI_4, TAU};
 
 /// A point of the unit disc, uniformly: concentric squares to concentric circles (P. Shirley and K. Chiu, *A Low Distortion
 /// Map Between Disk and Square*, JGT 2(3), 1997).
+#[inline]
 pub(crate) fn disc(u: Vec2) -> Vec2 {
     let p = 2.0 * u - Vec2::ONE;
-    if p == Vec2::ZERO {
-        return Vec2::ZERO;
-    }
-    if p.x.abs() > p.y.abs() {
-        let (sin, cos) = sin_cos_of_eighth(FRAC_PI_4 * (p.y / p.x));
-        p.x * Vec2::new(cos, sin)
-    } else {
-        let (sin, cos) = sin_cos_of_eighth(FRAC_PI_4 * (p.x / p.y));
-        p.y * Vec2::new(sin, cos)
-    }
+    // Values are chosen instead of ways, which half of the points would take.
+    let is_wide = p.x.abs() > p.y.abs();
+    let (long, short) = if is_wide { (p.x, p.y) } else { (p.y, p.x) };
+    // In the middle both are 0, and so is the point.
+    let (sin, cos) = sin_cos_of_eighth(FRAC_PI_4 * (short / if long == 0.0 { 1.0 } else { long }));
+    let (along, across) = (long * cos, long * sin);
+    if is_wide { Vec2::new(along, across) } else { Vec2::new(across, along) }
 }
 
 /// Sine and cosine of an angle between -pi/4 and pi/4, within 1e-7 (polynomials of S. L. Moshier, *Methods and Programs for
 /// Mathematical Functions*, 1989).
+#[inline]
 fn sin_cos_of_eighth(angle: f32) -> (f32, f32) {
     let x2 = angle * angle;
     let sin = ((-1.951_529_6e-4 * x2 + 8.332_161e-3) * x2 - 1.666_665_5e-1) * x2 * angle + angle;
@@ -29,6 +28,7 @@ fn sin_cos_of_eighth(angle: f32) -> (f32, f32) {
 }
 
 /// A direction about +Z with density [`cosine_density`] (Malley's method).
+#[inline]
 pub(crate) fn cosine_hemisphere(u: Vec2) -> Vec3 {
     let p = disc(u);
     p.extend((1.0 - p.length_squared()).max(0.0).sqrt())
@@ -59,14 +59,11 @@ pub(crate) fn from_polar(cos: f32, turn: f32) -> Vec3 {
 
 /// Barycentric coordinates of a point of a triangle, uniformly over its area, with little distortion (E. Heitz, *A
 /// Low-Distortion Map Between Triangle and Square*, 2019).
+#[inline]
 pub(crate) fn triangle(u: Vec2) -> Vec3 {
-    let (b0, b1) = if u.x < u.y {
-        let b0 = 0.5 * u.x;
-        (b0, u.y - b0)
-    } else {
-        let b1 = 0.5 * u.y;
-        (u.x - b1, b1)
-    };
+    // In both halves of the square: the smaller coordinate is halved, and the other loses as much.
+    let half = 0.5 * u.x.min(u.y);
+    let (b0, b1) = (u.x - half, u.y - half);
     Vec3::new(b0, b1, 1.0 - b0 - b1)
 }
 
@@ -79,6 +76,7 @@ pub(crate) fn r2(i: u32) -> Vec2 {
 
 /// Veach's power heuristic with exponent 2: the weight of a sample of density `a` where another technique has density
 /// `b` (E. Veach, *Robust Monte Carlo Methods for Light Transport Simulation*, 1997, section 9.2.2).
+#[inline]
 pub(crate) fn power_heuristic(a: f32, b: f32) -> f32 {
     if a.is_infinite() {
         return 1.0;
@@ -115,6 +113,7 @@ impl Discrete {
     }
 
     /// The probability of an index.
+    #[inline]
     pub fn probability(&self, index: usize) -> f32 {
         let below = if index == 0 { 0.0 } else { self.cumulative[index - 1] };
         self.cumulative[index] - below
@@ -122,11 +121,17 @@ impl Discrete {
 
     /// The index at `u` in `[0, 1)`, its probability, and `u` stretched to `[0, 1)` again within the index. `None` where
     /// nothing has a weight.
+    #[inline]
     pub fn sample(&self, u: f32) -> Option<(usize, f32, f32)> {
         if self.is_empty() {
             return None;
         }
-        let index = self.cumulative.partition_point(|&c| c <= u).min(self.cumulative.len() - 1);
+        // Counting the few takes no branches.
+        let below = match self.cumulative.len() {
+            0..=8 => self.cumulative.iter().map(|&c| usize::from(c <= u)).sum(),
+            _ => self.cumulative.partition_point(|&c| c <= u),
+        };
+        let index = below.min(self.cumulative.len() - 1);
         let probability = self.probability(index);
         let below = self.cumulative[index] - probability;
         // At the very end rounding may choose an index without weight; it is then left out.
@@ -137,6 +142,7 @@ impl Discrete {
 
 /// Two unit vectors that make a right-handed frame with the unit vector `n` (T. Duff et al., *Building an Orthonormal Basis,
 /// Revisited*, JCGT 6(1), 2017).
+#[inline]
 pub(crate) fn frame(n: Vec3) -> (Vec3, Vec3) {
     n.any_orthonormal_pair()
 }

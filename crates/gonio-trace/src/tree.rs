@@ -51,6 +51,8 @@ struct Node {
 const LEAF: u32 = 1 << 31;
 const SECOND_PACKET: u32 = 1 << 30;
 const EMPTY: u32 = u32::MAX;
+/// The axes after each axis, in turn and in reverse.
+const AXES: [[usize; 2]; 6] = [[1, 2], [2, 1], [2, 0], [0, 2], [0, 1], [1, 0]];
 /// Triangles per leaf, at most: two packets.
 const MOST_IN_LEAF: u32 = 8;
 
@@ -180,7 +182,7 @@ impl Tree {
             // Farther children go below nearer ones: an insertion sort of at most four.
             let bottom = stack.length;
             while bits != 0 {
-                let lane = bits.trailing_zeros() as usize;
+                let lane = (bits.trailing_zeros() & 3) as usize;
                 bits &= bits - 1;
                 if node.children[lane] != EMPTY {
                     stack.insert::<SORTED>(bottom, entries[lane], node.children[lane]);
@@ -253,7 +255,7 @@ impl Node {
 
     /// The distances at which the ray enters the boxes, and a bit for each box that it meets within `reach`.
     #[inline]
-    fn entries(&self, line: &Line, reach: f32) -> (Vec4, u32) {
+    fn entries(&self, line: &Line, reach: f32) -> ([f32; 4], u32) {
         let (mut from, mut to) = (Vec4::ZERO, Vec4::splat(reach));
         for axis in 0..3 {
             // Looked up, because a branch would often be predicted wrongly.
@@ -263,7 +265,8 @@ impl Node {
             from = ((near - line.box_origin[axis]) * line.inverse[axis]).max(from);
             to = ((far - line.box_origin[axis]) * line.inverse_out[axis]).min(to);
         }
-        (from, from.cmple(to).bitmask())
+        // An index into a vector would be a jump.
+        (from.to_array(), from.cmple(to).bitmask())
     }
 }
 
@@ -285,13 +288,12 @@ struct Line {
 impl Line {
     #[inline]
     fn new(ray: &Ray) -> Self {
-        let (o, d) = (ray.origin, ray.direction);
-        let z = d.abs().max_position();
-        let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
-        if d[z] < 0.0 {
-            std::mem::swap(&mut x, &mut y);
-        }
-        let inverse = Vec4::ONE / d.extend(1.0);
+        let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
+        // Without branches, which rays would take in no order.
+        let size = ray.direction.abs();
+        let z = if size.z > size.x.max(size.y) { 2 } else { usize::from(size.y > size.x) };
+        let [x, y] = AXES[2 * z + usize::from(d[z] < 0.0)];
+        let inverse = (Vec4::ONE / ray.direction.extend(1.0)).to_array();
         Line {
             box_origin: [0, 1, 2].map(|i| Vec4::splat(o[i])),
             inverse: [0, 1, 2].map(|i| Vec4::splat(inverse[i])),
@@ -350,18 +352,21 @@ impl Packet {
     #[inline]
     fn nearest(&self, line: &Line, reach: f32) -> Option<Hit> {
         let (mut met, [u, v, w, determinant], distance) = self.meet(line, reach)?;
-        let mut nearest: Option<usize> = None;
+        let distance = distance.to_array();
+        let mut nearest = (met.trailing_zeros() & 3) as usize;
+        met &= met - 1;
         while met != 0 {
-            let lane = met.trailing_zeros() as usize;
+            let lane = (met.trailing_zeros() & 3) as usize;
             met &= met - 1;
-            if nearest.is_none_or(|n| distance[lane] < distance[n]) {
-                nearest = Some(lane);
+            if distance[lane] < distance[nearest] {
+                nearest = lane;
             }
         }
-        nearest.map(|lane| Hit {
-            distance: distance[lane],
-            triangle: self.triangles[lane],
-            barycentrics: Vec3::new(u[lane], v[lane], w[lane]) / determinant[lane],
+        let [u, v, w, determinant] = [u, v, w, determinant].map(|lanes| lanes.to_array()[nearest]);
+        Some(Hit {
+            distance: distance[nearest],
+            triangle: self.triangles[nearest],
+            barycentrics: Vec3::new(u, v, w) / determinant,
         })
     }
 }
