@@ -79,7 +79,7 @@ fn times(matrix: &[[f32; 3]; 3], v: [f32; 3]) -> [f32; 3] {
 /// XYZ relative to the white point.
 fn relative_xyz(rgb: [f32; 3]) -> [f32; 3] {
     let white = times(&XYZ_FROM_RGB, [1.0; 3]);
-    let xyz = times(&XYZ_FROM_RGB, rgb.map(|v| v.max(0.0).min(1.0)));
+    let xyz = times(&XYZ_FROM_RGB, rgb.map(|v| if v > 0.0 { v.min(1.0) } else { 0.0 }));
     std::array::from_fn(|i| xyz[i] / white[i])
 }
 
