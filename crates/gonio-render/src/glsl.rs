@@ -9,7 +9,6 @@ pub use special::{OVERDRAW_SCALE, SpecialProgram};
 pub use surroundings::{SurfaceOptics, SurroundingsKey, sky_sources};
 
 use crate::body::LEAF_STEP;
-use crate::shadow_map::MOST_SHADOWED_LIGHTS;
 use gonio_gl::Dialect;
 use gonio_light::brdf::{self, BrdfKind};
 use gonio_light::color::{self, ToneMap};
@@ -32,10 +31,6 @@ pub const LIGHTS_IN_UNIFORMS: usize = 16;
 pub const LIGHTS_UNROLLED: usize = 4;
 /// Texels in one row of the table of an object's body: the least maximum of WebGL2.
 pub const BODY_ROW: usize = 2048;
-/// Texels of one shadow map in the table of shadow maps.
-pub const SHADOW_TEXELS: usize = 6;
-/// Rows of the table of shadow maps: six for each light.
-pub const SHADOW_ROWS: usize = 6 * MOST_SHADOWED_LIGHTS;
 /// Depths within this many widths of a shadow map's texels are the same surface. Less leaves dark lines where surfaces
 /// meet; more parts shadows of thin sheets from them.
 pub const SHADOW_BIAS_TEXELS: f64 = 1.5;

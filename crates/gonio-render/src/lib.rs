@@ -16,6 +16,7 @@ mod light_table;
 mod renderer;
 mod scene_on_gpu;
 mod shadow_map;
+mod shadows_on_gpu;
 mod textures;
 pub mod user_program;
 

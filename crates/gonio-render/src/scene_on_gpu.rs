@@ -3,7 +3,7 @@
 use crate::body::{BodyOnGpu, BodyTable};
 use crate::environment_on_gpu::EnvironmentOnGpu;
 use crate::geometry::{Form, MeshOnGpu};
-use crate::renderer::ShadowMaps;
+use crate::shadows_on_gpu::ShadowMaps;
 use crate::textures;
 use glam::{DMat4, Mat3, Vec3};
 use gonio_gl::objects::TextureObject;

@@ -4,13 +4,16 @@
 //! A map covers what its light can light of the box around all objects. Where its texels would be coarser than pixels, and
 //! light is summed at fragments, it covers only what the camera sees of that.
 
-use crate::glsl::{SHADOW_ROWS, SHADOW_TEXELS};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use gonio_light::{Light, LightKind, vector};
 use gonio_scene::Frame;
 
 /// Most lights that cast shadows, the first of a scene: each may need six maps.
 pub const MOST_SHADOWED_LIGHTS: usize = 16;
+/// Texels of one shadow map in the table of shadow maps.
+pub const SHADOW_TEXELS: usize = 6;
+/// Rows of the table of shadow maps: six for each light.
+pub const SHADOW_ROWS: usize = 6 * MOST_SHADOWED_LIGHTS;
 /// Texels of all maps together: 64 MiB.
 const MOST_TEXELS: f64 = (1_u32 << 24) as f64;
 /// Texels along a side of a map; twice the pixels of the picture, within these limits.

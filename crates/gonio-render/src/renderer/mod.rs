@@ -14,7 +14,6 @@ mod surroundings;
 pub use bands::RenderedPicture;
 pub use output::RenderedFrame;
 pub use paint::{DifferenceScale, Painted};
-pub(crate) use shadows::ShadowMaps;
 
 use crate::glsl::texture_unit;
 use crate::light_table::LightTable;

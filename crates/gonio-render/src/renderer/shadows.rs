@@ -2,9 +2,10 @@
 
 use super::Renderer;
 use super::shared::{PANES, Shared};
-use crate::glsl::{SHADOW_ROWS, SHADOW_TEXELS, SpecialProgram, texture_unit};
+use crate::glsl::{SpecialProgram, texture_unit};
 use crate::scene_on_gpu::{GpuObject, GpuScene, Run};
-use crate::shadow_map::{MOST_SHADOWED_LIGHTS, ShadowMap, ShadowPlan};
+use crate::shadow_map::{MOST_SHADOWED_LIGHTS, SHADOW_ROWS, SHADOW_TEXELS, ShadowMap, ShadowPlan};
+use crate::shadows_on_gpu::ShadowMaps;
 use crate::textures;
 use gonio_gl::objects::{DebugGroup, TextureObject};
 use gonio_gl::target::DepthTarget;
@@ -12,23 +13,6 @@ use gonio_gl::{Gl, GlError, Texels};
 use gonio_scene::scene::ShadowCaster;
 use gonio_scene::{BoundTexture, Frame, TextureFilter};
 use std::rc::Rc;
-
-/// The shadow maps of a scene, as drawn last.
-pub(crate) struct ShadowMaps {
-    pub plan: ShadowPlan,
-    atlas: Rc<DepthTarget>,
-    table: TextureObject,
-}
-
-impl ShadowMaps {
-    /// Binds the maps and their table.
-    pub fn bind(&self, gl: &Gl) {
-        for (sampler, texture) in [("shadow_atlas", self.atlas.texture()), ("shadow_table", self.table.handle())] {
-            gl.active_texture(glow::TEXTURE0 + texture_unit(sampler));
-            gl.bind_texture(glow::TEXTURE_2D, Some(texture));
-        }
-    }
-}
 
 impl Renderer {
     /// The shadow maps of a frame, drawn if what they depend on has changed; `None` if nothing casts shadows.

@@ -1,0 +1,28 @@
+//! The shadow maps of a scene in OpenGL's memory.
+
+use crate::glsl::texture_unit;
+use crate::shadow_map::ShadowPlan;
+use gonio_gl::Gl;
+use gonio_gl::objects::TextureObject;
+use gonio_gl::target::DepthTarget;
+use std::rc::Rc;
+
+/// The shadow maps of a scene, as drawn last.
+pub(crate) struct ShadowMaps {
+    /// The maps' projections and places.
+    pub plan: ShadowPlan,
+    /// The depths of all maps.
+    pub atlas: Rc<DepthTarget>,
+    /// The plan as a texture.
+    pub table: TextureObject,
+}
+
+impl ShadowMaps {
+    /// Binds the maps and their table.
+    pub fn bind(&self, gl: &Gl) {
+        for (sampler, texture) in [("shadow_atlas", self.atlas.texture()), ("shadow_table", self.table.handle())] {
+            gl.active_texture(glow::TEXTURE0 + texture_unit(sampler));
+            gl.bind_texture(glow::TEXTURE_2D, Some(texture));
+        }
+    }
+}
