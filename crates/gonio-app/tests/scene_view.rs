@@ -329,7 +329,8 @@ fn the_truth_is_refined_and_starts_again() {
     let before = requests(&window);
     window.steps(3);
     assert_eq!(requests(&window), before);
-    window.drag(middle + vec2(-100.0, 90.0), vec2(40.0, 10.0));
+    let [_, _, width, height] = window.widget("pane-0").rect;
+    window.drag(middle + 0.2 * vec2(-width, height), vec2(40.0, 10.0));
     let turned = requests(&window);
     assert!(turned > before, "the camera was moved");
     let lamp = window.center("light-0-handle");

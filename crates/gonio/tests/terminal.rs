@@ -128,8 +128,8 @@ fn names_within_models_and_scenes() {
         harmless(&lab, &["inspect", "a.mtl", "--line", line]);
     }
     let small = ["--size", "16x16", "--samples", "1"];
-    let probe = [&["probe", "a.obj", "--at", "8,8"][..], &small].concat();
-    harmless(&lab, &probe);
+    harmless(&lab, &["probe", "a.obj", "--at", "8,8", "--size", "16x16"]);
+    harmless(&lab, &[&["probe", "a.obj", "--at", "8,8", "--traced"][..], &small].concat());
     harmless(&lab, &[&["frame", "a.obj"][..], &small].concat());
     harmless(&lab, &[&["frame", "a.obj", "--draw", "0"][..], &small].concat());
     harmless(&lab, &[&["render", "a.obj", "-o", "a.png"][..], &small].concat());
@@ -142,7 +142,8 @@ fn names_within_models_and_scenes() {
         format!("[[object]]\nmodel = \"builtin:cube\"\n\n[[light]]\nkind = \"point\"\nname = \"{key}\"\nposition = [2, 2, 2]\n"),
     );
     harmless(&lab, &["scene", "a.toml"]);
-    quoted(&lab, &[&["probe", "a.toml", "--at", "8,8"][..], &small].concat(), READABLE);
+    quoted(&lab, &["probe", "a.toml", "--at", "8,8", "--size", "16x16"], READABLE);
+    quoted(&lab, &[&["probe", "a.toml", "--at", "8,8", "--traced"][..], &small].concat(), READABLE);
     // The printed scene can be read again, and is the same.
     let printed = lab.run(&["scene", "a.toml"]).good();
     lab.write("b.toml", &printed.stdout);
