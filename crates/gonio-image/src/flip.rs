@@ -254,7 +254,9 @@ mod tests {
     fn noise_that_the_eye_blurs_counts_less_than_a_shift_of_colour() {
         let grey = plain([0.2; 3]);
         let checker = |amount: f32| -> Vec<[f32; 3]> {
-            (0..grey.len()).map(|i| [0.2 + if (i + i / WIDTH) % 2 == 0 { amount } else { -amount }; 3]).collect()
+            (0..grey.len())
+                .map(|i| [0.2 + if (i + i / WIDTH).is_multiple_of(2) { amount } else { -amount }; 3])
+                .collect()
         };
         let blurred = mean(&flip(WIDTH, &grey, &checker(0.1), PIXELS_PER_DEGREE));
         let shifted = mean(&flip(WIDTH, &grey, &plain([0.3; 3]), PIXELS_PER_DEGREE));

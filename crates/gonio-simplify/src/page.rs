@@ -433,7 +433,7 @@ mod tests {
     #[test]
     fn numbers_are_short() {
         assert_eq!((percent(0.0), percent(0.12345), percent(0.012345)), ("0 %".into(), "12 %".into(), "1.2 %".into()));
-        assert_eq!((rounded(1234.0), rounded(3.14), rounded(99.6)), ("1200".into(), "3.1".into(), "100".into()));
+        assert_eq!((rounded(1234.0), rounded(3.06), rounded(99.6)), ("1200".into(), "3.1".into(), "100".into()));
         assert_eq!(percent(0.00012345), "0.012 %");
     }
 }

@@ -60,10 +60,10 @@ fn compare(bench: &mut Bench, name: &str, scene: &Scene, lights: &[usize]) {
     let reference = ReferenceScene::new(&scene);
     let mut any_edge = vec![false; (SIZE[0] * SIZE[1]) as usize];
     for &light in lights {
-        let view = Some(ViewSpec { quantity: Quantity::Visibility, light: Some(light) });
-        let gpu = bench.renderer.render(&uploaded, &frame, view).unwrap().linear().unwrap();
+        let view = ViewSpec { quantity: Quantity::Visibility, light: Some(light) };
+        let gpu = bench.renderer.render(&uploaded, &frame, Some(view)).unwrap().linear().unwrap();
         let whole = |quantity| ViewSpec { quantity, light: None };
-        let views = [view.unwrap(), whole(Quantity::Position), whole(Quantity::GeometricNormal)];
+        let views = [view, whole(Quantity::Position), whole(Quantity::GeometricNormal)];
         let views = reference.views(&frame, &views, &|_| ());
         let cpu = &views[0].picture;
         let flat = scene.objects[0].shading.name() == "flat";
