@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 pub const LAMBDA_MIN: f64 = 380.0;
 /// The longest, nm.
 pub const LAMBDA_MAX: f64 = 780.0;
-/// Wavelengths of [`MATCHING`].
+/// Wavelengths of `MATCHING`.
 pub const SAMPLES: usize = 81;
 
 /// The colour matching functions at wavelength `lambda` (nm), linear between the table's values; 0 beyond them.
