@@ -56,8 +56,8 @@ test("a pixel is probed, pinned and let go, and both renderers agree", async (la
   assert.deepEqual([reading.x, reading.y, reading.width, reading.height], [x, y, Math.round(width), Math.round(height)]);
   const all = [...numbers(reading)];
   assert.ok(all.length > 100, `${all.length} numbers`);
-  // A light without a place has no distance, and light is interpolated by Gouraud's shading alone.
-  const absent = ([path]) => path.endsWith(".distance") || path === ".probe.interpolated";
+  // A light without a place has no distance, light is interpolated by Gouraud's shading alone, and nothing is traced here.
+  const absent = ([path]) => path.endsWith(".distance") || [".probe.interpolated", ".traced"].includes(path);
   assert.deepEqual(all.filter((entry) => !Number.isFinite(entry[1]) && !absent(entry)), []);
   const { terms } = reading.probe;
   for (const vector of [terms.point.normal, terms.point.view, ...terms.lights.flatMap(({ l, r, h }) => [l, r, h])]) {
