@@ -87,7 +87,11 @@ fn menu(ui: &mut Ui, id: &str, text: RichText, tip: &str, content: impl FnOnce(&
     let height = ui.ctx().content_rect().height() - 60.0;
     // Like the icons beside it, it has a frame only under the pointer.
     let button = egui::Button::new(text).frame_when_inactive(false);
-    let content = |ui: &mut Ui| ScrollArea::vertical().max_height(height).show(ui, content);
+    let content = |ui: &mut Ui| {
+        // Without this, egui gives a menu at most 400 points, whatever the window's height.
+        ui.set_max_height(height);
+        ScrollArea::vertical().max_height(height).show(ui, content)
+    };
     let (button, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, content);
     button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tip));
     exported::note(ui, &button, id, WidgetRole::Button, tip, "");
