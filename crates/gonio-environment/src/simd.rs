@@ -1,6 +1,6 @@
 //! The instruction set of the lane-wise loops, chosen at run time.
 //!
-//! A program is compiled for the oldest CPU that it must run on: SSE2 on x86-64. The loops of [`crate::convert`] are
+//! A program is compiled for the oldest CPU that it must run on: SSE2 on x86-64. The loops of [`crate::convert`], and the traversal of trees in `gonio-trace`, are
 //! generic over [`fearless_simd::Simd`] and compiled twice on x86-64, once for that baseline and once for AVX2 (x86-64-v3
 //! with FMA and F16C, as CPUs have had since 2013). On other CPUs there is one version: NEON on 64-bit ARM, `simd128` in
 //! WebAssembly where it is compiled in, plain floats elsewhere.
@@ -52,33 +52,37 @@ impl SimdLevel {
     }
 
     /// Runs a kernel at this level, or at the baseline if the CPU does not support it.
-    pub(crate) fn run(self, kernel: impl Kernel) {
+    #[inline]
+    pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         {
             let level = Level::new();
             if let (SimdLevel::Avx2, Some(simd)) = (self, level.as_avx2()) {
-                vectorized(simd, kernel);
-            } else if let Some(simd) = level.as_sse2() {
-                vectorized(simd, kernel);
+                return vectorized(simd, kernel);
+            }
+            if let Some(simd) = level.as_sse2() {
+                return vectorized(simd, kernel);
             }
         }
-        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-        fearless_simd::dispatch!(Level::baseline(), simd => kernel.run(simd));
+        fearless_simd::dispatch!(Level::baseline(), simd => kernel.run(simd))
     }
 }
 
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
-fn vectorized<S: Simd>(simd: S, kernel: impl Kernel) {
+fn vectorized<S: Simd, K: Kernel>(simd: S, kernel: K) -> K::Output {
     simd.vectorize(
         #[inline(always)]
         || kernel.run(simd),
-    );
+    )
 }
 
 /// A computation that is compiled for every level. `run` and everything that it calls must be `#[inline(always)]`, closures
 /// included: a function of its own is compiled for the baseline.
-pub(crate) trait Kernel {
+pub trait Kernel {
+    /// What it returns.
+    type Output;
+
     /// Runs the computation.
-    fn run<S: Simd>(self, simd: S);
+    fn run<S: Simd>(self, simd: S) -> Self::Output;
 }

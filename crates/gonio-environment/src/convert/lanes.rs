@@ -117,6 +117,8 @@ mod tests {
     struct Angles<'a>(&'a [[f32; 2]], &'a mut Vec<f32>);
 
     impl Kernel for Angles<'_> {
+        type Output = ();
+
         #[inline(always)]
         fn run<S: Simd>(self, simd: S) {
             for &[y, x] in self.0 {
@@ -147,6 +149,8 @@ mod tests {
     struct SinCos<'a>(&'a [f32], &'a mut Vec<[f32; 2]>);
 
     impl Kernel for SinCos<'_> {
+        type Output = ();
+
         #[inline(always)]
         fn run<S: Simd>(self, simd: S) {
             for &angle in self.0 {

@@ -216,6 +216,8 @@ struct Row<'a, F, T> {
 }
 
 impl<F: TexelSource, T: OutputGrid> Kernel for Row<'_, F, T> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
         match self.filter {

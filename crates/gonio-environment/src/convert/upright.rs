@@ -92,6 +92,8 @@ struct SideRows<'a> {
 }
 
 impl Kernel for SideRows<'_> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
         let SideRows { source, columns, row, pixels } = self;
@@ -129,6 +131,8 @@ struct CapRows<'a> {
 }
 
 impl Kernel for CapRows<'_> {
+    type Output = ();
+
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
         let CapRows { source, row, pixels } = self;
