@@ -1,6 +1,6 @@
 //! Directions and points from random numbers, each with its density.
 
-use glam::{Vec2, Vec3};
+use glam::{BVec4A, Vec2, Vec3, Vec4, Vec4Swizzles};
 use std::f32::consts::{FRAC_1_PI, FRAC_PI_4, TAU};
 
 /// A point of the unit disc, uniformly: concentric squares to concentric circles (P. Shirley and K. Chiu, *A Low Distortion
@@ -8,13 +8,15 @@ use std::f32::consts::{FRAC_1_PI, FRAC_PI_4, TAU};
 #[inline]
 pub(crate) fn disc(u: Vec2) -> Vec2 {
     let p = 2.0 * u - Vec2::ONE;
-    // Values are chosen instead of ways, which half of the points would take.
-    let is_wide = p.x.abs() > p.y.abs();
-    let (long, short) = if is_wide { (p.x, p.y) } else { (p.y, p.x) };
+    // Lanes are chosen instead of ways, of which half of the points would take the other.
+    let swapped = Vec4::new(p.y, p.x, 0.0, 0.0);
+    let is_wide = BVec4A::splat(p.x.abs() > p.y.abs());
+    let sorted = Vec4::select(is_wide, Vec4::new(p.x, p.y, 0.0, 0.0), swapped);
+    let (long, short) = (sorted.x, sorted.y);
     // In the middle both are 0, and so is the point.
-    let (sin, cos) = sin_cos_of_eighth(FRAC_PI_4 * (short / if long == 0.0 { 1.0 } else { long }));
+    let (sin, cos) = sin_cos_of_eighth(FRAC_PI_4 * (short / long.abs().max(f32::MIN_POSITIVE).copysign(long)));
     let (along, across) = (long * cos, long * sin);
-    if is_wide { Vec2::new(along, across) } else { Vec2::new(across, along) }
+    Vec4::select(is_wide, Vec4::new(along, across, 0.0, 0.0), Vec4::new(across, along, 0.0, 0.0)).xy()
 }
 
 /// Sine and cosine of an angle between -pi/4 and pi/4, within 1e-7 (polynomials of S. L. Moshier, *Methods and Programs for
