@@ -1,11 +1,10 @@
 //! What the four lanes of light along a path mean: RGB, or four wavelengths.
 
 use crate::sampler::Sampler;
-use crate::sampling::Discrete;
-use crate::spectra::{Spectra, SpectrumTable, choose};
+use crate::spectra::Spectra;
 use crate::upsampling::Coefficients;
+use crate::wavelengths::Wavelengths;
 use glam::{Vec3, Vec4};
-use gonio_light::observer::{COLORIMETRY, LAMBDA_MAX, LAMBDA_MIN, daylight, matching};
 use gonio_light::{Simplification, Simplifications};
 
 /// How light is carried along a path.
@@ -23,15 +22,6 @@ impl ColorMode {
     pub fn of(simplified: Simplifications) -> Self {
         if simplified.contains(Simplification::Wavelengths) { ColorMode::Rgb } else { ColorMode::Spectral }
     }
-}
-
-/// The wavelengths of one path, nm, and the reciprocals of their densities divided by their number. In RGB mode unused.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Wavelengths<'s> {
-    pub lambda: Vec4,
-    weight: Vec4,
-    daylight: Vec4,
-    tables: &'s [SpectrumTable],
 }
 
 /// A constant colour, its spectrum looked up once.
@@ -77,68 +67,6 @@ impl Tint {
     }
 }
 
-/// Wavelengths are sampled with the density `sech^2(STEEPNESS (lambda - CENTER))`, which is close to what eyes see (M.
-/// Radziszewski et al., *An Improved Technique for Full Spectral Rendering*, WSCG 2009).
-const STEEPNESS: f64 = 0.0072;
-const CENTER: f64 = 538.0;
-
-/// The density of wavelengths without tables, 1/nm.
-fn visible_density(lambda: f64) -> f64 {
-    let edge = |lambda: f64| (STEEPNESS * (lambda - CENTER)).tanh();
-    // sech^2 = 1 - tanh^2
-    STEEPNESS * (1.0 - edge(lambda).powi(2)) / (edge(LAMBDA_MAX) - edge(LAMBDA_MIN))
-}
-
-impl Spectra {
-    /// [`Spectra::choose_for`] these lights: tables and weights.
-    pub(crate) fn finish(mut self, lights: &[(u32, f64)]) -> Self {
-        self.choose_for(lights, visible_density);
-        self
-    }
-}
-
-impl<'s> Wavelengths<'s> {
-    /// What RGB mode has instead.
-    pub const NONE: Wavelengths<'static> =
-        Wavelengths { lambda: Vec4::ZERO, weight: Vec4::ZERO, daylight: Vec4::ZERO, tables: &[] };
-
-    /// [`Self::sample`] where some light has a spectrum of its own.
-    fn choose(u: f32, choice: &Discrete) -> Self {
-        let mut sampled = Wavelengths::NONE;
-        for i in 0..4 {
-            let Some((lambda, density)) = choose(choice, (u + 0.25 * i as f32).fract()) else { continue };
-            sampled.lambda[i] = lambda as f32;
-            sampled.weight[i] = (0.25 / density) as f32;
-            sampled.daylight[i] = daylight(lambda) as f32;
-        }
-        sampled
-    }
-
-    /// Four wavelengths, at `u` in `[0, 1)` and a quarter apart from each other in the distribution.
-    pub fn sample(u: f32) -> Self {
-        let edge = |lambda: f64| (STEEPNESS * (lambda - CENTER)).tanh();
-        let (low, high) = (edge(LAMBDA_MIN), edge(LAMBDA_MAX));
-        let mut sampled = Wavelengths::NONE;
-        for i in 0..4 {
-            let t = low + (high - low) * (f64::from(u) + 0.25 * i as f64).fract();
-            let lambda = CENTER + t.atanh() / STEEPNESS;
-            // sech^2 = 1 - tanh^2
-            let density = STEEPNESS * (1.0 - t * t) / (high - low);
-            sampled.lambda[i] = lambda as f32;
-            sampled.weight[i] = (0.25 / density) as f32;
-            sampled.daylight[i] = daylight(lambda) as f32;
-        }
-        sampled
-    }
-
-    /// Keeps the first wavelength only: the path now depends on it (dispersion).
-    pub fn keep_first(&mut self) {
-        if self.weight.y != 0.0 {
-            self.weight = Vec4::new(4.0 * self.weight.x, 0.0, 0.0, 0.0);
-        }
-    }
-}
-
 impl ColorMode {
     /// The wavelengths of a path.
     pub(crate) fn wavelengths<'s>(self, sampler: &mut Sampler, spectra: &'s Spectra) -> Wavelengths<'s> {
@@ -147,7 +75,7 @@ impl ColorMode {
                 let u = sampler.next_1d();
                 let sampled =
                     spectra.choice.as_ref().map_or_else(|| Wavelengths::sample(u), |c| Wavelengths::choose(u, c));
-                Wavelengths { tables: &spectra.tables, ..sampled }
+                sampled.with_tables(&spectra.tables)
             }
             ColorMode::Rgb => Wavelengths::NONE,
         }
@@ -158,9 +86,7 @@ impl ColorMode {
         match (self, tint.table) {
             (ColorMode::Rgb, _) => tint.rgb.extend(0.0),
             (ColorMode::Spectral, None) => tint.spectrum.at(wavelengths.lambda),
-            (ColorMode::Spectral, Some(table)) => {
-                tint.scale * wavelengths.tables[table as usize].at(wavelengths.lambda)
-            }
+            (ColorMode::Spectral, Some(table)) => tint.scale * wavelengths.look_up(table),
         }
     }
 
@@ -169,9 +95,7 @@ impl ColorMode {
         match (self, tint.table) {
             (ColorMode::Rgb, _) => tint.rgb.extend(0.0),
             (ColorMode::Spectral, None) => tint.scale * tint.spectrum.at(wavelengths.lambda) * wavelengths.daylight,
-            (ColorMode::Spectral, Some(table)) => {
-                tint.scale * wavelengths.tables[table as usize].at(wavelengths.lambda)
-            }
+            (ColorMode::Spectral, Some(table)) => tint.scale * wavelengths.look_up(table),
         }
     }
 
@@ -194,16 +118,7 @@ impl ColorMode {
     pub(crate) fn rgb(self, light: Vec4, wavelengths: &Wavelengths) -> Vec3 {
         match self {
             ColorMode::Rgb => light.truncate(),
-            ColorMode::Spectral => {
-                let weighted = light * wavelengths.weight;
-                let mut xyz = glam::DVec3::ZERO;
-                for i in 0..4 {
-                    if weighted[i] != 0.0 {
-                        xyz += matching(wavelengths.lambda[i].into()) * f64::from(weighted[i]);
-                    }
-                }
-                (COLORIMETRY.rgb_from_xyz * (xyz / COLORIMETRY.y_integral)).as_vec3()
-            }
+            ColorMode::Spectral => wavelengths.rgb(light),
         }
     }
 }
@@ -211,6 +126,7 @@ impl ColorMode {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spectra::SpectrumTable;
 
     /// The mean of many paths that carry a colour unchanged is the colour.
     #[test]

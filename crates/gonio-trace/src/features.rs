@@ -1,11 +1,12 @@
 //! What a picture shows without its light: colour, direction and distance of the first surface behind each pixel.
 
 use crate::Simplification;
-use crate::color::{ColorMode, Wavelengths};
+use crate::color::ColorMode;
 use crate::path::World;
 use crate::render::{TraceScene, TraceSettings};
 use crate::sampler::Sampler;
 use crate::tree::Ray;
+use crate::wavelengths::Wavelengths;
 use glam::Vec3;
 use rayon::prelude::*;
 

@@ -42,6 +42,7 @@ mod sampling;
 mod spectra;
 mod tree;
 mod upsampling;
+mod wavelengths;
 
 pub use gonio_light::{Simplification, Simplifications};
 

@@ -1,10 +1,11 @@
 //! The material at a place: textures read, colours carried to the lanes of a path.
 
-use crate::color::{ColorMode, Tint, Wavelengths};
+use crate::color::{ColorMode, Tint};
 use crate::geometry::{Geometry, Place, Triangle};
 use crate::sampling;
 use crate::spectra::Spectra;
 use crate::tree::Hit;
+use crate::wavelengths::Wavelengths;
 use glam::{DVec2, DVec3, DVec4, Mat2, Vec2, Vec3, Vec4};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
 use gonio_light::microfacet::shininess_of_roughness;

@@ -4,7 +4,7 @@
 //! are added with the weights of multiple importance sampling. Long paths end by Russian roulette.
 
 use crate::bsdf::{Bsdf, Scattering};
-use crate::color::{Tint, Wavelengths};
+use crate::color::Tint;
 use crate::diffuse::{Diffuse, Scatter};
 use crate::eye::Eye;
 use crate::geometry::{Geometry, Place};
@@ -15,6 +15,7 @@ use crate::rules::Rules;
 use crate::sampler::Sampler;
 use crate::sampling::power_heuristic;
 use crate::tree::{Hit, Ray};
+use crate::wavelengths::Wavelengths;
 use crate::{Simplification, Simplifications};
 use glam::{Vec2, Vec3, Vec4};
 

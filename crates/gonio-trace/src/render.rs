@@ -1,11 +1,11 @@
 //! Samples of all pixels, on all threads.
 
-use crate::color::Wavelengths;
 use crate::film::{Film, PixelSums, TileMask};
 use crate::path::{Recorder, Technique, World};
 use crate::posed::{Posed, Timeless};
 use crate::sampler::Sampler;
 use crate::tree::Ray;
+use crate::wavelengths::Wavelengths;
 use crate::{Simplification, Simplifications, sampling};
 use glam::{DVec3, Vec3};
 use gonio_light::Light;
