@@ -297,16 +297,23 @@ const FUNCTION_TABLE: &str = "
 
 /// A built-in variable.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Builtin {
-    /// `None` for the structs of old OpenGL, whose members are not known here.
+pub struct BuiltinVariable {
+    /// Its type; an array without a size may have as many elements as the implementation allows.
     pub ty: Option<Type>,
+    /// Whether the shader may assign to it.
     pub is_writable: bool,
 }
 
+/// Returns the built-in variable of this name in a stage and version.
+#[must_use]
+pub fn builtin_variable(name: &str, stage: Stage, version: Version) -> Option<BuiltinVariable> {
+    variable(name, stage, version)?.ok()
+}
+
 /// Returns the variable of this name in this stage and version; `Err` if only other versions have it.
-pub(crate) fn variable(name: &str, stage: Stage, version: Version) -> Option<Result<Builtin, ()>> {
+pub(crate) fn variable(name: &str, stage: Stage, version: Version) -> Option<Result<BuiltinVariable, ()>> {
     if name.starts_with("gl_Max") || name.starts_with("gl_Min") {
-        return Some(Ok(Builtin { ty: Some(Type::INT), is_writable: false }));
+        return Some(Ok(BuiltinVariable { ty: Some(Type::INT), is_writable: false }));
     }
     // All names have this prefix; most others do not.
     if !name.starts_with("gl_") {
@@ -318,7 +325,7 @@ pub(crate) fn variable(name: &str, stage: Stage, version: Version) -> Option<Res
         let (from, to) = if version.es { row.es } else { row.desktop };
         let is_in_range = from != 0 && (from..=to).contains(&version.number);
         if row.stages.contains(letter) && (is_in_range || (version.compatibility && !version.es)) {
-            return Some(Ok(Builtin { ty: row.ty.clone(), is_writable: row.is_writable }));
+            return Some(Ok(BuiltinVariable { ty: row.ty.clone(), is_writable: row.is_writable }));
         }
         is_elsewhere = true;
     }
@@ -342,9 +349,10 @@ static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
     let row = |line: &'static str| {
         let words: Vec<&'static str> = line.split_ascii_whitespace().collect();
         let [name, stages, access, desktop, es, ty] = words[..] else { return None };
+        let basic = |word: &str| Type::named(word).or_else(|| Some(Type::Struct(word.to_string())));
         let ty = match ty.strip_suffix("[]") {
-            Some(of) => Type::named(of).map(|t| Type::Array(Box::new(t), None)),
-            None => Type::named(ty),
+            Some(of) => basic(of).map(|t| Type::Array(Box::new(t), None)),
+            None => basic(ty),
         };
         Some(Row { name, stages, is_writable: access == "w", desktop: range(desktop), es: range(es), ty })
     };
@@ -358,7 +366,7 @@ pub(crate) fn variable_names(stage: Stage) -> impl Iterator<Item = &'static str>
     ROWS.iter().take(20).filter(move |row| row.stages.contains(letter)).map(|row| row.name)
 }
 
-/// Name, stages, whether it is writable, desktop versions, ES versions (0: none), type (`?`: an old struct).
+/// Name, stages, whether it is writable, desktop versions, ES versions (0: none), type.
 const VARIABLE_TABLE: &str = "
 gl_Position v w 110 100 vec4
 gl_PointSize v w 110 100 float
@@ -386,7 +394,7 @@ gl_BaseVertex v r 460 0 int
 gl_BaseInstance v r 460 0 int
 gl_DrawID v r 460 0 int
 gl_NumSamples f r 400 320 int
-gl_DepthRange vf r 110 100 ?
+gl_DepthRange vf r 110 100 gl_DepthRangeParameters
 gl_Vertex v r 110-139 0 vec4
 gl_Normal v r 110-139 0 vec3
 gl_Color vf r 110-139 0 vec4
@@ -424,16 +432,16 @@ gl_ProjectionMatrixInverseTranspose vf r 110-139 0 mat4
 gl_ModelViewProjectionMatrixInverse vf r 110-139 0 mat4
 gl_ModelViewProjectionMatrixTranspose vf r 110-139 0 mat4
 gl_ModelViewProjectionMatrixInverseTranspose vf r 110-139 0 mat4
-gl_LightSource vf r 110-139 0 ?
-gl_LightModel vf r 110-139 0 ?
-gl_FrontMaterial vf r 110-139 0 ?
-gl_BackMaterial vf r 110-139 0 ?
-gl_FrontLightModelProduct vf r 110-139 0 ?
-gl_BackLightModelProduct vf r 110-139 0 ?
-gl_FrontLightProduct vf r 110-139 0 ?
-gl_BackLightProduct vf r 110-139 0 ?
-gl_Point vf r 110-139 0 ?
-gl_Fog vf r 110-139 0 ?
-gl_TextureEnvColor vf r 110-139 0 ?
-gl_ClipPlane vf r 110-139 0 ?
+gl_LightSource vf r 110-139 0 gl_LightSourceParameters[]
+gl_LightModel vf r 110-139 0 gl_LightModelParameters
+gl_FrontMaterial vf r 110-139 0 gl_MaterialParameters
+gl_BackMaterial vf r 110-139 0 gl_MaterialParameters
+gl_FrontLightModelProduct vf r 110-139 0 gl_LightModelProducts
+gl_BackLightModelProduct vf r 110-139 0 gl_LightModelProducts
+gl_FrontLightProduct vf r 110-139 0 gl_LightProducts[]
+gl_BackLightProduct vf r 110-139 0 gl_LightProducts[]
+gl_Point vf r 110-139 0 gl_PointParameters
+gl_Fog vf r 110-139 0 gl_FogParameters
+gl_TextureEnvColor vf r 110-139 0 vec4[]
+gl_ClipPlane vf r 110-139 0 vec4[]
 ";

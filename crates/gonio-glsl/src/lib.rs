@@ -18,9 +18,10 @@ mod version;
 pub mod walk;
 
 pub use ast::{Expr, ExprKind, Item, Statement, StatementKind, Unit};
+pub use builtins::{BuiltinVariable, builtin_variable};
 pub use check::{
-    Block, Checked, ImplicitConversion, Interface, Leaf, Storage, StructInfo, Symbol, SymbolKind, Variable, check,
-    check_pair, leaves,
+    Block, Checked, ImplicitConversion, Interface, Leaf, Storage, StructInfo, Symbol, SymbolKind, Variable,
+    builtin_structs, check, check_pair, leaves,
 };
 pub use classify::{Class, Classified, classify};
 pub use constant::{Components, evaluate};

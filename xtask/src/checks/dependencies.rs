@@ -41,6 +41,7 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-simplify", may_know: BELOW_SIMPLIFY, tests_may_know: &[] },
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
+    Rule { krate: "gonio-interpreter", may_know: &["gonio-glsl"], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
     Rule { krate: "gonio-exercises", may_know: BELOW_EXERCISES, tests_may_know: &[] },
     Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
@@ -95,6 +96,7 @@ const BELOW_CHECK: &[&str] = &[
     "gonio-gl",
     "gonio-render",
     "gonio-glsl",
+    "gonio-interpreter",
 ];
 const BELOW_EXERCISES: &[&str] = &[
     "gonio-light",
@@ -106,6 +108,7 @@ const BELOW_EXERCISES: &[&str] = &[
     "gonio-gl",
     "gonio-render",
     "gonio-glsl",
+    "gonio-interpreter",
     "gonio-check",
 ];
 const BELOW_SHELLS: &[&str] = &[
@@ -119,6 +122,7 @@ const BELOW_SHELLS: &[&str] = &[
     "gonio-gl",
     "gonio-render",
     "gonio-glsl",
+    "gonio-interpreter",
     "gonio-check",
     "gonio-exercises",
 ];
@@ -136,6 +140,7 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-gallery",
     "gonio-simplify",
     "gonio-glsl",
+    "gonio-interpreter",
     "gonio-check",
     "gonio-exercises",
     "gonio-app",

@@ -1,5 +1,6 @@
 //! Determines the types of expressions, and checks assignments.
 
+use super::interface::builtin_structs;
 use super::scope::Use;
 use super::{Checker, ImplicitConversion, Storage, SymbolKind};
 use crate::ast::{Expr, ExprKind, Literal};
@@ -217,7 +218,8 @@ impl Checker<'_> {
             // From 4.20 on a scalar has components too.
             Type::Scalar(scalar) if self.version.is_at_least(420, 0) => self.swizzle(*scalar, 1, name, span),
             Type::Struct(of) => {
-                let info = self.structs.get(of)?;
+                let known = self.structs.get(of);
+                let info = known.or_else(|| builtin_structs().iter().find(|info| info.name == *of))?;
                 if let Some((_, ty)) = info.members.iter().find(|(member, _)| member == name) {
                     return ty.clone();
                 }

@@ -6,6 +6,7 @@ use super::{Checked, Checker, Storage};
 use crate::ast::{Declarator, Item, Qualifier, Unit, has};
 use crate::{Problem, Span, Type};
 use std::collections::HashMap;
+use std::sync::LazyLock;
 
 /// The variables that are visible to other stages and the program.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -55,6 +56,38 @@ pub struct StructInfo {
     /// The position of its name.
     pub span: Span,
 }
+
+/// Returns the structs of old OpenGL, such as the type of `gl_LightSource` (GLSL 1.20, section 7.5).
+#[must_use]
+pub fn builtin_structs() -> &'static [StructInfo] {
+    static STRUCTS: LazyLock<Vec<StructInfo>> = LazyLock::new(|| {
+        let info = |line: &str| {
+            let (name, members) = line.split_once(": ")?;
+            let member = |text: &str| {
+                let (ty, name) = text.split_once(' ')?;
+                Some((name.to_string(), Type::named(ty)))
+            };
+            let members = members.split(", ").filter_map(member).collect();
+            Some(StructInfo { name: name.into(), members, span: Span::default() })
+        };
+        STRUCT_TABLE.lines().filter_map(info).collect()
+    });
+    &STRUCTS
+}
+
+const STRUCT_TABLE: &str = "\
+gl_DepthRangeParameters: float near, float far, float diff
+gl_PointParameters: float size, float sizeMin, float sizeMax, float fadeThresholdSize, float distanceConstantAttenuation, \
+float distanceLinearAttenuation, float distanceQuadraticAttenuation
+gl_MaterialParameters: vec4 emission, vec4 ambient, vec4 diffuse, vec4 specular, float shininess
+gl_LightSourceParameters: vec4 ambient, vec4 diffuse, vec4 specular, vec4 position, vec4 halfVector, vec3 spotDirection, \
+float spotExponent, float spotCutoff, float spotCosCutoff, float constantAttenuation, float linearAttenuation, \
+float quadraticAttenuation
+gl_LightModelParameters: vec4 ambient
+gl_LightModelProducts: vec4 sceneColor
+gl_LightProducts: vec4 ambient, vec4 diffuse, vec4 specular
+gl_FogParameters: vec4 color, float density, float start, float end, float scale
+";
 
 /// A block.
 #[derive(Debug, Clone, PartialEq)]

@@ -13,7 +13,7 @@ mod strict;
 use crate::constant::Components;
 use crate::{Parsed, Problem, Severity, Span, Stage, TokenRange, Type, Version};
 pub(crate) use calls::modern;
-pub use interface::{Block, Interface, Leaf, StructInfo, Variable, check_pair, leaves};
+pub use interface::{Block, Interface, Leaf, StructInfo, Variable, builtin_structs, check_pair, leaves};
 pub use scope::{Storage, Symbol, SymbolKind};
 use std::collections::{BTreeSet, HashMap};
 

@@ -1,0 +1,302 @@
+//! Registers: one scalar of every lane, or one for all lanes while they are the same; and the loops over lanes.
+
+use crate::code::Reg;
+use crate::lanes::{LANES, LaneSet};
+
+/// A scalar of each lane, as bits.
+pub(crate) type Row = [u32; LANES];
+
+#[derive(Clone, Default)]
+struct Slot {
+    /// Allocated when lanes first differ.
+    row: Option<Box<Row>>,
+    is_uniform: bool,
+    bits: u32,
+    /// The lanes that were ever written, or computed from values that were.
+    written: LaneSet,
+}
+
+/// The values of an operand.
+#[derive(Clone, Copy)]
+pub(crate) enum Operand<'a> {
+    Same(u32),
+    Each(&'a Row),
+}
+
+impl Operand<'_> {
+    pub fn at(&self, lane: usize) -> u32 {
+        match self {
+            Self::Same(bits) => *bits,
+            Self::Each(row) => row[lane],
+        }
+    }
+}
+
+/// All registers of a block.
+pub(crate) struct Registers {
+    slots: Vec<Slot>,
+    /// Rows that are not used now.
+    spare: Vec<Box<Row>>,
+}
+
+fn zeros() -> Box<Row> {
+    Box::new([0; LANES])
+}
+
+impl Registers {
+    pub fn new(count: u32) -> Self {
+        let slot = Slot { is_uniform: true, ..Slot::default() };
+        Self { slots: vec![slot; count as usize], spare: Vec::new() }
+    }
+
+    fn take_row(&mut self) -> Box<Row> {
+        self.spare.pop().unwrap_or_else(zeros)
+    }
+
+    fn put_row(&mut self, dst: Reg, row: Box<Row>, written: LaneSet) {
+        let slot = &mut self.slots[dst as usize];
+        slot.is_uniform = false;
+        slot.written = written;
+        if let Some(old) = slot.row.replace(row) {
+            self.spare.push(old);
+        }
+    }
+
+    pub fn set(&mut self, dst: Reg, bits: u32, written: LaneSet) {
+        let slot = &mut self.slots[dst as usize];
+        (slot.is_uniform, slot.bits, slot.written) = (true, bits, written);
+    }
+
+    /// Sets each lane.
+    pub fn set_each(&mut self, dst: Reg, written: LaneSet, value: impl Fn(usize) -> u32) {
+        let mut row = self.take_row();
+        for (lane, bits) in row.iter_mut().enumerate() {
+            *bits = value(lane);
+        }
+        self.put_row(dst, row, written);
+    }
+
+    /// Sets the lanes from a slice; the last number is repeated.
+    pub fn set_slice(&mut self, dst: Reg, written: LaneSet, values: &[u32]) {
+        let mut row = self.take_row();
+        let count = values.len().min(LANES);
+        row[..count].copy_from_slice(&values[..count]);
+        row[count..].fill(values.last().copied().unwrap_or(0));
+        self.put_row(dst, row, written);
+    }
+
+    pub fn operand(&self, reg: Reg) -> Operand<'_> {
+        let slot = &self.slots[reg as usize];
+        match &slot.row {
+            Some(row) if !slot.is_uniform => Operand::Each(row),
+            _ => Operand::Same(slot.bits),
+        }
+    }
+
+    pub fn written(&self, reg: Reg) -> LaneSet {
+        self.slots[reg as usize].written
+    }
+
+    /// Returns the lanes where a boolean is true.
+    pub fn truth(&self, reg: Reg) -> LaneSet {
+        match self.operand(reg) {
+            Operand::Same(0) => LaneSet::EMPTY,
+            Operand::Same(_) => LaneSet::FULL,
+            Operand::Each(row) => LaneSet::filter(|lane| row[lane] != 0),
+        }
+    }
+
+    pub fn copy(&mut self, dst: Reg, src: Reg) {
+        let written = self.written(src);
+        match self.operand(src) {
+            Operand::Same(bits) => self.set(dst, bits, written),
+            Operand::Each(_) if dst == src => {}
+            Operand::Each(_) => {
+                let mut row = self.take_row();
+                if let Operand::Each(from) = self.operand(src) {
+                    row.copy_from_slice(from);
+                }
+                self.put_row(dst, row, written);
+            }
+        }
+    }
+
+    /// Copies the lanes of a mask, given as a set and as a row of all ones or zeros.
+    pub fn store(&mut self, dst: Reg, src: Reg, mask: LaneSet, ones: &Row) {
+        if dst == src {
+            return;
+        }
+        let written = self.written(dst).without(mask).or(self.written(src).and(mask));
+        if let (Operand::Same(a), Operand::Same(b)) = (self.operand(dst), self.operand(src))
+            && a == b
+        {
+            self.slots[dst as usize].written = written;
+            return;
+        }
+        let mut row = self.take_row();
+        match (self.operand(dst), self.operand(src)) {
+            (Operand::Each(d), Operand::Each(s)) => {
+                for (((out, d), s), m) in row.iter_mut().zip(d).zip(s).zip(ones) {
+                    *out = (d & !m) | (s & m);
+                }
+            }
+            (Operand::Each(d), Operand::Same(s)) => {
+                for ((out, d), m) in row.iter_mut().zip(d).zip(ones) {
+                    *out = (d & !m) | (s & m);
+                }
+            }
+            (Operand::Same(d), Operand::Each(s)) => {
+                for ((out, s), m) in row.iter_mut().zip(s).zip(ones) {
+                    *out = (d & !m) | (s & m);
+                }
+            }
+            (Operand::Same(d), Operand::Same(s)) => {
+                for (out, m) in row.iter_mut().zip(ones) {
+                    *out = (d & !m) | (s & m);
+                }
+            }
+        }
+        self.put_row(dst, row, written);
+    }
+
+    #[inline(always)]
+    pub fn one(&mut self, dst: Reg, a: Reg, f: impl Fn(u32) -> u32 + Copy) {
+        let written = self.written(a);
+        if let Operand::Same(bits) = self.operand(a) {
+            return self.set(dst, f(bits), written);
+        }
+        let mut row = self.take_row();
+        if let Operand::Each(a) = self.operand(a) {
+            for (out, a) in row.iter_mut().zip(a) {
+                *out = f(*a);
+            }
+        }
+        self.put_row(dst, row, written);
+    }
+
+    #[inline(always)]
+    pub fn two(&mut self, dst: Reg, a: Reg, b: Reg, f: impl Fn(u32, u32) -> u32 + Copy) {
+        let written = self.written(a).and(self.written(b));
+        if let (Operand::Same(a), Operand::Same(b)) = (self.operand(a), self.operand(b)) {
+            return self.set(dst, f(a, b), written);
+        }
+        let mut row = self.take_row();
+        match (self.operand(a), self.operand(b)) {
+            (Operand::Each(a), Operand::Each(b)) => {
+                for ((out, a), b) in row.iter_mut().zip(a).zip(b) {
+                    *out = f(*a, *b);
+                }
+            }
+            (Operand::Each(a), Operand::Same(b)) => {
+                for (out, a) in row.iter_mut().zip(a) {
+                    *out = f(*a, b);
+                }
+            }
+            (Operand::Same(a), Operand::Each(b)) => {
+                for (out, b) in row.iter_mut().zip(b) {
+                    *out = f(a, *b);
+                }
+            }
+            (Operand::Same(_), Operand::Same(_)) => {}
+        }
+        self.put_row(dst, row, written);
+    }
+
+    /// Like `two`, for expensive functions: one loop instead of three.
+    #[inline(always)]
+    pub fn two_slow(&mut self, dst: Reg, a: Reg, b: Reg, f: impl Fn(u32, u32) -> u32 + Copy) {
+        let written = self.written(a).and(self.written(b));
+        let mut row = self.take_row();
+        let same = match (self.operand(a), self.operand(b)) {
+            (Operand::Same(a), Operand::Same(b)) => Some(f(a, b)),
+            (a, b) => {
+                for (lane, out) in row.iter_mut().enumerate() {
+                    *out = f(a.at(lane), b.at(lane));
+                }
+                None
+            }
+        };
+        match same {
+            Some(bits) => {
+                self.spare.push(row);
+                self.set(dst, bits, written);
+            }
+            None => self.put_row(dst, row, written),
+        }
+    }
+
+    #[inline(always)]
+    pub fn three(&mut self, dst: Reg, regs: [Reg; 3], f: impl Fn(u32, u32, u32) -> u32 + Copy) {
+        let [a, b, c] = regs;
+        let written = self.written(a).and(self.written(b)).and(self.written(c));
+        let mut row = self.take_row();
+        let same = match (self.operand(a), self.operand(b), self.operand(c)) {
+            (Operand::Same(a), Operand::Same(b), Operand::Same(c)) => Some(f(a, b, c)),
+            (Operand::Each(a), Operand::Each(b), Operand::Each(c)) => {
+                for (((out, a), b), c) in row.iter_mut().zip(a).zip(b).zip(c) {
+                    *out = f(*a, *b, *c);
+                }
+                None
+            }
+            (a, b, c) => {
+                for (lane, out) in row.iter_mut().enumerate() {
+                    *out = f(a.at(lane), b.at(lane), c.at(lane));
+                }
+                None
+            }
+        };
+        match same {
+            Some(bits) => {
+                self.spare.push(row);
+                self.set(dst, bits, written);
+            }
+            None => self.put_row(dst, row, written),
+        }
+    }
+
+    /// The sum of products of floats, from the first one to the last.
+    pub fn dot(&mut self, dst: Reg, a: Reg, b: Reg, n: u32, steps: [u32; 2]) {
+        let regs = |i: u32| (a + i * steps[0], b + i * steps[1]);
+        let mut written = LaneSet::FULL;
+        let mut is_uniform = true;
+        for i in 0..n {
+            let (a, b) = regs(i);
+            written = written.and(self.written(a)).and(self.written(b));
+            is_uniform &= matches!((self.operand(a), self.operand(b)), (Operand::Same(_), Operand::Same(_)));
+        }
+        let product = |a: u32, b: u32| f32::from_bits(a) * f32::from_bits(b);
+        if is_uniform {
+            let mut sum = 0.0;
+            for i in 0..n {
+                let (a, b) = regs(i);
+                let term = product(self.operand(a).at(0), self.operand(b).at(0));
+                sum = if i == 0 { term } else { sum + term };
+            }
+            return self.set(dst, sum.to_bits(), written);
+        }
+        let mut row = self.take_row();
+        for i in 0..n {
+            let (a, b) = regs(i);
+            let add = |out: &mut u32, term: f32| {
+                *out = if i == 0 { term.to_bits() } else { (f32::from_bits(*out) + term).to_bits() };
+            };
+            match (self.operand(a), self.operand(b)) {
+                (Operand::Each(a), Operand::Each(b)) => {
+                    for ((out, a), b) in row.iter_mut().zip(a).zip(b) {
+                        add(out, product(*a, *b));
+                    }
+                }
+                (Operand::Each(row_of), Operand::Same(factor)) | (Operand::Same(factor), Operand::Each(row_of)) => {
+                    for (out, a) in row.iter_mut().zip(row_of) {
+                        add(out, product(*a, factor));
+                    }
+                }
+                (Operand::Same(a), Operand::Same(b)) => {
+                    let term = product(a, b);
+                    row.iter_mut().for_each(|out| add(out, term));
+                }
+            }
+        }
+        self.put_row(dst, row, written);
+    }
+}

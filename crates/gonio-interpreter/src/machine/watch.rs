@@ -1,0 +1,233 @@
+//! Watches expressions, replaces their values, and records the steps of one point.
+
+use super::control::Control;
+use super::registers::{Operand, Registers};
+use super::{Machine, float_operation};
+use crate::code::{CompiledStage, Instr, Reg};
+use crate::lanes::{LANES, LaneSet};
+use crate::math::f;
+use crate::run::{AnomalyKind, Evaluation, PointValues, RunOptions, TraceStep, TraceWrite};
+use crate::source::{ExprId, StatementId};
+
+/// Most steps of a trace.
+const MOST_STEPS: usize = 100_000;
+/// Most scalars of a variable in a trace.
+const MOST_TRACED: u32 = 256;
+
+/// What was seen of a run.
+pub(crate) struct Seen {
+    /// By expression; empty if none is watched or replaced.
+    is_watched: Vec<bool>,
+    /// How often each expression was evaluated in this block.
+    occurrences: Vec<u32>,
+    pub evaluations: Vec<Evaluation>,
+    /// Numbers that evaluations may still take.
+    space: usize,
+    pub is_truncated: bool,
+    traced_point: Option<usize>,
+    /// The lane of the traced point in this block.
+    traced_lane: Option<usize>,
+    pub steps: Vec<TraceStep>,
+    /// Where the first infinity or NaN of each lane arose.
+    origins: Vec<Option<ExprId>>,
+    pub all_origins: Vec<Option<ExprId>>,
+}
+
+impl Seen {
+    pub fn new(stage: &CompiledStage, options: &RunOptions<'_>) -> Self {
+        let mut is_watched = Vec::new();
+        let exprs = options.watched.iter().copied().chain(options.substitutes.iter().map(|s| s.expr));
+        for expr in exprs {
+            is_watched.resize(stage.source.expressions.len(), false);
+            if let Some(found) = is_watched.get_mut(expr.0 as usize) {
+                *found = true;
+            }
+        }
+        Self {
+            occurrences: vec![0; is_watched.len()],
+            is_watched,
+            evaluations: Vec::new(),
+            space: options.most_observed,
+            is_truncated: false,
+            traced_point: options.traced_point,
+            traced_lane: None,
+            steps: Vec::new(),
+            origins: Vec::new(),
+            all_origins: Vec::new(),
+        }
+    }
+
+    pub fn start_block(&mut self, start: usize) {
+        self.occurrences.fill(0);
+        self.traced_lane = self.traced_point.and_then(|point| point.checked_sub(start)).filter(|lane| *lane < LANES);
+        self.origins.clear();
+        self.origins.resize(LANES, None);
+    }
+
+    pub fn end_block(&mut self, count: usize) {
+        self.all_origins.extend(self.origins.iter().take(count));
+    }
+
+    #[inline(always)]
+    pub fn is_watching(&self) -> bool {
+        !self.is_watched.is_empty()
+    }
+
+    #[inline(always)]
+    pub fn is_tracing(&self) -> bool {
+        self.traced_lane.is_some()
+    }
+
+    #[inline(always)]
+    pub fn statement(&mut self, statement: StatementId, visible: LaneSet, control: &Control) {
+        let Some(lane) = self.traced_lane else { return };
+        if !visible.contains(lane) {
+            return;
+        }
+        if self.steps.len() >= MOST_STEPS {
+            self.is_truncated = true;
+            return;
+        }
+        let (frame, iterations) = (control.frame(), control.iterations());
+        self.steps.push(TraceStep { statement: Some(statement), frame, iterations, writes: Vec::new() });
+    }
+
+    pub fn wrote(&mut self, variable: u32, reg: Reg, size: u32, visible: LaneSet, registers: &Registers) {
+        let Some(lane) = self.traced_lane.filter(|lane| visible.contains(*lane)) else { return };
+        if self.is_truncated {
+            return;
+        }
+        if self.steps.is_empty() {
+            // Global variables are initialized before the first statement.
+            let step = TraceStep { statement: None, frame: 0, iterations: Vec::new(), writes: Vec::new() };
+            self.steps.push(step);
+        }
+        let Some(step) = self.steps.last_mut() else { return };
+        let all = reg..reg + size.min(MOST_TRACED);
+        let values = all.clone().map(|reg| registers.operand(reg).at(lane)).collect();
+        let written = all.map(|reg| registers.written(reg).contains(lane)).collect();
+        step.writes.push(TraceWrite { variable, values, written });
+    }
+
+    pub fn has_origin(&self, lane: usize) -> bool {
+        self.origins.get(lane).copied().flatten().is_some()
+    }
+}
+
+impl Machine<'_> {
+    /// Records the value of a watched expression, and replaces it.
+    pub(super) fn mark(&mut self, expr: ExprId, reg: Reg, n: u32) {
+        let index = expr.0 as usize;
+        if !self.seen.is_watched.get(index).copied().unwrap_or(false) {
+            return;
+        }
+        let occurrence = self.seen.occurrences[index];
+        self.seen.occurrences[index] += 1;
+        let options = self.options;
+        for substitute in options.substitutes.iter().filter(|s| s.expr == expr) {
+            if substitute.occurrence.is_none_or(|only| only == occurrence) {
+                self.replace(reg, n, &substitute.values);
+            }
+        }
+        if options.watched.contains(&expr) {
+            self.record(expr, reg, n, occurrence);
+        }
+    }
+
+    fn replace(&mut self, reg: Reg, n: u32, values: &PointValues) {
+        let active = self.control.active();
+        if active.is_empty() {
+            return;
+        }
+        for at in 0..n {
+            let start = self.start;
+            let old: Vec<u32> = (0..LANES).map(|lane| self.registers.operand(reg + at).at(lane)).collect();
+            let written = self.registers.written(reg + at).or(active);
+            let value = |lane: usize| {
+                let new = values.component(at as usize, start + lane).filter(|_| active.contains(lane));
+                new.unwrap_or(old[lane])
+            };
+            match values {
+                PointValues::Same(components) if active.covers(self.valid) => {
+                    if let Some(bits) = components.get(at as usize) {
+                        self.registers.set(reg + at, *bits, LaneSet::FULL);
+                    }
+                }
+                _ => self.registers.set_each(reg + at, written, value),
+            }
+        }
+    }
+
+    fn record(&mut self, expr: ExprId, reg: Reg, n: u32, occurrence: u32) {
+        let points = self.control.visible().and(self.valid);
+        if points.is_empty() {
+            return;
+        }
+        let is_same = (0..n).all(|at| matches!(self.registers.operand(reg + at), Operand::Same(_)));
+        let count = self.valid.count();
+        let needed = n as usize * if is_same { 1 } else { count } + 16;
+        if needed > self.seen.space {
+            self.seen.is_truncated = true;
+            return;
+        }
+        self.seen.space -= needed;
+        let written = (0..n).fold(LaneSet::FULL, |w, at| w.and(self.registers.written(reg + at)));
+        let values = match is_same {
+            true => PointValues::Same((0..n).map(|at| self.registers.operand(reg + at).at(0)).collect()),
+            false => PointValues::Each {
+                components: (0..n)
+                    .map(|at| {
+                        let operand = self.registers.operand(reg + at);
+                        (0..count).map(|lane| operand.at(lane)).collect()
+                    })
+                    .collect(),
+                written: None,
+            },
+        };
+        self.seen.evaluations.push(Evaluation {
+            expr,
+            frame: self.control.frame(),
+            iterations: self.control.iterations(),
+            occurrence,
+            first_point: self.start,
+            points,
+            written,
+            values,
+        });
+    }
+
+    /// Notes points where this instruction computes an infinity or NaN from finite numbers.
+    pub(super) fn find_non_finite(&mut self, instr: &Instr, place: Option<ExprId>) {
+        let Some((dst, n, operands)) = float_operation(instr, self.stage) else { return };
+        let visible = self.control.visible();
+        let mut arose = LaneSet::EMPTY;
+        for at in 0..n {
+            arose = arose.or(self.non_finite(dst + at));
+        }
+        arose = arose.and(visible);
+        for (reg, n) in operands {
+            if arose.is_empty() {
+                return;
+            }
+            for at in 0..n {
+                arose = arose.without(self.non_finite(reg + at));
+            }
+        }
+        if arose.is_empty() {
+            return;
+        }
+        for lane in arose.iter().filter(|lane| !self.seen.has_origin(*lane)).collect::<Vec<_>>() {
+            self.seen.origins[lane] = place;
+        }
+        self.note(AnomalyKind::NonFinite, place, arose);
+    }
+
+    fn non_finite(&self, reg: Reg) -> LaneSet {
+        match self.registers.operand(reg) {
+            Operand::Same(bits) if f(bits).is_finite() => LaneSet::EMPTY,
+            Operand::Same(_) => LaneSet::FULL,
+            Operand::Each(row) if row.iter().all(|bits| f(*bits).is_finite()) => LaneSet::EMPTY,
+            Operand::Each(row) => LaneSet::filter(|lane| !f(row[lane]).is_finite()),
+        }
+    }
+}
