@@ -1,9 +1,9 @@
 //! The instruction set of the lane-wise loops, chosen at run time.
 //!
-//! A program is compiled for the oldest CPU that it must run on: SSE2 on x86-64. The loops of [`crate::convert`], and the traversal of trees in `gonio-trace`, are
-//! generic over [`fearless_simd::Simd`] and compiled twice on x86-64, once for that baseline and once for AVX2 (x86-64-v3
-//! with FMA and F16C, as CPUs have had since 2013). On other CPUs there is one version: NEON on 64-bit ARM, `simd128` in
-//! WebAssembly where it is compiled in, plain floats elsewhere.
+//! A program is compiled for the oldest CPU that it must run on: SSE2 on x86-64. The loops of [`crate::convert`] and the
+//! traversal of the path tracer's tree are generic over [`fearless_simd::Simd`] and compiled twice on x86-64, once for that
+//! baseline and once for AVX2 (x86-64-v3 with FMA and F16C, as CPUs have had since 2013). On other CPUs there is one
+//! version: NEON on 64-bit ARM, `simd128` in WebAssembly where it is compiled in, plain floats elsewhere.
 //!
 //! AVX-512 has no version of its own: it took 2 % less time than AVX2, for a third copy of every loop.
 //!
