@@ -199,6 +199,11 @@ impl Geometry {
             })
     }
 
+    /// The corners of a triangle.
+    pub fn corners(&self, triangle: u32) -> [Vec3; 3] {
+        self.facets[triangle as usize].corners
+    }
+
     /// Area of a triangle, in units of trace space squared.
     pub fn area(&self, triangle: u32) -> f32 {
         let [a, b, c] = self.facets[triangle as usize].corners;

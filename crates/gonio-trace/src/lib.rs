@@ -19,6 +19,7 @@
 //! | `features`, `denoise` | what a picture shows without its light; a picture without its noise |
 
 mod bsdf;
+mod choice;
 mod color;
 mod contributions;
 mod denoise;

@@ -8,19 +8,21 @@
 //! | triangle | radiance of its material, on both sides | a point of its area |
 //! | environment | radiance | brightness |
 //!
-//! One source is chosen for each point, with a probability proportional to its power. Where points replace all other sources
-//! (`Simplification::Sum`) the first surface of a path adds up all of them.
+//! One source is chosen for each place, see `choice`. Where points replace all other sources (`Simplification::Sum`) the first
+//! surface of a path adds up all of them.
 
+use crate::choice::{Reach, SourceChoice, SourceGroup, Vantage};
 use crate::color::Tint;
 use crate::environment::Environment;
 use crate::geometry::{Geometry, Triangle, offset};
 use crate::lamps::{Cone, Falloff, Lamp, LampShape, LightRules};
-use crate::sampling::{self, Discrete};
+use crate::sampling;
 use crate::tree::Ray;
 use glam::{DVec3, Vec2, Vec3};
 use gonio_light::{Light, LightKind};
 use gonio_scene::LightShape;
 use std::f64::consts::PI;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Where light comes from.
@@ -83,7 +85,7 @@ pub(crate) struct Lights {
     pub sources: Vec<LightSource>,
     /// Of each source.
     pub origins: Vec<LightOrigin>,
-    choice: Discrete,
+    choice: SourceChoice,
     /// With the index of each among the sources.
     pub lamps: Vec<(Lamp, usize)>,
     pub environment: Option<Arc<Environment>>,
@@ -136,7 +138,7 @@ impl Lights {
         let mut built = Lights {
             sources: Vec::new(),
             origins: Vec::new(),
-            choice: Discrete::default(),
+            choice: SourceChoice::default(),
             lamps: Vec::new(),
             environment: None,
             environment_index: usize::MAX,
@@ -260,22 +262,78 @@ impl Lights {
     }
 
     /// Ends the list, with the power of each source.
-    pub fn finish(mut self, powers: Vec<f64>) -> Self {
-        self.choice = Discrete::new(powers);
+    pub fn finish(mut self, powers: &[f64], geometry: &Geometry) -> Self {
+        let mut groups: Vec<SourceGroup> = Vec::new();
+        let mut first = 0;
+        for sources in self.origins.chunk_by(|a, b| a == b && matches!(a, LightOrigin::Object(_))) {
+            let range = first..first + sources.len();
+            first = range.end;
+            let powers = powers[range.clone()].to_vec();
+            let reach = self.reach(range.clone(), powers.iter().sum(), geometry);
+            groups.push(SourceGroup { first: range.start, powers, reach });
+        }
+        self.choice = SourceChoice::new(groups);
         self
     }
 
-    /// A source at `choice` in `[0, 1)`, and a direction to it from `from`.
+    /// Where the light of some sources, a light or the triangles of an object, comes from.
+    fn reach(&self, sources: Range<usize>, power: f64, geometry: &Geometry) -> Reach {
+        let ball = |center, radius, intensity| Reach::Ball {
+            center,
+            radius,
+            intensity,
+            cone: None,
+            front: Vec3::ZERO,
+            falloff: None,
+        };
+        match &self.sources[sources.start] {
+            LightSource::Point { position, intensity, cone, falloff } => Reach::Ball {
+                center: *position,
+                radius: 0.0,
+                intensity: mean_of(intensity),
+                cone: *cone,
+                front: Vec3::ZERO,
+                falloff: Some(*falloff),
+            },
+            LightSource::Directional { direction, irradiance } => {
+                Reach::Directional { direction: *direction, irradiance: mean_of(irradiance) }
+            }
+            LightSource::Lamp(lamp) => {
+                let Lamp { shape, radiance, falloff, .. } = &self.lamps[*lamp].0;
+                let (center, radius, seen, front) = match *shape {
+                    LampShape::Sphere { center, radius } => (center, radius, 0.25, Vec3::ZERO),
+                    LampShape::Rectangle { center, right, up, half } => (center, half.length(), 1.0, right.cross(up)),
+                };
+                let intensity = mean_of(radiance) * shape.area() * seen;
+                Reach::Ball { center, radius, intensity, cone: None, front, falloff: Some(*falloff) }
+            }
+            LightSource::Triangle { .. } => {
+                let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+                for source in &self.sources[sources] {
+                    if let LightSource::Triangle { triangle, .. } = source {
+                        for corner in geometry.corners(*triangle) {
+                            (low, high) = (low.min(corner), high.max(corner));
+                        }
+                    }
+                }
+                ball(0.5 * (low + high), 0.5 * (high - low).length(), (power / (4.0 * PI)) as f32)
+            }
+            LightSource::Environment => Reach::Everywhere { irradiance: (power / PI) as f32 },
+        }
+    }
+
+    /// A source at `choice` in `[0, 1)`, and a direction to it.
     #[inline]
     pub fn sample(
         &self,
         geometry: &Geometry,
         rules: &LightRules,
-        from: Vec3,
+        vantage: &Vantage,
         choice: f32,
         u: Vec2,
     ) -> Option<LightSample> {
-        let (index, probability, _) = self.choice.sample(choice)?;
+        let (index, probability) = self.choice.sample(vantage, rules, choice)?;
+        let from = vantage.position;
         match self.sources[index] {
             LightSource::Triangle { triangle, area } => {
                 sample_triangle(index, triangle, area, probability, geometry, from, u)
@@ -367,28 +425,32 @@ impl Lights {
     }
 
     /// The density with which [`Self::sample`] finds a direction that meets a lamp at `distance`, in 1/sr.
-    pub fn lamp_density(&self, lamp: usize, from: Vec3, direction: Vec3, distance: f32) -> f32 {
+    pub fn lamp_density(&self, rules: &LightRules, lamp: usize, from: &Vantage, direction: Vec3, distance: f32) -> f32 {
         let (lamp, source) = &self.lamps[lamp];
-        lamp.shape.density(from, direction, distance) * self.choice.probability(*source)
+        lamp.shape.density(from.position, direction, distance) * self.choice.probability(*source, from, rules)
     }
 
     /// The density with which [`Self::sample`] finds the point of a triangle light that lies at `distance` from where it is
     /// sampled, at an angle with this cosine; in 1/sr.
-    pub fn triangle_density(&self, source: u32, distance: f32, cos: f32) -> f32 {
+    pub fn triangle_density(&self, rules: &LightRules, source: u32, from: &Vantage, distance: f32, cos: f32) -> f32 {
         match self.sources[source as usize] {
             LightSource::Triangle { area, .. } => {
                 let density = distance * distance / (cos * area);
-                if density.is_finite() { density * self.choice.probability(source as usize) } else { f32::INFINITY }
+                if density.is_finite() {
+                    density * self.choice.probability(source as usize, from, rules)
+                } else {
+                    f32::INFINITY
+                }
             }
             _ => 0.0,
         }
     }
 
     /// The density with which [`Self::sample`] finds a direction of the environment, in 1/sr.
-    pub fn environment_density(&self, direction: Vec3) -> f32 {
+    pub fn environment_density(&self, rules: &LightRules, from: &Vantage, direction: Vec3) -> f32 {
         match &self.environment {
             Some(environment) if self.environment_index < self.sources.len() => {
-                environment.density(direction) * self.choice.probability(self.environment_index)
+                environment.density(direction) * self.choice.probability(self.environment_index, from, rules)
             }
             _ => 0.0,
         }
@@ -446,4 +508,8 @@ fn facing_irradiance(half_width: f64, half_height: f64, distance: f64) -> f64 {
 
 fn mean(color: DVec3) -> f64 {
     color.element_sum() / 3.0
+}
+
+fn mean_of(tint: &Tint) -> f32 {
+    tint.rgb().element_sum() / 3.0
 }

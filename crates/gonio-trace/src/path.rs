@@ -4,6 +4,7 @@
 //! are added with the weights of multiple importance sampling. Long paths end by Russian roulette.
 
 use crate::bsdf::{Bsdf, Scattering};
+use crate::choice::Vantage;
 use crate::color::Tint;
 use crate::diffuse::{Diffuse, Scatter};
 use crate::eye::Eye;
@@ -90,7 +91,7 @@ impl World<'_> {
         // The density of the last direction; none for single directions, which no sample of a light finds.
         let mut last: Option<f32> = None;
         // Where that direction was chosen.
-        let mut from = ray.origin;
+        let mut from = Vantage::open(ray.origin);
         // Only light sources count on this part of the way.
         let mut to_sources = false;
         let mut medium: Option<u32> = None;
@@ -112,7 +113,7 @@ impl World<'_> {
                     }
                     if shines {
                         let way = travelled + distance;
-                        let light = self.seen_lamp(lamp, from, ray.direction, way, last, wavelengths) * throughput;
+                        let light = self.seen_lamp(lamp, &from, ray.direction, way, last, wavelengths) * throughput;
                         found.light += light;
                         recorder.add(depth, self.lights.origins[self.lights.lamps[lamp].1], light);
                     }
@@ -123,7 +124,7 @@ impl World<'_> {
                 // The eye's own rays show the background, which is not always the environment.
                 if found.hit {
                     let weight = |density| self.weight_of_direction(last, density);
-                    let light = throughput * self.environment_light(ray.direction, weight, wavelengths);
+                    let light = throughput * self.environment_light(&from, ray.direction, weight, wavelengths);
                     found.light += light;
                     recorder.add(depth, LightOrigin::Environment, light);
                 }
@@ -147,7 +148,8 @@ impl World<'_> {
                     (Some(_), Technique::Lights) => 0.0,
                     (Some(_), Technique::Both) => {
                         let cos = place.geometric_normal.dot(view).abs();
-                        self.weight_of_direction(last, self.lights.triangle_density(source, travelled, cos))
+                        let density = self.lights.triangle_density(&self.light_rules, source, &from, travelled, cos);
+                        self.weight_of_direction(last, density)
                     }
                 };
                 if weight > 0.0 && self.materials.emits {
@@ -194,13 +196,14 @@ impl World<'_> {
             }
             found.hit = true;
             depth += 1;
+            let vantage = if exact { Vantage::of(&place, view) } else { Vantage::open(place.position) };
             if bsdf.is_rough() && depth < self.most_depth {
                 let share = throughput / bsdf.probability_of_surface();
                 if depth == 1 && self.sums() {
                     self.add_all(&mut found, &place, &bsdf, share, wavelengths, recorder);
                 } else if self.technique != Technique::Directions {
                     let u = sampler.next_2d();
-                    let sample = self.lights.sample(self.geometry, &self.light_rules, place.position, choice.y, u);
+                    let sample = self.lights.sample(self.geometry, &self.light_rules, &vantage, choice.y, u);
                     self.add_direct(&mut found, &place, &bsdf, sample, share, depth, wavelengths, recorder);
                 } else {
                     sampler.next_2d();
@@ -212,7 +215,7 @@ impl World<'_> {
             if let Some(density) = last {
                 if self.finds_environment && depth < self.most_depth {
                     let weight = |light_density| power_heuristic(density, light_density);
-                    let light = throughput * self.environment_light(next.direction, weight, wavelengths);
+                    let light = throughput * self.environment_light(&vantage, next.direction, weight, wavelengths);
                     found.light += light;
                     recorder.add(depth, LightOrigin::Environment, light);
                 }
@@ -233,7 +236,7 @@ impl World<'_> {
                 }
             }
             travelled = 0.0;
-            from = place.position;
+            from = vantage;
             ray = Ray { origin: place.leave(next.direction), direction: next.direction, reach: f32::INFINITY };
             let survival = throughput.max_element() / refraction_scale;
             if survival.is_nan() || survival <= 0.0 {
@@ -273,7 +276,7 @@ impl World<'_> {
     fn seen_lamp(
         &self,
         lamp: usize,
-        from: Vec3,
+        from: &Vantage,
         direction: Vec3,
         distance: f32,
         last: Option<f32>,
@@ -281,8 +284,8 @@ impl World<'_> {
     ) -> Vec4 {
         // Light that is seen, in a mirror too, does not fall with the distance.
         let strength = self.lights.lamps[lamp].0.strength(&self.light_rules, direction, last.map(|_| distance));
-        let weight = last
-            .map_or(1.0, |_| self.weight_of_direction(last, self.lights.lamp_density(lamp, from, direction, distance)));
+        let density = || self.lights.lamp_density(&self.light_rules, lamp, from, direction, distance);
+        let weight = last.map_or(1.0, |_| self.weight_of_direction(last, density()));
         self.materials.mode.light(&self.lights.lamps[lamp].0.radiance, wavelengths) * (strength * weight)
     }
 
@@ -296,9 +299,15 @@ impl World<'_> {
     }
 
     /// Light of the environment; `weight` of the density with which light samples find the direction.
-    fn environment_light(&self, direction: Vec3, weight: impl Fn(f32) -> f32, wavelengths: &Wavelengths) -> Vec4 {
+    fn environment_light(
+        &self,
+        from: &Vantage,
+        direction: Vec3,
+        weight: impl Fn(f32) -> f32,
+        wavelengths: &Wavelengths,
+    ) -> Vec4 {
         let Some(environment) = &self.lights.environment else { return Vec4::ZERO };
-        let weight = weight(self.lights.environment_density(direction));
+        let weight = weight(self.lights.environment_density(&self.light_rules, from, direction));
         if weight == 0.0 {
             return Vec4::ZERO;
         }

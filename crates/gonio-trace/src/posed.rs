@@ -122,8 +122,8 @@ impl Posed {
         Posed {
             ambient: light::ambient_color(lights),
             lights: placed,
+            sources: sources.finish(&powers, &geometry),
             geometry,
-            sources: sources.finish(powers),
             timeless,
             points: Mutex::new(None),
             means: OnceLock::new(),
@@ -237,7 +237,7 @@ impl Posed {
         let (mut lights, powers) = Lights::new(&self.point_lights(frame, count), &self.timeless.units, &self.geometry);
         // It is seen, but lights nothing.
         lights.environment = self.timeless.environment.clone();
-        let lights = Arc::new(lights.finish(powers));
+        let lights = Arc::new(lights.finish(&powers, &self.geometry));
         *known = Some((count, lights.clone()));
         Some(lights)
     }
