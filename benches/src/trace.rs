@@ -8,15 +8,13 @@
 use crate::Places;
 use crate::measure::{self, Cost};
 use glam::{DMat4, DVec3, Vec3};
-use gonio_light::{Equation, Optics, Simplification, Simplifications, Specular};
+use gonio_light::{Equation, Simplification, Simplifications, Specular};
 use gonio_mesh::{Material, Mesh};
-use gonio_scene::scene_file::Shading;
-use gonio_scene::{Background, Camera, Frame, Object, ObjectPart, Scene, SceneMaterial, TextureFilter};
+use gonio_scene::{Background, Camera, Frame, Scene, TextureFilter};
 use gonio_trace::{Film, TraceScene, TraceSettings};
 use serde_json::json;
 use std::path::Path;
 use std::process::Command;
-use std::sync::Arc;
 
 const SIZE: u32 = 256;
 const SAMPLES: u32 = 64;
@@ -186,7 +184,8 @@ fn cornell_box() -> (Scene, Frame) {
         let (middle, u, v) = (Vec3::from(middle), Vec3::from(u), Vec3::from(v));
         let positions = [-u - v, u - v, u + v, v - u].map(|p| (middle + p).to_array()).to_vec();
         let normals = vec![u.cross(v).normalize().to_array(); 4];
-        add(&mut scene, Mesh { positions, normals, indices: vec![0, 1, 2, 0, 2, 3], ..Mesh::default() }, material);
+        let mesh = Mesh { positions, normals, indices: vec![0, 1, 2, 0, 2, 3], ..Mesh::default() };
+        scene.add_object(mesh, material.clone().into(), DMat4::IDENTITY);
     };
     let (x, y, z, mx) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]);
     plate([0.0, 0.0, -1.0], x, y, &white);
@@ -216,49 +215,23 @@ fn cornell_box() -> (Scene, Frame) {
     (scene, frame)
 }
 
-fn add(scene: &mut Scene, mesh: Mesh, material: &Material) {
-    scene.objects.push(Object {
-        name: format!("object {}", scene.objects.len()),
-        mesh: scene.meshes.len(),
-        shading: Shading::Phong,
-        world_from_model: DMat4::IDENTITY,
-        parts: vec![ObjectPart {
-            name: "part".into(),
-            first_triangle: 0,
-            triangle_count: mesh.triangle_count(),
-            material: scene.materials.len(),
-        }],
-        closed: false,
-    });
-    scene.meshes.push(Arc::new(mesh));
-    let optics = Optics::default();
-    scene.materials.push(SceneMaterial { optics, ..material.clone().into() });
-}
-
 /// Nothing but the objects, with a black background.
 fn frame(scene: &Scene, camera: Camera, width: u32, height: u32) -> Frame {
-    let (bounds_min, bounds_max) = scene.bounds();
     Frame {
         width,
         height,
-        samples: 1,
-        time: 0.0,
         camera,
         lights: Vec::new(),
         light_shapes: Vec::new(),
         equation: Equation { specular: Specular::Phong, ..Equation::default() },
-        shadows: false,
         two_sided: true,
         background: Background { top: DVec3::ZERO, bottom: DVec3::ZERO, transparent: false },
-        surroundings: None,
-        output: Default::default(),
         texture_filter: TextureFilter::Linear,
-        bounds_min,
-        bounds_max,
+        ..scene.frame(0.0)
     }
 }
 
-/// A glowing sphere of a million triangles in a picture of 1024 x 768: their number, the cost of the scene and of a sample.
+/// A sphere of a million triangles in a picture of 1024 x 768: their number, the cost of the scene and of a sample.
 fn million() -> Result<(usize, Cost, Cost), String> {
     const RINGS: u32 = 500;
     let mut mesh = Mesh::default();
@@ -279,7 +252,8 @@ fn million() -> Result<(usize, Cost, Cost), String> {
         }
     }
     let mut scene = Scene::default();
-    add(&mut scene, mesh, &Material { diffuse: [0.7; 3], specular: [0.0; 3], ..Material::default() });
+    let material = Material { diffuse: [0.7; 3], specular: [0.0; 3], ..Material::default() };
+    scene.add_object(mesh, material.into(), DMat4::IDENTITY);
     let camera = Camera::looking_along(DVec3::Z * 5.0, DVec3::NEG_Z, DVec3::Y, 0.5, 0.1, 100.0);
     let frame = frame(&scene, camera, 1024, 768);
     let (ready, tree) = measure::here(|| TraceScene::new(&scene, &frame));

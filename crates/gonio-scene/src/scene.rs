@@ -43,6 +43,30 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// Adds an object of one mesh with one material, for scenes that are built by hand; returns its index. Its shading is
+    /// Phong, and its back faces are drawn.
+    pub fn add_object(&mut self, mesh: Mesh, material: SceneMaterial, world_from_model: DMat4) -> usize {
+        let index = self.objects.len();
+        let part = ObjectPart {
+            name: "part".into(),
+            first_triangle: 0,
+            triangle_count: mesh.triangle_count(),
+            material: self.materials.len(),
+        };
+        self.objects.push(Object {
+            name: format!("object {index}"),
+            mesh: self.meshes.len(),
+            shading: Shading::Phong,
+            world_from_model,
+            parts: vec![part],
+            closed: false,
+        });
+        self.meshes.push(Arc::new(mesh));
+        self.materials.push(material);
+        self.known_bounds = OnceLock::new();
+        index
+    }
+
     /// Gives every mesh with texture coordinates its tangents, for a view that shows them: loading makes
     /// only those that a normal map needs, since they take longer than everything else.
     pub fn add_tangents(&mut self) {

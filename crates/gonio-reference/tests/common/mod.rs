@@ -8,8 +8,8 @@ use gonio_mesh::{AmbientRule, Material, Mesh};
 use gonio_reference::{Probe, ReferenceScene, Rendered};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{
-    Background, BoundTexture, Camera, ColorSpace, Frame, LoadedEnvironment, Maps, Object, ObjectPart, Scene,
-    SceneMaterial, Surroundings, Texture, TextureFilter, ViewSpec,
+    Background, BoundTexture, Camera, ColorSpace, Frame, LoadedEnvironment, Maps, Scene, SceneMaterial, Surroundings,
+    Texture, TextureFilter, ViewSpec,
 };
 use std::sync::Arc;
 
@@ -108,22 +108,8 @@ impl TestScene {
     }
 
     pub fn placed(mut self, mesh: Mesh, shading: Shading, material: Material, maps: Maps, m: DMat4) -> TestScene {
-        let scene = &mut self.scene;
-        scene.objects.push(Object {
-            name: format!("object {}", scene.objects.len()),
-            mesh: scene.meshes.len(),
-            shading,
-            world_from_model: m,
-            parts: vec![ObjectPart {
-                name: "part".into(),
-                first_triangle: 0,
-                triangle_count: mesh.triangle_count(),
-                material: scene.materials.len(),
-            }],
-            closed: false,
-        });
-        scene.meshes.push(std::sync::Arc::new(mesh));
-        scene.materials.push(SceneMaterial { maps, ..material.into() });
+        let object = self.scene.add_object(mesh, SceneMaterial { maps, ..material.into() }, m);
+        self.scene.objects[object].shading = shading;
         self
     }
 

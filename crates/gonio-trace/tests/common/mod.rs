@@ -5,10 +5,7 @@ use glam::{DMat4, DVec3};
 use gonio_environment::Cubemap;
 use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Optics, Specular};
 use gonio_mesh::{Material, Mesh};
-use gonio_scene::scene_file::Shading;
-use gonio_scene::{
-    Background, Camera, Frame, LoadedEnvironment, Object, ObjectPart, Scene, SceneMaterial, Surroundings, TextureFilter,
-};
+use gonio_scene::{Background, Camera, Frame, LoadedEnvironment, Scene, SceneMaterial, Surroundings, TextureFilter};
 use gonio_trace::{Film, Simplification, Simplifications, TraceScene, TraceSettings};
 use std::sync::Arc;
 
@@ -95,22 +92,7 @@ impl TestScene {
     }
 
     pub fn placed(mut self, mesh: Mesh, material: Material, optics: Optics, m: DMat4) -> TestScene {
-        let scene = &mut self.scene;
-        scene.objects.push(Object {
-            name: format!("object {}", scene.objects.len()),
-            mesh: scene.meshes.len(),
-            shading: Shading::Phong,
-            world_from_model: m,
-            parts: vec![ObjectPart {
-                name: "part".into(),
-                first_triangle: 0,
-                triangle_count: mesh.triangle_count(),
-                material: scene.materials.len(),
-            }],
-            closed: false,
-        });
-        scene.meshes.push(Arc::new(mesh));
-        scene.materials.push(SceneMaterial { optics, ..material.into() });
+        self.scene.add_object(mesh, SceneMaterial { optics, ..material.into() }, m);
         self
     }
 
