@@ -327,13 +327,13 @@ impl<'r> Bsdf<'r> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::sampler::Sampler;
     use gonio_light::DVec3 as V;
     use std::f32::consts::{PI, TAU};
 
-    fn parts(diffuse: f32, glossy: f32, lobe: Lobe) -> Parts {
+    pub(crate) fn parts(diffuse: f32, glossy: f32, lobe: Lobe) -> Parts {
         Parts {
             diffuse: Vec4::splat(diffuse),
             glossy: Vec4::splat(glossy),
@@ -347,7 +347,7 @@ mod tests {
         }
     }
 
-    fn place() -> Place {
+    pub(crate) fn place() -> Place {
         let normal = Vec3::new(0.2, 0.9, -0.3).normalize();
         Place {
             position: Vec3::ZERO,

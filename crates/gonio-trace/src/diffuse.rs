@@ -112,6 +112,7 @@ impl Scatter<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bsdf;
     use crate::material::{Lobe, Parts};
     use crate::rules::Rules;
     use crate::sampler::Sampler;
@@ -120,30 +121,11 @@ mod tests {
     /// From above, below, and where the interpolated normal is turned away.
     #[test]
     fn scatters_as_the_bsdf_does() {
-        let geometric_normal = Vec3::new(0.2, 0.9, -0.3).normalize();
+        let geometric_normal = bsdf::tests::place().geometric_normal;
         let normal = Vec3::new(0.6, 0.7, -0.3).normalize();
-        let place = Place {
-            position: Vec3::ZERO,
-            error: 0.0,
-            geometric_normal,
-            normal,
-            normal_turned: false,
-            flat: false,
-            tangent: None,
-            uv: Vec2::ZERO,
-            color: Vec3::ONE,
-        };
-        let parts = Parts {
-            diffuse: Vec4::new(0.2, 0.5, 0.8, 0.1),
-            glossy: Vec4::ZERO,
-            lobe: Lobe::Brdf(BrdfSettings::new(BrdfKind::Lambert), 1.0),
-            mirror: 0.0,
-            clear: 0.0,
-            clear_reflectance: 0.0,
-            refracted: None,
-            refraction_weight: Vec4::ONE,
-            opacity: 1.0,
-        };
+        let place = Place { normal, ..bsdf::tests::place() };
+        let lambert = Lobe::Brdf(BrdfSettings::new(BrdfKind::Lambert), 1.0);
+        let parts = Parts { diffuse: Vec4::new(0.2, 0.5, 0.8, 0.1), ..bsdf::tests::parts(0.0, 0.0, lambert) };
         let turned = (geometric_normal - normal * normal.dot(geometric_normal) - 0.01 * normal).normalize();
         assert!(turned.dot(geometric_normal) > 0.0 && turned.dot(normal) < 0.0);
         for view in [normal, Vec3::new(0.5, -0.7, 0.1).normalize(), turned] {
