@@ -129,6 +129,31 @@ impl LampShape {
         }
     }
 
+    /// Bound of the rounding error of the distance at which a ray meets the lamp, or a surface in the same place.
+    pub fn rounding(&self, direction: Vec3, distance: f32) -> f32 {
+        let cos = match self {
+            LampShape::Sphere { .. } => 1.0,
+            LampShape::Rectangle { right, up, .. } => right.cross(*up).dot(direction).abs(),
+        };
+        // Scenes have the size 1.
+        (8.0 * f32::EPSILON * (1.0 + distance) / cos).min(0.01 * distance)
+    }
+
+    /// A ray, its origin and direction, that meets a place of the lamp's shining side at a right angle.
+    pub fn looked_at(&self, u: Vec2) -> (Vec3, Vec3) {
+        match *self {
+            LampShape::Sphere { center, radius } => {
+                let outward = crate::sampling::from_polar(2.0 * u.x - 1.0, u.y);
+                (center + 2.0 * radius * outward, -outward)
+            }
+            LampShape::Rectangle { center, right, up, half } => {
+                let normal = right.cross(up);
+                let p = half * (2.0 * u - Vec2::ONE);
+                (center + right * p.x + up * p.y + normal * half.max_element(), -normal)
+            }
+        }
+    }
+
     /// A direction from a point to the lamp, the distance, and the density, in 1/sr. `None` where the lamp does not shine on
     /// the point.
     pub fn sample(&self, from: Vec3, u: Vec2) -> Option<(Vec3, f32, f32)> {

@@ -12,6 +12,7 @@
 //! | `bsdf`, `material` | how a place scatters light |
 //! | `rules`, `posed` | what the simplifications change; a scene at one moment |
 //! | `lights`, `lamps`, `environment` | where light comes from |
+//! | `overlap` | light sources in the same place as other surfaces |
 //! | `path`, `film`, `render` | one path; the sums of pixels; all pixels |
 //! | `contributions` | where the light of one pixel comes from |
 //! | `refinement` | a picture that begins coarse, for windows |
@@ -33,6 +34,7 @@ mod lamps;
 mod lights;
 mod material;
 mod oddities;
+mod overlap;
 mod path;
 mod posed;
 mod refinement;

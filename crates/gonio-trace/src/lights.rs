@@ -16,8 +16,8 @@ use crate::color::Tint;
 use crate::environment::Environment;
 use crate::geometry::{Geometry, Triangle, offset};
 use crate::lamps::{Cone, Falloff, Lamp, LampShape, LightRules};
+use crate::overlap::overlapping_triangles;
 use crate::sampling;
-use crate::tree::Ray;
 use glam::{DVec3, Vec2, Vec3};
 use gonio_light::{Light, LightKind};
 use gonio_scene::LightShape;
@@ -49,7 +49,8 @@ pub(crate) struct PlacedLight {
 }
 
 impl PlacedLight {
-    fn tint(&self, rgb: DVec3) -> Tint {
+    /// `rgb` with the light's spectrum.
+    pub fn tint(&self, rgb: DVec3) -> Tint {
         let tint = Tint::of_light(rgb.as_vec3());
         self.spectrum.map_or(tint, |(table, luminance)| tint.with_light(table, luminance))
     }
@@ -90,6 +91,8 @@ pub(crate) struct Lights {
     pub lamps: Vec<(Lamp, usize)>,
     pub environment: Option<Arc<Environment>>,
     environment_index: usize,
+    /// Of [`overlapping_triangles`].
+    pub overlapping: Vec<u32>,
 }
 
 /// Light that may reach a point.
@@ -126,8 +129,8 @@ pub(crate) struct LightUnits {
     /// Where lights with another falloff than the inverse square law shine as brightly as they do in the light equation,
     /// world space.
     pub reference: DVec3,
-    /// Lights are at least so far from there, world units: a light of constant brightness at the reference would have
-    /// no intensity.
+    /// Lights count as at least so far from there, world units, so that one of constant brightness at the reference has
+    /// an intensity: the distance of the nearest sides of the box around the objects, or 5 % of its diagonal where it is flat.
     pub least_distance: f64,
 }
 
@@ -142,6 +145,7 @@ impl Lights {
             lamps: Vec::new(),
             environment: None,
             environment_index: usize::MAX,
+            overlapping: Vec::new(),
         };
         let mut powers = Vec::new();
         for placed in lights {
@@ -248,6 +252,7 @@ impl Lights {
                 powers.push(2.0 * PI * f64::from(area) * mean(radiance));
             }
         }
+        self.overlapping = overlapping_triangles(geometry, &self.sources);
     }
 
     /// Adds the environment.
@@ -381,7 +386,8 @@ impl Lights {
                 let strength = lamp.strength(rules, direction, Some(distance));
                 (strength > 0.0).then(|| LightSample {
                     direction,
-                    end: Some(from + direction * distance),
+                    // Before a surface that the lamp lies on.
+                    end: Some(from + direction * (distance - lamp.shape.rounding(direction, distance))),
                     light: Strength::Radiance(lamp.radiance, strength),
                     density: density * probability,
                     probability,
@@ -406,24 +412,6 @@ impl Lights {
         }
     }
 
-    /// The nearest lamp that a ray meets before its end: its index, the distance, and whether where it shines.
-    pub fn nearest_lamp(&self, ray: &Ray) -> Option<(usize, f32, bool)> {
-        let mut nearest = None;
-        let mut reach = ray.reach;
-        for (index, (lamp, _)) in self.lamps.iter().enumerate() {
-            if let Some((distance, shines)) = lamp.shape.hit(&Ray { reach, ..*ray }) {
-                reach = distance;
-                nearest = Some((index, distance, shines));
-            }
-        }
-        nearest
-    }
-
-    /// Whether a lamp other than that of `source` is in the way.
-    pub fn lamps_block(&self, ray: &Ray, source: usize) -> bool {
-        self.lamps.iter().any(|(lamp, own)| *own != source && lamp.shape.hit(ray).is_some())
-    }
-
     /// The density with which [`Self::sample`] finds a direction that meets a lamp at `distance`, in 1/sr.
     pub fn lamp_density(&self, rules: &LightRules, lamp: usize, from: &Vantage, direction: Vec3, distance: f32) -> f32 {
         let (lamp, source) = &self.lamps[lamp];
@@ -434,6 +422,7 @@ impl Lights {
     /// sampled, at an angle with this cosine; in 1/sr.
     pub fn triangle_density(&self, rules: &LightRules, source: u32, from: &Vantage, distance: f32, cos: f32) -> f32 {
         match self.sources[source as usize] {
+            LightSource::Triangle { triangle, .. } if self.overlaps(triangle) => f32::INFINITY,
             LightSource::Triangle { area, .. } => {
                 let density = distance * distance / (cos * area);
                 if density.is_finite() {

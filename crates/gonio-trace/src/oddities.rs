@@ -1,6 +1,7 @@
 //! What is odd about a scene, and what its picture makes of it.
 
 use crate::film::luminance;
+use crate::lights::LightOrigin;
 use crate::render::TraceScene;
 use glam::{DVec3, Vec3};
 use gonio_light::LightKind;
@@ -21,6 +22,10 @@ pub enum TraceOddity {
     Environment(usize),
     /// Triangles without area, which cannot be hit, in materials that emit light.
     LampsWithoutArea(usize),
+    /// Triangles that emit light, and triangles in the same place as they: their number. Rounding decides which is seen.
+    OverlappingLights(usize),
+    /// Two lights, by their numbers, that are lamps in the same place: the first is seen.
+    OverlappingLamps(usize, usize),
     /// Triangles that are left out because corners are not finite or do not exist.
     BrokenTriangles(usize),
 }
@@ -42,6 +47,14 @@ impl Display for TraceOddity {
             }
             TraceOddity::LampsWithoutArea(count) => {
                 write!(f, "{count} triangles that emit light have no area; they give no light")
+            }
+            TraceOddity::OverlappingLights(count) => write!(
+                f,
+                "{count} triangles overlap in one plane, and some of them emit light: rounding decides which is seen; move \
+                 them apart"
+            ),
+            TraceOddity::OverlappingLamps(first, second) => {
+                write!(f, "lights {first} and {second} are lamps in the same place; where they overlap only light {first} shines")
             }
             TraceOddity::BrokenTriangles(count) => {
                 write!(f, "{count} triangles have corners that are missing or not finite; they are left out")
@@ -105,6 +118,16 @@ impl TraceScene {
         let flat = geometry.triangles.iter().enumerate().filter(emits).count();
         if flat > 0 {
             found.push(TraceOddity::LampsWithoutArea(flat));
+        }
+        if !lights.overlapping.is_empty() {
+            found.push(TraceOddity::OverlappingLights(lights.overlapping.len()));
+        }
+        for (first, second) in lights.overlapping_lamps() {
+            if let (LightOrigin::Light(first), LightOrigin::Light(second)) =
+                (lights.origins[first], lights.origins[second])
+            {
+                found.push(TraceOddity::OverlappingLamps(first, second));
+            }
         }
         found
     }

@@ -372,11 +372,17 @@ impl World<'_> {
                 (tint, opacity / sample.density)
             }
         };
-        let also_found = self.technique == Technique::Both
+        let also_found = self.technique == Technique::Both && !self.is_only_sampled(sample)
             || self.finds_environment && self.lights.origins[sample.source] == LightOrigin::Environment;
         let weight =
             if also_found && sample.density.is_finite() { power_heuristic(sample.density, density) } else { 1.0 };
         value * self.materials.mode.light(&tint, wavelengths) * (strength * weight * clear_way)
+    }
+
+    /// Whether directions count for nothing that find this light.
+    #[inline]
+    fn is_only_sampled(&self, sample: &LightSample) -> bool {
+        matches!(sample.light, Strength::Emitted(triangle, _) if self.lights.overlaps(triangle))
     }
 
     /// The radiance of a place of a lamp, and its opacity.
@@ -397,7 +403,7 @@ impl World<'_> {
             return 1.0;
         }
         let origin = place.leave(sample.direction);
-        let is_simple = !self.materials.has_holes && self.lights.lamps.is_empty();
+        let is_simple = !self.materials.has_holes && self.lights.lamps.is_empty() && self.lights.overlapping.is_empty();
         if !is_simple || self.simplified.contains(Simplification::Sum) {
             return self.clear_way_through(origin, sample);
         }
@@ -432,13 +438,16 @@ impl World<'_> {
                 None => (sample.direction, f32::INFINITY),
             };
             let ray = Ray { origin, direction, reach };
-            if self.lights.lamps_block(&ray, sample.source) {
+            if self.lights.lamps_block(&ray, sample) {
                 return 0.0;
             }
-            if !self.materials.has_holes && own.is_none() {
-                return if self.geometry.tree.is_blocked(&ray) { 0.0 } else { share };
-            }
-            let Some(hit) = self.geometry.tree.nearest(&ray) else { return share };
+            let is_simple = !self.materials.has_holes && own.is_none();
+            let hit = if is_simple { None } else { self.geometry.tree.nearest(&ray) };
+            let Some(hit) = hit else {
+                let blocked = is_simple && self.geometry.tree.is_blocked(&ray);
+                let covered = || self.lights.is_covered(self.geometry, &ray, sample);
+                return if blocked || covered() { 0.0 } else { share };
+            };
             let between = self.geometry.place(self.materials.scene, &hit);
             let triangle = &self.geometry.triangles[hit.triangle as usize];
             if own != Some(triangle.object) {

@@ -7,7 +7,8 @@ use common::{RGB, TestScene, cuboid, matte, point, sphere, square};
 use glam::{DMat4, DVec3};
 use gonio_light::{Fresnel, Light, LightKind, Optics};
 use gonio_mesh::{Material, Mesh};
-use gonio_trace::{Technique, TraceSettings};
+use gonio_scene::LightShape;
+use gonio_trace::{Technique, TraceOddity, TraceScene, TraceSettings};
 use std::f64::consts::PI;
 
 fn lamp(radiance: [f32; 3]) -> Material {
@@ -137,6 +138,107 @@ fn coincident_faces_are_one_surface() {
         .placed(cuboid([0.5; 3]), matte(0.5), Optics::default(), DMat4::from_translation(DVec3::new(0.0, 0.0, 1.0)))
         .environment(|_| DVec3::ONE);
     pixels(&stack);
+}
+
+/// A floor below a square at z = 1, all in its light.
+fn floor() -> TestScene {
+    let mut scene = TestScene::new()
+        .object(square(3.0, 0.0), Material { specular: [0.3; 3], shininess: 20.0, ..matte(0.5) })
+        .eye([0.0, -4.0, 0.4], [0.0; 3]);
+    scene.frame.camera.fov_y_rad = 0.2;
+    scene
+}
+
+fn quad_lamp(scene: TestScene, half: DVec3) -> TestScene {
+    let axis = DVec3::NEG_Z;
+    let kind = LightKind::Spot { position: DVec3::new(0.03, 0.07, 1.0), axis, inner_rad: 0.0, outer_rad: 0.5 * PI };
+    let mut scene = scene.light(Light { kind, ..point([0.0; 3], 2.0) });
+    let (half_right, half_up) = (DVec3::new(half.x, 0.0, 0.0), DVec3::new(0.0, -half.y, 0.0));
+    scene.frame.light_shapes.push(LightShape::Rectangle { half_right, half_up });
+    scene
+}
+
+/// Asserts that pictures by lights and by both techniques have the same mean, which is returned with its error.
+#[track_caller]
+fn agreeing_mean(scene: &TestScene) -> (DVec3, f64) {
+    let of = |technique, seed| scene.mean(&TraceSettings { technique, seed, ..RGB }, 256);
+    let ((both, error), (lights, other)) = (of(Technique::Both, 1), of(Technique::Lights, 2));
+    let most = 4.0 * error.hypot(other) + 1e-3 * both.max_element();
+    assert!((both - lights).abs().max_element() < most, "{both} with both techniques, {lights} by samples of lights");
+    (both, error)
+}
+
+/// Where one light hides another, its picture is that of the other's absence.
+#[track_caller]
+fn assert_same_light(name: &str, a: &TestScene, b: &TestScene) {
+    let ((a, a_error), (b, b_error)) = (agreeing_mean(a), agreeing_mean(b));
+    let most = 4.0 * a_error.hypot(b_error) + 2e-3 * b.max_element();
+    assert!((a - b).abs().max_element() < most, "{name}: {a} instead of {b}");
+}
+
+fn oddities(scene: &TestScene) -> Vec<TraceOddity> {
+    TraceScene::new(&scene.scene, &scene.frame).oddities()
+}
+
+/// Triangles that emit light in the plane of others: light counts once.
+#[test]
+fn coincident_lights_shine_once() {
+    // Moved, so that the triangles of the two are not the same.
+    let panel = || square(0.5, 1.0);
+    let other = || square(0.7, 1.0);
+    let one = floor().object(panel(), lamp([3.0; 3]));
+    assert_eq!(oddities(&one), []);
+    let twice = floor().object(panel(), lamp([3.0; 3])).object(panel(), lamp([3.0; 3]));
+    assert_same_light("twice", &twice, &one);
+    assert_eq!(oddities(&twice), [TraceOddity::OverlappingLights(4)]);
+    // A panel in the ceiling shines although the ceiling is there.
+    let under = floor().object(panel(), lamp([3.0; 3])).object(square(2.9, 1.0), matte(0.0));
+    assert_same_light("in the ceiling", &under, &floor().object(panel(), lamp([3.0; 3])));
+    assert!(matches!(oddities(&under)[..], [TraceOddity::OverlappingLights(3..)]), "{:?}", oddities(&under));
+    // Of two colours a place has one: neither black nor their sum.
+    let red_and_green = floor().object(panel(), lamp([3.0, 0.0, 0.0])).object(other(), lamp([0.0, 3.0, 0.0]));
+    let wide = agreeing_mean(&floor().object(other(), lamp([3.0; 3]))).0;
+    let (mean, _) = agreeing_mean(&red_and_green);
+    assert!((mean.x + mean.y - wide.y).abs() < 0.01 * wide.y, "{mean} of {wide}");
+    assert!(pixels(&red_and_green) == pixels(&red_and_green));
+}
+
+/// A lamp lies on the surfaces in its plane, and the first on the second.
+#[test]
+fn lamps_cover_what_lies_in_their_plane() {
+    let half = DVec3::splat(0.5);
+    let one = quad_lamp(floor(), half);
+    assert_same_light("ceiling", &quad_lamp(floor().object(square(2.9, 1.0), matte(0.0)), half), &one);
+    assert_same_light("panel", &quad_lamp(floor().object(square(0.3, 1.0), lamp([30.0; 3])), half), &one);
+    let twice = quad_lamp(quad_lamp(floor(), half), half);
+    assert_same_light("twice", &twice, &one);
+    assert_eq!(oddities(&twice), [TraceOddity::OverlappingLamps(0, 1)]);
+    assert_eq!(oddities(&one), []);
+    let ball = |count: usize| {
+        let mut scene = floor();
+        for _ in 0..count {
+            scene = scene.light(point([0.1, 0.2, 1.0], 2.0));
+            scene.frame.light_shapes.push(LightShape::Sphere { radius: 0.3 });
+        }
+        scene
+    };
+    assert_same_light("balls", &ball(2), &ball(1));
+    assert_eq!(oddities(&ball(2)), [TraceOddity::OverlappingLamps(0, 1)]);
+    // The lamp is seen and not the ceiling; from above the ceiling is seen and not the back of the lamp.
+    let lit_above = |scene: TestScene| {
+        let mut scene = scene.light(point([0.0, 0.0, 3.0], 5.0)).eye([0.2, 0.5, 3.0], [0.0, 0.0, 1.0]);
+        scene.frame.camera.fov_y_rad = 0.2;
+        scene
+    };
+    let ceiling = || square(2.9, 1.0);
+    let covered = quad_lamp(floor().object(ceiling(), matte(0.5)), half);
+    let (mean, error) = lit_above(covered.clone()).mean(&RGB, 16);
+    let bare = lit_above(floor().object(ceiling(), matte(0.5))).mean(&RGB, 16).0;
+    assert!((mean - bare).abs().max_element() < 4.0 * error + 1e-3, "{mean} instead of {bare}");
+    let mut below = covered.eye([0.2, 0.5, 0.1], [0.0, 0.0, 1.0]);
+    below.frame.camera.fov_y_rad = 0.2;
+    let seen = pixels(&below);
+    assert!(seen.iter().all(|p| *p == seen[0] && p[0] > 0.5), "{seen:?}");
 }
 
 #[test]

@@ -9,6 +9,7 @@ use gonio_scene::{Background, Camera, Frame, LoadedEnvironment, Scene, SceneMate
 use gonio_trace::{Film, Simplification, Simplifications, TraceScene, TraceSettings};
 use std::sync::Arc;
 
+#[derive(Clone)]
 pub struct TestScene {
     pub scene: Scene,
     pub frame: Frame,
