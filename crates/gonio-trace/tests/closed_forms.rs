@@ -3,11 +3,12 @@
 
 mod common;
 
-use common::{RGB, TestScene, cuboid, matte, sphere, square};
+use common::{RGB, TestScene, cuboid, matte, point, square};
 use glam::{DMat4, DVec3};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
 use gonio_light::{Fresnel, Optics, ShadingPoint, Surface, Surfaces, microfacet};
 use gonio_mesh::{Material, Mesh, MetallicRoughness};
+use gonio_scene::LightShape;
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
 /// Every channel is within four standard errors and `tolerance` of `expected`.
@@ -232,16 +233,16 @@ fn penumbra_of_a_sphere() {
         ..Mesh::default()
     };
     for edge in [-0.6, -0.3, -0.1, 0.0, 0.15, 0.3] {
-        let lamp_at = DMat4::from_translation(DVec3::new(0.0, 0.0, height)) * DMat4::from_scale(DVec3::splat(radius));
+        let intensity = 20.0 * PI * radius * radius;
         let mut scene = TestScene::new()
             .object(square(40.0, 0.0), matte(0.5))
             .object(blocker(edge as f32), matte(0.0))
-            .placed(sphere(64), lamp(20.0), Optics::default(), lamp_at)
+            .light(point([0.0, 0.0, height], intensity))
             .eye([2.0, 0.0, 3.0], [0.0; 3]);
+        scene.frame.light_shapes = vec![LightShape::Sphere { radius }];
         scene.frame.camera.fov_y_rad = 1e-4;
         let seen = disc_beside_edge(r, f64::from(edge as f32).atan2(edge_height));
-        // Facets lie inside of the sphere: 0.05 % of its disc.
         let expected = 0.5 * FRAC_1_PI * 20.0 * seen;
-        assert_mean(&format!("edge {edge}"), &scene, 4096, expected, 1e-3 * expected);
+        assert_mean(&format!("edge {edge}"), &scene, 4096, expected, 1e-4 * expected);
     }
 }
