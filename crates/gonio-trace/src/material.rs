@@ -11,6 +11,7 @@ use gonio_light::brdf::{BrdfKind, BrdfSettings};
 use gonio_light::microfacet::shininess_of_roughness;
 use gonio_light::optics::reflectance;
 use gonio_light::{Equation, Specular, Surface, microfacet, vector};
+use gonio_mesh::AmbientRule;
 use gonio_scene::{BoundTexture, Scene, SceneMaterial, TextureFilter};
 use std::collections::HashMap;
 
@@ -66,11 +67,13 @@ pub(crate) struct Materials<'s> {
 }
 
 /// The ambient term of the light equation.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct AmbientTerm {
     pub equation: Equation,
+    /// Of all ambient lights together.
     pub color: DVec3,
-    pub light: Tint,
+    /// Of each.
+    pub lights: Vec<Tint>,
 }
 
 /// The mean radiance of each material with an emission texture on each object, by both indices.
@@ -385,8 +388,14 @@ impl Materials<'_> {
         if term.equation.ambient(&surface, term.color) == DVec3::ZERO {
             return Vec4::ZERO;
         }
-        let reflectance = Tint::of_reflectance(surface.ambient.as_vec3().max(Vec3::ZERO));
-        self.mode.reflectance(&reflectance, wavelengths) * self.mode.light(&term.light, wavelengths)
+        // As the diffuse colour, it is that of the material's spectrum.
+        let table = match self.material(index).material.ambient {
+            AmbientRule::FollowsDiffuse => self.constants[index as usize].diffuse_table,
+            AmbientRule::Value(_) => None,
+        };
+        let reflectance = diffuse_tint(surface.ambient.as_vec3().max(Vec3::ZERO), table);
+        let light: Vec4 = term.lights.iter().map(|light| self.mode.light(light, wavelengths)).sum();
+        self.mode.reflectance(&reflectance, wavelengths) * light
     }
 }
 

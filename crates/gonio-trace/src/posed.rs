@@ -64,10 +64,11 @@ impl Timeless {
             (Some(loaded), Some(surroundings)) => Some(Arc::new(Environment::new(loaded.clone(), surroundings))),
             _ => None,
         };
+        let size = frame.bounds_max - frame.bounds_min;
         let units = LightUnits {
             strength: light_strength(&frame.equation),
             reference: 0.5 * (frame.bounds_min + frame.bounds_max),
-            least_distance: (0.05 * (frame.bounds_max - frame.bounds_min).length()).max(1e-9),
+            least_distance: (0.5 * size.min_element()).max(0.05 * size.length()).max(1e-9),
         };
         let mut spectra = Spectra::default();
         let reflectances = scene.materials.iter().map(|material| {
@@ -217,6 +218,16 @@ impl Posed {
             .collect()
     }
 
+    /// The light of all ambient lights together, or of each where one has a spectrum.
+    fn ambient_tints(&self) -> Vec<Tint> {
+        let lights = || self.lights.iter().filter(|placed| placed.light.kind == LightKind::Ambient);
+        if lights().all(|placed| placed.spectrum.is_none()) {
+            return vec![Tint::of_light(self.ambient.as_vec3())];
+        }
+        let colors = lights().map(|placed| (placed, placed.light.color.max(DVec3::ZERO)));
+        colors.filter(|(_, color)| color.is_finite()).map(|(placed, color)| placed.tint(color)).collect()
+    }
+
     fn means(&self, frame: &Frame) -> &MeanEmission {
         self.means.get_or_init(|| {
             let means = mean_emission(&self.scene, &self.geometry, filter_of(frame));
@@ -281,7 +292,7 @@ impl Posed {
             ambient: (has(Simplification::Ambient) && self.ambient != DVec3::ZERO).then(|| AmbientTerm {
                 equation: frame.equation,
                 color: self.ambient,
-                light: Tint::of_light(self.ambient.as_vec3()),
+                lights: self.ambient_tints(),
             }),
         };
         let finds_one = has(Simplification::Sum) || has(Simplification::Shadows);

@@ -83,7 +83,9 @@ impl TraceScene {
     ///
     /// A light of colour `L` in the lab's convention gives the irradiance `pi L`, so that a diffuse surface is as bright as
     /// the light equation makes it. Point and spot lights obey the inverse square law; at the centre of the objects they
-    /// are as strong as their attenuation says. Ambient lights have no place in the rendering equation.
+    /// are as strong as their attenuation says. Nearer to the centre than half the shortest edge of the box around the objects
+    /// (5 % of its diagonal where that is more) they are as strong at that distance. Ambient lights have no place in the rendering
+    /// equation.
     ///
     /// A light with a shape is a lamp: a surface of uniform radiance that shines outwards, or to the front of a rectangle, as
     /// brightly at the centre of the objects as the light does in the light equation. The eye and mirrors see it, and it

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{RGB, TestScene, matte, point, sphere, square};
+use common::{RGB, TestScene, cuboid, matte, point, sphere, square};
 use glam::{DMat4, DVec3};
 use gonio_light::brdf::{BrdfKind, BrdfSettings};
 use gonio_light::{Attenuation, Convention, Equation, Light, LightKind, Optics, Spectrum, Specular};
@@ -204,12 +204,66 @@ fn attenuation() {
     }
 }
 
+/// A light in the middle of a room lights the nearest walls as the light equation says.
+#[test]
+fn a_light_at_the_centre_lights_its_surroundings() {
+    let attenuation = Attenuation { constant: 1.0, linear: 0.5, quadratic: 0.0 };
+    let settings = with(Simplification::Interreflection);
+    for shape in [LightShape::Point, LightShape::Sphere { radius: 0.05 }] {
+        for at in [0.0, 0.3] {
+            let light = Light { attenuation, ..point([0.0, 0.0, at], 2.0) };
+            let mut scene = TestScene::new().object(cuboid([2.0, 3.0, 1.0]), matte(0.5)).light(light);
+            scene = scene.eye([1.0, 0.5, 0.2], [0.0, 0.0, -1.0]);
+            scene.frame.camera.fov_y_rad = 1e-4;
+            (scene.frame.bounds_min, scene.frame.bounds_max) = (-DVec3::new(2.0, 3.0, 1.0), DVec3::new(2.0, 3.0, 1.0));
+            scene.frame.light_shapes = vec![shape];
+            let mean = scene.mean(&settings, 256).0.x;
+            // From there on it obeys the inverse square law.
+            let expected = 0.5 / std::f64::consts::PI * 2.0 / 1.5 / (1.0_f64 + at).powi(2);
+            assert!((mean / expected - 1.0).abs() < 0.01, "{shape:?} at {at}: {mean} instead of {expected}");
+        }
+    }
+}
+
 #[test]
 fn ambient() {
     let light = Light { kind: LightKind::Ambient, ..point([0.0; 3], 0.8) };
     let mean = |one| floor_under(light).mean(&with(one), 4).0.x;
     assert_eq!(mean(Simplification::Time), 0.0);
     assert!((mean(Simplification::Ambient) - 0.4).abs() < 1e-6);
+}
+
+/// Two materials of one colour: in white ambient light both have it with and without wavelengths, in that of a narrow lamp
+/// each reflects what it reflects at the line.
+#[test]
+fn ambient_light_sees_spectra() {
+    let line = || Spectrum::new(vec![[588.0, 0.0], [589.0, 1.0], [590.0, 0.0]]);
+    let luminance = |c: DVec3| c.dot(DVec3::new(0.2126, 0.7152, 0.0722));
+    let mut at_lines = Vec::new();
+    for at_line in [0.1, 0.8] {
+        let samples =
+            vec![[500.0, 0.2], [560.0, 0.45], [579.0, 0.45], [580.0, at_line], [598.0, at_line], [599.0, 0.45]];
+        let spectrum = Arc::new(Spectrum::new(samples));
+        let scene = |color: DVec3, narrow: bool| {
+            let mut scene = floor_under(Light { kind: LightKind::Ambient, color, ..point([0.0; 3], 1.0) });
+            let mut settings = LightSettings::new(LightSourceKind::Ambient);
+            settings.spectrum = narrow.then(|| Arc::new(line()));
+            scene.scene.settings.lights.push(settings);
+            scene.scene.materials[0].material.diffuse = spectrum.color_of_surface().as_vec3().to_array();
+            scene.scene.materials[0].diffuse_spectrum = Some(spectrum.clone());
+            scene
+        };
+        let spectral = TraceSettings { simplified: Simplifications::NONE.with(Simplification::Ambient), ..RGB };
+        let white = scene(DVec3::splat(0.8), false);
+        let (mean, expected) = (white.mean(&spectral, 4096).0, white.mean(&with(Simplification::Ambient), 4).0);
+        assert!((mean - expected).abs().max_element() < 0.01 * expected.max_element(), "{mean} {expected}");
+        let color = line().color_of_light().unwrap();
+        let mean = luminance(scene(color, true).mean(&spectral, 1024).0);
+        let expected = at_line * luminance(color);
+        assert!((mean / expected - 1.0).abs() < 0.02, "{mean} {expected}");
+        at_lines.push(mean);
+    }
+    assert!((at_lines[1] / at_lines[0] - 8.0).abs() < 0.2, "{at_lines:?}");
 }
 
 #[test]
