@@ -208,6 +208,16 @@ impl LampShape {
     }
 }
 
+/// The irradiance of a surface from a rectangle of radiance 1 and these half edges, in front of its centre and facing it (J. H.
+/// Lambert, *Photometria*, 1760).
+pub(crate) fn facing_irradiance(half_width: f64, half_height: f64, distance: f64) -> f64 {
+    let one = |a: f64, b: f64| {
+        let slant = a.hypot(distance);
+        a / slant * (b / slant).atan()
+    };
+    2.0 * (one(half_width, half_height) + one(half_height, half_width))
+}
+
 /// `1 - cos a` of the cone in which a sphere is seen; `None` from inside.
 fn one_minus_cos(distance2: f32, radius: f32) -> Option<f32> {
     let sin2 = radius * radius / distance2;

@@ -15,7 +15,7 @@ use crate::choice::{Reach, SourceChoice, SourceGroup, Vantage};
 use crate::color::Tint;
 use crate::environment::Environment;
 use crate::geometry::{Geometry, Triangle, offset};
-use crate::lamps::{Cone, Falloff, Lamp, LampShape, LightRules};
+use crate::lamps::{Cone, Falloff, Lamp, LampShape, LightRules, facing_irradiance};
 use crate::overlap::overlapping_triangles;
 use crate::sampling;
 use glam::{DVec3, Vec2, Vec3};
@@ -483,16 +483,6 @@ impl Lamp {
         let spot = self.cone.filter(|_| rules.has_cones).map_or(1.0, |cone| cone.at(-direction));
         spot * distance.map_or(1.0, |distance| self.falloff.gain(rules, distance))
     }
-}
-
-/// The irradiance of a surface from a rectangle of radiance 1 and these half edges, in front of its centre and facing it (J. H.
-/// Lambert, *Photometria*, 1760).
-fn facing_irradiance(half_width: f64, half_height: f64, distance: f64) -> f64 {
-    let one = |a: f64, b: f64| {
-        let slant = a.hypot(distance);
-        a / slant * (b / slant).atan()
-    };
-    2.0 * (one(half_width, half_height) + one(half_height, half_width))
 }
 
 fn mean(color: DVec3) -> f64 {
