@@ -224,7 +224,8 @@ pub struct Evaluation {
     pub values: PointValues,
 }
 
-/// A statement that the traced point has executed.
+/// A statement that the traced point has executed. A statement that goes on after a call, and a loop that goes on after its
+/// body, are further steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TraceStep {
     /// The statement; `None` for the initialization of global variables.
@@ -242,6 +243,8 @@ pub struct TraceStep {
 pub struct TraceWrite {
     /// The variable, by [`CompiledStage::variables`].
     pub variable: u32,
+    /// The assignment or call that wrote it; `None` for an initializer.
+    pub expr: Option<ExprId>,
     /// Its scalars, at most 256.
     pub values: Vec<u32>,
     /// Whether each scalar was ever written.

@@ -271,7 +271,40 @@ fn one_point_is_traced() {
     assert_eq!(writes, expected.map(|(name, value)| (name.to_string(), value)));
     let iterations: Vec<_> =
         result.trace.iter().filter(|s| !s.iterations.is_empty()).map(|s| s.iterations[0]).collect();
-    assert_eq!(iterations, [0, 0, 1, 1]);
+    // `i++` begins the next iteration.
+    assert_eq!(iterations, [0, 0, 1, 1, 1, 2]);
+}
+
+#[test]
+fn writes_after_a_call_belong_to_the_caller() {
+    let body = "float f(float a) { float b = a * 2.0; return b; }\n---\nfloat y = 0.0;\nfor (int i = 0; i < 2; i++)\n y += f(x);\nr.x = y;";
+    let stage = shader(body);
+    let result = run_with(&stage, &RunOptions { traced_point: Some(3), ..RunOptions::default() });
+    let line = |step: &gonio_interpreter::TraceStep| {
+        let statement = &stage.source.statements[step.statement.unwrap().0 as usize];
+        statement.span.line
+    };
+    let seen: Vec<_> = result
+        .trace
+        .iter()
+        .flat_map(|step| step.writes.iter().map(move |write| (step, write)))
+        .map(|(step, write)| {
+            let name = stage.variables[write.variable as usize].name.as_str();
+            (name, line(step), stage.frames[step.frame as usize].function.as_str(), step.iterations.clone())
+        })
+        .filter(|(name, ..)| ["b", "y", "i"].contains(name))
+        .collect();
+    let expected = [
+        ("y", 9, "main", vec![]),
+        ("i", 10, "main", vec![]),
+        ("b", 4, "f", vec![0]),
+        ("y", 11, "main", vec![0]),
+        ("i", 10, "main", vec![1]),
+        ("b", 4, "f", vec![1]),
+        ("y", 11, "main", vec![1]),
+        ("i", 10, "main", vec![2]),
+    ];
+    assert_eq!(seen, expected);
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::source::{ExprId, StatementId};
 use control::Control;
 pub(crate) use registers::Row;
 use registers::{Operand, Registers};
-pub(crate) use watch::Seen;
+pub(crate) use watch::{Seen, Write};
 
 /// The state of a block.
 pub(crate) struct Machine<'a> {
@@ -123,8 +123,9 @@ impl<'a> Machine<'a> {
                     if self.seen.is_tracing()
                         && let Some(traced) = stage.variables.get(variable as usize)
                     {
+                        let write = Write { variable, expr: place, reg: traced.reg, size: traced.size };
                         let visible = self.control.visible();
-                        self.seen.wrote(variable, traced.reg, traced.size, visible, &self.registers);
+                        self.seen.wrote(write, visible, &self.control, &self.registers);
                     }
                 }
                 _ => self.data(instr, place),

@@ -14,6 +14,14 @@ const MOST_STEPS: usize = 100_000;
 /// Most scalars of a variable in a trace.
 const MOST_TRACED: u32 = 256;
 
+/// A variable that was just written.
+pub(crate) struct Write {
+    pub variable: u32,
+    pub expr: Option<ExprId>,
+    pub reg: Reg,
+    pub size: u32,
+}
+
 /// What was seen of a run.
 pub(crate) struct Seen {
     /// By expression; empty if none is watched or replaced.
@@ -92,21 +100,25 @@ impl Seen {
         self.steps.push(TraceStep { statement: Some(statement), frame, iterations, writes: Vec::new() });
     }
 
-    pub fn wrote(&mut self, variable: u32, reg: Reg, size: u32, visible: LaneSet, registers: &Registers) {
+    pub fn wrote(&mut self, write: Write, visible: LaneSet, control: &Control, registers: &Registers) {
         let Some(lane) = self.traced_lane.filter(|lane| visible.contains(*lane)) else { return };
         if self.is_truncated {
             return;
         }
-        if self.steps.is_empty() {
-            // Global variables are initialized before the first statement.
-            let step = TraceStep { statement: None, frame: 0, iterations: Vec::new(), writes: Vec::new() };
-            self.steps.push(step);
+        let (frame, iterations) = (control.frame(), control.iterations());
+        if self.steps.last().is_none_or(|step| step.frame != frame || step.iterations != iterations) {
+            // A call or the body of a loop has ended, and the statement around it goes on. Global variables are
+            // initialized before the first statement.
+            let is_around = |step: &&TraceStep| step.frame == frame && iterations.starts_with(&step.iterations);
+            let statement = self.steps.iter().rev().find(is_around).and_then(|step| step.statement);
+            self.steps.push(TraceStep { statement, frame, iterations, writes: Vec::new() });
         }
         let Some(step) = self.steps.last_mut() else { return };
+        let Write { variable, expr, reg, size } = write;
         let all = reg..reg + size.min(MOST_TRACED);
         let values = all.clone().map(|reg| registers.operand(reg).at(lane)).collect();
         let written = all.map(|reg| registers.written(reg).contains(lane)).collect();
-        step.writes.push(TraceWrite { variable, values, written });
+        step.writes.push(TraceWrite { variable, expr, values, written });
     }
 
     pub fn has_origin(&self, lane: usize) -> bool {
