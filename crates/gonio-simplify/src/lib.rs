@@ -21,6 +21,4 @@ pub mod report;
 pub mod staircase;
 
 pub use comparison::{AmbientFit, LargestDifference, PictureComparison};
-pub use staircase::{
-    EquationPicture, PictureGoal, SimplifiedPicture, Staircase, StaircaseSettings, TracedPicture, build,
-};
+pub use staircase::{EquationPicture, SimplifiedPicture, Staircase, StaircaseSettings, TracedPicture, build};

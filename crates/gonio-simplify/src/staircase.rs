@@ -8,19 +8,10 @@ use gonio_image::flip;
 use gonio_light::{Light, LightKind, Quantity};
 use gonio_reference::ReferenceScene;
 use gonio_scene::{Frame, LightShape, Picture, Scene, ViewSpec};
-use gonio_trace::{Film, LightOrigin, PixelContributions, Simplification, Simplifications, TraceScene, TraceSettings};
-use std::time::{Duration, Instant};
-
-/// When a picture is finished.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PictureGoal {
-    /// Paths of each pixel.
-    Paths(u32),
-    /// Wall time of all pictures together.
-    Time(Duration),
-    /// Error of a pixel's luminance relative to the mean luminance, with 95 % confidence; > 0.
-    Error(f64),
-}
+use gonio_trace::{
+    Film, LightOrigin, PixelContributions, Simplification, Simplifications, TraceGoal, TraceScene, TraceSettings,
+};
+use std::time::Instant;
 
 /// What is traced.
 #[derive(Clone, Debug)]
@@ -30,7 +21,7 @@ pub struct StaircaseSettings {
     /// Whether each is also made by itself.
     pub alone: bool,
     /// When a picture is finished.
-    pub goal: PictureGoal,
+    pub goal: TraceGoal,
     /// Everything else; `simplified` and `seed + 1` are chosen here.
     pub trace: TraceSettings,
 }
@@ -319,8 +310,8 @@ impl Tracer<'_> {
     fn next_pass(&self, halves: &[Film; 2], begun: Instant) -> Option<u32> {
         let least = halves[0].least_samples();
         match self.settings.goal {
-            PictureGoal::Paths(paths) => Some(paths.div_ceil(2).saturating_sub(least)).filter(|&n| n > 0),
-            PictureGoal::Time(time) => {
+            TraceGoal::Paths(paths) => Some(paths.div_ceil(2).saturating_sub(least)).filter(|&n| n > 0),
+            TraceGoal::Time(time) => {
                 let time = time.as_secs_f64() / self.count as f64;
                 if least == 0 {
                     return Some(1);
@@ -330,7 +321,7 @@ impl Tracer<'_> {
                 let fitting = (time - spent) / (spent / f64::from(least));
                 (fitting >= 0.5).then(|| (fitting.round() as u32).clamp(1, 2 * least))
             }
-            PictureGoal::Error(error) => match error_of(halves).1 {
+            TraceGoal::Error(error) => match error_of(halves).1 {
                 _ if 2 * least < FIRST_PATHS => Some(FIRST_PATHS / 2 - least),
                 upper if upper <= error || 2 * least >= MOST_PATHS => None,
                 upper => {
@@ -346,12 +337,12 @@ impl Tracer<'_> {
         let least = halves[0].least_samples();
         let after = f64::from(least + paths);
         match self.settings.goal {
-            PictureGoal::Paths(all) => after / f64::from(all.div_ceil(2).max(1)),
-            PictureGoal::Time(time) => {
+            TraceGoal::Paths(all) => after / f64::from(all.div_ceil(2).max(1)),
+            TraceGoal::Time(time) => {
                 let per_path = begun.elapsed().as_secs_f64() / f64::from(least.max(1));
                 (after * per_path * self.count as f64 / time.as_secs_f64().max(1e-9)).min(1.0)
             }
-            PictureGoal::Error(error) => {
+            TraceGoal::Error(error) => {
                 let now = error_of(halves).1;
                 let needed = f64::from(least) * (now / error).powi(2);
                 if needed.is_finite() { (after / needed.max(after)).min(1.0) } else { 0.0 }

@@ -56,4 +56,4 @@ pub use lights::LightOrigin;
 pub use oddities::TraceOddity;
 pub use path::Technique;
 pub use refinement::{Refinement, RefinementStatus};
-pub use render::{TraceScene, TraceSettings};
+pub use render::{TraceGoal, TraceScene, TraceSettings};

@@ -15,6 +15,18 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+/// When a trace ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TraceGoal {
+    /// Paths of each pixel.
+    Paths(u32),
+    /// Wall time, of all pictures together where there are several.
+    Time(Duration),
+    /// Error of a pixel's luminance relative to the mean luminance, with 95 % confidence; > 0.
+    Error(f64),
+}
 
 /// How a scene is traced.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::Lab;
+use common::{Lab, exr_layers};
 use std::process::Stdio;
 use std::time::Duration;
 
@@ -32,29 +32,6 @@ fn writes_pictures_and_layers() {
     assert_ne!(picture.get_pixel(24, 16), picture.get_pixel(0, 0));
 }
 
-/// All layers of an .exr file: name, and R, G, B, A of each pixel.
-fn layers(bytes: &[u8]) -> Vec<(String, Vec<[f32; 4]>)> {
-    use exr::prelude::*;
-    let image = read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .all_channels()
-        .all_layers()
-        .all_attributes()
-        .from_buffered(std::io::Cursor::new(bytes))
-        .unwrap();
-    let layer = |layer: &Layer<AnyChannels<FlatSamples>>| {
-        let channel = |name: &str| {
-            let found = layer.channel_data.list.iter().find(|c| c.name.to_string() == name);
-            found.unwrap().sample_data.values_as_f32().collect::<Vec<f32>>()
-        };
-        let [r, g, b, a] = ["R", "G", "B", "A"].map(channel);
-        let pixels = (0..r.len()).map(|i| [r[i], g[i], b[i], a[i]]).collect();
-        (layer.attributes.layer_name.clone().map_or_else(String::new, |name| name.to_string()), pixels)
-    };
-    image.layer_data.iter().map(layer).collect()
-}
-
 #[test]
 fn views_are_those_of_render() {
     let lab = Lab::new();
@@ -63,7 +40,7 @@ fn views_are_those_of_render() {
     let drawn = ["render", "builtin:cube", "--size", "48x32", "--backend", "cpu", "-o", "b.exr"];
     lab.run(&[&drawn[..], &views].concat()).good();
     let without = |file: &str, names: &[&str]| {
-        layers(&lab.read(file)).into_iter().filter(|(name, _)| !names.contains(&name.as_str())).collect::<Vec<_>>()
+        exr_layers(&lab.read(file)).into_iter().filter(|(name, _)| !names.contains(&name.as_str())).collect::<Vec<_>>()
     };
     let (traced, drawn) = (without("a.exr", &["picture", "variance"]), without("b.exr", &["picture"]));
     assert_eq!(traced.len(), 5);
@@ -75,10 +52,10 @@ fn filtering_is_never_silent() {
     let lab = Lab::new();
     let outputs = ["-o", "a.exr", "-o", "a.png"];
     lab.run(&[&args(&["--samples", "16"])[..], &outputs].concat()).good();
-    let (exact, plain) = (layers(&lab.read("a.exr")), lab.read("a.png"));
+    let (exact, plain) = (exr_layers(&lab.read("a.exr")), lab.read("a.png"));
     let run = lab.run(&[&args(&["--samples", "16", "--denoise"])[..], &outputs].concat()).good();
     assert!(run.stderr.contains("note: denoised"), "{}", run.stderr);
-    let (filtered, png) = (layers(&lab.read("a.exr")), lab.read("a.png"));
+    let (filtered, png) = (exr_layers(&lab.read("a.exr")), lab.read("a.png"));
     let names: Vec<&str> = filtered.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["picture", "variance", "denoised", "guide-albedo", "guide-normal"]);
     assert!(filtered[..2] == exact[..], "the traced picture changed");
@@ -108,7 +85,7 @@ fn a_trace_survives_being_killed_again_and_again() {
         child.wait().unwrap();
         // The picture so far is complete, if there is one.
         if lab.path("a.exr").exists() {
-            assert_eq!(layers(&lab.read("a.exr")).len(), 2);
+            assert_eq!(exr_layers(&lab.read("a.exr")).len(), 2);
         }
     }
     let run = lab.run(&command).good();
@@ -155,7 +132,7 @@ fn odd_scenes_are_traced_and_explained() {
     ] {
         let run = lab.run(&[&["trace"][..], scene, &small, &[size]].concat()).good();
         assert!(run.stderr.contains(warning), "{scene:?}: {}", run.stderr);
-        let pixels = &layers(&lab.read("a.exr"))[0].1;
+        let pixels = &exr_layers(&lab.read("a.exr"))[0].1;
         assert!(pixels.iter().flatten().all(|v| v.is_finite() && *v >= -0.01), "{scene:?}");
     }
     // An error that cannot be reached is refused, not traced for ever; one path is the least that there is.
@@ -262,7 +239,7 @@ fn a_probe_lists_the_ways_of_light() {
         assert!(direct[c] > 0.0 && (sum - total[c]).abs() < 1e-5 * total[c], "{traced}");
     }
     lab.run(&["trace", "lit.toml", "--size", "48x32", "--samples", "64", "-o", "a.exr"]).good();
-    let picture = &layers(&lab.read("a.exr"))[0].1;
+    let picture = &exr_layers(&lab.read("a.exr"))[0].1;
     let pixel = picture[16 * 48 + 24];
     assert!((0..3).all(|c| (f64::from(pixel[c]) - total[c]).abs() < 1e-5), "{pixel:?} {traced}");
     let text = run(&["--traced"]).good();

@@ -4,7 +4,7 @@
 use crate::backend;
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
-use crate::options::{GeneralOptions, SceneOptions, values};
+use crate::options::{GeneralOptions, SceneOptions, TraceOptions, values};
 use crate::output::{OutputFiles, atomic, check_folder};
 use crate::report::{Reporter, Times, json_text};
 use crate::terminal::TerminalPage;
@@ -12,11 +12,11 @@ use clap::Args;
 use gonio_mesh::Diagnostic;
 use gonio_scene::{Frame, Scene};
 use gonio_simplify::report::{StaircaseReport, StepReport, percent, report};
-use gonio_simplify::{PictureGoal, StaircaseSettings, build, page};
+use gonio_simplify::{StaircaseSettings, build, page};
 use gonio_trace::{Simplification, TraceSettings};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Simplify the rendering equation step by step to the light equation: what each step gives up and saves in a scene.
 #[derive(Args, Debug)]
@@ -25,6 +25,9 @@ use std::time::{Duration, Instant};
     .help_heading("Trace options")
     .value_parser(values::paths)
     .conflicts_with_all(["time", "error"])))]
+#[command(mut_arg("time", |arg| arg.help("Trace for this many seconds, all pictures together")))]
+#[command(mut_arg("error", |arg| arg
+    .help("Trace every picture until the error of a pixel is this percentage of the mean brightness, with 95 % confidence")))]
 #[command(after_long_help = "\
 Examples:
   gonio simplify builtin:glass-and-mirror -o stairs
@@ -68,33 +71,13 @@ pub struct SimplifyArgs {
           value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub points: u32,
 
-    /// Trace for this many seconds, all pictures together.
-    #[arg(long, help_heading = "Trace options", value_name = "SECONDS", value_parser = values::seconds,
-          conflicts_with = "error", allow_negative_numbers = true)]
-    pub time: Option<f64>,
-    /// Trace every picture until the error of a pixel is this percentage of the mean brightness.
-    #[arg(long, help_heading = "Trace options", value_name = "PERCENT", value_parser = values::percent,
-          allow_negative_numbers = true)]
-    pub error: Option<f64>,
-    /// Surfaces that a path meets at most.
-    #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "64",
-          value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    pub max_depth: u32,
-    /// Seed of the random numbers: another one gives other noise.
-    #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "0")]
-    pub seed: u64,
+    #[command(flatten)]
+    pub trace: TraceOptions,
     /// Time that the shutter is open, in seconds, for what moves.
     #[arg(long, help_heading = "Trace options", value_name = "SECONDS", default_value = "1",
           value_parser = values::not_negative, allow_negative_numbers = true)]
     pub shutter: f64,
-    /// Threads; all cores by default.
-    #[arg(long, help_heading = "Trace options", value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
 
-    /// Moment of the scene in seconds, for what moves.
-    #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,
-          allow_negative_numbers = true, default_value = "0")]
-    pub moment: f64,
     #[command(flatten)]
     pub scene: SceneOptions,
     #[command(flatten)]
@@ -112,29 +95,18 @@ impl SimplifyArgs {
             Some(only) => *one == only,
             None => self.steps.is_empty() || self.steps.contains(one),
         };
-        let goal = match (self.scene.samples, self.time, self.error) {
-            (_, Some(seconds), _) => PictureGoal::Time(Duration::from_secs_f64(seconds)),
-            (_, _, Some(percent)) => PictureGoal::Error(percent / 100.0),
-            (samples, None, None) => PictureGoal::Paths(samples.unwrap_or(DEFAULT_PATHS)),
-        };
         StaircaseSettings {
             steps: Simplification::ALL.iter().copied().filter(chosen).collect(),
             alone: self.only.is_none(),
-            goal,
-            trace: TraceSettings {
-                points_per_light: self.points,
-                most_depth: self.max_depth,
-                seed: self.seed,
-                shutter: self.shutter,
-                ..TraceSettings::default()
-            },
+            goal: self.trace.goal(self.scene.samples, DEFAULT_PATHS),
+            trace: TraceSettings { points_per_light: self.points, shutter: self.shutter, ..self.trace.settings() },
         }
     }
 
     /// The scene, no larger than [`DEFAULT_SIDE`] unless a size was asked for.
     fn load(&self, reporter: &Reporter) -> Result<Scene, CliError> {
         let options = SceneOptions { samples: None, ..self.scene.clone() };
-        let mut scene = loading::load_scene(&self.inputs, &options, reporter)?.at(self.moment);
+        let mut scene = loading::load_scene(&self.inputs, &options, reporter)?.at(self.trace.moment);
         let picture = &mut scene.settings.picture;
         let longest = picture.width.max(picture.height);
         if self.scene.size.is_none() && longest > DEFAULT_SIDE {
@@ -165,13 +137,13 @@ pub fn run(args: &SimplifyArgs, reporter: &Reporter) -> Result<CommandOutcome, C
     let mut files = OutputFiles::new();
     files.make_folder(&args.output)?;
     atomic::check_writable(&args.output.join("index.html"))?;
-    backend::limit_threads(args.threads);
+    backend::limit_threads(args.trace.threads);
     let scene = {
         let _busy = reporter.busy("reading the scene");
         times.measure("load", || args.load(reporter))?
     };
     reporter.diagnostics(&scene.diagnostics);
-    let frame = scene.frame(args.moment);
+    let frame = scene.frame(args.trace.moment);
     let settings = args.settings();
     let progress = reporter.progress("truth");
     let staircase = times.measure("trace", || {
@@ -291,7 +263,7 @@ impl<'a> Report<'a> {
             output: &args.output,
             page: args.output.join("index.html"),
             moment: frame.time,
-            seed: args.seed,
+            seed: args.trace.seed,
             numbers,
             times_ms: times.to_json(),
             warnings: &scene.diagnostics,

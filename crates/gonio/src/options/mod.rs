@@ -5,11 +5,13 @@
 mod environment;
 pub mod limits;
 mod scene;
+mod trace;
 pub mod values;
 
 pub use environment::EnvironmentOptions;
 pub use limits::LimitOptions;
 pub use scene::SceneOptions;
+pub use trace::TraceOptions;
 
 use clap::Args;
 

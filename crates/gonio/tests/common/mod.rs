@@ -112,6 +112,33 @@ impl Lab {
     }
 }
 
+/// A layer of an .exr file: its name, and R, G, B, A of each pixel.
+pub type ExrLayer = (String, Vec<[f32; 4]>);
+
+/// All layers of an .exr file.
+#[track_caller]
+pub fn exr_layers(bytes: &[u8]) -> Vec<ExrLayer> {
+    use exr::prelude::*;
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .all_layers()
+        .all_attributes()
+        .from_buffered(std::io::Cursor::new(bytes))
+        .unwrap();
+    let layer = |layer: &Layer<AnyChannels<FlatSamples>>| {
+        let channel = |name: &str| {
+            let found = layer.channel_data.list.iter().find(|c| c.name.to_string() == name);
+            found.unwrap().sample_data.values_as_f32().collect::<Vec<f32>>()
+        };
+        let [r, g, b, a] = ["R", "G", "B", "A"].map(channel);
+        let pixels = (0..r.len()).map(|i| [r[i], g[i], b[i], a[i]]).collect();
+        (layer.attributes.layer_name.clone().map_or_else(String::new, |name| name.to_string()), pixels)
+    };
+    image.layer_data.iter().map(layer).collect()
+}
+
 /// Everything that moves the cursor, recolours, hides or reorders text, begins a line of its own, or commands a build server.
 /// It is valid in a file's name.
 pub const EVIL: &str = "\u{1b}[2K\u{1b}[1A\rex07  \u{1b}[1m\u{1b}[32mcorrect\u{1b}[0m\u{8}\u{7}\u{1b}]8;;x\u{7}\u{9b}2J\u{202e}\u{2066}\u{200f}\u{2028}\u{feff}\u{7f}\n::error::x\n##[error]y";

@@ -5,17 +5,17 @@ mod run;
 use crate::backend;
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
-use crate::options::{GeneralOptions, SceneOptions, values};
+use crate::options::{GeneralOptions, SceneOptions, TraceOptions, values};
 use crate::output::atomic;
 use crate::output::{OutputKind, OutputPath, check_stdout};
 use crate::report::{Reporter, Times};
 use clap::{ArgAction, Args};
 use gonio_mesh::Diagnostic;
 use gonio_scene::{Scene, ViewSpec};
-use gonio_trace::{Film, Simplification, Simplifications, TraceScene, TraceSettings};
-use run::{Goal, TraceRun};
+use gonio_trace::{Film, Simplification, Simplifications, TraceGoal, TraceScene, TraceSettings};
+use run::TraceRun;
 use serde::Serialize;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Trace the paths of light: the rendering equation itself, with shadows and light between surfaces.
 #[derive(Args, Debug)]
@@ -72,24 +72,11 @@ pub struct TraceArgs {
     #[arg(long, help_heading = "Output options")]
     pub restart: bool,
 
-    /// Trace for this many seconds.
-    #[arg(long, help_heading = "Trace options", value_name = "SECONDS", value_parser = values::seconds,
-          conflicts_with = "error", allow_negative_numbers = true)]
-    pub time: Option<f64>,
-    /// Trace until the error of a pixel is this percentage of the mean brightness, with 95 % confidence.
-    #[arg(long, help_heading = "Trace options", value_name = "PERCENT", value_parser = values::percent,
-          allow_negative_numbers = true)]
-    pub error: Option<f64>,
+    #[command(flatten)]
+    pub trace: TraceOptions,
     /// Trace red, green and blue instead of wavelengths: faster, less exact.
     #[arg(long, help_heading = "Trace options")]
     pub rgb: bool,
-    /// Surfaces that a path meets at most; 2 means direct light only.
-    #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "64",
-          value_parser = clap::value_parser!(u32).range(1..=100_000))]
-    pub max_depth: u32,
-    /// Seed of the random numbers: another one gives other noise.
-    #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "0")]
-    pub seed: u64,
     /// Radius of the lens, in world units; 0 is a pinhole.
     #[arg(long, help_heading = "Trace options", value_name = "RADIUS", default_value = "0", value_parser = values::radius,
           allow_negative_numbers = true)]
@@ -102,14 +89,7 @@ pub struct TraceArgs {
     #[arg(long, help_heading = "Trace options", value_name = "SECONDS", default_value = "0",
           value_parser = values::not_negative, allow_negative_numbers = true)]
     pub shutter: f64,
-    /// Threads; all cores by default.
-    #[arg(long, help_heading = "Trace options", value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
 
-    /// Moment of the scene in seconds, for lights and objects that move.
-    #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,
-          allow_negative_numbers = true, default_value = "0")]
-    pub moment: f64,
     #[command(flatten)]
     pub scene: SceneOptions,
     #[command(flatten)]
@@ -123,12 +103,8 @@ const DEFAULT_PATHS: u32 = 64;
 const LEAST_DENOISED: u32 = 4;
 
 impl TraceArgs {
-    fn goal(&self) -> Goal {
-        match (self.scene.samples, self.time, self.error) {
-            (_, Some(seconds), _) => Goal::Time(Duration::from_secs_f64(seconds)),
-            (_, _, Some(percent)) => Goal::Error(percent / 100.0),
-            (samples, None, None) => Goal::Paths(samples.unwrap_or(DEFAULT_PATHS)),
-        }
+    fn goal(&self) -> TraceGoal {
+        self.trace.goal(self.scene.samples, DEFAULT_PATHS)
     }
 
     fn settings(&self, scene: &Scene, frame: &gonio_scene::Frame) -> TraceSettings {
@@ -137,15 +113,7 @@ impl TraceArgs {
         let focus = self.focus.unwrap_or_else(|| frame.camera.depth_of(looked_at).max(frame.camera.near));
         let simplified =
             if self.rgb { Simplifications::NONE.with(Simplification::Wavelengths) } else { Simplifications::NONE };
-        TraceSettings {
-            simplified,
-            most_depth: self.max_depth,
-            seed: self.seed,
-            aperture: self.aperture,
-            focus,
-            shutter: self.shutter,
-            ..TraceSettings::default()
-        }
+        TraceSettings { simplified, aperture: self.aperture, focus, shutter: self.shutter, ..self.trace.settings() }
     }
 }
 
@@ -160,15 +128,15 @@ pub fn run(args: &TraceArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     if !args.views.is_empty() && !args.output.iter().any(run::is_exr) {
         return Err(CliError::new("--views are layers of an .exr file; add -o FILE.exr"));
     }
-    backend::limit_threads(args.threads);
+    backend::limit_threads(args.trace.threads);
     let options = SceneOptions { samples: None, ..args.scene.clone() };
     let scene = {
         let _busy = reporter.busy("reading the scene");
-        times.measure("load", || loading::load_scene(&args.inputs, &options, reporter))?.at(args.moment)
+        times.measure("load", || loading::load_scene(&args.inputs, &options, reporter))?.at(args.trace.moment)
     };
     reporter.diagnostics(&scene.diagnostics);
     loading::check_views(args.views.iter().copied(), &scene)?;
-    let frame = scene.frame(args.moment);
+    let frame = scene.frame(args.trace.moment);
     let settings = args.settings(&scene, &frame);
     let ready = {
         let _busy = reporter.busy("preparing the scene");
@@ -178,7 +146,7 @@ pub fn run(args: &TraceArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
         reporter.warning(oddity);
     }
     let run = TraceRun { args, reporter, scene: &scene, frame: &frame, ready: &ready, settings };
-    if args.denoise && matches!(args.goal(), Goal::Paths(paths) if paths < LEAST_DENOISED) {
+    if args.denoise && matches!(args.goal(), TraceGoal::Paths(paths) if paths < LEAST_DENOISED) {
         return Err(CliError::new(format!(
             "--denoise needs at least {LEAST_DENOISED} --samples to tell noise from light; it has {}",
             args.scene.samples.unwrap_or(DEFAULT_PATHS)
@@ -261,8 +229,8 @@ impl<'a> Report<'a> {
             width: film.width,
             height: film.height,
             mode: if args.rgb { "rgb" } else { "spectral" },
-            max_depth: args.max_depth,
-            seed: args.seed,
+            max_depth: args.trace.max_depth,
+            seed: args.trace.seed,
             paths_least: film.least_samples(),
             paths_most: film.most_samples(),
             paths_total: film.total_samples(),

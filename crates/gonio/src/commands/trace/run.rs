@@ -8,21 +8,11 @@ use gonio_image::encode::exr::{self, Layer};
 use gonio_image::encode::png;
 use gonio_reference::ReferenceScene;
 use gonio_scene::{DisplayMap, Frame, Picture, Scene, SceneFile};
-use gonio_trace::{CheckpointError, Features, Film, TileMask, TraceScene, TraceSettings};
+use gonio_trace::{CheckpointError, Features, Film, TileMask, TraceGoal, TraceScene, TraceSettings};
 use std::cell::LazyCell;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
-
-/// When a trace ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Goal {
-    /// Paths of each pixel.
-    Paths(u32),
-    Time(Duration),
-    /// Relative error, with 95 % confidence.
-    Error(f64),
-}
 
 /// Paths of each pixel before errors are estimated.
 const FIRST_PATHS: u32 = 16;
@@ -61,7 +51,7 @@ pub struct TraceRun<'a> {
 
 impl TraceRun<'_> {
     /// Traces until the goal is reached.
-    pub fn trace(&self, goal: Goal) -> Result<Film, CliError> {
+    pub fn trace(&self, goal: TraceGoal) -> Result<Film, CliError> {
         // Hashing a large scene takes time, and only checkpoints need it.
         let fingerprint = LazyCell::new(|| self.fingerprint());
         let mut film = self.resume(&fingerprint)?.unwrap_or_else(|| Film::new(self.frame.width, self.frame.height));
@@ -79,16 +69,16 @@ impl TraceRun<'_> {
             let before = share_done(goal, &film, begun.elapsed());
             let expected = f64::from(passes) * f64::from(film.width) * f64::from(film.height);
             let deadline = match goal {
-                Goal::Time(time) if film.least_samples() > 0 => Some(begun + time),
+                TraceGoal::Time(time) if film.least_samples() > 0 => Some(begun + time),
                 _ => None,
             };
             let after = match goal {
-                Goal::Paths(paths) => before + expected / (f64::from(paths) * film_pixels(&film)),
+                TraceGoal::Paths(paths) => before + expected / (f64::from(paths) * film_pixels(&film)),
                 _ => before,
             };
             let finished = self.ready.add_samples(&mut film, &self.settings, passes, tiles.as_ref(), &|share| {
                 progress.set(match goal {
-                    Goal::Time(_) => share_done(goal, &Film::new(0, 0), begun.elapsed()),
+                    TraceGoal::Time(_) => share_done(goal, &Film::new(0, 0), begun.elapsed()),
                     _ => before + (after - before) * share,
                 });
                 deadline.is_none_or(|deadline| Instant::now() < deadline)
@@ -122,7 +112,7 @@ impl TraceRun<'_> {
     /// same picture.
     fn next_pass(
         &self,
-        goal: Goal,
+        goal: TraceGoal,
         film: &Film,
         begun: Instant,
         traced: f64,
@@ -135,18 +125,18 @@ impl TraceRun<'_> {
         let in_time = if traced > 0.0 { (0.5 * self.args.checkpoint_every / per_path) as u32 } else { u32::MAX };
         let growing = least.clamp(1, in_time.min((PASS / film_pixels(film)) as u32).max(1));
         Ok(match goal {
-            Goal::Paths(paths) if least >= paths => None,
-            Goal::Paths(paths) => Some(((paths - least).min(growing), None)),
-            Goal::Time(time) if least > 0 && elapsed >= time => None,
-            Goal::Time(_) if most >= MOST_PATHS_IN_TIME => None,
-            Goal::Time(time) => {
+            TraceGoal::Paths(paths) if least >= paths => None,
+            TraceGoal::Paths(paths) => Some(((paths - least).min(growing), None)),
+            TraceGoal::Time(time) if least > 0 && elapsed >= time => None,
+            TraceGoal::Time(_) if most >= MOST_PATHS_IN_TIME => None,
+            TraceGoal::Time(time) => {
                 let left = time.saturating_sub(elapsed).as_secs_f64();
                 // The last pass should end in time: a pass that does not is discarded.
                 let fitting = if traced > 0.0 { (0.5 * left / per_path) as u32 } else { 1 };
                 Some((fitting.clamp(1, growing).min(MOST_PATHS_IN_TIME - most), None))
             }
-            Goal::Error(_) if least < FIRST_PATHS => Some((growing.min(FIRST_PATHS - least), None)),
-            Goal::Error(error) => {
+            TraceGoal::Error(_) if least < FIRST_PATHS => Some((growing.min(FIRST_PATHS - least), None)),
+            TraceGoal::Error(error) => {
                 let tiles = film.unfinished(error);
                 if tiles.is_empty() {
                     None
@@ -221,7 +211,7 @@ impl TraceRun<'_> {
         let mut hasher = DefaultHasher::new();
         env!("CARGO_PKG_VERSION").hash(&mut hasher);
         SceneFile::from(&self.scene.settings).to_toml_string().hash(&mut hasher);
-        self.args.moment.to_bits().hash(&mut hasher);
+        self.args.trace.moment.to_bits().hash(&mut hasher);
         format!("{:?}", self.settings).hash(&mut hasher);
         format!("{:?}", self.scene.materials).hash(&mut hasher);
         for object in &self.scene.objects {
@@ -329,12 +319,12 @@ fn film_pixels(film: &Film) -> f64 {
 }
 
 /// The share of the work that is done, as far as one can tell.
-fn share_done(goal: Goal, film: &Film, elapsed: Duration) -> f64 {
+fn share_done(goal: TraceGoal, film: &Film, elapsed: Duration) -> f64 {
     match goal {
-        Goal::Paths(paths) => f64::from(film.least_samples()) / f64::from(paths.max(1)),
-        Goal::Time(time) => elapsed.as_secs_f64() / time.as_secs_f64().max(1e-9),
+        TraceGoal::Paths(paths) => f64::from(film.least_samples()) / f64::from(paths.max(1)),
+        TraceGoal::Time(time) => elapsed.as_secs_f64() / time.as_secs_f64().max(1e-9),
         // The square of the error falls as paths are added.
-        Goal::Error(error) => {
+        TraceGoal::Error(error) => {
             let now = film.error().upper;
             if now.is_finite() && now > 0.0 { (error / now).powi(2).min(1.0) } else { 0.0 }
         }
