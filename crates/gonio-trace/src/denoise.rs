@@ -16,7 +16,7 @@
 //! Weighted First-order Regression for Denoising Monte Carlo Renderings*, EGSR 2016.
 
 use crate::features::Features;
-use crate::film::{Film, luminance};
+use crate::film::{Film, PixelSums, luminance};
 use glam::{DVec3, Vec3};
 use gonio_scene::Picture;
 use rayon::prelude::*;
@@ -84,72 +84,108 @@ impl Film {
     /// film's size. Needs 16 samples in each pixel to tell noise from light well; pixels with fewer than two stay as they are.
     /// The result does not depend on the number of threads, and is finite.
     pub fn denoised(&self, features: &Features) -> Picture {
-        let mut picture = self.picture();
-        let count = self.pixels.len();
-        if count == 0 || (features.width, features.height) != (self.width, self.height) {
-            return picture;
-        }
-        let scale: Vec<Vec3> =
-            features.albedo.iter().map(|&a| Vec3::from(a).max(Vec3::splat(SMALLEST_ALBEDO))).collect();
-        let denoiser = Denoiser {
-            width: self.width as usize,
-            height: self.height as usize,
-            halves: self.halves_without_albedo(&scale),
-            guides: Guides::new(features),
+        let halves = |p: &PixelSums| {
+            let whole = p.light / f64::from(p.samples.max(1));
+            p.halves().unwrap_or([(whole, 1.0), (whole, 1.0)])
         };
-        let row = self.width as usize;
-        let before = denoiser.noisy_sum(&picture);
-        picture.pixels.par_chunks_mut(row * BAND).enumerate().for_each(|(band, pixels)| {
-            let filtered = denoiser.band(band * BAND, pixels.len() / row);
-            for (i, (pixel, light)) in pixels.iter_mut().zip(filtered).enumerate() {
-                let light = light * scale[band * BAND * row + i];
-                // A fit may fall below 0 beside something bright.
-                for (channel, new) in pixel.iter_mut().zip(light.to_array()) {
-                    let lowest = channel.min(0.0);
-                    *channel = if new.is_finite() { new.max(lowest) } else { *channel };
-                }
-            }
-        });
-        // What the fits lost or gained, together, goes back to the pixels that were filtered.
-        let ratio = before / denoiser.noisy_sum(&picture);
-        let ratio = [ratio.x, ratio.y, ratio.z].map(|r| if (0.8..1.25).contains(&r) { r as f32 } else { 1.0 });
-        for (_, pixel) in picture.pixels.iter_mut().enumerate().filter(|(i, _)| denoiser.is_noisy(*i)) {
-            pixel.iter_mut().zip(ratio).for_each(|(channel, ratio)| *channel *= ratio);
-        }
-        for channel in picture.pixels.iter_mut().flatten().filter(|channel| !channel.is_finite()) {
-            *channel = 0.0;
-        }
-        picture
+        let noise = self.pixels.iter().map(|p| PixelNoise { halves: halves(p), variance: p.variance().0 }).collect();
+        denoised(self.picture(), noise, features)
     }
 
-    fn halves_without_albedo(&self, scale: &[Vec3]) -> [Half; 2] {
-        let whole = |p: &crate::film::PixelSums| p.light / f64::from(p.samples.max(1));
-        let halves: Vec<[(DVec3, f64); 2]> =
-            self.pixels.iter().map(|p| p.halves().unwrap_or([(whole(p), 1.0), (whole(p), 1.0)])).collect();
-        // The film knows the noise of the luminance; the halves tell how much more or less each channel has.
-        let difference = |[(a, _), (b, _)]: &[(DVec3, f64); 2]| {
-            let d = *a - *b;
-            (d * d).extend(luminance(d).powi(2)).as_vec4()
-        };
-        let squares: Vec<glam::Vec4> = halves.iter().map(difference).collect();
-        let (width, height) = (self.width as usize, self.height as usize);
-        let squares = blurred(&squares, width, height, CHANNEL_REACH);
-        let variance: Vec<Vec3> = (0..self.pixels.len())
-            .into_par_iter()
-            .map(|i| {
-                let ratio = if squares[i].w > 0.0 { squares[i].truncate() / squares[i].w } else { Vec3::ONE };
-                let variance = self.pixels[i].variance().0 as f32 * ratio / (scale[i] * scale[i]);
-                if variance.is_finite() { variance } else { Vec3::splat(f32::MAX.sqrt()) }
-            })
-            .collect();
-        // Few samples know their variance badly: neighbours help.
-        let variance = blurred(&variance, width, height, 1);
-        [0, 1].map(|k| Half {
-            value: halves.iter().zip(scale).map(|(h, &scale)| h[k].0.as_vec3() / scale).collect(),
-            variance: halves.iter().zip(&variance).map(|(h, &v)| v / h[k].1 as f32).collect(),
-            share: halves.iter().map(|h| (h[k].1 / (h[0].1 + h[1].1)) as f32).collect(),
-        })
+    /// [`Film::denoised`] for two films of the same size with independent noise, such as those of two seeds: the mean of all their
+    /// samples without most of its noise.
+    pub fn denoised_together(films: &[Film; 2], features: &Features) -> Picture {
+        let [mut picture, other] = films.each_ref().map(Film::picture);
+        let mut noise = Vec::with_capacity(picture.pixels.len());
+        for ((pixel, b), (p, q)) in
+            picture.pixels.iter_mut().zip(&other.pixels).zip(films[0].pixels.iter().zip(&films[1].pixels))
+        {
+            let [n, m] = [p, q].map(|sums| f64::from(sums.samples.max(1)));
+            let [first, second] = [n / (n + m), m / (n + m)];
+            for (a, b) in pixel.iter_mut().zip(b) {
+                *a = (f64::from(*a) * first + f64::from(*b) * second) as f32;
+            }
+            let variance = first * first * p.variance().0 + second * second * q.variance().0;
+            noise.push(PixelNoise { halves: [(p.light / n, first), (q.light / m, second)], variance });
+        }
+        denoised(picture, noise, features)
     }
+}
+
+/// What is known about the noise of a pixel.
+struct PixelNoise {
+    /// Means of both halves of the samples, and their shares.
+    halves: [(DVec3, f64); 2],
+    /// Of the mean luminance.
+    variance: f64,
+}
+
+/// Filters the picture whose pixels have this noise.
+fn denoised(mut picture: Picture, noise: Vec<PixelNoise>, features: &Features) -> Picture {
+    let count = noise.len();
+    if count == 0
+        || count != picture.pixels.len()
+        || (features.width, features.height) != (picture.width, picture.height)
+    {
+        return picture;
+    }
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    let scale: Vec<Vec3> = features.albedo.iter().map(|&a| Vec3::from(a).max(Vec3::splat(SMALLEST_ALBEDO))).collect();
+    let denoiser = Denoiser {
+        width,
+        height,
+        halves: halves_without_albedo(&noise, &scale, width, height),
+        guides: Guides::new(features),
+    };
+    let row = width;
+    let before = denoiser.noisy_sum(&picture);
+    picture.pixels.par_chunks_mut(row * BAND).enumerate().for_each(|(band, pixels)| {
+        let filtered = denoiser.band(band * BAND, pixels.len() / row);
+        for (i, (pixel, light)) in pixels.iter_mut().zip(filtered).enumerate() {
+            let light = light * scale[band * BAND * row + i];
+            // A fit may fall below 0 beside something bright.
+            for (channel, new) in pixel.iter_mut().zip(light.to_array()) {
+                let lowest = channel.min(0.0);
+                *channel = if new.is_finite() { new.max(lowest) } else { *channel };
+            }
+        }
+    });
+    // What the fits lost or gained, together, goes back to the pixels that were filtered.
+    let ratio = before / denoiser.noisy_sum(&picture);
+    let ratio = [ratio.x, ratio.y, ratio.z].map(|r| if (0.8..1.25).contains(&r) { r as f32 } else { 1.0 });
+    for (_, pixel) in picture.pixels.iter_mut().enumerate().filter(|(i, _)| denoiser.is_noisy(*i)) {
+        pixel.iter_mut().zip(ratio).for_each(|(channel, ratio)| *channel *= ratio);
+    }
+    for channel in picture.pixels.iter_mut().flatten().filter(|channel| !channel.is_finite()) {
+        *channel = 0.0;
+    }
+    picture
+}
+
+fn halves_without_albedo(noise: &[PixelNoise], scale: &[Vec3], width: usize, height: usize) -> [Half; 2] {
+    let halves: Vec<[(DVec3, f64); 2]> = noise.iter().map(|pixel| pixel.halves).collect();
+    // The film knows the noise of the luminance; the halves tell how much more or less each channel has.
+    let difference = |[(a, _), (b, _)]: &[(DVec3, f64); 2]| {
+        let d = *a - *b;
+        (d * d).extend(luminance(d).powi(2)).as_vec4()
+    };
+    let squares: Vec<glam::Vec4> = halves.iter().map(difference).collect();
+    let squares = blurred(&squares, width, height, CHANNEL_REACH);
+    let variance: Vec<Vec3> = (0..noise.len())
+        .into_par_iter()
+        .map(|i| {
+            let ratio = if squares[i].w > 0.0 { squares[i].truncate() / squares[i].w } else { Vec3::ONE };
+            let variance = noise[i].variance as f32 * ratio / (scale[i] * scale[i]);
+            if variance.is_finite() { variance } else { Vec3::splat(f32::MAX.sqrt()) }
+        })
+        .collect();
+    // Few samples know their variance badly: neighbours help.
+    let variance = blurred(&variance, width, height, 1);
+    [0, 1].map(|k| Half {
+        value: halves.iter().zip(scale).map(|(h, &scale)| h[k].0.as_vec3() / scale).collect(),
+        variance: halves.iter().zip(&variance).map(|(h, &v)| v / h[k].1 as f32).collect(),
+        share: halves.iter().map(|h| (h[k].1 / (h[0].1 + h[1].1)) as f32).collect(),
+    })
 }
 
 /// The mean over the square of half edge `reach` around each pixel, as far as it lies in the picture.

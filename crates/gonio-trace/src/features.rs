@@ -46,22 +46,22 @@ impl TraceScene {
         let count = width as usize * height as usize;
         let samples = samples.max(1);
         let rgb = TraceSettings { simplified: settings.simplified.with(Simplification::Wavelengths), ..*settings };
-        let world = self.posed.world(&self.frame, &rgb, None);
-        let pixels: Vec<Feature> = (0..count)
-            .into_par_iter()
-            .map(|i| {
-                let (x, y) = (i as u32 % width, i as u32 / width);
-                let mut sum = Feature::default();
-                for sample in 0..samples {
-                    let one = self.feature(&world, settings, x, y, sample);
-                    sum.albedo += one.albedo;
-                    sum.normal += one.normal;
-                    sum.depth += one.depth;
-                }
-                let scale = 1.0 / samples as f32;
-                Feature { albedo: sum.albedo * scale, normal: sum.normal * scale, depth: sum.depth * scale }
-            })
-            .collect();
+        let mut pixels = vec![Feature::default(); count];
+        for sample in 0..samples {
+            // Where something moves, at the moment of the film's sample: what is blurred has blurred features.
+            let posed = self.posed_for(settings, sample);
+            let world = posed.world(&self.frame, &rgb, None);
+            pixels.par_iter_mut().enumerate().for_each(|(i, sum)| {
+                let one = self.feature(&world, settings, i as u32 % width, i as u32 / width, sample);
+                sum.albedo += one.albedo;
+                sum.normal += one.normal;
+                sum.depth += one.depth;
+            });
+        }
+        let scale = 1.0 / samples as f32;
+        for pixel in &mut pixels {
+            *pixel = Feature { albedo: pixel.albedo * scale, normal: pixel.normal * scale, depth: pixel.depth * scale };
+        }
         Features {
             width,
             height,

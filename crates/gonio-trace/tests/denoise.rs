@@ -107,6 +107,18 @@ fn sixteen_paths_have_less_than_half_the_error() {
         let ratio = mean(&filtered) / mean(&noisy);
         assert!((ratio - 1.0).abs() < 0.01, "{name}: mean changes by {ratio}");
         assert!(noisy.pixels.iter().zip(&filtered.pixels).all(|(a, b)| a[3] == b[3]), "{name}");
+        // Two films with as many paths together are as good.
+        let halves = [7, 8].map(|seed| scene.trace(&TraceSettings { seed, ..settings }, 8));
+        let features = TraceScene::new(&scene.scene, &scene.frame).features(&settings, 64);
+        let filtered = Film::denoised_together(&halves, &features);
+        let [mut noisy, other] = halves.each_ref().map(Film::picture);
+        for (a, b) in noisy.pixels.iter_mut().flatten().zip(other.pixels.iter().flatten()) {
+            *a = 0.5 * (*a + *b);
+        }
+        let (before, after) = (rms(&noisy, &truth), rms(&filtered, &truth));
+        assert!(after < 0.5 * before, "{name}: {before} becomes {after} with two films");
+        let ratio = mean(&filtered) / mean(&noisy);
+        assert!((ratio - 1.0).abs() < 0.01, "{name}: mean changes by {ratio} with two films");
     }
 }
 

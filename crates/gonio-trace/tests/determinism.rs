@@ -94,6 +94,10 @@ fn what_moves_is_blurred() {
         let mean = scene.mean(&TraceSettings { shutter, ..RGB }, 64).0.x;
         // 64 moments; the square's edge is met a little before or after.
         assert!((mean - expected).abs() < 0.07, "{shutter} {time}: {mean}");
+        // So are the features that the denoiser is guided by.
+        let features = TraceScene::new(&scene.scene, &scene.frame).features(&TraceSettings { shutter, ..RGB }, 64);
+        let seen = features.normal.iter().map(|n| f64::from(n[2])).sum::<f64>() / features.normal.len() as f64;
+        assert!((seen - 0.5 * expected).abs() < 0.04, "{shutter} {time}: {seen}");
         let closed = TraceSettings { shutter, simplified: RGB.simplified.with(Simplification::Time), ..RGB };
         let closed = scene.mean(&closed, 4).0.x;
         assert!((closed - if time > 0.1 { 2.0 } else { 0.0 }).abs() < 1e-6, "{shutter} {time}: {closed}");
