@@ -9,7 +9,7 @@ use crate::staircase::TracedPicture;
 use glam::DVec3;
 use gonio_image::flip::{PIXELS_PER_DEGREE, flip, mean};
 use gonio_light::color::{OutputTransform, srgb_decode};
-use gonio_scene::{DisplayMap, Frame, Picture};
+use gonio_scene::{DisplayMap, Picture};
 use serde::Serialize;
 
 /// Edge of the squares whose means are compared, pixels.
@@ -18,7 +18,8 @@ const BLOCK: u32 = 8;
 /// The difference of two pictures.
 #[derive(Clone, Debug, Serialize)]
 pub struct PictureComparison {
-    /// Root of the mean square of all channels' differences, linear light, relative to the mean luminance of the truth.
+    /// Root of the mean square of all channels' differences, linear light, relative to the mean luminance of the truth, without
+    /// the pixels in which a lamp brighter than white is seen ([`PictureMeasure`]).
     pub rms: f64,
     /// The part of it that noise explains, in the same unit.
     pub noise: f64,
@@ -26,13 +27,13 @@ pub struct PictureComparison {
     pub below_noise: bool,
     /// Whether both pictures are the same, bit for bit.
     pub identical: bool,
-    /// Mean FLIP of the pictures as displayed, 0 to 1.
+    /// Mean FLIP of the whole pictures as displayed, 0 to 1.
     pub flip: f64,
     /// Mean luminance of the second picture relative to the first one's, less 1; none where the first is black.
     pub brighter: Option<f64>,
     /// Where the pictures differ most, if not by noise.
     pub most: Option<LargestDifference>,
-    /// FLIP of each pixel.
+    /// FLIP of each pixel, of the pictures that are shown: without noise, if there are such pictures.
     #[serde(skip)]
     pub map: Vec<f32>,
 }
@@ -60,11 +61,6 @@ pub fn light([r, g, b, _]: [f32; 4]) -> DVec3 {
     DVec3::new(r.into(), g.into(), b.into())
 }
 
-/// The mean luminance of a picture.
-pub fn mean_luminance(picture: &Picture) -> f64 {
-    picture.pixels.iter().map(|&p| luminance(light(p))).sum::<f64>() / picture.pixels.len().max(1) as f64
-}
-
 /// The light of the pixels as a screen shows it, over black: linear sRGB in `[0, 1]`.
 pub fn displayed(picture: &Picture, output: OutputTransform) -> Vec<[f32; 3]> {
     let map = DisplayMap::Light(output);
@@ -80,50 +76,112 @@ pub fn flip_map(a: &Picture, b: &Picture, output: OutputTransform) -> Vec<f32> {
     flip(a.width as usize, &displayed(a, output), &displayed(b, output), PIXELS_PER_DEGREE)
 }
 
-/// Compares two stages; `unit` is the mean luminance of the truth.
-pub fn compare(before: &TracedPicture, after: &TracedPicture, frame: &Frame, unit: f64) -> PictureComparison {
-    let unit = if unit > 0.0 { unit } else { 1.0 };
-    let halves = |traced: &TracedPicture| traced.halves.each_ref().map(|film| film.picture());
-    let ([a1, a2], [b1, b2]) = (halves(before), halves(after));
-    let difference = |i: usize| [light(b1.pixels[i]) - light(a1.pixels[i]), light(b2.pixels[i]) - light(a2.pixels[i])];
-    let pixels = before.picture.pixels.len();
-    let values = 3.0 * pixels.max(1) as f64;
-    let (mut squares, mut noise) = (0.0, 0.0);
-    for [d1, d2] in (0..pixels).map(difference) {
-        squares += (0.5 * (d1 + d2)).length_squared();
-        noise += 0.25 * (d1 - d2).length_squared();
-    }
-    let (mut agreement, mut block_noise, mut count) = (0.0, 0.0, 0.0);
-    let mut most: Option<(f64, u32, u32, Vec<usize>)> = None;
-    for (x, y, inside) in blocks(before.picture.width, before.picture.height) {
-        let sum = inside.iter().map(|&i| difference(i)).fold([DVec3::ZERO; 2], |s, d| [s[0] + d[0], s[1] + d[1]]);
-        let [d1, d2] = sum.map(|sum| sum / inside.len() as f64);
-        let agrees = d1.dot(d2);
-        agreement += agrees;
-        block_noise += 0.25 * (d1 - d2).length_squared();
-        count += 1.0;
-        if agrees > most.as_ref().map_or(0.0, |m| m.0) {
-            most = Some((agrees, x, y, inside));
+/// How the pictures of one staircase are measured.
+#[derive(Clone, Debug)]
+pub struct PictureMeasure {
+    /// How the pictures are displayed.
+    pub output: OutputTransform,
+    /// The pixels that count, in every number but FLIP. A lamp of a thousand times the brightness of everything else would be
+    /// nearly the whole of each mean and each RMS, so pixels in which one is seen are left out.
+    pub counted: Vec<bool>,
+    /// The mean luminance of the truth, > 0: numbers are relative to it.
+    pub unit: f64,
+}
+
+impl PictureMeasure {
+    /// The pixels in which what emits light itself is not brighter than white count; all, if that leaves none. `seen` is the picture
+    /// of what emits light, and of the background.
+    pub fn new(output: OutputTransform, seen: &Picture) -> Self {
+        let white = (-output.exposure).exp2();
+        let mut counted: Vec<bool> = seen.pixels.iter().map(|&p| luminance(light(p)) <= white).collect();
+        if !counted.contains(&true) {
+            counted.fill(true);
         }
+        PictureMeasure { output, counted, unit: 1.0 }
     }
-    // Under noise alone the agreement of a square has the mean 0 and at most the standard deviation `2 block_noise`; four of them.
-    let below_noise = agreement <= block_noise * 8.0 / f64::max(count, 1.0).sqrt();
-    let map = flip_map(&before.picture, &after.picture, frame.output);
-    let (before_mean, after_mean) = (mean_luminance(&before.picture), mean_luminance(&after.picture));
-    PictureComparison {
-        rms: (squares / values).sqrt() / unit,
-        noise: (noise / values).sqrt() / unit,
-        below_noise,
-        identical: before.picture == after.picture,
-        flip: mean(&map),
-        brighter: (before_mean > 0.0).then(|| after_mean / before_mean - 1.0),
-        most: most.filter(|_| !below_noise).map(|(_, x, y, inside)| {
-            let mean = |picture: &Picture| {
-                inside.iter().map(|&i| light(picture.pixels[i])).sum::<DVec3>() / inside.len() as f64
-            };
-            LargestDifference { x, y, before: mean(&before.picture), after: mean(&after.picture) }
-        }),
-        map,
+
+    /// The share of the pixels that do not count.
+    pub fn left_out(&self) -> f64 {
+        self.counted.iter().filter(|&&counts| !counts).count() as f64 / self.counted.len().max(1) as f64
+    }
+
+    /// The mean of a function of the pixels' indices.
+    fn mean_of(&self, value: impl Fn(usize) -> f64) -> f64 {
+        let (sum, count) = self.indices().fold((0.0, 0.0), |(sum, count), i| (sum + value(i), count + 1.0));
+        sum / f64::max(count, 1.0)
+    }
+
+    fn indices(&self) -> impl Iterator<Item = usize> {
+        self.counted.iter().enumerate().filter(|(_, counts)| **counts).map(|(index, _)| index)
+    }
+
+    /// The mean luminance of a picture.
+    pub fn mean(&self, picture: &Picture) -> f64 {
+        self.mean_of(|i| luminance(light(picture.pixels[i])))
+    }
+
+    /// The error of the mean of two pictures with independent noise: the root of the mean square of a pixel's luminance, in the
+    /// unit.
+    pub fn error(&self, halves: &[Picture; 2]) -> f64 {
+        let [a, b] = halves;
+        self.mean_of(|i| (0.5 * luminance(light(a.pixels[i]) - light(b.pixels[i]))).powi(2)).sqrt() / self.unit
+    }
+
+    /// The root of the mean square of all channels' differences, in the unit.
+    pub fn rms(&self, a: &Picture, b: &Picture) -> f64 {
+        self.mean_of(|i| (light(a.pixels[i]) - light(b.pixels[i])).length_squared() / 3.0).sqrt() / self.unit
+    }
+
+    /// Compares two traced pictures.
+    pub fn compare(&self, before: &TracedPicture, after: &TracedPicture) -> PictureComparison {
+        let halves = |traced: &TracedPicture| traced.halves.each_ref().map(|film| film.picture());
+        let ([a1, a2], [b1, b2]) = (halves(before), halves(after));
+        let difference =
+            |i: usize| [light(b1.pixels[i]) - light(a1.pixels[i]), light(b2.pixels[i]) - light(a2.pixels[i])];
+        let squares = self.mean_of(|i| {
+            let [d1, d2] = difference(i);
+            (0.5 * (d1 + d2)).length_squared() / 3.0
+        });
+        let noise = self.mean_of(|i| {
+            let [d1, d2] = difference(i);
+            0.25 * (d1 - d2).length_squared() / 3.0
+        });
+        let (mut agreement, mut block_noise, mut count) = (0.0, 0.0, 0.0);
+        let mut most: Option<(f64, u32, u32, Vec<usize>)> = None;
+        for (x, y, mut inside) in blocks(before.picture.width, before.picture.height) {
+            inside.retain(|&i| self.counted[i]);
+            if inside.is_empty() {
+                continue;
+            }
+            let sum = inside.iter().map(|&i| difference(i)).fold([DVec3::ZERO; 2], |s, d| [s[0] + d[0], s[1] + d[1]]);
+            let [d1, d2] = sum.map(|sum| sum / inside.len() as f64);
+            let agrees = d1.dot(d2);
+            agreement += agrees;
+            block_noise += 0.25 * (d1 - d2).length_squared();
+            count += 1.0;
+            if agrees > most.as_ref().map_or(0.0, |m| m.0) {
+                most = Some((agrees, x, y, inside));
+            }
+        }
+        // Under noise alone the agreement of a square has the mean 0 and at most the standard deviation `2 block_noise`; four of them.
+        let below_noise = agreement <= block_noise * 8.0 / f64::max(count, 1.0).sqrt();
+        let map = flip_map(&before.picture, &after.picture, self.output);
+        let (before_mean, after_mean) = (self.mean(&before.picture), self.mean(&after.picture));
+        PictureComparison {
+            rms: squares.sqrt() / self.unit,
+            noise: noise.sqrt() / self.unit,
+            below_noise,
+            identical: before.picture == after.picture,
+            flip: mean(&map),
+            brighter: (before_mean > 0.0).then(|| after_mean / before_mean - 1.0),
+            most: most.filter(|_| !below_noise).map(|(_, x, y, inside)| {
+                let mean = |picture: &Picture| {
+                    inside.iter().map(|&i| light(picture.pixels[i])).sum::<DVec3>() / inside.len() as f64
+                };
+                LargestDifference { x, y, before: mean(&before.picture), after: mean(&after.picture) }
+            }),
+            map,
+        }
     }
 }
 
@@ -159,18 +217,18 @@ pub struct AmbientFit {
 }
 
 /// Fits `truth = base + k_a A` by least squares, each channel by itself: `A = sum k_a (truth - base) / sum k_a^2`, at least 0.
-/// `coefficients` is the picture of `k_a`, 0 where there is no object. None where no material reflects ambient light.
+/// `coefficients` is the picture of `k_a`, 0 where there is no object; only pixels that count do. None where no material reflects ambient light.
 pub fn fit_ambient(
     truth: &Picture,
     base: &Picture,
     coefficients: &Picture,
     own: DVec3,
-    unit: f64,
+    measure: &PictureMeasure,
 ) -> Option<AmbientFit> {
-    let unit = if unit > 0.0 { unit } else { 1.0 };
+    let unit = measure.unit;
     let triples = || {
-        let pixels = truth.pixels.iter().zip(&base.pixels).zip(&coefficients.pixels);
-        pixels.map(|((&t, &b), &k)| (light(t) - light(b), light(k))).filter(|(d, k)| *k != DVec3::ZERO && d.is_finite())
+        let pixels = measure.indices().map(|i| [truth, base, coefficients].map(|picture| light(picture.pixels[i])));
+        pixels.map(|[t, b, k]| (t - b, k)).filter(|(d, k)| *k != DVec3::ZERO && d.is_finite())
     };
     let (over, under) =
         triples().fold((DVec3::ZERO, DVec3::ZERO), |(over, under), (d, k)| (over + k * d, under + k * k));
@@ -196,6 +254,11 @@ pub fn fit_ambient(
 mod tests {
     use super::*;
 
+    /// Counts the pixels in which no lamp of this picture is brighter than white.
+    fn measure(seen: &Picture) -> PictureMeasure {
+        PictureMeasure::new(OutputTransform::default(), seen)
+    }
+
     /// A row of pixels by index.
     fn picture(pixel: impl Fn(f32) -> [f32; 3]) -> Picture {
         let pixels = (0..60).map(|i| pixel(i as f32 / 60.0)).map(|[r, g, b]| [r, g, b, 1.0]).collect();
@@ -220,7 +283,8 @@ mod tests {
             };
             fitted.pixels.iter().zip(&truth.pixels).map(|(&a, &b)| (light(a) - light(b)).length_squared()).sum::<f64>()
         };
-        let fit = fit_ambient(&truth, &base, &k, own, 1.0).expect("k_a is not 0");
+        let all = measure(&picture(|_| [0.0; 3]));
+        let fit = fit_ambient(&truth, &base, &k, own, &all).expect("k_a is not 0");
         for change in [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z] {
             assert!(rms(fit.color + 1e-3 * change) > rms(fit.color), "{change}");
         }
@@ -232,9 +296,34 @@ mod tests {
     #[test]
     fn ambient_light_is_never_negative_and_needs_a_material() {
         let (dark, bright) = (picture(|_| [0.1; 3]), picture(|_| [0.5, 0.05, 0.5]));
-        let fit = fit_ambient(&dark, &bright, &picture(|_| [1.0; 3]), DVec3::ZERO, 1.0).expect("k_a is not 0");
+        let all = measure(&dark);
+        let fit = fit_ambient(&dark, &bright, &picture(|_| [1.0; 3]), DVec3::ZERO, &all).expect("k_a is not 0");
         assert!(fit.color.x == 0.0 && (fit.color.y - 0.05).abs() < 1e-6, "{:?}", fit.color);
-        assert!(fit_ambient(&dark, &bright, &picture(|_| [0.0; 3]), DVec3::ZERO, 1.0).is_none());
+        assert!(fit_ambient(&dark, &bright, &picture(|_| [0.0; 3]), DVec3::ZERO, &all).is_none());
+    }
+
+    #[test]
+    fn lamps_do_not_drown_the_light_of_surfaces() {
+        // A lamp of radiance 1000 in a tenth of the picture.
+        let is_lamp = |i: f32| i < 0.1;
+        let seen = picture(|i| if is_lamp(i) { [1000.0; 3] } else { [0.0; 3] });
+        let [a, b] = [0.2, 0.3].map(|v| picture(|i| if is_lamp(i) { [5000.0 * v; 3] } else { [v; 3] }));
+        let measure = measure(&seen);
+        assert_eq!(measure.left_out(), 0.1);
+        for (measured, expected) in
+            [(measure.mean(&a), 0.2), (measure.rms(&a, &b), 0.1), (measure.error(&[a.clone(), b.clone()]), 0.05)]
+        {
+            assert!((measured - expected).abs() < 1e-6, "{measured} instead of {expected}");
+        }
+        // The constant that makes up for 0.1, and no lamp.
+        let fit = fit_ambient(&b, &a, &picture(|_| [0.5; 3]), DVec3::ZERO, &measure).expect("k_a is not 0");
+        assert!((fit.color - 0.2).abs().max_element() < 1e-6 && fit.rms_fitted < 1e-6, "{fit:?}");
+        // A screen that is no brighter than white counts, and so does everything where nothing else is left.
+        assert_eq!(super::tests::measure(&picture(|_| [1.0; 3])).left_out(), 0.0);
+        assert_eq!(super::tests::measure(&picture(|_| [2.0; 3])).left_out(), 0.0);
+        let darker = OutputTransform { exposure: -2.0, ..OutputTransform::default() };
+        let dim = picture(|i| [if is_lamp(i) { 5.0 } else { 3.0 }; 3]);
+        assert_eq!(PictureMeasure::new(darker, &dim).left_out(), 0.1);
     }
 
     #[test]

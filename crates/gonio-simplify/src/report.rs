@@ -19,6 +19,8 @@ pub struct StaircaseReport {
     pub width: u32,
     /// Pixels.
     pub height: u32,
+    /// The share of the pixels that no number but FLIP counts, because a lamp brighter than white is seen in them.
+    pub left_out: f64,
     /// The rendering equation.
     pub truth: PictureReport,
     /// Its formula as markup.
@@ -39,10 +41,14 @@ pub struct StaircaseReport {
 /// A traced picture in numbers.
 #[derive(Clone, Debug, Serialize)]
 pub struct PictureReport {
-    /// Mean luminance, linear.
+    /// Mean luminance, linear, of the pixels that count.
     pub mean: f64,
-    /// Error of a pixel's luminance relative to the mean; none with too few paths.
+    /// Error of a pixel's luminance relative to the mean of the truth.
     pub error: Option<f64>,
+    /// The bound that the error stays below with a probability of 95 %; none with too few paths.
+    pub error_bound: Option<f64>,
+    /// Whether the error that was asked for is not reached with the most paths of a pixel.
+    pub missed: bool,
     /// Paths of a pixel.
     pub paths: u32,
     /// Computing time of this picture.
@@ -154,6 +160,26 @@ pub fn heading(step: Simplification) -> (&'static str, &'static str, &'static st
     }
 }
 
+impl StaircaseReport {
+    /// The pictures that have another error than was asked for, in one sentence; none if all have it.
+    pub fn missed(&self) -> Option<String> {
+        let alone = self.alone.iter().skip(1);
+        let named = self.steps.iter().chain(alone).map(|step| (step.name, &step.picture));
+        let all: Vec<_> = std::iter::once(("truth", &self.truth)).chain(named).collect();
+        let missed: Vec<_> = all.iter().filter(|(_, picture)| picture.missed).collect();
+        let bound = |picture: &PictureReport| picture.error_bound.unwrap_or(f64::INFINITY);
+        let (name, worst) = missed.iter().max_by(|a, b| bound(a.1).total_cmp(&bound(b.1)))?;
+        Some(format!(
+            "{} of {} pictures have a larger error than requested: tracing ended at {} paths per pixel; the largest error is {} \
+             ({name})",
+            missed.len(),
+            all.len(),
+            worst.paths,
+            percent(bound(worst)),
+        ))
+    }
+}
+
 /// A share as a percentage with two significant digits.
 pub fn percent(share: f64) -> String {
     let value = 100.0 * share;
@@ -192,6 +218,7 @@ pub fn report(scene: &Scene, frame: &Frame, settings: &StaircaseSettings, stairc
     StaircaseReport {
         width: frame.width,
         height: frame.height,
+        left_out: staircase.left_out,
         truth: picture_report(&staircase.truth),
         truth_formula: plain(&formula(Simplifications::NONE, keeps_cosine)),
         steps: staircase.steps.iter().map(|now| step(now, before(now))).collect(),
@@ -208,11 +235,13 @@ pub fn report(scene: &Scene, frame: &Frame, settings: &StaircaseSettings, stairc
 fn picture_report(traced: &crate::TracedPicture) -> PictureReport {
     let finite = |value: f64| value.is_finite().then_some(value);
     PictureReport {
-        mean: traced.mean(),
-        error: finite(traced.error()),
+        mean: traced.mean,
+        error: finite(traced.error),
+        error_bound: finite(traced.error_bound()),
+        missed: traced.missed,
         paths: traced.paths(),
         seconds: traced.seconds,
-        seconds_at_one_percent: finite(traced.error()).and_then(|_| finite(traced.seconds_at(0.01))),
+        seconds_at_one_percent: finite(traced.seconds_at(0.01)),
     }
 }
 
@@ -246,9 +275,13 @@ impl Observer<'_> {
                 "no material reflects specular light"
             }
             Simplification::Attenuation if !self.has_points() => "no light has a position",
+            Simplification::Attenuation if self.obeys_inverse_square() => {
+                "the lights fall with the square of the distance already"
+            }
             Simplification::Ambient if crate::staircase::own_ambient(self.frame) == DVec3::ZERO => {
                 "the scene has no ambient light"
             }
+            Simplification::Ambient if self.frame.equation.brdf.is_some() => "the scene's BRDF has no ambient term",
             _ => return None,
         };
         Some(reason.to_owned())
@@ -263,6 +296,16 @@ impl Observer<'_> {
                 .any(|part| self.scene.frame(self.frame.time + part * self.shutter).lights != self.frame.lights)
     }
 
+    fn obeys_inverse_square(&self) -> bool {
+        let placed = self
+            .frame
+            .lights
+            .iter()
+            .filter(|light| matches!(light.kind, LightKind::Point { .. } | LightKind::Spot { .. }));
+        self.frame.equation.terms.attenuation
+            && placed.map(|light| light.attenuation).all(|att| att.constant == 0.0 && att.linear == 0.0)
+    }
+
     fn has_points(&self) -> bool {
         let is_point = |kind: &LightKind| matches!(kind, LightKind::Point { .. } | LightKind::Spot { .. });
         self.frame.lights.iter().any(|light| is_point(&light.kind) && light.color != DVec3::ZERO)
@@ -273,7 +316,7 @@ impl Observer<'_> {
         let seen = self.reference.probe(self.frame, x, y);
         let eye = self.frame.camera.position;
         match (self.lamp_at(x, y, seen.as_ref().map(|probe| probe.position.distance(eye))), seen) {
-            (Some(lamp), _) => format!("the lamp of light {lamp}"),
+            (Some(lamp), _) => format!("the lamp of {}", crate::staircase::light_name(self.scene, lamp)),
             (None, Some(probe)) => format!("`{}`", probe.object_name),
             (None, None) => "the background".to_owned(),
         }
@@ -352,6 +395,9 @@ impl Observer<'_> {
             format!("#{r:02x}{g:02x}{b:02x}")
         };
         let colors = format!("from {} to {}", hex(most.before), hex(most.after));
+        if hex(most.before) == hex(most.after) {
+            return format!("the change is too small to see, {colors}");
+        }
         if !ratio.is_finite() || before <= 0.0 {
             format!("light appears where there was none ({colors})")
         } else if ratio >= 1.02 {

@@ -1,16 +1,16 @@
 //! The pictures of all steps, with the time that each takes.
 
-use crate::comparison::{
-    AmbientFit, LargestDifference, PictureComparison, compare, fit_ambient, flip_map, mean_luminance,
-};
+use crate::comparison::{AmbientFit, LargestDifference, PictureComparison, PictureMeasure, fit_ambient, flip_map};
 use glam::DVec3;
 use gonio_image::flip;
 use gonio_light::{Light, LightKind, Quantity};
 use gonio_reference::ReferenceScene;
 use gonio_scene::{Frame, LightShape, Picture, Scene, ViewSpec};
 use gonio_trace::{
-    Film, LightOrigin, PixelContributions, Simplification, Simplifications, TraceGoal, TraceScene, TraceSettings,
+    Features, Film, LightOrigin, PixelContributions, Simplification, Simplifications, TraceGoal, TraceScene,
+    TraceSettings,
 };
+use std::cell::OnceCell;
 use std::time::Instant;
 
 /// What is traced.
@@ -33,10 +33,19 @@ pub struct TracedPicture {
     pub simplified: Simplifications,
     /// The mean of both halves.
     pub picture: Picture,
+    /// The picture without most of its noise, to look at: no number is measured in it. None where it is not shown, or has too few
+    /// paths to tell noise from light.
+    pub denoised: Option<Picture>,
     /// Traced with different random numbers.
     pub halves: [Film; 2],
+    /// The mean luminance of the pixels that count.
+    pub mean: f64,
+    /// Error of a pixel's luminance, relative to the mean of the truth: measured by the difference of the halves.
+    pub error: f64,
     /// Seconds by the clock of the caller.
     pub seconds: f64,
+    /// Whether the error that was asked for is not reached with the most paths of a pixel.
+    pub missed: bool,
 }
 
 /// A traced picture that follows from another one by simplifications.
@@ -72,6 +81,8 @@ pub struct EquationPicture {
 /// All pictures.
 #[derive(Clone, Debug)]
 pub struct Staircase {
+    /// The share of the pixels that no number but FLIP counts, because a lamp brighter than white is seen in them.
+    pub left_out: f64,
     /// The rendering equation.
     pub truth: TracedPicture,
     /// In order, each with all simplifications before it.
@@ -91,13 +102,17 @@ pub struct Staircase {
 const FIRST_PATHS: u32 = 16;
 /// Paths that find the source of a change.
 const SOURCE_PATHS: u32 = 256;
+/// Paths of a pixel without which its noise is not known.
+const LEAST_DENOISED: u32 = 8;
+/// Points of a pixel at which its surfaces are looked at.
+const FEATURE_SAMPLES: u32 = 16;
 /// The most paths of a pixel for a requested error.
 const MOST_PATHS: u32 = 1 << 16;
 
 impl TracedPicture {
-    /// The error of the picture's luminance, relative to its mean: the mean of two independent halves.
-    pub fn error(&self) -> f64 {
-        error_of(&self.halves).0
+    /// The bound that the error stays below with a probability of 95 %.
+    pub fn error_bound(&self) -> f64 {
+        bound_of(&self.halves)
     }
 
     /// Paths of a pixel, at least.
@@ -109,21 +124,15 @@ impl TracedPicture {
     /// one path per pixel.
     pub fn seconds_at(&self, error: f64) -> f64 {
         let paths = f64::from(self.paths().max(1));
-        let own = self.error();
-        let needed = if own.is_finite() { (own / error).powi(2) * paths } else { paths };
+        let needed = (self.error / error).powi(2) * paths;
         self.seconds / paths * needed.max(1.0)
-    }
-
-    /// The mean luminance.
-    pub fn mean(&self) -> f64 {
-        mean_luminance(&self.picture)
     }
 }
 
-/// Estimate and bound of the error of both halves together.
-fn error_of(halves: &[Film; 2]) -> (f64, f64) {
-    let [a, b] = halves.each_ref().map(Film::error);
-    (0.5 * a.relative.hypot(b.relative), 0.5 * a.upper.hypot(b.upper))
+/// The bound of the error of both halves together, with a probability of 95 %.
+fn bound_of(halves: &[Film; 2]) -> f64 {
+    let [a, b] = halves.each_ref().map(|half| half.error().upper);
+    0.5 * a.hypot(b)
 }
 
 /// Both halves, weighted by their paths.
@@ -137,30 +146,42 @@ fn combined(halves: &[Film; 2]) -> Picture {
     a
 }
 
-/// Traces and compares everything. `clock` gives seconds of computing time; `progress` is called with the share of the work done and
+/// Traces and compares everything. `ready` is made of scene and frame. `clock` gives seconds of computing time; `progress` is called with the share of the work done and
 /// what is being drawn, and returns whether to go on. None where it said no.
 pub fn build(
     scene: &Scene,
     frame: &Frame,
+    ready: &TraceScene,
     settings: &StaircaseSettings,
     clock: &dyn Fn() -> f64,
     progress: &(dyn Fn(f64, &str) -> bool + Sync),
 ) -> Option<Staircase> {
-    let ready = TraceScene::new(scene, frame);
     let alone: &[Simplification] = if settings.alone && settings.steps.len() > 1 { &settings.steps } else { &[] };
     // The first step alone is the first step of the staircase.
     let count = 1 + settings.steps.len() + alone.len().saturating_sub(1);
-    let tracer = Tracer { ready: &ready, frame, settings, clock, progress, count };
-    let truth = tracer.trace(0, Simplifications::NONE, "truth")?;
-    let unit = truth.mean();
+    let measure = PictureMeasure::new(frame.output, &seen_sources(ready, settings));
+    let mut tracer = Tracer { ready, measure, settings, clock, progress, count, features: Default::default() };
+    let mut truth = tracer.trace(0, Simplifications::NONE, "truth")?;
+    tracer.denoise(&mut truth);
+    if truth.mean > 0.0 {
+        tracer.measure.unit = truth.mean;
+        truth.error /= truth.mean;
+    }
+    let measure = &tracer.measure;
     let mut steps: Vec<SimplifiedPicture> = Vec::new();
     let mut simplified = Simplifications::NONE;
     for (index, &step) in settings.steps.iter().enumerate() {
         simplified = simplified.with(step);
-        let traced = tracer.trace(1 + index, simplified, step.name())?;
+        let mut traced = tracer.trace(1 + index, simplified, step.name())?;
+        tracer.denoise(&mut traced);
         let before = steps.last().map_or(&truth, |before| &before.traced);
-        let to_before = compare(before, &traced, frame, unit);
-        let to_truth = compare(&truth, &traced, frame, unit);
+        let mut to_before = measure.compare(before, &traced);
+        let mut to_truth = measure.compare(&truth, &traced);
+        for (against, comparison) in [(before, &mut to_before), (&truth, &mut to_truth)] {
+            if let (Some(a), Some(b)) = (&against.denoised, &traced.denoised) {
+                comparison.map = flip_map(a, b, frame.output);
+            }
+        }
         let source = tracer.source(scene, step, simplified, to_before.most.as_ref());
         steps.push(SimplifiedPicture { step, traced, to_before, to_truth, source });
     }
@@ -171,7 +192,7 @@ pub fn build(
             _ => {
                 let only = Simplifications::NONE.with(step);
                 let traced = tracer.trace(settings.steps.len() + index, only, step.name())?;
-                let to_truth = compare(&truth, &traced, frame, unit);
+                let to_truth = measure.compare(&truth, &traced);
                 let source = tracer.source(scene, step, only, to_truth.most.as_ref());
                 by_itself.push(SimplifiedPicture { step, traced, to_before: to_truth.clone(), to_truth, source });
             }
@@ -183,11 +204,11 @@ pub fn build(
         let picture = reference.render(frame, None, &|_| ()).picture;
         let seconds = clock() - start;
         let map = flip_map(against, &picture, frame.output);
-        EquationPicture { rms: rms(against, &picture, unit), flip: flip::mean(&map), picture, seconds, map }
+        EquationPicture { rms: measure.rms(against, &picture), flip: flip::mean(&map), picture, seconds, map }
     };
     let last = steps.last().filter(|last| last.traced.simplified == Simplifications::ALL);
     let light_equation = last.map(|last| {
-        let (scene, frame) = light_equation_scene(scene, frame, &ready, settings.trace.points_per_light);
+        let (scene, frame) = light_equation_scene(scene, frame, ready, settings.trace.points_per_light);
         draw(&scene, &frame, &last.traced.picture)
     });
     let with_mirrors = scene.environment.is_some() && scene.materials.iter().any(|m| !m.optics.is_plain());
@@ -195,19 +216,29 @@ pub fn build(
     let ambient = match &steps[..] {
         [.., base, last] if last.step == Simplification::Ambient => {
             let coefficients = ambient_coefficients(scene, frame);
-            fit_ambient(&truth.picture, &base.traced.picture, &coefficients, own_ambient(frame), unit)
+            fit_ambient(&truth.picture, &base.traced.picture, &coefficients, own_ambient(frame), measure)
         }
         _ => None,
     };
-    Some(Staircase { truth, steps, alone: by_itself, light_equation, ambient, cubemap })
+    Some(Staircase { left_out: measure.left_out(), truth, steps, alone: by_itself, light_equation, ambient, cubemap })
 }
 
-/// The root of the mean square of all channels' differences, relative to `unit`.
-fn rms(a: &Picture, b: &Picture, unit: f64) -> f64 {
-    let squares = a.pixels.iter().zip(&b.pixels);
-    let squares = squares.map(|(&a, &b)| (crate::comparison::light(a) - crate::comparison::light(b)).length_squared());
-    let mean = squares.sum::<f64>() / (3.0 * a.pixels.len().max(1) as f64);
-    mean.sqrt() / if unit > 0.0 { unit } else { 1.0 }
+/// A light as the scene's file calls it, in backticks, or by its number.
+pub(crate) fn light_name(scene: &Scene, index: usize) -> String {
+    match scene.settings.lights.get(index) {
+        Some(light) if !light.name.is_empty() => format!("`{}`", light.name),
+        _ => format!("light {index}"),
+    }
+}
+
+/// What emits light itself, and the background, without the light that surfaces scatter.
+fn seen_sources(ready: &TraceScene, settings: &StaircaseSettings) -> Picture {
+    let frame = ready.frame();
+    let mut film = Film::new(frame.width, frame.height);
+    let simplified = Simplifications::NONE.with(Simplification::Wavelengths);
+    let settings = TraceSettings { simplified, most_depth: 1, ..settings.trace };
+    ready.add_samples(&mut film, &settings, FIRST_PATHS, None, &|_| true);
+    film.picture()
 }
 
 /// The sum of the scene's ambient lights.
@@ -227,18 +258,20 @@ fn ambient_coefficients(scene: &Scene, frame: &Frame) -> Picture {
 
 struct Tracer<'a> {
     ready: &'a TraceScene,
-    frame: &'a Frame,
+    measure: PictureMeasure,
     settings: &'a StaircaseSettings,
     clock: &'a dyn Fn() -> f64,
     progress: &'a (dyn Fn(f64, &str) -> bool + Sync),
     /// Pictures altogether.
     count: usize,
+    /// What the denoiser knows about the surfaces: while they move, at one moment, and after [`Simplification::Brdf`].
+    features: [OnceCell<Features>; 3],
 }
 
 impl Tracer<'_> {
     /// Traces a picture until it is finished; `index` of all pictures.
     fn trace(&self, index: usize, simplified: Simplifications, name: &str) -> Option<TracedPicture> {
-        let Frame { width, height, .. } = *self.frame;
+        let Frame { width, height, .. } = *self.ready.frame();
         let seed = self.settings.trace.seed;
         let mut halves = [Film::new(width, height), Film::new(width, height)];
         let (begun, started) = (Instant::now(), (self.clock)());
@@ -261,7 +294,23 @@ impl Tracer<'_> {
             done = after;
         }
         let seconds = (self.clock)() - started;
-        Some(TracedPicture { simplified, picture: combined(&halves), halves, seconds })
+        let missed = matches!(self.settings.goal, TraceGoal::Error(error) if bound_of(&halves) > error);
+        let picture = combined(&halves);
+        let (mean, error) = (self.measure.mean(&picture), self.measure.error(&halves.each_ref().map(Film::picture)));
+        Some(TracedPicture { simplified, picture, denoised: None, halves, mean, error, seconds, missed })
+    }
+
+    /// Adds the picture without noise.
+    fn denoise(&self, traced: &mut TracedPicture) {
+        if traced.paths() >= LEAST_DENOISED {
+            let settings = TraceSettings { simplified: traced.simplified, ..self.settings.trace };
+            let has = |one| traced.simplified.contains(one);
+            // Both steps are made in this order.
+            let kind = usize::from(has(Simplification::Time)) + usize::from(has(Simplification::Brdf));
+            let features = &self.features[kind];
+            let features = features.get_or_init(|| self.ready.features(&settings, FEATURE_SAMPLES));
+            traced.denoised = Some(Film::denoised_together(&traced.halves, features));
+        }
     }
 
     /// Which source of light changed most in the middle of a square, if it did as the square.
@@ -288,7 +337,7 @@ impl Tracer<'_> {
         };
         let origins = before.direct.iter().chain(&after.direct).map(|(origin, _)| *origin);
         let name = |origin| match origin {
-            LightOrigin::Light(index) => format!("light {index}"),
+            LightOrigin::Light(index) => light_name(scene, index),
             LightOrigin::Object(index) => {
                 scene.objects.get(index).map_or_else(|| "an object".to_owned(), |object| format!("`{}`", object.name))
             }
@@ -321,7 +370,7 @@ impl Tracer<'_> {
                 let fitting = (time - spent) / (spent / f64::from(least));
                 (fitting >= 0.5).then(|| (fitting.round() as u32).clamp(1, 2 * least))
             }
-            TraceGoal::Error(error) => match error_of(halves).1 {
+            TraceGoal::Error(error) => match bound_of(halves) {
                 _ if 2 * least < FIRST_PATHS => Some(FIRST_PATHS / 2 - least),
                 upper if upper <= error || 2 * least >= MOST_PATHS => None,
                 upper => {
@@ -343,7 +392,7 @@ impl Tracer<'_> {
                 (after * per_path * self.count as f64 / time.as_secs_f64().max(1e-9)).min(1.0)
             }
             TraceGoal::Error(error) => {
-                let now = error_of(halves).1;
+                let now = bound_of(halves);
                 let needed = f64::from(least) * (now / error).powi(2);
                 if needed.is_finite() { (after / needed.max(after)).min(1.0) } else { 0.0 }
             }

@@ -3,7 +3,9 @@
 
 mod common;
 
-use common::Lab;
+use common::{Lab, exr_layers};
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
 
 const ORDER: [&str; 10] = [
     "time",
@@ -155,6 +157,91 @@ fn mirrors_are_compared_with_a_cubemap() {
     assert!(!objects.iter().any(|o| o["name"] == "clay"));
     let page = String::from_utf8(lab.read("out/index.html")).unwrap();
     assert!(page.contains("Yes: with a cubemap"));
+}
+
+/// Lights have the names of the scene's file, and what is odd about a scene is said.
+#[test]
+fn lights_have_names_and_oddities_are_warnings() {
+    let lab = Lab::new();
+    lab.write("scene.toml", SCENE.replace("kind = \"point\"", "kind = \"point\"\nname = \"desk lamp\""));
+    let args = ["simplify", "scene.toml", "-o", "out", "--samples", "32", "--only", "shadows", "--json"];
+    let run = lab.run(&args).good();
+    let look = run.json()["steps"][0]["look"].as_str().unwrap().to_owned();
+    assert!(look.contains("light from `desk lamp`") && !look.contains("light 0"), "{look}");
+    assert!(!run.stderr.contains("warning"), "{}", run.stderr);
+    let dark = ["simplify", "builtin:cube", "--light", "ambient", "--size", "8x8", "--samples", "2", "--only", "time"];
+    let run = lab.run(&[&dark[..], &["-o", "dark"]].concat()).good();
+    assert!(run.stderr.contains("warning: nothing lights the scene"), "{}", run.stderr);
+}
+
+/// A picture that ends with a larger error than requested says so, on the page too.
+#[test]
+fn an_error_that_cannot_be_reached_is_a_warning() {
+    let lab = Lab::new();
+    let args = ["simplify", "builtin:cube", "--size", "3x2", "--only", "time", "--error"];
+    let run = lab.run(&[&args[..], &["1e-6", "-o", "out", "--json"]].concat()).good();
+    for piece in ["2 of 2 pictures have a larger error than requested", "65536 paths per pixel", "larger --error"] {
+        assert!(run.stderr.contains(piece), "`{piece}` is not in: {}", run.stderr);
+    }
+    let truth = &run.json()["truth"];
+    assert_eq!((&truth["missed"], &truth["paths"]), (&true.into(), &65536.into()), "{truth}");
+    assert!(truth["error_bound"].as_f64().unwrap() > 1e-8, "{truth}");
+    let page = |folder: &str| String::from_utf8(lab.read(&format!("{folder}/index.html"))).unwrap();
+    assert!(page("out").contains("more than requested"));
+    let run = lab.run(&[&args[..], &["20", "-o", "near", "--json"]].concat()).good();
+    assert!(!run.stderr.contains("requested") && !page("near").contains("more than requested"), "{}", run.stderr);
+    assert!(run.json()["truth"]["error_bound"].as_f64().unwrap() <= 0.2);
+}
+
+/// A visible lamp is left out of the numbers, and the page says so; pictures without noise are called so.
+#[test]
+fn lamps_are_left_out_and_filtered_pictures_say_so() {
+    let lab = Lab::new();
+    let lamp = "position = [0, 1.5, 0]\nradius = 0.15\nintensity = 1\n";
+    lab.write("scene.toml", SCENE.replace("position = [2, 3, 1]\n", lamp));
+    let args = ["simplify", "scene.toml", "-o", "out", "--only", "sum", "--json", "--samples"];
+    let report = lab.run(&[&args[..], &["16"]].concat()).good().json();
+    let left_out = report["left_out"].as_f64().unwrap();
+    assert!(left_out > 0.0 && left_out < 0.1, "{left_out}");
+    // The lamp's radiance is above 10: with it, the mean of the picture would exceed that of its surfaces, which reflect less than 1.
+    assert!(report["truth"]["mean"].as_f64().unwrap() < 0.5, "{}", report["truth"]);
+    assert!(report["steps"][0]["to_truth"]["rms"].as_f64().unwrap() < 1.0, "{}", report["steps"][0]);
+    let page = String::from_utf8(lab.read("out/index.html")).unwrap();
+    assert!(
+        page.contains("in which a lamp brighter than white is seen") && page.contains("16 paths per pixel, denoised")
+    );
+    let layers = exr_layers(&lab.read("out/0-truth.exr"));
+    let names: Vec<&str> = layers.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["picture", "denoised"]);
+    assert!(layers[0].1 != layers[1].1);
+    assert!(lab.read("out/0-truth.png").windows(8).any(|w| w == b"Denoised"));
+    // Four paths do not tell noise from light.
+    lab.run(&[&args[..], &["4"]].concat()).good();
+    assert_eq!(exr_layers(&lab.read("out/0-truth.exr")).len(), 1);
+    let page = String::from_utf8(lab.read("out/index.html")).unwrap();
+    assert!(page.contains("4 paths per pixel.") && !page.contains("denoised"));
+}
+
+/// Nothing is left of a staircase that was interrupted, and the folder of another one stays what it was.
+#[test]
+fn an_interruption_leaves_no_files() {
+    let lab = Lab::new();
+    lab.run(&["simplify", "builtin:cube", "--size", "8x8", "--samples", "2", "--only", "time", "-o", "old"]).good();
+    let before = lab.read("old/index.html");
+    for folder in ["new/deep", "old"] {
+        let args = ["simplify", "builtin:cube", "--size", "64x64", "--samples", "100000000", "--verbose", "-o", folder];
+        let mut child = lab.command(&args).stderr(Stdio::piped()).spawn().unwrap();
+        // The scene has been read: the first pictures are traced, for hours.
+        let mut said = BufReader::new(child.stderr.take().unwrap()).lines();
+        assert!(said.any(|line| line.unwrap().contains("tracing")), "{:?}", child.wait());
+        let sent = Command::new("kill").args(["-s", "INT", &child.id().to_string()]).status().unwrap();
+        assert!(sent.success() && !child.wait().unwrap().success());
+        assert_eq!(lab.names(), ["old"], "{folder}");
+    }
+    assert!(lab.read("old/index.html") == before);
+    let names = |folder: &str| std::fs::read_dir(lab.path(folder)).unwrap().count();
+    // The page, the numbers, two pictures as .png and .exr, two maps.
+    assert_eq!(names("old"), 8);
 }
 
 #[test]

@@ -4,7 +4,7 @@
 mod common;
 
 use common::{Lab, exr_layers};
-use std::process::Stdio;
+use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 /// Arguments after `trace builtin:cube`, at a small size.
@@ -69,20 +69,26 @@ fn filtering_is_never_silent() {
     few.refused(&["--denoise needs at least 4 --samples", "it has 2"]);
 }
 
+/// Ends a program by a signal.
+fn interrupt(child: &mut Child, signal: &str) {
+    let sent = Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+    assert!(!child.wait().unwrap().success(), "it survived SIG{signal}");
+}
+
 /// Signals at any moment leave the last checkpoint, and the same command goes on from there.
 #[test]
 fn a_trace_survives_being_killed_again_and_again() {
     let lab = Lab::new();
     let command = args(&["--samples", "3000", "-o", "a.exr", "--checkpoint-every", "0.02", "--rgb"]);
-    for _ in 0..3 {
+    for signal in ["KILL", "INT", "TERM"] {
         let before = lab.path("a.trace").exists().then(|| lab.read("a.trace"));
         let mut child = lab.command(&command).stderr(Stdio::null()).spawn().unwrap();
         while lab.path("a.trace").exists().then(|| lab.read("a.trace")) == before {
             assert!(child.try_wait().unwrap().is_none(), "it ended too early: {:?}", lab.names());
             std::thread::sleep(Duration::from_millis(1));
         }
-        child.kill().unwrap();
-        child.wait().unwrap();
+        interrupt(&mut child, signal);
         // The picture so far is complete, if there is one.
         if lab.path("a.exr").exists() {
             assert_eq!(exr_layers(&lab.read("a.exr")).len(), 2);
@@ -214,6 +220,50 @@ fn bad_options_are_refused() {
     ] {
         lab.run(&args(more)).refused(pieces);
         assert_eq!(lab.names(), Vec::<String>::new(), "{more:?}");
+    }
+}
+
+/// Options with numbers, and values that each refuses besides those that all refuse.
+const NUMBERS: [(&str, &[&str], &[&str]); 17] = [
+    ("trace", &["--samples"], &["0", "-1", "1.5", "1000000001"]),
+    ("trace", &["--time"], &["0", "-1", "1e10"]),
+    ("trace", &["--error"], &["0", "-1", "101"]),
+    ("trace", &["--max-depth"], &["0", "-1", "2.5", "100001"]),
+    ("trace", &["--seed"], &["-1", "0.5", "18446744073709551616"]),
+    ("trace", &["--threads"], &["0", "-1", "1025"]),
+    ("trace", &["--aperture"], &["-1"]),
+    ("trace", &["--focus"], &["0", "-1"]),
+    ("trace", &["--shutter"], &["-1"]),
+    ("trace", &["--moment"], &[]),
+    ("trace", &["--checkpoint-every"], &["0", "-1"]),
+    ("simplify", &["--points"], &["0", "-1", "4097"]),
+    ("simplify", &["--samples", "--time", "--error", "--max-depth", "--threads"], &["0", "-1"]),
+    ("simplify", &["--shutter", "--seed"], &["-1"]),
+    ("simplify", &["--moment"], &[]),
+    ("probe", &["--samples"], &["0", "-1", "1000000001"]),
+    ("probe", &["--time"], &[]),
+];
+
+#[test]
+fn numbers_that_make_no_sense_are_refused() {
+    let lab = Lab::new();
+    for (command, options, values) in NUMBERS {
+        let fixed: &[&str] = if command == "probe" { &["--at", "1,1", "--traced"] } else { &["-o", "a.exr"] };
+        for option in options {
+            for value in ["nan", "inf", "-inf", "-NaN", "infinity", "1e999", "", "x"].iter().chain(values) {
+                let run = lab
+                    .run(&[&[command, "builtin:cube", "--size", "8x8", &format!("{option}={value}")], fixed].concat());
+                let quoted = format!("`{value}`");
+                let run = run.refused(&["invalid", if value.is_empty() { "a value is required" } else { &quoted }]);
+                assert!(run.stderr.contains(option), "{}", run.stderr);
+                assert_eq!(lab.names(), Vec::<String>::new(), "{command} {option} {value}");
+            }
+            // A negative number is a value, and no other option.
+            if values.contains(&"-1") {
+                let args = [&[command, "builtin:cube", "--size", "8x8", option, "-1"], fixed].concat();
+                lab.run(&args).refused(&["invalid", "`-1`"]);
+            }
+        }
     }
 }
 

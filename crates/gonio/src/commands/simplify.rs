@@ -13,7 +13,7 @@ use gonio_mesh::Diagnostic;
 use gonio_scene::{Frame, Scene};
 use gonio_simplify::report::{StaircaseReport, StepReport, percent, report};
 use gonio_simplify::{StaircaseSettings, build, page};
-use gonio_trace::{Simplification, TraceSettings};
+use gonio_trace::{Simplification, TraceScene, TraceSettings};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -24,6 +24,7 @@ use std::time::Instant;
     .help("Paths per pixel of every picture; 32 by default")
     .help_heading("Trace options")
     .value_parser(values::paths)
+    .allow_negative_numbers(true)
     .conflicts_with_all(["time", "error"])))]
 #[command(mut_arg("time", |arg| arg.help("Trace for this many seconds, all pictures together")))]
 #[command(mut_arg("error", |arg| arg
@@ -68,7 +69,7 @@ pub struct SimplifyArgs {
     pub only: Option<Simplification>,
     /// Point lights that replace each lamp where the integral becomes a sum.
     #[arg(long, help_heading = "Equation options", value_name = "N", default_value = "1",
-          value_parser = clap::value_parser!(u32).range(1..=4096))]
+          value_parser = values::points, allow_negative_numbers = true)]
     pub points: u32,
 
     #[command(flatten)]
@@ -134,9 +135,12 @@ pub fn run(args: &SimplifyArgs, reporter: &Reporter) -> Result<CommandOutcome, C
     if args.output.exists() && !args.output.is_dir() {
         return Err(CliError::new(format!("`{}` is a file; name a folder with -o", args.output.display())));
     }
-    let mut files = OutputFiles::new();
-    files.make_folder(&args.output)?;
-    atomic::check_writable(&args.output.join("index.html"))?;
+    {
+        // Whether the folder can be written to is known before the work is done; an interruption leaves none behind.
+        let mut tried = OutputFiles::new();
+        tried.make_folder(&args.output)?;
+        atomic::check_writable(&args.output.join("index.html"))?;
+    }
     backend::limit_threads(args.trace.threads);
     let scene = {
         let _busy = reporter.busy("reading the scene");
@@ -145,9 +149,17 @@ pub fn run(args: &SimplifyArgs, reporter: &Reporter) -> Result<CommandOutcome, C
     reporter.diagnostics(&scene.diagnostics);
     let frame = scene.frame(args.trace.moment);
     let settings = args.settings();
+    let ready = {
+        let _busy = reporter.busy("preparing the scene");
+        times.measure("prepare", || TraceScene::new(&scene, &frame))
+    };
+    for oddity in ready.oddities() {
+        reporter.warning(oddity);
+    }
+    reporter.verbose(format_args!("tracing pictures of {}x{} pixels", frame.width, frame.height));
     let progress = reporter.progress("truth");
     let staircase = times.measure("trace", || {
-        build(&scene, &frame, &settings, &computing_time, &|share, what| {
+        build(&scene, &frame, &ready, &settings, &computing_time, &|share, what| {
             progress.set(share);
             progress.message(what.to_owned());
             true
@@ -160,6 +172,8 @@ pub fn run(args: &SimplifyArgs, reporter: &Reporter) -> Result<CommandOutcome, C
         let numbers = times.measure("measure", || report(&scene, &frame, &settings, &staircase));
         let subject = subject(&args.inputs);
         times.measure("write", || -> Result<(), CliError> {
+            let mut files = OutputFiles::new();
+            files.make_folder(&args.output)?;
             let made = page::files(&staircase, &numbers, &frame, &subject, &args.command())?;
             let json = json_text(&numbers)?;
             files.add(&args.output.join("steps.json"), json.as_bytes())?;
@@ -167,10 +181,13 @@ pub fn run(args: &SimplifyArgs, reporter: &Reporter) -> Result<CommandOutcome, C
             for (name, bytes) in made {
                 files.add(&args.output.join(name), &bytes)?;
             }
-            std::mem::take(&mut files).commit()
+            files.commit()
         })?;
         numbers
     };
+    if let Some(missed) = numbers.missed() {
+        reporter.warning(format_args!("{missed}; choose a larger --error, or a number of --samples"));
+    }
     times.add("total", start.elapsed());
     reporter.verbose_times(&times);
     if reporter.json() {

@@ -19,13 +19,15 @@ pub struct TraceOptions {
     pub error: Option<f64>,
     /// Surfaces that a path meets at most; 2 means direct light only.
     #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "64",
-          value_parser = clap::value_parser!(u32).range(1..=100_000))]
+          value_parser = values::depth, allow_negative_numbers = true)]
     pub max_depth: u32,
     /// Seed of the random numbers: another one gives other noise.
-    #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "0")]
+    #[arg(long, help_heading = "Trace options", value_name = "N", default_value = "0", value_parser = values::seed,
+          allow_negative_numbers = true)]
     pub seed: u64,
     /// Threads; all cores by default.
-    #[arg(long, help_heading = "Trace options", value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, help_heading = "Trace options", value_name = "N", value_parser = values::threads,
+          allow_negative_numbers = true)]
     pub threads: Option<u16>,
     /// Moment of the scene in seconds, for lights and objects that move.
     #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,

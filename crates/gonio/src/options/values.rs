@@ -184,6 +184,34 @@ pub fn paths(text: &str) -> Result<u32, String> {
     }
 }
 
+/// Parses a whole number in a range.
+fn whole(text: &str, range: std::ops::RangeInclusive<u32>) -> Result<u32, String> {
+    match text.trim().parse() {
+        Ok(n) if range.contains(&n) => Ok(n),
+        _ => Err(format!("invalid number `{text}`: expected a whole number from {} to {}", range.start(), range.end())),
+    }
+}
+
+/// Parses the most surfaces that a path meets.
+pub fn depth(text: &str) -> Result<u32, String> {
+    whole(text, 1..=100_000)
+}
+
+/// Parses a number of points that replace a lamp.
+pub fn points(text: &str) -> Result<u32, String> {
+    whole(text, 1..=4096)
+}
+
+/// Parses a number of threads.
+pub fn threads(text: &str) -> Result<u16, String> {
+    whole(text, 1..=1024).map(|n| n as u16)
+}
+
+/// Parses a seed of random numbers.
+pub fn seed(text: &str) -> Result<u64, String> {
+    text.trim().parse().map_err(|_| format!("invalid seed `{text}`: expected a whole number from 0 to {}", u64::MAX))
+}
+
 /// Parses a duration in seconds.
 pub fn seconds(text: &str) -> Result<f64, String> {
     number_in(text, |v| v > 0.0 && v <= 1e9, "seconds above 0, at most 1e9")

@@ -23,6 +23,7 @@ use traced::TracedPixel;
 #[command(mut_arg("samples", |arg| arg
     .help("Paths with --traced; 4096 by default")
     .value_parser(values::paths)
+    .allow_negative_numbers(true)
     .requires("traced")))]
 #[command(after_long_help = "\
 Examples:

@@ -23,6 +23,7 @@ use std::time::Instant;
     .help("Paths per pixel; 64 by default")
     .help_heading("Trace options")
     .value_parser(values::paths)
+    .allow_negative_numbers(true)
     .conflicts_with_all(["time", "error"])))]
 #[command(after_long_help = "\
 Examples:
@@ -66,7 +67,7 @@ pub struct TraceArgs {
     pub views: Vec<ViewSpec>,
     /// Write the picture so far and the checkpoint this often.
     #[arg(long, help_heading = "Output options", value_name = "SECONDS", value_parser = values::seconds,
-          default_value = "10")]
+          default_value = "10", allow_negative_numbers = true)]
     pub checkpoint_every: f64,
     /// Start over even if there is a checkpoint.
     #[arg(long, help_heading = "Output options")]
