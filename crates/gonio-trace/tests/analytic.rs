@@ -132,6 +132,9 @@ fn beer_lambert() {
     let expected = (-DVec3::new(0.5, 1.0, 2.0) * 1.4).exp();
     // The outermost pixels look a little askew: 5 degrees of field, so at most 0.1 % more way.
     assert!(((mean - expected) / expected).abs().max_element() < 3e-3, "{mean} instead of {expected}");
+    // The way behind the slab absorbs nothing.
+    let (mean, _) = scene.object(square(3.0, -2.0), Material { emitted: [1.0; 3], ..matte(0.0) }).mean(&RGB, 4);
+    assert!(((mean - expected) / expected).abs().max_element() < 3e-3, "{mean} instead of {expected}, before a lamp");
 }
 
 /// All techniques have the same mean: a glossy and a matte surface under a small and a large lamp and the sky.

@@ -113,7 +113,7 @@ fn metals_and_plastics_reflect_their_albedo() {
 }
 
 /// Glass that absorbs, at normal incidence: `R + (1 - R)^2 a / (1 - R a)` of even light, `a = exp(-absorption d)`.
-/// Without absorption that is 1. The tracer has two surfaces also where the light equation refracts at one.
+/// Without absorption that is 1; of light from the viewer's side `R + (1 - R)^2 R a^2 / (1 - R^2 a^2)`. The tracer has two surfaces also where the light equation refracts at one.
 #[test]
 fn slab_of_glass() {
     for surfaces in [Surfaces::One, Surfaces::Two] {
@@ -133,6 +133,10 @@ fn slab_of_glass() {
             let (r, a) = (((index - 1.0) / (index + 1.0)).powi(2), (-absorption * 0.5).exp());
             let expected = r + (1.0 - r).powi(2) * a / (1.0 - r * a);
             assert_mean(&format!("{surfaces:?} {index} {absorption}"), &scene, 1024, expected, 1e-4);
+            // Light from the viewer's side only: what the slab reflects.
+            let scene = scene.environment(|d| DVec3::splat(if d.z > 0.0 { 1.0 } else { 0.0 }));
+            let expected = r + (1.0 - r).powi(2) * r * a * a / (1.0 - r * r * a * a);
+            assert_mean(&format!("reflected, {surfaces:?} {index} {absorption}"), &scene, 4096, expected, 1e-4);
         }
     }
 }

@@ -270,6 +270,12 @@ fn empty_scenes_show_what_is_behind() {
         let (mean, _) = empty.mean(&TraceSettings { technique, ..RGB }, 2);
         assert!((mean - 0.3).abs().max_element() < 1e-6, "{mean}");
     }
+    empty.frame.background.top = DVec3::splat(0.9);
+    let seen = pixels(&empty);
+    // The middles of the outermost of 8 rows.
+    for (row, expected) in [(0, 0.9 - 0.6 / 16.0), (7, 0.3 + 0.6 / 16.0)] {
+        assert!((f64::from(seen[8 * row][0]) - expected).abs() < 0.01, "{:?} in row {row}", seen[8 * row]);
+    }
     let mut sky = TestScene::new().environment(|_| DVec3::splat(0.7));
     sky.frame.surroundings.as_mut().unwrap().visible = true;
     assert_mean("sky", &sky, 0.7);
