@@ -144,11 +144,11 @@ pub(crate) fn log(x: f32) -> f32 {
     (log2_wide(x) * LN_2) as f32
 }
 
-/// x^y = 2^(y log2 x); NaN for x < 0 (undefined in GLSL 4.60, section 8.2), and 1 for y = 0, also at x = 0.
+/// x^y = 2^(y log2 x). Undefined for x < 0, and for y <= 0 at x = 0 (GLSL 4.60, section 8.2): NaN and 0, as llvmpipe.
 #[inline(always)]
 pub(crate) fn pow(x: f32, y: f32) -> f32 {
     let value = exp2_wide(f64::from(y) * log2_wide(x));
-    if y == 0.0 { 1.0 } else { value }
+    if x == 0.0 { 0.0 } else { value }
 }
 
 /// The remainder after multiples of pi/2, and their number modulo 4. Beyond 2^30, where neighbouring floats are further
@@ -313,7 +313,7 @@ pub(crate) fn asinh(x: f32) -> f32 {
 /// NaN below 1.
 pub(crate) fn acosh(x: f32) -> f32 {
     let wide = f64::from(x);
-    log_64(wide + (wide * wide - 1.0).sqrt()) as f32
+    if wide < 1.0 { f32::NAN } else { log_64(wide + (wide * wide - 1.0).sqrt()) as f32 }
 }
 
 /// NaN outside of -1 to 1.
@@ -347,4 +347,63 @@ pub(crate) fn extract(x: u32, offset: u32, count: u32, signed: bool) -> u32 {
     }
     let (left, right) = ((32 - offset - count) as u32, (32 - count) as u32);
     if signed { (i(x << left) >> right) as u32 } else { (x << left) >> right }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of all magnitudes and both signs.
+    fn samples() -> impl Iterator<Item = f32> {
+        (0..200_000_u32).map(|at| f32::from_bits(at.wrapping_mul(21_474_843))).filter(|x| x.is_finite())
+    }
+
+    /// The distance to a number of 64 bits, in units in the last place of the 32-bit number.
+    fn units(found: f32, exact: f64) -> f64 {
+        let rounded = exact as f32;
+        if found == rounded || (found.is_nan() && rounded.is_nan()) {
+            return 0.0;
+        }
+        let unit = f64::from(f32::from_bits(rounded.abs().to_bits() + 1)) - f64::from(rounded.abs());
+        ((f64::from(found) - exact) / unit).abs()
+    }
+
+    #[test]
+    fn functions_are_exact_to_one_unit() {
+        type Case = (&'static str, fn(f32) -> f32, fn(f64) -> f64, fn(f32) -> bool);
+        let any: fn(f32) -> bool = |_| true;
+        let cases: [Case; 17] = [
+            ("exp2", exp2, f64::exp2, any),
+            ("exp", exp, f64::exp, any),
+            ("log2", log2, f64::log2, |x| x >= 0.0),
+            ("log", log, f64::ln, |x| x >= 0.0),
+            ("sin", sin, f64::sin, |x| x.abs() < 1e5),
+            ("cos", cos, f64::cos, |x| x.abs() < 1e5),
+            ("tan", tan, f64::tan, |x| x.abs() < 1e5),
+            ("atan", |x| atan2(x, 1.0), f64::atan, any),
+            ("asin", asin, f64::asin, any),
+            ("acos", acos, f64::acos, any),
+            ("sinh", sinh, f64::sinh, any),
+            ("cosh", cosh, f64::cosh, any),
+            ("tanh", tanh, f64::tanh, any),
+            ("asinh", asinh, f64::asinh, any),
+            ("acosh", acosh, f64::acosh, |x| x < 1e18),
+            ("atanh", atanh, f64::atanh, any),
+            ("pow", |x| pow(x, 7.3), |x| x.powf(f64::from(7.3_f32)), |x| x > 0.0),
+        ];
+        for (name, own, exact, holds) in cases {
+            for x in samples().filter(|x| holds(*x)) {
+                let worst = units(own(x), exact(f64::from(x)));
+                assert!(worst <= 1.0, "{name}({x}) is {}, not {}", own(x), exact(f64::from(x)));
+            }
+        }
+    }
+
+    #[test]
+    fn rounding_is_exact() {
+        for x in samples() {
+            assert_eq!((floor(x), trunc(x), round_even(x)), (x.floor(), x.trunc(), x.round_ties_even()), "{x}");
+        }
+        assert_eq!((min(f32::NAN, 1.0), max(1.0, f32::NAN), sign(-0.0)), (1.0, 1.0, 0.0));
+    }
 }

@@ -9,8 +9,21 @@ use crate::run::{PointValues, StageInputs, StageRun};
 pub struct Fragment {
     /// The points of the vertex shader's run; the last one is the provoking vertex of `flat` varyings.
     pub corners: [u32; 3],
-    /// The weights of the corners on the screen; their sum is 1.
+    /// The weights of the corners on the screen, for `noperspective` varyings; their sum is 1.
+    pub screen: [f32; 3],
+    /// The weights of the corners in space, for all others; their sum is 1.
     pub weights: [f32; 3],
+}
+
+impl Fragment {
+    /// Creates a fragment from weights a, b, c on the screen and the fourth components w of the corners'
+    /// `gl_Position`: in space they are a / wa, b / wb, c / wc, divided by their sum (OpenGL 4.6, equation 14.8).
+    #[must_use]
+    pub fn on_screen(corners: [u32; 3], screen: [f32; 3], w: [f32; 3]) -> Self {
+        let shares: [f32; 3] = std::array::from_fn(|at| screen[at] / w[at]);
+        let sum: f32 = shares.iter().sum();
+        Self { corners, screen, weights: shares.map(|share| share / sum) }
+    }
 }
 
 /// A varying: an output of the vertex shader, and the input of the fragment shader that receives it.
@@ -65,9 +78,8 @@ pub fn varyings(vertex: &CompiledStage, fragment: &CompiledStage) -> Vec<Varying
     found
 }
 
-/// Interpolates the varyings of a vertex shader's run for fragments (OpenGL 4.6, equation 14.8):
-/// f = (a fa / wa + b fb / wb + c fc / wc) / (a / wa + b / wb + c / wc), with the weights a, b, c on the screen and the
-/// fourth components w of `gl_Position`. A fragment has a value where all its corners have one.
+/// Interpolates the varyings of a vertex shader's run for fragments. A fragment has a value where all its corners have
+/// one.
 #[must_use]
 pub fn interpolate(
     vertex: &CompiledStage,
@@ -76,27 +88,13 @@ pub fn interpolate(
     fragments: &[Fragment],
 ) -> StageInputs {
     let mut inputs = StageInputs::new(fragment, fragments.len());
-    let position = run.output(vertex, "gl_Position");
-    let perspective: Vec<[f32; 3]> = fragments
-        .iter()
-        .map(|f| {
-            let inverse = |corner: u32| position.map_or(1.0, |p| 1.0 / p.float(3, corner as usize));
-            let shares: [f32; 3] = std::array::from_fn(|at| f.weights[at] * inverse(f.corners[at]));
-            let sum: f32 = shares.iter().sum();
-            shares.map(|share| share / sum)
-        })
-        .collect();
     for varying in varyings(vertex, fragment) {
         let Some(values) = run.outputs.get(varying.output) else { continue };
         let size = fragment.inputs[varying.input].size as usize;
         let is_float = crate::layout::scalar_of(&fragment.inputs[varying.input].ty) == gonio_glsl::Scalar::Float;
         let at = |fragment: usize, component: usize| -> u32 {
-            let Fragment { corners, weights } = fragments[fragment];
-            let weights = match varying.interpolation {
-                Interpolation::Perspective => perspective[fragment],
-                Interpolation::Linear => weights,
-                Interpolation::Flat => [0.0; 3],
-            };
+            let Fragment { corners, screen, weights } = fragments[fragment];
+            let weights = if varying.interpolation == Interpolation::Linear { screen } else { weights };
             if varying.interpolation == Interpolation::Flat || !is_float {
                 return values.component(component, corners[2] as usize).unwrap_or(0);
             }

@@ -21,6 +21,8 @@ pub enum TextureDetail {
 /// A lookup for one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TextureLookup {
+    /// The point.
+    pub point: usize,
     /// The value of the sampler: the number that the caller gave to the uniform.
     pub sampler: u32,
     /// The number of coordinates: 2 for `sampler2D`, 3 for `samplerCube`.

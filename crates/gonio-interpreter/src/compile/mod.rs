@@ -9,11 +9,11 @@ mod places;
 mod statements;
 mod values;
 
-use crate::code::{CallFrame, CompiledStage, Instr, Reg, StageInput, StageOutput, TextureCall, TracedVariable};
+use crate::code::{CallFrame, CompiledStage, Detail, Instr, Reg, StageInput, StageOutput, TextureCall, TracedVariable};
 use crate::layout::Layouts;
 use crate::source::{ExprId, SourceMap};
 use gonio_glsl::ast::Function;
-use gonio_glsl::{Checked, Expr, Item, Parsed, Span, Type};
+use gonio_glsl::{Checked, Expr, Item, Parsed, Severity, Span, Type};
 use std::collections::HashMap;
 
 /// Most instructions of a compiled shader. `gonio_glsl` accepts 200,000 expressions with all calls inlined.
@@ -48,10 +48,16 @@ pub(crate) type Result<T> = std::result::Result<T, Unsupported>;
 ///
 /// # Errors
 ///
-/// A construct that the interpreter does not support, such as `double`, an image or recursion, with its position.
+/// A construct that the interpreter does not support, such as `double`, an image or recursion, with its position; or the
+/// first error that the checker found.
 pub fn compile(parsed: &Parsed, checked: &Checked) -> Result<CompiledStage> {
+    let mut problems = parsed.problems.iter().chain(&checked.problems);
+    if let Some(problem) = problems.find(|problem| problem.severity == Severity::Error) {
+        return Err(unsupported(format!("a shader with an error ({})", problem.message), problem.span));
+    }
     let mut compiler = Compiler::new(parsed, checked);
     compiler.unit()?;
+    let reach = compiler.code.iter().map(reach).chain(compiler.textures.iter().map(texture_reach)).max();
     Ok(CompiledStage {
         stage: checked.stage,
         source: compiler.source,
@@ -63,8 +69,46 @@ pub fn compile(parsed: &Parsed, checked: &Checked) -> Result<CompiledStage> {
         code: compiler.code,
         places: compiler.places,
         textures: compiler.textures,
-        registers: compiler.most_registers,
+        registers: compiler.most_registers.max(reach.unwrap_or(0)),
     })
+}
+
+/// One past the last register of an instruction. A mistake of this compiler must not become a panic of the machine.
+fn reach(instr: &Instr) -> Reg {
+    let all = |list: &[(Reg, u32)]| list.iter().map(|(reg, n)| reg.saturating_add(*n)).max().unwrap_or(0);
+    match *instr {
+        Instr::Constant { dst, .. } => dst + 1,
+        Instr::Copy { dst, src, n } | Instr::Load { dst, src, n } | Instr::Store { dst, src, n } => {
+            all(&[(dst, n), (src, n)])
+        }
+        Instr::Forget { dst, n } => dst + n,
+        Instr::Offset { dst, before, index, .. } => all(&[(dst, 1), (before.unwrap_or(0), 1), (index, 1)]),
+        Instr::Gather { dst, base, offset, total, n } => all(&[(dst, n), (base, total), (offset, 1)]),
+        Instr::Scatter { base, offset, src, total, n } => all(&[(src, n), (base, total), (offset, 1)]),
+        Instr::One { dst, a, n, .. } | Instr::Derivative { dst, a, n, .. } => all(&[(dst, n), (a, n)]),
+        Instr::Two { dst, a, b, n, .. } => all(&[(dst, n), (a, n), (b, n)]),
+        Instr::Three { dst, a, b, c, n, .. } => all(&[(dst, n), (a, n), (b, n), (c, n)]),
+        Instr::Dot { dst, a, b, n, steps } => {
+            let [step_a, step_b] = steps.map(|step| u32::from(n) * u32::from(step) + 1);
+            all(&[(dst, 1), (a, step_a), (b, step_b)])
+        }
+        Instr::Reduce { dst, a, n, .. } => all(&[(dst, 1), (a, n)]),
+        Instr::Whole { dst, to, a, n, .. } => all(&[(dst, u32::from(to)), (a, u32::from(n))]),
+        Instr::Mark { reg, n, .. } => reg + n,
+        Instr::If { condition, .. } | Instr::Test { condition, .. } | Instr::Case { condition } => condition + 1,
+        _ => 0,
+    }
+}
+
+fn texture_reach(call: &TextureCall) -> Reg {
+    let optional = [call.divisor, call.compare, call.component, call.offset.map(|o| o.0 + u32::from(o.1))];
+    let detail = match call.detail {
+        Detail::Implicit(reg) => reg.unwrap_or(0),
+        Detail::Explicit(reg) => reg,
+        Detail::Gradient { dx, dy, n } => dx.max(dy) + u32::from(n),
+    };
+    let given = optional.into_iter().flatten().chain([detail, call.sampler, call.dst + u32::from(call.n)]);
+    given.chain([call.coordinates + u32::from(call.dims)]).max().unwrap_or(0) + 1
 }
 
 /// A variable in registers.

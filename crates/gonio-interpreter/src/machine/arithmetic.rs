@@ -97,7 +97,7 @@ impl Registers {
             Two::FMax => float!(math::max),
             Two::Pow => slow!(|x, y| bits(math::pow(f(x), f(y)))),
             Two::Atan2 => slow!(|x, y| bits(math::atan2(f(x), f(y)))),
-            Two::Step => float!(|edge: f32, x: f32| if x < edge { 0.0 } else { 1.0 }),
+            Two::Step => float!(|edge: f32, x: f32| if x >= edge { 1.0 } else { 0.0 }),
             Two::Ldexp => slow!(|x, y| bits(math::ldexp(f(x), i(y)))),
             Two::IAdd => self.two(dst, a, b, u32::wrapping_add),
             Two::ISub => self.two(dst, a, b, u32::wrapping_sub),

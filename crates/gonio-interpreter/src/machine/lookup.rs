@@ -101,6 +101,16 @@ impl Machine<'_> {
         });
         let gather = (call.operation == TextureOperation::Gather)
             .then(|| call.component.map_or(0, |reg| self.at(reg, lane).min(3) as u8));
-        TextureLookup { sampler, dims: call.dims, coordinates, detail, offset, compare, is_fetch, gather }
+        TextureLookup {
+            point: self.start + lane,
+            sampler,
+            dims: call.dims,
+            coordinates,
+            detail,
+            offset,
+            compare,
+            is_fetch,
+            gather,
+        }
     }
 }

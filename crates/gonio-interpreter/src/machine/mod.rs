@@ -391,29 +391,27 @@ impl<'a> Machine<'a> {
             }
             return;
         };
+        let is_attribute = input.rate == crate::code::InputRate::PerPoint && input.count == 1;
+        // What OpenGL fills in where an attribute has fewer components is (0, 0, 0, 1).
+        let default = |at: u32| if is_attribute && at == 3 { 1.0_f32.to_bits() } else { 0 };
         for at in 0..input.size {
             let dst = input.reg + at;
             match values {
                 PointValues::Same(components) => match components.get(at as usize) {
                     Some(bits) => self.registers.set(dst, *bits, LaneSet::FULL),
-                    None => self.registers.set(dst, default_component(at), LaneSet::FULL),
+                    None => self.registers.set(dst, default(at), LaneSet::FULL),
                 },
                 PointValues::Each { components, written } => {
                     let written =
                         written.as_ref().map_or(LaneSet::FULL, |sets| sets.get(block).copied().unwrap_or_default());
                     match components.get(at as usize).and_then(|all| all.get(self.start..)) {
                         Some(values) => self.registers.set_slice(dst, written, values),
-                        None => self.registers.set(dst, default_component(at), written),
+                        None => self.registers.set(dst, default(at), written),
                     }
                 }
             }
         }
     }
-}
-
-/// What OpenGL fills in where an attribute has fewer components: (0, 0, 0, 1).
-fn default_component(at: u32) -> u32 {
-    if at == 3 { 1.0_f32.to_bits() } else { 0 }
 }
 
 fn is_slow(op: One) -> bool {
