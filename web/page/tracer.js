@@ -3,9 +3,10 @@
 
 import * as module from "./gonio_trace.js";
 
-/** Milliseconds of one slice, and between two pictures of one stage. */
+/** Milliseconds of one slice. */
 const SLICE = 25;
-const BETWEEN = 150;
+/** Milliseconds between two pictures of one stage, some time after the request: see `picture_interval` in gonio-app. */
+const interval = (since) => Math.min(Math.max(0.2 * since, 150), 1000);
 
 let tracer;
 /** The newest request, until work on it begins. */
@@ -26,7 +27,11 @@ const turn = () => new Promise((resolve) => {
 async function load(url) {
   const response = await fetch(url, { credentials: "same-origin" });
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
-  const { instance, module: compiled } = await WebAssembly.instantiate(await response.arrayBuffer(), module.moduleImports());
+  const imports = module.moduleImports();
+  // Compiled while it arrives, if the server names its type.
+  const { instance, module: compiled } = await (response.headers.get("content-type") === "application/wasm"
+    ? WebAssembly.instantiateStreaming(response, imports)
+    : WebAssembly.instantiate(await response.arrayBuffer(), imports));
   module.moduleReady(instance, compiled);
   return new module.PageTracer();
 }
@@ -54,19 +59,23 @@ async function begin({ url, scene, camera, width, height }) {
   if (!tracer.look(camera, width, height)) throw new Error("there is no scene to trace");
 }
 
-/** Refines the picture and the light of the probed pixel, until both are finished or there is another request. */
+/** Refines the picture and the light of the probed pixel, until both are finished or there is another request. The first stage is
+ * always completed: otherwise nothing would be seen while something is dragged. */
 async function refine({ number, width, height }) {
-  let [rows, sent] = [4, performance.now()];
+  const begin = performance.now();
+  let [rows, sent] = [4, begin];
   let was = tracer.facts()[3] === 1;
-  while (wanted === undefined) {
+  let covered = was;
+  while (wanted === undefined || !covered) {
     const start = performance.now();
     tracer.advance(rows);
     const end = performance.now();
     rows = Math.max(1, Math.min(4096, Math.floor((rows * SLICE) / Math.max(end - start, 0.1))));
     const [paths, error, pass, is] = tracer.facts();
     const done = is === 1;
+    covered ||= pass === 0 && paths > 0;
     const facts = { number, width, height, paths, error, pass, done };
-    if (!was && ((pass === 0 && paths <= 2) || done || end - sent >= BETWEEN)) {
+    if (!was && ((pass === 0 && paths <= 2) || done || end - sent >= interval(end - begin))) {
       const pixels = tracer.picture();
       sent = performance.now();
       self.postMessage({ ...facts, pixels }, [pixels.buffer]);

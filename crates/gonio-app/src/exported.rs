@@ -102,7 +102,8 @@ pub fn triangles(session: &Session) -> usize {
 /// | `panes`, `pane`, `pane_settings` | their number; the current one; for each, the settings that differ from the scene, and its view |
 /// | `arrangement` | `kind`: side-by-side, wipe or difference; `wipe`: the share left of the divider, or null; `pair`: the two panes |
 /// | `measured`, `difference` | measurements of each pane; the difference of the pair in 8-bit steps, or null |
-/// | `traced` | for each pane null, or its traced picture: the simplifications, paths per pixel, relative error or null |
+/// | `traced` | for each pane null, or its traced picture: the simplifications, paths per pixel, relative error or null; |
+/// | | milliseconds until its first picture, or null, and of the longest frame since it was requested |
 /// | `selection`, `tab`, `help`, `asking` | the selection, the tab, whether the shortcuts are shown; the text of the path field, or null |
 /// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the observer's view is shown |
 /// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it is recorded |
@@ -228,6 +229,8 @@ fn traced((traced, pane): (&TracedPane, &Pane)) -> Value {
         "error": traced.facts.error,
         "done": traced.facts.done,
         "running": traced.is_running(),
+        "first_ms": traced.times.first_ms,
+        "longest_ms": traced.times.longest_ms,
         "failed": traced.failed,
     })
 }

@@ -10,9 +10,19 @@ use gonio_scene::{Frame, Picture, Scene, SceneSettings};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
+use web_time::{Duration, Instant};
 
 /// Tracing stops at this error of a pixel, relative to the picture's mean luminance.
 pub const ERROR_GOAL: f64 = 0.005;
+
+/// The time between two pictures of one stage (in `tracer.js` too), milliseconds, `since` milliseconds after the request: the finer the picture is, the
+/// less a newer one differs, and showing it takes time of the interface.
+pub fn picture_interval(since: f64) -> f64 {
+    (0.2 * since).clamp(150.0, 1000.0)
+}
+
+/// The time from the end of a picture to the frame that shows it. At 0 there would be two frames.
+pub const REPAINT_DELAY: Duration = Duration::from_millis(1);
 
 /// A picture to trace.
 #[derive(Clone)]
@@ -63,8 +73,8 @@ impl TraceRequest {
 pub struct TraceReply {
     /// Linear, premultiplied; `None` if it has not changed.
     pub picture: Option<Picture>,
-    /// What is known about it.
-    pub facts: TraceFacts,
+    /// What is known about it; `None` if it is the first of an earlier request, and stands in for that of the newest.
+    pub facts: Option<TraceFacts>,
     /// The light of the request's pixel, if it has changed.
     pub light: Option<PixelLight>,
 }
@@ -73,7 +83,7 @@ impl TraceReply {
     /// Both replies in one.
     pub fn and(self, newer: TraceReply) -> TraceReply {
         let TraceReply { picture, facts, light } = newer;
-        TraceReply { picture: picture.or(self.picture), facts, light: light.or(self.light) }
+        TraceReply { picture: picture.or(self.picture), facts: facts.or(self.facts), light: light.or(self.light) }
     }
 }
 
@@ -111,9 +121,19 @@ pub struct TraceFacts {
     pub done: bool,
 }
 
+/// How soon a traced picture was there, and how long the interface was busy meanwhile.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TraceTimes {
+    /// Milliseconds from the start of the frame that requested the picture to the end of the frame that showed the first one.
+    pub first_ms: Option<f64>,
+    /// Milliseconds of the longest frame since the request.
+    pub longest_ms: f64,
+}
+
 /// Traces one picture at a time, beside the window. Dropping it ends the work.
 pub trait Tracer {
-    /// Starts this picture, and stops the one before.
+    /// Starts this picture, and stops the one before as soon as that covers the pane: otherwise nothing would be seen while
+    /// something is dragged.
     fn trace(&mut self, request: TraceRequest);
     /// Goes on with the picture, and looks at another pixel.
     fn probe(&mut self, pixel: Option<[u32; 2]>);
@@ -136,6 +156,10 @@ pub struct TracedPane {
     pub facts: TraceFacts,
     /// The light of the pixel that was asked for last.
     pub light: Option<PixelLight>,
+    /// Times of the current request.
+    pub times: TraceTimes,
+    /// The number of the request whose times are taken, and the start of the frame that made it.
+    timed: Option<(u64, Instant)>,
     /// Why there is no picture, in one sentence.
     pub failed: Option<String>,
 }
@@ -145,7 +169,7 @@ impl TracedPane {
     pub fn poll(&mut self) -> Option<String> {
         match self.tracer.as_mut()?.poll()? {
             Ok(TraceReply { picture, facts, light }) => {
-                self.facts = facts;
+                self.facts = facts.unwrap_or(self.facts);
                 if let Some(picture) = picture {
                     self.picture = Some(Arc::new(picture));
                     self.serial += 1;
@@ -182,6 +206,21 @@ impl TracedPane {
         self.requests += 1;
     }
 
+    /// Takes the times of a frame of the interface, at its end.
+    pub fn take_times(&mut self, start: Instant, end: Instant) {
+        let milliseconds = |from: Instant| 1e3 * end.duration_since(from).as_secs_f64();
+        match self.timed {
+            Some((request, asked)) if request == self.requests => {
+                if self.facts.paths > 0.0 {
+                    self.times.first_ms.get_or_insert(milliseconds(asked));
+                }
+            }
+            _ if self.requests == 0 => return,
+            _ => (self.timed, self.times) = (Some((self.requests, start)), TraceTimes::default()),
+        }
+        self.times.longest_ms = self.times.longest_ms.max(milliseconds(start));
+    }
+
     /// Ends the work, and keeps the picture.
     pub fn stop(&mut self) {
         (self.tracer, self.requested) = (None, None);
@@ -200,7 +239,7 @@ impl TracedPane {
         let TraceFacts { paths, error, .. } = self.facts;
         let mut text = match paths {
             0.0 => return "the first paths are on their way".to_owned(),
-            _ if paths < 1.0 => format!("1 path per {:.0} pixels", 1.0 / paths),
+            _ if paths < 1.0 / 1.5 => format!("1 path per {:.0} pixels", 1.0 / paths),
             _ if paths < 1.5 => "1 path per pixel".to_owned(),
             _ => format!("{paths:.0} paths per pixel"),
         };
@@ -267,7 +306,7 @@ mod tests {
         fn poll(&mut self) -> Option<Result<TraceReply, String>> {
             let numbers = [f64::from(self.0), 1.0, 2.0, 0.25, 0.5, 1.0];
             let light = self.1.and_then(|pixel| PixelLight::from_numbers(pixel, &numbers));
-            Some(Ok(TraceReply { picture: None, facts: TraceFacts::default(), light }))
+            Some(Ok(TraceReply { picture: None, facts: Some(TraceFacts::default()), light }))
         }
     }
 
@@ -300,9 +339,12 @@ mod tests {
         let picture = Picture { width: 1, height: 1, pixels: vec![[0.5; 4]] };
         let light = PixelLight::from_numbers([0, 0], &[7.0]);
         let facts = TraceFacts { paths: 2.0, ..TraceFacts::default() };
-        let older = TraceReply { picture: Some(picture.clone()), facts: TraceFacts::default(), light: None };
-        let both = older.and(TraceReply { picture: None, facts, light: light.clone() });
-        assert_eq!(both, TraceReply { picture: Some(picture), facts, light });
+        let older = TraceReply { picture: Some(picture.clone()), facts: None, light: None };
+        // The facts about an earlier picture are not those about the newest.
+        let standing_in = TraceReply { facts: Some(facts), ..older.clone() }.and(older.clone());
+        assert_eq!(standing_in.facts, Some(facts));
+        let both = older.and(TraceReply { picture: None, facts: Some(facts), light: light.clone() });
+        assert_eq!(both, TraceReply { picture: Some(picture), facts: Some(facts), light });
     }
 
     #[test]
@@ -337,13 +379,34 @@ mod tests {
     }
 
     #[test]
+    fn times_are_those_of_the_request_and_of_its_frames() {
+        let mut pane = TracedPane::default();
+        let begin = Instant::now();
+        let at = |milliseconds| begin + Duration::from_millis(milliseconds);
+        pane.take_times(at(0), at(9));
+        assert_eq!(pane.times, TraceTimes::default(), "nothing was requested");
+        pane.requests = 1;
+        pane.take_times(at(10), at(14));
+        assert_eq!(pane.times, TraceTimes { first_ms: None, longest_ms: 4.0 });
+        pane.facts.paths = 0.1;
+        pane.take_times(at(30), at(32));
+        pane.take_times(at(40), at(41));
+        assert_eq!(pane.times, TraceTimes { first_ms: Some(22.0), longest_ms: 4.0 });
+        (pane.requests, pane.facts) = (2, TraceFacts::default());
+        pane.take_times(at(50), at(51));
+        assert_eq!(pane.times, TraceTimes { first_ms: None, longest_ms: 1.0 });
+        assert_eq!([0.0, 2000.0, 1e6].map(picture_interval), [150.0, 400.0, 1000.0]);
+    }
+
+    #[test]
     fn facts_are_said_in_words() {
         let said = |paths, error| {
             TracedPane { facts: TraceFacts { paths, error, ..TraceFacts::default() }, ..TracedPane::default() }
                 .caption()
         };
         assert_eq!(said(1.0 / 64.0, None), "1 path per 64 pixels");
-        assert_eq!(said(1.0, None), "1 path per pixel");
+        assert_eq!(said(0.5, None), "1 path per 2 pixels");
+        assert_eq!([0.7, 1.0, 1.4].map(|paths| said(paths, None)), ["1 path per pixel"; 3]);
         assert_eq!(said(12.0, Some(0.034)), "12 paths per pixel, error 3.4 %");
         assert_eq!(said(2.0, Some(0.5)), "2 paths per pixel, error 50 %");
     }

@@ -369,7 +369,7 @@ fn the_truth_is_compared_with_opengl() {
     let mode = window.center("wipe-mode");
     window.click_at(mode);
     window.traced(0, |traced| traced.serial > 0);
-    assert!(window.widget("pane-1").value == "as in the scene" && !window.app().session().traced[1].is_running());
+    assert!(window.widget("pane-1").value == "OpenGL" && !window.app().session().traced[1].is_running());
 }
 
 /// A click in a traced pane lists the light of that pixel: the same paths as those of the scene, while the picture goes on.

@@ -29,6 +29,24 @@ named_enum! {
     what "simplification";
 }
 
+impl Simplification {
+    /// The number and the title of its step in the lecture, whose fifth step makes two simplifications.
+    pub const fn heading(self) -> (&'static str, &'static str) {
+        match self {
+            Simplification::Time => ("1", "Constant in time"),
+            Simplification::Wavelengths => ("2", "No wavelengths"),
+            Simplification::Emission => ("3", "Constant emission"),
+            Simplification::Brdf => ("4", "BRDF = diffuse + specular"),
+            Simplification::Interreflection => ("5a", "No light from other surfaces"),
+            Simplification::Shadows => ("5b", "No shadows"),
+            Simplification::Cosine => ("6", "No cosine in the specular term"),
+            Simplification::Attenuation => ("7", "Attenuation with distance"),
+            Simplification::Sum => ("8", "The integral becomes a sum"),
+            Simplification::Ambient => ("9", "Too dark? Ambient light"),
+        }
+    }
+}
+
 /// A set of simplifications.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Simplifications(u16);

@@ -120,44 +120,24 @@ pub struct CubemapObject {
 
 /// The number and the title of a step, and what the lecture says there.
 pub fn heading(step: Simplification) -> (&'static str, &'static str, &'static str) {
-    match step {
-        Simplification::Time => ("1", "Constant in time", "Nothing moves while the picture is taken, so t goes."),
-        Simplification::Wavelengths => {
-            ("2", "No wavelengths", "Red, green and blue are three numbers, not a spectrum, so λ goes.")
+    let lecture = match step {
+        Simplification::Time => "Nothing moves while the picture is taken, so t goes.",
+        Simplification::Wavelengths => "Red, green and blue are three numbers, not a spectrum, so λ goes.",
+        Simplification::Emission => "The light that an object emits is one colour for the object: L_e = E.",
+        Simplification::Brdf => "Any BRDF becomes a diffuse and a specular term; mirrors and glass go.",
+        Simplification::Interreflection => {
+            "Light that other objects reflect is considered negligible: L_i comes from lamps only, where they are visible (V)."
         }
-        Simplification::Emission => {
-            ("3", "Constant emission", "The light that an object emits is one colour for the object: L_e = E.")
+        Simplification::Shadows => "Nothing stands in the way of light: V = 1.",
+        Simplification::Cosine => {
+            "REMARK: this is a wrong model. The specular term loses its factor (ω_i·n), unless the scene keeps it."
         }
-        Simplification::Brdf => {
-            ("4", "BRDF = diffuse + specular", "Any BRDF becomes a diffuse and a specular term; mirrors and glass go.")
-        }
-        Simplification::Interreflection => (
-            "5a",
-            "No light from other surfaces",
-            "Light that other objects reflect is considered negligible: L_i comes from lamps only, where they are visible (V).",
-        ),
-        Simplification::Shadows => ("5b", "No shadows", "Nothing stands in the way of light: V = 1."),
-        Simplification::Cosine => (
-            "6",
-            "The cosine",
-            "REMARK: this is a wrong model. The specular term loses its factor (ω_i·n), unless the scene keeps it.",
-        ),
-        Simplification::Attenuation => (
-            "7",
-            "Attenuation with distance",
-            "att_i = 1 / (k_c + k_l d + k_q d^2) in place of the inverse square law.",
-        ),
-        Simplification::Sum => (
-            "8",
-            "The integral becomes a sum",
-            "There is only a finite number of lights, and they are points: ∫ → Σ_N.",
-        ),
-        Simplification::Ambient => (
-            "9",
-            "Too dark? Ambient light",
-            "Too many simplifications: add a constant A for the light of other objects.",
-        ),
-    }
+        Simplification::Attenuation => "att_i = 1 / (k_c + k_l d + k_q d^2) in place of the inverse square law.",
+        Simplification::Sum => "There is only a finite number of lights, and they are points: ∫ → Σ_N.",
+        Simplification::Ambient => "Too many simplifications: add a constant A for the light of other objects.",
+    };
+    let (number, title) = step.heading();
+    (number, title, lecture)
 }
 
 impl StaircaseReport {

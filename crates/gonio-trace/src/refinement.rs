@@ -1,6 +1,6 @@
 //! A picture that begins coarse and becomes finer, for windows: something is visible soon, and work stops soon.
 //!
-//! The first stage has a few thousand large pixels, and each further stage has four times as many, until a pixel of the
+//! The first stage has up to three thousand large pixels, and each further stage has four times as many, until a pixel of the
 //! picture has one path. Then paths are added, to all pixels first and later only to the tiles that need them.
 
 use crate::contributions::PixelPaths;
@@ -8,8 +8,8 @@ use crate::film::{Film, TileMask};
 use crate::render::{TraceScene, TraceSettings};
 use gonio_scene::{Camera, Picture};
 
-/// Most pixels of the first stage.
-const FIRST_PIXELS: u64 = 12_288;
+/// Most pixels of the first stage: with its samples 50 ms on one core, also where paths are long.
+const FIRST_PIXELS: u64 = 3072;
 /// Samples of the first stage, whose large pixels would otherwise show the noise most.
 const FIRST_SAMPLES: u32 = 4;
 /// Most samples that a pass adds to a pixel.
@@ -157,6 +157,11 @@ impl Refinement {
         (kept.samples() > before).then_some(kept)
     }
 
+    /// Whether every place of the picture has a path: the first stage is complete.
+    pub fn is_covered(&self) -> bool {
+        self.coarser.is_some() || (self.side == 1 && self.film.least_samples() > 0)
+    }
+
     /// Rows of the film that a pass has; [`Self::advance`] counts in them.
     pub fn rows(&self) -> u32 {
         self.film.height
@@ -231,7 +236,7 @@ mod tests {
                 assert!(picture.pixels.iter().all(|pixel| pixel[3] > 0.0), "a place has no path");
             }
         }
-        assert_eq!(sides, [2, 1]);
+        assert_eq!(sides, [4, 2, 1]);
         let status = refined.status();
         assert!(status.paths == 2.0 && status.error.is_some_and(|error| error > 0.0) && !status.done, "{status:?}");
         let picture = refined.picture();
@@ -251,7 +256,7 @@ mod tests {
         let camera = scene.frame().camera;
         scene.look(camera, size[0], size[1]);
         let expected = |x, y| scene.contributions(&TraceSettings::default(), x, y, 512, &|_| true);
-        for stage in [2, 1] {
+        for stage in [4, 2, 1] {
             while refined.side > stage {
                 assert!(refined.advance(16, &|| true));
             }

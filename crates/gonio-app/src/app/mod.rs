@@ -23,6 +23,7 @@ use gonio_scene::files::FileSource;
 use gonio_scene::settings::CameraSettings;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use web_time::Instant;
 
 /// The scene that is opened when nothing else is named.
 pub const FIRST_SCENE: &str = "builtin:still-life";
@@ -163,6 +164,7 @@ impl App {
 
     /// One frame: input, actions, document, pictures, window.
     pub fn ui(&mut self, ui: &mut Ui) {
+        let start = Instant::now();
         let ctx = ui.ctx().clone();
         self.receive(&ctx);
         if self.exercise.is_open {
@@ -170,12 +172,15 @@ impl App {
             return self.exercise_ui(ui);
         }
         self.advance(&ctx);
+        self.take_traced();
         for action in self.show_panels(ui) {
             self.act(&ctx, action);
         }
         self.follow_document(&ctx);
         self.draw(ui);
         self.settle(&ctx);
+        let end = Instant::now();
+        self.session.traced.iter_mut().for_each(|traced| traced.take_times(start, end));
         self.publish(&ctx);
     }
 
@@ -221,7 +226,6 @@ impl App {
             (self.session.sketching, self.sketched) = (false, None);
         }
         let pictures = self.session.facts.pictures;
-        self.take_traced();
         egui::CentralPanel::no_frame().show(ui, |ui| {
             self.frame_opened(&ctx, ui.available_size());
             let drawn = scene_view::show(ui, &mut self.document, &mut self.session, self.pane_renderer.as_mut());
@@ -248,6 +252,8 @@ impl App {
     /// Has the visible panes traced that show the truth, as they were just drawn.
     fn trace(&mut self, ctx: &egui::Context) {
         let panes = &self.document.panes;
+        // The panels may have added one.
+        self.session.traced.resize_with(panes.list.len(), Default::default);
         let seen = panes.seen();
         for (index, (pane, traced)) in panes.list.iter().zip(&mut self.session.traced).enumerate() {
             let Some(settings) = pane.truth else {

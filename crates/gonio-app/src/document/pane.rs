@@ -196,10 +196,16 @@ impl Pane {
 /// `traced`, and what is simplified.
 fn traced(simplified: Simplifications) -> String {
     let names: Vec<&str> = simplified.iter().map(Simplification::name).collect();
+    let last = simplified.iter().last();
     match names.as_slice() {
         [] => "traced".to_owned(),
         _ if simplified == Simplifications::ALL => "traced with all simplifications".to_owned(),
-        names => format!("traced, simplified: {}", names.join(", ")),
+        // The lecture's order.
+        [.., _] if last.is_some_and(|last| simplified == Simplifications::up_to(last)) => {
+            format!("traced up to step {}", last.map_or("", |last| last.heading().0))
+        }
+        [one] => format!("traced, simplified: {one}"),
+        names => format!("traced, {} simplifications", names.len()),
     }
 }
 
@@ -330,6 +336,13 @@ impl Panes {
         index == 0 || self.arrangement != PaneArrangement::SideBySide
     }
 
+    /// The caption of a pane. Beside a traced picture, one without settings of its own is called OpenGL's.
+    pub fn caption(&self, index: usize) -> String {
+        let Some(pane) = self.list.get(index) else { return String::new() };
+        let beside_traced = self.list.iter().any(|pane| pane.truth.is_some());
+        if beside_traced && pane.words().is_empty() { "OpenGL".to_owned() } else { pane.caption() }
+    }
+
     /// The visible panes: all of them, or the pair.
     pub fn seen(&self) -> Vec<usize> {
         match self.arrangement {
@@ -367,6 +380,10 @@ mod tests {
         panes.pair = [1, 3];
         panes.remove(1);
         assert_eq!((panes.list.len(), panes.current, panes.pair), (3, 2, [1, 2]));
+        panes.list[2].show_truth(Some(TruthSettings::default()));
+        assert_eq!([0, 1, 2, 3].map(|index| panes.caption(index)), ["OpenGL", "OpenGL", "traced", ""]);
+        panes.list[2].show_truth(None);
+        assert_eq!(panes.caption(0), "as in the scene");
         panes.arrangement = PaneArrangement::Difference;
         panes.remove(0);
         panes.remove(0);
@@ -384,7 +401,15 @@ mod tests {
         assert_eq!((pane.caption().as_str(), pane.show()), ("traced", DisplayOptions::default()));
         let simplified = Simplifications::up_to(Simplification::Wavelengths);
         pane.truth = Some(TruthSettings { simplified, points_per_light: 1 });
-        assert_eq!(pane.caption(), "traced, simplified: time, wavelengths");
+        assert_eq!(pane.caption(), "traced up to step 2");
+        let caption = |simplified| {
+            Pane { truth: Some(TruthSettings { simplified, points_per_light: 1 }), ..Pane::default() }.caption()
+        };
+        assert_eq!(caption(Simplifications::up_to(Simplification::Shadows)), "traced up to step 5b");
+        assert_eq!(caption(Simplifications::ALL), "traced with all simplifications");
+        let shadows = Simplifications::NONE.with(Simplification::Shadows);
+        assert_eq!(caption(shadows), "traced, simplified: shadows");
+        assert_eq!(caption(shadows.with(Simplification::Sum)), "traced, 2 simplifications");
         pane.show_special(Some(SpecialView::Overdraw));
         assert_eq!((pane.truth, pane.show().view), (None, View::Special(SpecialView::Overdraw)));
     }

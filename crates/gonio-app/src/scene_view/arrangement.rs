@@ -1,5 +1,6 @@
 //! Panes side by side, one wiped over the other, or their difference with its scale.
 
+use super::axes;
 use super::drawing::PaneRenderer;
 use super::navigation::Dragging;
 use super::paint::present;
@@ -8,6 +9,7 @@ use crate::document::{Document, PaneArrangement};
 use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::colors;
+use crate::truth::REPAINT_DELAY;
 use egui::{
     Align2, Color32, CornerRadius, CursorIcon, Mesh, Rect, Sense, Stroke, StrokeKind, TextStyle, Ui, pos2, vec2,
 };
@@ -59,17 +61,29 @@ pub fn label(ui: &Ui, index: usize, rect: Rect, document: &Document, session: &S
     if session.comparison.panes.get(index).is_some_and(|facts| facts.preparing) {
         text.push_str(" (simplifying)");
     }
-    written(ui, rect, Align2::CENTER_BOTTOM, text);
+    written(ui, rect, if panes.is_leading(index) { axes::extent(rect) } else { 0.0 }, text);
 }
 
-/// A caption in a corner or at an edge of a rectangle, truncated if it is too long.
-fn written(ui: &Ui, rect: Rect, align: Align2, text: String) {
-    let room = rect.shrink(10.0);
-    let style = TextStyle::Body.resolve(ui.style());
-    let mut job = egui::text::LayoutJob::simple_singleline(text, style, INK);
-    job.wrap = egui::text::TextWrapping::truncate_at_width((room.width() - 16.0).max(20.0));
-    let galley = ui.painter().layout_job(job);
-    let place = align.align_size_within_rect(galley.size() + vec2(16.0, 8.0), room);
+/// A caption at the lower edge of a rectangle, in up to three lines, and truncated if it is longer. It does not cover the axes,
+/// which take this much of the lower left corner.
+fn written(ui: &Ui, rect: Rect, axes: f32, text: String) {
+    let laid = |room: Rect| {
+        let style = TextStyle::Body.resolve(ui.style());
+        let mut job = egui::text::LayoutJob::simple(text.clone(), style, INK, (room.width() - 16.0).max(20.0));
+        job.wrap.max_rows = 3;
+        let galley = ui.painter().layout_job(job);
+        (Align2::CENTER_BOTTOM.align_size_within_rect(galley.size() + vec2(16.0, 8.0), room), galley)
+    };
+    let mut room = rect.shrink(10.0);
+    let (mut place, mut galley) = laid(room);
+    if place.left() < rect.left() + axes {
+        if room.right() - axes - rect.left() > 150.0 {
+            room.min.x = rect.left() + axes;
+        } else {
+            room.max.y = rect.bottom() - axes;
+        }
+        (place, galley) = laid(room);
+    }
     let painter = ui.painter().with_clip_rect(rect);
     painter.rect_filled(place, CornerRadius::same(6), GROUND);
     painter.galley(place.min + vec2(8.0, 4.0), galley, INK);
@@ -118,7 +132,8 @@ pub fn wipe(
     for (index, part) in [(first, left), (second, right)] {
         // A narrow part has no room for a caption.
         if part.width() > 90.0 {
-            written(ui, part, Align2::CENTER_BOTTOM, caption(document, session, index));
+            let axes = if index == first { axes::extent(room) } else { 0.0 };
+            written(ui, part, axes, caption(document, session, index));
         }
     }
     Ok(())
@@ -151,7 +166,16 @@ pub fn difference(
     // The first is below the map and handles the pointer.
     let whole = pane::show(ui, first, room, document, session, pane_renderer)?;
     drawn(ui, second, room, document, session, pane_renderer)?;
-    let Some(map) = pane_renderer.difference(document, session)? else { return Ok(()) };
+    let before = session.comparison.difference.clone();
+    let Some(map) = pane_renderer.difference(document, session)? else {
+        over(ui, first, &whole, document, session, pane_renderer)?;
+        written(ui, room, axes::extent(room), "the difference needs both pictures".to_owned());
+        return Ok(());
+    };
+    if session.comparison.difference != before {
+        // The panel has already been laid out in this frame.
+        ui.ctx().request_repaint_after(REPAINT_DELAY);
+    }
     present(ui, room, map);
     over(ui, first, &whole, document, session, pane_renderer)?;
     let settings = document.panes.difference;
@@ -165,12 +189,16 @@ pub fn difference(
         ui.painter().circle_stroke(place, 9.0, Stroke::new(3.0, Color32::from_black_alpha(140)));
         ui.painter().circle_stroke(place, 9.0, Stroke::new(1.5, Color32::WHITE));
     }
-    let text = if settings.signed {
-        format!("{} minus {}", caption(document, session, second), caption(document, session, first))
-    } else {
-        format!("difference of {} and {}", caption(document, session, first), caption(document, session, second))
+    let bracketed = |index| match caption(document, session, index).split_once(": ") {
+        Some((name, facts)) => format!("{name} ({facts})"),
+        None => caption(document, session, index),
     };
-    written(ui, room, Align2::CENTER_BOTTOM, text);
+    let text = if settings.signed {
+        format!("{} minus {}", bracketed(second), bracketed(first))
+    } else {
+        format!("difference of {} and {}", bracketed(first), bracketed(second))
+    };
+    written(ui, room, axes::extent(room), text);
     Ok(())
 }
 

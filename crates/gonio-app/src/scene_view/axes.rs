@@ -15,10 +15,15 @@ const END: f32 = 8.0;
 /// Smallest side of a pane that shows the cross, points.
 const SMALLEST_PANE: f32 = 220.0;
 
+/// Width and height of the cross with its margin in a pane of this size, points; 0 where it is not shown.
+pub fn extent(rect: Rect) -> f32 {
+    if rect.width().min(rect.height()) < SMALLEST_PANE { 0.0 } else { 2.0 * (LENGTH + END + 10.0) }
+}
+
 /// Shows the cross at the lower left of a pane.
 pub fn show(ui: &Ui, projection: &Projection, document: &mut Document, session: &Session) {
     let rect = projection.rect();
-    if rect.width().min(rect.height()) < SMALLEST_PANE {
+    if extent(rect) == 0.0 {
         return;
     }
     let camera = projection.camera();

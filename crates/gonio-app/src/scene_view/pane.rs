@@ -58,9 +58,10 @@ pub fn drawn(
 
 /// The caption of a pane; of a traced picture with the number of its paths and its error.
 pub fn caption(document: &Document, session: &Session, index: usize) -> String {
-    let Some(pane) = document.panes.list.get(index) else { return String::new() };
-    let facts = pane.truth.and_then(|_| session.traced.get(index)).map(|traced| format!(": {}", traced.caption()));
-    pane.caption() + &facts.unwrap_or_default()
+    let is_traced = document.panes.list.get(index).is_some_and(|pane| pane.truth.is_some());
+    let traced = session.traced.get(index).filter(|_| is_traced);
+    let facts = traced.map(|traced| format!(": {}", traced.caption()));
+    document.panes.caption(index) + &facts.unwrap_or_default()
 }
 
 /// Everything over a pane's picture: light gizmos, the probe's arrows, axes, observer's view, toolbar.

@@ -132,11 +132,18 @@ fn title_of(pane: &Pane) -> String {
 }
 
 fn title(pane: &Pane) -> String {
+    if pane.truth.is_some() {
+        return "traced".to_owned();
+    }
     let symbol = pane.view.filter(|_| pane.special.is_none()).and_then(|view| view.quantity.symbol());
     symbol.map_or_else(|| title_of(pane), |symbol| format!("{} {symbol}", title_of(pane)))
 }
 
 fn overlays(ui: &mut Ui, pane: &mut Pane) {
+    // None is drawn over a traced picture.
+    if pane.truth.is_some() {
+        return;
+    }
     let overlays = &mut pane.overlays;
     for (on, id, icon, tip) in [
         (&mut overlays.wireframe, "overlay-wireframe", icons::POLYGON, "Wireframe (Shift + W)"),

@@ -200,6 +200,13 @@ impl Reading {
         light.parts.iter().map(way).collect()
     }
 
+    /// The displayed 8-bit value of the sum of the parts.
+    pub fn displayed_total(&self, light: &PixelLight) -> Option<([u8; 3], DVec3)> {
+        let &(.., total) = light.parts.iter().find(|(part, ..)| *part == 7)?;
+        let [red, green, blue] = total.as_vec3().to_array();
+        Some((displayed(&self.frame, [red, green, blue, 1.0]), total))
+    }
+
     /// Reads a pixel.
     fn at_pixel(
         reference: &ReferenceScene,

@@ -6,11 +6,13 @@
 mod choice;
 mod color;
 mod number;
+mod spectrum;
 
 pub(crate) use choice::named_options;
 pub use choice::{choice, dropdown, slug};
 pub use color::{color, color_swatch, shown};
 pub use number::{NO_BREAK, NumberField, SPACE, Vector, axes, compact, grouped};
+pub use spectrum::spectrum;
 
 use crate::exported::{self, WidgetRole};
 use crate::theme;

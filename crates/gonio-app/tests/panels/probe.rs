@@ -8,7 +8,7 @@ use gonio_app::document::TruthSettings;
 use gonio_app::session::Tab;
 use gonio_app::truth::{PixelLight, TracedPane};
 
-const HEADING: &str = "Light that arrived at this pixel, by the way it took";
+const HEADING: &str = "Traced light, by the way it took";
 
 /// The probe of the middle of a 60x40 picture of a cube, whose only light is named `key`.
 fn bench() -> Bench {
@@ -63,9 +63,11 @@ fn the_probe_of_a_traced_pane_lists_the_ways_of_light() {
         // Some are legends elsewhere.
         assert!(count(&bench, name) >= 1, "{name}");
     }
-    for value in ["0.0101", "0.1202", "0.2303", "0.3404", "0.4505", "0.5606", "0.6707", "2.3828", "0.0909"] {
+    for value in ["0.0101", "0.1202", "0.2303", "0.3404", "0.4505", "0.5606", "0.6707", "0.0909"] {
         assert_eq!(count(&bench, value), 1, "{value}");
     }
+    assert_eq!(count(&bench, "2.3828"), 2, "the total is also beside the values of CPU and OpenGL");
+    assert_eq!((count(&bench, "traced"), count(&bench, "The light equation, by source")), (1, 1));
     bench.click("probe-copy-text");
     bench.click("probe-copy-json");
     let copied = |text: &str| {

@@ -1,6 +1,7 @@
 //! Models and scenes that gonio carries with it.
 
 use crate::toml_table::nearest_word;
+use gonio_environment::builtin::ROOM_FILE;
 use gonio_mesh::sphere;
 use std::fmt::Write;
 use std::io::{Error, ErrorKind};
@@ -73,9 +74,9 @@ pub fn builtin(name: &str) -> Option<&'static [u8]> {
     FILES.iter().find(|(known, _)| *known == path).and_then(|(_, bytes)| *bytes)
 }
 
-/// Whether a built-in file has this path below `assets`.
+/// Whether a built-in file has this path below `assets`: a scene, a model with its files, or the room.
 pub fn is_builtin(path: &str) -> bool {
-    FILES.iter().any(|(known, _)| *known == path)
+    path == ROOM_FILE || FILES.iter().any(|(known, _)| *known == path)
 }
 
 /// The name of the built-in sphere with a number of triangles: `sphere-512`.
@@ -191,6 +192,7 @@ mod tests {
     fn a_failed_download_is_not_an_unknown_name() {
         assert!(no_builtin("suzanne").to_string().contains("was not downloaded"));
         assert!(no_builtin("models/suzanne.mtl").to_string().contains("was not downloaded"));
+        assert!(is_builtin("environments/room.hdr") && !is_builtin("environments/rooms.hdr"));
         assert!(no_builtin("suzane").to_string().contains("did you mean `builtin:suzanne`?"));
     }
 }

@@ -15,7 +15,7 @@ fn folder() -> tempfile::TempDir {
 }
 
 /// Types a path into the path field.
-fn answer(window: &mut Window, text: &str) {
+pub fn answer(window: &mut Window, text: &str) {
     window.find("path");
     window.key("ctrl+a");
     window.type_text(text);

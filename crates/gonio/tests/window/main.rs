@@ -8,6 +8,7 @@ mod exercise;
 mod files;
 mod pointer;
 mod survival;
+mod traced;
 // Shared with the benchmarks.
 #[path = "../../../../benches/src/screen.rs"]
 mod screen;

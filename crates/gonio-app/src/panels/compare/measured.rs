@@ -2,6 +2,7 @@
 
 use super::noted;
 use super::plot::{Line, Plot};
+use crate::document::{Document, Panes};
 use crate::session::Session;
 use crate::session::comparison::{Curve, CurvePoint};
 use crate::theme::colors;
@@ -10,7 +11,7 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 use gonio_scene::scene_file::Shading;
 
 /// One row for each pane: triangles, vertices, fragments, milliseconds.
-pub fn show(ui: &mut Ui, session: &Session) {
+pub fn show(ui: &mut Ui, document: &Document, session: &Session) {
     let panes = &session.comparison.panes;
     if panes.is_empty() {
         ui.weak("Nothing has been drawn yet");
@@ -27,6 +28,11 @@ pub fn show(ui: &mut Ui, session: &Session) {
          fragments in blocks of 2 x 2), where the other shadings do; and the time of the last finished frame",
     );
     for (index, pane) in panes.iter().enumerate() {
+        // OpenGL did not draw what a traced pane shows.
+        if let Some(caption) = traced_caption(&document.panes, session, index) {
+            ui.label(RichText::new(format!("{} {caption}", index + 1)).monospace().size(11.0));
+            continue;
+        }
         let count = |n: Option<u64>| n.map_or("–".to_owned(), |n| grouped(n, SPACE));
         let vertices = match (pane.vertices, pane.counted) {
             // Counted from the index buffers, which is an upper bound.
@@ -40,8 +46,14 @@ pub fn show(ui: &mut Ui, session: &Session) {
     }
 }
 
+/// The number of paths and the error of a pane, if it is traced.
+fn traced_caption(panes: &Panes, session: &Session, index: usize) -> Option<String> {
+    panes.list.get(index)?.truth?;
+    Some(format!("traced: {}", session.traced.get(index)?.caption()))
+}
+
 /// Statistics of the difference of the pair.
-pub fn difference(ui: &mut Ui, session: &Session) {
+pub fn difference(ui: &mut Ui, panes: &Panes, session: &Session) {
     let Some(facts) = &session.comparison.difference else {
         ui.weak("The panes have not been compared yet");
         return;
@@ -63,6 +75,10 @@ pub fn difference(ui: &mut Ui, session: &Session) {
             row("Maximum at", "Column and row of the pixel, circled in the map", format!("{column}, {row_of}"));
         }
     });
+    let noise = |&index: &usize| traced_caption(panes, session, index);
+    if let Some(traced) = panes.pair.iter().find_map(noise) {
+        ui.label(RichText::new(format!("A part of it is noise, which fades ({traced})")).small().weak());
+    }
 }
 
 const SHADINGS: [Shading; 3] = [Shading::Flat, Shading::Gouraud, Shading::Phong];

@@ -3,9 +3,10 @@
 mod measured;
 mod plot;
 mod settings;
+mod truth;
 
 use crate::action::Action;
-use crate::document::{Document, Pane, PaneArrangement, Panes};
+use crate::document::{Document, PaneArrangement, Panes};
 use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::icons;
@@ -21,7 +22,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut
     section(ui, &format!("Pane {}", current + 1));
     settings::show(ui, document, session.loaded.as_deref());
     section(ui, "Measured");
-    measured::show(ui, session);
+    measured::show(ui, document, session);
     let adaptive = ui.checkbox(&mut session.adaptive, "One sample per pixel while something moves, if frames are slow");
     exported::note(ui, &adaptive, "adaptive", WidgetRole::Toggle, "One sample while moving", session.adaptive);
     section(ui, "Error against the finest mesh");
@@ -48,7 +49,7 @@ fn list(ui: &mut Ui, document: &mut Document) {
     let mut removed = None;
     for index in 0..panes.list.len() {
         ui.horizontal(|ui| {
-            let caption = panes.list.get(index).map(Pane::caption).unwrap_or_default();
+            let caption = panes.caption(index);
             let text = format!("{}   {caption}", index + 1);
             // Room for the button beside it.
             let width = (ui.available_width() - 52.0).max(80.0);
@@ -125,7 +126,7 @@ fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     }
     ui.horizontal(|ui| {
         let captions: Vec<String> =
-            panes.list.iter().enumerate().map(|(i, pane)| format!("{}  {}", i + 1, pane.caption())).collect();
+            (0..panes.list.len()).map(|index| format!("{}  {}", index + 1, panes.caption(index))).collect();
         for (place, name) in panes.pair.iter_mut().zip(["first", "second"]) {
             let chosen = captions.get(*place).cloned().unwrap_or_default();
             let combo = egui::ComboBox::from_id_salt(name).width(130.0).truncate().selected_text(chosen.clone());
@@ -160,6 +161,6 @@ fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
         });
         let signed = ui.checkbox(&mut settings.signed, "Signed: second minus first");
         exported::note(ui, &signed, "signed", WidgetRole::Toggle, "Signed", settings.signed);
-        measured::difference(ui, session);
+        measured::difference(ui, panes, session);
     }
 }

@@ -1,11 +1,11 @@
 //! Settings of panes: presets for common comparisons, and the current pane's own settings.
 
-use super::noted;
+use super::{noted, truth};
 use crate::document::{Document, Pane, PaneReflectance, TruthSettings};
 use crate::exported::{self, WidgetRole};
 use crate::widgets::slug;
 use egui::{ComboBox, Grid, Ui};
-use gonio_light::{Convention, Quantity, Simplification, Specular};
+use gonio_light::{Convention, Quantity, Specular};
 use gonio_scene::detail::{self, LevelOfDetail};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Scene, SceneSettings, ViewSpec};
@@ -16,6 +16,7 @@ const AS_SCENE: &str = "as in the scene";
 pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
     let scene = &document.scene;
     let Some(pane) = document.panes.list.get_mut(document.panes.current) else { return };
+    truth::show(ui, pane);
     Grid::new("pane settings").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
         let shadings = Shading::ALL.iter().map(|&s| (s, s.name().to_owned()));
         choice(ui, "pane-shading", "Shading", &mut pane.shading, shadings.collect());
@@ -28,14 +29,11 @@ pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
         let brdfs = PaneReflectance::all().into_iter().map(|r| (r, r.name().to_owned()));
         choice(ui, "pane-brdf", "BRDF", &mut pane.reflectance, brdfs.collect());
         let view = |quantity: Quantity| (ViewSpec { quantity, light: None }, quantity.to_string());
-        let before = pane.view;
-        choice(ui, "pane-view", "View", &mut pane.view, Quantity::ALL.iter().copied().map(view).collect());
-        if pane.view != before {
-            pane.truth = None;
+        if pane.truth.is_none() {
+            choice(ui, "pane-view", "View", &mut pane.view, Quantity::ALL.iter().copied().map(view).collect());
         }
         detail(ui, pane, scene, loaded);
     });
-    truth(ui, pane);
     if *pane != Pane::default() {
         let reset = ui.button("Reset to the scene");
         exported::note(ui, &reset, "pane-reset", WidgetRole::Button, "Reset to the scene", "");
@@ -107,42 +105,6 @@ fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&S
     ui.end_row();
 }
 
-/// The traced picture, and its simplifications: a slider along the steps, and a switch for each of them.
-fn truth(ui: &mut Ui, pane: &mut Pane) {
-    let mut is_traced = pane.truth.is_some();
-    let traced = ui.checkbox(&mut is_traced, "Traced: the rendering equation");
-    exported::note(ui, &traced, "pane-traced", WidgetRole::Toggle, "Traced", is_traced);
-    if traced.changed() {
-        pane.show_truth(is_traced.then(TruthSettings::default));
-    }
-    let Some(truth) = &mut pane.truth else { return };
-    let steps = Simplification::ALL;
-    // The last step up to which all are made.
-    let mut step = steps.iter().take_while(|&&step| truth.simplified.contains(step)).count();
-    let most = steps.len();
-    ui.label("From the rendering equation to the lab's");
-    let slider = egui::Slider::new(&mut step, 0..=most).custom_formatter(move |step, _| format!("{step:.0} of {most}"));
-    let slider = ui.add(slider).on_hover_text("All simplifications up to this step of the lecture");
-    exported::note(ui, &slider, "truth-step", WidgetRole::Number, "Step", step);
-    if slider.changed() {
-        truth.simplified = steps.iter().take(step).copied().collect();
-    }
-    for (index, &one) in steps.iter().enumerate() {
-        let mut is_made = truth.simplified.contains(one);
-        let name = format!("{}  {one}", index + 1);
-        let response = ui.checkbox(&mut is_made, name).on_hover_text(one.description().trim());
-        exported::note(ui, &response, &format!("truth-{one}"), WidgetRole::Toggle, one.description().trim(), is_made);
-        if response.changed() {
-            truth.simplified = if is_made { truth.simplified.with(one) } else { truth.simplified.without(one) };
-        }
-    }
-    if truth.simplified.contains(Simplification::Sum) {
-        let slider = egui::Slider::new(&mut truth.points_per_light, 1..=64).logarithmic(true).text("points per lamp");
-        let slider = ui.add(slider).on_hover_text("Point lights that replace each lamp; 1: at its centre");
-        exported::note(ui, &slider, "truth-points", WidgetRole::Number, "Points per lamp", truth.points_per_light);
-    }
-}
-
 /// Id, name, tooltip and panes.
 type Preset = (&'static str, &'static str, &'static str, Vec<Pane>);
 
@@ -179,7 +141,7 @@ fn presets(scene: &SceneSettings) -> Vec<Preset> {
         (
             "truth",
             "Traced | OpenGL",
-            "The rendering equation, and the light equation that simplifies it",
+            "The rendering equation by following paths of light, and the light equation that simplifies it",
             vec![Pane { truth: Some(TruthSettings::default()), ..Pane::default() }, Pane::default()],
         ),
         ("details", "Coarse | smooth", "Few and many triangles", vec![coarse, fine]),

@@ -6,7 +6,9 @@ use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::{colors, icons};
 use crate::typeset::{self, EguiFonts, Node};
-use crate::widgets::{NumberField, Vector, color, compact, dropdown, icon_button, named_options, row, tool_button};
+use crate::widgets::{
+    NumberField, Vector, color, compact, dropdown, icon_button, named_options, row, spectrum, tool_button,
+};
 use egui::{Align2, FontId, Frame, Margin, Sense, Stroke, TextEdit, Ui, pos2, vec2};
 use glam::DVec3;
 use gonio_scene::defaults;
@@ -62,6 +64,13 @@ fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
     extent(ui, light, session, index);
     let tip = "Colour of L_i, linear RGB";
     row(ui, "Colour", tip, |ui| color(ui, &id("color"), "colour", &mut light.color, Some(defaults::LIGHT_COLOR), tip));
+    if let Some(own) = &light.spectrum {
+        let tip = "Relative power by wavelength; the scene file has it. The colour is derived from it, and another colour replaces it";
+        row(ui, "Spectrum", tip, |ui| {
+            let plot = spectrum(ui, |lambda| own.power_at(lambda), None, tip);
+            exported::note(ui, &plot, &id("spectrum"), WidgetRole::Picture, "spectrum", own.samples().len());
+        });
+    }
     if light.position.is_some() {
         attenuation(ui, light, session, index);
     }

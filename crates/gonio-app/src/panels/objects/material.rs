@@ -1,10 +1,11 @@
 //! Material values that override those of the model's file, and can be reset.
 
+use crate::exported::{self, WidgetRole};
 use crate::theme::icons;
-use crate::widgets::{NumberField, color, dropdown, named_options, row, tool_button};
+use crate::widgets::{NumberField, color, dropdown, named_options, row, spectrum, tool_button};
 use egui::{Align, Layout, RichText, Ui};
 use gonio_light::optics::Medium;
-use gonio_light::{Fresnel, Surfaces};
+use gonio_light::{Fresnel, Spectrum, Surfaces};
 use gonio_mesh::{AmbientRule, Material};
 use gonio_scene::color_value::Color;
 use gonio_scene::scene_file::MaterialOverride;
@@ -40,6 +41,15 @@ pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index
     };
     colored(ui, &line("ambient", "k_a", "Ambient colour k_a, linear RGB"), &mut with.ambient, color_of(ambient));
     colored(ui, &line("diffuse", "k_d", "Diffuse colour k_d, linear RGB"), &mut with.diffuse, color_of(first.diffuse));
+    if let Some(samples) = &with.diffuse_spectrum {
+        let tip = "Reflectance by wavelength, 0 to 1; the scene file has it. k_d is derived from it, and another k_d replaces it";
+        let own = Spectrum::new(samples.clone());
+        row(ui, "Spectrum", tip, |ui| {
+            let plot = spectrum(ui, |lambda| own.reflectance_at(lambda), Some(1.0), tip);
+            let id = format!("object-{index}-spectrum");
+            exported::note(ui, &plot, &id, WidgetRole::Picture, "spectrum", samples.len());
+        });
+    }
     colored(
         ui,
         &line("specular", "k_s", "Specular colour k_s, linear RGB"),

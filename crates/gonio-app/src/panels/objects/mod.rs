@@ -7,10 +7,12 @@ use crate::document::Document;
 use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session};
 use crate::theme::{self, icons};
-use crate::widgets::{NO_BREAK, NumberField, Vector, choice, grouped, heading, icon_button, named_options, row};
+use crate::widgets::{
+    NO_BREAK, NumberField, Vector, choice, compact, grouped, heading, icon_button, named_options, row, toggle,
+};
 use egui::{Align, Atom, Button, Frame, Layout, Margin, RichText, TextEdit, Ui, WidgetInfo, vec2};
 use glam::DVec3;
-use gonio_scene::scene_file::{Normals, ObjectSpec, Shading};
+use gonio_scene::scene_file::{MotionSpec, Normals, ObjectSpec, Shading};
 use gonio_scene::settings::{Aim, CameraSettings};
 use gonio_scene::{Scene, files};
 
@@ -89,6 +91,7 @@ fn details(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>, index: 
         .show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
             place(ui, spec, index);
+            motion(ui, spec, index);
             surface(ui, spec, loaded, index);
             let files = loaded.map(|l| l.materials_in_file(index)).unwrap_or_default();
             heading(ui, "Material");
@@ -130,6 +133,23 @@ fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
             *now = before;
         }
     }
+}
+
+/// The object's motion, which is written in the scene file: whether it moves, and how. It can be stopped and started again.
+fn motion(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
+    let kept = ui.scope_id().with(("motion", &spec.model, &spec.name));
+    if let Some(motion) = &spec.motion {
+        ui.data_mut(|data| data.insert_temp(kept, motion.clone()));
+    }
+    let Some(motion) = ui.data(|data| data.get_temp::<MotionSpec>(kept)) else { return };
+    let mut moves = spec.motion.is_some();
+    row(ui, "Motion", "Motion over time, as in the scene file", |ui| {
+        let id = format!("object-{index}-motion");
+        let words = format!("{}, {} s", motion.kind, compact(motion.period));
+        if toggle(ui, &id, &words, &mut moves, motion.kind.description().trim()) {
+            spec.motion = moves.then_some(motion);
+        }
+    });
 }
 
 fn surface(ui: &mut Ui, spec: &mut ObjectSpec, loaded: Option<&Scene>, index: usize) {

@@ -34,8 +34,9 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         ui.label(RichText::new(hint).weak());
         return;
     };
-    values(ui, &reading);
-    if document.panes.list.get(session.probing.pane).is_some_and(|pane| pane.truth.is_some()) {
+    let is_traced = document.panes.list.get(session.probing.pane).is_some_and(|pane| pane.truth.is_some());
+    values(ui, &reading, session.pixel_light().filter(|_| is_traced));
+    if is_traced {
         traced(ui, session, &reading);
     }
     let Some(probe) = &reading.probe else {
@@ -45,9 +46,10 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         ui.label(format!("This pixel shows {what}."));
         return;
     };
-    heading(ui, "Light by source");
+    // Beside the rendering equation, it has to be said which one this is.
+    heading(ui, if is_traced { "The light equation, by source" } else { "Light by source" });
     bars::show(ui, &reading, probe);
-    heading(ui, "The equation in numbers");
+    heading(ui, if is_traced { "The light equation in numbers" } else { "The equation in numbers" });
     sum::show(ui, &reading, probe);
     lights::show(ui, &reading, probe, session.selection);
     surface::show(ui, &reading, probe);
@@ -55,7 +57,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
 
 /// The light of a traced pixel, by the way it took.
 fn traced(ui: &mut Ui, session: &Session, reading: &Reading) {
-    heading(ui, "Light that arrived at this pixel, by the way it took");
+    heading(ui, "Traced light, by the way it took");
     let Some(light) = session.pixel_light() else {
         let hint = match session.probing.pinned {
             Some(_) => "The first paths are on their way.",
@@ -122,8 +124,8 @@ fn button(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> Respon
     response.on_hover_text(tip)
 }
 
-/// The pixel by the CPU reference and by OpenGL.
-fn values(ui: &mut Ui, reading: &Reading) {
+/// The pixel by the CPU reference, by OpenGL, and traced.
+fn values(ui: &mut Ui, reading: &Reading, light: Option<&PixelLight>) {
     Grid::new("probe values").num_columns(6).spacing([4.0, 4.0]).show(ui, |ui| {
         let row = |ui: &mut Ui, name: &str, tip: &str, color: [u8; 3], value: [f64; 3]| {
             ui.label(name).on_hover_text(tip);
@@ -135,15 +137,25 @@ fn values(ui: &mut Ui, reading: &Reading) {
             ui.end_row();
         };
         let [r, g, b, _] = reading.reference;
-        row(ui, "CPU", "CPU reference in f64 at the pixel centre, linear RGB", reading.displayed, [r, g, b]);
+        row(
+            ui,
+            "CPU",
+            "Light equation by the CPU reference in f64 at the pixel centre, linear RGB",
+            reading.displayed,
+            [r, g, b],
+        );
         if let Some(GpuValue { value, displayed, .. }) = reading.gpu {
             let [r, g, b, _] = value.map(f64::from);
-            row(ui, "OpenGL", "OpenGL with one sample, linear RGB", displayed, [r, g, b]);
+            row(ui, "OpenGL", "Light equation by OpenGL with one sample, linear RGB", displayed, [r, g, b]);
+        }
+        if let Some((displayed, total)) = light.and_then(|light| reading.displayed_total(light)) {
+            let tip = "Rendering equation by paths through the whole pixel, linear RGB";
+            row(ui, "traced", tip, displayed, total.to_array());
         }
     });
     ui.horizontal(|ui| match reading.gpu {
         Some(gpu) => {
-            let text = format!("largest difference {}", number(gpu.difference));
+            let text = format!("largest difference of CPU and OpenGL {}", number(gpu.difference));
             let response = ui.label(RichText::new(text).small().weak());
             exported::note(ui, &response, "probe-difference", WidgetRole::Text, "largest difference", gpu.difference);
         }

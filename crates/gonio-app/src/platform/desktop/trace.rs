@@ -1,14 +1,14 @@
 //! Traced pictures of the window: by a thread per pane, and a pool of threads that leaves a core to the interface.
 
-use crate::truth::{ERROR_GOAL, PixelLight, TraceFacts, TraceReply, TraceRequest, Tracer};
+use crate::truth::{
+    ERROR_GOAL, PixelLight, REPAINT_DELAY, TraceFacts, TraceReply, TraceRequest, Tracer, picture_interval,
+};
 use gonio_trace::{Refinement, TraceScene, TraceSettings};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// The time between two pictures, except of new stages.
-const BETWEEN: Duration = Duration::from_millis(150);
 /// The time of one step of the work.
 const STEP: Duration = Duration::from_millis(40);
 
@@ -69,6 +69,10 @@ impl Tracer for ThreadTracer {
                         None => reply,
                     });
                 }
+                // Nothing of the newest request has come yet.
+                Ok((_, TraceReply { picture: Some(picture), .. })) => {
+                    newest = Some(TraceReply { picture: Some(picture), facts: None, light: None });
+                }
                 Ok(_) => {}
                 Err(TryRecvError::Empty) => return newest.map(Ok),
                 Err(TryRecvError::Disconnected) if self.is_lost => return newest.map(Ok),
@@ -124,10 +128,19 @@ impl Worker {
 
     /// Refines a picture and the light of the probed pixel until both are finished or another picture is requested.
     fn refine(&self, number: Number, refinement: &mut Refinement) {
-        let goes_on = || self.newest.load(Ordering::Relaxed) == number;
-        let (mut rows, mut sent) = (16, Instant::now());
+        let (mut rows, begun) = (16, Instant::now());
+        let mut sent = begun;
+        let milliseconds = |from: Instant| 1e3 * from.elapsed().as_secs_f64();
+        let is_due = |sent| milliseconds(sent) >= picture_interval(milliseconds(begun));
         loop {
-            let was_done = refinement.status().done;
+            let (was_done, is_covered) = (refinement.status().done, refinement.is_covered());
+            let goes_on = || match self.newest.load(Ordering::Relaxed) {
+                Number::MAX => false,
+                newest => newest == number || !is_covered,
+            };
+            if !goes_on() {
+                return;
+            }
             let start = Instant::now();
             if !refinement.advance(rows, &goes_on) {
                 return;
@@ -136,17 +149,17 @@ impl Worker {
             rows = (f64::from(rows) * STEP.as_secs_f64() / taken.as_secs_f64()).clamp(4.0, 4096.0) as u32;
             let status = refinement.status();
             let is_stage = status.pass == 0.0 && status.paths <= 2.0;
-            let is_sent = !was_done && (is_stage || status.done || sent.elapsed() >= BETWEEN);
+            let is_sent = !was_done && (is_stage || status.done || is_due(sent));
             let picture = is_sent.then(|| refinement.picture());
             let light = self.light(refinement, &goes_on);
             let is_finished = status.done && light.is_none();
             if picture.is_some() || light.is_some() {
                 let facts =
-                    TraceFacts { paths: status.paths, error: status.error, pass: status.pass, done: status.done };
+                    Some(TraceFacts { paths: status.paths, error: status.error, pass: status.pass, done: status.done });
                 sent = if is_sent { Instant::now() } else { sent };
                 // The pane may be closed by now.
                 let _ = self.replies.send((number, TraceReply { picture, facts, light }));
-                self.ctx.request_repaint();
+                self.ctx.request_repaint_after(REPAINT_DELAY);
             }
             if is_finished {
                 return;
@@ -179,6 +192,50 @@ fn started(kept: Option<(Number, TraceRequest, Refinement)>, request: &TraceRequ
                 ..TraceSettings::default()
             };
             Refinement::new(TraceScene::new(&request.scene, frame), settings, ERROR_GOAL)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::TruthSettings;
+    use gonio_scene::files::BuiltinOnly;
+    use gonio_scene::{Frame, load};
+    use std::path::Path;
+
+    /// While something is dragged, each frame asks for another picture, and each is seen.
+    #[test]
+    fn pictures_are_seen_while_requests_follow_each_other() {
+        let described = load::describe(&["builtin:still-life"], &BuiltinOnly).unwrap_or_else(|error| panic!("{error}"));
+        let scene = load::load(described, Path::new(""), &BuiltinOnly).unwrap_or_else(|error| panic!("{error}"));
+        let scene = Arc::new(scene);
+        let mut tracer = ThreadTracer::start(&egui::Context::default());
+        let mut turn = 0.0;
+        let mut seen = 0;
+        while seen < 3 {
+            turn += 1e-4;
+            assert!(turn < 2.0, "no picture in 20 000 requests");
+            let mut frame = Frame { width: 900, height: 600, ..scene.frame(0.0) };
+            frame.camera.position.x += turn;
+            tracer.trace(TraceRequest {
+                scene: scene.clone(),
+                frame,
+                settings: TruthSettings::default(),
+                generation: 1,
+                pixel: None,
+                files: Arc::new(BuiltinOnly),
+                paths: Vec::new(),
+            });
+            std::thread::sleep(Duration::from_millis(1));
+            match tracer.poll() {
+                Some(Ok(TraceReply { picture: Some(picture), .. })) => {
+                    assert!(picture.pixels.iter().all(|pixel| pixel[3] > 0.0), "it does not cover the pane");
+                    seen += 1;
+                }
+                Some(Err(error)) => panic!("{error}"),
+                _ => {}
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Traced pictures of the page: by a worker per pane, with a module of its own.
 
 use super::message_of;
-use crate::truth::{ERROR_GOAL, PixelLight, TraceFacts, TraceReply, TraceRequest, Tracer};
+use crate::truth::{ERROR_GOAL, PixelLight, REPAINT_DELAY, TraceFacts, TraceReply, TraceRequest, Tracer};
 use gonio_scene::{Picture, SceneFile};
 use js_sys::{Array, Float32Array, Float64Array, Function, Object, Reflect, Uint8Array, Uint32Array};
 use std::cell::RefCell;
@@ -26,7 +26,7 @@ impl PageTraces {
         let (slot, ctx) = (answers.clone(), ctx.clone());
         let receive: Closure<dyn FnMut(JsValue)> = Closure::new(move |message: JsValue| {
             slot.borrow_mut().take(&message);
-            ctx.request_repaint();
+            ctx.request_repaint_after(REPAINT_DELAY);
         });
         let worker = self.0.call1(&JsValue::NULL, receive.as_ref()).map_err(|error| message_of(&error));
         Box::new(WorkerTracer { worker, answers, before: None, _receive: receive })
@@ -43,19 +43,21 @@ struct Answers {
 impl Answers {
     fn take(&mut self, message: &JsValue) {
         let number = |name: &str| Reflect::get(message, &name.into()).ok().and_then(|value| value.as_f64());
-        if number("number").is_some_and(|of| of != self.number) {
-            return;
-        }
+        let is_newest = number("number").is_none_or(|of| of == self.number);
         if let Some(failed) = Reflect::get(message, &"failed".into()).ok().and_then(|value| value.as_string()) {
-            self.newest = Some(Err(failed));
+            if is_newest {
+                self.newest = Some(Err(failed));
+            }
             return;
         }
         let floats = |name: &str| Reflect::get(message, &name.into()).ok()?.dyn_into::<Float64Array>().ok();
         let pixels =
             Reflect::get(message, &"pixels".into()).ok().and_then(|value| value.dyn_into::<Float32Array>().ok());
         let picture = pixels.zip(number("width")).zip(number("height")).map(|((pixels, width), height)| {
-            let pixels = pixels.to_vec().as_chunks::<4>().0.to_vec();
-            Picture { width: width as u32, height: height as u32, pixels }
+            // One copy: a picture has megabytes, and this is the interface's thread.
+            let mut copy = vec![[0.0; 4]; pixels.length() as usize / 4];
+            pixels.subarray(0, 4 * copy.len() as u32).copy_to(copy.as_flattened_mut());
+            Picture { width: width as u32, height: height as u32, pixels: copy }
         });
         let light = floats("light").and_then(|light| {
             let light = light.to_vec();
@@ -69,7 +71,13 @@ impl Answers {
             pass: number("pass").unwrap_or_default(),
             done,
         };
-        let reply = TraceReply { picture, facts, light };
+        let reply = if is_newest {
+            TraceReply { picture, facts: Some(facts), light }
+        } else if picture.is_some() {
+            TraceReply { picture, facts: None, light: None }
+        } else {
+            return;
+        };
         self.newest = Some(Ok(match self.newest.take() {
             Some(Ok(before)) => before.and(reply),
             _ => reply,

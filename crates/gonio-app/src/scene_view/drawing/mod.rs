@@ -157,6 +157,14 @@ impl PaneRenderer {
     pub fn difference(&mut self, document: &Document, session: &mut Session) -> Result<Option<Presentation>, GlError> {
         let [first, second] = document.panes.pair;
         let (Some(a), Some(b)) = (self.panes.get(first), self.panes.get(second)) else { return Ok(None) };
+        // OpenGL's picture that stands in for a traced one would be compared with itself.
+        let waits = |index: usize, pane: &PaneDrawing| {
+            pane.traced.is_none() && document.panes.list.get(index).is_some_and(|pane| pane.truth.is_some())
+        };
+        if waits(first, a) || waits(second, b) {
+            session.comparison.difference = None;
+            return Ok(None);
+        }
         let settings = document.panes.difference;
         let drawn = self.pair.draw(&self.gl, &mut self.renderer, [a, b], document.panes.pair, settings)?;
         if !drawn {
