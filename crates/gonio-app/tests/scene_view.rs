@@ -370,6 +370,14 @@ fn the_truth_is_compared_with_opengl() {
     window.click_at(mode);
     window.traced(0, |traced| traced.serial > 0);
     assert!(window.widget("pane-1").value == "OpenGL" && !window.app().session().traced[1].is_running());
+    // The probe reads the picture under the pointer: the traced one is left of the divider.
+    let [left, top, width, height] = window.widget("pane-1").rect;
+    let at = |share: f32| pos2(left + share * width, top + 0.5 * height);
+    for (share, pane) in [(0.4, 0), (0.6, 1)] {
+        window.click_at(at(share));
+        let (document, session) = (window.app().document(), window.app().session());
+        assert_eq!((document.panes.current, session.probing.pane), (pane, pane));
+    }
 }
 
 /// A click in a traced pane lists the light of that pixel: the same paths as those of the scene, while the picture goes on.

@@ -3,7 +3,7 @@
 use super::drawing::PaneRenderer;
 use super::paint::{picture_size, present};
 use super::{Projection, axes, gizmos, navigation, observer, paint, toolbar, vectors};
-use crate::document::Document;
+use crate::document::{Document, PaneArrangement, Panes};
 use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session, Tab};
 use egui::{Color32, Pos2, Rect, Response, Sense, Ui, vec2};
@@ -31,7 +31,7 @@ pub fn show(
     );
     navigation::handle(ui, &response, document, session);
     if response.clicked() || response.drag_started() {
-        document.panes.current = index;
+        document.panes.current = under(&document.panes, index, response.interact_pointer_pos(), rect);
     }
     if let Some(picture) = drawn(ui, index, rect, document, session, pane_renderer)? {
         present(ui, rect, picture);
@@ -80,9 +80,15 @@ pub fn over(
         return Ok(());
     };
     let projection = Projection::new(&frame.camera, rect);
-    point(index, response, session);
-    if session.probing.pane == index {
-        session.probing.update(ui.ctx(), &loaded, &frame, |x, y| pane_renderer.pixel(index, x, y));
+    let pointed = response.hover_pos().or(response.interact_pointer_pos());
+    point(under(&document.panes, index, pointed, rect), response, session);
+    let probed = session.probing.pane;
+    let is_wiped =
+        matches!(document.panes.arrangement, PaneArrangement::Wipe(_)) && document.panes.pair.contains(&probed);
+    if let (Some(loaded), Some(frame)) = (pane_renderer.loaded(probed).cloned(), pane_renderer.frame(probed).cloned())
+        && (probed == index || is_wiped)
+    {
+        session.probing.update(ui.ctx(), &loaded, &frame, |x, y| pane_renderer.pixel(probed, x, y));
         vectors::show(ui, &projection, &session.probing, session.selection);
     }
     if response.dragged() {
@@ -97,6 +103,14 @@ pub fn over(
         toolbar::show(ui, rect, &frame, document, session);
     }
     Ok(())
+}
+
+/// The pane whose picture is at a place of the window: left of a wipe's divider the first of the pair.
+fn under(panes: &Panes, index: usize, place: Option<Pos2>, rect: Rect) -> usize {
+    match (panes.arrangement, place) {
+        (PaneArrangement::Wipe(share), Some(place)) if place.x < rect.left() + share * rect.width() => panes.pair[0],
+        _ => index,
+    }
 }
 
 /// Updates the probed place: it follows the pointer while its tab is shown, and a click pins it.
