@@ -44,6 +44,8 @@ test("the traced picture is refined, starts again with the camera, and ends with
   const fine = await lab.until((state) => state.traced[0]?.error !== null);
   assert.ok(fine.traced[0].pictures > coarse.traced[0].pictures && fine.traced[0].paths >= 2, JSON.stringify(fine.traced));
   assert.equal(fine.traced[0].requests, 1, "nothing has changed");
+  const { first_ms, longest_ms } = fine.traced[0];
+  assert.ok(first_ms > 0 && longest_ms > 0, JSON.stringify(fine.traced));
   await lab.park();
   assert.ok(differing(before, await middle(lab, "pane-0")) > 0.05, "there is no shadow");
   const [x, y] = await lab.middle("pane-0");
@@ -61,6 +63,7 @@ test("it is wiped and compared with OpenGL's picture, and each simplification is
   await lab.click("preset-truth");
   await lab.until((state) => state.traced[0]?.error !== null && state.traced[1] === null);
   await lab.click("difference-mode");
+  // Not of the picture that stands in until there is a traced one.
   const { difference } = await lab.until((state) => state.difference !== null && state.traced[0]?.error !== null);
   assert.ok(difference.percent > 1 && difference.percent < 95, JSON.stringify(difference));
   const first = await lab.click("truth-wavelengths");
@@ -68,6 +71,13 @@ test("it is wiped and compared with OpenGL's picture, and each simplification is
   const again = await lab.click("truth-wavelengths");
   assert.deepEqual(again.traced[0].simplified, []);
   await lab.until((state) => state.traced[0]?.pictures > 0);
+  // With all simplifications it is the light equation: but for edges the same as OpenGL's picture.
+  await lab.reveal("truth-step");
+  const { rect: [left, top, width, height] } = await lab.widget("truth-step");
+  await lab.drag([left + 8, top + height / 2], [left + width - 8, top + height / 2]);
+  const all = await lab.until(({ traced: [pane], ...state }) =>
+    pane.simplified.length === 10 && pane.error !== null && state.difference !== null);
+  assert.ok(all.difference.percent < difference.percent / 3, JSON.stringify([difference, all.difference]));
 }, options);
 
 test("a click lists the light of the pixel by the way it took, in the same picture", async (lab) => {
@@ -86,4 +96,19 @@ test("a click lists the light of the pixel by the way it took, in the same pictu
   await lab.clickAt([x + 20, y]);
   const other = await lab.until((now) => now.probe?.pixel[0] !== state.probe.pixel[0] && ways(now).total !== undefined);
   assert.equal(other.traced[0].requests, requests);
+}, options);
+
+test("a scene in the room is traced: the worker fetches the room itself", async (lab) => {
+  await lab.until(settled);
+  await lab.drop({ name: "mirrored.toml", text: `
+[environment]
+image = "room"
+[[object]]
+model = "builtin:cube"
+` });
+  await lab.until((state) => settled(state) && state.title === "mirrored.toml");
+  await lab.click("view-chooser");
+  await lab.click("view-traced");
+  const { traced: [pane] } = await lab.until((state) => state.traced[0]?.pictures > 0 || state.traced[0]?.failed);
+  assert.equal(pane.failed, null);
 }, options);

@@ -3,7 +3,7 @@
 
 mod support;
 
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2, vec2};
 use glam::DVec3;
 use gonio_app::exported;
 use gonio_app::session::{Selection, Tab};
