@@ -75,7 +75,7 @@ async function refine({ number, width, height }) {
     const done = is === 1;
     covered ||= pass === 0 && paths > 0;
     const facts = { number, width, height, paths, error, pass, done };
-    if (!was && ((pass === 0 && paths <= 2) || done || end - sent >= interval(end - begin))) {
+    if (!was && covered && ((pass === 0 && paths <= 2) || done || end - sent >= interval(end - begin))) {
       const pixels = tracer.picture();
       sent = performance.now();
       self.postMessage({ ...facts, pixels }, [pixels.buffer]);

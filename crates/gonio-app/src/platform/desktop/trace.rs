@@ -149,7 +149,8 @@ impl Worker {
             rows = (f64::from(rows) * STEP.as_secs_f64() / taken.as_secs_f64()).clamp(4.0, 4096.0) as u32;
             let status = refinement.status();
             let is_stage = status.pass == 0.0 && status.paths <= 2.0;
-            let is_sent = !was_done && (is_stage || status.done || is_due(sent));
+            // Before, places would be black: the picture before stays.
+            let is_sent = !was_done && refinement.is_covered() && (is_stage || status.done || is_due(sent));
             let picture = is_sent.then(|| refinement.picture());
             let light = self.light(refinement, &goes_on);
             let is_finished = status.done && light.is_none();
