@@ -375,7 +375,7 @@ impl Tracer<'_> {
                 upper if upper <= error || 2 * least >= MOST_PATHS => None,
                 upper => {
                     let needed = f64::from(least) * (upper / error).powi(2);
-                    Some((needed as u32).saturating_sub(least).clamp(1, 2 * least))
+                    Some((needed as u32).saturating_sub(least).clamp(1, 2 * least).min(MOST_PATHS / 2 - least))
                 }
             },
         }
