@@ -1,10 +1,11 @@
-//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|trace|window`. `cargo xtask bench` builds
+//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|trace|interpret|window`. `cargo xtask bench` builds
 //! everything and runs it. Each benchmark prints a table and writes `target/bench/NAME.json`.
 //!
 //! Times are medians of alternating runs, so that other load on the machine affects all sides alike.
 
 mod environment;
 mod frame;
+mod interpret;
 mod measure;
 mod models;
 mod obj;
@@ -38,6 +39,7 @@ const BENCHES: &[(&str, Bench)] = &[
     ("obj", obj::run),
     ("environment", environment::run),
     ("trace", trace::run),
+    ("interpret", interpret::run),
     ("window", window::run),
 ];
 

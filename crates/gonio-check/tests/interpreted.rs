@@ -13,7 +13,7 @@ use gonio_check::submission::{StageText, Submission};
 use gonio_check::testbench::{
     CUBEMAP_UNIT, SKY_SIDE, TILE, TestMesh, TestScene, WHITE_UNIT, numbers_of_array, sky_faces, stream_of, unit,
 };
-use gonio_fixtures::selected;
+use gonio_fixtures::{FixtureTable, selected};
 use gonio_gl::{Gl, HeadlessContext};
 use gonio_glsl::{OutputVersion, Severity, Stage};
 use gonio_interpreter::{
@@ -52,9 +52,28 @@ fn pairs() -> Vec<Pair> {
             (StageText::whole("reference.vert", vertex), StageText::whole("reference.frag", fragment));
         all.push(Pair { name, exercise, vertex, fragment, names: NamesFile::default() });
     }
+    // Pairs in every dialect, drawn in the scenes of the light equation.
+    let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../gonio-glsl/tests/pairs.txt")).unwrap();
+    for case in table.cases().unwrap() {
+        let text = |file: &str| StageText::whole(file, case.text(file).unwrap());
+        let (vertex, fragment) = (text("shader.vert"), text("shader.frag"));
+        let (name, exercise) = (format!("dialects/{}", case.name), "ex07".to_owned());
+        all.push(Pair { name, exercise, vertex, fragment, names: NamesFile::default() });
+    }
+    all.retain(|pair| !NOT_COMPARED.iter().any(|(name, _)| *name == pair.name));
     all.sort_by(|a, b| a.name.cmp(&b.name));
     all
 }
+
+/// Pairs that cannot be compared in this way, with the reason.
+const NOT_COMPARED: [(&str, &str); 6] = [
+    ("dialects/06-legacy-120", "the translation renames the built-in attributes"),
+    ("dialects/07-block-450", "gl_VertexID: the driver draws without indices"),
+    ("dialects/12-texture-named", "the translation renames the uniform `texture`"),
+    ("dialects/15-ints-and-loops-440", "`double` cannot be run"),
+    ("dialects/22-compat-330", "the translation renames the built-in attributes"),
+    ("dialects/26-matrix-order-460", "a struct without a name cannot be run"),
+];
 
 /// A third of the pairs, which were not looked at while the interpreter was written.
 fn is_held_back(name: &str) -> bool {
@@ -300,13 +319,19 @@ impl Bench {
         }
         let options = RunOptions { textures: &self.textures, ..RunOptions::default() };
         let vertices = run(vertex, &inputs, &options);
+        let position = vertices.output(vertex, "gl_Position").unwrap();
         let (mut pixels, mut fragments) = (Vec::new(), Vec::new());
         for (pixel, place) in places.iter().enumerate().filter(|(_, place)| **place != NOT_DRAWN) {
             let first = place[3].round() as usize * 3;
             let corners: [u32; 3] = std::array::from_fn(|at| mesh.indices[first + at]);
             let weights = [place[0], place[1], place[2]];
+            let w: [f32; 3] = std::array::from_fn(|at| position.float(3, corners[at] as usize));
+            // The driver's weights are those in space.
+            let shares: [f32; 3] = std::array::from_fn(|at| weights[at] * w[at]);
+            let sum: f32 = shares.iter().sum();
+            let screen = if sum == 0.0 { weights } else { shares.map(|share| share / sum) };
             pixels.push(pixel);
-            fragments.push(Fragment { corners, screen: weights, weights });
+            fragments.push(Fragment { corners, screen, weights });
         }
         let mut inputs = interpolate(vertex, &vertices, fragment, &fragments);
         for (name, glsl_type, numbers) in &given {

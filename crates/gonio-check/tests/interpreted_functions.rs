@@ -140,6 +140,13 @@ const CASES: &[(&str, f32, Arguments)] = &[
         Finite,
     ),
     ("r.xyz = mat3(mat2(a, b, 1.0, 2.0)) * vec3(0.0, 1.0, 1.0); r.w = mat4x2(a)[1].y;", 0.0, Finite),
+    // Section 8.14, on the quads of this grid.
+    ("r = vec4(dFdx(a), dFdy(a), dFdx(b), dFdy(b));", BITS, Finite),
+    (
+        "r = vec4(fwidth(a * 0.5 + b), dFdx(a * b * 1e-9), fwidth(float(i)) * 1e-9, dFdy(float(j)) * 1e-9);",
+        1e-4,
+        Finite,
+    ),
     // Integers (sections 5.9 and 8.8), by 16 bits.
     ("int p = i + j; int q = i * j; r = vec4(p & 0xffff, p >> 16, q & 0xffff, q >> 16);", 0.0, All),
     (
@@ -294,12 +301,21 @@ fn interpreted(statement: &str) -> Vec<[f32; 4]> {
     let checked = gonio_glsl::check(&mut parsed, Stage::Fragment);
     let stage = compile(&parsed, &checked).unwrap_or_else(|error| panic!("{statement}: {error}"));
     let mut inputs = StageInputs::new(&stage, (TILE * TILE) as usize);
-    let along = |of: fn(u32) -> u32| (0..TILE * TILE).map(|p| of(p) as f32 + 0.5).collect::<Vec<f32>>();
+    // Four points in a row are a quad.
+    let across = |point: u32| point / 4 % (TILE / 2) * 2 + point % 2;
+    let up = |point: u32| point / 4 / (TILE / 2) * 2 + point / 2 % 2;
+    let x: Vec<f32> = (0..TILE * TILE).map(|point| across(point) as f32 + 0.5).collect();
+    let y: Vec<f32> = (0..TILE * TILE).map(|point| up(point) as f32 + 0.5).collect();
     inputs.set_named(&stage, "floats", PointValues::floats(&FLOATS));
     inputs.set_named(&stage, "integers", PointValues::ints(&INTEGERS));
-    inputs.set_named(&stage, "gl_FragCoord", PointValues::each(&[&along(|p| p % TILE), &along(|p| p / TILE)]));
-    let result = run(&stage, &inputs, &RunOptions::default());
-    (0..result.points).map(|point| std::array::from_fn(|c| result.outputs[0].float(c, point))).collect()
+    inputs.set_named(&stage, "gl_FragCoord", PointValues::each(&[&x, &y]));
+    let result = run(&stage, &inputs, &RunOptions { quads: true, ..RunOptions::default() });
+    let mut pixels = vec![[0.0; 4]; result.points];
+    for point in 0..result.points {
+        let pixel = (up(point as u32) * TILE + across(point as u32)) as usize;
+        pixels[pixel] = std::array::from_fn(|c| result.outputs[0].float(c, point));
+    }
+    pixels
 }
 
 #[test]

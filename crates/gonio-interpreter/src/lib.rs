@@ -10,7 +10,6 @@ mod lanes;
 mod layout;
 mod machine;
 mod math;
-mod pair;
 mod run;
 mod source;
 mod texture;
@@ -18,10 +17,9 @@ mod texture;
 pub use code::{CallFrame, CompiledStage, InputRate, StageInput, StageOutput, TracedVariable};
 pub use compile::{Unsupported, compile};
 pub use lanes::{LANES, LaneSet};
-pub use pair::{Fragment, Interpolation, Varying, interpolate, varyings};
 pub use run::{
-    Anomaly, AnomalyKind, EndedEarly, Evaluation, PointValues, RunOptions, StageInputs, StageRun, Substitute,
-    TraceStep, TraceWrite, run,
+    Anomaly, AnomalyKind, EndedEarly, Evaluation, Fragment, Interpolation, PointValues, RunOptions, StageInputs,
+    StageRun, Substitute, TraceStep, TraceWrite, Varying, interpolate, run, varyings,
 };
 pub use source::{ExprId, SourceExpression, SourceMap, SourceStatement, StatementId};
 pub use texture::{NoTexture, TextureDetail, TextureLookup, TextureSource};

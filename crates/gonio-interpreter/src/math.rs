@@ -86,14 +86,7 @@ fn exp2_64(x: f64) -> f64 {
 /// 2^x; overflows to infinity and underflows to zero.
 #[inline(always)]
 fn exp2_wide(x: f64) -> f32 {
-    let inside = if x < -1000.0 {
-        -1000.0
-    } else if x > 1000.0 {
-        1000.0
-    } else {
-        x
-    };
-    let value = exp2_64(inside) as f32;
+    let value = exp2_64(x.clamp(-1000.0, 1000.0)) as f32;
     if x.is_nan() { f32::NAN } else { value }
 }
 
@@ -255,13 +248,7 @@ pub(crate) fn acos(x: f32) -> f32 {
 
 fn exp_64(x: f32) -> f64 {
     let x = f64::from(x) * LOG2_E;
-    exp2_64(if x > 1000.0 {
-        1000.0
-    } else if x < -1000.0 {
-        -1000.0
-    } else {
-        x
-    })
+    exp2_64(x.clamp(-1000.0, 1000.0))
 }
 
 pub(crate) fn sinh(x: f32) -> f32 {
@@ -342,7 +329,7 @@ pub(crate) fn highest_bit(x: u32) -> u32 {
 pub(crate) fn extract(x: u32, offset: u32, count: u32, signed: bool) -> u32 {
     let (offset, count) = (i(offset), i(count));
     // Undefined outside of these ranges (GLSL 4.60, section 8.8).
-    if count <= 0 || offset < 0 || offset > 31 || offset.saturating_add(count) > 32 {
+    if count <= 0 || !(0..=31).contains(&offset) || offset.saturating_add(count) > 32 {
         return 0;
     }
     let (left, right) = ((32 - offset - count) as u32, (32 - count) as u32);

@@ -1,6 +1,6 @@
 //! Calls of built-in functions (GLSL 4.60, chapter 8; GLSL 1.10, section 8.7, for the old texture functions).
 
-use super::values::is_float;
+use super::expressions::is_float;
 use super::{Compiler, Result, unsupported};
 use crate::code::{Along, Detail, Instr, One, Reg, TextureCall, TextureOperation, Three, Two, Whole};
 use gonio_glsl::ast::Call;

@@ -4,7 +4,7 @@ use super::{Compiler, Result, Variable, unsupported};
 use crate::code::{InputRate, Instr, StageInput, StageOutput};
 use crate::layout::OPEN_ARRAY;
 use gonio_glsl::ast::{Declaration, InterfaceBlock, Qualifier, has};
-use gonio_glsl::{Span, Stage, Storage, SymbolKind};
+use gonio_glsl::{Span, Stage, Storage, SymbolKind, Type};
 
 /// The qualifiers of a variable that the caller sees.
 #[derive(Clone, Default)]
@@ -66,6 +66,9 @@ impl Compiler<'_> {
             };
             let variable = self.variable(Some(id), &block.name, ty, Some(instance.span))?;
             self.forget(&variable)?;
+            if let Type::Struct(of) = &variable.ty {
+                return self.members(block, &variable, &of.clone(), storage);
+            }
             return self.expose(&block.name, &variable, storage, false, &exposed(&block.qualifiers, instance.span));
         }
         for member in &block.members {
@@ -82,6 +85,20 @@ impl Compiler<'_> {
                 self.forget(&variable)?;
                 let qualifiers = [&block.qualifiers[..], &member.qualifiers[..]].concat();
                 self.expose(&declarator.name, &variable, storage, false, &exposed(&qualifiers, declarator.span))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Lists the members of a block with an instance name, each with its own qualifiers.
+    fn members(&mut self, block: &InterfaceBlock, whole: &Variable, of: &str, storage: Storage) -> Result<()> {
+        for member in &block.members {
+            for declarator in &member.declarators {
+                let Some((offset, ty)) = self.layouts.member(of, &declarator.name) else { continue };
+                let part = Variable { reg: whole.reg + offset, ty, traced: whole.traced };
+                let qualifiers = [&block.qualifiers[..], &member.qualifiers[..]].concat();
+                let name = format!("{}.{}", block.name, declarator.name);
+                self.expose(&name, &part, storage, false, &exposed(&qualifiers, declarator.span))?;
             }
         }
         Ok(())
@@ -146,8 +163,8 @@ impl Compiler<'_> {
     pub(super) fn builtin_variables(&mut self) -> Result<()> {
         let mut names: Vec<String> = self.checked.variables_used.iter().cloned().collect();
         // Redeclared ones are symbols of the shader.
-        let declared =
-            self.checked.symbols.iter().filter(|s| s.name.starts_with("gl_") && s.kind != SymbolKind::Function);
+        let is_global = |kind| matches!(kind, SymbolKind::Global | SymbolKind::BlockMember);
+        let declared = self.checked.symbols.iter().filter(|s| s.name.starts_with("gl_") && is_global(s.kind));
         names.extend(declared.map(|s| s.name.clone()));
         if self.checked.functions_used.contains("ftransform") {
             names.extend(["gl_ModelViewProjectionMatrix".into(), "gl_Vertex".into()]);

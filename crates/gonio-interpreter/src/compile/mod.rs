@@ -7,7 +7,6 @@ mod expressions;
 mod interface;
 mod places;
 mod statements;
-mod values;
 
 use crate::code::{CallFrame, CompiledStage, Detail, Instr, Reg, StageInput, StageOutput, TextureCall, TracedVariable};
 use crate::layout::Layouts;

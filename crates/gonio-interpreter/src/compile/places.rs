@@ -48,11 +48,9 @@ impl Compiler<'_> {
     }
 
     fn named(&mut self, expr: &Expr, name: &str) -> Result<Place> {
-        let found = if name.starts_with("gl_") && self.builtins.contains_key(name) {
-            self.builtins.get(name)
-        } else {
-            self.symbol_at(expr.tokens.first + leading_parentheses(self, expr)).and_then(|id| self.variables.get(&id))
-        };
+        let own = self.symbol_at(expr.tokens.first + leading_parentheses(self, expr));
+        // Redeclared built-in variables are symbols without registers of their own.
+        let found = own.and_then(|id| self.variables.get(&id)).or_else(|| self.builtins.get(name));
         let Some(variable) = found.cloned() else {
             return Err(unsupported(format!("`{name}`, which is not a variable here"), expr.span));
         };

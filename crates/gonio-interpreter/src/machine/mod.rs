@@ -382,6 +382,10 @@ impl<'a> Machine<'a> {
             if input.has_default {
                 return;
             }
+            if input.name == "gl_VertexID" {
+                let start = self.start;
+                return self.registers.set_each(input.reg, LaneSet::FULL, |lane| (start + lane) as u32);
+            }
             let is_uniform = input.rate == crate::code::InputRate::Uniform;
             for at in 0..input.size {
                 // OpenGL's defaults: 0 for uniforms, (0, 0, 0, 1) for attributes. The latter count as unwritten.
@@ -429,18 +433,25 @@ pub(crate) type FloatOperation = (Reg, u32, Vec<(Reg, u32)>);
 pub(crate) fn float_operation(instr: &Instr, stage: &CompiledStage) -> Option<FloatOperation> {
     use One::*;
     Some(match *instr {
-        Instr::One { op, dst, a, n } => match op {
-            Sqrt | InverseSqrt | Exp | Exp2 | Log | Log2 | Sin | Cos | Tan | Asin | Acos | Atan | Sinh | Cosh
-            | Tanh | Asinh | Acosh | Atanh | Fract | Radians | Degrees => (dst, n, vec![(a, n)]),
-            _ => return None,
-        },
-        Instr::Two { op, dst, a, b, n, steps } => match op {
-            Two::FAdd | Two::FSub | Two::FMul | Two::FDiv | Two::FMod | Two::Pow | Two::Atan2 | Two::Ldexp => {
-                let count = |step: u8| if step == 0 { 1 } else { n };
-                (dst, n, vec![(a, count(steps[0])), (b, count(steps[1]))])
-            }
-            _ => return None,
-        },
+        Instr::One {
+            op:
+                Sqrt | InverseSqrt | Exp | Exp2 | Log | Log2 | Sin | Cos | Tan | Asin | Acos | Atan | Sinh | Cosh | Tanh
+                | Asinh | Acosh | Atanh | Fract | Radians | Degrees,
+            dst,
+            a,
+            n,
+        } => (dst, n, vec![(a, n)]),
+        Instr::Two {
+            op: Two::FAdd | Two::FSub | Two::FMul | Two::FDiv | Two::FMod | Two::Pow | Two::Atan2 | Two::Ldexp,
+            dst,
+            a,
+            b,
+            n,
+            steps,
+        } => {
+            let count = |step: u8| if step == 0 { 1 } else { n };
+            (dst, n, vec![(a, count(steps[0])), (b, count(steps[1]))])
+        }
         Instr::Three { op: Three::Mix | Three::Smoothstep | Three::Fma, dst, a, b, c, n, steps } => {
             let count = |step: u8| if step == 0 { 1 } else { n };
             (dst, n, vec![(a, count(steps[0])), (b, count(steps[1])), (c, count(steps[2]))])

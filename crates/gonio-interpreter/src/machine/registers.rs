@@ -36,7 +36,7 @@ impl Operand<'_> {
 pub(crate) struct Registers {
     slots: Vec<Slot>,
     /// Rows that are not used now.
-    spare: Vec<Box<Row>>,
+    spare: Vec<Option<Box<Row>>>,
 }
 
 fn zeros() -> Box<Row> {
@@ -50,7 +50,7 @@ impl Registers {
     }
 
     fn take_row(&mut self) -> Box<Row> {
-        self.spare.pop().unwrap_or_else(zeros)
+        self.spare.pop().flatten().unwrap_or_else(zeros)
     }
 
     fn put_row(&mut self, dst: Reg, row: Box<Row>, written: LaneSet) {
@@ -58,7 +58,7 @@ impl Registers {
         slot.is_uniform = false;
         slot.written = written;
         if let Some(old) = slot.row.replace(row) {
-            self.spare.push(old);
+            self.spare.push(Some(old));
         }
     }
 
@@ -218,7 +218,7 @@ impl Registers {
         };
         match same {
             Some(bits) => {
-                self.spare.push(row);
+                self.spare.push(Some(row));
                 self.set(dst, bits, written);
             }
             None => self.put_row(dst, row, written),
@@ -247,7 +247,7 @@ impl Registers {
         };
         match same {
             Some(bits) => {
-                self.spare.push(row);
+                self.spare.push(Some(row));
                 self.set(dst, bits, written);
             }
             None => self.put_row(dst, row, written),
