@@ -137,7 +137,8 @@ fn beer_lambert() {
     assert!(((mean - expected) / expected).abs().max_element() < 3e-3, "{mean} instead of {expected}, before a lamp");
 }
 
-/// All techniques have the same mean: a glossy and a matte surface under a small and a large lamp and the sky.
+/// All techniques have the same mean: a glossy and a matte surface under a small and a large lamp and the sky, also behind a
+/// screen that lets light through.
 #[test]
 fn techniques_agree() {
     let lamp = |color: f32| Material { emitted: [color; 3], ..matte(0.0) };
@@ -147,14 +148,35 @@ fn techniques_agree() {
         .environment(|d| DVec3::splat(if d.y > 0.7 { 6.0 } else { 0.3 }))
         .eye([0.0, -1.5, 1.0], [0.0; 3]);
     scene.frame.camera.fov_y_rad = 20f64.to_radians();
-    let of = |technique, seed| scene.mean(&TraceSettings { technique, seed, ..RGB }, 2048);
-    let (both, both_error) = of(Technique::Both, 1);
-    for technique in [Technique::Lights, Technique::Directions] {
-        let (mean, error) = of(technique, 2);
-        let z = (mean.y - both.y).abs() / both_error.hypot(error);
-        // 3.3 standard errors: p = 0.001.
-        assert!(z < 3.3, "{technique:?}: {mean} instead of {both}, z = {z:.1}");
-        assert!(error < 0.01 * both.y, "{technique:?}: {error} of {both}");
+    let behind_screen = scene.clone().object(square(1.5, 0.5), Material { opacity: 0.4, ..matte(0.3) });
+    for (name, scene) in [("open", scene), ("behind a screen", behind_screen)] {
+        let of = |technique, seed| scene.mean(&TraceSettings { technique, seed, ..RGB }, 2048);
+        let (both, both_error) = of(Technique::Both, 1);
+        for technique in [Technique::Lights, Technique::Directions] {
+            let (mean, error) = of(technique, 2);
+            let z = (mean.y - both.y).abs() / both_error.hypot(error);
+            // 3.3 standard errors: p = 0.001.
+            assert!(z < 3.3, "{name}, {technique:?}: {mean} instead of {both}, z = {z:.1}");
+            assert!(error < 0.01 * both.y, "{name}, {technique:?}: {error} of {both}");
+        }
+    }
+}
+
+/// The edge of a bright half plane through a lens of radius A: at the distance `e` inside of the edge, the share of a disc of
+/// radius `s = A |1 - d / f|` that is bright, `1/2 + (t sqrt(1 - t^2) + asin t) / pi` with `t = e / s`.
+#[test]
+fn a_lens_blurs_what_is_not_in_focus() {
+    let half_plane = DMat4::from_translation(DVec3::new(10.0, 0.0, 0.0));
+    let bright = Material { emitted: [1.0; 3], ..matte(0.0) };
+    let scene = TestScene::new().placed(square(10.0, 0.0), bright, Optics::default(), half_plane);
+    let (aperture, distance) = (0.2, 5.0_f64);
+    for (focus, e) in [(2.5, 0.1), (2.5, -0.15), (10.0, 0.05), (10.0, -0.05), (5.0, 0.01), (5.0, -0.01)] {
+        let mut scene = scene.clone().eye([e, 0.0, distance], [e, 0.0, 0.0]);
+        scene.frame.camera.fov_y_rad = 1e-4;
+        let t = (e / (aperture * (1.0 - distance / focus).abs())).clamp(-1.0, 1.0);
+        let expected = 0.5 + (t * (1.0 - t * t).sqrt() + t.asin()) / PI;
+        let (mean, error) = scene.mean(&TraceSettings { aperture, focus, ..RGB }, 1024);
+        assert!((mean.y - expected).abs() < 4.0 * error + 1e-3, "focus {focus}, {e}: {mean} instead of {expected}");
     }
 }
 
