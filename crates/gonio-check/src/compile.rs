@@ -11,7 +11,8 @@ use gonio_render::user_program::{BrokenProgram, UserProgram};
 pub struct ParsedStage<'a> {
     /// The student's text.
     pub text: &'a StageText,
-    pub(crate) parsed: Parsed,
+    /// The syntax tree.
+    pub parsed: Parsed,
     /// Names and types.
     pub checked: Checked,
     /// The text that the driver compiles.

@@ -11,6 +11,7 @@ pub mod gl_program;
 pub mod preview;
 pub mod report;
 pub mod score;
+pub mod step;
 
 pub use check::{Checker, GOAL, check};
 pub use content_hash::content_hash;

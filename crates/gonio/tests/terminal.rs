@@ -66,6 +66,9 @@ fn arguments() {
         vec!["lab", "show", EVIL],
         vec!["lab", "mistakes", EVIL],
         vec!["lab", "draw", "ex07", "-o", "x.png", "--scene", EVIL],
+        vec!["lab", "draw", "ex07", "-o", "x.png", "--show", EVIL],
+        vec!["lab", "step", EVIL],
+        vec!["lab", "step", "ex07", "--scene", EVIL],
         vec!["render", "builtin:cube", "-o", EVIL],
         vec!["render", "builtin:cube", "-o", "x.png", "--camera", EVIL],
         vec!["trace", "builtin:cube", "-o", EVIL],
@@ -102,6 +105,7 @@ fn names_of_missing_and_unusual_files() {
     harmless(&lab, &["environment", "check", &folder]);
     harmless(&lab, &["lab", "check", "ex07", &missing]);
     harmless_unquoted(&lab, &["lab", "check", "ex07", &folder]);
+    harmless(&lab, &["lab", "step", "ex07", &missing]);
     harmless(&lab, &["diff", &missing, "x.png"]);
     harmless(&lab, &["tour", "-o", &format!("broken{EVIL}.obj")]);
     harmless(&lab, &["simplify", "builtin:cube", "-o", &format!("broken{EVIL}.obj")]);

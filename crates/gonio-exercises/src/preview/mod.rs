@@ -8,6 +8,7 @@ mod scene;
 
 pub use files::{FileUse, SortedFiles, is_answer, is_complete, is_replaced, sort_files};
 pub use pair::{CompiledPair, Note, NoteKind, SubmittedPair};
+pub(crate) use renderer::held;
 pub use renderer::{PreviewRenderer, VariableValue};
 pub use scene::{Eye, PreviewObject, PreviewScene, PreviewShape, scenes};
 

@@ -69,6 +69,16 @@ impl SubmittedPair {
         Ok(SubmittedPair { submission, names })
     }
 
+    /// What `names.toml` states.
+    pub(crate) fn names(&self) -> &NamesFile {
+        &self.names
+    }
+
+    /// The texts of both stages.
+    pub(crate) fn submission(&self) -> &Submission {
+        &self.submission
+    }
+
     /// Whether a driver that compiles or draws the pair may hang: there are loops, or something is large. Such a pair is first
     /// tried in another process.
     pub fn is_risky(&self) -> bool {

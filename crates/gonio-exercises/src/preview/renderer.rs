@@ -102,7 +102,7 @@ fn of_kind(pair: &CompiledPair, kind: VariableKind) -> impl Iterator<Item = &Bou
 }
 
 /// The numbers of a uniform.
-fn held(bound: &Bound, test_scene: &TestScene) -> Option<Vec<f32>> {
+pub(crate) fn held(bound: &Bound, test_scene: &TestScene) -> Option<Vec<f32>> {
     let glsl_type = bound.declared.glsl_type.as_str();
     match unit(glsl_type) {
         Some(unit) => Some(vec![unit as f32]),

@@ -21,6 +21,7 @@ pub use html::page_name;
 pub use junit::junit;
 pub use overview::overview;
 pub use page::page;
+pub(crate) use picture::NAN_COLOUR;
 pub use picture::contact_sheet;
 pub use similarity::{Fingerprint, similar_pairs, similarity};
 pub use table::{Row, RowMistake, csv};

@@ -9,6 +9,7 @@ mod intake;
 mod mistakes;
 mod open;
 mod score;
+mod step;
 mod text;
 
 use crate::error::{CliError, CommandOutcome};
@@ -28,6 +29,8 @@ Examples:
       Opens them in a window with an editor, your picture beside the reference solution's, and the checker.
   gonio lab check ex04 mine
       Reports what is right and what is wrong, by name and line.
+  gonio lab step ex04 mine --at 256,200
+      Shows every variable's value at one pixel, line by line.
   gonio lab mistakes
       Lists every mistake that the checker knows.
 
@@ -40,6 +43,7 @@ pub enum LabCommand {
     Reference(exercises::ReferenceArgs),
     Check(Box<check::CheckArgs>),
     Draw(draw::DrawArgs),
+    Step(step::StepArgs),
     Mistakes(mistakes::MistakesArgs),
     Score(score::ScoreArgs),
     /// Run one check that comes from standard input.
@@ -60,6 +64,7 @@ impl LabCommand {
             LabCommand::Reference(args) => &args.general,
             LabCommand::Check(args) => &args.general,
             LabCommand::Draw(args) => &args.general,
+            LabCommand::Step(args) => &args.general,
             LabCommand::Mistakes(args) => &args.general,
             LabCommand::Score(args) => &args.general,
             LabCommand::CheckWorker(general) => general,
@@ -77,6 +82,7 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<CommandOutcome, 
         LabCommand::Reference(args) => exercises::reference(args, reporter),
         LabCommand::Check(args) => check::run(args, reporter),
         LabCommand::Draw(args) => draw::run(args, reporter),
+        LabCommand::Step(args) => step::run(args, reporter),
         LabCommand::Mistakes(args) => mistakes::run(args, reporter),
         LabCommand::Score(args) => score::run(args, reporter),
         LabCommand::CheckWorker(_) => child_process::check_worker(),

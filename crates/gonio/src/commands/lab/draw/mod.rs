@@ -1,6 +1,7 @@
 //! `gonio lab draw`: the picture of a student's files, and the OpenGL calls behind it.
 
-mod shaders;
+pub mod shaders;
+mod show;
 
 use super::{child_process, exercise, intake};
 use crate::backend;
@@ -23,6 +24,7 @@ use gonio_image::encode::png::{self, ColorTag};
 use gonio_render::gl_program::{GlProgramOptions, GlProgramRun};
 use serde_json::json;
 pub use shaders::goal;
+use show::ShownStage;
 use std::path::PathBuf;
 
 /// Draw a student's files, and list the OpenGL calls of the frame.
@@ -31,6 +33,8 @@ use std::path::PathBuf;
 Examples:
   gonio lab draw ex07 mine -o mine.png
       The picture of a pair of shaders in the lab's own scene. --scene stretched shows what that scene hides.
+  gonio lab draw ex07 mine --show 26:10 -o normals.png
+      The values of the smallest expression around line 26, column 10 of the fragment shader, as colours.
   gonio lab draw ex11 host/texture-name-as-unit.txt -o triangle.png
       The picture of a GL program, whose OpenGL calls are executed.
   gonio lab draw ex11 host/texture-name-as-unit.txt --frame
@@ -59,6 +63,20 @@ pub struct DrawArgs {
     /// Scene for a pair of shaders, by its name; by default the lab's own.
     #[arg(long, value_name = "NAME", help_heading = "Detail options")]
     pub scene: Option<String>,
+    /// Instead of the shader's colours, show the values of the expression here.
+    #[arg(long, value_name = "LINE:COLUMN", value_parser = show::line_and_column, conflicts_with = "capture",
+          help_heading = "Detail options")]
+    pub show: Option<[u32; 2]>,
+    /// The shader that --show points into.
+    #[arg(
+        long,
+        value_name = "STAGE",
+        value_enum,
+        default_value = "fragment",
+        requires = "show",
+        help_heading = "Detail options"
+    )]
+    pub file: ShownStage,
     /// List the draw calls, samplers, textures and programs of a GL program's frame.
     #[arg(long, help_heading = "Detail options")]
     pub frame: bool,
@@ -111,6 +129,9 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         reporter.verbose(format_args!("read `{}`, {} bytes", file.name, file.bytes.len()));
     }
     backend::report_driver(reporter);
+    if let Some(place) = args.show {
+        return show::run(args, place, exercise, submitted, reporter);
+    }
     match exercise.kind {
         ExerciseKind::GlProgram => draw_gl_program(args, submitted, reporter),
         ExerciseKind::Shaders if preview::is_drawn(exercise) => shaders::run(args, exercise, submitted, reporter),
@@ -119,7 +140,7 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
 }
 
 /// A context without a window.
-fn context() -> Result<HeadlessContext, CliError> {
+pub fn context() -> Result<HeadlessContext, CliError> {
     HeadlessContext::new().map_err(|error| CliError::new(error.message))
 }
 

@@ -14,7 +14,7 @@ use gonio_render::{DisplayTexture, Renderer};
 use serde_json::json;
 
 /// The colour where nothing is drawn: the window's dark grey.
-const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
+pub const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
 /// Stack of the drawing thread. The system commits only what is used.
 const STACK_BYTES: usize = 256 << 20;
 
@@ -42,10 +42,11 @@ pub fn run(
         ));
     }
     let source = SubmittedPair::gather(exercise, files).map_err(CliError::new)?;
-    let scene = scene(args, exercise)?;
+    let scene = scene(args.scene.as_deref(), exercise)?;
     let recorder = args.capture.as_deref().map(CaptureRecorder::new).transpose()?;
     let size = [args.size; 2];
-    let drawn = on_a_large_stack(args.size, args.time, source, scene.clone(), recorder)?;
+    let (time, drawn_scene) = (args.time, scene.clone());
+    let drawn = on_a_large_stack(move || draw(size[0], time, &source, &drawn_scene, recorder))?;
     for note in drawn.notes.iter().filter(|note| note.kind == NoteKind::Warning) {
         reporter.warning(note_text(note));
     }
@@ -75,33 +76,27 @@ pub fn goal(exercise: &'static Exercise) -> Result<Vec<u8>, CliError> {
     let source = preview::reference(exercise).map_err(CliError::new)?;
     let scene = preview::scenes(exercise).into_iter().next();
     let scene = scene.ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)))?;
-    let drawn = on_a_large_stack(GOAL, 0.0, source, scene, None)?;
+    let drawn = on_a_large_stack(move || draw(GOAL, 0.0, &source, &scene, None))?;
     super::encoded([GOAL; 2], drawn.rgba)
 }
 
-/// The scene that `--scene` names, or the lab's own.
-fn scene(args: &DrawArgs, exercise: &Exercise) -> Result<PreviewScene, CliError> {
+/// The scene with this name, or the lab's own.
+pub fn scene(name: Option<&str>, exercise: &Exercise) -> Result<PreviewScene, CliError> {
     let scenes = preview::scenes(exercise);
-    let Some(name) = &args.scene else {
+    let Some(name) = name else {
         return scenes.into_iter().next().ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)));
     };
     let names: Vec<&str> = scenes.iter().map(|scene| scene.name).collect();
     let known = format!("{} has no scene `{name}`; its scenes are {}", exercise.id, names.join(", "));
-    scenes.into_iter().find(|scene| scene.name == *name).ok_or_else(|| CliError::new(known))
+    scenes.into_iter().find(|scene| scene.name == name).ok_or_else(|| CliError::new(known))
 }
 
-/// Draws in a thread with a large stack: drivers recurse along a shader's expressions.
-fn on_a_large_stack(
-    size: u32,
-    time: f64,
-    source: SubmittedPair,
-    scene: PreviewScene,
-    recorder: Option<CaptureRecorder>,
-) -> Result<Drawn, CliError> {
-    let drawing = std::thread::Builder::new().stack_size(STACK_BYTES);
-    let drawing = drawing
-        .spawn(move || draw(size, time, &source, &scene, recorder))
-        .map_err(|error| CliError::io("cannot start the drawing", &error))?;
+/// Works in a thread with a large stack: drivers recurse along a shader's expressions.
+pub fn on_a_large_stack<T: Send + 'static>(
+    work: impl FnOnce() -> Result<T, CliError> + Send + 'static,
+) -> Result<T, CliError> {
+    let drawing = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(work);
+    let drawing = drawing.map_err(|error| CliError::io("cannot start the drawing", &error))?;
     drawing.join().unwrap_or_else(|_| std::process::abort())
 }
 
@@ -150,12 +145,12 @@ fn draw(
 }
 
 /// The errors of a compiler, one line each.
-fn compile_error(notes: Vec<Note>) -> CliError {
+pub fn compile_error(notes: Vec<Note>) -> CliError {
     CliError::lines(notes.iter().map(note_text))
 }
 
 /// A note with its place in the student's files.
-fn note_text(note: &Note) -> String {
+pub fn note_text(note: &Note) -> String {
     let message = &note.message;
     let place = match (message.line, message.column) {
         (Some(line), Some(column)) => format!("{}:{line}:{column}", message.file),

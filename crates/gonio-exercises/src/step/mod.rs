@@ -1,0 +1,19 @@
+//! Steps through a pair of shaders in a preview scene: runs it on the CPU, lists the value of every variable at one pixel
+//! or vertex, and draws the values of one expression at all pixels.
+//!
+//! The values of uniforms and attributes and the camera are those of the [preview](crate::preview).
+
+mod coverage;
+mod listing;
+mod pair;
+mod picture;
+mod textures;
+mod value;
+
+#[cfg(test)]
+mod tests;
+
+pub use listing::{ListedCondition, ListedLine, ListedPlace, ListedStep, ListedVariable, StepListing};
+pub use pair::{PixelSurface, SteppedPair, SteppedScene, SteppedStage};
+pub use picture::{ExpressionMapping, ExpressionPicture, NEVER_WRITTEN_COLOUR};
+pub use value::ShownValue;

@@ -1,0 +1,361 @@
+//! A pair of shaders for the interpreter, and its run over the vertices of a scene.
+
+use super::coverage::{Coverage, Plane, Triangle, ndc};
+use super::textures::PreviewTextures;
+use super::value::StructTypes;
+use crate::preview::{CompiledPair, Note, NoteKind, PreviewShape, SubmittedPair, held};
+use gonio_check::compile::ParsedStage;
+use gonio_check::roles::{self, Bindings, Declared, NamesFile, VariableKind};
+use gonio_check::submission::StageText;
+use gonio_check::testbench::{TestMesh, TestScene, stream_of, unit};
+use gonio_check::verdict::CompilerMessage;
+use gonio_glsl::{OutputVersion, Parsed, Scalar, Stage, Type};
+use gonio_interpreter::{
+    CompiledStage, EndedEarly, Fragment, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun, run,
+};
+use std::collections::HashMap;
+
+/// A shader that the interpreter can run.
+#[derive(Clone, Debug)]
+pub struct SteppedStage {
+    /// The student's text.
+    pub text: StageText,
+    /// Its syntax tree.
+    pub parsed: Parsed,
+    /// Its instructions.
+    pub compiled: CompiledStage,
+    pub(super) structs: StructTypes,
+    /// The names in the program that OpenGL compiled, where they are others.
+    renamed: HashMap<String, String>,
+}
+
+impl SteppedStage {
+    fn new(text: &StageText, stage: Stage) -> Result<Self, Note> {
+        let ParsedStage { parsed, checked, translated, .. } = ParsedStage::new(text, stage, OutputVersion::Core330);
+        let compiled = gonio_interpreter::compile(&parsed, &checked).map_err(|unsupported| {
+            let (file, line, column) = text.place(unsupported.span.line, unsupported.span.column);
+            let message = CompilerMessage {
+                file: file.to_owned(),
+                line: Some(line),
+                column: Some(column),
+                text: format!("gonio cannot run {} on the CPU", unsupported.construct),
+                quoted: text.line(unsupported.span.line).map(str::to_owned),
+                explanation: Some("rewrite this part without it to step through the shader".to_owned()),
+            };
+            Note { kind: NoteKind::Error, message }
+        })?;
+        let renamed = translated.renames.into_iter().map(|rename| (rename.from, rename.to)).collect();
+        Ok(Self { text: text.clone(), structs: StructTypes::new(&checked), parsed, compiled, renamed })
+    }
+
+    /// The name of an input in the program that OpenGL compiled.
+    fn name_in_program(&self, name: &str) -> String {
+        let (base, rest) = name.split_at(name.find(['.', '[']).unwrap_or(name.len()));
+        match (self.renamed.get(base), base.strip_prefix("gl_")) {
+            (Some(renamed), _) => format!("{renamed}{rest}"),
+            // The translation declares the variables of old OpenGL.
+            (None, Some(built_in)) => format!("gonio_{built_in}{rest}"),
+            (None, None) => name.to_owned(),
+        }
+    }
+
+    /// Sets the uniforms as [`crate::preview::PreviewRenderer`] does.
+    pub(super) fn set_uniforms(&self, inputs: &mut StageInputs, bindings: &Bindings, test_scene: &TestScene) {
+        for (index, input) in self.compiled.inputs.iter().enumerate().filter(|(_, i)| i.rate == InputRate::Uniform) {
+            if let Some(values) = self.uniform(input, bindings, test_scene) {
+                inputs.set(index, PointValues::Same(bits(&input.ty, input.count, &values)));
+            }
+        }
+    }
+
+    fn uniform(&self, input: &StageInput, bindings: &Bindings, test_scene: &TestScene) -> Option<Vec<f32>> {
+        if let Some(unit) = unit(&input.ty.written()) {
+            return Some(vec![unit as f32; input.count as usize]);
+        }
+        let name = self.name_in_program(&input.name);
+        let bound = |kind: VariableKind, declared: &str| kind == VariableKind::Uniform && declared == name;
+        let fixed = bindings.fixed.iter().find(|fixed| bound(fixed.declared.kind, &fixed.declared.name));
+        if let Some(fixed) = fixed {
+            return Some(fixed.values.clone());
+        }
+        held(bindings.bound.iter().find(|found| bound(found.declared.kind, &found.declared.name))?, test_scene)
+    }
+
+    /// Sets the attributes of some vertices, and their numbers.
+    fn set_attributes(&self, inputs: &mut StageInputs, bindings: &Bindings, mesh: &TestMesh, vertices: &[u32]) {
+        let streams = [(&mesh.positions, 3), (&mesh.normals, 3), (&mesh.tex_coords, 2), (&mesh.colors, 3)];
+        for (index, input) in self.compiled.inputs.iter().enumerate().filter(|(_, i)| i.rate == InputRate::PerPoint) {
+            if input.name == "gl_VertexID" {
+                let components = vec![vertices.to_vec()];
+                inputs.set(index, PointValues::Each { components, written: None });
+            } else if input.name == "gl_InstanceID" {
+                inputs.set(index, PointValues::ints(&[0]));
+            }
+            let name = self.name_in_program(&input.name);
+            let is_it = |kind: VariableKind, declared: &str| kind == VariableKind::Attribute && declared == name;
+            let bound = bindings.bound.iter().find(|found| is_it(found.declared.kind, &found.declared.name));
+            let Some((numbers, size)) = bound.and_then(|b| stream_of(b.role)).and_then(|s| streams.get(s)) else {
+                continue;
+            };
+            let number = |vertex: &u32, at: usize| numbers.get(*vertex as usize * size + at).map_or(0, |x| x.to_bits());
+            let components = (0..*size).map(|at| vertices.iter().map(|v| number(v, at)).collect()).collect();
+            inputs.set(index, PointValues::Each { components, written: None });
+        }
+    }
+}
+
+/// Numbers as OpenGL's calls convert them: integers and booleans are rounded, missing ones are 0.
+fn bits(ty: &Type, count: u32, values: &[f32]) -> Vec<u32> {
+    let size = ty.components().unwrap_or(1) * count;
+    let number = |at: u32| values.get(at as usize).copied().unwrap_or(0.0);
+    let convert = |x: f32| match ty.scalar() {
+        Some(Scalar::Float | Scalar::Double) => x.to_bits(),
+        Some(Scalar::Bool) => u32::from(x.round() != 0.0),
+        Some(Scalar::Int) => x.round() as i32 as u32,
+        Some(Scalar::UInt) | None => x.round() as u32,
+    };
+    (0..size).map(|at| convert(number(at))).collect()
+}
+
+/// A pair of shaders that the interpreter can run.
+#[derive(Clone, Debug)]
+pub struct SteppedPair {
+    /// The vertex shader.
+    pub vertex: SteppedStage,
+    /// The fragment shader.
+    pub fragment: SteppedStage,
+    pub(super) bindings: Bindings,
+}
+
+impl SteppedPair {
+    /// Compiles a pair that OpenGL has compiled.
+    ///
+    /// # Errors
+    /// A construct that the interpreter does not support, such as `double` or recursion, with its place.
+    pub fn new(submitted: &SubmittedPair, compiled: &CompiledPair) -> Result<Self, Note> {
+        let submission = submitted.submission();
+        let vertex = SteppedStage::new(&submission.vertex, Stage::Vertex)?;
+        let fragment = SteppedStage::new(&submission.fragment, Stage::Fragment)?;
+        let mut bindings = compiled.bindings.clone();
+        add_inactive(&mut bindings, [&vertex, &fragment], submitted.names());
+        Ok(Self { vertex, fragment, bindings })
+    }
+
+    /// One of the stages.
+    #[must_use]
+    pub fn stage(&self, stage: Stage) -> &SteppedStage {
+        if stage == Stage::Vertex { &self.vertex } else { &self.fragment }
+    }
+}
+
+/// Adds the variables that OpenGL's compiler has removed because no colour depends on them. The roles of the others stay as they
+/// are.
+fn add_inactive(bindings: &mut Bindings, stages: [&SteppedStage; 2], names: &NamesFile) {
+    let bound = bindings.bound.iter().map(|bound| &bound.declared);
+    let fixed = bindings.fixed.iter().map(|fixed| &fixed.declared);
+    let mut all: Vec<Declared> = bound.chain(fixed).chain(&bindings.unknown).cloned().collect();
+    let active = all.len();
+    for stage in stages {
+        for input in &stage.compiled.inputs {
+            let kind = match (input.rate, stage.compiled.stage) {
+                (InputRate::Uniform, _) => VariableKind::Uniform,
+                (InputRate::PerPoint, Stage::Vertex) => VariableKind::Attribute,
+                (InputRate::PerPoint, Stage::Fragment) => continue,
+            };
+            let name = stage.name_in_program(&input.name);
+            if !all.iter().any(|known| known.name == name && known.kind == kind) {
+                all.push(Declared { name, glsl_type: input.ty.written(), array: input.count, kind });
+            }
+        }
+    }
+    let inactive = all.split_off(active);
+    let is_inactive = |declared: &Declared| inactive.contains(declared);
+    let found = roles::bind(&[&all[..], &inactive[..]].concat(), names);
+    bindings.bound.extend(found.bound.into_iter().filter(|bound| is_inactive(&bound.declared)));
+    bindings.fixed.extend(found.fixed.into_iter().filter(|fixed| is_inactive(&fixed.declared)));
+}
+
+/// The part of an object that a pixel shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelSurface {
+    /// The object's index in the scene.
+    pub object: usize,
+    /// The triangle's number within the object.
+    pub triangle: usize,
+    /// The numbers of its vertices, counted over all objects of the scene.
+    pub vertices: [u32; 3],
+    /// Barycentric coordinates in space; their sum is 1.
+    pub shares: [f64; 3],
+}
+
+/// Bound of the work for all vertices of an object: about a second.
+pub(super) const MOST_WORK_OF_VERTICES: u64 = 10_000_000;
+
+pub(super) struct SteppedObject {
+    pub test_scene: TestScene,
+    pub mesh: TestMesh,
+    /// The number of its first vertex in the scene.
+    pub first_vertex: u32,
+    first_triangle: usize,
+    pub vertices: StageRun,
+}
+
+/// A pair of shaders in a scene: all vertices are computed, and the triangle at each pixel is known.
+pub struct SteppedScene<'a> {
+    pub(super) pair: &'a SteppedPair,
+    pub(super) objects: Vec<SteppedObject>,
+    pub(super) coverage: Coverage,
+    pub(super) textures: PreviewTextures,
+}
+
+impl<'a> SteppedScene<'a> {
+    /// Runs the vertex shader. The picture is a square of `size` pixels along each side.
+    #[must_use]
+    pub fn new(pair: &'a SteppedPair, objects: &[(PreviewShape, TestScene)], size: u32) -> Self {
+        let textures = PreviewTextures::new();
+        let (mut stepped, mut triangles, mut first_vertex) = (Vec::new(), Vec::new(), 0);
+        for (object, (shape, test_scene)) in objects.iter().enumerate() {
+            let mesh = shape.mesh();
+            let count = (mesh.positions.len() / 3) as u32;
+            let all: Vec<u32> = (0..count).collect();
+            let inputs = vertex_inputs(pair, &mesh, test_scene, &all);
+            let options = RunOptions { textures: &textures, most_work: MOST_WORK_OF_VERTICES, ..RunOptions::default() };
+            let vertices = run(&pair.vertex.compiled, &inputs, &options);
+            let first_triangle = triangles.len();
+            let position = vertices.output(&pair.vertex.compiled, "gl_Position");
+            let corner = |vertex: u32| {
+                std::array::from_fn(|at| position.map_or(f32::NAN, |position| position.float(at, vertex as usize)))
+            };
+            triangles.extend(mesh.indices.chunks_exact(3).map(|corners| {
+                let corners = [corners[0], corners[1], corners[2]];
+                Triangle { object, corners, clip: corners.map(corner) }
+            }));
+            stepped.push(SteppedObject {
+                test_scene: test_scene.clone(),
+                mesh,
+                first_vertex,
+                first_triangle,
+                vertices,
+            });
+            first_vertex += count;
+        }
+        Self { pair, objects: stepped, coverage: Coverage::new(size, triangles), textures }
+    }
+
+    /// Pixels along each side of the picture.
+    #[must_use]
+    pub fn size(&self) -> u32 {
+        self.coverage.size
+    }
+
+    /// The number of vertices of all objects.
+    #[must_use]
+    pub fn vertex_count(&self) -> u32 {
+        self.objects.last().map_or(0, |last| last.first_vertex + last.vertices.points as u32)
+    }
+
+    /// The vertex at which the vertex shader did not end, counted over all objects.
+    #[must_use]
+    pub fn endless_vertex(&self) -> Option<u32> {
+        let ended = |object: &SteppedObject| -> Option<u32> {
+            let EndedEarly { point, .. } = object.vertices.ended?;
+            Some(object.first_vertex + point as u32)
+        };
+        self.objects.iter().find_map(ended)
+    }
+
+    /// The surface at a pixel, column and row from the top left; `None` if nothing is drawn there.
+    #[must_use]
+    pub fn surface(&self, pixel: [u32; 2]) -> Option<PixelSurface> {
+        let (number, triangle) = (self.coverage.number(pixel)?, self.coverage.at(pixel)?);
+        let object = self.objects.get(triangle.object)?;
+        let place = Plane::new(&triangle.clip)?.at(ndc(pixel, self.coverage.size));
+        Some(PixelSurface {
+            object: triangle.object,
+            triangle: number - object.first_triangle,
+            vertices: triangle.corners.map(|corner| corner + object.first_vertex),
+            shares: place.shares,
+        })
+    }
+
+    /// The drawn pixel that is nearest to a place; `None` if nothing is drawn.
+    #[must_use]
+    pub fn nearest_drawn(&self, [x, y]: [u32; 2]) -> Option<[u32; 2]> {
+        let distance = |p: &[u32; 2]| u64::from(p[0].abs_diff(x)).pow(2) + u64::from(p[1].abs_diff(y)).pow(2);
+        self.coverage.covered().min_by_key(distance)
+    }
+
+    /// The object of a vertex, and the vertex' number in its mesh.
+    pub(super) fn vertex(&self, vertex: u32) -> Option<(&SteppedObject, u32)> {
+        let object = self.objects.iter().rev().find(|object| object.first_vertex <= vertex)?;
+        let within = vertex - object.first_vertex;
+        ((within as usize) < object.vertices.points).then_some((object, within))
+    }
+
+    pub(super) fn inputs_of_vertices(&self, object: &SteppedObject, vertices: &[u32]) -> StageInputs {
+        vertex_inputs(self.pair, &object.mesh, &object.test_scene, vertices)
+    }
+
+    /// The inputs of the fragment shader for pixels of one object. With quads, each pixel becomes four points, of which
+    /// [`lane_in_quad`] is its own.
+    pub(super) fn fragment_inputs(&self, object: usize, pixels: &[[u32; 2]], quads: bool) -> StageInputs {
+        let (size, stage) = (self.coverage.size, &self.pair.fragment);
+        let mut points = Vec::with_capacity(pixels.len() * if quads { 4 } else { 1 });
+        for pixel in pixels {
+            let Some(triangle) = self.coverage.at(*pixel) else { continue };
+            let Some(plane) = Plane::new(&triangle.clip) else { continue };
+            let [x, y] = *pixel;
+            let row = size - 1 - y;
+            match quads {
+                false => points.push((triangle, plane.is_front, [x, row], plane.at(ndc([x, y], size)))),
+                true => points.extend((0..4).map(|at| {
+                    // A row above or below the picture is only a helper for derivatives.
+                    let (x, row) = ((x & !1) + at % 2, (row & !1) + at / 2);
+                    let along = |i: u32| (f64::from(i) + 0.5) / f64::from(size) * 2.0 - 1.0;
+                    (triangle, plane.is_front, [x, row], plane.at([along(x), along(row)]))
+                })),
+            }
+        }
+        let fragment = |(triangle, _, _, place): &(&Triangle, bool, [u32; 2], super::coverage::Place)| {
+            let on_screen: [f64; 3] = std::array::from_fn(|i| place.shares[i] * f64::from(triangle.clip[i][3]));
+            let sum: f64 = on_screen.iter().sum();
+            Fragment {
+                corners: triangle.corners,
+                screen: on_screen.map(|weight| (weight / sum) as f32),
+                weights: place.shares.map(|share| share as f32),
+            }
+        };
+        let fragments: Vec<Fragment> = points.iter().map(fragment).collect();
+        let Some(of) = self.objects.get(object) else { return StageInputs::new(&stage.compiled, 0) };
+        let vertex = &self.pair.vertex.compiled;
+        let mut inputs = gonio_interpreter::interpolate(vertex, &of.vertices, &stage.compiled, &fragments);
+        stage.set_uniforms(&mut inputs, &self.pair.bindings, &of.test_scene);
+        let coordinates: Vec<[f32; 4]> = points
+            .iter()
+            .map(|(_, _, [x, row], place)| {
+                [*x as f32 + 0.5, *row as f32 + 0.5, (place.depth * 0.5 + 0.5) as f32, (1.0 / place.w) as f32]
+            })
+            .collect();
+        let each = |at: usize| coordinates.iter().map(|c| c[at].to_bits()).collect();
+        let built_in = [
+            ("gl_FragCoord", (0..4).map(each).collect()),
+            ("gl_FrontFacing", vec![points.iter().map(|point| u32::from(point.1)).collect()]),
+        ];
+        for (name, components) in built_in {
+            inputs.set_named(&stage.compiled, name, PointValues::Each { components, written: None });
+        }
+        inputs
+    }
+}
+
+/// The point of a pixel among the four of its quad.
+pub(super) fn lane_in_quad([x, y]: [u32; 2], size: u32) -> usize {
+    ((x & 1) + 2 * ((size - 1 - y) & 1)) as usize
+}
+
+fn vertex_inputs(pair: &SteppedPair, mesh: &TestMesh, test_scene: &TestScene, vertices: &[u32]) -> StageInputs {
+    let mut inputs = StageInputs::new(&pair.vertex.compiled, vertices.len());
+    pair.vertex.set_uniforms(&mut inputs, &pair.bindings, test_scene);
+    pair.vertex.set_attributes(&mut inputs, &pair.bindings, mesh, vertices);
+    inputs
+}
