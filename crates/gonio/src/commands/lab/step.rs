@@ -25,9 +25,9 @@ const MOST_STEPS: usize = 10_000;
 /// Show the value of every variable of a student's shaders at one pixel or vertex.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
-The shaders run on the CPU, in the order of their statements. Beside each line are the values that it wrote, matrices by rows.
-Lines that run several times, in loops and functions, refer to numbered steps below the source. Declarations show the values of
-varyings and uniforms. The end names reads of values that were never written, where the first NaN or infinity arose, a
+The shaders run on the CPU, in the order of their statements. Beside each line are the values that it wrote, matrices by rows. \
+Lines that run several times, in loops and functions, refer to numbered steps below the source. Declarations show the values of \
+varyings and uniforms. The end names reads of values that were never written, where the first NaN or infinity arose, a \
 `discard`, and a loop that does not end.
 
 Examples:
@@ -48,24 +48,24 @@ pub struct StepArgs {
     pub files: Vec<PathBuf>,
     /// The pixel: column and row, counted from 0 at the top left.
     #[arg(long, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true, conflicts_with = "vertex",
-          help_heading = "Place options")]
+          help_heading = "Drawing options")]
     pub at: Option<(u32, u32)>,
     /// Step through the vertex shader at this vertex, counted from 0 over all objects of the scene.
-    #[arg(long, value_name = "N", help_heading = "Place options")]
+    #[arg(long, value_name = "N", help_heading = "Drawing options")]
     pub vertex: Option<u32>,
     /// Also step through the vertex shader at the corners of the pixel's triangle.
-    #[arg(long, conflicts_with = "vertex", help_heading = "Place options")]
+    #[arg(long, conflicts_with = "vertex", help_heading = "Drawing options")]
     pub corners: bool,
     /// Pixels along each side of the picture.
     #[arg(long, value_name = "PIXELS", default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096),
-          help_heading = "Place options")]
+          help_heading = "Drawing options")]
     pub size: u32,
     /// Scene, by its name; by default the lab's own.
-    #[arg(long, value_name = "NAME", help_heading = "Place options")]
+    #[arg(long, value_name = "NAME", help_heading = "Drawing options")]
     pub scene: Option<String>,
     /// Time in seconds, for a light that moves.
     #[arg(long, value_name = "SECONDS", value_parser = values::number, allow_negative_numbers = true, default_value = "0",
-          help_heading = "Place options")]
+          help_heading = "Drawing options")]
     pub time: f64,
     /// Run in this process, which the caller guards.
     #[arg(long, hide = true)]
