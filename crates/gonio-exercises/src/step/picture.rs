@@ -106,6 +106,9 @@ struct PointValue {
     evaluations: u32,
 }
 
+/// The values of an expression at the drawn pixels.
+type PixelValues = Vec<([u32; 2], PointValue)>;
+
 impl SteppedScene<'_> {
     /// Draws the smallest expression at a line and column of the student's file, both from 1. The picture has the colour
     /// `background` where nothing is drawn.
@@ -176,7 +179,7 @@ impl SteppedScene<'_> {
     }
 
     /// The values of expressions at all drawn pixels.
-    fn values_of_fragments(&self, watched: &[ExprId]) -> (Vec<Vec<([u32; 2], PointValue)>>, bool) {
+    fn values_of_fragments(&self, watched: &[ExprId]) -> (Vec<PixelValues>, bool) {
         let stage = &self.pair.fragment;
         let quads = stage.compiled.takes_derivatives;
         let mut pixels: Vec<Vec<[u32; 2]>> = vec![Vec::new(); self.objects.len()];
@@ -213,7 +216,7 @@ impl SteppedScene<'_> {
     }
 
     /// The values of expressions at all vertices, interpolated for all drawn pixels.
-    fn values_of_vertices(&self, watched: &[ExprId]) -> (Vec<Vec<([u32; 2], PointValue)>>, bool) {
+    fn values_of_vertices(&self, watched: &[ExprId]) -> (Vec<PixelValues>, bool) {
         let stage = &self.pair.vertex;
         let (mut values, mut is_truncated) = (vec![Vec::new(); watched.len()], false);
         let mut of_objects = Vec::new();

@@ -44,8 +44,8 @@ fn values(listing: &StepListing, name: &str) -> Vec<String> {
 
 /// The last value of a variable, as floats.
 fn floats(listing: &StepListing, name: &str) -> Vec<f32> {
-    let writes = listing.steps.iter().flat_map(|step| &step.writes).chain(&listing.inputs);
-    let value = &writes.filter(|write| write.name == name).next_back().unwrap_or_else(|| panic!("no {name}")).value;
+    let mut writes = listing.steps.iter().flat_map(|step| &step.writes).chain(&listing.inputs);
+    let value = &writes.rfind(|write| write.name == name).unwrap_or_else(|| panic!("no {name}")).value;
     match value {
         ShownValue::Vector(parts) => parts.iter().map(float).collect(),
         scalar => vec![float(scalar)],
