@@ -1,10 +1,9 @@
 //! The steps of one pixel or vertex, with the values that they wrote.
 
 use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
+use super::syntax::Syntax;
 use super::value::ShownValue;
-use gonio_glsl::ast::Function;
-use gonio_glsl::walk::{Visitor, walk_unit};
-use gonio_glsl::{Expr, ExprKind, Span, Stage, Statement, StatementKind};
+use gonio_glsl::{Span, Stage};
 use gonio_interpreter::{
     AnomalyKind, ExprId, InputRate, PointValues, RunOptions, StageInputs, StageRun, StatementId, TraceStep, TraceWrite,
     run,
@@ -168,89 +167,6 @@ impl Seen {
             };
             Some((found.frame, &found.iterations[..], values, found.written.contains(lane)))
         })
-    }
-}
-
-/// The parts of the syntax tree that a listing needs.
-struct Syntax {
-    /// The conditions of `if` and `?:`, and the statement around each.
-    conditions: Vec<(ExprId, StatementId)>,
-    /// The values of `return`, and their statements.
-    returns: Vec<(ExprId, StatementId)>,
-    /// Loops and their spans.
-    loops: Vec<(StatementId, Span)>,
-    /// Statements that are recorded when they are executed.
-    recorded: HashSet<StatementId>,
-    discards: HashSet<StatementId>,
-    /// The headers of functions.
-    headers: Vec<Span>,
-}
-
-impl Syntax {
-    fn new(stage: &SteppedStage) -> Self {
-        let syntax = Self {
-            conditions: Vec::new(),
-            returns: Vec::new(),
-            loops: Vec::new(),
-            recorded: HashSet::new(),
-            discards: HashSet::new(),
-            headers: Vec::new(),
-        };
-        let mut collector = Collector { stage, syntax, statement: None };
-        walk_unit(&stage.parsed.unit, &mut collector);
-        collector.syntax
-    }
-}
-
-struct Collector<'a> {
-    stage: &'a SteppedStage,
-    syntax: Syntax,
-    statement: Option<StatementId>,
-}
-
-impl Collector<'_> {
-    fn condition(&mut self, expr: &Expr) {
-        if let (Some(expr), Some(statement)) = (self.stage.compiled.source.id(expr), self.statement) {
-            self.syntax.conditions.push((expr, statement));
-        }
-    }
-}
-
-impl Visitor for Collector<'_> {
-    fn function(&mut self, function: &Function) -> bool {
-        self.statement = None;
-        self.syntax.headers.push(function.span);
-        true
-    }
-
-    fn statement(&mut self, statement: &Statement) -> bool {
-        let Some(id) = self.stage.compiled.source.statement_id(statement) else { return true };
-        match &statement.kind {
-            StatementKind::Block(_) | StatementKind::Empty | StatementKind::Case(_) => return true,
-            StatementKind::For { .. } | StatementKind::While { .. } | StatementKind::DoWhile { .. } => {
-                self.syntax.loops.push((id, statement.span));
-            }
-            StatementKind::Return(Some(value)) => {
-                self.syntax.returns.extend(self.stage.compiled.source.id(value).map(|value| (value, id)));
-            }
-            StatementKind::Discard => {
-                self.syntax.discards.insert(id);
-            }
-            _ => {}
-        }
-        self.syntax.recorded.insert(id);
-        self.statement = Some(id);
-        if let StatementKind::If { condition, .. } = &statement.kind {
-            self.condition(condition);
-        }
-        true
-    }
-
-    fn expression(&mut self, expr: &Expr) -> bool {
-        if let ExprKind::Ternary { condition, .. } = &expr.kind {
-            self.condition(condition);
-        }
-        true
     }
 }
 

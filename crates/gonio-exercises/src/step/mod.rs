@@ -7,6 +7,7 @@ mod coverage;
 mod listing;
 mod pair;
 mod picture;
+mod syntax;
 mod textures;
 mod value;
 
