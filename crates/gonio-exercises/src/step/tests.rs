@@ -214,6 +214,11 @@ fn an_endless_loop_ends_with_its_line() {
     assert_eq!(line, 9);
     assert!(statements > 1000, "{statements}");
     assert!(listing.lines.iter().all(|line| line.ran != Some(false)), "nothing is known about lines after it");
+    let fragment = reference("reference.frag").replace("float d =", "for (;;) { N += 1.0; }\nfloat d =");
+    with_pair(reference("reference.vert"), &fragment, |scene| {
+        let picture = scene.picture(Stage::Fragment, [26, 10], [0; 3]).unwrap();
+        assert!(picture.is_truncated && (1..picture.drawn).contains(&picture.unevaluated), "{}", picture.unevaluated);
+    });
     let vertex = reference("reference.vert").replace("v_normal =", "while (true) { v_normal.x += 1.0; }\nv_normal =");
     with_pair(&vertex, reference("reference.frag"), |scene| {
         assert_eq!((scene.endless_vertex(), scene.nearest_drawn([0, 0])), (Some(0), None));
