@@ -4,7 +4,7 @@ import { begin as beginCheck, prepare as prepareChecks } from "./checking.js";
 import { trustDevicePixelRatio } from "./emulated.js";
 import * as application from "./gonio.js";
 import { askForRest, firstHalf, imports as rest, loadRest, streams } from "./rest.js";
-import { begin as beginTrace, prepare as prepareTraces } from "./tracing.js";
+import { begin as beginTrace, prefetch as prefetchTracer, prepare as prepareTraces } from "./tracing.js";
 import { noModule, noWebGl2, stopped } from "./trouble.js";
 
 /** Attributes of the context. The canvas needs no samples and no depth, because pictures are drawn into textures first. */
@@ -135,12 +135,16 @@ function untilShown(_, frames = 0) {
 /** Frames that the first picture may take: more than reading the first scene takes. */
 const PATIENCE_FRAMES = 120;
 
-/** Fetches what the first frame does not need: the module's second half, the other samples, and the cache for the next visit. */
+/** Fetches what the first frame does not need: the module's second half, the other samples, the path tracer, and the cache for the
+ * next visit. */
 async function fetchLater() {
   // If this fails, `rest.js` tries again, and reports an error, when one of its functions is called.
   await loadRest().catch((error) => console.info("the second half of gonio could not be loaded yet:", error));
+  // A click or a key may be on its way to a traced picture.
+  for (const kind of ["pointerdown", "keydown"]) window.addEventListener(kind, prefetchTracer, { capture: true, once: true });
   await new Promise((resolve) => ("requestIdleCallback" in window ? requestIdleCallback(resolve, { timeout: 2000 }) : setTimeout(resolve, 500)));
   await Promise.all([...builtinFiles("later").map(giveIfItComes), ...unopened].map(async (hand) => (await hand)()));
+  await prefetchTracer();
   keepForLater();
 }
 

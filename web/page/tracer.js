@@ -9,6 +9,8 @@ const SLICE = 25;
 const interval = (since) => Math.min(Math.max(0.2 * since, 150), 1000);
 
 let tracer;
+/** A promise of the tracer while it is loaded. */
+let coming;
 /** The newest request, until work on it begins. */
 let wanted;
 /** The request whose picture is refined. */
@@ -36,25 +38,65 @@ async function load(url) {
   return new module.PageTracer();
 }
 
-/** Fetches a built-in file. One that does not arrive is reported by the scene's reader. */
+/** Loads the tracer, once. If that fails, the next call tries again. */
+async function loaded(url) {
+  coming ??= load(url);
+  try {
+    const first = await coming;
+    tracer ??= first;
+  } catch (error) {
+    coming = undefined;
+    throw error;
+  }
+}
+
+/** Fetches a built-in file; whether it has arrived. One that has not is reported by the scene's reader. */
 async function give(name, builtin) {
   const response = await fetch(builtin[name], { credentials: "same-origin" }).catch(() => undefined);
   tracer.give(name, response?.ok ? new Uint8Array(await response.arrayBuffer()) : undefined);
+  return response?.ok === true;
 }
 
-/** Reads the request's scene with all files that it needs. */
+/** Reads the request's scene with all files that it needs; whether all built-in ones have arrived. */
 async function open({ text, files, time, simplified, points, goal, builtin }) {
   for (const { name, bytes } of files) tracer.give_opened(name, bytes);
-  for (;;) {
+  for (let whole = true;;) {
     const missing = tracer.open(text, time, simplified, points, goal);
-    if (missing.length === 0) return;
-    await Promise.all(missing.map((name) => give(name, builtin)));
+    if (missing.length === 0) return whole;
+    const arrived = await Promise.all(missing.map((name) => give(name, builtin)));
+    whole &&= arrived.every(Boolean);
   }
+}
+
+/** The sample that the page opens first, with textures. */
+const REHEARSAL = `
+[[object]]
+model = "builtin:still-life"
+`;
+
+/** Traces a small picture that nobody sees, because browsers compile a function when it is first called. */
+async function rehearse(builtin) {
+  const whole = await open({ text: REHEARSAL, files: [], time: 0, simplified: 0, points: 1, goal: 0.1, builtin });
+  tracer.look([0, 1, 4, 0, 0, -1, 0, 1, 0, 0.7, 0.1, 100], 16, 16);
+  for (let i = 0; i < 3 && wanted === undefined; i++) tracer.advance(16);
+  tracer.probe(8, 8);
+  tracer.picture();
+  // A request asks again for a file that has not arrived.
+  if (!whole) tracer = new module.PageTracer();
+}
+
+/** Loads the tracer before a pane needs it. Requests wait, and report what goes wrong. */
+async function prepare({ load: url, builtin }) {
+  working = true;
+  const ready = await loaded(url).then(() => rehearse(builtin)).then(() => true, () => false);
+  self.postMessage({ loaded: ready });
+  working = false;
+  if (wanted !== undefined) work();
 }
 
 /** Loads what the request needs, and begins its picture. */
 async function begin({ url, scene, camera, width, height }) {
-  tracer ??= await load(url);
+  await loaded(url);
   if (scene !== undefined) await open(scene);
   if (!tracer.look(camera, width, height)) throw new Error("there is no scene to trace");
 }
@@ -110,6 +152,10 @@ async function work() {
 }
 
 self.onmessage = ({ data }) => {
+  if (data.load !== undefined) {
+    prepare(data);
+    return;
+  }
   pixel = data.pixel;
   // Without a camera it is another pixel of the same picture. A request without a scene is for the one before, which may
   // be waiting itself.

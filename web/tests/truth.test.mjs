@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { crop, differing } from "./support/png.mjs";
-import { settled, suite } from "./support/lab.mjs";
+import { poll, settled, suite } from "./support/lab.mjs";
 
 const { test } = suite();
 
@@ -56,6 +56,52 @@ test("the traced picture is refined, starts again with the camera, and ends with
   assert.deepEqual(ended.traced, [null]);
   assert.ok(ended.pane_settings.length === 1 && settled(ended));
 }, options);
+
+/** Notes each request for the path tracer: its worker and its module. */
+const watched = (lab) => {
+  lab.asked = [];
+  lab.page.on("request", (request) => {
+    const [name] = /(tracer|gonio-trace)\.[^/]+$/.exec(request.url()) ?? [];
+    if (name !== undefined) lab.asked.push(name.endsWith(".js") ? "worker" : "module");
+  });
+};
+
+test("the path tracer is loaded after the first picture and before a pane asks for it, once", async (lab) => {
+  await poll(() => lab.asked.join(), (asked) => asked === "worker,module");
+  const [picture, asked] = await lab.page.evaluate(() => {
+    const worker = performance.getEntriesByType("resource").find(({ name }) => name.includes("/tracer."));
+    return [performance.getEntriesByName("gonio-first-picture")[0].startTime, worker.startTime];
+  });
+  assert.ok(asked > picture, `the picture came at ${picture} ms, and the tracer was asked for at ${asked} ms`);
+  const state = await lab.until(settled);
+  assert.deepEqual(state.traced, [null], "nobody has asked for a traced picture");
+  await lab.click("view-chooser");
+  await lab.click("view-traced");
+  await lab.until((state) => state.traced[0]?.pictures > 0);
+  assert.deepEqual(lab.asked, ["worker", "module"], "the pane takes the worker that waits for it");
+}, { ...options, prepare: watched });
+
+test("a click brings the path tracer while the page is still busy", async (lab) => {
+  await lab.until(settled);
+  await poll(() => lab.held, Boolean);
+  assert.deepEqual(lab.asked, []);
+  await lab.click("view-chooser");
+  await poll(() => lab.asked.join(), (asked) => asked === "worker,module");
+  assert.deepEqual((await lab.state()).traced, [null]);
+  lab.release();
+}, {
+  ...options,
+  prepare: async (lab) => {
+    watched(lab);
+    const gate = new Promise((resolve) => { lab.release = resolve; });
+    // One of the other samples, which the page fetches when it is idle.
+    await lab.page.route("**/environments-room.*", async (route) => {
+      lab.held = true;
+      await gate;
+      await route.continue();
+    });
+  },
+});
 
 test("it is wiped and compared with OpenGL's picture, and each simplification is one switch", async (lab) => {
   await open(lab);
