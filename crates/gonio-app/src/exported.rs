@@ -6,9 +6,10 @@
 use crate::document::{Document, History, Pane, PaneArrangement, Panes};
 use crate::session::comparison::{DifferenceFacts, PaneFacts};
 use crate::session::probing::Reading;
-use crate::session::{MessageSeverity, RecordedFrame, Selection, Session};
+use crate::session::{MessageSeverity, OwnShaders, RecordedFrame, Selection, Session};
 use crate::truth::TracedPane;
 use egui::{Context, Id, Response, Ui};
+use gonio_check::user_shaders::UserUniform;
 use gonio_light::Simplification;
 use gonio_scene::SceneFile;
 use serde::Serialize;
@@ -104,6 +105,7 @@ pub fn triangles(session: &Session) -> usize {
 /// | `measured`, `difference` | measurements of each pane; the difference of the pair in 8-bit steps, or null |
 /// | `traced` | for each pane null, or its traced picture: the simplifications, paths per pixel, relative error or null; |
 /// | | milliseconds until its first picture, or null, and of the longest frame since it was requested |
+/// | `shaders` | null, or the user's own: whether the present texts `failed`, their `remarks`, `serial`, and all `uniforms` |
 /// | `selection`, `tab`, `help`, `asking` | the selection, the tab, whether the shortcuts are shown; the text of the path field, or null |
 /// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the observer's view is shown |
 /// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it is recorded |
@@ -167,6 +169,7 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
         "traced": session.traced.iter().zip(&document.panes.list).map(traced).collect::<Vec<_>>(),
         "difference": session.comparison.difference.as_ref().map(difference),
         "recorded_frame": session.recorded_frame.as_ref().map(recorded_frame),
+        "shaders": session.shaders.as_ref().map(shaders),
         "selection": selection,
         "probe": session.probing.reading().map(|reading| probe(reading, session)),
         "observer": session.observer.open,
@@ -193,6 +196,18 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
             "notes": session.facts.notes,
         },
         "widgets": widgets(ctx),
+    })
+}
+
+fn shaders(shaders: &OwnShaders) -> Value {
+    let uniforms = shaders.program().map(|program| program.uniforms()).unwrap_or_default();
+    let uniform = |uniform: &UserUniform| json!({ "name": uniform.name, "type": uniform.glsl_type, "origin": uniform.origin(), "values": uniform.values });
+    json!({
+        "failed": shaders.has_failed(),
+        "compiled": shaders.program().is_some(),
+        "remarks": shaders.remarks(),
+        "serial": shaders.serial(),
+        "uniforms": uniforms.iter().map(uniform).collect::<Vec<_>>(),
     })
 }
 

@@ -97,10 +97,7 @@ const NOT_IN_VERSION: [&str; 1] = ["old-function"];
 /// Reports a varying that the vertex shader does not write. The specification requires an error, but not every driver
 /// reports one.
 pub(crate) fn does_not_link(exercise: &str, vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Option<Verdict> {
-    let problems = gonio_glsl::check_pair(&vertex.checked, &fragment.checked);
-    let refused = |p: &&Problem| p.severity == Severity::Error && p.code == "not-given";
-    let messages: Vec<CompilerMessage> =
-        problems.iter().filter(refused).take(MOST_MESSAGES).map(|p| fragment.message(p)).collect();
+    let messages = not_given(vertex, fragment);
     let first = messages.first()?;
     let mut verdict = Verdict::new(exercise, Outcome::DoesNotCompile, "");
     verdict.summary = match first.line {
@@ -109,6 +106,13 @@ pub(crate) fn does_not_link(exercise: &str, vertex: &ParsedStage<'_>, fragment: 
     };
     verdict.messages = messages;
     Some(verdict)
+}
+
+/// Returns the errors of inputs that the fragment shader reads and the vertex shader does not write.
+pub(crate) fn not_given(vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Vec<CompilerMessage> {
+    let problems = gonio_glsl::check_pair(&vertex.checked, &fragment.checked);
+    let refused = |p: &&Problem| p.severity == Severity::Error && p.code == "not-given";
+    problems.iter().filter(refused).take(MOST_MESSAGES).map(|p| fragment.message(p)).collect()
 }
 
 /// Returns the driver's messages at the student's lines. A message of gonio's own parser precedes it on the same

@@ -14,6 +14,7 @@ pub mod rules;
 pub mod search;
 pub mod submission;
 pub mod testbench;
+pub mod user_shaders;
 pub mod verdict;
 pub mod words;
 

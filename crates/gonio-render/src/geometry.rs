@@ -26,7 +26,8 @@ pub enum Form {
 /// A mesh's buffers. The vertex array names them all, so they live as long as it does.
 pub struct MeshOnGpu {
     array: VertexArray,
-    _buffers: Vec<Buffer>,
+    /// Each with the name of its attribute.
+    buffers: Vec<(&'static str, Buffer)>,
     /// Bytes on the GPU.
     pub bytes: usize,
     /// Whether vertices have colours.
@@ -63,13 +64,14 @@ impl MeshOnGpu {
         for (attribute_name, data) in [("position", starts), ("normal", ways)] {
             let bytes: &[u8] = bytemuck::cast_slice(data);
             let label = format!("{name}: {attribute_name}");
-            buffers.push(Buffer::with_bytes(gl, glow::ARRAY_BUFFER, bytes, glow::STATIC_DRAW, &label)?);
+            buffers
+                .push((attribute_name, Buffer::with_bytes(gl, glow::ARRAY_BUFFER, bytes, glow::STATIC_DRAW, &label)?));
             attribute(gl, attribute_name, 3);
             gl.vertex_attrib_divisor(location(attribute_name), 1);
         }
         gl.bind_vertex_array(None);
         let count = starts.len().min(ways.len());
-        Ok(MeshOnGpu { array, _buffers: buffers, bytes: count * 24, has_colors: false, count })
+        Ok(MeshOnGpu { array, buffers, bytes: count * 24, has_colors: false, count })
     }
 
     fn corners(gl: &Gl, mesh: &Mesh, name: &str) -> Result<Self, GlError> {
@@ -81,7 +83,7 @@ impl MeshOnGpu {
         attribute(gl, "position", 3);
         gl.bind_vertex_array(None);
         let (bytes, count) = (bytes.len(), corners.len());
-        Ok(MeshOnGpu { array, _buffers: vec![buffer], bytes, has_colors: false, count })
+        Ok(MeshOnGpu { array, buffers: vec![("position", buffer)], bytes, has_colors: false, count })
     }
 
     fn unshared(gl: &Gl, mesh: &Mesh, name: &str) -> Result<Self, GlError> {
@@ -102,12 +104,13 @@ impl MeshOnGpu {
         let array = VertexArray::bound(gl, name)?;
         let mut buffers = Vec::new();
         let mut bytes = 0;
-        let mut fill = |data: &[u8], target: u32, what: &str| -> Result<(), GlError> {
+        let mut fill = |data: &[u8], target: u32, what: &'static str| -> Result<(), GlError> {
             bytes += data.len();
-            buffers.push(Buffer::with_bytes(gl, target, data, glow::STATIC_DRAW, &format!("{name}: {what}"))?);
+            let label = format!("{name}: {what}");
+            buffers.push((what, Buffer::with_bytes(gl, target, data, glow::STATIC_DRAW, &label)?));
             Ok(())
         };
-        let attributes: [(&str, i32, &[u8]); 6] = [
+        let attributes: [(&'static str, i32, &[u8]); 6] = [
             ("position", 3, bytemuck::cast_slice(&mesh.positions)),
             ("normal", 3, bytemuck::cast_slice(&mesh.normals)),
             ("tex_coord", 2, bytemuck::cast_slice(&mesh.tex_coords)),
@@ -119,15 +122,9 @@ impl MeshOnGpu {
             fill(data, glow::ARRAY_BUFFER, attribute_name)?;
             attribute(gl, attribute_name, components);
         }
-        fill(bytemuck::cast_slice(&mesh.indices), glow::ELEMENT_ARRAY_BUFFER, "indices")?;
+        fill(bytemuck::cast_slice(&mesh.indices), glow::ELEMENT_ARRAY_BUFFER, INDICES)?;
         gl.bind_vertex_array(None);
-        Ok(MeshOnGpu {
-            array,
-            _buffers: buffers,
-            bytes,
-            has_colors: !mesh.colors.is_empty(),
-            count: mesh.indices.len(),
-        })
+        Ok(MeshOnGpu { array, buffers, bytes, has_colors: !mesh.colors.is_empty(), count: mesh.indices.len() })
     }
 
     /// Binds it for the next draws. Sets the constants of missing attributes, which are state of the context, not of the
@@ -137,6 +134,60 @@ impl MeshOnGpu {
         constant(gl, "normal", [0.0; 4]);
         constant(gl, "tex_coord", [0.0; 4]);
         constant(gl, "tangent", [0.0, 0.0, 0.0, 1.0]);
+    }
+
+    /// Makes the bound vertex array read the vertex data of this mesh at other locations than gonio's own programs. Data that
+    /// the mesh does not have becomes a constant.
+    pub fn feed(&self, gl: &Gl, attributes: &[(u32, VertexData)]) {
+        for &(location, data) in attributes {
+            let (name, components, missing) = data.layout();
+            match self.buffers.iter().find(|(what, _)| *what == name) {
+                Some((_, buffer)) => {
+                    gl.bind_buffer(glow::ARRAY_BUFFER, Some(buffer.handle()));
+                    gl.enable_vertex_attrib_array(location);
+                    gl.vertex_attrib_pointer_f32(location, components, glow::FLOAT, false, 0, 0);
+                }
+                None => {
+                    let [x, y, z, w] = missing;
+                    gl.disable_vertex_attrib_array(location);
+                    gl.vertex_attrib_4_f32(location, x, y, z, w);
+                }
+            }
+        }
+        if let Some((_, buffer)) = self.buffers.iter().find(|(what, _)| *what == INDICES) {
+            gl.bind_buffer(glow::ELEMENT_ARRAY_BUFFER, Some(buffer.handle()));
+        }
+    }
+}
+
+/// The name of the buffer of indices.
+const INDICES: &str = "indices";
+
+/// The data of a vertex that an attribute of a user's shader can read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VertexData {
+    /// The position, in model space.
+    Position,
+    /// The unit normal, in model space; with flat shading that of the triangle.
+    Normal,
+    /// Texture coordinates, v upwards; 0 if the mesh has none.
+    TexCoord,
+    /// The linear colour; white if the mesh has none.
+    Color,
+    /// The unit tangent along u, in model space, and the sign of the bitangent; +X if the mesh has none.
+    Tangent,
+}
+
+impl VertexData {
+    /// The name of its buffer, the numbers of a vertex, and the value where a mesh does not have it.
+    fn layout(self) -> (&'static str, i32, [f32; 4]) {
+        match self {
+            VertexData::Position => ("position", 3, [0.0, 0.0, 0.0, 1.0]),
+            VertexData::Normal => ("normal", 3, [0.0, 0.0, 1.0, 0.0]),
+            VertexData::TexCoord => ("tex_coord", 2, [0.0, 0.0, 0.0, 1.0]),
+            VertexData::Color => ("color", 4, [1.0; 4]),
+            VertexData::Tangent => ("tangent", 4, [1.0, 0.0, 0.0, 1.0]),
+        }
     }
 }
 

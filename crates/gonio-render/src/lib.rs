@@ -21,9 +21,10 @@ mod textures;
 pub mod user_program;
 
 pub use display::{DisplayOptions, DisplayTexture, Presentation, Presenter, View};
+pub use geometry::VertexData;
 pub use glsl::OVERDRAW_SCALE;
 pub use gonio_scene::{Overlays, SpecialView};
-pub use renderer::{DifferenceScale, Painted, RenderedFrame, RenderedPicture, Renderer};
+pub use renderer::{DifferenceScale, Painted, RenderedFrame, RenderedPicture, Renderer, SampledTexture, UserPass};
 pub use scene_on_gpu::GpuScene;
 
 #[cfg(test)]

@@ -100,7 +100,7 @@ impl GpuScene {
                 geometry.shared = Some(cache.geometries.get(mesh, Form::Shared, make)?);
             }
         }
-        let mut texture = |t| cache.textures.get(t, (), || textures::upload(gl, t, info.max_size));
+        let mut texture = |t| cache.textures.get(t, TextureForm::Decoded, || textures::upload(gl, t, info.max_size));
         let textures = scene.textures.iter().map(&mut texture).collect::<Result<Vec<_>, _>>()?;
         let environment = scene.environment.as_ref();
         let upload = |e| EnvironmentOnGpu::upload(gl, e, info.max_cube_size);
@@ -250,11 +250,20 @@ impl GpuObject {
     }
 }
 
+/// The form of a texture on the GPU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum TextureForm {
+    /// As gonio's own shaders read it.
+    Decoded,
+    /// The bytes of the file, for a user's shaders.
+    Bytes,
+}
+
 /// The GPU resources of all scenes.
 #[derive(Default)]
 pub(crate) struct GpuCache {
     pub geometries: CacheOf<Form, Mesh, MeshOnGpu>,
-    pub textures: CacheOf<(), Texture, TextureObject>,
+    pub textures: CacheOf<TextureForm, Texture, TextureObject>,
     pub environments: CacheOf<(), LoadedEnvironment, EnvironmentOnGpu>,
     /// The key: whether normals are those of triangles, and the bits of the matrix of the object.
     pub bodies: CacheOf<(bool, [u64; 16]), Mesh, BodyOnGpu>,

@@ -15,36 +15,69 @@ const MAX_ANISOTROPY: f32 = 16.0;
 /// drivers filter 8-bit textures with 8-bit results, which shows as steps in highlights, and signed half floats are most precise
 /// around the usual directions of normal maps.
 pub fn upload(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject, GlError> {
-    if texture.width > max_size || texture.height > max_size {
-        return Err(GlError::new(format!(
-            "{}: {} x {} texels exceed the driver's limit of {max_size} along a side; reduce the picture",
-            texture.name, texture.width, texture.height
-        )));
-    }
+    check_size(texture, max_size)?;
     let object = TextureObject::bound(gl, &texture.name)?;
-    if texture.color_space == ColorSpace::Data {
+    let storage = match texture.color_space {
+        ColorSpace::Srgb => Storage::Srgb,
+        ColorSpace::Data => Storage::Signed,
+    };
+    if storage == Storage::Signed {
         gl.note_content(TexelEncoding::SignedHalves);
     }
-    upload_level(gl, texture.color_space, 0, [texture.width, texture.height], &texture.rgba);
-    // The mipmaps of the reference: drivers round differently, and some do not average in linear light.
-    for (level, mip) in texture.mip_levels().iter().enumerate() {
-        upload_level(gl, texture.color_space, level as i32 + 1, [mip.width, mip.height], &mip.rgba);
-    }
+    upload_levels(gl, storage, texture);
     Ok(object)
 }
 
+/// Uploads a texture as a user's shader reads it: the bytes of the file, 0 to 255 as 0 to 1, whatever they mean.
+pub fn upload_bytes(gl: &Gl, texture: &Texture, max_size: u32) -> Result<TextureObject, GlError> {
+    check_size(texture, max_size)?;
+    let object = TextureObject::bound(gl, &texture.name)?;
+    upload_levels(gl, Storage::Bytes, texture);
+    Ok(object)
+}
+
+/// The form of texels on the GPU.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Storage {
+    /// Colours, decoded when they are read.
+    Srgb,
+    /// `2 t - 1` in half floats.
+    Signed,
+    /// 0 to 1.
+    Bytes,
+}
+
+fn upload_levels(gl: &Gl, storage: Storage, texture: &Texture) {
+    upload_level(gl, storage, 0, [texture.width, texture.height], &texture.rgba);
+    // The mipmaps of the reference: drivers round differently, and some do not average in linear light.
+    for (level, mip) in texture.mip_levels().iter().enumerate() {
+        upload_level(gl, storage, level as i32 + 1, [mip.width, mip.height], &mip.rgba);
+    }
+}
+
+fn check_size(texture: &Texture, max_size: u32) -> Result<(), GlError> {
+    if texture.width <= max_size && texture.height <= max_size {
+        return Ok(());
+    }
+    Err(GlError::new(format!(
+        "{}: {} x {} texels exceed the driver's limit of {max_size} along a side; reduce the picture",
+        texture.name, texture.width, texture.height
+    )))
+}
+
 /// Fills one level of the bound texture from rows that begin at the top.
-fn upload_level(gl: &Gl, color_space: ColorSpace, level: i32, size: [u32; 2], rgba: &[u8]) {
+fn upload_level(gl: &Gl, storage: Storage, level: i32, size: [u32; 2], rgba: &[u8]) {
     let flipped = rgba.chunks_exact(size[0] as usize * 4).rev().flatten();
     let fill = |format: u32, texels: Texels<'_>| {
         gl.tex_image_2d(glow::TEXTURE_2D, level, format, size.map(|side| side as i32), texels);
     };
-    match color_space {
-        ColorSpace::Srgb => {
-            let colors: Vec<u8> = flipped.copied().collect();
-            fill(glow::SRGB8_ALPHA8, Texels::u8(glow::RGBA, &colors));
+    match storage {
+        Storage::Srgb | Storage::Bytes => {
+            let texels: Vec<u8> = flipped.copied().collect();
+            let format = if storage == Storage::Srgb { glow::SRGB8_ALPHA8 } else { glow::RGBA8 };
+            fill(format, Texels::u8(glow::RGBA, &texels));
         }
-        ColorSpace::Data => {
+        Storage::Signed => {
             let signed: Vec<f32> = flipped.map(|&t| f32::from(t) / 127.5 - 1.0).collect();
             fill(glow::RGBA16F, Texels::f32(glow::RGBA, &signed));
         }

@@ -164,7 +164,7 @@ impl UserProgram {
     }
 
     /// Locations of all attributes.
-    fn locations(&self) -> impl Iterator<Item = u32> {
+    pub(crate) fn locations(&self) -> impl Iterator<Item = u32> {
         self.attributes.iter().map(|(_, location)| *location)
     }
 

@@ -4,7 +4,8 @@ use crate::capture::CaptureRecorder;
 use crate::error::CliError;
 use crate::options::{BackendChoice, BackendOptions};
 use crate::report::{Reporter, Times};
-use gonio_gl::{DriverInfo, GlError, GpuStatistics, HeadlessContext};
+use gonio_check::user_shaders::UserShaderProgram;
+use gonio_gl::{DriverInfo, Gl, GlError, GpuStatistics, HeadlessContext};
 use gonio_reference::{ReferenceScene, Rendered};
 use gonio_render::{DisplayOptions, GpuScene, RenderedFrame, RenderedPicture, Renderer};
 use gonio_scene::picture::EncodedPicture;
@@ -31,6 +32,8 @@ pub struct OpenGl {
     recorder: Option<CaptureRecorder>,
     /// Only pictures of 8 bits per channel are needed.
     eight_bits: bool,
+    /// The user's program that draws instead of gonio's, and the scene that it draws.
+    user: Option<(UserShaderProgram, Scene)>,
 }
 
 impl OpenGl {
@@ -69,7 +72,7 @@ impl Opened {
         let recorder = capture.map(CaptureRecorder::new).transpose()?;
         match times.measure("context", || open_gl(options)) {
             Ok((renderer, context)) => {
-                Ok(Opened::Gl(Box::new(OpenGl { renderer, context, recorder, eight_bits: false })))
+                Ok(Opened::Gl(Box::new(OpenGl { renderer, context, recorder, eight_bits: false, user: None })))
             }
             Err(error) if options.backend == BackendChoice::Auto && capture.is_none() => {
                 Ok(Opened::Cpu { reason: Some(error.message) })
@@ -103,6 +106,14 @@ impl Opened {
         match self {
             Opened::Gl(gl) => Some(&mut gl.renderer),
             Opened::Cpu { .. } => None,
+        }
+    }
+
+    /// The context that compiles the user's shaders; an error without OpenGL.
+    pub fn gl_for_shaders(&self) -> Result<&Gl, CliError> {
+        match self {
+            Opened::Gl(gl) => Ok(gl.context.gl()),
+            Opened::Cpu { reason } => Err(needs_opengl(reason.as_deref())),
         }
     }
 
@@ -186,6 +197,12 @@ pub fn open_context(options: &BackendOptions) -> Result<HeadlessContext, GlError
     })
 }
 
+/// The error of shaders without OpenGL.
+fn needs_opengl(reason: Option<&str>) -> CliError {
+    let reason = reason.and_then(|reason| reason.lines().next()).unwrap_or("it is not available");
+    CliError::new(format!("your shaders need OpenGL: {reason}"))
+}
+
 /// A backend with its scene.
 pub enum Backend {
     Gl {
@@ -219,11 +236,25 @@ pub struct BackendReport {
 }
 
 impl Backend {
+    /// Draws with the user's program from now on.
+    pub fn draw_with(&mut self, program: UserShaderProgram, scene: &Scene) -> Result<(), CliError> {
+        match self {
+            Backend::Gl { gl, .. } => {
+                gl.user = Some((program, scene.clone()));
+                Ok(())
+            }
+            Backend::Cpu { reason, .. } => Err(needs_opengl(reason.as_deref())),
+        }
+    }
+
     /// Takes the scene at another time: objects have moved. The GPU's meshes and textures stay.
     pub fn follow(&mut self, moved: &Scene, times: &Times) -> Result<(), CliError> {
         times.measure("upload", || match self {
             Backend::Gl { gl, gpu } => {
                 **gpu = gl.renderer.upload(moved)?;
+                if let Some((_, scene)) = &mut gl.user {
+                    *scene = moved.clone();
+                }
                 Ok(())
             }
             Backend::Cpu { scene, .. } => {
@@ -252,9 +283,13 @@ impl Backend {
                 for (index, &view) in views.iter().enumerate() {
                     let shot = {
                         let _busy = reporter.busy("drawing");
-                        times.measure("draw", || match gl.eight_bits {
-                            true => gl.renderer.render8(gpu, frame, view).map(Shot::Gl8),
-                            false => gl.renderer.render(gpu, frame, view).map(Shot::Gl),
+                        let OpenGl { renderer, user, eight_bits, .. } = &mut **gl;
+                        times.measure("draw", || match (user, eight_bits) {
+                            (Some((program, scene)), _) => program
+                                .with_pass(scene, frame, |pass| renderer.render_user_pass(gpu, frame, pass))
+                                .map(Shot::Gl),
+                            (None, true) => renderer.render8(gpu, frame, view).map(Shot::Gl8),
+                            (None, false) => renderer.render(gpu, frame, view).map(Shot::Gl),
                         })?
                     };
                     each(index, shot)?;

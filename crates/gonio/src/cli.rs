@@ -247,7 +247,7 @@ mod tests {
 
     #[test]
     fn every_option_has_one_of_a_few_headings() {
-        const HEADINGS: [&str; 19] = [
+        const HEADINGS: [&str; 20] = [
             GENERAL,
             "Animation options",
             "Camera options",
@@ -264,6 +264,7 @@ mod tests {
             "Output options",
             "Picture options",
             "Server options",
+            "Shader options",
             "Shading options",
             "Trace options",
             "Window options",

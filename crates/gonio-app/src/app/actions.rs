@@ -143,7 +143,9 @@ impl App {
     /// The current pane's picture as displayed.
     fn shown(&mut self, size: Option<[u32; 2]>) -> Result<DisplayedPicture, String> {
         let pane = self.document.panes.current;
-        let shown = self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.shown(pane, size)).transpose();
+        let shaders = self.session.shaders.as_ref();
+        let shown =
+            self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.shown(pane, size, shaders)).transpose();
         shown.map_err(|error| error.to_string())?.flatten().ok_or_else(|| NOTHING_DRAWN.to_owned())
     }
 

@@ -97,7 +97,8 @@ impl App {
     /// Watches the files of the scene and of the exercises.
     pub(super) fn watch(&mut self, ctx: &egui::Context) {
         self.watched = self.exercise.paths();
-        let all = self.read.iter().chain(&self.watched).cloned().collect();
+        let shaders = self.session.shaders.iter().flat_map(|shaders| shaders.files().paths()).map(PathBuf::from);
+        let all = self.read.iter().chain(&self.watched).cloned().chain(shaders).collect();
         self.platform.watch(all, ctx);
     }
 
@@ -105,6 +106,9 @@ impl App {
     pub(super) fn changed_on_disk(&mut self, ctx: &egui::Context, paths: Vec<PathBuf>) {
         for sentence in self.exercise.changed(ctx, &paths) {
             self.session.messages.report(MessageSeverity::Error, sentence);
+        }
+        if let Some(shaders) = &mut self.session.shaders {
+            shaders.changed(&paths);
         }
         self.changed.extend(paths.into_iter().filter(|path| self.read.contains(path)));
     }

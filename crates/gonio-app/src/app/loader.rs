@@ -1,6 +1,7 @@
 //! Loading scenes without blocking the window: in a thread, or on the web between two frames.
 
 use crate::files::ReadRecorder;
+use crate::session::ShaderFiles;
 use gonio_mesh::{Limits, ReadError};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::{Budgeted, FileSource};
@@ -23,6 +24,8 @@ pub struct SceneOpening {
     pub adjust: Option<Adjust>,
     /// Limits on memory that files may claim.
     pub limits: Limits,
+    /// The user's shaders, which stay for scenes that are opened later.
+    pub shaders: Option<ShaderFiles>,
 }
 
 /// A request to load a scene.

@@ -11,7 +11,7 @@ use crate::exercise::ExerciseView;
 use crate::files::Layered;
 use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
-use crate::session::{MessageSeverity, Session};
+use crate::session::{MessageSeverity, OwnShaders, Session, Tab};
 use crate::truth::{TraceRequest, TracedPane};
 use crate::{exported, panels, scene_view, shortcuts, theme};
 use egui::Ui;
@@ -84,6 +84,10 @@ impl App {
         if let Some(pane_renderer) = &pane_renderer {
             session.facts.renderer = pane_renderer.driver().to_owned();
         }
+        session.shaders = opening.shaders.take().map(OwnShaders::new);
+        if session.shaders.is_some() {
+            session.tab = Tab::Shaders;
+        }
         let document = Document::default();
         let mut app = App {
             history: History::new(&document),
@@ -122,6 +126,7 @@ impl App {
     pub fn resume(&mut self, ctx: &egui::Context, gl: Option<Gl>) {
         theme::install(ctx);
         self.exercise.release();
+        self.session.shaders.iter_mut().for_each(OwnShaders::release);
         self.pane_renderer = None;
         match gl.map(PaneRenderer::new) {
             Some(Ok(pane_renderer)) => {
@@ -203,12 +208,20 @@ impl App {
             self.session.messages.report(MessageSeverity::Error, failure);
         }
         self.read_again(ctx);
+        self.follow_shaders(ctx);
         self.session.progress = self.loader.progress();
         let seconds = ctx.input(|i| f64::from(i.stable_dt));
         self.session.clock.advance(seconds);
         if self.session.clock.playing {
             ctx.request_repaint();
         }
+    }
+
+    /// Reads and compiles the user's shaders if they have changed.
+    fn follow_shaders(&mut self, ctx: &egui::Context) {
+        let (Some(shaders), Some(renderer)) = (&mut self.session.shaders, &self.pane_renderer) else { return };
+        let files = self.platform.files();
+        shaders.follow(renderer.gl(), &*files, self.platform.as_mut(), &mut self.session.messages, ctx);
     }
 
     /// Shows everything but the pictures. Returns the actions of keys and widgets.
@@ -291,7 +304,7 @@ impl App {
         match event {
             Event::Open(SceneInput { inputs, environment, files }) if !inputs.is_empty() => {
                 let limits = self.opened.limits;
-                self.start(ctx, SceneOpening { inputs, environment, limits, adjust: None }, files);
+                self.start(ctx, SceneOpening { inputs, environment, limits, ..SceneOpening::default() }, files);
             }
             Event::Open(SceneInput { environment: Some(image), files, .. }) => {
                 // The environment may be in another place than the scene.
@@ -488,6 +501,7 @@ impl eframe::App for App {
         let _ = self.exercise.flush_drafts(self.platform.as_mut());
         // Buffers and textures are freed while their context exists.
         self.exercise.release();
+        self.session.shaders = None;
         self.pane_renderer = None;
     }
 

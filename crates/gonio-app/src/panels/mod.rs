@@ -9,6 +9,7 @@ mod lights;
 mod objects;
 mod picture;
 mod probe;
+mod shaders;
 mod status;
 mod top_bar;
 
@@ -48,7 +49,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
     Panel::bottom("status").frame(bar).resizable(false).show(ui, |ui| {
         status::show(ui, session);
     });
-    if status::period(document).is_some() {
+    if status::period(document, session).is_some() {
         Panel::bottom("time").frame(bar).resizable(false).show(ui, |ui| {
             ui.horizontal(|ui| status::show_time(ui, document, session, actions));
         });
@@ -78,6 +79,7 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         Tab::Probe => probe::show(ui, document, session, actions),
         Tab::Compare => compare::show(ui, document, session, actions),
         Tab::Frame => frame::show(ui, document, session, actions),
+        Tab::Shaders => shaders::show(ui, session),
     });
 }
 
@@ -85,16 +87,16 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
 fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     let font = FontId::proportional(TAB_SIZE);
     let color = |ui: &Ui, chosen| if chosen { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
-    let names: Vec<_> = Tab::ALL
-        .iter()
-        .map(|tab| ui.painter().layout_no_wrap(tab.title().into(), font.clone(), color(ui, session.tab == *tab)))
+    let seen = || Tab::ALL.into_iter().filter(|tab| *tab != Tab::Shaders || session.shaders.is_some());
+    let names: Vec<_> = seen()
+        .map(|tab| ui.painter().layout_no_wrap(tab.title().into(), font.clone(), color(ui, session.tab == tab)))
         .collect();
     let all: f32 = names.iter().map(|name| name.size().x).sum();
     let gaps = names.len().saturating_sub(1).max(1) as f32;
     let gap = ((ui.available_width() - all) / gaps).floor().clamp(*TAB_GAP.start(), *TAB_GAP.end());
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(gap, 2.0);
-        for (tab, name) in Tab::ALL.into_iter().zip(names) {
+        for (tab, name) in seen().zip(names) {
             let chosen = session.tab == tab;
             let size = vec2(name.size().x, TAB_SIZE + 11.0);
             let (rect, button) = ui.allocate_exact_size(size, Sense::click());

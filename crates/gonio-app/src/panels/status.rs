@@ -60,18 +60,23 @@ fn amount(files: usize, bytes: u64) -> String {
     format!("{files} file{plural}, {:.1} MB", bytes as f64 / 1e6)
 }
 
-/// The longest period of all lights and objects that move, in seconds; `None` if none moves.
-pub fn period(document: &Document) -> Option<f64> {
+/// Seconds that the time bar shows where only the user's shaders change with the time.
+const SHADER_PERIOD: f64 = 10.0;
+
+/// The longest period of all lights and objects that move, in seconds; `None` if nothing changes with the time.
+pub fn period(document: &Document, session: &Session) -> Option<f64> {
     let lights = document.scene.lights.iter().filter(|light| light.enabled);
     let of_lights = lights.filter_map(|light| Some(light.motion.as_ref()?.period));
     let of_objects = document.scene.objects.iter().filter_map(|object| Some(object.motion.as_ref()?.period));
     let longest = of_lights.chain(of_objects).fold(0.0, f64::max);
+    let is_read = || session.shaders.as_ref().and_then(|shaders| shaders.program()).is_some_and(|p| p.reads_time());
+    let longest = if longest == 0.0 && is_read() { SHADER_PERIOD } else { longest };
     (longest > 0.0 && longest.is_finite()).then_some(longest)
 }
 
 /// Shows the time bar.
 pub fn show_time(ui: &mut Ui, document: &Document, session: &Session, actions: &mut Vec<Action>) {
-    let Some(period) = period(document) else { return };
+    let Some(period) = period(document, session) else { return };
     let clock = &session.clock;
     let (icon, tip) = if clock.playing { (icons::PAUSE, "Pause (Space)") } else { (icons::PLAY, "Play (Space)") };
     if icon_button(ui, "play", icon, tip).clicked() {

@@ -48,6 +48,11 @@ impl Messages {
         self.list.retain(|message| message.id != id);
     }
 
+    /// Removes the messages with this text, which no longer hold.
+    pub fn withdraw(&mut self, text: &str) {
+        self.list.retain(|message| message.text != text);
+    }
+
     /// Removes all messages except errors.
     pub fn forget_remarks(&mut self) {
         self.list.retain(|message| message.severity == MessageSeverity::Error);

@@ -3,12 +3,14 @@
 pub mod comparison;
 mod equation;
 mod messages;
+mod own_shaders;
 pub mod probing;
 mod settings;
 
 pub use comparison::PaneComparison;
 pub use equation::{BeforeAlone, EquationView, Term};
 pub use messages::{MessageSeverity, Messages, UserMessage};
+pub use own_shaders::{OwnShaders, ShaderFiles};
 pub use probing::Probing;
 pub use settings::Settings;
 
@@ -90,6 +92,8 @@ pub struct Session {
     pub comparison: PaneComparison,
     /// The traced picture of each pane.
     pub traced: Vec<TracedPane>,
+    /// The user's own shaders, if the window was opened with any.
+    pub shaders: Option<OwnShaders>,
     /// Whether slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
     /// Whether something is being dragged, or time runs.
@@ -125,6 +129,7 @@ impl Default for Session {
             generation: 0,
             comparison: PaneComparison::default(),
             traced: Vec::new(),
+            shaders: None,
             adaptive: true,
             moving: false,
             unframed: false,
@@ -201,12 +206,14 @@ pub enum Tab {
     Compare,
     /// The recorded OpenGL calls of the picture.
     Frame,
+    /// The user's own shaders; only if there are any.
+    Shaders,
 }
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Tab; 7] =
-        [Tab::Lights, Tab::Objects, Tab::Camera, Tab::Picture, Tab::Probe, Tab::Compare, Tab::Frame];
+    pub const ALL: [Tab; 8] =
+        [Tab::Lights, Tab::Objects, Tab::Camera, Tab::Picture, Tab::Probe, Tab::Compare, Tab::Frame, Tab::Shaders];
 
     /// The title.
     pub fn title(self) -> &'static str {
@@ -218,6 +225,7 @@ impl Tab {
             Tab::Probe => "Probe",
             Tab::Compare => "Compare",
             Tab::Frame => "Frame",
+            Tab::Shaders => "Shaders",
         }
     }
 
@@ -231,6 +239,7 @@ impl Tab {
             Tab::Probe => "The light equation at one pixel, in numbers",
             Tab::Compare => "The scene with up to four settings side by side",
             Tab::Frame => "The OpenGL calls that drew this picture",
+            Tab::Shaders => "Your own shaders and the values of their uniforms",
         }
     }
 }

@@ -113,6 +113,15 @@ pub fn holds(file: &SourceFile) -> Result<Holds, IntakeError> {
     Ok(Holds { vertex: has(Stage::Vertex), fragment: has(Stage::Fragment), names: intake.names.is_some() })
 }
 
+/// Reads a file that is one shader, whatever its name is. Also returns a warning if its encoding had to be corrected.
+///
+/// # Errors
+/// Returns an [`IntakeError`] if it is not text.
+pub fn read_shader(file: &SourceFile) -> Result<(StageText, Option<String>), IntakeError> {
+    let (text, warning) = text::decode(&file.name, &file.bytes)?;
+    Ok((StageText::whole(&file.name, text), warning))
+}
+
 /// The shaders and messages found so far.
 #[derive(Default)]
 struct Intake {

@@ -10,10 +10,12 @@ mod shadows;
 mod shared;
 mod special;
 mod surroundings;
+mod user_pass;
 
 pub use bands::RenderedPicture;
 pub use output::RenderedFrame;
 pub use paint::{DifferenceScale, Painted};
+pub use user_pass::{SampledTexture, UserPass};
 
 use crate::glsl::texture_unit;
 use crate::light_table::LightTable;
@@ -25,14 +27,16 @@ use gonio_gl::objects::StatisticsQueries;
 use gonio_gl::objects::{DebugGroup, TextureObject, VertexArray};
 use gonio_gl::target::{ColorPrecision, DepthTarget, Sampling, Target};
 use gonio_gl::{Gl, GlError, Remedy};
-use gonio_scene::{Frame, Scene, ViewSpec};
+use gonio_scene::{ColorSpace, Frame, Scene, Texture, ViewSpec};
 use output::DisplaySettings;
 use pass::{Draw, Pass};
 use shared::{PANES, Shared, Targets};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
+use std::sync::Arc;
 use surroundings::BoundEnvironment;
+use user_pass::DisplayedEnvironment;
 
 /// Draws scenes with one OpenGL context.
 pub struct Renderer {
@@ -43,6 +47,9 @@ pub struct Renderer {
     pub(crate) cache: GpuCache,
     /// The memory of shadow maps, kept between scenes.
     shadow_atlases: Vec<Rc<DepthTarget>>,
+    /// The textures that a user's program reads where a material has none: white, and a normal map without bumps.
+    white_and_flat: [Arc<Texture>; 2],
+    displayed_environment: Option<DisplayedEnvironment>,
 }
 
 impl Renderer {
@@ -69,6 +76,9 @@ impl Renderer {
             targets: Targets::default(),
             cache: GpuCache::default(),
             shadow_atlases: Vec::new(),
+            white_and_flat: [("white", [255; 4]), ("no bumps", [128, 128, 255, 255])]
+                .map(|(name, texel)| Arc::new(Texture::new(name, 1, 1, texel.to_vec(), ColorSpace::Data))),
+            displayed_environment: None,
         })
     }
 

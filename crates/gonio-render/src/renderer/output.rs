@@ -103,13 +103,42 @@ impl Shared {
     ) -> Result<(), GlError> {
         let gl = &self.gl;
         let _group = DebugGroup::new(gl, "output");
+        self.prepare_output(target, band, look, display, true)?;
+        output.bind(gl);
+        gl.viewport(0, band.picture_height - band.first_row - band.rows, target.size[0], band.rows);
+        self.draw_over_all(target);
+        Ok(())
+    }
+
+    /// Draws the displayed pixels of a target over all of another of the same size, which is bound.
+    pub(super) fn output_onto_target(
+        &self,
+        target: &Target,
+        look: &DisplaySettings,
+        onto: &Target,
+    ) -> Result<(), GlError> {
+        let whole = Band { picture_height: onto.size[1], first_row: 0, rows: onto.size[1] };
+        self.prepare_output(target, whole, look, look.encoded(), false)?;
+        self.draw_over_all(target);
+        Ok(())
+    }
+
+    /// Binds the program of the output pass and sets its uniforms.
+    fn prepare_output(
+        &self,
+        target: &Target,
+        band: Band,
+        look: &DisplaySettings,
+        display: Display,
+        top_row_first: bool,
+    ) -> Result<(), GlError> {
         let (_, count) = target.to_average();
         let program = self.output_program_for(target, display)?;
         program.bind();
         program.set_i32("linear_picture", 0);
         program.set_i32("sample_count", count);
         program.set_i32("grid_side", count);
-        program.set_i32("top_row_first", 1);
+        program.set_i32("top_row_first", i32::from(top_row_first));
         program.set_f32("premultiply", if look.premultiplied { 1.0 } else { 0.0 });
         program.set_i32("first_row", band.first_row);
         program.set_vec2("picture_size", Vec2::new(target.size[0] as f32, band.picture_height as f32));
@@ -123,9 +152,6 @@ impl Shared {
             }
             DisplayMap::Light(transform) => program.set_f32("exposure", transform.exposure as f32),
         }
-        output.bind(gl);
-        gl.viewport(0, band.picture_height - band.first_row - band.rows, target.size[0], band.rows);
-        self.draw_over_all(target);
         Ok(())
     }
 

@@ -277,7 +277,7 @@ impl Renderer {
         let _group = DebugGroup::new(gl, "user program");
         let most = shared.info.max_size;
         let size = size.map(|side| side.clamp(1, most) as i32);
-        let target = self.user_program_target(size)?;
+        let target = self.user_program_target(size, SAMPLES, ColorPrecision::Half)?;
         canvas.fit(size.map(|side| side as u32))?;
         shared.output_program_for(&target, Display::Affine)?;
         target.begin(gl, 0, size[1]);
@@ -298,16 +298,22 @@ impl Renderer {
         shared.output_into(canvas.output(), &target, whole, &DisplaySettings::of_numbers(), Display::Affine)
     }
 
-    fn user_program_target(&mut self, size: [i32; 2]) -> Result<Rc<Target>, GlError> {
-        let samples = Sampling::Multi(SAMPLES.min(self.shared.info.max_samples).max(1) as i32);
+    /// A multisampled target: each triangle is shaded once per pixel.
+    pub(super) fn user_program_target(
+        &mut self,
+        size: [i32; 2],
+        samples: u32,
+        precision: ColorPrecision,
+    ) -> Result<Rc<Target>, GlError> {
+        let samples = Sampling::Multi(samples.min(self.shared.info.max_samples).max(1) as i32);
         for sampling in [samples, Sampling::Multi(1)] {
-            if let Some(target) = self.targets.find(size, sampling, ColorPrecision::Half) {
+            if let Some(target) = self.targets.find(size, sampling, precision) {
                 return Ok(target);
             }
         }
         self.targets.make_room(PICTURES);
         let shared = &self.shared;
-        let make = |sampling| Target::new(&shared.gl, shared.info.dialect, size, sampling, ColorPrecision::Half);
+        let make = |sampling| Target::new(&shared.gl, shared.info.dialect, size, sampling, precision);
         let target = Rc::new(match make(samples) {
             // WebGL does not report the number of samples of each format.
             Err(_) if shared.info.dialect == Dialect::Es300 => {

@@ -46,6 +46,13 @@ impl<'a> BoundEnvironment<'a> {
         Ok(Some(BoundEnvironment { textures, surroundings, mipmapped, gloss, _seamless: Seamless::new(gl) }))
     }
 
+    /// The environment of a frame for [`Self::draw_sky`] alone; `None` if it has none.
+    pub fn sky(shared: &'a Shared, scene: &'a GpuScene, frame: &Frame) -> Option<Self> {
+        let (textures, surroundings) = (scene.environment.as_ref()?, frame.surroundings?);
+        let _seamless = Seamless::new(&shared.gl);
+        Some(BoundEnvironment { textures, surroundings, mipmapped: false, gloss: None, _seamless })
+    }
+
     /// The part of it that the program of a material shows.
     pub fn key(&self, object: &GpuObject, optics: &Optics, is_view: bool) -> SurroundingsKey {
         let sight = match optics {

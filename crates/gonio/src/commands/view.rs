@@ -1,5 +1,6 @@
 //! `gonio view`: the gonio window.
 
+use crate::commands::render::shaders::ShaderOptions;
 use crate::error::{CliError, CommandOutcome};
 use crate::options::{GeneralOptions, SceneOptions};
 use clap::Args;
@@ -18,6 +19,8 @@ Examples:
   gonio view scene.toml --size 1600x1000
   gonio view model.obj --environment sky.hdr --light \"point position=2,3,4 intensity=5\"
       The scene with options of render; --size is the size of the window.
+  gonio view model.obj --fragment toon.frag
+      Your own shaders. The tab Shaders has their uniforms; a text that does not compile leaves the last program on.
 
 The window reads files again when they change. Drop files on it to open them; press ? for its keys.
 
@@ -28,6 +31,8 @@ pub struct ViewArgs {
     pub inputs: Vec<String>,
     #[command(flatten)]
     pub scene: SceneOptions,
+    #[command(flatten)]
+    pub shaders: ShaderOptions,
     /// Write the window's state to this file after every frame, as JSON (for tests).
     #[arg(long, value_name = "FILE", hide = true)]
     pub state: Option<PathBuf>,
@@ -37,6 +42,7 @@ pub struct ViewArgs {
 
 /// Opens the window, and returns when it is closed.
 pub fn run(args: &ViewArgs) -> Result<CommandOutcome, CliError> {
+    args.shaders.check()?;
     // The size is the window's: the picture adapts to it.
     let size = args.scene.size.map(|(width, height)| [width as f32, height as f32]);
     let options = SceneOptions { size: None, ..args.scene.clone() };
@@ -53,6 +59,7 @@ pub fn run(args: &ViewArgs) -> Result<CommandOutcome, CliError> {
         sandbox,
         state: args.state.clone(),
         program: std::env::current_exe().ok(),
+        shaders: args.shaders.files(),
         exercise: None,
     };
     desktop::run(window).map_err(CliError::new)?;

@@ -124,3 +124,45 @@ fn a_file_that_cannot_be_opened_changes_nothing() {
     window.click(&format!("dismiss-{id}"));
     window.wait("one message less", |s| s["messages"].as_array().unwrap().len() == 1);
 }
+
+#[test]
+fn a_shader_that_does_not_compile_leaves_the_last_good_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let shader = |color: &str| {
+        format!(
+            "#version 330 core\nuniform float gain = 1.0;\nout vec4 c;\nvoid main() {{ c = vec4({color}, 1.0); }}\n"
+        )
+    };
+    std::fs::write(folder.path().join("own.frag"), shader("gain, 0.0, 0.0")).unwrap();
+    let mut window = Window::open_in(folder, 900, 600, &["builtin:cube", "--fragment", "own.frag"]);
+    window.wait("the program", |s| s["shaders"]["compiled"] == true);
+    let mut color = |window: &mut Window, name: &str| {
+        save(window, "ctrl+s", name);
+        let picture = image::open(window.path(name)).unwrap().to_rgb8();
+        picture.get_pixel(picture.width() / 2, picture.height() / 2).0
+    };
+    assert_eq!(color(&mut window, "first.png"), [255, 0, 0]);
+    window.write("own.frag", &shader("gian, 0.0, 0.0"));
+    let state = window.wait("an error", |s| s["shaders"]["failed"] == true);
+    let error = state["error"].as_str().unwrap();
+    assert!(error.starts_with("own.frag:4:24: ") && error.contains("gian"), "{error}");
+    assert_eq!(color(&mut window, "kept.png"), [255, 0, 0]);
+    // The repaired text replaces the program, and the error disappears.
+    window.write("own.frag", &shader("0.0, gain, 0.0"));
+    let state = window.wait("another program", |s| s["shaders"]["failed"] == false);
+    assert_eq!(state["error"], serde_json::Value::Null);
+    assert_eq!(color(&mut window, "repaired.png"), [0, 255, 0]);
+    let gain = &state["shaders"]["uniforms"][0];
+    assert_eq!((&gain["name"], &gain["origin"]), (&"gain".into(), &"its initialiser".into()));
+    // A value that is typed stays when the text changes.
+    window.click("uniform-gain");
+    window.key("ctrl+a");
+    window.type_text("0.2");
+    window.key("Return");
+    window.wait("the value", |s| s["shaders"]["uniforms"][0]["origin"] == "your value");
+    assert_eq!(color(&mut window, "typed.png"), [0, 51, 0]);
+    window.write("own.frag", &shader("0.0, 0.0, gain"));
+    let serial = window.state()["shaders"]["serial"].as_u64();
+    window.wait("the last program", |s| s["shaders"]["serial"].as_u64() > serial);
+    assert_eq!(color(&mut window, "last.png"), [0, 0, 51]);
+}

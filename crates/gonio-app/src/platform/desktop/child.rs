@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 /// Address space of a child, in kilobytes: a software driver reserves two gigabytes of it without using them.
 const MOST_ADDRESSES_KB: u64 = 6 * 1024 * 1024;
 /// Resident memory of a child. A check uses 0.2 gigabytes, and a submission has no reason for more than a few images.
-const MOST_RESIDENT_KB: u64 = 1024 * 1024;
+pub const MOST_RESIDENT_KB: u64 = 1024 * 1024;
 /// Interval at which a child is polled.
 const LOOK: Duration = Duration::from_millis(5);
 /// Interval at which its memory is measured.
@@ -57,6 +57,19 @@ pub fn command(program: &Path) -> Result<Command, Error> {
 /// # Errors
 /// Those of the system while waiting; the child is stopped then.
 pub fn wait(child: &mut Child, patience: Duration, given_up: impl Fn() -> bool) -> Result<Ended, Error> {
+    wait_within(child, patience, MOST_RESIDENT_KB, given_up)
+}
+
+/// [`wait`] with another limit on resident memory, in kilobytes.
+///
+/// # Errors
+/// Those of the system while waiting; the child is stopped then.
+pub fn wait_within(
+    child: &mut Child,
+    patience: Duration,
+    most_resident_kb: u64,
+    given_up: impl Fn() -> bool,
+) -> Result<Ended, Error> {
     let begun = Instant::now();
     let mut next_look = begun + LOOK_AT_MEMORY;
     loop {
@@ -77,7 +90,7 @@ pub fn wait(child: &mut Child, patience: Duration, given_up: impl Fn() -> bool) 
             Ended::TooLong
         } else if given_up() {
             Ended::GivenUp
-        } else if looks_at_memory && resident_kb(child.id()).is_some_and(|kb| kb > MOST_RESIDENT_KB) {
+        } else if looks_at_memory && resident_kb(child.id()).is_some_and(|kb| kb > most_resident_kb) {
             Ended::TooLarge
         } else {
             std::thread::sleep(LOOK);

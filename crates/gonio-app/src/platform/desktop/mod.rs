@@ -14,7 +14,7 @@ pub mod worker;
 use super::{CheckRequest, CheckResult, Event, FileDialog, Pending, Platform, Purpose, Ready, TrialOutcome};
 use crate::exercise::Start;
 use crate::saving::Product;
-use crate::session::Settings;
+use crate::session::{Settings, ShaderFiles};
 use crate::{Adjust, App, SceneOpening};
 use drafts::DraftFolder;
 use gonio_gl::Gl;
@@ -45,6 +45,8 @@ pub struct WindowOptions {
     pub state: Option<PathBuf>,
     /// gonio's own program, which runs checks in separate processes. Without it there are no checks.
     pub program: Option<PathBuf>,
+    /// The user's own shaders, which draw the scene.
+    pub shaders: Option<ShaderFiles>,
     /// An exercise to open at the start.
     pub exercise: Option<Start>,
 }
@@ -74,13 +76,15 @@ pub fn run_within(
         ..Default::default()
     };
     let access = Access { max_bytes: options.limits.max_bytes, sandbox: options.sandbox };
-    let named: Vec<String> = options.inputs.iter().chain(&options.environments).cloned().collect();
+    let shaders = options.shaders.iter().flat_map(ShaderFiles::paths);
+    let named: Vec<String> = options.inputs.iter().chain(&options.environments).chain(shaders).cloned().collect();
     let created = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
         let gl = creation.gl.clone().map(Gl::of_window);
         let opening = SceneOpening {
             inputs: options.inputs,
             adjust: options.adjust,
             limits: options.limits,
+            shaders: options.shaders,
             ..SceneOpening::default()
         };
         let platform = Box::new(Desktop::new(options.state, options.program, access, &named));
@@ -193,6 +197,18 @@ impl Platform for Desktop {
         let ctx = ctx.clone();
         let begun = match &self.program {
             Some(program) => trial::begin(program, &request, move || ctx.request_repaint()),
+            None => Err("the gonio program was not found".into()),
+        };
+        match begun {
+            Ok(trial) => Box::new(trial),
+            Err(error) => Box::new(Ready::new(TrialOutcome::Unavailable(error))),
+        }
+    }
+
+    fn shader_trial(&mut self, files: &ShaderFiles, ctx: &egui::Context) -> Box<dyn Pending<TrialOutcome>> {
+        let ctx = ctx.clone();
+        let begun = match &self.program {
+            Some(program) => trial::begin_own(program, files, move || ctx.request_repaint()),
             None => Err("the gonio program was not found".into()),
         };
         match begun {

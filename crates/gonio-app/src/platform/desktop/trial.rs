@@ -7,6 +7,7 @@ use super::check::BackgroundTask;
 use super::child::{self, Ended};
 use super::worker::{self, WorkerRequest};
 use crate::platform::{CheckRequest, TrialOutcome};
+use crate::session::ShaderFiles;
 use gonio_check::submission::SourceFile;
 use serde::{Deserialize, Serialize};
 use std::io::{Error, Read, Write};
@@ -53,6 +54,32 @@ pub fn begin(
     let mut command = child::command(program).map_err(failed)?;
     command.args(["lab", "trial", &request.exercise]);
     run(command, &request.files, done).map_err(failed)
+}
+
+/// Starts a trial of the user's own shaders: `gonio render` draws a small picture with them. Its input stays open until it has
+/// ended. An error is one sentence.
+pub fn begin_own(
+    program: &Path,
+    files: &ShaderFiles,
+    done: impl FnOnce() + Send + 'static,
+) -> Result<BackgroundTask<TrialOutcome>, String> {
+    let failed = |why: Error| format!("the shader test could not be started: {why}");
+    let mut command = child::command(program).map_err(failed)?;
+    command.args(["render", "builtin:cube", "--in-this-process", "--quiet", "--size", "128x128", "-o", "-"]);
+    for (option, file) in [("--vertex", &files.vertex), ("--fragment", &files.fragment)] {
+        command.args(file.iter().map(|file| format!("{option}={file}")));
+    }
+    let mut child = command.stdin(Stdio::piped()).stdout(Stdio::null()).spawn().map_err(failed)?;
+    let mut finish = move |is_stopped: &dyn Fn() -> bool| match child::wait(&mut child, MOST_TIME, is_stopped) {
+        // The window compiles them too, and reports the errors.
+        Ok(Ended::ByItself(status)) if status.code() == Some(CODE_OF_ERRORS) => TrialOutcome::Harmless,
+        Ok(Ended::ByItself(status)) if status.success() => TrialOutcome::Harmless,
+        Ok(Ended::ByItself(status)) => answered(status, ""),
+        Ok(other) => stopped(other),
+        Err(why) => TrialOutcome::Unavailable(format!("the shader test could not be monitored: {why}")),
+    };
+    let lost = TrialOutcome::Unavailable("the test of these shaders ended without an answer".into());
+    Ok(BackgroundTask::start(move |is_stopped| finish(is_stopped), done, lost))
 }
 
 fn run(

@@ -10,7 +10,7 @@ mod tests;
 
 use crate::document::Document;
 use crate::saving::DisplayedPicture;
-use crate::session::{FrameFacts, Session, Tab};
+use crate::session::{FrameFacts, OwnShaders, Session, Tab};
 use comparison::{CurveRun, PairDrawing};
 use details::Details;
 use gonio_gl::trace::FrameRecord;
@@ -146,7 +146,7 @@ impl PaneRenderer {
         // OpenGL's picture stands in until there is a traced one.
         match traced.and_then(|traced| Some((traced.serial, traced.picture.as_ref()?))) {
             Some(traced) => pane.show_traced(&self.gl, &mut self.renderer, traced, time, size, facts)?,
-            None => pane.draw(&self.gl, &mut self.renderer, time, size, pace, facts)?,
+            None => pane.draw(&self.gl, &mut self.renderer, session.shaders.as_ref(), time, size, pace, facts)?,
         }
         let picture = pane.canvas.as_ref().map(|canvas| self.presenter.presentation(canvas.texture()));
         Ok(picture.map(|picture| if pane.is_opaque() { picture.opaque() } else { picture }))
@@ -246,13 +246,20 @@ impl PaneRenderer {
 impl PaneRenderer {
     /// The picture as displayed; `None` if the pane has not been drawn. Waits for the GPU. A traced picture of another size is
     /// stretched.
-    pub fn shown(&mut self, index: usize, size: Option<[u32; 2]>) -> Result<Option<DisplayedPicture>, GlError> {
+    pub fn shown(
+        &mut self,
+        index: usize,
+        size: Option<[u32; 2]>,
+        shaders: Option<&OwnShaders>,
+    ) -> Result<Option<DisplayedPicture>, GlError> {
         let Some(pane) = self.panes.get(index) else { return Ok(None) };
-        let Some((uploaded, frame, show)) = pane.to_save(size) else { return Ok(None) };
+        let Some((loaded, uploaded, frame, show)) = pane.to_save(size) else { return Ok(None) };
         let mut canvas = DisplayTexture::new(&self.gl, [frame.width, frame.height])?;
         match &pane.traced {
             Some((_, picture)) => self.renderer.paint_picture(picture, &frame, &mut canvas)?,
-            None => self.renderer.paint(uploaded, &frame, &show, &mut canvas).map(drop)?,
+            None => {
+                pane::paint(&mut self.renderer, shaders, (loaded, uploaded), &frame, &show, &mut canvas)?;
+            }
         }
         let is_srgb = show.view == View::Picture && frame.output.encoding == ColorEncoding::Srgb;
         Ok(Some(DisplayedPicture { size: canvas.size(), rgba: canvas.read8(), is_srgb }))
@@ -265,7 +272,7 @@ impl PaneRenderer {
         if let Some((_, picture)) = &pane.traced {
             return Ok(Some(Picture::clone(picture)));
         }
-        let Some((uploaded, frame, show)) = pane.to_save(size) else { return Ok(None) };
+        let Some((_, uploaded, frame, show)) = pane.to_save(size) else { return Ok(None) };
         let view = if let View::Quantity(view) = show.view { Some(view) } else { None };
         self.renderer.paint_linear(uploaded, &frame, view).map(Some)
     }

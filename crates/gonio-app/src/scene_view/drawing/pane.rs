@@ -2,11 +2,11 @@
 
 use super::details::Details;
 use crate::document::Pane;
-use crate::session::FrameFacts;
 use crate::session::comparison::PaneFacts;
+use crate::session::{FrameFacts, OwnShaders};
 use gonio_gl::{Gl, GlError, GpuStatistics};
 use gonio_mesh::Mesh;
-use gonio_render::{DisplayOptions, DisplayTexture, GpuScene, Renderer, View};
+use gonio_render::{DisplayOptions, DisplayTexture, GpuScene, Painted, Renderer, View};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, Picture, Scene, detail};
@@ -44,6 +44,8 @@ pub struct PaneDrawing {
     pub drawn: Option<(Frame, DisplayOptions)>,
     /// The traced picture on the canvas, with its number ([`TracedPane::serial`]); `None` if OpenGL's is there.
     pub traced: Option<(u64, Arc<Picture>)>,
+    /// [`OwnShaders::serial`] of the shaders that drew the canvas; `None` for gonio's.
+    shaders: Option<u64>,
     /// Counts the pictures.
     pub serial: u64,
     pub facts: PaneFacts,
@@ -152,6 +154,7 @@ impl PaneDrawing {
         &mut self,
         gl: &Gl,
         renderer: &mut Renderer,
+        shaders: Option<&OwnShaders>,
         time: f64,
         size: [u32; 2],
         pace: Pace,
@@ -163,8 +166,11 @@ impl PaneDrawing {
         }
         let full = Frame { width: size[0], height: size[1], ..loaded.frame(time) };
         let show = self.settings.show();
+        let shaders = shaders.filter(|shaders| draws(shaders, &show));
+        let serial = shaders.map(OwnShaders::serial);
         if let Some((drawn, shown)) = &self.drawn
             && *shown == show
+            && self.shaders == serial
         {
             // If only something else moves, drawing with fewer samples would make the picture worse.
             let samples_alone = Frame { samples: full.samples, ..drawn.clone() } == full;
@@ -178,11 +184,15 @@ impl PaneDrawing {
             Some(canvas) => canvas,
             none => none.insert(DisplayTexture::new(gl, size)?),
         };
+        self.shaders = serial;
         let painted = if pace.moving {
-            renderer.paint(uploaded, &frame, &show, canvas)?
+            paint(renderer, shaders, (loaded, uploaded), &frame, &show, canvas)?
         } else {
             let start = web_time::Instant::now();
-            let painted = renderer.paint_counted(uploaded, &frame, &show, canvas)?;
+            let painted = match shaders {
+                Some(_) => paint(renderer, shaders, (loaded, uploaded), &frame, &show, canvas)?,
+                None => renderer.paint_counted(uploaded, &frame, &show, canvas)?,
+            };
             canvas.wait();
             self.facts.ms = start.elapsed().as_secs_f64() * 1e3;
             count(&mut self.facts, painted.statistics, loaded);
@@ -204,12 +214,34 @@ impl PaneDrawing {
 
 impl PaneDrawing {
     /// The frame to save, at `size` or at its own, with all of the scene's samples.
-    pub fn to_save(&self, size: Option<[u32; 2]>) -> Option<(&GpuScene, Frame, DisplayOptions)> {
+    pub fn to_save(&self, size: Option<[u32; 2]>) -> Option<(&Scene, &GpuScene, Frame, DisplayOptions)> {
         let (frame, show) = self.drawn.as_ref()?;
         let [width, height] = size.unwrap_or([frame.width, frame.height]);
-        let samples = self.loaded.as_ref()?.settings.picture.samples;
+        let loaded = self.loaded.as_ref()?;
+        let samples = loaded.settings.picture.samples;
         let (_, uploaded) = self.uploaded.as_ref()?;
-        Some((uploaded, Frame { width, height, samples, ..frame.clone() }, *show))
+        Some((loaded, uploaded, Frame { width, height, samples, ..frame.clone() }, *show))
+    }
+}
+
+/// Whether the user's shaders draw this view: the picture, if they have been compiled.
+fn draws(shaders: &OwnShaders, show: &DisplayOptions) -> bool {
+    show.view == View::Picture && shaders.program().is_some()
+}
+
+/// Draws the picture, by the user's shaders if there are any.
+pub fn paint(
+    renderer: &mut Renderer,
+    shaders: Option<&OwnShaders>,
+    (scene, uploaded): (&Scene, &GpuScene),
+    frame: &Frame,
+    show: &DisplayOptions,
+    canvas: &mut DisplayTexture,
+) -> Result<Painted, GlError> {
+    match shaders.filter(|shaders| draws(shaders, show)).and_then(OwnShaders::program) {
+        Some(program) => program
+            .with_pass(scene, frame, |pass| renderer.paint_user_pass(uploaded, frame, pass, show.overlays, canvas)),
+        None => renderer.paint(uploaded, frame, show, canvas),
     }
 }
 

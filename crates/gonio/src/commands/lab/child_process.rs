@@ -31,15 +31,25 @@ const PATIENCE_S: u64 = 30;
 /// Runs this program with its own arguments and `flag` after the command's name of two words. The process prints and writes by
 /// itself; the error here is that it was stopped or crashed.
 pub fn run_again(flag: &str) -> Result<CommandOutcome, CliError> {
+    run_again_within(flag, 2, Duration::from_secs(PATIENCE_S), child::MOST_RESIDENT_KB)
+}
+
+/// [`run_again`] for a command's name of `words` words, with other limits on time and memory.
+pub fn run_again_within(
+    flag: &str,
+    words: usize,
+    patience: Duration,
+    most_resident_kb: u64,
+) -> Result<CommandOutcome, CliError> {
     let not_started = |error| CliError::io("gonio cannot start itself", &error);
     let mut arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
-    arguments.insert(arguments.len().min(2), flag.into());
+    arguments.insert(arguments.len().min(words), flag.into());
     let mut command = child::command(&own_program()?).map_err(not_started)?;
     command.env_remove("LP_NUM_THREADS").args(arguments);
     command.stdin(Stdio::piped()).stdout(Stdio::inherit()).stderr(Stdio::inherit());
     let mut child = command.spawn().map_err(not_started)?;
     // Its stdin stays open as long as this process waits.
-    let ended = child::wait(&mut child, Duration::from_secs(PATIENCE_S), || false);
+    let ended = child::wait_within(&mut child, patience, most_resident_kb, || false);
     match ended.map_err(|error| CliError::io("cannot wait for gonio's own process", &error))? {
         child::Ended::ByItself(status) => match status.code() {
             Some(0) => Ok(CommandOutcome::Done),
@@ -48,11 +58,13 @@ pub fn run_again(flag: &str) -> Result<CommandOutcome, CliError> {
             _ => Err(CliError::new("drawing crashed: the graphics driver cannot compile or run this shader")),
         },
         child::Ended::TooLong => Err(CliError::new(format!(
-            "drawing did not finish within {PATIENCE_S} seconds; does a shader contain an endless loop?"
+            "drawing did not finish within {} seconds; does a shader contain an endless loop?",
+            patience.as_secs()
         ))),
-        child::Ended::TooLarge => Err(CliError::new(
-            "drawing took more than a gigabyte of memory and was stopped; does a shader contain a giant array?",
-        )),
+        child::Ended::TooLarge => Err(CliError::new(format!(
+            "drawing took more than {} gigabytes of memory and was stopped; does a shader contain a giant array?",
+            most_resident_kb >> 20
+        ))),
         child::Ended::GivenUp => Err(CliError::new("drawing was stopped")),
     }
 }

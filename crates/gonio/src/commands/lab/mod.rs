@@ -2,7 +2,7 @@
 
 mod batch;
 mod check;
-mod child_process;
+pub mod child_process;
 mod draw;
 mod exercises;
 mod intake;

@@ -2,9 +2,11 @@
 
 mod animation;
 mod plan;
+pub mod shaders;
 
 use crate::backend::{self, Backend, BackendReport, Counts, Opened, Shot};
 use crate::capture;
+use crate::commands::lab::child_process;
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
 use crate::options::values::{self, DebugView};
@@ -15,13 +17,14 @@ use animation::{AnimationFile, Frames};
 use clap::{ArgAction, Args};
 use gonio_image::ImageError;
 use gonio_image::encode::exr::{self, Layer};
-use gonio_image::encode::png;
+use gonio_image::encode::png::{self, ColorTag};
 use gonio_mesh::Diagnostic;
-use gonio_render::{DisplayOptions, View};
+use gonio_render::{DisplayOptions, VertexData, View};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{DisplayMap, Frame, Overlay, Overlays, Picture, Scene, ViewSpec};
 use plan::{PictureFormat, PicturePlan, PicturePlanRequest};
 use serde::Serialize;
+use shaders::ShaderOptions;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -43,6 +46,8 @@ Examples:
       The picture and its terms as layers of one file; with .png, each in a file of its own.
   gonio render model.obj --frames 72 --orbit 360 -o turn.gif
       A full turn around the model. With turn.png the files are turn-0001.png and so on; --animated writes one animated PNG.
+  gonio render model.obj --fragment toon.frag --uniform steps=4 -o toon.png
+      Your own shaders; values of their variables follow from the names. --verbose lists them.
   gonio render model.obj -o - | imv -
       To stdout.
   gonio render model.obj -o model.png --capture model.rdc
@@ -111,6 +116,11 @@ pub struct RenderArgs {
     #[command(flatten)]
     pub scene: SceneOptions,
     #[command(flatten)]
+    pub shaders: ShaderOptions,
+    /// Draw with the shaders in this process, which the caller guards.
+    #[arg(long, hide = true)]
+    pub in_this_process: bool,
+    #[command(flatten)]
     pub backend: BackendOptions,
     /// Also write a RenderDoc capture of the first frame (OpenGL only).
     #[arg(long, help_heading = "Drawing options", value_name = "FILE.rdc")]
@@ -146,6 +156,20 @@ struct Written {
 }
 
 pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    shaders::refuse(args)?;
+    if shaders::needs_a_process(args) {
+        return shaders::run_in_a_process(args);
+    }
+    if args.in_this_process {
+        child_process::end_with_the_caller();
+    }
+    match args.shaders.any() {
+        true => shaders::on_a_large_stack(|| draw(args, reporter))?,
+        false => draw(args, reporter),
+    }
+}
+
+fn draw(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     if let Some(target) = &args.capture {
         if args.backend.backend == BackendChoice::Cpu {
             return Err(CliError::new("--capture needs OpenGL; leave out --backend cpu"));
@@ -177,6 +201,7 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
              .apng or .gif",
         ));
     }
+    let shaders = args.shaders.any().then(|| args.shaders.read(&args.scene.limits, reporter)).transpose()?;
     let (scene, opened) = loading::load_scene_while(&args.inputs, &args.scene, reporter, &times, || {
         Opened::new(&args.backend, args.capture.as_deref(), &times)
     });
@@ -187,12 +212,28 @@ pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
     if views().any(|view| view.quantity == gonio_light::Quantity::Tangent) {
         scene.add_tangents();
     }
-    let mut backend = opened?.take_scene(&scene, &args.backend, reporter, &times)?;
+    let opened = opened?;
+    let program = match &shaders {
+        Some(shaders) => Some(shaders.compile(opened.gl_for_shaders()?, &args.shaders, reporter)?),
+        None => None,
+    };
+    if let Some(program) = &program {
+        if program.reads(VertexData::Tangent) {
+            scene.add_tangents();
+        }
+        for warning in program.missing_inputs(&scene) {
+            reporter.warning(warning);
+        }
+    }
+    let mut backend = opened.take_scene(&scene, &args.backend, reporter, &times)?;
+    if let Some(program) = program {
+        backend.draw_with(program, &scene)?;
+    }
     if args.backend.backend == BackendChoice::Auto {
         reporter.note(backend.sentence());
     }
 
-    if plans.iter().all(|p| p.format != PictureFormat::Exr && p.bits == 8) {
+    if shaders.is_none() && plans.iter().all(|p| p.format != PictureFormat::Exr && p.bits == 8) {
         backend.for_eight_bits();
     }
     if let Some(driver) = backend.driver() {
@@ -305,7 +346,11 @@ impl Drawing<'_> {
         animations: &mut [Option<AnimationFile>],
     ) -> Result<(), CliError> {
         let times = self.times;
-        let tag = color_tag(&DisplayMap::for_view(view, frame));
+        let tag = match self.args.shaders.any() {
+            // The colours of the shaders are shown as they are.
+            true => ColorTag::Srgb,
+            false => color_tag(&DisplayMap::for_view(view, frame)),
+        };
         for (plan, animation) in self.plans.iter().zip(animations) {
             let bytes = match (plan.format, animation) {
                 (PictureFormat::Exr, _) => continue,

@@ -1,0 +1,161 @@
+//! The user's own shaders: their files, errors, and a widget for each uniform.
+
+use crate::exported::{self, WidgetRole};
+use crate::session::{OwnShaders, Session};
+use crate::theme::{colors, icons};
+use crate::widgets::{NumberField, color, heading, icon_button, row, slug, toggle};
+use egui::{Label, RichText, Ui};
+use gonio_check::user_shaders::{UniformSource, UserUniform};
+use gonio_light::color::{srgb_decode, srgb_encode};
+use gonio_scene::color_value::Color;
+
+pub fn show(ui: &mut Ui, session: &mut Session) {
+    let Some(shaders) = &mut session.shaders else { return };
+    heading(ui, "Your shaders");
+    files(ui, shaders);
+    heading(ui, "Uniforms");
+    let Some(program) = shaders.program_mut() else {
+        ui.label("None: no program has been compiled.");
+        return;
+    };
+    let mut changed = false;
+    let count = program.uniforms().len();
+    for uniform in program.uniforms_mut() {
+        changed |= uniform_row(ui, uniform);
+    }
+    if count == 0 {
+        ui.label("The program has none.");
+    }
+    if changed {
+        shaders.touch();
+    }
+}
+
+/// The files, and whether the picture is theirs.
+fn files(ui: &mut Ui, shaders: &OwnShaders) {
+    let files = shaders.files();
+    for (stage, file) in [("Vertex", &files.vertex), ("Fragment", &files.fragment)] {
+        row(ui, stage, "The window reads the file again when it changes", |ui| {
+            let name = file.as_deref().unwrap_or("gonio's own");
+            ui.add(Label::new(name).truncate()).on_hover_text(name);
+        });
+    }
+    let (text, color) = match (shaders.has_failed(), shaders.program()) {
+        (false, Some(_)) => ("Compiled.", None),
+        (false, None) => ("Compiling.", None),
+        (true, Some(_)) => ("These texts do not compile: the last program that did is drawn.", Some(colors::ERROR)),
+        (true, None) => ("These texts do not compile: gonio's own shaders draw the picture.", Some(colors::ERROR)),
+    };
+    let text = match color {
+        Some(color) => RichText::new(text).color(color.of(ui)),
+        None => RichText::new(text),
+    };
+    let label = ui.label(text);
+    exported::note(ui, &label, "shaders-state", WidgetRole::Text, "state of your shaders", label_of(shaders));
+    for remark in shaders.remarks() {
+        ui.add(Label::new(RichText::new(remark).monospace().small()).wrap());
+    }
+}
+
+fn label_of(shaders: &OwnShaders) -> &'static str {
+    match (shaders.has_failed(), shaders.program().is_some()) {
+        (false, true) => "compiled",
+        (false, false) => "compiling",
+        (true, true) => "kept",
+        (true, false) => "failed",
+    }
+}
+
+/// A uniform's name, its widget, and where its value comes from. Returns whether its value was changed.
+fn uniform_row(ui: &mut Ui, uniform: &mut UserUniform) -> bool {
+    let tip = format!("{} {}: {}", uniform.glsl_type, uniform.name, uniform.origin());
+    let name = uniform.name.clone();
+    row(ui, &name, &tip, |ui| {
+        let mut values = uniform.values.clone();
+        let from_scene = matches!(uniform.source, UniformSource::Scene(_));
+        let is_editable = !uniform.glsl_type.starts_with("mat") && uniform.elements == 1;
+        if from_scene || !is_editable {
+            let take = from_scene && is_editable;
+            let origin = RichText::new(uniform.origin()).weak();
+            ui.add(Label::new(origin).truncate());
+            if take
+                && icon_button(ui, &format!("take-{}", slug(&name)), icons::SLIDERS_HORIZONTAL, "Choose the value")
+                    .clicked()
+            {
+                return uniform.choose(&values).is_ok();
+            }
+            return false;
+        }
+        let edited = widget(ui, uniform, &mut values);
+        let is_chosen = uniform.source == UniformSource::Chosen;
+        if is_chosen
+            && icon_button(
+                ui,
+                &format!("reset-{}", slug(&name)),
+                icons::ARROW_COUNTER_CLOCKWISE,
+                "Back to gonio's value",
+            )
+            .clicked()
+        {
+            uniform.reset();
+            return true;
+        }
+        edited && uniform.choose(&values).is_ok()
+    })
+}
+
+/// The widget for a value of this type. Returns whether the value was changed.
+fn widget(ui: &mut Ui, uniform: &UserUniform, values: &mut [f32]) -> bool {
+    let before = values.to_vec();
+    let id = format!("uniform-{}", slug(&uniform.name));
+    let name = uniform.name.as_str();
+    let scalar = uniform.glsl_type.as_str();
+    if uniform.is_color()
+        && let [r, g, b, ..] = values
+    {
+        // The numbers of a colour are those that are shown; the widget holds linear light.
+        let mut linear = Color([*r, *g, *b].map(|v| srgb_decode(f64::from(v))));
+        if color(ui, &id, name, &mut linear, None, "As it is shown: not decoded") {
+            [*r, *g, *b] = linear.0.map(|v| srgb_encode(v) as f32);
+        }
+    } else if scalar.starts_with('b') {
+        for (component, value) in values.iter_mut().enumerate() {
+            let mut on = *value != 0.0;
+            let id = if component == 0 { id.clone() } else { format!("{id}-{component}") };
+            if toggle(ui, &id, "", &mut on, name) {
+                *value = if on { 1.0 } else { 0.0 };
+            }
+        }
+    } else {
+        let is_whole = scalar.starts_with(['i', 'u']);
+        let is_single = values.len() == 1;
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (component, value) in values.iter_mut().enumerate() {
+            let id = if component == 0 { id.clone() } else { format!("{id}-{component}") };
+            let mut field = NumberField::new(&id, name);
+            if !is_single {
+                field = field.width(58.0);
+            }
+            if is_whole {
+                field = field.whole().step(0.05);
+            }
+            field.show_f32(ui, value);
+        }
+        if is_single
+            && !is_whole
+            && let [value] = values
+        {
+            slider(ui, value);
+        }
+    }
+    *values != before
+}
+
+/// A slider beside a number: from 0 to 1, or as far as the number needs.
+fn slider(ui: &mut Ui, value: &mut f32) {
+    let size = value.abs();
+    let most = if size <= 1.0 { 1.0 } else { 10_f32.powf(size.log10().ceil()) };
+    let least = if *value < 0.0 { -most } else { 0.0 };
+    ui.spacing_mut().slider_width = (ui.available_width() - 34.0).clamp(40.0, 130.0);
+    ui.add(egui::Slider::new(value, least..=most).show_value(false));
+}

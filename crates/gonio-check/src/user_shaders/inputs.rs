@@ -1,0 +1,196 @@
+//! The values of roles in a frame: matrices, camera, lights and materials.
+
+use crate::roles::Role;
+use glam::{DMat3, DMat4, DVec3};
+use gonio_light::light::ambient_color;
+use gonio_light::{Attenuation, Light, LightKind};
+use gonio_mesh::AmbientRule;
+use gonio_scene::{Frame, SceneMaterial};
+
+/// The distance of a directional light's position, in radii of the scene: its rays are parallel to 1/1000 of a radian.
+const SUN_DISTANCE: f64 = 1000.0;
+/// The ambient light of a scene without ambient lights, as a share of its first light: the lab's.
+const AMBIENT: f64 = 0.1;
+/// No driver has more uniforms.
+const MOST_ELEMENTS: u32 = 256;
+
+/// What the values of one draw depend on.
+pub(super) struct DrawInputs<'a> {
+    pub(super) frame: &'a Frame,
+    pub(super) world_from_model: DMat4,
+    pub(super) material: &'a SceneMaterial,
+}
+
+/// A sentence part that says where the value of a role comes from.
+pub(super) fn origin(role: Role) -> String {
+    let light = |index: u32, what: &str| match index {
+        0 => format!("the first light's {what}"),
+        1 => format!("the second light's {what}"),
+        more => format!("light {}'s {what}", more + 1),
+    };
+    match role {
+        Role::Model => "the object's matrix M".to_owned(),
+        Role::View => "the camera's matrix V".to_owned(),
+        Role::Projection => "the camera's matrix P".to_owned(),
+        Role::ModelView => "V M of object and camera".to_owned(),
+        Role::ViewProjection => "the camera's P V".to_owned(),
+        Role::ModelViewProjection => "P V M of object and camera".to_owned(),
+        Role::NormalMatrix => "the object's inverse transpose of M".to_owned(),
+        Role::NormalMatrixOfModelView => "the inverse transpose of V M".to_owned(),
+        Role::ViewPos | Role::ViewFront | Role::ViewUp | Role::WorldUp | Role::ViewRight | Role::ViewTarget => {
+            "from the camera".to_owned()
+        }
+        Role::Yaw | Role::Pitch => "from the camera, in degrees".to_owned(),
+        Role::LightPos(i) => light(i, "position"),
+        Role::LightPosInView(i) => light(i, "position in view space"),
+        Role::LightDirection(i) => light(i, "direction"),
+        Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => light(i, "colour"),
+        Role::DiffuseStrength(i) | Role::SpecularStrength(i) => light(i, "strength"),
+        Role::AmbientColor(_) | Role::AmbientStrength(_) => "the ambient light".to_owned(),
+        Role::AttenuationConstant(i)
+        | Role::AttenuationLinear(i)
+        | Role::AttenuationQuadratic(i)
+        | Role::Attenuation(i) => light(i, "attenuation"),
+        Role::LightCount => "the number of lights".to_owned(),
+        Role::Time => "the time in seconds".to_owned(),
+        Role::Resolution => "the picture's size in pixels".to_owned(),
+        Role::Gamma => "2.2".to_owned(),
+        _ => "from the material".to_owned(),
+    }
+}
+
+/// The value of a uniform with a role; arrays of lights have consecutive lights, others the same value in all elements.
+/// `None` if a scene has no such value.
+pub(super) fn values(role: Role, glsl_type: &str, elements: u32, input: &DrawInputs<'_>) -> Option<Vec<f32>> {
+    if elements <= 1 {
+        return value(role, glsl_type, input);
+    }
+    let size = super::uniforms::components(glsl_type);
+    let first = role.light().unwrap_or(0);
+    let element = |element: u32| {
+        let mut numbers = value(role.with_light(first.saturating_add(element)), glsl_type, input)?;
+        numbers.resize(size, 0.0);
+        Some(numbers)
+    };
+    (0..elements.min(MOST_ELEMENTS)).map(element).collect::<Option<Vec<_>>>().map(|all| all.concat())
+}
+
+fn value(role: Role, glsl_type: &str, input: &DrawInputs<'_>) -> Option<Vec<f32>> {
+    let frame = input.frame;
+    let camera = &frame.camera;
+    let (width, height) = (f64::from(frame.width.max(1)), f64::from(frame.height.max(1)));
+    let model = input.world_from_model;
+    let view = camera.view_from_world();
+    let projection = camera.clip_from_view(width / height);
+    let matrix = |m: DMat4| match glsl_type {
+        "mat3" => DMat3::from_mat4(m).as_mat3().to_cols_array().to_vec(),
+        _ => m.as_mat4().to_cols_array().to_vec(),
+    };
+    let normal_matrix = |m: DMat4| {
+        let linear = DMat3::from_mat4(m);
+        let inverse = if linear.determinant() == 0.0 { linear } else { linear.inverse().transpose() };
+        matrix(DMat4::from_mat3(inverse))
+    };
+    let vector = |v: DVec3, w: f32| {
+        let [x, y, z] = v.as_vec3().to_array();
+        vec![x, y, z, w]
+    };
+    let is_scalar = super::uniforms::components(glsl_type) == 1;
+    // A colour may be declared as a number: its mean.
+    let color = |c: DVec3| if is_scalar { vec![(c.element_sum() / 3.0) as f32] } else { vector(c, 1.0) };
+    let number = |x: f64| if is_scalar { vec![x as f32] } else { vector(DVec3::splat(x), 1.0) };
+    let center = 0.5 * (frame.bounds_min + frame.bounds_max);
+    let radius = (0.5 * (frame.bounds_max - frame.bounds_min)).length().max(1e-3);
+    let light = |index: u32| light(frame, index);
+    let position = |light: Light| match light.kind {
+        LightKind::Point { position } | LightKind::Spot { position, .. } => position,
+        LightKind::Directional { direction } => center - direction * SUN_DISTANCE * radius,
+        LightKind::Ambient => center,
+    };
+    let ambient = || {
+        let sum = ambient_color(&frame.lights);
+        let first = light(0).map_or(DVec3::ONE, |light| light.color);
+        if sum == DVec3::ZERO { AMBIENT * first } else { sum }
+    };
+    let material = &input.material.material;
+    let triple = |c: [f32; 3]| color(DVec3::from(c.map(f64::from)));
+    Some(match role {
+        Role::Model => matrix(model),
+        Role::View => matrix(view),
+        Role::Projection => matrix(projection),
+        Role::ModelView => matrix(view * model),
+        Role::ViewProjection => matrix(projection * view),
+        Role::ModelViewProjection => matrix(projection * view * model),
+        Role::NormalMatrix => normal_matrix(model),
+        Role::NormalMatrixOfModelView => normal_matrix(view * model),
+        Role::ViewPos => vector(camera.position, 1.0),
+        Role::ViewFront => vector(camera.front, 0.0),
+        Role::ViewUp | Role::WorldUp => vector(camera.up, 0.0),
+        Role::ViewRight => vector(camera.right, 0.0),
+        Role::ViewTarget => vector(camera.position + camera.front * camera.depth_of(center).max(camera.near), 1.0),
+        Role::Yaw => vec![camera.yaw_pitch_deg().0 as f32],
+        Role::Pitch => vec![camera.yaw_pitch_deg().1 as f32],
+        Role::LightPos(i) => vector(light(i).map_or(center, position), 1.0),
+        Role::LightPosInView(i) => vector(view.transform_point3(light(i).map_or(center, position)), 1.0),
+        Role::LightDirection(i) => {
+            let direction = match light(i).map(|light| light.kind) {
+                Some(LightKind::Directional { direction }) => direction,
+                Some(LightKind::Spot { axis, .. }) => axis,
+                Some(LightKind::Point { position }) => (center - position).normalize_or(DVec3::NEG_Y),
+                _ => DVec3::NEG_Y,
+            };
+            vector(direction, 0.0)
+        }
+        Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => {
+            color(light(i).map_or(DVec3::ZERO, |light| light.color))
+        }
+        Role::DiffuseStrength(i) | Role::SpecularStrength(i) => number(if light(i).is_some() { 1.0 } else { 0.0 }),
+        Role::AmbientColor(0) => color(ambient()),
+        Role::AmbientStrength(0) => number(ambient().element_sum() / 3.0),
+        Role::AmbientColor(_) | Role::AmbientStrength(_) => number(0.0),
+        Role::AttenuationConstant(i) => number(attenuation(light(i))[0]),
+        Role::AttenuationLinear(i) => number(attenuation(light(i))[1]),
+        Role::AttenuationQuadratic(i) => number(attenuation(light(i))[2]),
+        Role::Attenuation(i) => vector(attenuation(light(i)).into(), 0.0),
+        Role::LightCount => vec![lights(frame).count().max(1) as f32],
+        Role::Shininess => number(material.shininess.into()),
+        Role::MaterialColor | Role::MaterialDiffuse => triple(material.diffuse),
+        Role::MaterialAmbient => match material.ambient {
+            AmbientRule::FollowsDiffuse => triple(material.diffuse),
+            AmbientRule::Value(value) => triple(value),
+        },
+        Role::MaterialSpecular => triple(material.specular),
+        Role::Emitted => triple(material.emitted),
+        Role::RefractionIndex => number(material.refraction_index.into()),
+        Role::RefractionRatio => number(1.0 / f64::from(material.refraction_index.max(1e-3))),
+        Role::Time => number(frame.time),
+        Role::Gamma => number(2.2),
+        Role::Resolution => vec![width as f32, height as f32, 1.0, 1.0],
+        _ => return None,
+    })
+}
+
+/// A light of the sum. A scene without any gets a white one at the camera, so that shapes can be seen.
+fn light(frame: &Frame, index: u32) -> Option<Light> {
+    let own = lights(frame).nth(index as usize).copied();
+    let at_camera = || Light {
+        kind: LightKind::Point { position: frame.camera.position },
+        color: DVec3::ONE,
+        attenuation: Attenuation::NONE,
+    };
+    own.or_else(|| (index == 0).then(at_camera))
+}
+
+/// The lights of the sum: without the ambient ones.
+fn lights(frame: &Frame) -> impl Iterator<Item = &Light> {
+    frame.lights.iter().filter(|light| light.kind != LightKind::Ambient)
+}
+
+fn attenuation(light: Option<Light>) -> [f64; 3] {
+    match light {
+        Some(Light { kind: LightKind::Point { .. } | LightKind::Spot { .. }, attenuation, .. }) => {
+            [attenuation.constant, attenuation.linear, attenuation.quadratic]
+        }
+        _ => [1.0, 0.0, 0.0],
+    }
+}
