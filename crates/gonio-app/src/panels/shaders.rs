@@ -3,13 +3,16 @@
 use crate::exported::{self, WidgetRole};
 use crate::session::{OwnShaders, Session};
 use crate::theme::{colors, icons};
-use crate::widgets::{NumberField, color, heading, icon_button, row, slug, toggle};
+use crate::widgets::{NumberField, color, compact, heading, icon_button, row, slug, toggle};
 use egui::{Label, RichText, Ui};
 use gonio_check::user_shaders::{UniformSource, UserUniform};
 use gonio_light::color::{srgb_decode, srgb_encode};
 use gonio_scene::color_value::Color;
+use gonio_scene::{Frame, Scene};
 
 pub fn show(ui: &mut Ui, session: &mut Session) {
+    let scene = session.loaded.clone();
+    let seen = scene.as_deref().map(|scene| (scene, scene.frame(session.clock.time)));
     let Some(shaders) = &mut session.shaders else { return };
     heading(ui, "Your shaders");
     files(ui, shaders);
@@ -21,7 +24,7 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
     let mut changed = false;
     let count = program.uniforms().len();
     for uniform in program.uniforms_mut() {
-        changed |= uniform_row(ui, uniform);
+        changed |= uniform_row(ui, uniform, seen.as_ref());
     }
     if count == 0 {
         ui.label("The program has none.");
@@ -67,11 +70,17 @@ fn label_of(shaders: &OwnShaders) -> &'static str {
 }
 
 /// A uniform's name, its widget, and where its value comes from. Returns whether its value was changed.
-fn uniform_row(ui: &mut Ui, uniform: &mut UserUniform) -> bool {
-    let tip = format!("{} {}: {}", uniform.glsl_type, uniform.name, uniform.origin());
+fn uniform_row(ui: &mut Ui, uniform: &mut UserUniform, seen: Option<&(&Scene, Frame)>) -> bool {
+    let current = seen.map_or_else(|| uniform.values.clone(), |(scene, frame)| uniform.values_in(scene, frame));
+    let tip = format!(
+        "{} {}: {}\n{}",
+        uniform.glsl_type,
+        uniform.name,
+        uniform.origin(),
+        current.iter().take(16).map(|value| compact(f64::from(*value))).collect::<Vec<_>>().join(", ")
+    );
     let name = uniform.name.clone();
     row(ui, &name, &tip, |ui| {
-        let mut values = uniform.values.clone();
         let from_scene = matches!(uniform.source, UniformSource::Scene(_));
         let is_editable = !uniform.glsl_type.starts_with("mat") && uniform.elements == 1;
         if from_scene || !is_editable {
@@ -82,10 +91,11 @@ fn uniform_row(ui: &mut Ui, uniform: &mut UserUniform) -> bool {
                 && icon_button(ui, &format!("take-{}", slug(&name)), icons::SLIDERS_HORIZONTAL, "Choose the value")
                     .clicked()
             {
-                return uniform.choose(&values).is_ok();
+                return uniform.choose(&current).is_ok();
             }
             return false;
         }
+        let mut values = uniform.values.clone();
         let edited = widget(ui, uniform, &mut values);
         let is_chosen = uniform.source == UniformSource::Chosen;
         if is_chosen

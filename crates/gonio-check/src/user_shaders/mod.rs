@@ -38,6 +38,8 @@ pub struct UserShaderProgram {
     samplers: Vec<(usize, SampledTexture)>,
     files: Vec<Arc<Texture>>,
     uniforms: Vec<UserUniform>,
+    /// The uniforms of a stand-in.
+    of_stand_in: Vec<UserUniform>,
     /// Uniforms that are declared, but that the driver found without effect.
     unused: Vec<String>,
     /// Variables without a value, guesses, and constructs that other compilers may reject, one sentence each.
@@ -172,10 +174,11 @@ impl UserShaderProgram {
             uniforms.push(UserUniform::new(declared, index, role, initial));
         }
         uniforms.sort_by(|a, b| a.name.cmp(&b.name));
+        let (of_stand_in, uniforms) = uniforms.into_iter().partition(|uniform| stand_in::is_input(&uniform.name));
         let is_active = |name: &String| program.uniform_index(name).is_some();
         let unused = declared_names.into_iter().filter(|name| !is_active(name)).collect();
         warnings.truncate(MOST_WARNINGS);
-        UserShaderProgram { program, attributes, samplers, files: Vec::new(), uniforms, unused, warnings }
+        UserShaderProgram { program, attributes, samplers, files: Vec::new(), uniforms, of_stand_in, unused, warnings }
     }
 
     /// The uniforms without the samplers, in order of name.
@@ -281,7 +284,8 @@ impl UserShaderProgram {
     pub fn with_pass<T>(&self, scene: &Scene, frame: &Frame, draw: impl FnOnce(&UserPass<'_>) -> T) -> T {
         let values = |world_from_model, material: &_| {
             let input = inputs::DrawInputs { frame, world_from_model, material };
-            self.uniforms.iter().map(|uniform| (uniform.index, uniform.values_for(&input))).collect()
+            let all = self.uniforms.iter().chain(&self.of_stand_in);
+            all.map(|uniform| (uniform.index, uniform.values_for(&input))).collect()
         };
         draw(&UserPass {
             program: &self.program,

@@ -29,6 +29,11 @@ pub(super) fn names() -> NamesFile {
     NamesFile { names: INPUTS.iter().map(|(.., name, role)| ((*name).to_owned(), Meaning::Role(*role))).collect() }
 }
 
+/// Whether this is the name of one of those inputs.
+pub(super) fn is_input(name: &str) -> bool {
+    INPUTS.iter().any(|(_, _, input, _)| *input == name)
+}
+
 /// The declarations of those inputs that a text uses.
 fn declarations(body: &str, with_attributes: bool) -> String {
     let used =

@@ -5,6 +5,7 @@ use crate::compile::ParsedStage;
 use crate::roles::{Declared, Role};
 use crate::words::words_of;
 use gonio_glsl::{OutputVersion, Type};
+use gonio_scene::{Frame, Scene};
 
 /// Where the value of a uniform comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,6 +97,21 @@ impl UserUniform {
             UniformSource::Initialiser => "its initialiser".to_owned(),
             UniformSource::Chosen => "your value".to_owned(),
             UniformSource::Guess => "not recognised: a guess".to_owned(),
+        }
+    }
+
+    /// The numbers for the first part of the scene, to be shown.
+    pub fn values_in(&self, scene: &Scene, frame: &Frame) -> Vec<f32> {
+        let object = scene.objects.first();
+        let material = object.and_then(|object| scene.materials.get(object.parts.first()?.material));
+        match (object, material) {
+            (Some(object), Some(material)) => {
+                let input = DrawInputs { frame, world_from_model: object.world_from_model, material };
+                let mut values = self.values_for(&input);
+                values.resize(self.values.len(), 0.0);
+                values
+            }
+            _ => self.values.clone(),
         }
     }
 

@@ -136,7 +136,7 @@ fn a_shader_that_does_not_compile_leaves_the_last_good_program() {
     std::fs::write(folder.path().join("own.frag"), shader("gain, 0.0, 0.0")).unwrap();
     let mut window = Window::open_in(folder, 900, 600, &["builtin:cube", "--fragment", "own.frag"]);
     window.wait("the program", |s| s["shaders"]["compiled"] == true);
-    let mut color = |window: &mut Window, name: &str| {
+    let color = |window: &mut Window, name: &str| {
         save(window, "ctrl+s", name);
         let picture = image::open(window.path(name)).unwrap().to_rgb8();
         picture.get_pixel(picture.width() / 2, picture.height() / 2).0
