@@ -1,4 +1,5 @@
-//! Measures the checker: makes each mistake of the catalogue in the exercise's model solution, and checks the result.
+//! Measures the checker: makes each mistake of the catalogue in the exercise's model solution, and checks the result; and
+//! compares verdicts on generated programs with their labels.
 
 use crate::check::{Checker, check};
 use crate::exercise::Exercise;
@@ -6,9 +7,11 @@ use gonio_check::CheckOptions;
 use gonio_check::mistakes::{Hypotheses, Hypothesis};
 use gonio_check::search::{Comparison, Evidence, Task};
 use gonio_check::submission::SourceFile;
-use gonio_check::verdict::{Outcome, Verdict};
+use gonio_check::verdict::{FoundMistake, Outcome, Verdict};
 use gonio_gl::GlError;
+use gonio_submissions::{GeneratedPair, LabelledMistake};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Counts of mistakes by how they were named.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -115,4 +118,239 @@ pub fn measure(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Resu
 fn is_same_picture(both: &Option<Evidence>, alone: &Option<Evidence>) -> bool {
     let (Some(both), Some(alone)) = (both, alone) else { return false };
     Comparison::new(&both.seen, &alone.seen, both.scenes.len()).is_same()
+}
+
+/// The comparison of a verdict with its label.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ScoredPair {
+    /// The exercise's id.
+    pub exercise: String,
+    /// Its number in the series.
+    pub index: u64,
+    /// The mistakes that were made, by the generator's names.
+    pub made: Vec<String>,
+    /// Whether some mistake is in no list, so that it has no name.
+    pub in_no_list: bool,
+    /// The outcome, as verdicts write it.
+    pub verdict: String,
+    /// Whether the outcome is right.
+    pub outcome_right: bool,
+    /// The mistakes that the checker named.
+    pub named: Vec<String>,
+    /// Whether all mistakes were named, and no other.
+    pub names_right: bool,
+    /// Whether the checker pointed at a line of each mistake.
+    pub lines_right: bool,
+    /// Whether the rewritten programs got the same verdict; `None` if there are none.
+    pub same_when_rewritten: Option<bool>,
+    /// Whether the proposed fix passes; `None` while the checker proposes none.
+    pub fix_passes: Option<bool>,
+    /// Mistakes that were left out because no picture shows them.
+    pub invisible: usize,
+}
+
+fn answers(found: &FoundMistake, made: &LabelledMistake) -> bool {
+    made.ids.iter().any(|id| found.id == *id || found.or.iter().any(|or| or == id))
+}
+
+fn is_at(found: &FoundMistake, made: &LabelledMistake) -> bool {
+    let (Some(file), Some(line)) = (&found.file, found.line) else { return false };
+    made.places.iter().any(|(known, at)| known == file && *at == line)
+}
+
+/// The part of a verdict that a rewrite must not change: the outcome and the names.
+fn gist(verdict: &Verdict) -> (Outcome, Vec<&str>) {
+    let mut ids: Vec<&str> = verdict.mistakes.iter().map(|found| found.id.as_str()).collect();
+    ids.sort_unstable();
+    (verdict.verdict, ids)
+}
+
+impl ScoredPair {
+    /// Compares a verdict with the label, and with the verdicts on the rewritten programs.
+    pub fn new(pair: &GeneratedPair, verdict: &Verdict, rewritten: &[Verdict]) -> Self {
+        let right = if pair.mistakes.is_empty() { Outcome::Correct } else { Outcome::Wrong };
+        let found = &verdict.mistakes;
+        let named = pair.mistakes.iter().all(|made| found.iter().any(|found| answers(found, made)));
+        let located = pair.mistakes.iter().all(|made| found.iter().any(|found| is_at(found, made)));
+        let in_no_list = pair.mistakes.iter().any(|made| made.ids.is_empty());
+        ScoredPair {
+            exercise: pair.exercise.to_owned(),
+            index: pair.index,
+            made: pair.mistakes.iter().map(|made| made.key.to_owned()).collect(),
+            in_no_list,
+            verdict: outcome_word(verdict.verdict).to_owned(),
+            outcome_right: verdict.verdict == right,
+            named: found.iter().map(|found| found.id.clone()).collect(),
+            names_right: named && found.len() == pair.mistakes.len(),
+            lines_right: located,
+            same_when_rewritten: (!rewritten.is_empty())
+                .then(|| rewritten.iter().all(|other| gist(other) == gist(verdict))),
+            fix_passes: None,
+            invisible: pair.invisible.len(),
+        }
+    }
+
+    /// Whether everything is as it should be.
+    pub fn is_right(&self) -> bool {
+        let complete = self.made.is_empty() || (self.names_right || self.in_no_list) && self.lines_right;
+        self.outcome_right && complete && self.same_when_rewritten != Some(false)
+    }
+
+    /// One line about what is not.
+    pub fn complaint(&self) -> String {
+        let made = if self.made.is_empty() { "correct".to_owned() } else { self.made.join(" and ") };
+        let mut text = format!("{} pair {}: {made}: {}", self.exercise, self.index, self.verdict);
+        if !self.named.is_empty() {
+            text.push_str(&format!(", {}", self.named.join(" and ")));
+        }
+        if self.outcome_right && !self.made.is_empty() && !self.lines_right {
+            text.push_str(", at another line");
+        }
+        if self.same_when_rewritten == Some(false) {
+            text.push_str(", and another verdict after a rewrite");
+        }
+        text
+    }
+}
+
+/// The word for an outcome.
+fn outcome_word(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Correct => "correct",
+        Outcome::Wrong => "wrong",
+        Outcome::DoesNotCompile => "does not compile",
+        Outcome::Unsure => "unsure",
+    }
+}
+
+/// How many of how many.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Share {
+    /// Those that are as they should be.
+    pub right: usize,
+    /// All of them.
+    pub all: usize,
+}
+
+impl Share {
+    fn add(&mut self, right: bool) {
+        self.right += usize::from(right);
+        self.all += 1;
+    }
+
+    /// Whether a share is reached; an empty one reaches everything.
+    pub fn reaches(self, least: f64) -> bool {
+        self.right as f64 >= least * self.all as f64
+    }
+}
+
+impl std::fmt::Display for Share {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.all {
+            0 => f.write_str("-"),
+            all => write!(f, "{} of {all} ({:.0} %)", self.right, 100.0 * self.right as f64 / all as f64),
+        }
+    }
+}
+
+/// The counts of an exercise, or of all.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct GeneratedScore {
+    /// The exercise's id, or `all`.
+    pub exercise: String,
+    /// Correct programs that were called correct.
+    pub correct: Share,
+    /// Correct programs that were called wrong.
+    pub false_alarms: usize,
+    /// Programs of any kind whose outcome is right.
+    pub outcomes: Share,
+    /// Single mistakes of the catalogue that were named.
+    pub single_named: Share,
+    /// Single mistakes of the catalogue that were named, with the right line.
+    pub single_located: Share,
+    /// Single mistakes in no list that were called wrong.
+    pub unlisted_found: Share,
+    /// Single mistakes in no list with the right line.
+    pub unlisted_located: Share,
+    /// Pairs of mistakes of the catalogue that were named.
+    pub pairs_named: Share,
+    /// Pairs of mistakes with both lines right.
+    pub pairs_located: Share,
+    /// Programs whose rewrites got the same verdict.
+    pub same_when_rewritten: Share,
+    /// Proposed fixes that pass; `None` while the checker proposes none.
+    pub fixes: Option<Share>,
+    /// Mistakes that were left out because no picture shows them.
+    pub invisible: usize,
+}
+
+impl GeneratedScore {
+    /// The counts of each exercise, and of all.
+    pub fn of(pairs: &[ScoredPair]) -> Vec<GeneratedScore> {
+        let mut scores: BTreeMap<&str, GeneratedScore> = BTreeMap::new();
+        let mut total = GeneratedScore { exercise: "all".to_owned(), ..GeneratedScore::default() };
+        for pair in pairs {
+            let score = scores.entry(&pair.exercise).or_default();
+            score.exercise.clone_from(&pair.exercise);
+            score.add(pair);
+            total.add(pair);
+        }
+        scores.into_values().chain([total]).collect()
+    }
+
+    fn add(&mut self, pair: &ScoredPair) {
+        self.outcomes.add(pair.outcome_right);
+        self.invisible += pair.invisible;
+        match pair.made.len() {
+            0 => {
+                self.correct.add(pair.outcome_right);
+                self.false_alarms += usize::from(pair.verdict == "wrong" || pair.verdict == "does not compile");
+            }
+            1 if pair.in_no_list => {
+                self.unlisted_found.add(pair.outcome_right);
+                self.unlisted_located.add(pair.outcome_right && pair.lines_right);
+            }
+            1 => {
+                self.single_named.add(pair.names_right);
+                self.single_located.add(pair.names_right && pair.lines_right);
+            }
+            _ => {
+                if !pair.in_no_list {
+                    self.pairs_named.add(pair.names_right);
+                }
+                self.pairs_located.add(pair.lines_right);
+            }
+        }
+        if let Some(same) = pair.same_when_rewritten {
+            self.same_when_rewritten.add(same);
+        }
+        if let Some(passes) = pair.fix_passes {
+            self.fixes.get_or_insert_default().add(passes);
+        }
+    }
+
+    /// Whether the goals are reached: no false alarm, 97 % of single mistakes with their line, 90 % of pairs, the same
+    /// verdict after every rewrite, 95 % of fixes.
+    pub fn reaches_the_goals(&self) -> bool {
+        self.false_alarms == 0
+            && self.single_located.reaches(0.97)
+            && self.pairs_named.reaches(0.9)
+            && self.same_when_rewritten.reaches(1.0)
+            && self.fixes.is_none_or(|fixes| fixes.reaches(0.95))
+    }
+}
+
+/// Checks a generated pair and its rewrites, and compares the verdicts with the label.
+///
+/// # Errors
+/// Faults of the generator and errors of the driver, in words.
+pub fn score_generated(checker: &mut Checker, exercise: &Exercise, pair: &GeneratedPair) -> Result<ScoredPair, String> {
+    let mut check_files = |files: &[(String, String)]| -> Result<Verdict, String> {
+        let files = files.iter().map(|(name, text)| SourceFile::new(name, text.clone())).collect();
+        let checked = check(checker, exercise, files, &CheckOptions::default());
+        checked.map(|(verdict, _)| verdict).map_err(|error| error.to_string())
+    };
+    let verdict = check_files(&pair.files)?;
+    let rewritten = pair.rewrites.iter().map(|files| check_files(files)).collect::<Result<Vec<_>, _>>()?;
+    Ok(ScoredPair::new(pair, &verdict, &rewritten))
 }

@@ -42,6 +42,8 @@ pub const RULES: &[Rule] = &[
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-interpreter", may_know: &["gonio-glsl"], tests_may_know: &[] },
+    // It measures the checker, so neither knows the other.
+    Rule { krate: "gonio-submissions", may_know: &["gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
     Rule { krate: "gonio-exercises", may_know: BELOW_EXERCISES, tests_may_know: &[] },
     Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
@@ -110,6 +112,7 @@ const BELOW_EXERCISES: &[&str] = &[
     "gonio-glsl",
     "gonio-interpreter",
     "gonio-check",
+    "gonio-submissions",
 ];
 const BELOW_SHELLS: &[&str] = &[
     "gonio-light",
@@ -142,6 +145,7 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-glsl",
     "gonio-interpreter",
     "gonio-check",
+    "gonio-submissions",
     "gonio-exercises",
     "gonio-app",
 ];
