@@ -62,6 +62,17 @@ impl Registers {
         }
     }
 
+    /// Sets the number that is the same in all lanes, or else the row; a row that is not used is kept.
+    fn put(&mut self, dst: Reg, same: Option<u32>, row: Box<Row>, written: LaneSet) {
+        match same {
+            Some(bits) => {
+                self.spare.push(Some(row));
+                self.set(dst, bits, written);
+            }
+            None => self.put_row(dst, row, written),
+        }
+    }
+
     pub fn set(&mut self, dst: Reg, bits: u32, written: LaneSet) {
         let slot = &mut self.slots[dst as usize];
         (slot.is_uniform, slot.bits, slot.written) = (true, bits, written);
@@ -216,13 +227,7 @@ impl Registers {
                 None
             }
         };
-        match same {
-            Some(bits) => {
-                self.spare.push(Some(row));
-                self.set(dst, bits, written);
-            }
-            None => self.put_row(dst, row, written),
-        }
+        self.put(dst, same, row, written);
     }
 
     #[inline(always)]
@@ -245,13 +250,7 @@ impl Registers {
                 None
             }
         };
-        match same {
-            Some(bits) => {
-                self.spare.push(Some(row));
-                self.set(dst, bits, written);
-            }
-            None => self.put_row(dst, row, written),
-        }
+        self.put(dst, same, row, written);
     }
 
     /// The sum of products of floats, from the first one to the last.
