@@ -311,8 +311,7 @@ pub fn run(stage: &CompiledStage, inputs: &StageInputs, options: &RunOptions<'_>
             let mut all = LaneSet::FULL;
             for (at, component) in (0..output.size).zip(components.iter_mut()) {
                 all = all.and(machine.registers.written(output.reg + at));
-                let operand = machine.registers.operand(output.reg + at);
-                component.extend((0..count).map(|lane| operand.at(lane)));
+                machine.registers.operand(output.reg + at).append_to(component, count);
             }
             written.push(all);
         }

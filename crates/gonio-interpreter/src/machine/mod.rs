@@ -63,6 +63,7 @@ impl<'a> Machine<'a> {
         self.start = start;
         self.control = Control::new(self.valid);
         self.seen.start_block(start);
+        self.registers.start_block(count);
         let stage = self.stage;
         let mut at = 0_usize;
         while let Some(instr) = stage.code.get(at) {
@@ -426,12 +427,13 @@ fn is_slow(op: One) -> bool {
     )
 }
 
-/// The float operands of an instruction whose result is a float: (first register, length, step), and its result.
-pub(crate) type FloatOperation = (Reg, u32, Vec<(Reg, u32)>);
+/// The result of an instruction that is a float, and its float operands: first register and length, 0 where there is none.
+pub(crate) type FloatOperation = (Reg, u32, [(Reg, u32); 3]);
 
 /// Returns the result and operands of an instruction that may be the first to compute an infinity or NaN.
 pub(crate) fn float_operation(instr: &Instr, stage: &CompiledStage) -> Option<FloatOperation> {
     use One::*;
+    const NONE: (Reg, u32) = (0, 0);
     Some(match *instr {
         Instr::One {
             op:
@@ -440,7 +442,7 @@ pub(crate) fn float_operation(instr: &Instr, stage: &CompiledStage) -> Option<Fl
             dst,
             a,
             n,
-        } => (dst, n, vec![(a, n)]),
+        } => (dst, n, [(a, n), NONE, NONE]),
         Instr::Two {
             op: Two::FAdd | Two::FSub | Two::FMul | Two::FDiv | Two::FMod | Two::Pow | Two::Atan2 | Two::Ldexp,
             dst,
@@ -450,23 +452,23 @@ pub(crate) fn float_operation(instr: &Instr, stage: &CompiledStage) -> Option<Fl
             steps,
         } => {
             let count = |step: u8| if step == 0 { 1 } else { n };
-            (dst, n, vec![(a, count(steps[0])), (b, count(steps[1]))])
+            (dst, n, [(a, count(steps[0])), (b, count(steps[1])), NONE])
         }
         Instr::Three { op: Three::Mix | Three::Smoothstep | Three::Fma, dst, a, b, c, n, steps } => {
             let count = |step: u8| if step == 0 { 1 } else { n };
-            (dst, n, vec![(a, count(steps[0])), (b, count(steps[1])), (c, count(steps[2]))])
+            (dst, n, [(a, count(steps[0])), (b, count(steps[1])), (c, count(steps[2]))])
         }
         Instr::Dot { dst, a, b, n, steps } => {
             let reach = |step: u8| u32::from(n.saturating_sub(1)) * u32::from(step) + 1;
-            (dst, 1, vec![(a, reach(steps[0])), (b, reach(steps[1]))])
+            (dst, 1, [(a, reach(steps[0])), (b, reach(steps[1])), NONE])
         }
         Instr::Whole { op: Whole::Determinant(_) | Whole::Inverse(_) | Whole::Refract(_), dst, to, a, n } => {
-            (dst, u32::from(to), vec![(a, u32::from(n))])
+            (dst, u32::from(to), [(a, u32::from(n)), NONE, NONE])
         }
-        Instr::Derivative { dst, a, n, .. } => (dst, n, vec![(a, n)]),
+        Instr::Derivative { dst, a, n, .. } => (dst, n, [(a, n), NONE, NONE]),
         Instr::Texture { index } => {
             let call = stage.textures.get(index as usize)?;
-            (call.dst, u32::from(call.n), vec![(call.coordinates, u32::from(call.dims))])
+            (call.dst, u32::from(call.n), [(call.coordinates, u32::from(call.dims)), NONE, NONE])
         }
         _ => return None,
     })

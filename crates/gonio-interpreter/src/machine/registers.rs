@@ -30,6 +30,22 @@ impl Operand<'_> {
             Self::Each(row) => row[lane],
         }
     }
+
+    /// The values of the first `count` lanes.
+    pub fn first(&self, count: usize) -> Vec<u32> {
+        match self {
+            Self::Same(bits) => vec![*bits; count],
+            Self::Each(row) => row[..count.min(LANES)].to_vec(),
+        }
+    }
+
+    /// Appends the values of the first `count` lanes.
+    pub fn append_to(&self, all: &mut Vec<u32>, count: usize) {
+        match self {
+            Self::Same(bits) => all.resize(all.len() + count, *bits),
+            Self::Each(row) => all.extend_from_slice(&row[..count.min(LANES)]),
+        }
+    }
 }
 
 /// All registers of a block.
@@ -37,7 +53,12 @@ pub(crate) struct Registers {
     slots: Vec<Slot>,
     /// Rows that are not used now.
     spare: Vec<Option<Box<Row>>>,
+    /// The lanes that instructions compute: those of the block's points, and a few more. Rows end with old numbers.
+    width: usize,
 }
+
+/// [`Registers::width`] is a multiple of this, so that loops over lanes need no remainder.
+const STEP: usize = 16;
 
 fn zeros() -> Box<Row> {
     Box::new([0; LANES])
@@ -46,7 +67,12 @@ fn zeros() -> Box<Row> {
 impl Registers {
     pub fn new(count: u32) -> Self {
         let slot = Slot { is_uniform: true, ..Slot::default() };
-        Self { slots: vec![slot; count as usize], spare: Vec::new() }
+        Self { slots: vec![slot; count as usize], spare: Vec::new(), width: LANES }
+    }
+
+    /// Prepares for a block of `count` points.
+    pub fn start_block(&mut self, count: usize) {
+        self.width = count.next_multiple_of(STEP).min(LANES);
     }
 
     fn take_row(&mut self) -> Box<Row> {
@@ -81,7 +107,7 @@ impl Registers {
     /// Sets each lane.
     pub fn set_each(&mut self, dst: Reg, written: LaneSet, value: impl Fn(usize) -> u32) {
         let mut row = self.take_row();
-        for (lane, bits) in row.iter_mut().enumerate() {
+        for (lane, bits) in row[..self.width].iter_mut().enumerate() {
             *bits = value(lane);
         }
         self.put_row(dst, row, written);
@@ -90,9 +116,9 @@ impl Registers {
     /// Sets the lanes from a slice; the last number is repeated.
     pub fn set_slice(&mut self, dst: Reg, written: LaneSet, values: &[u32]) {
         let mut row = self.take_row();
-        let count = values.len().min(LANES);
+        let count = values.len().min(self.width);
         row[..count].copy_from_slice(&values[..count]);
-        row[count..].fill(values.last().copied().unwrap_or(0));
+        row[count..self.width].fill(values.last().copied().unwrap_or(0));
         self.put_row(dst, row, written);
     }
 
@@ -125,7 +151,7 @@ impl Registers {
             Operand::Each(_) => {
                 let mut row = self.take_row();
                 if let Operand::Each(from) = self.operand(src) {
-                    row.copy_from_slice(from);
+                    row[..self.width].copy_from_slice(&from[..self.width]);
                 }
                 self.put_row(dst, row, written);
             }
@@ -145,24 +171,25 @@ impl Registers {
             return;
         }
         let mut row = self.take_row();
+        let width = self.width;
         match (self.operand(dst), self.operand(src)) {
             (Operand::Each(d), Operand::Each(s)) => {
-                for (((out, d), s), m) in row.iter_mut().zip(d).zip(s).zip(ones) {
+                for (((out, d), s), m) in row[..width].iter_mut().zip(d).zip(s).zip(ones) {
                     *out = (d & !m) | (s & m);
                 }
             }
             (Operand::Each(d), Operand::Same(s)) => {
-                for ((out, d), m) in row.iter_mut().zip(d).zip(ones) {
+                for ((out, d), m) in row[..width].iter_mut().zip(d).zip(ones) {
                     *out = (d & !m) | (s & m);
                 }
             }
             (Operand::Same(d), Operand::Each(s)) => {
-                for ((out, s), m) in row.iter_mut().zip(s).zip(ones) {
+                for ((out, s), m) in row[..width].iter_mut().zip(s).zip(ones) {
                     *out = (d & !m) | (s & m);
                 }
             }
             (Operand::Same(d), Operand::Same(s)) => {
-                for (out, m) in row.iter_mut().zip(ones) {
+                for (out, m) in row[..width].iter_mut().zip(ones) {
                     *out = (d & !m) | (s & m);
                 }
             }
@@ -177,8 +204,9 @@ impl Registers {
             return self.set(dst, f(bits), written);
         }
         let mut row = self.take_row();
+        let width = self.width;
         if let Operand::Each(a) = self.operand(a) {
-            for (out, a) in row.iter_mut().zip(a) {
+            for (out, a) in row[..width].iter_mut().zip(a) {
                 *out = f(*a);
             }
         }
@@ -192,19 +220,20 @@ impl Registers {
             return self.set(dst, f(a, b), written);
         }
         let mut row = self.take_row();
+        let width = self.width;
         match (self.operand(a), self.operand(b)) {
             (Operand::Each(a), Operand::Each(b)) => {
-                for ((out, a), b) in row.iter_mut().zip(a).zip(b) {
+                for ((out, a), b) in row[..width].iter_mut().zip(a).zip(b) {
                     *out = f(*a, *b);
                 }
             }
             (Operand::Each(a), Operand::Same(b)) => {
-                for (out, a) in row.iter_mut().zip(a) {
+                for (out, a) in row[..width].iter_mut().zip(a) {
                     *out = f(*a, b);
                 }
             }
             (Operand::Same(a), Operand::Each(b)) => {
-                for (out, b) in row.iter_mut().zip(b) {
+                for (out, b) in row[..width].iter_mut().zip(b) {
                     *out = f(a, *b);
                 }
             }
@@ -218,10 +247,11 @@ impl Registers {
     pub fn two_slow(&mut self, dst: Reg, a: Reg, b: Reg, f: impl Fn(u32, u32) -> u32 + Copy) {
         let written = self.written(a).and(self.written(b));
         let mut row = self.take_row();
+        let width = self.width;
         let same = match (self.operand(a), self.operand(b)) {
             (Operand::Same(a), Operand::Same(b)) => Some(f(a, b)),
             (a, b) => {
-                for (lane, out) in row.iter_mut().enumerate() {
+                for (lane, out) in row[..width].iter_mut().enumerate() {
                     *out = f(a.at(lane), b.at(lane));
                 }
                 None
@@ -235,16 +265,17 @@ impl Registers {
         let [a, b, c] = regs;
         let written = self.written(a).and(self.written(b)).and(self.written(c));
         let mut row = self.take_row();
+        let width = self.width;
         let same = match (self.operand(a), self.operand(b), self.operand(c)) {
             (Operand::Same(a), Operand::Same(b), Operand::Same(c)) => Some(f(a, b, c)),
             (Operand::Each(a), Operand::Each(b), Operand::Each(c)) => {
-                for (((out, a), b), c) in row.iter_mut().zip(a).zip(b).zip(c) {
+                for (((out, a), b), c) in row[..width].iter_mut().zip(a).zip(b).zip(c) {
                     *out = f(*a, *b, *c);
                 }
                 None
             }
             (a, b, c) => {
-                for (lane, out) in row.iter_mut().enumerate() {
+                for (lane, out) in row[..width].iter_mut().enumerate() {
                     *out = f(a.at(lane), b.at(lane), c.at(lane));
                 }
                 None
@@ -274,6 +305,7 @@ impl Registers {
             return self.set(dst, sum.to_bits(), written);
         }
         let mut row = self.take_row();
+        let width = self.width;
         for i in 0..n {
             let (a, b) = regs(i);
             let add = |out: &mut u32, term: f32| {
@@ -281,18 +313,18 @@ impl Registers {
             };
             match (self.operand(a), self.operand(b)) {
                 (Operand::Each(a), Operand::Each(b)) => {
-                    for ((out, a), b) in row.iter_mut().zip(a).zip(b) {
+                    for ((out, a), b) in row[..width].iter_mut().zip(a).zip(b) {
                         add(out, product(*a, *b));
                     }
                 }
                 (Operand::Each(row_of), Operand::Same(factor)) | (Operand::Same(factor), Operand::Each(row_of)) => {
-                    for (out, a) in row.iter_mut().zip(row_of) {
+                    for (out, a) in row[..width].iter_mut().zip(row_of) {
                         add(out, product(*a, factor));
                     }
                 }
                 (Operand::Same(a), Operand::Same(b)) => {
                     let term = product(a, b);
-                    row.iter_mut().for_each(|out| add(out, term));
+                    row[..width].iter_mut().for_each(|out| add(out, term));
                 }
             }
         }

@@ -6,7 +6,7 @@ use super::{Machine, float_operation};
 use crate::code::{CompiledStage, Instr, Reg};
 use crate::lanes::{LANES, LaneSet};
 use crate::math::f;
-use crate::run::{AnomalyKind, Evaluation, PointValues, RunOptions, TraceStep, TraceWrite};
+use crate::run::{AnomalyKind, Evaluation, PointValues, RunOptions, Substitute, TraceStep, TraceWrite};
 use crate::source::{ExprId, StatementId};
 
 /// Most steps of a trace.
@@ -22,10 +22,17 @@ pub(crate) struct Write {
     pub size: u32,
 }
 
+/// What is to be done with an expression.
+#[derive(Clone, Copy, Default)]
+struct Mark {
+    is_watched: bool,
+    is_replaced: bool,
+}
+
 /// What was seen of a run.
 pub(crate) struct Seen {
     /// By expression; empty if none is watched or replaced.
-    is_watched: Vec<bool>,
+    marks: Vec<Mark>,
     /// How often each expression was evaluated in this block.
     occurrences: Vec<u32>,
     pub evaluations: Vec<Evaluation>,
@@ -43,17 +50,23 @@ pub(crate) struct Seen {
 
 impl Seen {
     pub fn new(stage: &CompiledStage, options: &RunOptions<'_>) -> Self {
-        let mut is_watched = Vec::new();
-        let exprs = options.watched.iter().copied().chain(options.substitutes.iter().map(|s| s.expr));
-        for expr in exprs {
-            is_watched.resize(stage.source.expressions.len(), false);
-            if let Some(found) = is_watched.get_mut(expr.0 as usize) {
-                *found = true;
+        let mut marks = Vec::new();
+        if !options.watched.is_empty() || !options.substitutes.is_empty() {
+            marks.resize(stage.source.expressions.len(), Mark::default());
+        }
+        for expr in options.watched {
+            if let Some(mark) = marks.get_mut(expr.0 as usize) {
+                mark.is_watched = true;
+            }
+        }
+        for substitute in options.substitutes {
+            if let Some(mark) = marks.get_mut(substitute.expr.0 as usize) {
+                mark.is_replaced = true;
             }
         }
         Self {
-            occurrences: vec![0; is_watched.len()],
-            is_watched,
+            occurrences: vec![0; marks.len()],
+            marks,
             evaluations: Vec::new(),
             space: options.most_observed,
             is_truncated: false,
@@ -78,7 +91,7 @@ impl Seen {
 
     #[inline(always)]
     pub fn is_watching(&self) -> bool {
-        !self.is_watched.is_empty()
+        !self.marks.is_empty()
     }
 
     #[inline(always)]
@@ -130,18 +143,19 @@ impl Machine<'_> {
     /// Records the value of a watched expression, and replaces it.
     pub(super) fn mark(&mut self, expr: ExprId, reg: Reg, n: u32) {
         let index = expr.0 as usize;
-        if !self.seen.is_watched.get(index).copied().unwrap_or(false) {
+        let mark = self.seen.marks.get(index).copied().unwrap_or_default();
+        if !mark.is_watched && !mark.is_replaced {
             return;
         }
         let occurrence = self.seen.occurrences[index];
         self.seen.occurrences[index] += 1;
-        let options = self.options;
-        for substitute in options.substitutes.iter().filter(|s| s.expr == expr) {
-            if substitute.occurrence.is_none_or(|only| only == occurrence) {
+        if mark.is_replaced {
+            let is_now = |s: &&Substitute| s.expr == expr && s.occurrence.is_none_or(|only| only == occurrence);
+            for substitute in self.options.substitutes.iter().filter(is_now) {
                 self.replace(reg, n, &substitute.values);
             }
         }
-        if options.watched.contains(&expr) {
+        if mark.is_watched {
             self.record(expr, reg, n, occurrence);
         }
     }
@@ -187,12 +201,7 @@ impl Machine<'_> {
         let values = match is_same {
             true => PointValues::Same((0..n).map(|at| self.registers.operand(reg + at).at(0)).collect()),
             false => PointValues::Each {
-                components: (0..n)
-                    .map(|at| {
-                        let operand = self.registers.operand(reg + at);
-                        (0..count).map(|lane| operand.at(lane)).collect()
-                    })
-                    .collect(),
+                components: (0..n).map(|at| self.registers.operand(reg + at).first(count)).collect(),
                 written: None,
             },
         };
