@@ -66,13 +66,11 @@ fn pairs() -> Vec<Pair> {
 }
 
 /// Pairs that cannot be compared in this way, with the reason.
-const NOT_COMPARED: [(&str, &str); 6] = [
+const NOT_COMPARED: [(&str, &str); 4] = [
     ("dialects/06-legacy-120", "the translation renames the built-in attributes"),
     ("dialects/07-block-450", "gl_VertexID: the driver draws without indices"),
     ("dialects/12-texture-named", "the translation renames the uniform `texture`"),
-    ("dialects/15-ints-and-loops-440", "`double` cannot be run"),
     ("dialects/22-compat-330", "the translation renames the built-in attributes"),
-    ("dialects/26-matrix-order-460", "a struct without a name cannot be run"),
 ];
 
 /// A third of the pairs, which were not looked at while the interpreter was written.

@@ -30,10 +30,13 @@ pub(crate) struct NamedPart {
 
 impl Layouts {
     pub fn new(checked: &Checked) -> Self {
+        let single = |ty: &Option<Type>| ty.as_ref().map(in_single_precision);
+        let members =
+            |all: &[(String, Option<Type>)]| all.iter().map(|(name, ty)| (name.clone(), single(ty))).collect();
         let mut structs: HashMap<_, _> =
-            checked.interface.structs.iter().map(|s| (s.name.clone(), s.members.clone())).collect();
+            checked.interface.structs.iter().map(|s| (s.name.clone(), members(&s.members))).collect();
         for block in &checked.interface.blocks {
-            let members = block.members.iter().map(|m| (m.name.clone(), m.ty.clone())).collect();
+            let members = block.members.iter().map(|m| (m.name.clone(), single(&m.ty))).collect();
             // The name that the checker gives to the type of an instance.
             structs.insert(format!("{} (block)", block.name), members);
         }
@@ -45,7 +48,7 @@ impl Layouts {
         self.structs.entry(info.name.clone()).or_insert_with(|| info.members.clone());
     }
 
-    /// Returns the number of scalars; `None` for types without a layout here, such as `double`.
+    /// Returns the number of scalars; `None` for types without a layout here.
     pub fn size(&self, ty: &Type) -> Option<u32> {
         self.size_at(ty, 0)
     }
@@ -65,7 +68,6 @@ impl Layouts {
                 size
             }
             Type::Array(of, count) => self.size_at(of, nested + 1)?.checked_mul(count.unwrap_or(OPEN_ARRAY))?,
-            _ if ty.scalar() == Some(Scalar::Double) => return None,
             _ => ty.components()?,
         };
         (size <= MOST_SCALARS).then_some(size)
@@ -124,6 +126,15 @@ impl Layouts {
             }
             _ => found.push(NamedPart { name: name.into(), ty: ty.clone(), count: 1, offset }),
         }
+    }
+}
+
+/// The type with `float` in place of `double`: the machine computes in 32 bits, and a `double` has the precision of a float.
+pub(crate) fn in_single_precision(ty: &Type) -> Type {
+    match ty {
+        Type::Array(of, count) => Type::Array(in_single_precision(of).into(), *count),
+        _ if ty.scalar() == Some(Scalar::Double) => ty.with_scalar(Scalar::Float),
+        _ => ty.clone(),
     }
 }
 

@@ -155,8 +155,13 @@ impl Checker<'_> {
             return None;
         }
         let is_unknown = types.iter().any(Option::is_none) || fitting.iter().any(|c| c.params.contains(&None));
-        // Doubles would double the table of functions.
         let has_double = types.iter().flatten().any(|t| t.scalar() == Some(Scalar::Double));
+        if has_double && fitting[0].own.is_none() && types.iter().all(Option::is_some) {
+            let doubled = fitting.iter().map(|c| c.doubled()).filter_map(|c| Some((c.cost(types)?, c)));
+            if let Some((_, best)) = doubled.min_by_key(|(cost, _)| *cost) {
+                return Some(best);
+            }
+        }
         let best = fitting.iter().filter_map(|c| Some((c.cost(types)?, *c))).min_by_key(|(cost, _)| *cost);
         if is_unknown || (has_double && fitting[0].own.is_none()) {
             // All candidates may still return the same type.
@@ -299,6 +304,15 @@ impl From<&Signature> for Candidate {
 }
 
 impl Candidate {
+    /// A function of floats as one of doubles, which the table does not list: it would be twice as long.
+    fn doubled(&self) -> Self {
+        let double = |ty: &Option<Type>| match ty {
+            Some(ty) if ty.scalar() == Some(Scalar::Float) => Some(ty.with_scalar(Scalar::Double)),
+            other => other.clone(),
+        };
+        Self { params: self.params.iter().map(double).collect(), returns: double(&self.returns), ..self.clone() }
+    }
+
     /// Returns the number of conversions that a call needs, those to `float` counting least; `None` if it is
     /// impossible.
     fn cost(&self, types: &[Option<Type>]) -> Option<u32> {

@@ -34,10 +34,10 @@ impl Checker<'_> {
 
     /// Resolves a type; reports an unknown one and returns `None`.
     pub(super) fn resolve(&mut self, ty: &mut TypeName) -> Option<Type> {
-        if let Some(definition) = &mut ty.definition {
-            self.structure(definition);
-        }
-        let of = if self.structs.contains_key(&ty.name) {
+        let defined = ty.definition.as_mut().and_then(|definition| self.structure(definition));
+        let of = if let Some(name) = defined {
+            Some(Type::Struct(name))
+        } else if self.structs.contains_key(&ty.name) {
             Some(Type::Struct(ty.name.clone()))
         } else if let Some(found) = Type::named(&ty.name) {
             if !lex::is_type(&ty.name, self.version) {
@@ -105,7 +105,9 @@ impl Checker<'_> {
         })
     }
 
-    fn structure(&mut self, definition: &mut StructDefinition) {
+    /// Declares a struct and returns its name. One without a name is named by its members, so that it is the same type in both
+    /// stages.
+    fn structure(&mut self, definition: &mut StructDefinition) -> Option<String> {
         let mut members: Vec<(String, Option<Type>)> = Vec::new();
         let mut names = HashSet::new();
         for member in &mut definition.members {
@@ -121,7 +123,14 @@ impl Checker<'_> {
         }
         self.check_struct(&definition.name, &members, definition.span);
         if definition.name.is_empty() {
-            return;
+            let of = |ty: &Option<Type>| ty.as_ref().map(Type::to_string);
+            let texts = members.iter().map(|(name, ty)| Some(format!("{} {name};", of(ty)?)));
+            let name = format!("struct {{ {} }}", texts.collect::<Option<Vec<_>>>()?.join(" "));
+            let info = StructInfo { name: name.clone(), members, span: definition.span };
+            if self.structs.insert(name.clone(), info).is_none() {
+                self.struct_order.push(name.clone());
+            }
+            return Some(name);
         }
         if self.structs.contains_key(&definition.name) && self.scopes.len() == 1 {
             let message = format!("the struct `{}` is already defined", definition.name);
@@ -131,6 +140,7 @@ impl Checker<'_> {
         if self.structs.insert(definition.name.clone(), info).is_none() {
             self.struct_order.push(definition.name.clone());
         }
+        Some(definition.name.clone())
     }
 
     pub(super) fn declaration(&mut self, declaration: &mut Declaration, kind: SymbolKind) {

@@ -33,7 +33,7 @@ impl Compiler<'_> {
             self.mark(id, value, n)?;
         }
         if converts {
-            self.convert(dst, value, n, scalar_of(&raw), scalar_of(&to), expr.span)?;
+            self.convert(dst, value, n, scalar_of(&raw), scalar_of(&to))?;
         }
         (self.place, self.next) = (place, next);
         self.nested -= 1;
@@ -46,9 +46,8 @@ impl Compiler<'_> {
                 let bits = match literal {
                     Literal::Int(value) => *value as u32,
                     Literal::UInt(value) => *value,
-                    Literal::Float(value) => (*value as f32).to_bits(),
+                    Literal::Float(value) | Literal::Double(value) => (*value as f32).to_bits(),
                     Literal::Bool(value) => u32::from(*value),
-                    Literal::Double(_) => return Err(unsupported("`double`", expr.span)),
                 };
                 self.emit(Instr::Constant { dst, bits })
             }
@@ -333,7 +332,7 @@ impl Compiler<'_> {
                 }
                 (Type::Matrix { columns, rows, .. }, Type::Scalar(scalar)) => {
                     let diagonal = self.allocate(1)?;
-                    self.convert(diagonal, value, 1, *scalar, to, span)?;
+                    self.convert(diagonal, value, 1, *scalar, to)?;
                     for (column, row, at) in cells(*columns, *rows) {
                         let is_diagonal = column == row;
                         self.emit(match is_diagonal {
@@ -344,7 +343,7 @@ impl Compiler<'_> {
                     return Ok(());
                 }
                 (_, Type::Scalar(scalar)) => {
-                    self.convert(dst, value, 1, *scalar, to, span)?;
+                    self.convert(dst, value, 1, *scalar, to)?;
                     for at in 1..size {
                         self.emit(Instr::Copy { dst: dst + at, src: dst, n: 1 })?;
                     }
@@ -352,7 +351,7 @@ impl Compiler<'_> {
                 }
                 _ => {
                     let n = self.size(&from, span)?.min(size);
-                    return self.convert(dst, value, n, scalar_of(&from), to, span);
+                    return self.convert(dst, value, n, scalar_of(&from), to);
                 }
             }
         }
@@ -366,7 +365,7 @@ impl Compiler<'_> {
             } else {
                 let next = self.next;
                 let value = self.evaluate(arg)?;
-                self.convert(dst + at, value, n, scalar_of(&from), to, span)?;
+                self.convert(dst + at, value, n, scalar_of(&from), to)?;
                 self.next = next;
             }
             at += n;

@@ -9,7 +9,7 @@ mod places;
 mod statements;
 
 use crate::code::{CallFrame, CompiledStage, Detail, Instr, Reg, StageInput, StageOutput, TextureCall, TracedVariable};
-use crate::layout::Layouts;
+use crate::layout::{Layouts, in_single_precision};
 use crate::source::{ExprId, SourceMap};
 use gonio_glsl::ast::Function;
 use gonio_glsl::{Checked, Expr, Item, Parsed, Severity, Span, Type};
@@ -43,11 +43,11 @@ impl std::error::Error for Unsupported {}
 
 pub(crate) type Result<T> = std::result::Result<T, Unsupported>;
 
-/// Compiles a shader that [`gonio_glsl::check`] accepts.
+/// Compiles a shader that [`gonio_glsl::check`] accepts. A `double` becomes a `float`, with 24 bits of precision in place of 53.
 ///
 /// # Errors
 ///
-/// A construct that the interpreter does not support, such as `double`, an image or recursion, with its position; or the
+/// A construct that the interpreter does not support, such as an image or recursion, with its position; or the
 /// first error that the checker found.
 pub fn compile(parsed: &Parsed, checked: &Checked) -> Result<CompiledStage> {
     let mut problems = parsed.problems.iter().chain(&checked.problems);
@@ -162,7 +162,8 @@ impl<'a> Compiler<'a> {
             symbols.insert(symbol.declared.first, id);
             symbols.extend(symbol.uses.iter().map(|tokens| (tokens.first, id)));
         }
-        let conversions = checked.conversions.iter().map(|c| ((c.tokens.first, c.tokens.last), c.to.clone())).collect();
+        let conversions =
+            checked.conversions.iter().map(|c| ((c.tokens.first, c.tokens.last), in_single_precision(&c.to))).collect();
         let mut functions = HashMap::new();
         for item in &parsed.unit.items {
             if let Item::Function(function) = item
@@ -269,7 +270,10 @@ impl<'a> Compiler<'a> {
 
     /// The type of an expression before implicit conversion.
     fn raw_type(&self, expr: &Expr) -> Result<Type> {
-        expr.ty.clone().ok_or_else(|| unsupported("this expression, whose type is unknown", expr.span))
+        expr.ty
+            .as_ref()
+            .map(in_single_precision)
+            .ok_or_else(|| unsupported("this expression, whose type is unknown", expr.span))
     }
 
     /// The type of an expression after implicit conversion.
@@ -288,6 +292,7 @@ impl<'a> Compiler<'a> {
 
     /// Declares a variable in fresh registers.
     fn variable(&mut self, symbol: Option<usize>, name: &str, ty: Type, span: Option<Span>) -> Result<Variable> {
+        let ty = in_single_precision(&ty);
         let size = self.size(&ty, span.unwrap_or_default())?;
         let reg = self.allocate(size)?;
         let traced = TracedVariable { name: name.to_string(), ty: ty.clone(), span, reg, size };

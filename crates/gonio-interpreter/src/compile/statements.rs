@@ -5,7 +5,7 @@ use super::{Compiler, Current, Result, Variable, unsupported};
 use crate::code::{CallFrame, Instr, One, Reg, Two};
 use crate::layout::scalar_of;
 use gonio_glsl::ast::{Call, Condition, Declaration, has};
-use gonio_glsl::{Expr, ExprKind, Scalar, Span, Statement, StatementKind, SymbolKind, Type};
+use gonio_glsl::{Expr, ExprKind, Scalar, Statement, StatementKind, SymbolKind, Type};
 
 /// Whether control flow reaches the end of a statement.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -255,10 +255,9 @@ impl Compiler<'_> {
     }
 
     /// Emits a conversion of `n` scalars; there is none between equal representations.
-    pub(super) fn convert(&mut self, dst: Reg, src: Reg, n: u32, from: Scalar, to: Scalar, span: Span) -> Result<()> {
-        use Scalar::{Bool, Double, Float, Int, UInt};
+    pub(super) fn convert(&mut self, dst: Reg, src: Reg, n: u32, from: Scalar, to: Scalar) -> Result<()> {
+        use Scalar::{Bool, Float, Int, UInt};
         let op = match (from, to) {
-            (Double, _) | (_, Double) => return Err(unsupported("`double`", span)),
             (Float, Int) => One::FToI,
             (Float, UInt) => One::FToU,
             (Int, Float) => One::IToF,
@@ -348,7 +347,7 @@ impl Compiler<'_> {
             } else {
                 let n = self.size(&place.ty, span)?;
                 let converted = self.allocate(n)?;
-                self.convert(converted, variable.reg, n, from, to, span)?;
+                self.convert(converted, variable.reg, n, from, to)?;
                 self.store(&place, converted, span)?;
             }
         }
