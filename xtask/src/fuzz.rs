@@ -28,6 +28,7 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("environment", &["crates/gonio-image/tests/seeds.txt"]),
     ("face_names", &["crates/gonio-environment/tests/names.txt"]),
     ("glsl", &["crates/gonio-glsl/tests/pairs.txt", "exercises/models"]),
+    ("interpret", &["crates/gonio-glsl/tests/pairs.txt", "exercises"]),
     ("submission", &["crates/gonio-glsl/tests/pairs.txt", "exercises", TABLES]),
     ("buffer", &["crates/gonio-exercises/tests/buffers.txt"]),
     ("host", &["exercises/ex11-texture-unit/host"]),
