@@ -121,6 +121,15 @@ impl Sketch {
         bench.draw(&program)
     }
 
+    /// Whether the program with these mistakes draws these pictures.
+    fn draws(&self, bench: &Bench, answer: &Answer, slips: &[&Slip], pictures: &[Picture]) -> bool {
+        if !slips.iter().all(|slip| self.fits(answer, slip)) {
+            return false;
+        }
+        let text = self.write(answer, &slips.iter().map(|slip| slip.key).collect::<Vec<_>>());
+        Program::new(&text.texts[0], &text.texts[1], text.inputs).is_ok_and(|program| bench.draws(&program, pictures))
+    }
+
     fn fits(&self, answer: &Answer, slip: &Slip) -> bool {
         (slip.fits)(answer, &self.plan)
     }
@@ -228,6 +237,8 @@ pub fn generate(seed: u64, index: u64, task: Option<Task>, rewrites: usize) -> R
         if is_shown && !slips.is_empty() {
             let alone = sketch.pictures(&bench, &answer, &[slip.key]).map_err(fault)?;
             is_shown = is_visible(&drawn, &alone) && is_visible(&alone, &right);
+            // Two mistakes with the picture of one would be named as that one.
+            is_shown = is_shown && !SLIPS.iter().any(|one| sketch.draws(&bench, &answer, &[one], &drawn));
         }
         if is_shown {
             slips.push(slip);
@@ -291,11 +302,8 @@ fn label(
         if others.iter().any(|key| *key == other.key) {
             continue;
         }
-        let keys: Vec<&'static str> = others.iter().copied().chain([other.key]).collect();
-        let text = sketch.write(answer, &keys);
-        let same = Program::new(&text.texts[0], &text.texts[1], text.inputs)
-            .is_ok_and(|program| bench.draws(&program, pictures));
-        if same {
+        let with_other: Vec<&Slip> = slips.iter().copied().filter(|made| made.key != slip.key).chain([other]).collect();
+        if sketch.draws(bench, answer, &with_other, pictures) {
             places.extend(sketch.places(written, sketch.site(other)));
             if other.listed {
                 ids.push(id_of(other.key));

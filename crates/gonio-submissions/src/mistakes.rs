@@ -84,6 +84,11 @@ fn whole(answer: &Answer, _: &Plan) -> bool {
     answer.task == Task::LightEquation
 }
 
+/// A number in place of a written strength would be another strength, which is no mistake.
+fn strengths_sent(answer: &Answer, plan: &Plan) -> bool {
+    whole(answer, plan) && !answer.writes.strengths
+}
+
 fn whole_by_position(answer: &Answer, plan: &Plan) -> bool {
     whole(answer, plan) && !plan.passes_directions
 }
@@ -228,14 +233,14 @@ pub(crate) const SLIPS: &[Slip] = &[
     unlisted("attenuation-cubed", Site::Attenuation, whole),
     unlisted("attenuation-constant-outside", Site::Attenuation, whole),
     unlisted("attenuation-minus-linear", Site::Attenuation, whole),
-    listed("ambient-strength-missing", Site::Ambient, whole),
-    unlisted("ambient-strength-is-diffuse", Site::Ambient, whole),
-    listed("diffuse-strength-missing", Site::Diffuse, whole),
-    unlisted("diffuse-strength-is-specular", Site::Diffuse, whole),
-    unlisted("diffuse-strength-squared", Site::Diffuse, whole),
-    listed("specular-strength-missing", Site::Specular, whole),
-    listed("specular-strength-is-diffuse", Site::Specular, whole),
-    unlisted("specular-strength-squared", Site::Specular, whole),
+    listed("ambient-strength-missing", Site::Ambient, strengths_sent),
+    unlisted("ambient-strength-is-diffuse", Site::Ambient, strengths_sent),
+    listed("diffuse-strength-missing", Site::Diffuse, strengths_sent),
+    unlisted("diffuse-strength-is-specular", Site::Diffuse, strengths_sent),
+    unlisted("diffuse-strength-squared", Site::Diffuse, strengths_sent),
+    listed("specular-strength-missing", Site::Specular, strengths_sent),
+    listed("specular-strength-is-diffuse", Site::Specular, strengths_sent),
+    unlisted("specular-strength-squared", Site::Specular, strengths_sent),
     listed("ambient-missing", Site::Sum, whole),
     listed("diffuse-missing", Site::Sum, whole),
     listed("specular-missing", Site::Sum, whole),
@@ -251,7 +256,7 @@ pub(crate) const SLIPS: &[Slip] = &[
     listed("diffuse-times-specular", Site::Sum, plain_sum),
     listed("attenuation-added", Site::Sum, |a, p| plain_sum(a, p) && a.lights == 1),
     listed("albedo-squared", Site::Sum, coloured_sum),
-    listed("albedo-missing", Site::Sum, plain_sum),
+    listed("albedo-missing", Site::Sum, |a, p| plain_sum(a, p) && !a.writes.material),
     listed("albedo-added", Site::Sum, |a, p| plain_sum(a, p) && a.lights == 1),
     unlisted("attenuation-twice", Site::Sum, plain_sum),
     unlisted("specular-subtracted", Site::Sum, plain_sum),

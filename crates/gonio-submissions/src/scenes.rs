@@ -226,6 +226,7 @@ pub(crate) fn objects() -> Vec<Scene> {
     ];
     for (index, scene) in all.iter_mut().enumerate() {
         scene.shininess = [32.0, 20.0, 6.0, 12.0, 32.0, 10.0][index % 6];
+        scene.lights[0].attenuation[0] = [1.0, 1.0, 0.8, 1.0, 1.2, 0.9][index % 6];
         scene.lights[0].strengths[0] = [0.1, 0.1, 0.25, 0.35, 0.1, 0.2][index % 6];
         scene.index = [1.52, 1.52, 1.33, 1.4, 1.52, 1.3][index % 6];
     }
