@@ -132,6 +132,17 @@ fn functions_return_early_and_copy_their_arguments() {
 }
 
 #[test]
+fn an_argument_may_call_the_same_function() {
+    let difference = "float f(float a, float b) { return a - 2.0 * b; } ---";
+    gives(&format!("{difference} r.x = f(x, f(1.0, x));"), |x| 5.0 * x - 2.0);
+    gives(&format!("{difference} r.x = f(f(x, 1.0), 3.0);"), |x| x - 8.0);
+    let first = "float first(out float a, float b) { a = b; return b + 1.0; } ---";
+    gives(&format!("{first} float u, v; r.x = first(u, first(v, x)) + 10.0 * u + 100.0 * v;"), |x| {
+        x + 2.0 + 10.0 * (x + 1.0) + 100.0 * x
+    });
+}
+
+#[test]
 fn structs_and_arrays_are_copied() {
     gives(
         "struct S { vec2 a[2]; float b; }; --- S s = S(vec2[2](vec2(x), vec2(1.0)), 2.0); S t = s; t.a[1].y = 9.0; r.x = s.a[1].y + t.a[1].y * 10.0 + s.a[0].x * 0.0;",

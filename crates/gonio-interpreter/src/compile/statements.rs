@@ -295,7 +295,7 @@ impl Compiler<'_> {
             call: self.source.id(expr),
             depth,
         });
-        let mut written = Vec::new();
+        let (mut written, mut declared) = (Vec::new(), Vec::new());
         for (param, arg) in function.params.iter().zip(&call.args) {
             let id =
                 self.symbol_at(param.tokens.first).filter(|id| self.checked.symbols[*id].kind == SymbolKind::Param);
@@ -305,6 +305,7 @@ impl Compiler<'_> {
                 None => self.type_of(arg)?,
             };
             let variable = self.variable(id, &param.name, ty, Some(param.span))?;
+            declared.extend(id.map(|id| (id, variable.clone())));
             let is_inout = has(&param.qualifiers, "inout");
             if !is_inout && !has(&param.qualifiers, "out") {
                 self.evaluate_into(arg, variable.reg)?;
@@ -329,6 +330,8 @@ impl Compiler<'_> {
             self.emit(Instr::Forget { dst: returned, n })?;
         }
         let returns = (returns != Type::Void).then_some((returned, returns));
+        // An argument may have called the same function, whose parameters were others.
+        self.variables.extend(declared);
         self.calls.push(Current { symbol: Some(symbol), returns });
         self.frame = frame;
         self.emit(Instr::Enter { frame })?;
