@@ -37,6 +37,7 @@ const SHIFTED: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
 const PICTURE: &str = "In the picture";
 const WINDOW: &str = "The window";
 const FILES: &str = "Files";
+const EXERCISE: &str = "In an exercise";
 
 /// All shortcuts. The longer combination of a key comes first, because the shorter one would consume
 /// its events.
@@ -79,6 +80,12 @@ const TABLE: &[Shortcut] = &[
         .on(Modifiers::COMMAND, Key::O, || Action::ChooseFiles),
     row(FILES, "Ctrl + Shift + S", "save the scene").on(SHIFTED, Key::S, || Action::Save(Product::Scene)),
     row(FILES, "Ctrl + S", "save the picture").on(Modifiers::COMMAND, Key::S, || Action::Save(Product::Picture)),
+    row(EXERCISE, "Ctrl + Enter", "check the shaders"),
+    row(EXERCISE, "Click on the picture, F9", "show each line's values at that pixel, or at the picture's middle"),
+    row(EXERCISE, "F10, Shift + F10", "next or previous step, over calls; also Alt + Down, Alt + Up"),
+    row(EXERCISE, "F11, Shift + F11", "next or previous step, into calls; also Alt + Right, Alt + Left"),
+    row(EXERCISE, "Shift + Alt + arrows", "move the pinned pixel"),
+    row(EXERCISE, "Alt + Enter", "value and picture of the expression at the cursor; the pointer shows them too"),
 ];
 
 /// The list of shortcuts by heading.
@@ -98,6 +105,7 @@ pub fn list() -> Vec<(&'static str, Vec<(&'static str, String)>)> {
         ("Views in place of the picture", views),
         (WINDOW, in_group(WINDOW)),
         (FILES, in_group(FILES)),
+        (EXERCISE, in_group(EXERCISE)),
     ]
 }
 

@@ -140,14 +140,14 @@ impl Compiler {
             }
             Some(_) | None => {}
         }
-        self.compiled = Some(content);
+        // It is compiled once there is a preview.
         let Some(preview) = &mut self.preview else {
-            // It is compiled once there is a preview.
             self.compiled = None;
             return;
         };
+        let content: &[SourceFile] = self.compiled.insert(content);
         let variables = std::mem::take(&mut work.program.variables);
-        work.program = match preview.compile(&source) {
+        work.program = match preview.compile(source, content) {
             Ok(pair) => ProgramFacts {
                 notes: pair.notes.clone(),
                 warnings: pair.warnings.clone(),

@@ -2,6 +2,7 @@
 
 use super::command::ExerciseCommand;
 use super::file_sets::listed;
+use super::step::{self, Stepper};
 use super::work::{Mark, MarkKind, OpenFile, Work};
 use crate::exported::{self, WidgetRole};
 use crate::theme::colors::{self, Tint};
@@ -24,21 +25,30 @@ const MOST_LISTED: usize = 8;
 
 /// Shows the tabs of the files, and the current file's text with its messages. Texts are edited in place. Returns a command
 /// if one was given.
-pub fn show(ui: &mut Ui, work: &mut Work) -> Option<ExerciseCommand> {
+pub fn show(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper) -> Option<ExerciseCommand> {
+    let file = work.files.get(work.current).map_or("", |file| file.name.as_str());
+    if let Some(stepped) = stepper.follow_file(file).and_then(|file| work.file_named(&file)) {
+        work.current = stepped;
+    }
     tabs(ui, work);
     let asked = restored(ui, work).or(conflict(ui, work)).or(put_back(ui, work));
+    step::bar::bar(ui, stepper);
     let marks = work.marks(work.current);
     let jump = work.jump.take_if(|(file, _)| *file == work.current).map(|(_, line)| line);
     let below = messages_height(ui, &marks, work);
-    let height = (ui.available_height() - below).max(60.0);
+    let table = step::bar::table_height(stepper, ui.available_height());
+    let height = (ui.available_height() - below - table).max(60.0);
     let current = work.current;
     if let Some(file) = work.files.get_mut(current) {
         let frame = Frame::NONE.fill(ui.visuals().extreme_bg_color).corner_radius(5).inner_margin(Margin::same(4));
         frame.show(ui, |ui| {
             ui.set_min_size(vec2(ui.available_width(), height - 8.0));
             ui.set_max_height(height - 8.0);
-            text(ui, file, &marks, jump);
+            text(ui, file, &marks, jump, stepper);
         });
+    }
+    if table > 0.0 {
+        ui.allocate_ui(vec2(ui.available_width(), table), |ui| step::bar::table(ui, stepper));
     }
     messages(ui, work, &marks);
     asked
@@ -154,7 +164,7 @@ fn put_back(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
 }
 
 /// The text with its numbers and marks.
-fn text(ui: &mut Ui, file: &mut OpenFile, marks: &[Mark], jump: Option<u32>) {
+fn text(ui: &mut Ui, file: &mut OpenFile, marks: &[Mark], jump: Option<u32>, stepper: &mut Stepper) {
     let font = TextStyle::Monospace.resolve(ui.style());
     let lines = file.text.lines().count() + usize::from(file.text.ends_with('\n'));
     let digit = ui.painter().layout_no_wrap("0".into(), font.clone(), Color32::WHITE).size().x;
@@ -190,6 +200,10 @@ fn text(ui: &mut Ui, file: &mut OpenFile, marks: &[Mark], jump: Option<u32>) {
                 output.response.request_focus();
                 let place = row_rect(&output, line);
                 ui.scroll_to_rect(place, Some(Align::Center));
+            }
+            if let Some(steps) = stepper.steps_in(file) {
+                let rows: Vec<Rect> = rows(&output).collect();
+                step::margin::beside(ui, &output, &rows, output.galley_pos.x, stepper, &steps);
             }
             numbers(ui, &output, marks, gutter, id);
         });
@@ -301,7 +315,7 @@ fn message_row(ui: &mut Ui, icon: &str, color: Color32, text: &str) -> egui::Res
 }
 
 /// Undoes a step in a file, or redoes one (`forth`). Returns whether there was one.
-pub fn step(ctx: &egui::Context, file: &mut OpenFile, forth: bool) -> bool {
+pub fn undo_step(ctx: &egui::Context, file: &mut OpenFile, forth: bool) -> bool {
     let id = file.id();
     let Some(mut state) = TextEditState::load(ctx, id).filter(|_| !file.locked) else { return false };
     let range = state.cursor.char_range().unwrap_or_default();

@@ -8,6 +8,7 @@
 //! | `command` | commands of widgets and keys, and the exercise to start |
 //! | `check` | checks, and trials of shaders outside of the window |
 //! | `compiler`, `preview` | shaders compiled as they are typed; their pictures |
+//! | `step` | the values of the shaders at a pixel, step by step |
 //! | `drafts` | unsaved text, kept for the next window |
 //! | `editor` | the files' texts, with colours and marked lines |
 //! | `toolbar`, `list`, `pictures` | the toolbar, the exercises, the pictures and their settings |
@@ -30,6 +31,7 @@ mod pictures;
 mod preview;
 mod saving;
 mod state_json;
+mod step;
 mod toolbar;
 mod work;
 
@@ -49,7 +51,9 @@ use check::Check;
 use compiler::Compiler;
 use drafts::Drafts;
 use egui::{Context, Frame, Margin, Panel, ScrollArea, Ui};
+use gonio_exercises::exercise::ExerciseKind;
 use std::path::PathBuf;
+use step::Stepper;
 
 /// Below this width (points) everything is stacked: a phone in portrait orientation.
 const NARROW: f32 = 720.0;
@@ -68,6 +72,7 @@ pub struct ExerciseView {
     compiler: Compiler,
     check: Check,
     drafts: Drafts,
+    stepper: Stepper,
 }
 
 impl ExerciseView {
@@ -86,6 +91,7 @@ impl ExerciseView {
             None => Work::new(exercise, start.files),
         };
         (self.compiler, self.check) = (Compiler::default(), Check::default());
+        self.stepper = Stepper::default();
         self.aside.extend(self.work.replace(next));
         Ok(())
     }
@@ -173,6 +179,9 @@ impl ExerciseView {
         let ctx = ui.ctx().clone();
         let work = self.work.as_mut().filter(|_| !self.is_listing);
         toolbar::keys(ui, work.as_deref(), &mut commands);
+        if work.as_ref().is_some_and(|work| work.asking.is_none() && work.exercise.kind == ExerciseKind::Shaders) {
+            step::bar::keys(ui, &mut self.stepper);
+        }
         let Some(work) = work else {
             toolbar::show(ui, None, &mut commands);
             let begun: Vec<&Work> = self.works().collect();
@@ -186,13 +195,14 @@ impl ExerciseView {
         self.compiler.follow(&ctx, work, pane_renderer.as_deref(), platform, &mut failures);
         toolbar::show(ui, Some(work), &mut commands);
         let drawn = if ui.available_width() < NARROW {
-            narrow(ui, work, self.compiler.preview_mut(), pane_renderer, &mut commands)
+            narrow(ui, work, self.compiler.preview_mut(), pane_renderer, &mut self.stepper, &mut commands)
         } else {
-            wide(ui, work, self.compiler.preview_mut(), pane_renderer, &mut commands)
+            wide(ui, work, self.compiler.preview_mut(), pane_renderer, &mut self.stepper, &mut commands)
         };
         if let Err(error) = drawn {
             failures.push(error.to_string());
         }
+        self.stepper.follow(&ctx, platform);
         if work.clock.playing {
             ctx.request_repaint();
         }
@@ -245,6 +255,7 @@ fn wide(
     work: &mut Work,
     preview: Option<&mut preview::Preview>,
     pane_renderer: Option<&mut PaneRenderer>,
+    stepper: &mut Stepper,
     commands: &mut Vec<ExerciseCommand>,
 ) -> Drawn {
     if work.page == ExercisePage::Editor {
@@ -253,7 +264,7 @@ fn wide(
     let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
     let width = 0.48 * ui.available_width();
     Panel::left("exercise files").frame(inside).default_size(width).size_range(280.0..=1200.0).show(ui, |ui| {
-        edit(ui, work, commands);
+        edit(ui, work, stepper, commands);
     });
     let height = 0.5 * ui.available_height();
     let page = Panel::bottom("exercise page").frame(inside).default_size(height).size_range(120.0..=1200.0);
@@ -261,7 +272,7 @@ fn wide(
         pages(ui, work, &[ExercisePage::Text, ExercisePage::Verdict, ExercisePage::Variables]);
         page_of(ui, work, commands);
     });
-    egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(ui, work, preview, pane_renderer)).inner
+    egui::CentralPanel::no_frame().show(ui, |ui| pictures::show(ui, work, preview, pane_renderer, stepper)).inner
 }
 
 /// The layout of a narrow window: the picture above one page.
@@ -270,16 +281,17 @@ fn narrow(
     work: &mut Work,
     preview: Option<&mut preview::Preview>,
     pane_renderer: Option<&mut PaneRenderer>,
+    stepper: &mut Stepper,
     commands: &mut Vec<ExerciseCommand>,
 ) -> Drawn {
     let height = (0.36 * ui.available_height()).max(120.0);
     let drawn = Panel::top("exercise picture").frame(Frame::NONE).exact_size(height).resizable(false);
-    let drawn = drawn.show(ui, |ui| pictures::show(ui, work, preview, pane_renderer)).inner;
+    let drawn = drawn.show(ui, |ui| pictures::show(ui, work, preview, pane_renderer, stepper)).inner;
     let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
     egui::CentralPanel::default().frame(inside).show(ui, |ui| {
         pages(ui, work, &[ExercisePage::Editor, ExercisePage::Text, ExercisePage::Verdict, ExercisePage::Variables]);
         if work.page == ExercisePage::Editor {
-            edit(ui, work, commands);
+            edit(ui, work, stepper, commands);
         } else {
             page_of(ui, work, commands);
         }
@@ -287,8 +299,8 @@ fn narrow(
     drawn
 }
 
-fn edit(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>) {
-    commands.extend(editor::show(ui, work));
+fn edit(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper, commands: &mut Vec<ExerciseCommand>) {
+    commands.extend(editor::show(ui, work, stepper));
 }
 
 /// The tabs of the pages.
@@ -373,7 +385,7 @@ fn apply_to_work(
         ExerciseCommand::SaveInto(folder) => return saving::save_into(work, &folder, platform),
         ExerciseCommand::Undo | ExerciseCommand::Redo => {
             if let Some(file) = work.files.get_mut(current) {
-                editor::step(ctx, file, command == ExerciseCommand::Redo);
+                editor::undo_step(ctx, file, command == ExerciseCommand::Redo);
             }
         }
         ExerciseCommand::TakeOther(index) => {

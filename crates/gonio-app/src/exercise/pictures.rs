@@ -1,11 +1,12 @@
 //! The pictures beside the editor, with their settings.
 
 use super::preview::{Preview, PreviewPicture, situations};
+use super::step::{self, Stepper};
 use super::work::{PictureMode, Work};
 use crate::exported::{self, WidgetRole};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::scene_view::{navigation, picture_size, present};
-use crate::theme::icons;
+use crate::theme::{colors, icons};
 use crate::widgets;
 use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, pos2, vec2};
 use gonio_exercises::exercise::ExerciseKind;
@@ -23,6 +24,7 @@ pub fn show(
     work: &mut Work,
     preview: Option<&mut Preview>,
     pane_renderer: Option<&mut PaneRenderer>,
+    stepper: &mut Stepper,
 ) -> Result<(), GlError> {
     let whole = ui.available_rect_before_wrap();
     ui.painter().rect_filled(whole, 0.0, ui.visuals().extreme_bg_color);
@@ -34,7 +36,7 @@ pub fn show(
         sentence(ui, whole, "Nothing is drawn because OpenGL is not available.");
         return Ok(());
     };
-    settings(ui, work, preview);
+    settings(ui, work, preview, stepper);
     let room = ui.available_rect_before_wrap();
     let pictures = work.shown.pictures();
     for (index, &picture) in pictures.iter().enumerate() {
@@ -44,16 +46,25 @@ pub fn show(
         let name = caption(picture);
         exported::note(ui, &response, &format!("picture-{}", widgets::slug(name)), WidgetRole::Picture, name, "");
         steer(ui, &response, work);
+        if response.clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            stepper.pin([(at.x - rect.left()) / rect.width(), (at.y - rect.top()) / rect.height()]);
+        }
         match preview.picture(picture, work, size, pane_renderer)? {
             Some(shown) => present(ui, rect, shown),
             None => sentence(ui, rect, nothing_yet(picture, work)),
         }
+        step::margin::marker(ui, rect, stepper);
         if pictures.len() > 1 {
             written(ui, rect, Align2::LEFT_BOTTOM, name, GROUND);
         }
-        if picture == PreviewPicture::Yours && index == 0 {
+        if index == 0 {
             let seen = situations(work, size);
-            if let (Some(pair), Some((_, first))) = (preview.pair(), seen.first()) {
+            stepper.note_picture(preview.program(), size, &seen);
+            if picture == PreviewPicture::Yours
+                && let (Some(pair), Some((_, first))) = (preview.pair(), seen.first())
+            {
                 work.program.variables = pair.variable_values(first);
             }
         }
@@ -114,7 +125,7 @@ fn without_picture(kind: ExerciseKind) -> &'static str {
 }
 
 /// Selection of pictures and scene, and the play button.
-fn settings(ui: &mut Ui, work: &mut Work, preview: &Preview) {
+fn settings(ui: &mut Ui, work: &mut Work, preview: &Preview, stepper: &mut Stepper) {
     let narrow = ui.available_width() < NARROW;
     ui.add_space(4.0);
     let which = |ui: &mut Ui, work: &mut Work| {
@@ -137,18 +148,18 @@ fn settings(ui: &mut Ui, work: &mut Work, preview: &Preview) {
     };
     if narrow {
         row(ui, &mut |ui| which(ui, work));
-        row(ui, &mut |ui| scene_and_time(ui, work));
+        row(ui, &mut |ui| scene_and_time(ui, work, stepper));
     } else {
         row(ui, &mut |ui| {
             which(ui, work);
             ui.separator();
-            scene_and_time(ui, work);
+            scene_and_time(ui, work, stepper);
         });
     }
     ui.add_space(2.0);
 }
 
-fn scene_and_time(ui: &mut Ui, work: &mut Work) {
+fn scene_and_time(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper) {
     if work.scenes.len() > 1 {
         let mut scene = work.scene;
         let options: Vec<(usize, &str, &str)> =
@@ -166,6 +177,18 @@ fn scene_and_time(ui: &mut Ui, work: &mut Work) {
         let clock = work.clock;
         work.look_at(work.scene);
         work.clock = clock;
+    }
+    let tip = "Show each line's values at a pixel: click on the picture, or press this for its middle (F9)";
+    let color = stepper.is_pinned().then(|| colors::ACCENT.of(ui));
+    if widgets::tool_button(ui, "step-pin", icons::CROSSHAIR, tip, color, true).clicked() {
+        match stepper.is_pinned() {
+            true => stepper.unpin(),
+            false => stepper.pin_middle(),
+        }
+    }
+    if stepper.is_new() {
+        // The values are those of one moment.
+        work.clock.playing = false;
     }
 }
 

@@ -2,10 +2,13 @@
 
 use super::work::{PictureMode, Work};
 use crate::scene_view::drawing::PaneRenderer;
+use gonio_check::roles::Bindings;
+use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TestScene;
 use gonio_exercises::preview::{self, CompiledPair, Eye, Note, PreviewRenderer, PreviewShape, SubmittedPair};
 use gonio_gl::{Gl, GlError};
 use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
+use std::sync::Arc;
 
 /// Background colour, a dark grey as in the lab's programs.
 const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
@@ -23,6 +26,16 @@ pub enum PreviewPicture {
     Difference = 2,
 }
 
+/// The student's program that is drawn.
+pub struct DrawnProgram {
+    /// The files that it was made of.
+    pub content: Vec<SourceFile>,
+    /// The pair among them.
+    pub source: SubmittedPair,
+    /// The roles of its variables.
+    pub bindings: Bindings,
+}
+
 /// Everything that a picture depends on.
 type Drawn = ([u32; 2], Vec<(PreviewShape, TestScene)>, u64);
 
@@ -31,6 +44,7 @@ pub struct Preview {
     gl: Gl,
     stage: PreviewRenderer,
     pairs: [Option<CompiledPair>; 2],
+    program: Option<Arc<DrawnProgram>>,
     sky: Option<CompiledPair>,
     canvases: [Option<DisplayTexture>; 3],
     drawn: [Option<Drawn>; 2],
@@ -54,6 +68,7 @@ impl Preview {
             gl: gl.clone(),
             stage,
             pairs: [None, reference],
+            program: None,
             sky,
             canvases: [none(), none(), none()],
             drawn: [None, None],
@@ -63,15 +78,22 @@ impl Preview {
     }
 
     /// Compiles the student's pair. If it compiles, it is drawn from now on; otherwise the previous pair is.
-    pub fn compile(&mut self, source: &SubmittedPair) -> Result<&CompiledPair, Vec<Note>> {
+    pub fn compile(&mut self, source: SubmittedPair, content: &[SourceFile]) -> Result<&CompiledPair, Vec<Note>> {
         let pair = source.compile(&self.gl)?;
         self.serial += 1;
+        let bindings = pair.bindings.clone();
+        self.program = Some(Arc::new(DrawnProgram { content: content.to_vec(), source, bindings }));
         Ok(self.pairs[0].insert(pair))
     }
 
     /// The student's pair that is drawn, if any.
     pub fn pair(&self) -> Option<&CompiledPair> {
         self.pairs[0].as_ref()
+    }
+
+    /// The student's program that is drawn, if any.
+    pub fn program(&self) -> Option<&Arc<DrawnProgram>> {
+        self.program.as_ref()
     }
 
     /// Whether there is a picture of the correct answer.

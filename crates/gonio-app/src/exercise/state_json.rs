@@ -19,6 +19,7 @@ use serde_json::{Value, json};
 /// | `drawn`, `older`, `tried` | whether a pair is drawn; whether it is an older one; whether the newer one is being tried outside of the window |
 /// | `trials` | number of pairs that were tried outside of the window first |
 /// | `pictures` | number of pictures drawn |
+/// | `step` | null without a pinned pixel, else `pixel`, `busy`, `message` (why there are no values), `stage`, and of the current shader `step`, `steps`, `line`, `function`, `iterations`, `values` (`line`, `text`), `variables` (`name`, `value`, `changed`) and `expression` under the pointer |
 /// | `checking` | whether a check is running |
 /// | `verdict` | null before the first check, else `word`, `summary`, `mistakes` (ids), `error` (why there is none), `stale` |
 pub fn build(view: &ExerciseView) -> Value {
@@ -26,6 +27,7 @@ pub fn build(view: &ExerciseView) -> Value {
     state["open"] = view.is_open.into();
     state["pictures"] = view.pictures().into();
     state["drafts"] = view.drafts().into();
+    state["step"] = view.stepper.state();
     state
 }
 

@@ -150,6 +150,10 @@ pub trait Platform {
         let _ = (files, ctx);
         Box::new(Ready::new(TrialOutcome::Harmless))
     }
+    /// Runs work beside the interface, in a thread; here at once, because the page has one. The work is short then.
+    fn run(&mut self, work: Box<dyn FnOnce() + Send>) {
+        work();
+    }
     /// Makes a tracer for the pictures of one pane, which repaints `ctx`.
     #[cfg(not(target_arch = "wasm32"))]
     fn tracer(&mut self, ctx: &egui::Context) -> Box<dyn Tracer> {

@@ -15,7 +15,7 @@ mod projection;
 mod toolbar;
 mod vectors;
 
-pub(crate) use paint::{picture_size, present};
+pub(crate) use paint::{line, picture_size, present};
 pub use projection::Projection;
 
 use crate::document::{Document, PaneArrangement};

@@ -10,9 +10,6 @@ use gonio_interpreter::{
 };
 use std::collections::{HashMap, HashSet};
 
-/// Bound of the work for one pixel: some 100,000 passes of a short loop.
-const MOST_WORK: u64 = 1_000_000;
-
 /// The steps of a shader at one pixel or vertex.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepListing {
@@ -64,6 +61,8 @@ pub struct ListedVariable {
     pub line: Option<u32>,
     /// Whether it is a uniform.
     pub is_uniform: bool,
+    /// Whether it is declared outside of all functions, or built in.
+    pub is_global: bool,
 }
 
 /// A statement, or a part of one between calls, that was executed.
@@ -103,7 +102,7 @@ pub struct ListedPlace {
     pub expression: String,
 }
 
-impl SteppedScene<'_> {
+impl SteppedScene {
     /// Steps through the fragment shader at a pixel, column and row from the top left; `None` if nothing is drawn there.
     #[must_use]
     pub fn step_pixel(&self, pixel: [u32; 2]) -> Option<StepListing> {
@@ -129,7 +128,7 @@ impl SteppedScene<'_> {
             quads,
             traced_point: Some(point),
             find_non_finite: true,
-            most_work: MOST_WORK,
+            most_work: self.options.work.point,
             ..RunOptions::default()
         };
         let result = run(&stage.compiled, inputs, &options);
@@ -288,6 +287,7 @@ impl Lister<'_> {
                 value: self.stage.structs.value(&array_of(&input.ty, input.count), &bits, |_| is_written),
                 line: input.span.map(|span| self.line(span)),
                 is_uniform,
+                is_global: true,
             }
         });
         listed.collect()
@@ -311,6 +311,7 @@ impl Lister<'_> {
                 value: self.stage.structs.value(&array_of(&output.ty, output.count), &bits, written),
                 line: output.span.map(|span| self.line(span)),
                 is_uniform: false,
+                is_global: true,
             }
         });
         listed.collect()
@@ -360,20 +361,12 @@ impl Lister<'_> {
     }
 
     fn empty_step(&self, step: &TraceStep) -> ListedStep {
-        let frames = &self.stage.compiled.frames;
-        let frame = frames.get(step.frame as usize);
-        let mut calls = Vec::new();
-        let mut at = frame;
-        while let Some((caller, current)) = at.and_then(|frame| Some((frame.caller?, frame))) {
-            calls.extend(current.call.and_then(|expr| self.place(expr)).map(|place| place.line));
-            at = frames.get(caller as usize);
-        }
-        calls.reverse();
+        let (function, calls) = self.stage.call(step.frame);
         ListedStep {
             line: 0,
-            function: frame.map_or_else(|| "main".to_owned(), |frame| frame.function.clone()),
+            function,
             calls,
-            iterations: step.iterations.iter().map(|iteration| iteration.saturating_add(1)).collect(),
+            iterations: counted(&step.iterations),
             conditions: Vec::new(),
             writes: Vec::new(),
         }
@@ -410,6 +403,7 @@ impl Lister<'_> {
             value: self.stage.structs.value(&variable.ty, &write.values, is_written),
             line: variable.span.map(|span| self.line(span)),
             is_uniform: false,
+            is_global: variable.span.is_none_or(|span| self.syntax.is_global(span)),
         })
     }
 
@@ -426,6 +420,7 @@ impl Lister<'_> {
                     value: self.stage.structs.value(&ty, &bits, |_| is_written),
                     line: Some(self.line(span)),
                     is_uniform: false,
+                    is_global: false,
                 };
                 found.insert((*statement, frame, iterations.to_vec()), listed);
             }
@@ -450,6 +445,11 @@ impl Lister<'_> {
 
 fn array_of(ty: &gonio_glsl::Type, count: u32) -> gonio_glsl::Type {
     if count == 1 { ty.clone() } else { gonio_glsl::Type::Array(Box::new(ty.clone()), Some(count)) }
+}
+
+/// Iterations from 1.
+pub(super) fn counted(iterations: &[u32]) -> Vec<u32> {
+    iterations.iter().map(|iteration| iteration.saturating_add(1)).collect()
 }
 
 /// Source with single spaces for line ends and indentation.

@@ -4,6 +4,7 @@
 //! The values of uniforms and attributes and the camera are those of the [preview](crate::preview).
 
 mod coverage;
+mod expression;
 mod listing;
 mod pair;
 mod picture;
@@ -14,7 +15,8 @@ mod value;
 #[cfg(test)]
 mod tests;
 
+pub use expression::{EvaluatedValue, ExpressionValue, SteppedPlace};
 pub use listing::{ListedCondition, ListedLine, ListedPlace, ListedStep, ListedVariable, StepListing};
-pub use pair::{PixelSurface, SteppedPair, SteppedScene, SteppedStage};
+pub use pair::{PixelSurface, StepOptions, StepWork, SteppedPair, SteppedScene, SteppedStage};
 pub use picture::{ExpressionMapping, ExpressionPicture, NEVER_WRITTEN_COLOUR};
 pub use value::ShownValue;

@@ -3,7 +3,7 @@
 use super::coverage::{Coverage, Plane, Triangle, ndc};
 use super::textures::PreviewTextures;
 use super::value::StructTypes;
-use crate::preview::{CompiledPair, Note, NoteKind, PreviewShape, SubmittedPair, held};
+use crate::preview::{Note, NoteKind, PreviewShape, SubmittedPair, held};
 use gonio_check::compile::ParsedStage;
 use gonio_check::roles::{self, Bindings, Declared, NamesFile, VariableKind};
 use gonio_check::submission::StageText;
@@ -14,6 +14,7 @@ use gonio_interpreter::{
     CompiledStage, EndedEarly, Fragment, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun, run,
 };
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A shader that the interpreter can run.
 #[derive(Clone, Debug)]
@@ -128,15 +129,15 @@ pub struct SteppedPair {
 }
 
 impl SteppedPair {
-    /// Compiles a pair that OpenGL has compiled.
+    /// Compiles a pair. `bindings` are those of the program that OpenGL has compiled.
     ///
     /// # Errors
     /// A construct that the interpreter does not support, such as `double` or recursion, with its place.
-    pub fn new(submitted: &SubmittedPair, compiled: &CompiledPair) -> Result<Self, Note> {
+    pub fn new(submitted: &SubmittedPair, bindings: &Bindings) -> Result<Self, Note> {
         let submission = submitted.submission();
         let vertex = SteppedStage::new(&submission.vertex, Stage::Vertex)?;
         let fragment = SteppedStage::new(&submission.fragment, Stage::Fragment)?;
-        let mut bindings = compiled.bindings.clone();
+        let mut bindings = bindings.clone();
         add_inactive(&mut bindings, [&vertex, &fragment], submitted.names());
         Ok(Self { vertex, fragment, bindings })
     }
@@ -188,8 +189,44 @@ pub struct PixelSurface {
     pub shares: [f64; 3],
 }
 
-/// Bound of the work for all vertices of an object: about a second.
-pub(super) const MOST_WORK_OF_VERTICES: u64 = 10_000_000;
+/// Bounds on the work, in the interpreter's units of about 0.1 microseconds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepWork {
+    /// For all vertices of an object.
+    pub vertices: u64,
+    /// For one pixel or vertex.
+    pub point: u64,
+    /// For all pixels of a picture; 600,000 for exercise 07 at 512 x 512.
+    pub picture: u64,
+}
+
+impl StepWork {
+    /// For a caller that can wait: an endless loop takes a second for the vertices and two for a picture; at one pixel, there
+    /// are some 100,000 passes of a short loop.
+    pub const PATIENT: StepWork = StepWork { vertices: 10_000_000, point: 1_000_000, picture: 20_000_000 };
+    /// For a thread that also draws the interface: a tenth of that.
+    pub const BRIEF: StepWork = StepWork { vertices: 1_000_000, point: 200_000, picture: 1_000_000 };
+}
+
+/// The picture of a scene that is stepped through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepOptions {
+    /// Pixels along each side of the square picture.
+    pub size: u32,
+    /// The pixel of the square, column and row from the bottom left, at which `gl_FragCoord` is (0.5, 0.5): not 0 if the picture
+    /// on the screen is a part of the square.
+    pub origin: [u32; 2],
+    /// Bounds on the work.
+    pub work: StepWork,
+}
+
+impl StepOptions {
+    /// A whole square of `size` pixels along each side.
+    #[must_use]
+    pub fn square(size: u32) -> Self {
+        StepOptions { size, origin: [0; 2], work: StepWork::PATIENT }
+    }
+}
 
 pub(super) struct SteppedObject {
     pub test_scene: TestScene,
@@ -201,26 +238,28 @@ pub(super) struct SteppedObject {
 }
 
 /// A pair of shaders in a scene: all vertices are computed, and the triangle at each pixel is known.
-pub struct SteppedScene<'a> {
-    pub(super) pair: &'a SteppedPair,
+pub struct SteppedScene {
+    pub(super) pair: Arc<SteppedPair>,
+    pub(super) options: StepOptions,
     pub(super) objects: Vec<SteppedObject>,
     pub(super) coverage: Coverage,
     pub(super) textures: PreviewTextures,
 }
 
-impl<'a> SteppedScene<'a> {
-    /// Runs the vertex shader. The picture is a square of `size` pixels along each side.
+impl SteppedScene {
+    /// Runs the vertex shader.
     #[must_use]
-    pub fn new(pair: &'a SteppedPair, objects: &[(PreviewShape, TestScene)], size: u32) -> Self {
+    pub fn new(pair: Arc<SteppedPair>, objects: &[(PreviewShape, TestScene)], options: StepOptions) -> Self {
         let textures = PreviewTextures::new();
         let (mut stepped, mut triangles, mut first_vertex) = (Vec::new(), Vec::new(), 0);
         for (object, (shape, test_scene)) in objects.iter().enumerate() {
             let mesh = shape.mesh();
             let count = (mesh.positions.len() / 3) as u32;
             let all: Vec<u32> = (0..count).collect();
-            let inputs = vertex_inputs(pair, &mesh, test_scene, &all);
-            let options = RunOptions { textures: &textures, most_work: MOST_WORK_OF_VERTICES, ..RunOptions::default() };
-            let vertices = run(&pair.vertex.compiled, &inputs, &options);
+            let inputs = vertex_inputs(&pair, &mesh, test_scene, &all);
+            let most_work = options.work.vertices;
+            let run_options = RunOptions { textures: &textures, most_work, ..RunOptions::default() };
+            let vertices = run(&pair.vertex.compiled, &inputs, &run_options);
             let first_triangle = triangles.len();
             let position = vertices.output(&pair.vertex.compiled, "gl_Position");
             let corner = |vertex: u32| {
@@ -239,7 +278,7 @@ impl<'a> SteppedScene<'a> {
             });
             first_vertex += count;
         }
-        Self { pair, objects: stepped, coverage: Coverage::new(size, triangles), textures }
+        Self { pair, options, objects: stepped, coverage: Coverage::new(options.size, triangles), textures }
     }
 
     /// Pixels along each side of the picture.
@@ -293,7 +332,7 @@ impl<'a> SteppedScene<'a> {
     }
 
     pub(super) fn inputs_of_vertices(&self, object: &SteppedObject, vertices: &[u32]) -> StageInputs {
-        vertex_inputs(self.pair, &object.mesh, &object.test_scene, vertices)
+        vertex_inputs(&self.pair, &object.mesh, &object.test_scene, vertices)
     }
 
     /// The inputs of the fragment shader for pixels of one object. With quads, each pixel becomes four points, of which
@@ -330,10 +369,12 @@ impl<'a> SteppedScene<'a> {
         let vertex = &self.pair.vertex.compiled;
         let mut inputs = gonio_interpreter::interpolate(vertex, &of.vertices, &stage.compiled, &fragments);
         stage.set_uniforms(&mut inputs, &self.pair.bindings, &of.test_scene);
+        let [left, bottom] = self.options.origin.map(|pixels| pixels as f32);
         let coordinates: Vec<[f32; 4]> = points
             .iter()
             .map(|(_, _, [x, row], place)| {
-                [*x as f32 + 0.5, *row as f32 + 0.5, (place.depth * 0.5 + 0.5) as f32, (1.0 / place.w) as f32]
+                let (depth, over_w) = ((place.depth * 0.5 + 0.5) as f32, (1.0 / place.w) as f32);
+                [*x as f32 + 0.5 - left, *row as f32 + 0.5 - bottom, depth, over_w]
             })
             .collect();
         let each = |at: usize| coordinates.iter().map(|c| c[at].to_bits()).collect();

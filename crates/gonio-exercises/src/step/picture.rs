@@ -1,8 +1,9 @@
 //! The values of one expression at all pixels, as a picture.
 
 use super::coverage::{Plane, ndc};
+use super::expression::ExpressionValue;
 use super::listing::one_line;
-use super::pair::{MOST_WORK_OF_VERTICES, SteppedScene, SteppedStage, lane_in_quad};
+use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
 use super::value::float_text;
 use crate::report::NAN_COLOUR;
 use gonio_glsl::ast::Declarator;
@@ -14,8 +15,6 @@ use gonio_interpreter::{Evaluation, ExprId, LANES, RunOptions, run};
 pub const NEVER_WRITTEN_COLOUR: [u8; 4] = [0, 255, 255, 255];
 /// Two greys of the chequered pattern where the shader does not evaluate the expression.
 const NOT_EVALUATED: [u8; 2] = [70, 100];
-/// Bound of the work for all pixels of a picture: about two seconds, 30 times that of exercise 07 at 512 x 512.
-const MOST_WORK: u64 = 20_000_000;
 /// Pixels that are run together.
 const CHUNK: usize = 16_384;
 /// Expressions around a place that are tried: the target of an assignment has no value, but the assignment has.
@@ -109,7 +108,7 @@ struct PointValue {
 /// The values of an expression at the drawn pixels.
 type PixelValues = Vec<([u32; 2], PointValue)>;
 
-impl SteppedScene<'_> {
+impl SteppedScene {
     /// Draws the smallest expression at a line and column of the student's file, both from 1. The picture has the colour
     /// `background` where nothing is drawn.
     ///
@@ -122,14 +121,40 @@ impl SteppedScene<'_> {
         background: [u8; 3],
     ) -> Result<ExpressionPicture, String> {
         let of = self.pair.stage(stage);
-        let file = &of.text.file;
         let candidates = expressions_at(of, line, column);
         if candidates.is_empty() {
+            let file = &of.text.file;
             return Err(format!("{file}:{line}:{column}: there is no expression; point at a name or an operator"));
         }
+        self.picture_of_first(stage, &candidates, [line, column], background)
+    }
+
+    /// Draws an expression, whose value at one pixel or vertex is known.
+    ///
+    /// # Errors
+    /// The reason why it has no picture, in one sentence.
+    pub fn picture_of(
+        &self,
+        stage: Stage,
+        value: &ExpressionValue,
+        background: [u8; 3],
+    ) -> Result<ExpressionPicture, String> {
+        self.picture_of_first(stage, &[value.id], [value.line, value.column], background)
+    }
+
+    /// Draws the first of some expressions that a pixel evaluates.
+    fn picture_of_first(
+        &self,
+        stage: Stage,
+        candidates: &[ExprId],
+        [line, column]: [u32; 2],
+        background: [u8; 3],
+    ) -> Result<ExpressionPicture, String> {
+        let of = self.pair.stage(stage);
+        let file = &of.text.file;
         let (values, is_truncated) = match stage {
-            Stage::Fragment => self.values_of_fragments(&candidates),
-            _ => self.values_of_vertices(&candidates),
+            Stage::Fragment => self.values_of_fragments(candidates),
+            _ => self.values_of_vertices(candidates),
         };
         let found = values.iter().position(|all| all.iter().any(|(_, value)| value.evaluations > 0));
         let (expr, values) = match found {
@@ -198,7 +223,7 @@ impl SteppedScene<'_> {
                     textures: &self.textures,
                     quads,
                     watched,
-                    most_work: (MOST_WORK / chunks as u64).max(1_000_000),
+                    most_work: (self.options.work.picture / chunks as u64).max(self.options.work.picture / 20),
                     ..RunOptions::default()
                 };
                 // After an endless loop, the other pixels have no value.
@@ -230,7 +255,7 @@ impl SteppedScene<'_> {
             let options = RunOptions {
                 textures: &self.textures,
                 watched,
-                most_work: MOST_WORK_OF_VERTICES,
+                most_work: self.options.work.vertices,
                 ..RunOptions::default()
             };
             let result = run(&stage.compiled, &inputs, &options);
@@ -348,13 +373,13 @@ fn mapping(ty: &Type, size: usize, values: &[([u32; 2], PointValue)]) -> Express
     }
 }
 
-fn text_of(stage: &SteppedStage, expr: ExprId) -> String {
+pub(super) fn text_of(stage: &SteppedStage, expr: ExprId) -> String {
     let span = stage.compiled.source.expression(expr).map(|source| source.span).unwrap_or_default();
     one_line(stage.parsed.text(span))
 }
 
 /// The expressions around a place of the student's file, the smallest first.
-fn expressions_at(stage: &SteppedStage, line: u32, column: u32) -> Vec<ExprId> {
+pub(super) fn expressions_at(stage: &SteppedStage, line: u32, column: u32) -> Vec<ExprId> {
     let Some(byte) = byte_at(stage, line, column) else { return Vec::new() };
     let source = &stage.compiled.source;
     let around = |span: &Span| (span.start..span.end).contains(&byte);

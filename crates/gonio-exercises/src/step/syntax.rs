@@ -6,6 +6,7 @@ use gonio_glsl::walk::{Visitor, walk_unit};
 use gonio_glsl::{Expr, ExprKind, Span, Statement, StatementKind};
 use gonio_interpreter::{ExprId, StatementId};
 use std::collections::HashSet;
+use std::ops::Range;
 
 /// The parts of the syntax tree that a listing needs.
 pub(super) struct Syntax {
@@ -20,6 +21,8 @@ pub(super) struct Syntax {
     pub discards: HashSet<StatementId>,
     /// The headers of functions.
     pub headers: Vec<Span>,
+    /// The bytes of their bodies.
+    bodies: Vec<Range<u32>>,
 }
 
 impl Syntax {
@@ -31,10 +34,17 @@ impl Syntax {
             recorded: HashSet::new(),
             discards: HashSet::new(),
             headers: Vec::new(),
+            bodies: Vec::new(),
         };
         let mut collector = Collector { stage, syntax, statement: None };
         walk_unit(&stage.parsed.unit, &mut collector);
         collector.syntax
+    }
+
+    /// Whether a declaration is outside of all functions.
+    pub fn is_global(&self, declaration: Span) -> bool {
+        let headers = self.headers.iter().map(|header| header.start..header.end);
+        !headers.chain(self.bodies.iter().cloned()).any(|function| function.contains(&declaration.start))
     }
 }
 
@@ -56,6 +66,10 @@ impl Visitor for Collector<'_> {
     fn function(&mut self, function: &Function) -> bool {
         self.statement = None;
         self.syntax.headers.push(function.span);
+        let body = function.body.as_deref().unwrap_or_default();
+        if let (Some(first), Some(last)) = (body.first(), body.last()) {
+            self.syntax.bodies.push(first.span.start..last.span.end);
+        }
         true
     }
 

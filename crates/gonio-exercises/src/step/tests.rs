@@ -6,20 +6,21 @@ use crate::preview::{self, SubmittedPair};
 use gonio_check::submission::SourceFile;
 use gonio_gl::HeadlessContext;
 use gonio_glsl::Stage;
+use std::sync::Arc;
 
 const SIDE: u32 = 64;
 
 /// Compiles a pair of exercise 07 and hands it to `use_it` in the lab's scene.
-fn with_pair<T>(vertex: &str, fragment: &str, use_it: impl FnOnce(&SteppedScene<'_>) -> T) -> T {
+fn with_pair<T>(vertex: &str, fragment: &str, use_it: impl FnOnce(&SteppedScene) -> T) -> T {
     let exercise = exercise::find("ex07").unwrap();
     let files = [("a.vert", vertex), ("a.frag", fragment)].map(|(name, text)| SourceFile::new(name, text)).into();
     let submitted = SubmittedPair::gather(exercise, files).unwrap();
     let context = HeadlessContext::new().unwrap();
     let compiled = submitted.compile(context.gl()).unwrap_or_else(|notes| panic!("{notes:?}"));
-    let pair = SteppedPair::new(&submitted, &compiled).unwrap();
+    let pair = Arc::new(SteppedPair::new(&submitted, &compiled.bindings).unwrap());
     let scene = &preview::scenes(exercise)[0];
     let objects = scene.test_scenes(&scene.eye, 0.0, [SIDE; 2]);
-    use_it(&SteppedScene::new(&pair, &objects, SIDE))
+    use_it(&SteppedScene::new(pair, &objects, StepOptions::square(SIDE)))
 }
 
 fn reference(name: &str) -> &'static str {
@@ -269,4 +270,78 @@ fn a_picture_shows_the_smallest_expression_at_a_place() {
         let error = scene.picture(Stage::Vertex, [20, 27], [0; 3]).unwrap_err();
         assert!(error.contains("mat3(itM)") && error.contains("has the type mat3"), "{error}");
     });
+}
+
+#[test]
+fn an_expression_has_a_value_for_each_iteration_and_call() {
+    let body = "float half_of(float x) {\n return 0.5 * x;\n}\n---\nfloat sum = 0.0;\nfor (int i = 0; i < 3; i++) {\n\
+                sum += half_of(float(i));\n}\nFragColor.r = sum;";
+    let (before, main) = body.split_once("---").unwrap();
+    let fragment = format!(
+        "#version 330 core\nin vec3 v_normal;\nout vec4 FragColor;\n{before}\nvoid main() {{\nFragColor = \
+         vec4(v_normal, 1.0);\n{main}\n}}\n"
+    );
+    with_pair(reference("reference.vert"), &fragment, |scene| {
+        let middle = SteppedPlace::Pixel([SIDE / 2; 2]);
+        let found = scene.expression_value(middle, [5, 15]).unwrap();
+        assert_eq!((&*found.expression, found.line, found.column, found.length), ("x", 5, 15, 1));
+        let product = scene.expression_value(middle, [5, 13]).unwrap();
+        assert_eq!((&*product.expression, &*product.glsl_type, product.length), ("0.5 * x", "float", 7));
+        let seen: Vec<_> = product.evaluations.iter().map(|e| (e.value.to_string(), e.iterations.clone())).collect();
+        let expected = [("0", 1), ("0.5", 2), ("1", 3)].map(|(value, iteration)| (value.to_owned(), vec![iteration]));
+        assert_eq!(seen, expected);
+        assert!(product.evaluations.iter().all(|e| e.function == "half_of" && e.calls == [13]));
+        let picture = scene.picture_of(Stage::Fragment, &product, [0; 3]).unwrap();
+        assert_eq!((&*picture.expression, picture.evaluations), ("0.5 * x", 3));
+        assert!(scene.expression_value(SteppedPlace::Pixel([0; 2]), [5, 15]).is_none(), "nothing is drawn there");
+        assert!(scene.expression_value(middle, [1, 1]).is_none(), "there is no expression");
+        // `v_normal = normalize(mat3(itM) * normal);`
+        let corner = scene.surface([SIDE / 2; 2]).unwrap().vertices[0];
+        let matrix = scene.expression_value(SteppedPlace::Vertex(corner), [20, 27]).unwrap();
+        assert_eq!((&*matrix.glsl_type, matrix.evaluations.len()), ("mat3", 1));
+    });
+}
+
+#[test]
+fn a_part_of_the_square_has_coordinates_of_its_own() {
+    let fragment = "#version 330 core\nout vec4 FragColor;\nvoid main() {\nFragColor = gl_FragCoord;\n}\n";
+    let exercise = exercise::find("ex07").unwrap();
+    with_pair(reference("reference.vert"), fragment, |scene| {
+        let of_scene = &preview::scenes(exercise)[0];
+        let objects = of_scene.test_scenes(&of_scene.eye, 0.0, [SIDE; 2]);
+        let options = StepOptions { origin: [4, 10], ..StepOptions::square(SIDE) };
+        let part = SteppedScene::new(scene.pair.clone(), &objects, options);
+        let [whole, part] = [scene, &part].map(|scene| floats(&scene.step_pixel([30, 40]).unwrap(), "FragColor"));
+        assert_eq!((whole[0], whole[1]), (30.5, SIDE as f32 - 40.5));
+        assert_eq!((part[0], part[1]), (whole[0] - 4.0, whole[1] - 10.0));
+    });
+}
+
+/// The page has no thread for it.
+#[test]
+fn brief_work_suffices_for_every_exercise() {
+    let context = HeadlessContext::new().unwrap();
+    for exercise in exercise::all().iter().filter(|exercise| preview::is_drawn(exercise)) {
+        let submitted = preview::reference(exercise).unwrap();
+        let compiled = submitted.compile(context.gl()).unwrap();
+        let pair = Arc::new(SteppedPair::new(&submitted, &compiled.bindings).unwrap());
+        for of_scene in preview::scenes(exercise) {
+            let objects = of_scene.test_scenes(&of_scene.eye, 0.0, [200; 2]);
+            let options = StepOptions { work: StepWork::BRIEF, ..StepOptions::square(200) };
+            let scene = SteppedScene::new(pair.clone(), &objects, options);
+            let name = format!("{} in {}", exercise.id, of_scene.name);
+            assert_eq!(scene.endless_vertex(), None, "{name}");
+            let pixel = scene.nearest_drawn([100; 2]).unwrap_or_else(|| panic!("{name}: nothing is drawn"));
+            let listing = scene.step_pixel(pixel).unwrap();
+            assert!(listing.endless.is_none() && !listing.is_truncated, "{name}");
+            let output = &listing.outputs[0];
+            assert!(!output.value.is_partly_unwritten(), "{name}: {output:?}");
+            let last = listing.steps.last().unwrap().line;
+            let text = &listing.lines[last as usize - 1].text;
+            let column = text.find("= ").unwrap_or_else(|| panic!("{name}: {text}")) as u32 + 3;
+            let picture = scene.picture(Stage::Fragment, [last, column], [0; 3]);
+            let picture = picture.unwrap_or_else(|error| panic!("{name}: {error}"));
+            assert!(!picture.is_truncated, "{name}");
+        }
+    }
 }

@@ -114,6 +114,12 @@ impl ShownValue {
         if parts.is_empty() { *self == Self::Unwritten } else { parts.into_iter().all(Self::is_unwritten) }
     }
 
+    /// Whether a part of it is [`ShownValue::Unwritten`].
+    #[must_use]
+    pub fn is_partly_unwritten(&self) -> bool {
+        *self == Self::Unwritten || self.parts().into_iter().any(Self::is_partly_unwritten)
+    }
+
     /// Whether a part of it is infinite or NaN.
     #[must_use]
     pub fn is_non_finite(&self) -> bool {
@@ -233,7 +239,8 @@ mod tests {
         assert_eq!(matrix.to_json(), json!([[1.0, 3.0], [2.0, 4.0]]));
         let some = structs.value(&Type::floats(3), &bits(&[0.1, 0.0, f32::NAN]), |at| at != 1);
         assert_eq!((some.to_string(), some.to_json()), ("(0.1, ?, NaN)".to_owned(), json!([0.1, null, "NaN"])));
-        assert!(some.is_non_finite() && !some.is_unwritten());
+        assert!(some.is_non_finite() && some.is_partly_unwritten() && !some.is_unwritten());
+        assert!(!matrix.is_partly_unwritten());
         let object = shown(&Type::Struct("S".into()), &[2.5_f32.to_bits(), 1]);
         assert_eq!(
             (object.to_string(), object.to_json()),

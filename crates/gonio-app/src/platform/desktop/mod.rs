@@ -97,6 +97,9 @@ pub fn run_within(
     eframe::run_native("gonio", native, Box::new(created)).map_err(window_error)
 }
 
+/// Stack of a thread that reads shaders: the parser recurses along deeply nested expressions.
+const STACK_BYTES: usize = 32 << 20;
+
 /// Restrictions on reading files.
 #[derive(Clone, Copy)]
 pub(super) struct Access {
@@ -215,6 +218,11 @@ impl Platform for Desktop {
             Ok(trial) => Box::new(trial),
             Err(error) => Box::new(Ready::new(TrialOutcome::Unavailable(error))),
         }
+    }
+
+    fn run(&mut self, work: Box<dyn FnOnce() + Send>) {
+        // Without a thread there is no answer, and the receiver says so.
+        let _ = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(work);
     }
 
     fn settings(&self) -> Settings {

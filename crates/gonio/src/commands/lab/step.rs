@@ -13,11 +13,12 @@ use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::{Exercise, ExerciseKind};
 use gonio_exercises::preview::{self, NoteKind, PreviewScene, SubmittedPair};
 use gonio_exercises::step::{
-    ListedPlace, ListedStep, ListedVariable, PixelSurface, StepListing, SteppedPair, SteppedScene,
+    ListedPlace, ListedStep, ListedVariable, PixelSurface, StepListing, StepOptions, SteppedPair, SteppedScene,
 };
 use gonio_glsl::Stage;
 use serde_json::{Value, json};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// The number of steps in the report of `--json`.
 const MOST_STEPS: usize = 10_000;
@@ -125,7 +126,7 @@ pub fn run(args: &StepArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
 /// over the vertices of a scene. Returns warnings too.
 pub fn with_scene<T: Send + 'static>(
     request: SceneRequest,
-    use_it: impl FnOnce(&SteppedScene<'_>, &PreviewScene) -> Result<T, CliError> + Send + 'static,
+    use_it: impl FnOnce(&SteppedScene, &PreviewScene) -> Result<T, CliError> + Send + 'static,
 ) -> Result<(T, Vec<String>), CliError> {
     let SceneRequest { exercise, files, scene: name, size, time } = request;
     if exercise.kind != ExerciseKind::Shaders || !preview::is_drawn(exercise) {
@@ -136,11 +137,11 @@ pub fn with_scene<T: Send + 'static>(
     on_a_large_stack(move || {
         let context = super::draw::context()?;
         let compiled = source.compile(context.gl()).map_err(compile_error)?;
-        let pair = SteppedPair::new(&source, &compiled).map_err(|note| compile_error(vec![note]))?;
+        let pair = SteppedPair::new(&source, &compiled.bindings).map_err(|note| compile_error(vec![note]))?;
         let notes = compiled.notes.iter().filter(|note| note.kind == NoteKind::Warning).map(note_text);
         let warnings = notes.chain(compiled.warnings.iter().cloned()).collect();
         let objects = scene.test_scenes(&scene.eye, time as f32, [size; 2]);
-        let result = use_it(&SteppedScene::new(&pair, &objects, size), &scene);
+        let result = use_it(&SteppedScene::new(Arc::new(pair), &objects, StepOptions::square(size)), &scene);
         // The process ends next, and the system frees it faster.
         std::mem::forget((compiled, context));
         Ok((result?, warnings))
@@ -148,7 +149,7 @@ pub fn with_scene<T: Send + 'static>(
 }
 
 fn step(
-    scene: &SteppedScene<'_>,
+    scene: &SteppedScene,
     of: &PreviewScene,
     at: Option<(u32, u32)>,
     vertex: Option<u32>,
@@ -171,7 +172,7 @@ fn step(
 }
 
 /// The pixel, if something is drawn there; without one, that nearest to the middle.
-fn the_pixel(scene: &SteppedScene<'_>, at: Option<(u32, u32)>) -> Result<[u32; 2], CliError> {
+fn the_pixel(scene: &SteppedScene, at: Option<(u32, u32)>) -> Result<[u32; 2], CliError> {
     let size = scene.size();
     let [x, y] = at.map_or([size / 2; 2], |(x, y)| [x, y]);
     let Some([near_x, near_y]) = scene.nearest_drawn([x, y]) else {

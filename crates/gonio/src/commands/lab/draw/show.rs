@@ -39,7 +39,7 @@ pub fn run(
         ShownStage::Vertex => Stage::Vertex,
         ShownStage::Fragment => Stage::Fragment,
     };
-    let draw = move |scene: &SteppedScene<'_>, of: &gonio_exercises::preview::PreviewScene| {
+    let draw = move |scene: &SteppedScene, of: &gonio_exercises::preview::PreviewScene| {
         let background = BACKGROUND.map(|x| (x * 255.0 + 0.5) as u8);
         let picture = scene.picture(stage, place, background).map_err(CliError::new)?;
         Ok((picture, of.name))

@@ -1,0 +1,225 @@
+//! The values beside the lines of the editor, the expression under the pointer, and the pinned pixel in the picture.
+
+use super::Stepper;
+use super::listed::Target;
+use super::values::{LineValues, ShaderSteps, ValueKind, short};
+use crate::exported::{self, WidgetRole};
+use crate::scene_view::line;
+use crate::theme::colors;
+use egui::text_edit::TextEditOutput;
+use egui::{
+    Color32, ColorImage, FontId, Id, Image, Label, Rect, RichText, Sense, TextureOptions, Tooltip, Ui, pos2, vec2,
+};
+use gonio_exercises::step::ExpressionPicture;
+use gonio_glsl::Stage;
+
+/// Values of short lines begin at this character.
+const COLUMN: f32 = 44.0;
+/// Width of the values as a share of the editor's, at most.
+const MOST_WIDTH: f32 = 0.5;
+/// Size of the values' font, points.
+const SIZE: f32 = 11.5;
+
+/// Shows the values beside the rows of the editor's text and the expression under the pointer. `left`: the left edge of the
+/// text.
+pub fn beside(ui: &Ui, output: &TextEditOutput, rows: &[Rect], left: f32, stepper: &mut Stepper, steps: &ShaderSteps) {
+    let (clip, id) = (ui.clip_rect(), output.response.id);
+    let current = steps.step().map(|step| step.line);
+    let visible = |row: &Rect| row.bottom() >= clip.top() && row.top() <= clip.bottom();
+    let mut over_value = false;
+    for (index, row) in rows.iter().enumerate().filter(|(_, row)| visible(row)) {
+        let number = index as u32 + 1;
+        let whole = Rect::from_min_max(pos2(left, row.top()), pos2(clip.right(), row.bottom()));
+        let listed = steps.listing.lines.iter().find(|line| line.number == number);
+        if listed.is_some_and(|line| line.ran == Some(false)) {
+            ui.painter().rect_filled(whole, 0.0, ui.visuals().extreme_bg_color.gamma_multiply(0.6));
+        }
+        if current == Some(number) {
+            ui.painter().rect_filled(whole, 0.0, colors::ACCENT.of(ui).gamma_multiply(0.18));
+            let edge = Rect::from_min_size(whole.min, vec2(2.0, whole.height()));
+            ui.painter().rect_filled(edge, 0.0, colors::ACCENT.of(ui));
+        }
+        if let Some(values) = steps.lines().get(&number) {
+            let place = value(ui, *row, left, values);
+            let response = ui.interact(place, id.with(("value", number)), Sense::hover());
+            over_value |= response.hovered();
+            response.on_hover_text(egui::RichText::new(&values.details).monospace());
+        }
+    }
+    if stepper.current().is_some_and(|current| current.listing.file == steps.listing.file) {
+        if let Some(line) = stepper.scroll.take()
+            && let Some(row) = rows.get(line.saturating_sub(1) as usize)
+        {
+            let place = Rect::from_x_y_ranges(clip.x_range(), row.y_range()).expand2(vec2(0.0, 2.0 * row.height()));
+            ui.scroll_to_rect(place, None);
+        }
+        stepper.hover.point(if over_value { None } else { pointed(ui, output, rows, stepper.hover.at_cursor) });
+        tooltip(ui, stepper, rows, id);
+    }
+}
+
+/// Writes the values of a line behind its text, or over its end if the editor is too narrow. Returns their place.
+fn value(ui: &Ui, row: Rect, left: f32, values: &LineValues) -> Rect {
+    let clip = ui.clip_rect();
+    let font = FontId::monospace(SIZE);
+    let color = match values.kind {
+        ValueKind::Normal => ui.visuals().weak_text_color(),
+        ValueKind::Unwritten => colors::WARNING.of(ui),
+        ValueKind::NonFinite => colors::ERROR.of(ui),
+    };
+    let digit = ui.painter().layout_no_wrap("0".into(), font.clone(), color).size().x;
+    let most = ((MOST_WIDTH * (clip.right() - left) / digit) as usize).max(8);
+    let text: String = match values.text.char_indices().nth(most) {
+        Some((end, _)) => values.text.get(..end).unwrap_or_default().chars().chain("...".chars()).collect(),
+        None => values.text.clone(),
+    };
+    let galley = ui.painter().layout_no_wrap(text, font, color);
+    let wanted = (row.right() + 2.0 * digit).max(left + COLUMN * digit);
+    let x = wanted.min(clip.right() - galley.size().x - 8.0).max(left + digit);
+    let place = Rect::from_min_size(pos2(x, row.center().y - 0.5 * galley.size().y), galley.size());
+    if x < row.right() + digit {
+        let ground = Rect::from_min_max(pos2(x - digit, row.top()), pos2(clip.right(), row.bottom()));
+        ui.painter().rect_filled(ground, 0.0, ui.visuals().extreme_bg_color);
+    }
+    ui.painter().galley(place.min, galley, color);
+    place
+}
+
+/// The line and column of the character under the pointer, or at the cursor, and its place.
+fn pointed(ui: &Ui, output: &TextEditOutput, rows: &[Rect], at_cursor: bool) -> Option<(Target, Rect)> {
+    let digit = digit_width(ui);
+    let at = |line: usize, column: usize| {
+        let row = rows.get(line)?;
+        let place = Rect::from_min_size(pos2(row.left() + column as f32 * digit, row.top()), vec2(digit, row.height()));
+        Some(([line as u32 + 1, column as u32 + 1], place))
+    };
+    if at_cursor {
+        let cursor = output.cursor_range?.primary;
+        let place = output.galley.layout_from_cursor(cursor);
+        return at(place.row, place.column.into());
+    }
+    if !output.response.hovered() || ui.input(|i| i.pointer.any_down()) {
+        return None;
+    }
+    let pointer = ui.input(|i| i.pointer.hover_pos())?;
+    let line = rows.iter().position(|row| row.contains(pointer))?;
+    at(line, ((pointer.x - rows.get(line)?.left()) / digit) as usize)
+}
+
+/// Width of each character of the editor's text.
+fn digit_width(ui: &Ui) -> f32 {
+    let font = egui::TextStyle::Monospace.resolve(ui.style());
+    ui.painter().layout_no_wrap("0".into(), font, Color32::WHITE).size().x.max(1.0)
+}
+
+/// Draws the pinned pixel in a picture.
+pub fn marker(ui: &Ui, picture: Rect, stepper: &Stepper) {
+    let Some([x, y]) = stepper.pinned() else { return };
+    let painter = ui.painter().with_clip_rect(picture);
+    let middle = picture.min + vec2(x * picture.width(), y * picture.height());
+    let color = if stepper.stage() == Stage::Vertex { Color32::from_rgb(255, 208, 94) } else { Color32::WHITE };
+    for (from, to) in [(4.0, 12.0), (-4.0, -12.0)] {
+        line(&painter, [middle + vec2(from, 0.0), middle + vec2(to, 0.0)], 1.5, color);
+        line(&painter, [middle + vec2(0.0, from), middle + vec2(0.0, to)], 1.5, color);
+    }
+}
+
+/// Shows the value and the picture beside the expression.
+fn tooltip(ui: &Ui, stepper: &mut Stepper, rows: &[Rect], id: Id) {
+    let step = stepper.current().and_then(|steps| steps.step()).cloned();
+    let hover = &mut stepper.hover;
+    let Some((_, place, _)) = hover.target else { return };
+    let Some(hovered) = hover.shown().cloned() else { return };
+    // The whole expression is underlined.
+    if let Some(row) = rows.get(hovered.value.line.saturating_sub(1) as usize) {
+        let digit = digit_width(ui);
+        let left = row.left() + (hovered.value.column.saturating_sub(1)) as f32 * digit;
+        let right = left + hovered.value.length as f32 * digit;
+        let color = colors::ACCENT.of(ui);
+        ui.painter().hline(left..=right, row.bottom() - 1.0, egui::Stroke::new(1.5, color));
+    }
+    if hover.textures.is_empty() {
+        let pictures = hovered.picture.iter().chain(&hovered.right);
+        let load = |picture: &ExpressionPicture| {
+            let size = hovered.size.map(|side| side as usize);
+            let is_whole = picture.rgba.len() == size[0] * size[1] * 4;
+            is_whole.then(|| {
+                let image = ColorImage::from_rgba_unmultiplied(size, &picture.rgba);
+                ui.ctx().load_texture("expression", image, TextureOptions::NEAREST)
+            })
+        };
+        hover.textures = pictures.filter_map(load).collect();
+    }
+    let textures = hover.textures.clone();
+    let layer = ui.layer_id();
+    let width = 320_f32.min(ui.ctx().content_rect().width() - 24.0);
+    let shown = Tooltip::always_open(ui.ctx().clone(), layer, id.with("expression"), place).width(width).show(|ui| {
+        let value = &hovered.value;
+        let name = RichText::new(&value.expression).monospace().color(ui.visuals().strong_text_color());
+        ui.add(Label::new(name).wrap());
+        ui.label(RichText::new(&value.glsl_type).small().weak());
+        let of_step = step.as_ref().and_then(|step| {
+            let mut all = value.evaluations.iter().rev();
+            all.find(|e| e.function == step.function && e.calls == step.calls && e.iterations == step.iterations)
+        });
+        match of_step.or(value.evaluations.last()) {
+            Some(evaluation) => {
+                let color = match ValueKind::of(&evaluation.value) {
+                    ValueKind::Normal => ui.visuals().text_color(),
+                    ValueKind::Unwritten => colors::WARNING.of(ui),
+                    ValueKind::NonFinite => colors::ERROR.of(ui),
+                };
+                let text = RichText::new(short(&evaluation.value)).monospace().color(color);
+                ui.add(Label::new(text).wrap());
+                let count = value.evaluations.len();
+                if count > 1 {
+                    let which = if of_step.is_some() { "that of this step" } else { "the last" };
+                    ui.label(RichText::new(format!("{which}, of {count} values")).small().weak());
+                }
+            }
+            None => {
+                ui.add(Label::new(RichText::new("Not evaluated here.").color(colors::WARNING.of(ui))).wrap());
+            }
+        }
+        ui.horizontal_wrapped(|ui| {
+            let mut textures = textures.iter();
+            if hovered.picture.is_ok() {
+                textures.next().map(|texture| ui.add(Image::new(texture)));
+            }
+            if let (Some(_), Some(texture)) = (&hovered.right, textures.next()) {
+                ui.add(Image::new(texture)).on_hover_text("The quantity that belongs here");
+            }
+        });
+        let about = match &hovered.picture {
+            Ok(picture) => about(picture),
+            // The place of the expression is known here.
+            Err(reason) => reason.split_once(": ").map_or(reason.as_str(), |(_, why)| why).to_owned(),
+        };
+        ui.add(Label::new(RichText::new(about).small().weak()).wrap());
+    });
+    if let Some(shown) = shown {
+        let value = hovered.value.evaluations.last().map_or(String::new(), |last| last.value.to_string());
+        exported::note(ui, &shown.response, "expression", WidgetRole::Text, &hovered.value.expression, value);
+    }
+}
+
+/// The meaning of the colours.
+fn about(picture: &ExpressionPicture) -> String {
+    let mut text = picture.mapping.to_string();
+    if picture.stage == Stage::Vertex {
+        text.push_str("; interpolated between the vertices");
+    }
+    if picture.evaluations > 1 {
+        text.push_str(&format!("; the last of up to {} values of a pixel", picture.evaluations));
+    }
+    for (count, what) in [
+        (picture.non_finite, "magenta: not a finite number"),
+        (picture.unwritten, "cyan: never written"),
+        (picture.unevaluated, "chequered: not evaluated"),
+    ] {
+        if count > 0 {
+            text.push_str(&format!("; {what}"));
+        }
+    }
+    text
+}
