@@ -4,7 +4,6 @@
 //! The values of uniforms and attributes and the camera are those of the [preview](crate::preview).
 
 mod coverage;
-mod expression;
 mod listing;
 mod pair;
 mod picture;
@@ -15,8 +14,8 @@ mod value;
 #[cfg(test)]
 mod tests;
 
-pub use expression::{EvaluatedValue, ExpressionValue, SteppedPlace};
 pub use listing::{ListedCondition, ListedLine, ListedPlace, ListedStep, ListedVariable, StepListing};
 pub use pair::{PixelSurface, StepOptions, StepWork, SteppedPair, SteppedScene, SteppedStage};
 pub use picture::{ExpressionMapping, ExpressionPicture, NEVER_WRITTEN_COLOUR};
+pub use syntax::{EvaluatedValue, ExpressionValue, SteppedPlace};
 pub use value::ShownValue;

@@ -1,9 +1,9 @@
 //! The values of one expression at all pixels, as a picture.
 
 use super::coverage::{Plane, ndc};
-use super::expression::ExpressionValue;
 use super::listing::one_line;
 use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
+use super::syntax::ExpressionValue;
 use super::value::float_text;
 use crate::report::NAN_COLOUR;
 use gonio_glsl::ast::Declarator;

@@ -4,15 +4,13 @@
 //! | file | contents |
 //! |---|---|
 //! | `values` | a shader's steps: values by line, variables, movements |
-//! | `listed` | the work beside the interface |
 //! | `bar` | the buttons and keys, and the table of variables |
-//! | `margin` | the values beside the lines, and the expression under the pointer |
+//! | `margin` | the values beside the lines, the expression under the pointer, and the work beside the interface |
 //!
 //! The interpreter runs beside the interface ([`Platform::run`]). Requests are made from what is drawn; an answer is shown until
 //! the next one, so that values stay visible while the camera moves.
 
 pub mod bar;
-mod listed;
 pub mod margin;
 pub mod values;
 
@@ -24,7 +22,7 @@ use gonio_check::testbench::TestScene;
 use gonio_exercises::preview::PreviewShape;
 use gonio_exercises::step::SteppedPlace;
 use gonio_glsl::Stage;
-use listed::{Hovered, Listed, Pin, Request, SteppedPicture, Target};
+use margin::{Hovered, Listed, Pin, Request, SteppedPicture, Target};
 use serde_json::{Value, json};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -351,7 +349,7 @@ impl Stepper {
         let reused = self.listing().map(|listed| (listed.pair.clone(), listed.scene.clone()));
         let reused = reused.zip(before.cloned());
         let of = request.clone();
-        self.start(ctx, platform, request, move || Answer::Listed(listed::list(&of, reused).map(Box::new)));
+        self.start(ctx, platform, request, move || Answer::Listed(margin::list(&of, reused).map(Box::new)));
     }
 
     fn start(
@@ -434,7 +432,7 @@ impl Stepper {
         let (pair, scene) = (listed.pair.clone(), listed.scene.clone());
         let Some(target) = self.hover.due(ctx) else { return };
         let picture = request.picture.clone();
-        let work = move || Answer::Hovered(listed::evaluate(&pair, &scene, &picture, place, target).map(Box::new));
+        let work = move || Answer::Hovered(margin::evaluate(&pair, &scene, &picture, place, target).map(Box::new));
         self.start(ctx, platform, request.clone(), work);
     }
 }
