@@ -54,6 +54,9 @@ fn arguments() {
     {
         quoted(&lab, &["render", "builtin:cube", "-o", "x.png", option, EVIL], &["\\x1b[2K"]);
     }
+    for option in ["--uniform", "--texture"] {
+        quoted(&lab, &["render", "builtin:cube", "-o", "x.png", "--fragment", "x", option, EVIL], &["\\x1b[2K"]);
+    }
     let option = format!("--{EVIL}");
     quoted(&lab, &["render", &option], &["\\x1b[2K"]);
     quoted(&lab, &["render", "builtin:cube", &format!("--shading={EVIL}")], &["\\x1b[2K"]);
@@ -98,6 +101,9 @@ fn names_of_missing_and_unusual_files() {
     lab.write(&format!("picture{EVIL}.trace"), "");
     harmless(&lab, &["trace", "builtin:cube", "-o", &format!("picture{EVIL}.png")]);
     harmless(&lab, &["inspect", &missing]);
+    for option in ["--vertex", "--fragment"] {
+        harmless(&lab, &["render", "builtin:cube", "-o", "x.png", option, &missing]);
+    }
     harmless(&lab, &["scene", &missing]);
     harmless(&lab, &["convert", &missing, "x.obj"]);
     harmless(&lab, &["convert", "builtin:cube", &format!("{missing}/x.obj")]);

@@ -26,7 +26,11 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
     for uniform in program.uniforms_mut() {
         changed |= uniform_row(ui, uniform, seen.as_ref());
     }
-    if count == 0 {
+    let samplers = program.sampler_origins();
+    for (name, origin) in &samplers {
+        row(ui, name, name, |ui| ui.add(Label::new(RichText::new(*origin).weak()).truncate()));
+    }
+    if count + samplers.len() == 0 {
         ui.label("The program has none.");
     }
     if changed {

@@ -238,8 +238,23 @@ impl UserShaderProgram {
     }
 
     fn sampler_names(&self) -> Vec<String> {
-        let is_sampler = |name: &str| self.sampler(name).is_some();
-        self.program.uniforms().map(|uniform| uniform.name.clone()).filter(|name| is_sampler(name)).collect()
+        self.sampler_origins().into_iter().map(|(name, _)| name).collect()
+    }
+
+    /// The samplers in order of name, each with what it reads, as a part of a sentence.
+    pub fn sampler_origins(&self) -> Vec<(String, &'static str)> {
+        let origin = |name: &str| {
+            Some(match self.samplers[self.sampler(name)?].1 {
+                SampledTexture::DiffuseMap => "the material's colour texture",
+                SampledTexture::SpecularMap => "the material's specular texture",
+                SampledTexture::NormalMap => "the material's normal map",
+                SampledTexture::Environment => "the environment",
+                SampledTexture::File(_) => "your picture",
+                SampledTexture::White => "not recognised: white",
+            })
+        };
+        let names = self.program.uniforms().map(|uniform| &uniform.name);
+        names.filter_map(|name| Some((name.clone(), origin(name)?))).collect()
     }
 
     /// Whether the picture may change with the time.

@@ -157,7 +157,8 @@ impl Renderer {
         let array = VertexArray::bound(gl, "user's shaders")?;
         pass.program.bind();
         for (unit, &(uniform, texture)) in pass.samplers.iter().take(UNITS).enumerate() {
-            pass.program.set_index(uniform, &[unit as f32]);
+            // All elements of an array read the same.
+            pass.program.set_index(uniform, &[unit as f32; UNITS]);
             if let (SampledTexture::Environment, Some(environment)) = (texture, &self.displayed_environment) {
                 environment.map.bind(gl, unit as u32);
             }

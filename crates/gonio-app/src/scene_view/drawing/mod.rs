@@ -138,6 +138,7 @@ impl PaneRenderer {
             moving: session.moving || session.sketching,
             reduced: session.adaptive && (session.sketching || all_ms > pane::SLOW_MS),
             counted: session.tab == Tab::Compare,
+            shaders: session.shaders.as_ref(),
         };
         let pane = &mut self.panes[index];
         let time = session.clock.time;
@@ -146,7 +147,7 @@ impl PaneRenderer {
         // OpenGL's picture stands in until there is a traced one.
         match traced.and_then(|traced| Some((traced.serial, traced.picture.as_ref()?))) {
             Some(traced) => pane.show_traced(&self.gl, &mut self.renderer, traced, time, size, facts)?,
-            None => pane.draw(&self.gl, &mut self.renderer, session.shaders.as_ref(), time, size, pace, facts)?,
+            None => pane.draw(&self.gl, &mut self.renderer, time, size, pace, facts)?,
         }
         let picture = pane.canvas.as_ref().map(|canvas| self.presenter.presentation(canvas.texture()));
         Ok(picture.map(|picture| if pane.is_opaque() { picture.opaque() } else { picture }))

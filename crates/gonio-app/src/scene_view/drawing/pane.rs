@@ -15,15 +15,17 @@ use std::sync::Arc;
 /// Above this time for all panes, in milliseconds, a drag is not smooth: fewer than 20 pictures per second.
 pub const SLOW_MS: f64 = 50.0;
 
-/// Speed and detail of drawing.
-#[derive(Clone, Copy, Debug)]
-pub struct Pace {
+/// Speed and detail of drawing, and by what.
+#[derive(Clone, Copy)]
+pub struct Pace<'a> {
     /// Something is being dragged, or time runs: drawing does not wait for the GPU.
     pub moving: bool,
     /// Pictures have one sample while something moves.
     pub reduced: bool,
     /// Fragments are counted, even if that needs another picture.
     pub counted: bool,
+    /// The user's shaders, if there are any.
+    pub shaders: Option<&'a OwnShaders>,
 }
 
 /// State of one pane between pictures.
@@ -154,10 +156,9 @@ impl PaneDrawing {
         &mut self,
         gl: &Gl,
         renderer: &mut Renderer,
-        shaders: Option<&OwnShaders>,
         time: f64,
         size: [u32; 2],
-        pace: Pace,
+        pace: Pace<'_>,
         facts: &mut FrameFacts,
     ) -> Result<(), GlError> {
         let (Some(loaded), Some((_, uploaded))) = (&self.loaded, &self.uploaded) else { return Ok(()) };
@@ -166,7 +167,7 @@ impl PaneDrawing {
         }
         let full = Frame { width: size[0], height: size[1], ..loaded.frame(time) };
         let show = self.settings.show();
-        let shaders = shaders.filter(|shaders| draws(shaders, &show));
+        let shaders = pace.shaders.filter(|shaders| draws(shaders, &show));
         let serial = shaders.map(OwnShaders::serial);
         if let Some((drawn, shown)) = &self.drawn
             && *shown == show

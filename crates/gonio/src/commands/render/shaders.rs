@@ -141,6 +141,9 @@ impl OwnShaders {
         for uniform in program.uniforms() {
             reporter.verbose(format_args!("uniform {} {}: {}", uniform.glsl_type, uniform.name, uniform.origin()));
         }
+        for (name, origin) in program.sampler_origins() {
+            reporter.verbose(format_args!("sampler {name}: {origin}"));
+        }
         Ok(program)
     }
 }
