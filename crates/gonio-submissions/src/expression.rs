@@ -103,7 +103,7 @@ pub(crate) fn take_marks(text: &str) -> (String, Vec<(Site, u32)>) {
         } else if is_mark(c) {
             let number = c as u32 - Site::FIRST;
             let Some(site) = Site::ALL.get(number as usize / 2) else { continue };
-            if number % 2 == 0 {
+            if number.is_multiple_of(2) {
                 open.push(*site);
                 found.push((*site, line));
             } else if let Some(at) = open.iter().rposition(|other| other == site) {

@@ -34,7 +34,7 @@ impl Writer<'_> {
     }
 
     /// The matrix from model space to the space in which vectors meet.
-    fn to_space(&mut self) -> Expr {
+    fn space_matrix(&mut self) -> Expr {
         match self.context.plan.space {
             Space::World => self.model(),
             Space::Eye => self.model_view(),
@@ -59,7 +59,7 @@ impl Writer<'_> {
     pub fn place(&mut self, block: &mut Block) -> Expr {
         let position = self.position_attribute();
         let whole = self.vec4(&position, 1.0);
-        let to_space = self.to_space();
+        let to_space = self.space_matrix();
         let slip = self.slip(&[
             "position-not-transformed",
             "position-without-translation",
@@ -169,7 +169,7 @@ impl Writer<'_> {
         ]);
         match slip {
             Some("normal-by-model-matrix") => {
-                let matrix = self.to_space();
+                let matrix = self.space_matrix();
                 self.turned(&matrix, &normal)
             }
             Some("normal-by-model-view") => {
@@ -182,7 +182,7 @@ impl Writer<'_> {
             }
             Some("normal-not-transformed") => normal,
             Some("normal-translated") => {
-                let product = self.to_space().mul(&self.vec4(&normal, 1.0));
+                let product = self.space_matrix().mul(&self.vec4(&normal, 1.0));
                 self.xyz(&product, "xyz of a direction")
             }
             Some("normal-is-position") => {
@@ -212,7 +212,7 @@ impl Writer<'_> {
                 self.uniform("normal_matrix", "mat3", meaning).mul(normal)
             }
             NormalBy::Computed => {
-                let matrix = self.to_space();
+                let matrix = self.space_matrix();
                 let forms: [&dyn Fn(&Expr) -> Expr; 2] =
                     [&|m| Expr::call("mat3", &[&Expr::call("transpose", &[&Expr::call("inverse", &[m])])]), &|m| {
                         Expr::call("transpose", &[&Expr::call("inverse", &[&Expr::call("mat3", &[m])])])
@@ -220,7 +220,7 @@ impl Writer<'_> {
                 forms[self.choice("inverse transpose", 2)](&matrix).mul(normal)
             }
             NormalBy::RowTimesInverse => {
-                let matrix = self.to_space();
+                let matrix = self.space_matrix();
                 normal.mul(&Expr::call("inverse", &[&Expr::call("mat3", &[&matrix])]))
             }
             by => {

@@ -61,6 +61,9 @@ pub struct GeneratedPair {
     pub invisible: Vec<&'static str>,
 }
 
+/// Names and texts.
+type Files = Vec<(String, String)>;
+
 /// The text of a program.
 struct Written {
     texts: [String; 2],
@@ -141,7 +144,7 @@ impl Sketch {
     }
 
     /// The files, and the number of lines before each stage's text.
-    fn files(&self, written: &Written) -> (Vec<(String, String)>, [(usize, u32); 2]) {
+    fn files(&self, written: &Written) -> (Files, [(usize, u32); 2]) {
         let mut random = self.random.named("files", 0);
         let [vertex, fragment] = &written.texts;
         if random.chance(0.05) && !vertex.contains('\r') {
@@ -298,8 +301,12 @@ fn label(
     if slip.listed {
         ids.push(id_of(slip.key));
     }
+    if slip.key == "specular-absolute" {
+        // The catalogue has |R.V| under both ids.
+        ids.push("specular-not-clamped");
+    }
     for other in SLIPS.iter().filter(|other| other.key != slip.key && sketch.fits(answer, other)) {
-        if others.iter().any(|key| *key == other.key) {
+        if others.contains(&other.key) {
             continue;
         }
         let with_other: Vec<&Slip> = slips.iter().copied().filter(|made| made.key != slip.key).chain([other]).collect();

@@ -198,7 +198,7 @@ impl Writer<'_> {
     /// The light of one light.
     fn one_light(&mut self, block: &mut Block, surface: &Surface, which: &Which) -> Expr {
         let task = self.context.answer.task;
-        let to_light = self.to_light(block, surface, which);
+        let to_light = self.light_vector(block, surface, which);
         let light = self.light_direction(block, surface, which, &to_light);
         let view = if task.has_specular() { Some(self.view_direction(block, surface, which)) } else { None };
         let cosine =
@@ -219,7 +219,7 @@ impl Writer<'_> {
     }
 
     /// The vector to the light.
-    fn to_light(&mut self, block: &mut Block, surface: &Surface, which: &Which) -> Expr {
+    fn light_vector(&mut self, block: &mut Block, surface: &Surface, which: &Which) -> Expr {
         if let Some((to_light, _)) = &surface.passed {
             return to_light.clone();
         }
