@@ -8,28 +8,53 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 /// The highest frequency: 131,072 triangles.
 pub const MOST_FREQUENCY: u32 = 128;
 
+/// There is no sphere of this frequency: it is 0, or above [`MOST_FREQUENCY`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct InvalidFrequency(pub u32);
+
+impl std::fmt::Display for InvalidFrequency {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let most = triangle_count(MOST_FREQUENCY);
+        write!(
+            f,
+            "invalid frequency {} of a sphere: expected 1 to {MOST_FREQUENCY}, which is 8 to {most} triangles",
+            self.0
+        )
+    }
+}
+
+impl std::error::Error for InvalidFrequency {}
+
 /// Returns the number of triangles of the sphere with a frequency: each of an octahedron's eight faces is divided into
 /// `frequency`² of them.
 pub fn triangle_count(frequency: u32) -> usize {
     8 * frequency as usize * frequency as usize
 }
 
-/// Returns the frequency, from 1 to [`MOST_FREQUENCY`], whose sphere has a number of triangles closest to `triangles`.
+/// Returns the frequency, from 1 to [`MOST_FREQUENCY`], whose sphere has a number of triangles closest to `triangles`: the
+/// highest one for all numbers above 131,072.
 pub fn nearest_frequency(triangles: usize) -> u32 {
     let frequency = (triangles as f64 / 8.0).sqrt().round();
     (frequency as u32).clamp(1, MOST_FREQUENCY)
 }
 
-/// Returns the unit sphere around the origin: an octahedron whose edges are divided into `frequency` segments (clamped
-/// to 1 to [`MOST_FREQUENCY`]), with all vertices on the sphere.
+/// Returns the unit sphere around the origin: an octahedron whose edges are divided into `frequency` segments, from 1 to
+/// [`MOST_FREQUENCY`], with all vertices on the sphere.
 ///
 /// The vertex at the integer barycentric coordinates (i, j, k) of an octant, `i + j + k = frequency`, is the direction
 /// (sin(pi i / 2 f), sin(pi j / 2 f), sin(pi k / 2 f)): angles are equal along the octahedron's edges, whereas plain
 /// projection would crowd vertices at the corners. Normals are exact. Texture coordinates are longitude (u = 0.5 at +z,
 /// growing towards +x) and latitude; vertices are duplicated along the meridian of -z, and there is one for each octant
 /// at both poles. One part; closed, front faces outward.
-pub fn sphere(frequency: u32) -> Mesh {
-    let f = frequency.clamp(1, MOST_FREQUENCY);
+///
+/// # Errors
+///
+/// The frequency is 0, or above [`MOST_FREQUENCY`].
+pub fn sphere(frequency: u32) -> Result<Mesh, InvalidFrequency> {
+    if !(1..=MOST_FREQUENCY).contains(&frequency) {
+        return Err(InvalidFrequency(frequency));
+    }
+    let f = frequency;
     let mut maker = Maker { f, ..Maker::default() };
     for octant in 0..8 {
         let signs = [0, 1, 2].map(|axis| if octant >> axis & 1 == 0 { 1.0 } else { -1.0 });
@@ -40,7 +65,7 @@ pub fn sphere(frequency: u32) -> Mesh {
     mesh.normal_source = NormalSource::File;
     let triangle_count = mesh.triangle_count();
     mesh.parts = vec![Part { name: "sphere".into(), material: 0, first_triangle: 0, triangle_count }];
-    mesh
+    Ok(mesh)
 }
 
 #[derive(Default)]
@@ -100,6 +125,7 @@ impl Maker {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
     use super::*;
     use crate::topology;
     use glam::Vec3;
@@ -107,7 +133,7 @@ mod tests {
     #[test]
     fn spheres_are_round_closed_and_counted() {
         for frequency in [1, 2, 3, 8, 23] {
-            let mesh = sphere(frequency);
+            let mesh = sphere(frequency).unwrap();
             assert_eq!(mesh.triangle_count(), triangle_count(frequency));
             assert_eq!(mesh.positions.len(), mesh.tex_coords.len());
             for (p, n) in mesh.positions.iter().zip(&mesh.normals) {
@@ -125,7 +151,7 @@ mod tests {
     #[test]
     fn places_are_as_many_as_euler_says() {
         for frequency in [1, 4, 9] {
-            let mesh = sphere(frequency);
+            let mesh = sphere(frequency).unwrap();
             let (_, places) = crate::weld::places(&mesh.positions);
             assert_eq!(places, mesh.triangle_count() / 2 + 2);
         }
@@ -134,7 +160,7 @@ mod tests {
     /// No triangle reaches around the sphere in its texture: the meridian's vertices are double.
     #[test]
     fn textures_have_their_seam() {
-        let mesh = sphere(6);
+        let mesh = sphere(6).unwrap();
         for t in 0..mesh.triangle_count() {
             let u = mesh.triangle(t).map(|v| mesh.tex_coords[v][0]);
             let spread = u.iter().fold(0.0_f32, |m, v| m.max(*v)) - u.iter().fold(1.0_f32, |m, v| m.min(*v));
@@ -143,6 +169,14 @@ mod tests {
         let at = |p: [f32; 3]| mesh.positions.iter().position(|q| *q == p).map(|v| mesh.tex_coords[v]);
         assert_eq!(at([0.0, 0.0, 1.0]), Some([0.5, 0.5]));
         assert_eq!(at([1.0, 0.0, 0.0]), Some([0.75, 0.5]));
+    }
+
+    #[test]
+    fn other_frequencies_are_refused() {
+        assert_eq!(sphere(0), Err(InvalidFrequency(0)));
+        let error = sphere(MOST_FREQUENCY + 1).unwrap_err().to_string();
+        assert!(error.contains("129") && error.contains("131072"), "{error}");
+        assert_eq!(sphere(MOST_FREQUENCY).unwrap().triangle_count(), 131_072);
     }
 
     #[test]

@@ -12,7 +12,8 @@ use std::sync::{Arc, OnceLock};
 pub enum LevelOfDetail {
     /// Each mesh simplified to this share of its triangles, above 0, at most 1.
     Share(f64),
-    /// Each built-in sphere with about this number of triangles: the nearest of 8, 32, 72, ... 8 f².
+    /// Each built-in sphere with about this number of triangles: the nearest of 8, 32, 72, ... 131,072; the last one for all
+    /// numbers above it.
     Sphere(usize),
 }
 
@@ -33,7 +34,7 @@ impl LevelOfDetail {
                 if !is_sphere(object) {
                     return None;
                 }
-                let sphere = sphere::sphere(sphere::nearest_frequency(triangles));
+                let sphere = sphere::sphere(sphere::nearest_frequency(triangles)).ok()?;
                 with_normals(sphere, NormalChoice::for_object(object)).0
             }
         };

@@ -49,7 +49,7 @@ fn area(mesh: &Mesh) -> f32 {
 
 #[test]
 fn a_sphere_stays_round_and_closed() {
-    let fine = sphere(16);
+    let fine = sphere(16).unwrap();
     for target in [1000, 500, 200, 60] {
         let coarse = simplify(&fine, target);
         let count = coarse.triangle_count();
@@ -100,7 +100,7 @@ fn a_cube_keeps_its_twelve_triangles() {
 /// One normal per triangle is no reason to keep each triangle.
 #[test]
 fn facets_are_joined_and_made_anew() {
-    let fine = normals::make_flat(&sphere(8));
+    let fine = normals::make_flat(&sphere(8).unwrap());
     let coarse = simplify(&fine, 100);
     assert!(coarse.triangle_count() <= 100);
     assert_eq!(coarse.positions.len(), 3 * coarse.triangle_count());
@@ -115,7 +115,7 @@ fn facets_are_joined_and_made_anew() {
 
 #[test]
 fn nothing_is_done_where_there_are_few() {
-    let mesh = sphere(2);
+    let mesh = sphere(2).unwrap();
     assert_eq!(simplify(&mesh, 32), mesh);
     assert_eq!(simplify(&Mesh::default(), 0), Mesh::default());
 }

@@ -105,7 +105,7 @@ fn count_of_sphere(name: &str) -> Option<usize> {
 
 /// The sphere as an OBJ file, with the material of the other built-in spheres.
 pub(super) fn sphere_file(name: &str) -> Option<Vec<u8>> {
-    let mesh = sphere::sphere(sphere_named(name)?);
+    let mesh = sphere::sphere(sphere_named(name)?).ok()?;
     let mut text = String::from("mtllib sphere_smooth.mtl\no Sphere\n");
     // Writing to a string cannot fail.
     for [x, y, z] in &mesh.positions {
