@@ -110,6 +110,7 @@ fn found_in(name: &str) -> &'static str {
     match name {
         "environment" | "face_names" => "crates/gonio-environment/tests/found",
         "glsl" => "crates/gonio-glsl/tests/found",
+        "interpret" => "crates/gonio-interpreter/tests/found",
         "submission" => "crates/gonio-check/tests/found",
         "buffer" | "host" | BATCH => "crates/gonio-exercises/tests/found",
         _ => "crates/gonio-mesh/tests/found",
