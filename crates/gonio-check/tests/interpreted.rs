@@ -1,9 +1,10 @@
-//! The interpreter draws what the driver draws: all submissions and the exercises' reference solutions.
+//! The interpreter draws what the driver draws: all submissions, the exercises' reference solutions, and gonio's own shaders.
 //!
 //! The driver says which triangle each pixel shows and with which weights, because rasterization is not the
 //! interpreter's task. The tolerance is that of the issue: 1/255 in at least 99.9 % of the pixels of each pair.
 #![allow(clippy::unwrap_used)]
 
+mod own;
 mod submissions;
 
 use gonio_check::compile::{ParsedStage, compile};
@@ -32,6 +33,8 @@ struct Pair {
     vertex: StageText,
     fragment: StageText,
     names: NamesFile,
+    /// The uniforms of gonio's own shaders, which have no roles, by name.
+    given: &'static [(&'static str, &'static [f32])],
 }
 
 fn pairs() -> Vec<Pair> {
@@ -40,7 +43,7 @@ fn pairs() -> Vec<Pair> {
         let Ok(found) = Submission::gather(submission.files) else { continue };
         let names = found.names.as_deref().map_or_else(NamesFile::default, |text| NamesFile::parse(text).unwrap());
         let (name, exercise) = (submission.name, submission.exercise);
-        all.push(Pair { name, exercise, vertex: found.vertex, fragment: found.fragment, names });
+        all.push(Pair { name, exercise, vertex: found.vertex, fragment: found.fragment, names, given: &[] });
     }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../exercises");
     for entry in std::fs::read_dir(folder).unwrap().map(Result::unwrap) {
@@ -50,7 +53,7 @@ fn pairs() -> Vec<Pair> {
         let exercise = name.split('-').next().unwrap().to_owned();
         let (vertex, fragment) =
             (StageText::whole("reference.vert", vertex), StageText::whole("reference.frag", fragment));
-        all.push(Pair { name, exercise, vertex, fragment, names: NamesFile::default() });
+        all.push(Pair { name, exercise, vertex, fragment, names: NamesFile::default(), given: &[] });
     }
     // Pairs in every dialect, drawn in the scenes of the light equation.
     let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../gonio-glsl/tests/pairs.txt")).unwrap();
@@ -58,11 +61,23 @@ fn pairs() -> Vec<Pair> {
         let text = |file: &str| StageText::whole(file, case.text(file).unwrap());
         let (vertex, fragment) = (text("shader.vert"), text("shader.frag"));
         let (name, exercise) = (format!("dialects/{}", case.name), "ex07".to_owned());
-        all.push(Pair { name, exercise, vertex, fragment, names: NamesFile::default() });
+        all.push(Pair { name, exercise, vertex, fragment, names: NamesFile::default(), given: &[] });
     }
     all.retain(|pair| !NOT_COMPARED.iter().any(|(name, _)| *name == pair.name));
     all.sort_by(|a, b| a.name.cmp(&b.name));
     all
+}
+
+fn own_pairs() -> Vec<Pair> {
+    let pair = |(name, [vertex, fragment]): (String, [String; 2])| Pair {
+        name: format!("own/{name}"),
+        exercise: "ex07".into(),
+        vertex: StageText::whole("own.vert", vertex),
+        fragment: StageText::whole("own.frag", fragment),
+        names: NamesFile::default(),
+        given: own::UNIFORMS,
+    };
+    own::sources().into_iter().map(pair).collect()
 }
 
 /// Pairs that cannot be compared in this way, with the reason.
@@ -164,12 +179,13 @@ fn set_uniform(inputs: &mut StageInputs, stage: &CompiledStage, name: &str, valu
 
 /// The vertex shader with the weights of the corners and the number of the triangle as outputs.
 fn numbered(vertex: &str) -> Option<String> {
-    let at = vertex.find("main")?;
+    // "main" may also be a part of a longer word before it.
+    let at = vertex.find("\nvoid main() {").map(|at| at + 6).or_else(|| vertex.find("main"))?;
     let (before, after) = vertex.split_at(at);
     let outputs = "in vec3 gonio_corner;\nin float gonio_triangle;\nout vec3 gonio_share;\nflat out float gonio_which;\n\
                    out float gonio_depth;\n";
     Some(format!(
-        "{before}gonio_main{}\n{outputs}void main() {{ gonio_main(); gonio_share = gonio_corner; gonio_which = gonio_triangle; }}\n",
+        "{before}gonio_numbered{}\n{outputs}void main() {{ gonio_numbered(); gonio_share = gonio_corner; gonio_which = gonio_triangle; }}\n",
         &after[4..]
     ))
 }
@@ -315,6 +331,11 @@ impl Bench {
             let planes: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
             inputs.set_named(vertex, &name, PointValues::each(&planes));
         }
+        // The driver draws without indices: what counts is the first triangle, which alone is the sky.
+        let number =
+            |vertex: usize| mesh.indices.iter().position(|index| *index as usize == vertex).unwrap_or(3) as i32;
+        let numbers: Vec<u32> = (0..inputs.points()).map(|vertex| number(vertex) as u32).collect();
+        inputs.set_named(vertex, "gl_VertexID", PointValues::Each { components: vec![numbers], written: None });
         let options = RunOptions { textures: &self.textures, ..RunOptions::default() };
         let vertices = run(vertex, &inputs, &options);
         let position = vertices.output(vertex, "gl_Position").unwrap();
@@ -367,7 +388,9 @@ fn uniforms(program: &UserProgram, pair: &Pair, scene: &TestScene) -> Vec<(Strin
         let (name, ty) = (variable.name.clone(), variable.glsl_type.clone());
         let fixed = bindings.fixed.iter().find(|f| f.declared.name == name).map(|f| f.values.clone());
         let role = bindings.bound.iter().find(|bound| bound.declared.name == name);
+        let given = pair.given.iter().find(|(given, _)| *given == name).map(|(_, numbers)| numbers.to_vec());
         let numbers = match unit(&ty) {
+            _ if given.is_some() => given,
             Some(unit) => Some(vec![unit as f32; variable.array as usize]),
             None => fixed.or_else(|| numbers_of_array(role?.role, &ty, variable.array, scene)),
         };
@@ -378,6 +401,10 @@ fn uniforms(program: &UserProgram, pair: &Pair, scene: &TestScene) -> Vec<(Strin
 
 /// The attributes with their streams.
 fn attributes(program: &UserProgram, pair: &Pair) -> Vec<(String, usize)> {
+    if !pair.given.is_empty() {
+        let streams = ["position", "normal", "tex_coord"];
+        return streams.iter().enumerate().map(|(stream, name)| ((*name).to_owned(), stream)).collect();
+    }
     let bindings = roles::bind(&declared(program), &pair.names);
     let of = bindings.bound.iter().filter(|bound| bound.declared.kind == VariableKind::Attribute);
     of.filter_map(|bound| Some((bound.declared.name.clone(), stream_of(bound.role)?))).collect()
@@ -420,4 +447,10 @@ fn pairs_that_were_held_back_are_drawn_as_the_driver_draws_them() {
     let known: Vec<Pair> = pairs().into_iter().filter(|pair| is_held_back(&pair.name)).collect();
     let (held, all, others) = compared(selected(known, |pair| &pair.name));
     assert!(held == all && all > 180, "{held} of {all}\n{others}");
+}
+
+#[test]
+fn own_shaders_are_drawn_as_the_driver_draws_them() {
+    let (held, all, others) = compared(selected(own_pairs(), |pair| &pair.name));
+    assert!(held == all && all > 80, "{held} of {all}\n{others}");
 }
