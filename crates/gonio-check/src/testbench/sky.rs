@@ -1,6 +1,7 @@
 //! The environment of the test scenes with mirrors and skies: a smooth function of the direction.
 
 use glam::Vec3;
+use gonio_environment::{Face, Layout};
 
 /// Side length of a face in texels.
 pub const SKY_SIDE: usize = 32;
@@ -13,20 +14,13 @@ pub fn radiance(direction: Vec3) -> [f32; 3] {
     [wave(Vec3::new(1.9, 0.7, 0.4), 0.3), wave(Vec3::new(-0.5, 2.1, 0.8), 1.1), wave(Vec3::new(0.6, -0.9, 2.3), -0.7)]
 }
 
-/// Returns the six faces in OpenGL's layout (specification, table of cube map coordinates), rows from t = 0.
+/// Returns the six faces in OpenGL's layout, rows from t = 0.
 pub fn sky_faces() -> [Vec<[f32; 4]>; 6] {
-    let place = |face: usize, s: f32, t: f32| match face {
-        0 => Vec3::new(1.0, -t, -s),
-        1 => Vec3::new(-1.0, -t, s),
-        2 => Vec3::new(s, 1.0, t),
-        3 => Vec3::new(s, -1.0, -t),
-        4 => Vec3::new(s, -t, 1.0),
-        _ => Vec3::new(-s, -t, -1.0),
-    };
-    std::array::from_fn(|face| {
+    Face::ALL.map(|face| {
         let texel = |index: usize| {
-            let along = |i: usize| (i as f32 + 0.5) / SKY_SIDE as f32 * 2.0 - 1.0;
-            let [r, g, b] = radiance(place(face, along(index % SKY_SIDE), along(index / SKY_SIDE)));
+            let along = |i: usize| (i as f64 + 0.5) / SKY_SIDE as f64 * 2.0 - 1.0;
+            let direction = face.direction(along(index % SKY_SIDE), along(index / SKY_SIDE), Layout::OpenGl);
+            let [r, g, b] = radiance(direction.as_vec3());
             [r, g, b, 1.0]
         };
         (0..SKY_SIDE * SKY_SIDE).map(texel).collect()
