@@ -253,7 +253,11 @@ pub fn beside(ui: &Ui, output: &TextEditOutput, rows: &[Rect], left: f32, steppe
             let place = Rect::from_x_y_ranges(clip.x_range(), row.y_range()).expand2(vec2(0.0, 2.0 * row.height()));
             ui.scroll_to_rect(place, None);
         }
-        stepper.hover.point(if over_value { None } else { pointed(ui, output, rows, stepper.hover.at_cursor) });
+        stepper.hover.point(if over_value && !stepper.hover.at_cursor {
+            None
+        } else {
+            pointed(ui, output, rows, stepper.hover.at_cursor)
+        });
         tooltip(ui, stepper, rows, id);
     }
 }
