@@ -24,7 +24,9 @@ pub use display::{DisplayOptions, DisplayTexture, Presentation, Presenter, View}
 pub use geometry::VertexData;
 pub use glsl::OVERDRAW_SCALE;
 pub use gonio_scene::{Overlays, SpecialView};
-pub use renderer::{DifferenceScale, Painted, RenderedFrame, RenderedPicture, Renderer, SampledTexture, UserPass};
+pub use renderer::{
+    DifferenceScale, Painted, RenderedFrame, RenderedPicture, Renderer, SampledTexture, UniformValues, UserPass,
+};
 pub use scene_on_gpu::GpuScene;
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ mod user_pass;
 pub use bands::RenderedPicture;
 pub use output::RenderedFrame;
 pub use paint::{DifferenceScale, Painted};
-pub use user_pass::{SampledTexture, UserPass};
+pub use user_pass::{SampledTexture, UniformValues, UserPass};
 
 use crate::glsl::texture_unit;
 use crate::light_table::LightTable;

@@ -41,6 +41,9 @@ pub enum SampledTexture {
     White,
 }
 
+/// Values of uniforms, by the number of the uniform.
+pub type UniformValues = Vec<(usize, Vec<f32>)>;
+
 /// A user's program and where its inputs come from.
 pub struct UserPass<'a> {
     /// The program.
@@ -54,7 +57,7 @@ pub struct UserPass<'a> {
     /// The scene that was uploaded, for its textures and its environment.
     pub scene: &'a Scene,
     /// The values of the other uniforms for an object's matrix (world from model) and a material, by number.
-    pub values: &'a dyn Fn(DMat4, &SceneMaterial) -> Vec<(usize, Vec<f32>)>,
+    pub values: &'a dyn Fn(DMat4, &SceneMaterial) -> UniformValues,
 }
 
 /// Most texels along an edge of the environment that a program reads.
