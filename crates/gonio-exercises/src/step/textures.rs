@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 use gonio_check::testbench::{CUBEMAP_UNIT, SKY_SIDE, WHITE_UNIT, sky_faces};
+use gonio_environment::{Face, Layout};
 use gonio_interpreter::{TextureLookup, TextureSource};
 
 /// The textures of the units that samplers are set to; other units are empty, which is black.
@@ -33,20 +34,11 @@ impl PreviewTextures {
     }
 }
 
-/// The face that a direction meets and the coordinates in it, 0 to 1 (OpenGL 4.6, table 8.19).
+/// The number of the face that a direction meets and the coordinates in it, 0 to 1; NaN for a direction that meets none.
 fn face(direction: Vec3) -> (usize, [f32; 2]) {
-    let Vec3 { x, y, z } = direction;
-    let size = direction.abs();
-    let (face, s, t, along) = if size.x >= size.y && size.x >= size.z {
-        if x >= 0.0 { (0, -z, -y, size.x) } else { (1, z, -y, size.x) }
-    } else if size.y >= size.z {
-        if y >= 0.0 { (2, x, z, size.y) } else { (3, x, -z, size.y) }
-    } else if z >= 0.0 {
-        (4, x, -y, size.z)
-    } else {
-        (5, -x, -y, size.z)
-    };
-    (face, [s, t].map(|place| (place / along + 1.0) * 0.5))
+    let found = Face::from_direction(direction.as_dvec3(), Layout::OpenGl);
+    let share = |place: f64| ((place + 1.0) * 0.5) as f32;
+    found.map_or((0, [f32::NAN; 2]), |(face, s, t)| (face as usize, [share(s), share(t)]))
 }
 
 impl TextureSource for PreviewTextures {
