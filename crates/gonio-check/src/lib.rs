@@ -2,6 +2,7 @@
 //! that mistake in the source.
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+pub mod cause;
 mod check;
 pub mod compile;
 pub mod dataflow;
@@ -18,5 +19,5 @@ pub mod user_shaders;
 pub mod verdict;
 pub mod words;
 
-pub use check::{CheckOptions, ShaderExercise, check};
+pub use check::{CheckOptions, ShaderExercise, WRONG_VALUE, check};
 pub use search::ShaderChecker;

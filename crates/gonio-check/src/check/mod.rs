@@ -1,6 +1,9 @@
 //! Checks a student's files and returns a verdict.
 
+mod by_values;
 mod corrections;
+
+pub use by_values::WRONG_VALUE;
 
 use crate::compile::{ParsedStage, compile, compiler_messages, does_not_link, first_message, strictness};
 use crate::dataflow::Shader;
@@ -157,6 +160,11 @@ pub fn check(
         let text = if at.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
         let (file, line, _) = text.place(at.span.line, at.span.column);
         verdict.warnings.push(format!("{file}:{line}: {sentence}"));
+    }
+    let has_its_pictures =
+        by_values::correct(&mut verdict, task, &submission, [&vertex, &fragment], &prepared.names, &source.constants());
+    if !has_its_pictures {
+        evidence = None;
     }
     if options.as_the_lab {
         pass_as_the_lab(&mut verdict);

@@ -15,7 +15,9 @@ mod task;
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
 pub use conclusion::mistake as named;
 pub(crate) use conclusion::{bound, fixed};
+pub(crate) use fit::strengths;
 pub use parameterisation::{Lights, Parameterisation, Second};
+pub(crate) use predict::model_names;
 pub use predict::{CompiledModel, declared};
 pub use task::{PLACES, TASKS, Task};
 

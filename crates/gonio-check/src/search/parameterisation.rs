@@ -73,7 +73,7 @@ pub struct Parameterisation {
     /// For ambient, diffuse and specular: whether the strength is not an input, so that it must be fitted.
     pub to_find: [bool; 3],
     /// For the same terms: whether the strength is an input although the material's colour is not.
-    given: [bool; 3],
+    pub given: [bool; 3],
     /// For the same terms: the usual strength in the exercise.
     usual: [f32; 3],
     /// Whether the material's colour is an input.

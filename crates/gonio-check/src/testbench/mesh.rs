@@ -27,6 +27,11 @@ impl TestShape {
         self as usize
     }
 
+    /// Whether the camera is inside it.
+    pub fn is_around_the_eye(self) -> bool {
+        matches!(self, TestShape::Cube | TestShape::Landmarks)
+    }
+
     /// Returns its vertices and triangles.
     pub fn mesh(self) -> TestMesh {
         match self {

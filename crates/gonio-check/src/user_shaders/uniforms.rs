@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn settings_are_numbers_truth_values_or_colours() {
-        let read = |text| parse_setting(text).map(|(name, values)| (name, values));
+        let read = |text| parse_setting(text);
         assert_eq!(read("scale=2"), Ok(("scale".to_owned(), vec![2.0])));
         assert_eq!(read("light.pos= 1,-2 ,3e1"), Ok(("light.pos".to_owned(), vec![1.0, -2.0, 30.0])));
         assert_eq!(read("on=true,false"), Ok(("on".to_owned(), vec![1.0, 0.0])));

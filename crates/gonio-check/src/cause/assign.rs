@@ -1,0 +1,235 @@
+//! Finds the roles of inputs whose names say nothing: those with which most values of the program are quantities of the
+//! light equation.
+
+use super::model::{Model, STAGES, observe};
+use super::program::{Program, Runner};
+use super::samples::SceneSamples;
+use super::target::on_screen;
+use crate::roles::{Bound, How, Role, VariableKind};
+use gonio_glsl::{Scalar, Stage};
+use gonio_interpreter::ExprId;
+
+const MATRICES: [Role; 8] = [
+    Role::Model,
+    Role::View,
+    Role::Projection,
+    Role::ModelView,
+    Role::ViewProjection,
+    Role::ModelViewProjection,
+    Role::NormalMatrix,
+    Role::NormalMatrixOfModelView,
+];
+const NORMAL_MATRICES: [Role; 4] = [Role::NormalMatrix, Role::NormalMatrixOfModelView, Role::Model, Role::View];
+const VECTORS: [Role; 4] = [Role::LightPos(0), Role::ViewPos, Role::LightPosInView(0), Role::MaterialColor];
+
+const NUMBERS: [Role; 9] = [
+    Role::Shininess,
+    Role::DiffuseStrength(0),
+    Role::SpecularStrength(0),
+    Role::AmbientStrength(0),
+    Role::AttenuationConstant(0),
+    Role::AttenuationLinear(0),
+    Role::AttenuationQuadratic(0),
+    Role::RefractionIndex,
+    Role::RefractionRatio,
+];
+const LIGHT_POSITIONS: [Role; 2] = [Role::LightPos(0), Role::LightPosInView(0)];
+const NORMALS: [Role; 2] = [Role::NormalMatrix, Role::NormalMatrixOfModelView];
+const ATTENUATION: [Role; 3] =
+    [Role::AttenuationConstant(0), Role::AttenuationLinear(0), Role::AttenuationQuadratic(0)];
+
+/// Most matrices whose roles are tried together.
+const MOST_MATRICES: usize = 4;
+
+/// The roles that an input may have: the name alone does not tell the space of a light or a normal matrix.
+fn candidates(bound: &Bound) -> &'static [Role] {
+    let is_named = bound.how == How::Name;
+    match bound.role {
+        _ if bound.how == How::NamesFile => &[],
+        role if is_named && LIGHT_POSITIONS.contains(&role) => &LIGHT_POSITIONS,
+        role if is_named && NORMALS.contains(&role) => &NORMALS,
+        _ if is_named => &[],
+        _ => of_type(&bound.declared.glsl_type),
+    }
+}
+
+/// The roles that a type may have.
+fn of_type(glsl_type: &str) -> &'static [Role] {
+    match glsl_type {
+        "float" => &NUMBERS,
+        "mat4" => &MATRICES,
+        "mat3" => &NORMAL_MATRICES,
+        "vec3" | "vec4" => &VECTORS,
+        _ => &[],
+    }
+}
+
+/// Whether the role of some input is open.
+#[must_use]
+pub fn is_open(program: &Program) -> bool {
+    let is_uniform = |kind: VariableKind| kind == VariableKind::Uniform;
+    let mut unknown = program.bindings.unknown.iter();
+    unknown.any(|declared| is_uniform(declared.kind) && !of_type(&declared.glsl_type).is_empty())
+        || program.bindings.bound.iter().any(|bound| is_uniform(bound.declared.kind) && !candidates(bound).is_empty())
+}
+
+/// Assigns roles to the inputs of a program whose names do not determine them. `samples` are those of the test scenes.
+pub fn assign(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
+    let Some(first) = samples.first() else { return };
+    let samples = std::slice::from_ref(first);
+    // Variables without a role take part.
+    let unknown: Vec<Bound> = (program.bindings.unknown.iter())
+        .filter(|declared| declared.kind == VariableKind::Uniform)
+        .filter_map(|declared| {
+            let role = *of_type(&declared.glsl_type).first()?;
+            Some(Bound { declared: declared.clone(), role, how: How::Type })
+        })
+        .collect();
+    let mut bound: Vec<Bound> = program.bindings.bound.clone();
+    bound.extend(unknown);
+    let is_open = |bound: &Bound| {
+        bound.declared.kind == VariableKind::Uniform && bound.declared.array <= 1 && !candidates(bound).is_empty()
+    };
+    let open: Vec<usize> = (0..bound.len()).filter(|index| is_open(&bound[*index])).collect();
+    if open.is_empty() {
+        return;
+    }
+    let known = program.bindings.bound.clone();
+    let before = score(program, samples, models);
+    let is_matrix = |index: &usize| bound[*index].declared.glsl_type == "mat4" && bound[*index].how != How::Name;
+    let matrices: Vec<usize> = open.iter().copied().filter(is_matrix).collect();
+    let mut others: Vec<usize> = open.iter().copied().filter(|index| !is_matrix(index)).collect();
+    let order = |index: &usize| match of_type(&bound[*index].declared.glsl_type) {
+        [Role::NormalMatrix | Role::Model, ..] => 0,
+        [Role::LightPos(_), ..] => 1,
+        _ => 2,
+    };
+    others.sort_by_key(order);
+    program.bindings.bound.clone_from(&bound);
+    if (1..=MOST_MATRICES).contains(&matrices.len()) {
+        let mut best = (0, Vec::new());
+        let mut chosen = vec![0_usize; matrices.len()];
+        loop {
+            let is_distinct = (1..chosen.len()).all(|at| !chosen[..at].contains(&chosen[at]));
+            if is_distinct {
+                for (index, role) in matrices.iter().zip(&chosen) {
+                    program.bindings.bound[*index].role = MATRICES[*role];
+                }
+                if is_in_place(program, samples) {
+                    let score = 1 + score(program, samples, models);
+                    if score > best.0 {
+                        best = (score, chosen.clone());
+                    }
+                }
+            }
+            let Some(at) = chosen.iter().rposition(|role| *role + 1 < MATRICES.len()) else { break };
+            chosen[at] += 1;
+            chosen[at + 1..].fill(0);
+        }
+        for (place, index) in matrices.iter().enumerate() {
+            let role = best.1.get(place).map_or(bound[*index].role, |role| MATRICES[*role]);
+            program.bindings.bound[*index].role = role;
+        }
+    }
+    if let Some(found) = attenuation(program, samples, models, &bound, &others) {
+        for (index, role) in found.into_iter().zip(ATTENUATION) {
+            program.bindings.bound[index].role = role;
+            others.retain(|other| *other != index);
+        }
+    }
+    // Twice, because the first of two unknown vectors is tried beside a wrong second one.
+    for _ in 0..2 {
+        for index in &others {
+            let usual = program.bindings.bound[*index].role;
+            let mut best = (score(program, samples, models), usual);
+            for role in candidates(&bound[*index]) {
+                program.bindings.bound[*index].role = *role;
+                let score = score(program, samples, models);
+                if score > best.0 {
+                    best = (score, *role);
+                }
+            }
+            program.bindings.bound[*index].role = best.1;
+        }
+    }
+    if score(program, samples, models) <= before {
+        program.bindings.bound = known;
+        return;
+    }
+    for found in &program.bindings.bound {
+        let declared = &mut program.declared;
+        declared.unknown.retain(|unknown| unknown != &found.declared);
+        match declared.bound.iter_mut().find(|known| known.declared == found.declared) {
+            Some(known) => known.role = found.role,
+            None => declared.bound.push(found.clone()),
+        }
+    }
+    let bound = &program.bindings.bound;
+    program.bindings.unknown.retain(|unknown| bound.iter().all(|bound| bound.declared != *unknown));
+}
+
+/// The three numbers among the open ones that are the constants of the attenuation: together they give a right value.
+fn attenuation(
+    program: &mut Program,
+    samples: &[SceneSamples],
+    models: &[Model],
+    bound: &[Bound],
+    open: &[usize],
+) -> Option<Vec<usize>> {
+    let is_number = |index: &&usize| bound[**index].declared.glsl_type == "float";
+    let numbers: Vec<usize> = open.iter().filter(is_number).copied().collect();
+    if numbers.len() < ATTENUATION.len() || numbers.len() > 7 {
+        return None;
+    }
+    let usual = program.bindings.bound.clone();
+    let mut best = (score(program, samples, models), None);
+    for a in &numbers {
+        for b in numbers.iter().filter(|b| *b != a) {
+            for c in numbers.iter().filter(|c| *c != a && *c != b) {
+                program.bindings.bound.clone_from(&usual);
+                for (index, role) in [a, b, c].into_iter().zip(ATTENUATION) {
+                    program.bindings.bound[*index].role = role;
+                }
+                let score = score(program, samples, models);
+                if score > best.0 {
+                    best = (score, Some(vec![*a, *b, *c]));
+                }
+            }
+        }
+    }
+    program.bindings.bound = usual;
+    best.1
+}
+
+fn is_in_place(program: &Program, samples: &[SceneSamples]) -> bool {
+    let scene = &samples[0].scene;
+    let clip_from_model = scene.clip_from_view() * scene.view_from_world() * scene.world_from_model;
+    let runner = Runner::new(program, samples);
+    let result = runner.start(0);
+    let Some(position) = result.output(&program.vertex, "gl_Position") else { return false };
+    let positions = samples[0].mesh.positions.chunks_exact(3);
+    positions.enumerate().all(|(vertex, at)| {
+        let right = clip_from_model * glam::Vec3::from_slice(at).extend(1.0);
+        let seen: [f32; 4] = std::array::from_fn(|component| position.float(component, vertex));
+        on_screen(&seen, &right.to_array())
+    })
+}
+
+/// How many expressions are quantities of the light equation.
+fn score(program: &Program, samples: &[SceneSamples], models: &[Model]) -> usize {
+    let runner = Runner::new(program, samples);
+    let exprs = STAGES.map(|stage: Stage| {
+        let all = program.stage(stage).source.expressions.iter().enumerate();
+        let is_number = |ty: &gonio_glsl::Type| ty.scalar() == Some(Scalar::Float) && ty.components().is_some();
+        let numbers =
+            all.filter(|(_, expr)| expr.ty.as_ref().is_some_and(is_number) && expr.tokens.first != expr.tokens.last);
+        numbers.map(|(index, _)| ExprId(index as u32)).collect::<Vec<_>>()
+    });
+    let observed = observe(&runner, &[], 0..1, [&exprs[0], &exprs[1]]);
+    let is_known = |seen: &&super::model::Recorded| {
+        let quantities = models.iter().flat_map(|model| &model.quantities);
+        let mut alike = quantities.filter(|q| q.stage == seen.stage && q.mistake.is_none());
+        !seen.values.is_constant() && alike.any(|q| q.values.is_same_of_first(&seen.values))
+    };
+    observed.iter().filter(is_known).count()
+}

@@ -1,0 +1,507 @@
+//! The quantities of the light equation at all points: those of a model solution, and those that the mistakes of the
+//! catalogue compute instead.
+
+use super::program::{Change, Program, Runner};
+use super::samples::SceneSamples;
+use super::values::Values;
+use crate::mistakes::{Hypotheses, Hypothesis, Mistake, ModelSolution};
+use crate::roles::{Meaning, Role};
+use crate::testbench::numbers;
+use glam::{Mat3, Vec3};
+use gonio_glsl::Stage;
+use gonio_interpreter::{ExprId, PointValues, SourceMap};
+use std::collections::BTreeMap;
+
+/// The space of a vector or position.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Space {
+    /// World space, or no space at all.
+    #[default]
+    World,
+    /// The camera's.
+    View,
+}
+
+/// A quantity at all points of a stage.
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    /// The variable of the model solution, or the name of an input.
+    pub name: String,
+    /// The stage whose points have the values.
+    pub stage: Stage,
+    /// Its space.
+    pub space: Space,
+    /// The mistake that computes this instead of the variable; `None` for the right values.
+    pub mistake: Option<&'static Mistake>,
+    /// Whether the mistake assigns to this variable, and not to one that it is computed from.
+    pub is_direct: bool,
+    /// Whether it was computed at the vertices and interpolated.
+    pub interpolated: bool,
+    /// The values.
+    pub values: Values,
+}
+
+impl Default for Quantity {
+    fn default() -> Self {
+        Quantity {
+            name: String::new(),
+            stage: Stage::Vertex,
+            space: Space::World,
+            mistake: None,
+            is_direct: false,
+            interpolated: false,
+            values: Values::absent(1, 0),
+        }
+    }
+}
+
+/// The method of a right answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Method {
+    /// The model solution.
+    pub model: ModelSolution,
+    /// Whether only the fragment shader normalises the normal.
+    pub normal_kept: bool,
+    /// Whether the highlight is that of the half vector.
+    pub half_vector: bool,
+}
+
+/// The quantities of one method.
+pub struct Model {
+    /// The method.
+    pub method: Method,
+    /// All of them.
+    pub quantities: Vec<Quantity>,
+}
+
+/// A value that the model solution or a mistake assigns.
+struct Assigned {
+    variable: String,
+    /// The change of a mistake, by its index.
+    change: Option<usize>,
+    expr: ExprId,
+}
+
+/// A way to make a mistake: the variables and the values assigned instead.
+type Way = (&'static Mistake, Vec<(String, String)>);
+
+impl Method {
+    /// The model's shaders as this method writes them.
+    fn sources(self) -> ([String; 2], Vec<Way>) {
+        let all = Hypotheses::for_model(self.model);
+        let mut chosen = Hypothesis::default();
+        let wanted = [("normal-kept-unnormalised", self.normal_kept), ("specular-half-vector", self.half_vector)];
+        for single in &all.singles {
+            let id = single.mistakes.first().map(|mistake| all.mistakes[*mistake].id.as_str());
+            if wanted.iter().any(|(name, is_chosen)| *is_chosen && id == Some(name))
+                && let Some(both) = chosen.and(single)
+            {
+                chosen = both;
+            }
+        }
+        let changes = all.mistakes.iter().filter(|mistake| !mistake.harmless).flat_map(|mistake| {
+            let way = |change: &BTreeMap<String, String>| change.clone().into_iter().collect();
+            mistake.change.iter().map(move |change| (*mistake, way(change)))
+        });
+        (all.written(&chosen), changes.collect())
+    }
+}
+
+/// The variable that a line of a model solution assigns, the type if the line declares it, and the offset of the value.
+fn assignment(line: &str) -> Option<(&str, Option<&str>, usize)> {
+    let code = line.split("//").next()?;
+    let at = code.find(" = ")?;
+    code.trim_end().strip_suffix(';')?;
+    let mut words = code[..at].split_whitespace().rev();
+    let (variable, ty) = (words.next()?, words.next());
+    Some((variable, ty.filter(|ty| *ty != "const"), at + 3))
+}
+
+/// The shaders of a model solution, compiled, with what they assign.
+struct ModelProgram {
+    program: Program,
+    assigned: [Vec<Assigned>; 2],
+}
+
+impl ModelProgram {
+    fn new(texts: &[String; 2], written_exponent: f32) -> Result<Self, String> {
+        let parsed = |stage: Stage| {
+            let mut parsed = gonio_glsl::parse(&texts[stage as usize]);
+            let checked = gonio_glsl::check(&mut parsed, stage);
+            (parsed, checked)
+        };
+        let [vertex, fragment] = STAGES.map(parsed);
+        let mut names = crate::search::model_names();
+        names.names.insert("written_exponent".to_owned(), Meaning::Value(vec![written_exponent]));
+        let texts = texts.each_ref().map(String::as_str);
+        let program = Program::new((&vertex.0, &vertex.1), (&fragment.0, &fragment.1), texts, &names)
+            .map_err(|(stage, error)| format!("{stage}: {error}"))?;
+        let assigned = STAGES.map(|stage| assigned(texts[stage as usize], &program.stage(stage).source));
+        Ok(ModelProgram { program, assigned })
+    }
+
+    /// The assigned values of both stages.
+    fn exprs(&self) -> [Vec<ExprId>; 2] {
+        self.assigned.each_ref().map(|all| all.iter().map(|assigned| assigned.expr).collect())
+    }
+
+    fn assigned(&self, stage: Stage, expr: ExprId) -> Option<&Assigned> {
+        self.assigned[stage as usize].iter().find(|assigned| assigned.expr == expr)
+    }
+}
+
+/// What each mistake assigns, as changes of the plain program.
+fn wrong_values(
+    sources: &[String; 2],
+    ways: &[Way],
+    written_exponent: f32,
+    samples: &[SceneSamples],
+    plain: &ModelProgram,
+) -> Result<Vec<Vec<Change>>, String> {
+    let texts = sources.each_ref().map(|source| with_mistakes(source, ways));
+    let wrong = ModelProgram::new(&texts, written_exponent)?;
+    let runner = Runner::new(&wrong.program, samples);
+    let exprs = wrong.exprs();
+    let mut changes = vec![Vec::new(); ways.len()];
+    for seen in observe(&runner, &[], 0..samples.len(), [&exprs[0], &exprs[1]]) {
+        let Some(of) = wrong.assigned(seen.stage, seen.expr) else { continue };
+        let right = plain.assigned[seen.stage as usize].iter().find(|right| right.variable == of.variable);
+        if let (Some(change), Some(right)) = (of.change, right) {
+            let (stage, exprs) = (seen.stage, vec![right.expr]);
+            changes[change].push(Change { stage, exprs, occurrence: None, values: seen.values });
+        }
+    }
+    Ok(changes)
+}
+
+/// Adds what each mistake assigns to the end of the function that assigns the right value.
+fn with_mistakes(source: &str, ways: &[Way]) -> String {
+    let mut text = String::new();
+    let mut pending = String::new();
+    for line in source.lines() {
+        if line.starts_with('}') || line.trim_start().starts_with("return ") {
+            text.push_str(&std::mem::take(&mut pending));
+        }
+        text.push_str(line);
+        text.push('\n');
+        let Some((variable, declared, _)) = assignment(line) else { continue };
+        let out = format!("{variable};");
+        let of_output = || source.lines().find_map(|l| l.strip_prefix("out ")?.strip_suffix(&out).map(str::trim));
+        let ty = declared.or_else(of_output).unwrap_or("vec4");
+        for (index, (_, changes)) in ways.iter().enumerate() {
+            for (_, value) in changes.iter().filter(|(changed, _)| changed == variable) {
+                pending.push_str(&format!("{ty} wrong_{index}_{variable} = {value};\n"));
+            }
+        }
+    }
+    text
+}
+
+/// Finds the assigned values in a compiled source.
+fn assigned(text: &str, map: &SourceMap) -> Vec<Assigned> {
+    let (mut found, mut start) = (Vec::new(), 0);
+    for line in text.split_inclusive('\n') {
+        if let Some((variable, _, at)) = assignment(line.trim_end_matches('\n')) {
+            let byte = (start + at) as u32;
+            let here = map.expressions.iter().enumerate().filter(|(_, expr)| expr.span.start == byte);
+            if let Some((index, _)) = here.max_by_key(|(_, expr)| expr.span.end) {
+                let parts = variable.strip_prefix("wrong_").and_then(|rest| rest.split_once('_'));
+                let wrong = parts.and_then(|(number, of)| Some((number.parse().ok()?, of)));
+                found.push(Assigned {
+                    variable: wrong.map_or(variable, |(_, of)| of).to_owned(),
+                    change: wrong.map(|(change, _)| change),
+                    expr: ExprId(index as u32),
+                });
+            }
+        }
+        start += line.len();
+    }
+    found
+}
+
+/// Inputs of the light equation, by the names that the model solutions give them.
+const INPUTS: [(&str, Role, &str); 18] = [
+    ("light_pos", Role::LightPos(0), "vec3"),
+    ("u_view_pos", Role::ViewPos, "vec3"),
+    ("materialColour", Role::MaterialColor, "vec3"),
+    ("light.ambient_strength", Role::AmbientStrength(0), "float"),
+    ("light.diffuse_strength", Role::DiffuseStrength(0), "float"),
+    ("light.specular_strength", Role::SpecularStrength(0), "float"),
+    ("light.constant", Role::AttenuationConstant(0), "float"),
+    ("light.linear", Role::AttenuationLinear(0), "float"),
+    ("light.quadratic", Role::AttenuationQuadratic(0), "float"),
+    ("shininess", Role::Shininess, "float"),
+    ("refractionIndice", Role::RefractionIndex, "float"),
+    ("M", Role::Model, "mat4"),
+    ("V", Role::View, "mat4"),
+    ("P", Role::Projection, "mat4"),
+    ("itM", Role::NormalMatrix, "mat4"),
+    ("V * M", Role::ModelView, "mat4"),
+    ("P * V", Role::ViewProjection, "mat4"),
+    ("P * V * M", Role::ModelViewProjection, "mat4"),
+];
+
+fn inputs(stage: Stage, samples: &[SceneSamples]) -> Vec<Quantity> {
+    let count = |samples: &SceneSamples| match stage {
+        Stage::Vertex => samples.vertices(),
+        Stage::Fragment => samples.places.len(),
+    };
+    let mut all = Vec::new();
+    let mut push = |name: &str, space: Space, of: &dyn Fn(&SceneSamples) -> Option<Vec<f32>>| {
+        let mut values = Vec::new();
+        let mut size = 0;
+        for samples in samples {
+            let Some(numbers) = of(samples) else { return };
+            size = numbers.len();
+            (0..count(samples)).for_each(|_| values.extend(&numbers));
+        }
+        if size > 0 {
+            let values = Values::new(size, values);
+            all.push(Quantity { name: name.to_owned(), stage, space, values, ..Quantity::default() });
+        }
+    };
+    for (name, role, ty) in INPUTS {
+        push(name, Space::World, &|samples| {
+            let mut numbers = numbers(role, ty, &samples.scene)?;
+            numbers.truncate(match ty {
+                "float" => 1,
+                "vec3" => 3,
+                _ => 16,
+            });
+            Some(numbers)
+        });
+        if ty == "mat4" {
+            push(&format!("mat3({name})"), Space::World, &|samples| numbers(role, "mat3", &samples.scene));
+        }
+    }
+    push("mat3(transpose(inverse(V * M)))", Space::View, &|samples| {
+        Some(samples.scene.view_normal_matrix().to_cols_array().to_vec())
+    });
+    push("light_pos", Space::View, &|samples| {
+        let scene = &samples.scene;
+        Some(scene.view_from_world().transform_point3(scene.light.position).to_array().to_vec())
+    });
+    all
+}
+
+/// Vectors that are the same in another space after a rotation.
+const DIRECTIONS: [&str; 15] = [
+    "N",
+    "world_normal",
+    "v_normal",
+    "L",
+    "to_light",
+    "V",
+    "to_eye",
+    "R",
+    "I",
+    "from_eye",
+    "looked_up",
+    "H",
+    "up",
+    "-L",
+    "L + V",
+];
+/// Positions.
+const POSITIONS: [&str; 1] = ["world_position"];
+
+impl Model {
+    /// Evaluates a method at all points.
+    ///
+    /// # Errors
+    /// The model solution cannot be compiled; a test ensures that all can.
+    pub fn new(
+        method: Method,
+        samples: &[SceneSamples],
+        written_exponent: f32,
+        has_mistakes: bool,
+    ) -> Result<Self, String> {
+        let (sources, ways) = method.sources();
+        let plain = ModelProgram::new(&sources, written_exponent)?;
+        let runner = Runner::new(&plain.program, samples);
+        let exprs = plain.exprs();
+        let mut quantities = Vec::new();
+        for seen in observe(&runner, &[], 0..samples.len(), [&exprs[0], &exprs[1]]) {
+            let Some(of) = plain.assigned(seen.stage, seen.expr) else { continue };
+            let name = of.variable.clone();
+            quantities.push(Quantity { name, stage: seen.stage, values: seen.values, ..Quantity::default() });
+        }
+        if has_mistakes {
+            let right = quantities.len();
+            let few = 0..samples.len().min(TELLING);
+            let changes = wrong_values(&sources, &ways, written_exponent, samples, &plain)?;
+            for ((mistake, _), changes) in ways.iter().zip(changes).filter(|(_, changes)| !changes.is_empty()) {
+                for seen in observe(&runner, &changes, few.clone(), [&exprs[0], &exprs[1]]) {
+                    let Some(of) = plain.assigned(seen.stage, seen.expr) else { continue };
+                    let is_it = |q: &&Quantity| q.stage == seen.stage && q.name == of.variable;
+                    let known = quantities[..right].iter().find(is_it);
+                    if known.is_none_or(|known| known.values.is_same(&seen.values)) {
+                        continue;
+                    }
+                    quantities.push(Quantity {
+                        name: of.variable.clone(),
+                        stage: seen.stage,
+                        mistake: Some(mistake),
+                        is_direct: changes.iter().any(|c| c.stage == seen.stage && c.exprs == [seen.expr]),
+                        values: seen.values,
+                        ..Quantity::default()
+                    });
+                }
+            }
+        }
+        let mut model = Model { method, quantities };
+        model.add_intermediate();
+        model.interpolate(samples);
+        model.add_views(samples);
+        for stage in [Stage::Vertex, Stage::Fragment] {
+            model.quantities.extend(inputs(stage, samples));
+        }
+        Ok(model)
+    }
+
+    /// Adds values that the model solutions compute within a line.
+    fn add_intermediate(&mut self) {
+        for stage in STAGES {
+            let of = |name: &str| self.right(name, stage, false).cloned();
+            let (Some(normal), Some(to_light), Some(to_eye), reflected) = (of("N"), of("L"), of("V"), of("R")) else {
+                continue;
+            };
+            let mut push = |name: &str, values: Values| {
+                self.quantities.push(Quantity { name: name.to_owned(), stage, values, ..Quantity::default() });
+            };
+            let dot =
+                |a: &Values, b: &Values| a.map(1, |p, a, to| to[0] = a.iter().zip(b.at(p)).map(|(a, b)| a * b).sum());
+            push("-L", to_light.map(3, |_, a, to| to.iter_mut().zip(a).for_each(|(to, a)| *to = -a)));
+            push("dot(N, L)", dot(&normal, &to_light));
+            push("dot(N, V)", dot(&normal, &to_eye));
+            let sum = to_light.map(3, |p, a, to| {
+                to.iter_mut().zip(a.iter().zip(to_eye.at(p))).for_each(|(to, (a, b))| *to = a + b);
+            });
+            let half = sum.unit();
+            push("dot(N, H)", dot(&normal, &half));
+            push("L + V", sum);
+            push("H", half);
+            if let Some(reflected) = reflected {
+                push("dot(R, V)", dot(&reflected, &to_eye));
+            }
+        }
+    }
+
+    /// Adds the values of the vertices, interpolated.
+    fn interpolate(&mut self, samples: &[SceneSamples]) {
+        let of_vertices: Vec<Quantity> =
+            self.quantities.iter().filter(|quantity| quantity.stage == Stage::Vertex).cloned().collect();
+        for quantity in of_vertices {
+            let values = interpolated(&quantity.values, samples);
+            self.quantities.push(Quantity { stage: Stage::Fragment, interpolated: true, values, ..quantity });
+        }
+    }
+
+    /// Adds directions and positions in view space.
+    fn add_views(&mut self, samples: &[SceneSamples]) {
+        let all: Vec<Quantity> = self.quantities.iter().filter(|q| q.values.size == 3).cloned().collect();
+        for quantity in all {
+            let is_direction = DIRECTIONS.contains(&quantity.name.as_str());
+            if !is_direction && !POSITIONS.contains(&quantity.name.as_str()) {
+                continue;
+            }
+            let scene_of: Vec<usize> = samples
+                .iter()
+                .enumerate()
+                .flat_map(|(scene, samples)| {
+                    let count = if quantity.stage == Stage::Vertex { samples.vertices() } else { samples.places.len() };
+                    std::iter::repeat_n(scene, count)
+                })
+                .collect();
+            let views: Vec<_> = samples.iter().map(|samples| samples.scene.view_from_world()).collect();
+            let values = quantity.values.map(3, |point, from, to| {
+                let (view, from) = (views[scene_of[point]], Vec3::from_slice(from));
+                let turned = if is_direction { Mat3::from_mat4(view) * from } else { view.transform_point3(from) };
+                to.copy_from_slice(&turned.to_array());
+            });
+            self.quantities.push(Quantity { space: Space::View, values, ..quantity });
+        }
+    }
+
+    /// The right values of a variable, at the points of a stage.
+    #[must_use]
+    pub fn right(&self, name: &str, stage: Stage, interpolated: bool) -> Option<&Values> {
+        let is_it = |q: &&Quantity| {
+            q.name == name
+                && q.stage == stage
+                && q.interpolated == interpolated
+                && q.mistake.is_none()
+                && q.space == Space::World
+        };
+        self.quantities.iter().find(is_it).map(|quantity| &quantity.values)
+    }
+}
+
+/// Interpolates values of vertices.
+pub(super) fn interpolated(values: &Values, samples: &[SceneSamples]) -> Values {
+    let places = samples.iter().map(|samples| samples.places.len()).sum();
+    let mut made = Values::absent(values.size, places);
+    let (mut first, mut point) = (0, 0);
+    for samples in samples {
+        for place in &samples.places {
+            let corners = place.corners.map(|corner| first + corner as usize);
+            made.present[point] = corners.iter().all(|corner| values.present[*corner]);
+            for component in 0..values.size {
+                let sum = (0..3).map(|c| values.at(corners[c])[component] * place.weights[c]).sum();
+                made.numbers[point * values.size + component] = sum;
+            }
+            point += 1;
+        }
+        first += samples.vertices();
+    }
+    made
+}
+
+/// Both stages, in the order of their work.
+pub(super) const STAGES: [Stage; 2] = [Stage::Vertex, Stage::Fragment];
+/// The first test scenes distinguish most mistakes.
+pub(super) const TELLING: usize = 3;
+
+/// The values of one expression in one of its evaluations.
+pub(super) struct Recorded {
+    pub stage: Stage,
+    pub expr: ExprId,
+    pub occurrence: u32,
+    pub values: Values,
+}
+
+/// The values of expressions of both stages in some scenes.
+pub(super) fn observe(
+    runner: &Runner<'_>,
+    changes: &[Change],
+    scenes: std::ops::Range<usize>,
+    watched: [&[ExprId]; 2],
+) -> Vec<Recorded> {
+    let mut found = BTreeMap::<(usize, ExprId, u32), Values>::new();
+    for scene in scenes {
+        let result = runner.run(scene, changes, watched);
+        for (stage, run) in STAGES.into_iter().zip([&*result.vertex, &result.fragment]) {
+            let (all, first) = (runner.points(stage), runner.first_point(stage, scene));
+            for evaluation in &run.evaluations {
+                let size = match &evaluation.values {
+                    PointValues::Same(components) => components.len(),
+                    PointValues::Each { components, .. } => components.len(),
+                };
+                let key = (stage as usize, evaluation.expr, evaluation.occurrence);
+                let values = found.entry(key).or_insert_with(|| Values::absent(size, all));
+                if values.size != size {
+                    continue;
+                }
+                for lane in evaluation.points.iter() {
+                    let point = first + evaluation.first_point + lane;
+                    values.present[point] = true;
+                    for component in 0..size {
+                        values.numbers[point * size + component] = evaluation.values.float(component, lane);
+                    }
+                }
+            }
+        }
+    }
+    let recorded = |((stage, expr, occurrence), values)| Recorded { stage: STAGES[stage], expr, occurrence, values };
+    found.into_iter().map(recorded).collect()
+}

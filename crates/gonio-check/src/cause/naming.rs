@@ -1,0 +1,264 @@
+//! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
+
+use super::model::TELLING;
+use super::observed::{Observed, Observer, SCALED};
+use super::program::Change;
+use super::repair::{Make, Relation, Repair};
+use super::words;
+use crate::mistakes::{Mistake, ModelSolution};
+use gonio_glsl::{Span, Stage};
+use gonio_interpreter::ExprId;
+
+/// A proven cause.
+#[derive(Clone, Debug)]
+pub struct Cause {
+    /// The stage.
+    pub stage: Stage,
+    /// The expression.
+    pub expr: ExprId,
+    /// Its position.
+    pub span: Span,
+    /// Its text.
+    pub text: String,
+    /// What it should be: "should be the unit normal".
+    pub should: String,
+    /// What it is, if that is a quantity of the equation.
+    pub is: Option<String>,
+    /// How many further mistakes its pair of quantities shows as well as the first one.
+    pub equals: usize,
+    /// The relation of both.
+    pub relation: Relation,
+    /// Whether it is computed from a value that is recognised as wrong.
+    pub has_wrong_input: bool,
+    /// Whether its value is a right intermediate value, and so probably right there.
+    pub is_intermediate: bool,
+    /// Whether it reads a variable or a function's result that is not right.
+    pub reads_wrong: bool,
+    /// Another mistake in the same expression.
+    pub with: Option<&'static Mistake>,
+    /// Other places of the same mistake.
+    pub also: Vec<(Stage, ExprId)>,
+    /// How directly the first mistake is shown: 0 by this expression itself.
+    pub distance: u32,
+    /// The cost of the repair.
+    pub cost: f32,
+    /// The mistakes of the catalogue that assign its wrong value to the same quantity, the most direct one first.
+    pub mistakes: Vec<&'static Mistake>,
+}
+
+impl Cause {
+    /// What it is, as a sentence; empty if that is unknown.
+    #[must_use]
+    pub fn is_in_words(&self) -> String {
+        self.is.as_ref().map(|is| format!("Here it is {is}.")).unwrap_or_default()
+    }
+
+    /// Whether its inputs are right and it has a name.
+    #[must_use]
+    pub fn is_sound(&self) -> bool {
+        !self.has_wrong_input && !self.mistakes.is_empty()
+    }
+}
+
+/// Most proven repairs that are named.
+const MOST_NAMED: usize = 30;
+/// Whether a right quantity is only an intermediate value of another one.
+fn is_intermediate(name: &str) -> bool {
+    name.starts_with('-') || name.starts_with("dot(") || name == "L + V"
+}
+
+/// The mistake that a missing or superfluous factor or summand is.
+fn structural(should: &str) -> Option<&'static str> {
+    Some(match should {
+        "* attenuation" => "attenuation-missing",
+        "/ attenuation" => "ambient-attenuated",
+        "* materialColour" => "albedo-missing",
+        "/ materialColour" => "albedo-squared",
+        "* light.ambient_strength" => "ambient-strength-missing",
+        "* light.diffuse_strength" => "diffuse-strength-missing",
+        "* light.specular_strength" => "specular-strength-missing",
+        "* cos_theta" => "diffuse-without-cosine",
+        "+ diffuse" | "+ cos_theta" | "+ dot(N, L)" => "diffuse-missing",
+        "+ specular" | "+ spec" => "specular-missing",
+        "+ ambient" => "ambient-missing",
+        "linear" => "gamma-applied",
+        _ => return None,
+    })
+}
+
+impl Observer<'_> {
+    /// Names and orders proven repairs.
+    pub(super) fn causes(&self, base: &[Change], observed: &[Observed], proven: &[Repair]) -> Vec<Cause> {
+        let few = 0..self.runner.samples.len().min(TELLING);
+        let before = self.observe(base, few.clone());
+        let mut all = Vec::new();
+        let function = |seen: &Observed| {
+            self.runner.program.stage(seen.stage).source.expressions[seen.expr.0 as usize].function.as_deref()
+        };
+        // The result of a student's function is wrong where the function computes it.
+        let is_call_of_another = |seen: &Observed| {
+            proven.iter().map(|repair| &observed[repair.of]).any(|other| {
+                other.stage == seen.stage
+                    && function(other) != function(seen)
+                    && function(other) != Some("main")
+                    && other.values.is_same(&seen.values)
+            })
+        };
+        for repair in proven.iter().take(MOST_NAMED).cloned() {
+            let seen = &observed[repair.of];
+            let mut changes = base.to_vec();
+            changes.extend(repair.change(observed, self.model));
+            let after = self.observe(&changes, few.clone());
+            let mut names = self.names(&before, &after, seen);
+            if names.is_empty() {
+                names.extend(self.of_family(&before, &after, seen).and_then(crate::mistakes::find).map(|m| (4, m)));
+            }
+            if names.is_empty() {
+                names.extend(structural(&repair.should).and_then(crate::mistakes::find).map(|mistake| (4, mistake)));
+            }
+            let is = (self.model.quantities.iter())
+                .filter(|q| q.stage == seen.stage && q.values.is_same(&seen.values))
+                .max_by_key(|q| (q.mistake.is_none(), q.is_direct))
+                .filter(|q| q.mistake.is_none())
+                .map(words::quantity);
+            let source = &self.runner.program.stage(seen.stage).source.expressions[seen.expr.0 as usize];
+            let added = match repair.make {
+                Make::Plus(other) => self.text(&observed[other]),
+                _ => "",
+            };
+            let should = words::should_be(&repair, &self.model.quantities, added);
+            let Repair { relation, cost, .. } = repair;
+            let least = names.first().map_or(0, |(distance, _)| *distance);
+            all.push(Cause {
+                stage: seen.stage,
+                expr: seen.expr,
+                span: source.span,
+                text: self.text(seen).to_owned(),
+                equals: names.iter().skip(1).filter(|(distance, _)| *distance == least).count(),
+                should,
+                is,
+                relation,
+                has_wrong_input: seen.has_wrong_input,
+                is_intermediate: seen.is.is_some_and(|is| is_intermediate(&self.model.quantities[is].name)),
+                reads_wrong: seen.reads_wrong || is_call_of_another(seen),
+                also: Vec::new(),
+                with: self.unnormalised(&repair, seen, proven),
+                distance: names.first().map_or(u32::MAX, |(distance, _)| *distance),
+                cost,
+                mistakes: names.into_iter().map(|(_, mistake)| mistake).collect(),
+            });
+        }
+        let in_main = |cause: &Cause| {
+            let source = &self.runner.program.stage(cause.stage).source.expressions[cause.expr.0 as usize];
+            source.function.as_deref() == Some("main")
+        };
+        let rank = |cause: &Cause| {
+            let unsound = (cause.has_wrong_input, cause.mistakes.is_empty(), cause.is_intermediate, cause.reads_wrong);
+            (unsound, cause.distance.min(2), cause.relation, !in_main(cause), cause.stage, cause.expr)
+        };
+        all.sort_by_key(rank);
+        all
+    }
+
+    /// The mistake with a parameter whose wrong values some expression has: a floor under the cosine, another exponent,
+    /// light spread over both sides.
+    fn of_family(&self, before: &[Observed], after: &[Observed], at: &Observed) -> Option<&'static str> {
+        let right = |name: &str, stage: Stage| self.model.right(name, stage, false);
+        before.iter().find_map(|old| {
+            let is_it =
+                |new: &&Observed| (new.stage, new.expr, new.occurrence) == (old.stage, old.expr, old.occurrence);
+            let new = after.iter().find(is_it)?;
+            if old.values.size != 1 || old.stage != at.stage || new.values.is_same(&old.values) {
+                return None;
+            }
+            let least = old.values.numbers.iter().copied().filter(|x| x.is_finite()).fold(f32::INFINITY, f32::min);
+            if let (Some(cosine), Some(dot)) = (right("cos_theta", old.stage), right("dot(N, L)", old.stage)) {
+                let is_cosine = new.values.is_same(cosine);
+                let floor = dot.map(1, |_, a, b| b[0] = a[0].max(least));
+                if is_cosine && least > 1e-3 && old.values.is_same(&floor) {
+                    return Some("diffuse-floor");
+                }
+                if is_cosine && old.values.is_affine_of(dot) {
+                    return Some("diffuse-half-lambert");
+                }
+            }
+            if let (Some(spec), Some(cosine)) = (right("spec", old.stage), right("cos_phi", old.stage))
+                && new.values.is_same(spec)
+                && old.values.is_power_of(cosine)
+            {
+                return Some("specular-exponent-wrong");
+            }
+            None
+        })
+    }
+
+    /// The second mistake of a wrong normal that is not normalised either.
+    fn unnormalised(&self, repair: &Repair, seen: &Observed, proven: &[Repair]) -> Option<&'static Mistake> {
+        let is_unit = |is: usize| self.model.quantities[is].name == "N";
+        let is_raw = self.model.quantities.iter().any(|q| {
+            q.stage == seen.stage
+                && q.name == "world_normal"
+                && q.mistake.is_some()
+                && q.is_direct
+                && q.values.is_same(&seen.values)
+                && !q.values.is_same(&q.values.unit())
+        });
+        let id = match (seen.stage, self.model.method.model) {
+            (Stage::Vertex, ModelSolution::Gouraud) => "normal-not-normalised-in-vertex",
+            (Stage::Fragment, _) => "normal-not-renormalised",
+            _ => return None,
+        };
+        let is_repaired_raw = proven.iter().any(|other| {
+            let name = other.quantity().map(|is| self.model.quantities[is].name.as_str());
+            other.of == repair.of && matches!(name, Some("world_normal" | "v_normal"))
+        });
+        (!is_repaired_raw && repair.quantity().is_some_and(is_unit) && is_raw)
+            .then(|| crate::mistakes::find(id))
+            .flatten()
+    }
+
+    /// The mistakes whose pair of quantities some expression has: the wrong one before the repair, the right one after
+    /// it; with 0 if it is the expression itself and the mistake assigns to this quantity.
+    fn names(&self, before: &[Observed], after: &[Observed], at: &Observed) -> Vec<(u32, &'static Mistake)> {
+        let mut found: Vec<(u32, &'static Mistake)> = Vec::new();
+        for old in before {
+            let Some(new) = (after.iter())
+                .find(|new| new.stage == old.stage && new.expr == old.expr && new.occurrence == old.occurrence)
+            else {
+                continue;
+            };
+            if new.values.is_same(&old.values) {
+                continue;
+            }
+            for wrong in self.model.quantities.iter().filter(|q| q.stage == old.stage) {
+                let Some(mistake) = wrong.mistake else { continue };
+                let factor = match SCALED.contains(&wrong.name.as_str()) {
+                    true => old.values.factor_of(&wrong.values),
+                    false => wrong.values.is_same(&old.values).then_some(1.0),
+                };
+                let Some(factor) = factor else { continue };
+                let is_right = self.model.quantities.iter().any(|q| {
+                    q.stage == old.stage
+                        && q.mistake.is_none()
+                        && (q.name == wrong.name && q.interpolated == wrong.interpolated
+                            || wrong.name == "world_normal" && wrong.is_direct && q.name == "N")
+                        && q.space == wrong.space
+                        && new.values.is_scaled(&q.values, factor)
+                });
+                if is_right {
+                    let is_here = old.stage == at.stage && old.expr == at.expr;
+                    let here = if is_here { 0 } else { 2 + old.expr.0.abs_diff(at.expr.0) };
+                    found.push((here * 2 + u32::from(!wrong.is_direct), mistake));
+                }
+            }
+        }
+        found.sort_by_key(|(distance, _)| *distance);
+        let mut names: Vec<(u32, &'static Mistake)> = Vec::new();
+        for (distance, mistake) in found {
+            if !names.iter().any(|(_, known)| known.id == mistake.id) {
+                names.push((distance, mistake));
+            }
+        }
+        names
+    }
+}

@@ -1,0 +1,292 @@
+//! A pair of shaders for the interpreter, and its run over the points of the test scenes.
+
+use super::samples::SceneSamples;
+use super::values::Values;
+use crate::roles::{self, Bindings, Declared, NamesFile, Role, VariableKind};
+use crate::testbench::{CUBEMAP_UNIT, TestScene, WHITE_UNIT, numbers_of_array, radiance, stream_of, unit};
+use glam::Vec3;
+use gonio_glsl::{Checked, Parsed, Scalar, Stage, Type};
+use gonio_interpreter::{
+    CompiledStage, ExprId, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun, Substitute,
+    TextureLookup, TextureSource, Unsupported, interpolate, run,
+};
+use std::rc::Rc;
+
+/// A pair of shaders that the interpreter can run.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The vertex shader.
+    pub vertex: CompiledStage,
+    /// The fragment shader.
+    pub fragment: CompiledStage,
+    /// The roles of its inputs.
+    pub bindings: Bindings,
+    /// The roles of all that it declares, used or not.
+    pub declared: Bindings,
+    /// The texts of both stages.
+    texts: [String; 2],
+}
+
+/// Work for the points of one scene, in units of the interpreter: 20 ms.
+const MOST_WORK: u64 = 200_000;
+
+impl Program {
+    /// Compiles a pair. Variables that a shader declares but never uses have no role.
+    pub fn new(
+        (vertex, in_vertex): (&Parsed, &Checked),
+        (fragment, in_fragment): (&Parsed, &Checked),
+        texts: [&str; 2],
+        names: &NamesFile,
+    ) -> Result<Self, (Stage, Unsupported)> {
+        let compiled = |stage, parsed, checked| {
+            gonio_interpreter::compile(parsed, checked).map_err(|unsupported| (stage, unsupported))
+        };
+        let vertex = compiled(Stage::Vertex, vertex, in_vertex)?;
+        let fragment = compiled(Stage::Fragment, fragment, in_fragment)?;
+        let used = |checked: &Checked, name: &str| {
+            let base = name.split(['.', '[']).next().unwrap_or(name);
+            let interface = &checked.interface;
+            let mut all = interface.uniforms.iter().chain(&interface.inputs);
+            // The members of blocks are not among these.
+            all.find(|variable| variable.name == base).is_none_or(|variable| variable.is_used)
+        };
+        let (mut all, mut active): (Vec<Declared>, Vec<Declared>) = (Vec::new(), Vec::new());
+        for (stage, checked) in [(&vertex, in_vertex), (&fragment, in_fragment)] {
+            for input in &stage.inputs {
+                let kind = match (input.rate, stage.stage) {
+                    (InputRate::Uniform, _) => VariableKind::Uniform,
+                    (InputRate::PerPoint, Stage::Vertex) => VariableKind::Attribute,
+                    (InputRate::PerPoint, Stage::Fragment) => continue,
+                };
+                let (name, glsl_type) = (input.name.clone(), input.ty.written());
+                let declared = Declared { name, glsl_type, array: input.count, kind };
+                if used(checked, &input.name) && !active.contains(&declared) {
+                    active.push(declared.clone());
+                }
+                if !all.contains(&declared) {
+                    all.push(declared);
+                }
+            }
+        }
+        let (bindings, declared) = (roles::bind(&active, names), roles::bind(&all, names));
+        Ok(Program { vertex, fragment, bindings, declared, texts: texts.map(str::to_owned) })
+    }
+
+    /// One of the stages.
+    #[must_use]
+    pub fn stage(&self, stage: Stage) -> &CompiledStage {
+        if stage == Stage::Vertex { &self.vertex } else { &self.fragment }
+    }
+
+    /// The text of an expression.
+    #[must_use]
+    pub fn text(&self, stage: Stage, expr: ExprId) -> &str {
+        let span = self.stage(stage).source.expression(expr).map(|expr| expr.span);
+        let text = span.and_then(|span| self.texts[stage as usize].get(span.start as usize..span.end as usize));
+        text.unwrap_or_default()
+    }
+
+    /// The role of an input.
+    #[must_use]
+    pub fn role(&self, name: &str) -> Option<Role> {
+        self.bindings.bound.iter().find(|bound| bound.declared.name == name).map(|bound| bound.role)
+    }
+
+    fn uniform(&self, input: &StageInput, scene: &TestScene) -> Option<Vec<f32>> {
+        if let Some(unit) = unit(&input.ty.written()) {
+            return Some(vec![unit as f32; input.count as usize]);
+        }
+        if let Some(fixed) = self.bindings.fixed.iter().find(|fixed| fixed.declared.name == input.name) {
+            return Some(fixed.values.clone());
+        }
+        numbers_of_array(self.role(&input.name)?, &input.ty.written(), input.count, scene)
+    }
+
+    fn set_uniforms(&self, stage: &CompiledStage, inputs: &mut StageInputs, scene: &TestScene) {
+        for (index, input) in stage.inputs.iter().enumerate().filter(|(_, input)| input.rate == InputRate::Uniform) {
+            if let Some(values) = self.uniform(input, scene) {
+                inputs.set(index, PointValues::Same(bits(&input.ty, input.count, &values)));
+            }
+        }
+    }
+
+    fn vertex_inputs(&self, samples: &SceneSamples) -> StageInputs {
+        let mut inputs = StageInputs::new(&self.vertex, samples.vertices());
+        self.set_uniforms(&self.vertex, &mut inputs, &samples.scene);
+        let mesh = &samples.mesh;
+        let streams = [(&mesh.positions, 3), (&mesh.normals, 3), (&mesh.tex_coords, 2), (&mesh.colors, 3)];
+        for (index, input) in self.vertex.inputs.iter().enumerate().filter(|(_, i)| i.rate == InputRate::PerPoint) {
+            let Some((numbers, size)) = self.role(&input.name).and_then(stream_of).and_then(|s| streams.get(s)) else {
+                continue;
+            };
+            let component = |at: usize| numbers.iter().skip(at).step_by(*size).map(|x| x.to_bits()).collect();
+            inputs.set(index, PointValues::Each { components: (0..*size).map(component).collect(), written: None });
+        }
+        inputs
+    }
+}
+
+/// Numbers as OpenGL's calls convert them: integers and booleans are rounded, missing ones are 0.
+fn bits(ty: &Type, count: u32, values: &[f32]) -> Vec<u32> {
+    let size = ty.components().unwrap_or(1) * count;
+    let number = |at: u32| values.get(at as usize).copied().unwrap_or(0.0);
+    let convert = |x: f32| match ty.scalar() {
+        Some(Scalar::Float | Scalar::Double) => x.to_bits(),
+        Some(Scalar::Bool) => u32::from(x.round() != 0.0),
+        Some(Scalar::Int) => x.round() as i32 as u32,
+        Some(Scalar::UInt) | None => x.round() as u32,
+    };
+    (0..size).map(|at| convert(number(at))).collect()
+}
+
+/// The textures of the test scenes: the sky as a function of the direction, and white.
+struct SceneTextures;
+
+impl TextureSource for SceneTextures {
+    fn look_up(&self, lookup: &TextureLookup) -> [f32; 4] {
+        let [x, y, z, _] = lookup.coordinates;
+        match lookup.sampler {
+            CUBEMAP_UNIT if lookup.dims == 3 => {
+                let [r, g, b] = radiance(Vec3::new(x, y, z));
+                [r, g, b, 1.0]
+            }
+            WHITE_UNIT if [x, y].iter().any(|x| !x.is_finite()) => [f32::NAN; 4],
+            WHITE_UNIT => [1.0; 4],
+            _ => [0.0, 0.0, 0.0, 1.0],
+        }
+    }
+
+    fn size(&self, _sampler: u32, _level: i32) -> [u32; 3] {
+        [32, 32, 1]
+    }
+}
+
+/// Other values for expressions of one stage.
+#[derive(Clone, Debug)]
+pub struct Change {
+    /// The stage.
+    pub stage: Stage,
+    /// The expressions: one, or all reads of a variable.
+    pub exprs: Vec<ExprId>,
+    /// Only this evaluation of each; `None` for all.
+    pub occurrence: Option<u32>,
+    /// Their values at all points of the stage.
+    pub values: Values,
+}
+
+/// The results of one scene.
+#[derive(Clone, Debug)]
+pub struct SceneResult {
+    /// The vertex shader's run.
+    pub vertex: Rc<StageRun>,
+    /// The fragment shader's run.
+    pub fragment: StageRun,
+}
+
+struct SceneStart {
+    inputs: StageInputs,
+    vertex: Rc<StageRun>,
+    fragment_inputs: StageInputs,
+}
+
+/// Runs a program over the points of test scenes, again and again with changed values.
+pub struct Runner<'a> {
+    /// The program.
+    pub program: &'a Program,
+    /// The points.
+    pub samples: &'a [SceneSamples],
+    starts: Vec<SceneStart>,
+}
+
+fn options<'o>(watched: &'o [ExprId], substitutes: &'o [Substitute]) -> RunOptions<'o> {
+    RunOptions { textures: &SceneTextures, watched, substitutes, most_work: MOST_WORK, ..RunOptions::default() }
+}
+
+impl<'a> Runner<'a> {
+    /// Runs the vertex shader without changes in all scenes.
+    #[must_use]
+    pub fn new(program: &'a Program, samples: &'a [SceneSamples]) -> Self {
+        let start = |samples: &SceneSamples| {
+            let inputs = program.vertex_inputs(samples);
+            let vertex = run(&program.vertex, &inputs, &options(&[], &[]));
+            let fragment_inputs = fragment_inputs(program, samples, &vertex);
+            SceneStart { inputs, vertex: Rc::new(vertex), fragment_inputs }
+        };
+        Runner { program, samples, starts: samples.iter().map(start).collect() }
+    }
+
+    /// The number of points of a stage in the scenes before this one.
+    #[must_use]
+    pub fn first_point(&self, stage: Stage, scene: usize) -> usize {
+        self.samples[..scene].iter().map(|samples| points(samples, stage)).sum()
+    }
+
+    /// The number of points of a stage in all scenes.
+    #[must_use]
+    pub fn points(&self, stage: Stage) -> usize {
+        self.first_point(stage, self.samples.len())
+    }
+
+    /// The run of the vertex shader without changes.
+    #[must_use]
+    pub fn start(&self, scene: usize) -> &StageRun {
+        &self.starts[scene].vertex
+    }
+
+    /// The output of the fragment shader that is the colour.
+    #[must_use]
+    pub fn colour_output(&self) -> Option<usize> {
+        let outputs = &self.program.fragment.outputs;
+        let is_colour = |at: usize| outputs[at].ty.components().is_some_and(|count| count >= 3);
+        let first = (0..outputs.len()).filter(|at| is_colour(*at) && outputs[*at].name != "gl_FragDepth");
+        first.min_by_key(|at| outputs[*at].location.unwrap_or(0))
+    }
+
+    /// Runs one scene with changes.
+    #[must_use]
+    pub fn run(&self, scene: usize, changes: &[Change], watched: [&[ExprId]; 2]) -> SceneResult {
+        let (samples, start) = (&self.samples[scene], &self.starts[scene]);
+        let substitutes = |stage: Stage| self.substitutes(scene, stage, changes);
+        let [in_vertex, in_fragment] = [Stage::Vertex, Stage::Fragment].map(substitutes);
+        let is_unchanged = in_vertex.is_empty() && watched[0].is_empty();
+        let vertex = match is_unchanged {
+            true => Rc::clone(&start.vertex),
+            false => Rc::new(run(&self.program.vertex, &start.inputs, &options(watched[0], &in_vertex))),
+        };
+        let own;
+        let inputs = if in_vertex.is_empty() {
+            &start.fragment_inputs
+        } else {
+            own = fragment_inputs(self.program, samples, &vertex);
+            &own
+        };
+        let fragment = run(&self.program.fragment, inputs, &options(watched[1], &in_fragment));
+        SceneResult { vertex, fragment }
+    }
+
+    fn substitutes(&self, scene: usize, stage: Stage, changes: &[Change]) -> Vec<Substitute> {
+        let first = self.first_point(stage, scene);
+        let count = points(&self.samples[scene], stage);
+        let mut made = Vec::new();
+        for change in changes.iter().filter(|change| change.stage == stage) {
+            let size = change.values.size;
+            let component = |at: usize| (first..first + count).map(|p| change.values.at(p)[at].to_bits()).collect();
+            let values =
+                PointValues::Each { components: (0..size).map(component).collect::<Vec<Vec<u32>>>(), written: None };
+            for expr in &change.exprs {
+                made.push(Substitute { expr: *expr, occurrence: change.occurrence, values: values.clone() });
+            }
+        }
+        made
+    }
+}
+
+fn points(samples: &SceneSamples, stage: Stage) -> usize {
+    if stage == Stage::Vertex { samples.vertices() } else { samples.places.len() }
+}
+
+fn fragment_inputs(program: &Program, samples: &SceneSamples, vertex: &StageRun) -> StageInputs {
+    let mut inputs = interpolate(&program.vertex, vertex, &program.fragment, &samples.places);
+    program.set_uniforms(&program.fragment, &mut inputs, &samples.scene);
+    inputs
+}

@@ -1,0 +1,239 @@
+//! Right values for wrong expressions, by what they have in common with the wrong ones.
+
+use super::model::{Model, Quantity};
+use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, TERMS, has_space, is_read_only};
+use super::program::Change;
+use super::values::Values;
+
+/// How the right value is related to the wrong one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Relation {
+    /// A mistake of the catalogue computes the wrong value.
+    Known,
+    /// The same direction with another length.
+    Length,
+    /// The negative.
+    Sign,
+    /// The same in another space.
+    Space,
+    /// Clamped at 0, or not.
+    Clamp,
+    /// A factor is missing or superfluous.
+    Factor,
+    /// A summand is missing.
+    Summand,
+    /// A constant multiple.
+    Scale,
+    /// Another quantity of the same kind.
+    Other,
+}
+
+/// How the right values are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Make {
+    /// A quantity of the model.
+    Quantity(usize),
+    /// The negative of the own value.
+    Negative,
+    /// The own vector with length 1.
+    Unit,
+    /// The own value, at least 0.
+    NotNegative,
+    /// The own value without a gamma curve.
+    Linear,
+    /// The own value times a quantity.
+    Times(usize),
+    /// The own value divided by a quantity.
+    Over(usize),
+    /// The own value plus that of another expression.
+    Plus(usize),
+}
+
+/// A right value for an expression.
+#[derive(Clone, Debug)]
+pub struct Repair {
+    /// Index in the observed expressions.
+    pub of: usize,
+    /// The relation of both values.
+    pub relation: Relation,
+    /// The right quantity in words or as a formula.
+    pub should: String,
+    /// How its values are made.
+    pub make: Make,
+    /// The cost: smaller ones are tried and preferred first.
+    pub cost: f32,
+}
+
+impl Repair {
+    /// The right quantity, by its index in the model.
+    #[must_use]
+    pub fn quantity(&self) -> Option<usize> {
+        if let Make::Quantity(index) = self.make { Some(index) } else { None }
+    }
+
+    /// The change that makes it; `None` if that changes nothing.
+    #[must_use]
+    pub fn change(&self, observed: &[Observed], model: &Model) -> Option<Change> {
+        let of = &observed[self.of];
+        let (own, size) = (&of.values, of.values.size);
+        let with = |other: &Values, f: &dyn Fn(f32, f32) -> f32| {
+            own.map(size, |point, from, to| {
+                let other = other.at(point);
+                let numbers = to.iter_mut().zip(from).enumerate();
+                numbers.for_each(|(c, (to, from))| *to = f(*from, other[c.min(other.len() - 1)]));
+            })
+        };
+        let each = |f: &dyn Fn(f32) -> f32| {
+            own.map(size, |_, from, to| to.iter_mut().zip(from).for_each(|(to, from)| *to = f(*from)))
+        };
+        let values = match self.make {
+            Make::Quantity(index) => model.quantities[index].values.clone(),
+            Make::Negative => each(&|x| -x),
+            Make::Unit => own.unit(),
+            Make::NotNegative => each(&|x| x.max(0.0)),
+            Make::Linear => each(&|x| x.max(0.0).powf(2.2)),
+            Make::Times(index) => with(&model.quantities[index].values, &|a, b| a * b),
+            Make::Over(index) => with(&model.quantities[index].values, &|a, b| a / b),
+            Make::Plus(other) => with(&observed[other].values, &|a, b| a + b),
+        };
+        let is_other = !values.is_same(own);
+        is_other.then(|| Change { stage: of.stage, exprs: vec![of.expr], occurrence: of.occurrence, values })
+    }
+}
+
+impl Observer<'_> {
+    /// All repairs worth trying, by cost.
+    #[must_use]
+    pub fn repairs(&self, observed: &[Observed]) -> Vec<Repair> {
+        let space = self.space(observed);
+        let model = self.model;
+        let text = |o: &Observed| {
+            let span = self.runner.program.stage(o.stage).source.expressions[o.expr.0 as usize].span;
+            (span.start, span.end)
+        };
+        let mut all = Vec::new();
+        // The terms that each expression is, right or with a known mistake.
+        let terms: Vec<Vec<&str>> = observed.iter().map(|seen| self.terms(seen)).collect();
+        let contains_any = |seen: &Observed, names: &[&str]| {
+            let (first, last) = self.tokens(seen);
+            observed.iter().zip(&terms).any(|(other, terms)| {
+                let within = self.tokens(other);
+                other.stage == seen.stage
+                    && within.0 >= first
+                    && within.1 <= last
+                    && within != (first, last)
+                    && terms.iter().any(|term| names.contains(term))
+            })
+        };
+        for (of, seen) in observed.iter().enumerate() {
+            let fits = |q: &Quantity| !has_space(&q.name) || q.space == space;
+            let is_right = seen.is.is_some_and(|is| fits(&model.quantities[is]));
+            let size = seen.values.size;
+            let length = (text(seen).1 - text(seen).0) as f32;
+            let is_literal = self.is_literal(seen);
+            let mut push = |relation: Relation, should: String, make: Make, extra: f32| {
+                let quantity = if let Make::Quantity(index) = make { Some(&model.quantities[index]) } else { None };
+                // A literal stands for a constant, unless a known mistake writes it instead of a quantity.
+                let is_bold = is_literal && quantity.is_none_or(|q| !q.values.is_constant());
+                // A right quantity may be used where another one belongs.
+                if is_right && relation > Relation::Length || is_bold && relation != Relation::Known {
+                    return;
+                }
+                let is_whole = quantity.is_some_and(|q| SCALED[3..].contains(&q.name.as_str()));
+                let extra = extra + if is_whole && relation == Relation::Other { 2.0 } else { 0.0 };
+                let extra = extra + if is_right { 2.0 } else { 0.0 } + if is_bold { 4.0 } else { 0.0 };
+                let of_input = if seen.has_wrong_input { 6.0 } else { 0.0 };
+                let cost = relation as u8 as f32 + extra + length * 0.002 + of_input;
+                all.push(Repair { of, relation, should, make, cost });
+            };
+            let known: Vec<&Quantity> = (model.quantities.iter())
+                .filter(|q| q.stage == seen.stage && q.mistake.is_some() && q.values.is_same(&seen.values))
+                .collect();
+            for (index, quantity) in model.quantities.iter().enumerate() {
+                let is_candidate = quantity.stage == seen.stage && quantity.mistake.is_none() && fits(quantity);
+                if !is_candidate || quantity.values.size != size {
+                    continue;
+                }
+                let right = &quantity.values;
+                let is_it = |k: &&Quantity| k.name == quantity.name && k.interpolated == quantity.interpolated;
+                let relation = if known.iter().any(is_it) {
+                    Relation::Known
+                } else if size == 3 && seen.values.is_parallel(right, 1.0) {
+                    Relation::Length
+                } else if seen.values.is_scaled(right, -1.0) || size == 3 && seen.values.is_parallel(right, -1.0) {
+                    Relation::Sign
+                } else if seen.is.is_some_and(|is| model.quantities[is].name == quantity.name) {
+                    Relation::Space
+                } else if size == 1 && seen.values.is_clamped(right) {
+                    Relation::Clamp
+                } else if !right.is_constant() && seen.values.factor_of(right).is_some() {
+                    Relation::Scale
+                } else {
+                    Relation::Other
+                };
+                let drops = |names: &[&str], others: &[&str]| {
+                    names.contains(&quantity.name.as_str()) && contains_any(seen, others)
+                };
+                if drops(&DIFFUSE_NAMES, &SPECULAR_NAMES) || drops(&SPECULAR_NAMES, &DIFFUSE_NAMES) {
+                    continue;
+                }
+                push(relation, quantity.name.clone(), Make::Quantity(index), 0.0);
+            }
+            push(Relation::Sign, "-".to_owned(), Make::Negative, 0.5);
+            if size == 3 {
+                push(Relation::Length, "unit".to_owned(), Make::Unit, 0.5);
+            }
+            if size == 1 {
+                push(Relation::Clamp, "max(0)".to_owned(), Make::NotNegative, 0.5);
+            }
+            if size == 3 || size == 4 {
+                push(Relation::Factor, "linear".to_owned(), Make::Linear, 0.0);
+            }
+            if size == 1 || size == 3 {
+                self.scaled(seen, &mut push);
+                // A term that is computed but not added.
+                for (index, other) in observed.iter().enumerate() {
+                    if other.stage != seen.stage || other.values.size > size {
+                        continue;
+                    }
+                    let is_term = other.is.is_some_and(|is| TERMS.contains(&model.quantities[is].name.as_str()));
+                    if other.expr == seen.expr || other.values.is_constant() && !is_term {
+                        continue;
+                    }
+                    if !is_term && (other.values.size < size || !is_read_only(self.tokens(other))) {
+                        continue;
+                    }
+                    let name = other.is.map_or("a term", |is| self.model.quantities[is].name.as_str());
+                    push(Relation::Summand, format!("+ {name}"), Make::Plus(index), 0.0);
+                }
+            }
+        }
+        all.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+        all
+    }
+
+    /// Products and quotients with scalars and colours of the equation.
+    fn scaled(&self, seen: &Observed, push: &mut impl FnMut(Relation, String, Make, f32)) {
+        const FACTORS: [&str; 9] = [
+            "attenuation",
+            "materialColour",
+            "light.ambient_strength",
+            "light.diffuse_strength",
+            "light.specular_strength",
+            "d",
+            "cos_theta",
+            "shininess",
+            "spec",
+        ];
+        for (index, quantity) in self.model.quantities.iter().enumerate() {
+            let is_factor = quantity.stage == seen.stage && quantity.mistake.is_none() && !quantity.interpolated;
+            let name = quantity.name.as_str();
+            if !is_factor || !FACTORS.contains(&name) || quantity.values.size > seen.values.size {
+                continue;
+            }
+            let unusual = if ["cos_theta", "spec", "shininess", "d"].contains(&name) { 2.0 } else { 0.0 };
+            push(Relation::Factor, format!("* {name}"), Make::Times(index), unusual);
+            push(Relation::Factor, format!("/ {name}"), Make::Over(index), unusual + 0.2);
+        }
+    }
+}
