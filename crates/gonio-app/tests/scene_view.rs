@@ -322,6 +322,12 @@ fn the_truth_is_refined_and_starts_again() {
     let (later, fine) = window.traced(0, |traced| traced.facts.error.is_some());
     assert!(later > first && fine.paths >= 2.0, "{coarse:?} {fine:?}");
     assert!(window.widget("pane-0").value.starts_with("traced: "), "{}", window.widget("pane-0").value);
+    // Nobody would see an overlay: the key says so, and changes nothing.
+    let before = window.app().document().clone();
+    window.press(Modifiers::SHIFT, Key::W);
+    let announcement = &window.app().session().announcement;
+    assert!(announcement.starts_with("overlays are not drawn over a traced picture"), "{announcement}");
+    assert_eq!(window.app().document(), &before);
     let drawn = window.pictures();
     assert!(drawn >= later, "{drawn} pictures were shown of {later}");
     // While nothing changes it is the same request; the camera and a light start another one, and each begins coarse.

@@ -70,8 +70,9 @@ impl App {
             }
             Action::ToggleObserver => self.session.observer.toggle(),
             Action::Overlay(overlay) => {
-                if let Some(pane) = self.document.panes.current_mut() {
-                    pane.toggle_overlay(overlay);
+                if self.document.panes.current_mut().is_some_and(|pane| !pane.toggle_overlay(overlay)) {
+                    self.session.announcement =
+                        "overlays are not drawn over a traced picture; press Shift + T for OpenGL's".into();
                 }
             }
             Action::Special(view) => {

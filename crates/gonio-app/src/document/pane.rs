@@ -112,14 +112,18 @@ impl Pane {
         (self.view, self.special, self.truth) = (None, None, truth);
     }
 
-    /// Shows or hides an overlay.
-    pub fn toggle_overlay(&mut self, overlay: PaneOverlay) {
+    /// Shows or hides an overlay. Returns whether it can be seen: over a traced picture none is drawn, and none changes.
+    pub fn toggle_overlay(&mut self, overlay: PaneOverlay) -> bool {
+        if self.truth.is_some() {
+            return false;
+        }
         let on = match overlay {
             PaneOverlay::Wireframe => &mut self.overlays.wireframe,
             PaneOverlay::Normals => &mut self.overlays.normals,
             PaneOverlay::Boxes => &mut self.overlays.boxes,
         };
         *on = !*on;
+        true
     }
 
     /// The view and the overlays, for the renderer.
@@ -395,10 +399,13 @@ mod tests {
     #[test]
     fn a_pane_shows_the_traced_picture_or_a_view() {
         let mut pane = Pane::default();
-        pane.toggle_overlay(PaneOverlay::Boxes);
+        assert!(pane.toggle_overlay(PaneOverlay::Boxes));
         pane.show_view(Some(ViewSpec { quantity: Quantity::Normal, light: None }));
         pane.show_truth(Some(TruthSettings::default()));
         assert_eq!((pane.caption().as_str(), pane.show()), ("traced", DisplayOptions::default()));
+        let before = pane.clone();
+        assert!(!pane.toggle_overlay(PaneOverlay::Wireframe), "it would be drawn by OpenGL");
+        assert_eq!(pane, before);
         let simplified = Simplifications::up_to(Simplification::Wavelengths);
         pane.truth = Some(TruthSettings { simplified, points_per_light: 1 });
         assert_eq!(pane.caption(), "traced up to step 2");
