@@ -1,14 +1,14 @@
 //! Writes skyboxes, mirrors and glass: exercises 08 to 10.
 
 use crate::expression::{Expr, Site};
-use crate::plan::Task;
+use crate::plan::GeneratedTask;
 use crate::scenes::{LAB_INDEX, Meaning};
 use crate::writer::{Block, Writer};
 
 /// Writes both stages.
 pub(crate) fn write(vertex: &mut Writer<'_>, fragment: &mut Writer<'_>) -> (Block, Block) {
     let (mut first, mut second) = (Block::default(), Block::default());
-    let direction = if vertex.context.answer.task == Task::Skybox {
+    let direction = if vertex.context.answer.task == GeneratedTask::Skybox {
         vertex.sky(&mut first);
         fragment.varying("v_direction", "vec3")
     } else {
@@ -108,7 +108,7 @@ impl Writer<'_> {
             Some("reflection-by-normal") => normal.clone(),
             Some("reflection-by-position") => position,
             Some(_) => incident,
-            None if self.context.answer.task == Task::Reflection => self.reflected(&incident, &view, &normal),
+            None if self.context.answer.task == GeneratedTask::Reflection => self.reflected(&incident, &view, &normal),
             None => self.refracted(block, &incident, &view, &normal),
         };
         self.value(block, "R", "vec3", value.at(Site::Mirror), 1)

@@ -3,7 +3,7 @@
 
 /// A quantity that a program computes, and where a mistake can be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Site {
+pub(crate) enum Site {
     /// The normal after its transformation.
     NormalTransform,
     /// The position that the light is computed from.

@@ -20,7 +20,7 @@ mod scenes;
 mod terms;
 mod writer;
 
-pub use plan::Task;
+pub use plan::GeneratedTask;
 
 use expression::{Random, Site};
 use mistakes::{SLIPS, Slip, id_of};
@@ -205,10 +205,11 @@ const COMMON: [&str; 16] = [
 ///
 /// # Errors
 /// A fault of the generator: a program that does not compile, or that does not draw the right pictures without its mistakes.
-pub fn generate(seed: u64, index: u64, task: Option<Task>, rewrites: usize) -> Result<GeneratedPair, String> {
+pub fn generate(seed: u64, index: u64, task: Option<GeneratedTask>, rewrites: usize) -> Result<GeneratedPair, String> {
     let base = Random::new(seed).named("pair", index);
     let mut random = base;
-    let task = task.unwrap_or_else(|| base.named("task", 0).weighted(&Task::ALL, Task::LightEquation));
+    let task =
+        task.unwrap_or_else(|| base.named("task", 0).weighted(&GeneratedTask::ALL, GeneratedTask::LightEquation));
     let answer = Answer::draw(task, &mut random);
     let bench = Bench::new(&answer);
     let sketch = Sketch::draw(&answer, base.named("sketch", 0));
@@ -452,7 +453,7 @@ mod tests {
             of_light.map(|(name, field)| Input { name: format!("light.{name}"), meaning: Meaning::OfLight(field, 0) }),
         );
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../exercises");
-        for (_, task) in Task::ALL {
+        for (_, task) in GeneratedTask::ALL {
             let entries = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
             let own = entries
                 .into_iter()

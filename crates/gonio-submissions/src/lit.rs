@@ -2,7 +2,7 @@
 
 use crate::expression::{Expr, Site};
 use crate::light_data::Which;
-use crate::plan::{Container, Functions, Space, Task};
+use crate::plan::{Container, Functions, GeneratedTask, Space};
 use crate::scenes::Field;
 use crate::writer::{Block, Writer};
 
@@ -58,7 +58,7 @@ pub(crate) fn write(vertex: &mut Writer<'_>, fragment: &mut Writer<'_>) -> (Bloc
         Surface { normal: unit, position: Some(passed), passed: None }
     };
     let result = fragment.lighting(&mut second, &surface);
-    let colour = if answer.task == Task::LightEquation {
+    let colour = if answer.task == GeneratedTask::LightEquation {
         fragment.last_change(&result, &surface)
     } else {
         Expr::call("vec3", &[&result])
@@ -130,7 +130,7 @@ impl Writer<'_> {
     }
 
     fn result_type(&self) -> &'static str {
-        if self.context.answer.task == Task::LightEquation { "vec3" } else { "float" }
+        if self.context.answer.task == GeneratedTask::LightEquation { "vec3" } else { "float" }
     }
 
     /// Writes a function for one light; returns its name and its last arguments.
@@ -208,7 +208,7 @@ impl Writer<'_> {
             self.specular_power(block, surface, &light, &view, &to_light, cosine)
         });
         let factors = Factors { light, cosine, power };
-        if task == Task::LightEquation {
+        if task == GeneratedTask::LightEquation {
             let attenuation = self.attenuation(block, surface, which, &to_light, &factors.light);
             let (cosine, power) = (factors.cosine, factors.power);
             return self.sum(block, which, attenuation, cosine, power);
@@ -229,7 +229,7 @@ impl Writer<'_> {
         if self.slips("position-of-other-light") {
             vector = vector.at(Site::LightDirection);
         }
-        let twice = self.context.answer.task == Task::LightEquation;
+        let twice = self.context.answer.task == GeneratedTask::LightEquation;
         if twice && self.coin("to_light variable", 0.5) {
             return self.variable(block, "to_light", "vec3", &vector);
         }

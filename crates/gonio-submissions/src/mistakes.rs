@@ -1,7 +1,7 @@
 //! The mistakes that are put into programs: each changes one quantity.
 
 use crate::expression::Site;
-use crate::plan::{Answer, Matrices, NormalBy, Plan, Space, SumForm, Task};
+use crate::plan::{Answer, GeneratedTask, Matrices, NormalBy, Plan, Space, SumForm};
 
 /// A mistake of the generator.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +37,7 @@ const fn unlisted(key: &'static str, site: Site, fits: fn(&Answer, &Plan) -> boo
 }
 
 fn object(answer: &Answer, _: &Plan) -> bool {
-    answer.task != Task::Skybox
+    answer.task != GeneratedTask::Skybox
 }
 
 fn object_in_world(answer: &Answer, plan: &Plan) -> bool {
@@ -81,7 +81,7 @@ fn diffuse(answer: &Answer, _: &Plan) -> bool {
 }
 
 fn whole(answer: &Answer, _: &Plan) -> bool {
-    answer.task == Task::LightEquation
+    answer.task == GeneratedTask::LightEquation
 }
 
 /// A number in place of a written strength would be another strength, which is no mistake.
@@ -111,7 +111,7 @@ fn two_lights(answer: &Answer, _: &Plan) -> bool {
 }
 
 fn mirror(answer: &Answer, _: &Plan) -> bool {
-    answer.task == Task::Reflection
+    answer.task == GeneratedTask::Reflection
 }
 
 fn mirror_by_formula(answer: &Answer, plan: &Plan) -> bool {
@@ -119,11 +119,11 @@ fn mirror_by_formula(answer: &Answer, plan: &Plan) -> bool {
 }
 
 fn glass(answer: &Answer, _: &Plan) -> bool {
-    answer.task == Task::Refraction
+    answer.task == GeneratedTask::Refraction
 }
 
 fn bent(answer: &Answer, _: &Plan) -> bool {
-    matches!(answer.task, Task::Reflection | Task::Refraction)
+    matches!(answer.task, GeneratedTask::Reflection | GeneratedTask::Refraction)
 }
 
 fn cubemap(answer: &Answer, _: &Plan) -> bool {
@@ -131,7 +131,7 @@ fn cubemap(answer: &Answer, _: &Plan) -> bool {
 }
 
 fn sky(answer: &Answer, _: &Plan) -> bool {
-    answer.task == Task::Skybox
+    answer.task == GeneratedTask::Skybox
 }
 
 fn separate(answer: &Answer, plan: &Plan) -> bool {
@@ -176,7 +176,7 @@ pub(crate) const SLIPS: &[Slip] = &[
     unlisted("position-of-other-light", Site::LightDirection, |a, p| a.lights == 2 && p.loops),
     listed("view-direction-reversed", Site::ViewDirection, specular),
     listed("view-direction-not-normalised", Site::ViewDirection, |a, _| {
-        a.task.has_specular() || a.task == Task::Refraction
+        a.task.has_specular() || a.task == GeneratedTask::Refraction
     }),
     listed("view-position-as-direction", Site::ViewDirection, |a, p| specular_in_world(a, p) || bent(a, p)),
     listed("view-position-at-origin", Site::ViewDirection, |a, p| specular_in_world(a, p) || bent(a, p)),

@@ -1,7 +1,9 @@
 //! Pictures of programs, run by the interpreter, and the right pictures, computed without any shader.
 
-use crate::plan::{Answer, Task};
-use crate::scenes::{LAB, LAB_INDEX, LAB_MATERIAL, LAB_SHININESS, Light, Meaning, Scene, objects, radiance, skies};
+use crate::plan::{Answer, GeneratedTask};
+use crate::scenes::{
+    BenchScene, LAB, LAB_INDEX, LAB_MATERIAL, LAB_SHININESS, Light, Meaning, objects, radiance, skies,
+};
 use crate::writer::Input;
 use glam::{Mat3, Vec3, Vec4};
 use gonio_glsl::{Severity, Stage};
@@ -68,7 +70,7 @@ impl Program {
         Ok(())
     }
 
-    fn set(&self, stage: &CompiledStage, inputs: &mut StageInputs, scene: &Scene) {
+    fn set(&self, stage: &CompiledStage, inputs: &mut StageInputs, scene: &BenchScene) {
         for input in &self.inputs {
             let Some(found) = stage.inputs.iter().position(|known| known.name == input.name) else { continue };
             let each = |all: &[Vec3]| {
@@ -86,7 +88,7 @@ impl Program {
     }
 
     /// Draws the program in a scene; `right` are the points of the right program, which are drawn if the places agree.
-    fn draw(&self, scene: &Scene, right: &[Hit], right_clip: &[Vec4]) -> Result<Picture, String> {
+    fn draw(&self, scene: &BenchScene, right: &[Hit], right_clip: &[Vec4]) -> Result<Picture, String> {
         let [vertex, fragment] = &self.stages;
         let mut inputs = StageInputs::new(vertex, scene.mesh.positions.len());
         self.set(vertex, &mut inputs, scene);
@@ -180,7 +182,7 @@ fn visible(clip: &[Vec4], triangles: &[[u32; 3]]) -> Vec<Hit> {
 
 /// The scenes of an answer with the right pictures.
 pub(crate) struct Bench {
-    scenes: Vec<Scene>,
+    scenes: Vec<BenchScene>,
     clip: Vec<Vec<Vec4>>,
     hits: Vec<Vec<Hit>>,
     right: Vec<Picture>,
@@ -188,7 +190,7 @@ pub(crate) struct Bench {
 
 impl Bench {
     pub fn new(answer: &Answer) -> Self {
-        let mut scenes = if answer.task == Task::Skybox { skies() } else { objects() };
+        let mut scenes = if answer.task == GeneratedTask::Skybox { skies() } else { objects() };
         for scene in &mut scenes {
             let [first, _] = &mut scene.lights;
             if answer.writes.position {
@@ -210,7 +212,7 @@ impl Bench {
                 scene.index = LAB_INDEX;
             }
         }
-        let sky = answer.task == Task::Skybox;
+        let sky = answer.task == GeneratedTask::Skybox;
         let clip: Vec<Vec<Vec4>> = scenes
             .iter()
             .map(|scene| {
@@ -247,7 +249,7 @@ impl Bench {
 }
 
 /// The right picture.
-fn right_picture(answer: &Answer, scene: &Scene, hits: &[Hit]) -> Picture {
+fn right_picture(answer: &Answer, scene: &BenchScene, hits: &[Hit]) -> Picture {
     let mesh = &scene.mesh;
     let world: Vec<Vec3> = mesh.positions.iter().map(|p| scene.model.transform_point3(*p)).collect();
     let by_transpose = Mat3::from_mat4(scene.model).inverse().transpose();
@@ -263,7 +265,7 @@ fn right_picture(answer: &Answer, scene: &Scene, hits: &[Hit]) -> Picture {
             corners[0] * hit.weights.x + corners[1] * hit.weights.y + corners[2] * hit.weights.z
         };
         picture[hit.pixel] = Some(match answer.task {
-            Task::Skybox => radiance(mix(&mesh.positions)),
+            GeneratedTask::Skybox => radiance(mix(&mesh.positions)),
             task if task.is_per_vertex() => {
                 let at = |index: u32| shade(answer, scene, world[index as usize], normals[index as usize]);
                 let [a, b, c] = hit.triangle.map(at);
@@ -276,11 +278,11 @@ fn right_picture(answer: &Answer, scene: &Scene, hits: &[Hit]) -> Picture {
 }
 
 /// The equation of the exercise at a point, in world space.
-fn shade(answer: &Answer, scene: &Scene, position: Vec3, n: Vec3) -> Vec3 {
+fn shade(answer: &Answer, scene: &BenchScene, position: Vec3, n: Vec3) -> Vec3 {
     let v = (scene.eye - position).normalize();
     match answer.task {
-        Task::Reflection => return radiance(2.0 * n.dot(v) * n - v),
-        Task::Refraction => {
+        GeneratedTask::Reflection => return radiance(2.0 * n.dot(v) * n - v),
+        GeneratedTask::Refraction => {
             let (ratio, cosine) = (1.0 / scene.index, n.dot(v));
             return radiance((ratio * cosine - (1.0 - ratio * ratio * (1.0 - cosine * cosine)).sqrt()) * n - ratio * v);
         }
@@ -301,8 +303,8 @@ fn shade(answer: &Answer, scene: &Scene, position: Vec3, n: Vec3) -> Vec3 {
             power *= cosine;
         }
         sum += match answer.task {
-            Task::GouraudDiffuse | Task::PhongDiffuse => Vec3::splat(cosine + answer.ambient),
-            Task::GouraudSpecular | Task::PhongSpecular => Vec3::splat(power + answer.ambient),
+            GeneratedTask::GouraudDiffuse | GeneratedTask::PhongDiffuse => Vec3::splat(cosine + answer.ambient),
+            GeneratedTask::GouraudSpecular | GeneratedTask::PhongSpecular => Vec3::splat(power + answer.ambient),
             _ => {
                 let attenuation = 1.0 / (kc + kl * d + kq * d * d);
                 let highlight = if answer.white_highlight { Vec3::ONE } else { scene.material };

@@ -5,7 +5,7 @@ use crate::scenes::LAB;
 
 /// The exercise that a program answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Task {
+pub enum GeneratedTask {
     /// Exercise 03.
     GouraudDiffuse,
     /// Exercise 04.
@@ -24,64 +24,64 @@ pub enum Task {
     Refraction,
 }
 
-impl Task {
+impl GeneratedTask {
     /// All tasks, with the share of the generated programs that answer each: the longer the answer, the more.
-    pub const ALL: [(u32, Task); 8] = [
-        (2, Task::GouraudDiffuse),
-        (2, Task::PhongDiffuse),
-        (2, Task::GouraudSpecular),
-        (3, Task::PhongSpecular),
-        (7, Task::LightEquation),
-        (1, Task::Skybox),
-        (2, Task::Reflection),
-        (2, Task::Refraction),
+    pub const ALL: [(u32, GeneratedTask); 8] = [
+        (2, GeneratedTask::GouraudDiffuse),
+        (2, GeneratedTask::PhongDiffuse),
+        (2, GeneratedTask::GouraudSpecular),
+        (3, GeneratedTask::PhongSpecular),
+        (7, GeneratedTask::LightEquation),
+        (1, GeneratedTask::Skybox),
+        (2, GeneratedTask::Reflection),
+        (2, GeneratedTask::Refraction),
     ];
 
     /// The task with an exercise's id.
-    pub fn find(exercise: &str) -> Option<Task> {
-        Task::ALL.iter().map(|(_, task)| *task).find(|task| task.exercise() == exercise)
+    pub fn find(exercise: &str) -> Option<GeneratedTask> {
+        GeneratedTask::ALL.iter().map(|(_, task)| *task).find(|task| task.exercise() == exercise)
     }
 
     /// The exercise's id.
     pub fn exercise(self) -> &'static str {
         match self {
-            Task::GouraudDiffuse => "ex03",
-            Task::PhongDiffuse => "ex04",
-            Task::GouraudSpecular => "ex05",
-            Task::PhongSpecular => "ex06",
-            Task::LightEquation => "ex07",
-            Task::Skybox => "ex08",
-            Task::Reflection => "ex09",
-            Task::Refraction => "ex10",
+            GeneratedTask::GouraudDiffuse => "ex03",
+            GeneratedTask::PhongDiffuse => "ex04",
+            GeneratedTask::GouraudSpecular => "ex05",
+            GeneratedTask::PhongSpecular => "ex06",
+            GeneratedTask::LightEquation => "ex07",
+            GeneratedTask::Skybox => "ex08",
+            GeneratedTask::Reflection => "ex09",
+            GeneratedTask::Refraction => "ex10",
         }
     }
 
     /// Whether it computes light.
     pub fn is_lit(self) -> bool {
-        !matches!(self, Task::Skybox | Task::Reflection | Task::Refraction)
+        !matches!(self, GeneratedTask::Skybox | GeneratedTask::Reflection | GeneratedTask::Refraction)
     }
 
     /// Whether the light is computed per vertex.
     pub fn is_per_vertex(self) -> bool {
-        matches!(self, Task::GouraudDiffuse | Task::GouraudSpecular)
+        matches!(self, GeneratedTask::GouraudDiffuse | GeneratedTask::GouraudSpecular)
     }
 
     /// Whether it has a diffuse term.
     pub fn has_diffuse(self) -> bool {
-        matches!(self, Task::GouraudDiffuse | Task::PhongDiffuse | Task::LightEquation)
+        matches!(self, GeneratedTask::GouraudDiffuse | GeneratedTask::PhongDiffuse | GeneratedTask::LightEquation)
     }
 
     /// Whether it has a specular term.
     pub fn has_specular(self) -> bool {
-        matches!(self, Task::GouraudSpecular | Task::PhongSpecular | Task::LightEquation)
+        matches!(self, GeneratedTask::GouraudSpecular | GeneratedTask::PhongSpecular | GeneratedTask::LightEquation)
     }
 }
 
 /// A right answer: an exercise and the choices that it leaves open and that change the picture.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Answer {
+pub(crate) struct Answer {
     /// The exercise.
-    pub task: Task,
+    pub task: GeneratedTask,
     /// Lights: 1 or 2.
     pub lights: usize,
     /// N.H in place of R.V.
@@ -102,7 +102,7 @@ pub struct Answer {
 
 /// The constants that are written in the text.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Written {
+pub(crate) struct Written {
     /// The exponent 32.
     pub exponent: bool,
     /// The light's position.
@@ -120,7 +120,7 @@ pub struct Written {
 impl Answer {
     /// The answer without any of the choices.
     #[cfg(test)]
-    pub(crate) fn plain(task: Task) -> Self {
+    pub(crate) fn plain(task: GeneratedTask) -> Self {
         let writes = Written::default();
         let unit_in_vertex = true;
         let [half_vector, gated, cosine_weighted, white_highlight] = [false; 4];
@@ -139,12 +139,12 @@ impl Answer {
 
     /// The light's position, if it is written.
     pub(crate) fn lab_light_position(&self) -> glam::Vec3 {
-        if self.task == Task::LightEquation { LAB.position } else { glam::Vec3::new(0.5, 0.5, -0.7) }
+        if self.task == GeneratedTask::LightEquation { LAB.position } else { glam::Vec3::new(0.5, 0.5, -0.7) }
     }
 
-    pub(crate) fn draw(task: Task, random: &mut Random) -> Self {
+    pub(crate) fn draw(task: GeneratedTask, random: &mut Random) -> Self {
         let specular = task.has_specular();
-        let whole = task == Task::LightEquation;
+        let whole = task == GeneratedTask::LightEquation;
         let lights = if whole && random.chance(0.15) { 2 } else { 1 };
         let mut written = |probability: f64| random.chance(probability);
         let writes = Written {
@@ -153,7 +153,7 @@ impl Answer {
             strengths: written(0.08) && whole && lights == 1,
             attenuation: written(0.08) && whole && lights == 1,
             material: written(0.06) && whole,
-            index: written(0.3) && task == Task::Refraction,
+            index: written(0.3) && task == GeneratedTask::Refraction,
         };
         let half_vector = specular && random.chance(0.22);
         let gated = specular && random.chance(0.15);
@@ -173,7 +173,7 @@ impl Answer {
 
 /// A version of GLSL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Version {
+pub(crate) struct Version {
     /// 110 to 460; 100 and 300 are those of OpenGL ES.
     pub number: u32,
 }
@@ -245,7 +245,7 @@ impl Version {
 
 /// The space in which vectors meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Space {
+pub(crate) enum Space {
     /// World space.
     World,
     /// Eye space: the eye is at the origin.
@@ -254,7 +254,7 @@ pub enum Space {
 
 /// Which matrices the program sends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Matrices {
+pub(crate) enum Matrices {
     /// M, V and P.
     Separate,
     /// V M and P, and M where it is needed.
@@ -267,7 +267,7 @@ pub enum Matrices {
 
 /// How the normal is transformed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NormalBy {
+pub(crate) enum NormalBy {
     /// `mat3(itM) * normal`.
     Mat3OfUniform,
     /// `(itM * vec4(normal, 0.0)).xyz`.
@@ -284,7 +284,7 @@ pub enum NormalBy {
 
 /// Where the light's data comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Container {
+pub(crate) enum Container {
     /// One uniform each.
     Plain,
     /// A struct.
@@ -299,7 +299,7 @@ pub enum Container {
 
 /// How the reflected direction is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mirror {
+pub(crate) enum Mirror {
     /// `reflect(-L, N)`.
     Reflect,
     /// `-reflect(L, N)`.
@@ -314,7 +314,7 @@ pub enum Mirror {
 
 /// How functions divide the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Functions {
+pub(crate) enum Functions {
     /// Everything in `main`.
     None,
     /// One for each of some terms.
@@ -325,7 +325,7 @@ pub enum Functions {
 
 /// How the sum is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SumForm {
+pub(crate) enum SumForm {
     /// `colour * (ambient + attenuation * (diffuse + specular))`.
     Factored,
     /// `(ambient + attenuation * diffuse + attenuation * specular) * colour`.
@@ -338,7 +338,7 @@ pub enum SumForm {
 
 /// The choices that do not change the picture.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plan {
+pub(crate) struct Plan {
     /// The versions of the two stages.
     pub versions: [Version; 2],
     /// The space.
@@ -435,7 +435,7 @@ impl Plan {
                 .pick(&[Container::StructArray, Container::StructArray, Container::Arrays])
                 .unwrap_or(Container::Arrays);
         }
-        if answer.task != Task::LightEquation {
+        if answer.task != GeneratedTask::LightEquation {
             return Container::Plain;
         }
         let blocks = versions.iter().all(|version| version.has_uniform_blocks());

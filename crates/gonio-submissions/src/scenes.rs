@@ -54,7 +54,7 @@ pub(crate) struct Light {
 
 /// A scene with one object.
 #[derive(Clone, Debug)]
-pub(crate) struct Scene {
+pub(crate) struct BenchScene {
     pub mesh: Mesh,
     pub model: Mat4,
     pub eye: Vec3,
@@ -66,7 +66,7 @@ pub(crate) struct Scene {
     pub index: f32,
 }
 
-impl Scene {
+impl BenchScene {
     /// The value of a uniform.
     pub fn value(&self, meaning: Meaning) -> Vec<f32> {
         let mat3 = |m: Mat4| Mat3::from_mat4(m).inverse().transpose().to_cols_array().to_vec();
@@ -91,7 +91,7 @@ impl Scene {
     }
 }
 
-impl Scene {
+impl BenchScene {
     fn of_light(&self, field: Field, index: usize) -> Vec<f32> {
         let light = self.lights[index.min(1)];
         match field {
@@ -173,7 +173,7 @@ pub(crate) const LAB_SHININESS: f32 = 32.0;
 pub(crate) const LAB_MATERIAL: Vec3 = Vec3::new(0.5, 0.6, 0.8);
 pub(crate) const LAB_INDEX: f32 = 1.52;
 
-fn scene(mesh: Mesh, model: Mat4, eye: [f32; 3], target: [f32; 3], up: [f32; 3], light: [f32; 3]) -> Scene {
+fn scene(mesh: Mesh, model: Mat4, eye: [f32; 3], target: [f32; 3], up: [f32; 3], light: [f32; 3]) -> BenchScene {
     let (eye, target) = (Vec3::from(eye), Vec3::from(target));
     let first = Light { position: light.into(), ..LAB };
     let second = Light {
@@ -181,7 +181,7 @@ fn scene(mesh: Mesh, model: Mat4, eye: [f32; 3], target: [f32; 3], up: [f32; 3],
         strengths: [0.05, 0.4, 0.5],
         attenuation: [1.0, 0.1, 0.12],
     };
-    Scene {
+    BenchScene {
         mesh,
         model,
         eye,
@@ -201,7 +201,7 @@ fn placed(at: [f32; 3], turn: [f32; 3], scale: [f32; 3]) -> Mat4 {
 
 /// The scenes for programs that compute light, and for mirrors and glass: stretched, turned and moved models; coarse meshes;
 /// lights near, far and behind; several eyes.
-pub(crate) fn objects() -> Vec<Scene> {
+pub(crate) fn objects() -> Vec<BenchScene> {
     const UP: [f32; 3] = [0.0, 1.0, 0.0];
     let sphere = |around, along| ellipsoid(around, along, Vec3::ONE);
     let stretched = placed([0.3, -0.2, -0.5], [0.6, 0.8, 0.3], [0.55, 1.15, 0.35]);
@@ -237,7 +237,7 @@ pub(crate) fn objects() -> Vec<Scene> {
 }
 
 /// The scenes for skyboxes.
-pub(crate) fn skies() -> Vec<Scene> {
+pub(crate) fn skies() -> Vec<BenchScene> {
     let sky = |eye: [f32; 3], towards: [f32; 3], up: [f32; 3]| {
         let target = (Vec3::from(eye) + Vec3::from(towards)).to_array();
         scene(cube(), Mat4::IDENTITY, eye, target, up, [1.0, 2.0, 1.5])

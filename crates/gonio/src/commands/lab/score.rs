@@ -17,16 +17,13 @@ use gonio_exercises::exercise::Exercise;
 use gonio_exercises::report::visible;
 use gonio_exercises::score::{self, GeneratedScore, Score, ScoredPair};
 use gonio_gl::HeadlessContext;
-use gonio_submissions::Task as GeneratedTask;
+use gonio_submissions::GeneratedTask;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{SystemTime, UNIX_EPOCH};
-
-/// The heading of the options for generated programs.
-const GENERATED: &str = "Generated programs";
 
 /// Measure the checker: the share of mistakes that it names correctly, and its false alarms.
 #[derive(Args, Debug)]
@@ -56,22 +53,22 @@ pub struct ScoreArgs {
     #[arg(long, value_name = "FOLDER", help_heading = "Check options")]
     pub corpus: Option<PathBuf>,
     /// Check this many generated programs, in place of the catalogue's mistakes.
-    #[arg(long, value_name = "N", help_heading = GENERATED, conflicts_with_all = ["pairs", "corpus"])]
+    #[arg(long, value_name = "N", help_heading = "Check options", conflicts_with_all = ["pairs", "corpus"])]
     pub generated: Option<u64>,
     /// Seed of the generated programs; by default a new one, which is printed.
-    #[arg(long, value_name = "SEED", help_heading = GENERATED, requires = "generated")]
+    #[arg(long, value_name = "SEED", help_heading = "Check options", requires = "generated")]
     pub seed: Option<u64>,
     /// Number of the first generated program.
-    #[arg(long, value_name = "I", default_value_t = 0, help_heading = GENERATED, requires = "generated")]
+    #[arg(long, value_name = "I", default_value_t = 0, help_heading = "Check options", requires = "generated")]
     pub index: u64,
     /// Versions of each program in other styles, which must get the same verdict.
-    #[arg(long, value_name = "K", default_value_t = 1, help_heading = GENERATED, requires = "generated")]
+    #[arg(long, value_name = "K", default_value_t = 1, help_heading = "Check options", requires = "generated")]
     pub rewrites: usize,
     /// Write the programs with what is expected of them: FOLDER/EX/correct/NAME/ and FOLDER/EX/wrong/NAME/.
-    #[arg(long, value_name = "FOLDER", help_heading = GENERATED, requires = "generated")]
+    #[arg(long, value_name = "FOLDER", help_heading = "Check options", requires = "generated")]
     pub write: Option<PathBuf>,
     /// Write only the programs with a wrong verdict.
-    #[arg(long, help_heading = GENERATED, requires = "write")]
+    #[arg(long, help_heading = "Check options", requires = "write")]
     pub failing: bool,
     /// End when the calling process ends and so closes stdin.
     #[arg(long, hide = true)]
