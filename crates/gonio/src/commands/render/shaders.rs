@@ -49,7 +49,7 @@ fn parse_texture(text: &str) -> Result<(String, String), String> {
 }
 
 /// Shaders and textures, read.
-pub struct OwnShaders {
+pub struct OwnShaderFiles {
     shaders: UserShaders,
     textures: Vec<(String, Arc<Texture>)>,
 }
@@ -89,7 +89,7 @@ impl ShaderOptions {
     }
 
     /// Reads the files.
-    pub fn read(&self, limits: &LimitOptions, reporter: &Reporter) -> Result<OwnShaders, CliError> {
+    pub fn read(&self, limits: &LimitOptions, reporter: &Reporter) -> Result<OwnShaderFiles, CliError> {
         let named = self.vertex.iter().chain(&self.fragment).chain(self.texture.iter().map(|(_, file)| file));
         let files = limits.files(named.map(String::as_str), reporter);
         let read = |what: &str, name: &String, most| {
@@ -111,11 +111,11 @@ impl ShaderOptions {
             Ok((sampler.clone(), Arc::new(texture)))
         };
         let textures = self.texture.iter().map(texture).collect::<Result<_, CliError>>()?;
-        Ok(OwnShaders { shaders, textures })
+        Ok(OwnShaderFiles { shaders, textures })
     }
 }
 
-impl OwnShaders {
+impl OwnShaderFiles {
     /// Compiles them, and gives the uniforms and samplers their values.
     pub fn compile(
         &self,
