@@ -1,7 +1,7 @@
 //! The steps of one pixel or vertex, with the values that they wrote.
 
 use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
-use super::syntax::Syntax;
+use super::syntax::{Syntax, counted, one_line};
 use super::value::ShownValue;
 use gonio_glsl::{Span, Stage};
 use gonio_interpreter::{
@@ -445,14 +445,4 @@ impl Lister<'_> {
 
 fn array_of(ty: &gonio_glsl::Type, count: u32) -> gonio_glsl::Type {
     if count == 1 { ty.clone() } else { gonio_glsl::Type::Array(Box::new(ty.clone()), Some(count)) }
-}
-
-/// Iterations from 1.
-pub(super) fn counted(iterations: &[u32]) -> Vec<u32> {
-    iterations.iter().map(|iteration| iteration.saturating_add(1)).collect()
-}
-
-/// Source with single spaces for line ends and indentation.
-pub(super) fn one_line(source: &str) -> String {
-    source.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -1,14 +1,11 @@
 //! The values of one expression at all pixels, as a picture.
 
 use super::coverage::{Plane, ndc};
-use super::listing::one_line;
 use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
-use super::syntax::ExpressionValue;
+use super::syntax::{ExpressionValue, expressions_at, text_of};
 use super::value::float_text;
 use crate::report::NAN_COLOUR;
-use gonio_glsl::ast::Declarator;
-use gonio_glsl::walk::{Visitor, walk_unit};
-use gonio_glsl::{Scalar, Span, Stage, Type};
+use gonio_glsl::{Scalar, Stage, Type};
 use gonio_interpreter::{Evaluation, ExprId, LANES, RunOptions, run};
 
 /// The colour of values that were never written: cyan.
@@ -17,8 +14,6 @@ pub const NEVER_WRITTEN_COLOUR: [u8; 4] = [0, 255, 255, 255];
 const NOT_EVALUATED: [u8; 2] = [70, 100];
 /// Pixels that are run together.
 const CHUNK: usize = 16_384;
-/// Expressions around a place that are tried: the target of an assignment has no value, but the assignment has.
-const MOST_TRIED: usize = 6;
 
 /// How values become colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -371,66 +366,4 @@ fn mapping(ty: &Type, size: usize, values: &[([u32; 2], PointValue)]) -> Express
         _ if least >= -1.0 && greatest <= 1.0 => ExpressionMapping::Direction,
         _ => ExpressionMapping::Range { least, greatest },
     }
-}
-
-pub(super) fn text_of(stage: &SteppedStage, expr: ExprId) -> String {
-    let span = stage.compiled.source.expression(expr).map(|source| source.span).unwrap_or_default();
-    one_line(stage.parsed.text(span))
-}
-
-/// The expressions around a place of the student's file, the smallest first.
-pub(super) fn expressions_at(stage: &SteppedStage, line: u32, column: u32) -> Vec<ExprId> {
-    let Some(byte) = byte_at(stage, line, column) else { return Vec::new() };
-    let source = &stage.compiled.source;
-    let around = |span: &Span| (span.start..span.end).contains(&byte);
-    let mut found: Vec<(u32, ExprId)> = source
-        .expressions
-        .iter()
-        .enumerate()
-        .filter(|(_, expression)| around(&expression.span))
-        .map(|(index, expression)| (expression.span.end - expression.span.start, ExprId(index as u32)))
-        .collect();
-    found.sort();
-    if found.is_empty() {
-        // The name of a variable that is declared with a value.
-        let mut names = DeclaredNames { stage, byte, value: None };
-        walk_unit(&stage.parsed.unit, &mut names);
-        return names.value.into_iter().collect();
-    }
-    found.into_iter().map(|(_, expr)| expr).take(MOST_TRIED).collect()
-}
-
-struct DeclaredNames<'a> {
-    stage: &'a SteppedStage,
-    byte: u32,
-    value: Option<ExprId>,
-}
-
-impl Visitor for DeclaredNames<'_> {
-    fn declaration(&mut self, declaration: &gonio_glsl::ast::Declaration) -> bool {
-        let is_here = |declarator: &&Declarator| {
-            let start = declarator.span.start;
-            (start..start + declarator.name.len() as u32).contains(&self.byte)
-        };
-        let here = declaration.declarators.iter().find(is_here);
-        if let Some(value) = here.and_then(|declarator| declarator.initialiser.as_ref()) {
-            self.value = self.stage.compiled.source.id(value);
-        }
-        true
-    }
-}
-
-/// The byte of the stage's text at a line and column of the file.
-fn byte_at(stage: &SteppedStage, line: u32, column: u32) -> Option<u32> {
-    let mut start = 0;
-    for (index, text) in stage.text.text.split_inclusive('\n').enumerate() {
-        for (at, (offset, _)) in text.trim_end_matches('\n').char_indices().enumerate() {
-            let (_, file_line, file_column) = stage.text.place(index as u32 + 1, at as u32 + 1);
-            if (file_line, file_column) == (line, column) {
-                return u32::try_from(start + offset).ok();
-            }
-        }
-        start += text.len();
-    }
-    None
 }

@@ -1,15 +1,16 @@
 //! The statements and expressions of a shader that a listing watches, and the values of one expression at one pixel or vertex.
 
-use super::listing::counted;
 use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
-use super::picture::{expressions_at, text_of};
 use super::value::ShownValue;
-use gonio_glsl::ast::Function;
+use gonio_glsl::ast::{Declarator, Function};
 use gonio_glsl::walk::{Visitor, walk_unit};
 use gonio_glsl::{Expr, ExprKind, Span, Stage, Statement, StatementKind, Type};
 use gonio_interpreter::{ExprId, PointValues, RunOptions, StatementId, run};
 use std::collections::HashSet;
 use std::ops::Range;
+
+/// Expressions around a place that are tried: the target of an assignment has no value, but the assignment has.
+const MOST_TRIED: usize = 6;
 
 /// The parts of the syntax tree that a listing needs.
 pub(super) struct Syntax {
@@ -233,4 +234,77 @@ impl SteppedStage {
         calls.reverse();
         (function, calls)
     }
+}
+
+/// The source of an expression, in one line.
+pub(super) fn text_of(stage: &SteppedStage, expr: ExprId) -> String {
+    let span = stage.compiled.source.expression(expr).map(|source| source.span).unwrap_or_default();
+    one_line(stage.parsed.text(span))
+}
+
+/// The expressions around a place of the student's file, the smallest first.
+pub(super) fn expressions_at(stage: &SteppedStage, line: u32, column: u32) -> Vec<ExprId> {
+    let Some(byte) = byte_at(stage, line, column) else { return Vec::new() };
+    let source = &stage.compiled.source;
+    let around = |span: &Span| (span.start..span.end).contains(&byte);
+    let mut found: Vec<(u32, ExprId)> = source
+        .expressions
+        .iter()
+        .enumerate()
+        .filter(|(_, expression)| around(&expression.span))
+        .map(|(index, expression)| (expression.span.end - expression.span.start, ExprId(index as u32)))
+        .collect();
+    found.sort();
+    if found.is_empty() {
+        // The name of a variable that is declared with a value.
+        let mut names = DeclaredNames { stage, byte, value: None };
+        walk_unit(&stage.parsed.unit, &mut names);
+        return names.value.into_iter().collect();
+    }
+    found.into_iter().map(|(_, expr)| expr).take(MOST_TRIED).collect()
+}
+
+struct DeclaredNames<'a> {
+    stage: &'a SteppedStage,
+    byte: u32,
+    value: Option<ExprId>,
+}
+
+impl Visitor for DeclaredNames<'_> {
+    fn declaration(&mut self, declaration: &gonio_glsl::ast::Declaration) -> bool {
+        let is_here = |declarator: &&Declarator| {
+            let start = declarator.span.start;
+            (start..start + declarator.name.len() as u32).contains(&self.byte)
+        };
+        let here = declaration.declarators.iter().find(is_here);
+        if let Some(value) = here.and_then(|declarator| declarator.initialiser.as_ref()) {
+            self.value = self.stage.compiled.source.id(value);
+        }
+        true
+    }
+}
+
+/// The byte of the stage's text at a line and column of the file.
+fn byte_at(stage: &SteppedStage, line: u32, column: u32) -> Option<u32> {
+    let mut start = 0;
+    for (index, text) in stage.text.text.split_inclusive('\n').enumerate() {
+        for (at, (offset, _)) in text.trim_end_matches('\n').char_indices().enumerate() {
+            let (_, file_line, file_column) = stage.text.place(index as u32 + 1, at as u32 + 1);
+            if (file_line, file_column) == (line, column) {
+                return u32::try_from(start + offset).ok();
+            }
+        }
+        start += text.len();
+    }
+    None
+}
+
+/// Iterations from 1.
+pub(super) fn counted(iterations: &[u32]) -> Vec<u32> {
+    iterations.iter().map(|iteration| iteration.saturating_add(1)).collect()
+}
+
+/// Source with single spaces for line ends and indentation.
+pub(super) fn one_line(source: &str) -> String {
+    source.split_whitespace().collect::<Vec<_>>().join(" ")
 }
