@@ -386,22 +386,6 @@ fn derivatives_are_those_of_quads() {
     assert_eq!([0, 1, 2].map(|component| r.float(component, 4)), [1.0, 36.0 - 16.0, 3.0]);
 }
 
-#[test]
-fn what_cannot_be_run_is_named_with_its_place() {
-    let refused = |source: &str| {
-        let mut parsed = gonio_glsl::parse(source);
-        let checked = gonio_glsl::check(&mut parsed, Stage::Fragment);
-        compile(&parsed, &checked).unwrap_err().to_string()
-    };
-    let image =
-        "#version 420\nlayout(rgba8) uniform image2D i;\nout vec4 r;\nvoid main() {\n  r = imageLoad(i, ivec2(0)); }";
-    let error = refused(image);
-    assert!(error.starts_with("line 5, column 7: gonio cannot run"), "{error}");
-    let error =
-        refused("#version 330 core\nout vec4 r;\nfloat f(float a) { return f(a); }\nvoid main() { r = vec4(f(1.0)); }");
-    assert!(error.starts_with("line 3, column 27: gonio cannot run the recursive call of `f`"), "{error}");
-}
-
 /// Returns the shaders of gonio-glsl's table `pairs.txt`.
 fn sources() -> Vec<String> {
     let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/../gonio-glsl/tests/pairs.txt"));
@@ -440,9 +424,7 @@ fn process(source: &str) -> usize {
 fn every_dialect_runs() {
     for source in sources() {
         let stage = if source.contains("gl_Position") { Stage::Vertex } else { Stage::Fragment };
-        let mut parsed = gonio_glsl::parse(&source);
-        let checked = gonio_glsl::check(&mut parsed, stage);
-        compile(&parsed, &checked).unwrap_or_else(|error| panic!("{error}\n{source}"));
+        compiled(stage, &source);
         assert!(process(&source) > 0, "{source}");
     }
 }
@@ -506,9 +488,7 @@ fn large_shaders_are_bounded() {
     process(&format!("{source}void main() {{ r = vec4(f13(x)); }}"));
     let array = "#version 330 core\nin float x;\nout vec4 r;\nvoid main() { float a[16000]; \
                  for (int i = 0; i < 16000; i++) a[i] = x + float(i); r = vec4(a[int(x)]); }";
-    let mut parsed = gonio_glsl::parse(array);
-    let checked = gonio_glsl::check(&mut parsed, Stage::Fragment);
-    let stage = compile(&parsed, &checked).unwrap();
+    let stage = compiled(Stage::Fragment, array);
     let mut inputs = StageInputs::new(&stage, LANES);
     let x: Vec<f32> = (0..LANES).map(|point| point as f32).collect();
     inputs.set_named(&stage, "x", PointValues::each(&[&x]));

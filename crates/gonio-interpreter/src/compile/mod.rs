@@ -310,3 +310,25 @@ impl<'a> Compiler<'a> {
 pub(crate) fn unsupported(construct: impl Into<String>, span: Span) -> Unsupported {
     Unsupported { construct: construct.into(), span }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gonio_glsl::Stage;
+
+    #[test]
+    fn what_cannot_be_run_is_named_with_its_place() {
+        let refused = |source: &str| {
+            let mut parsed = gonio_glsl::parse(source);
+            let checked = gonio_glsl::check(&mut parsed, Stage::Fragment);
+            compile(&parsed, &checked).unwrap_err().to_string()
+        };
+        let image = "#version 420\nlayout(rgba8) uniform image2D i;\nout vec4 r;\nvoid main() {\n  r = imageLoad(i, ivec2(0)); }";
+        let error = refused(image);
+        assert!(error.starts_with("line 5, column 7: gonio cannot run"), "{error}");
+        let error = refused(
+            "#version 330 core\nout vec4 r;\nfloat f(float a) { return f(a); }\nvoid main() { r = vec4(f(1.0)); }",
+        );
+        assert!(error.starts_with("line 3, column 27: gonio cannot run the recursive call of `f`"), "{error}");
+    }
+}
