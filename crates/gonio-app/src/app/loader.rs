@@ -188,6 +188,24 @@ fn read(requested: &LoadRequest, files: &dyn FileSource, limits: &Limits) -> Res
     }
 }
 
+/// File names without folders, for a message.
+pub(super) fn names(paths: &[PathBuf]) -> String {
+    short(&paths.iter().map(|path| path.to_string_lossy().into_owned()).collect::<Vec<_>>())
+}
+
+/// The title of what was opened: the file's name without its folder.
+pub(super) fn short(inputs: &[String]) -> String {
+    let name = |input: &String| {
+        let input = input.strip_prefix(gonio_scene::files::BUILTIN).unwrap_or(input);
+        input.rsplit(['/', '\\']).next().unwrap_or(input).to_owned()
+    };
+    match inputs {
+        [] => String::new(),
+        [one] => name(one),
+        [first, rest @ ..] => format!("{} and {} more", name(first), rest.len()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,7 +5,7 @@ mod exercise;
 pub mod loader;
 
 use crate::action::Action;
-use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening};
+use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names, short};
 use crate::document::{Document, History};
 use crate::exercise::ExerciseView;
 use crate::files::Layered;
@@ -462,29 +462,11 @@ fn with_exercise(mut state: serde_json::Value, exercise: &ExerciseView) -> serde
     state
 }
 
-/// File names without folders, for a message.
-fn names(paths: &[PathBuf]) -> String {
-    short(&paths.iter().map(|path| path.to_string_lossy().into_owned()).collect::<Vec<_>>())
-}
-
 /// Whether shading or environment differ, which need other data on the GPU.
 fn is_seen_otherwise(before: &Scene, after: &Scene) -> bool {
     let environment = |scene: &Scene| scene.environment.as_ref().map(Arc::as_ptr);
     let shadings = |scene: &Scene| scene.objects.iter().map(|object| object.shading).collect::<Vec<_>>();
     environment(before) != environment(after) || shadings(before) != shadings(after)
-}
-
-/// The title of what was opened: the file's name without its folder.
-fn short(inputs: &[String]) -> String {
-    let name = |input: &String| {
-        let input = input.strip_prefix(gonio_scene::files::BUILTIN).unwrap_or(input);
-        input.rsplit(['/', '\\']).next().unwrap_or(input).to_owned()
-    };
-    match inputs {
-        [] => String::new(),
-        [one] => name(one),
-        [first, rest @ ..] => format!("{} and {} more", name(first), rest.len()),
-    }
 }
 
 impl eframe::App for App {
