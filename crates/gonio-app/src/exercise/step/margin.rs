@@ -116,11 +116,11 @@ pub struct Listed {
     pub corners: Vec<Arc<ShaderSteps>>,
 }
 
+/// A pair, and the same in its scene.
+pub type Stepped = (Arc<SteppedPair>, Arc<SteppedScene>);
+
 /// Lists the shaders at the pixel. `before`: what can be used again.
-pub fn list(
-    request: &Request,
-    before: Option<((Arc<SteppedPair>, Arc<SteppedScene>), Request)>,
-) -> Result<Listed, String> {
+pub fn list(request: &Request, before: Option<(Stepped, Request)>) -> Result<Listed, String> {
     let Request { picture, pin } = request;
     let is_same_program = |before: &Request| Arc::ptr_eq(&before.picture.program, &picture.program);
     let known = before.filter(|(_, before)| is_same_program(before));
