@@ -6,7 +6,7 @@
 
 mod submissions;
 
-use gonio_check::cause::naming::Cause;
+use gonio_check::cause::naming::ProvenCause;
 use gonio_check::cause::search::Found;
 use gonio_check::cause::{Diagnosis, NotJudged, diagnose};
 use gonio_check::compile::ParsedStage;
@@ -83,10 +83,10 @@ fn right_submissions_are_right_by_their_values() {
 }
 
 /// Whether the first cause of each group is named as expected.
-fn is_named(groups: &[Vec<Cause>], expected: &[String], also: &[String]) -> bool {
-    let firsts: Vec<&Cause> = groups.iter().filter_map(|group| group.first()).collect();
+fn is_named(groups: &[Vec<ProvenCause>], expected: &[String], also: &[String]) -> bool {
+    let firsts: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
     let count = firsts.len() + firsts.iter().filter(|cause| cause.with.is_some()).count();
-    let is_it = |cause: &&Cause| {
+    let is_it = |cause: &&ProvenCause| {
         cause.mistakes.iter().take(1 + cause.equals).any(|m| expected.contains(&m.id) || also.contains(&m.id))
     };
     count == expected.len() && firsts.iter().all(is_it)

@@ -1,21 +1,21 @@
 //! Finds out where a program goes wrong, by its values and without pictures.
 //!
 //! The interpreter computes every expression of a student's program at points on the surfaces of the test scenes
-//! ([`samples`], [`program`]). The light equation gives the right values of all quantities there, and the catalogue
-//! those of known mistakes ([`model`]). A cause is proven by a counterfactual: with the right value instead of one
-//! expression's own, the whole picture becomes right ([`target`], [`search`]).
+//! (`samples`, `program`). The light equation gives the right values of all quantities there, and the catalogue
+//! those of known mistakes (`model`). A cause is proven by a counterfactual: with the right value instead of one
+//! expression's own, the whole picture becomes right (`target`, [`search`]).
 
 mod assign;
-pub mod model;
+pub(crate) mod model;
 pub mod naming;
-pub mod observed;
-pub mod program;
-pub mod repair;
-pub mod samples;
+pub(crate) mod observed;
+pub(crate) mod program;
+pub(crate) mod repair;
+pub(crate) mod samples;
 pub mod search;
-pub mod target;
-pub mod values;
-pub mod words;
+pub(crate) mod target;
+pub(crate) mod values;
+pub(crate) mod words;
 
 use crate::mistakes::ModelSolution;
 use crate::roles::{Bindings, NamesFile, Role};
@@ -23,12 +23,12 @@ use crate::rules::SourceConstants;
 use crate::search::{Parameterisation, Second, Task};
 use crate::testbench::TestScene;
 use gonio_glsl::{Checked, Parsed, Stage};
-use model::{Method, Model};
+use model::{AnswerMethod, Model};
 use observed::Observer;
 use program::{Program, Runner};
 use samples::SceneSamples;
 use search::{Found, Search};
-use target::Target;
+use target::RightPicture;
 
 /// Why values cannot be judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,7 +47,7 @@ pub struct Diagnosis {
     /// The result.
     pub found: Found,
     /// The method that it refers to.
-    pub method: Method,
+    pub method: AnswerMethod,
     /// The roles of its inputs, found by their values where the names do not determine them.
     pub bindings: Bindings,
     /// Single runs of scenes.
@@ -58,17 +58,17 @@ pub struct Diagnosis {
 const MOST_METHODS: usize = 2;
 
 /// The methods of right answers to a task, the usual one first.
-fn methods(task: &Task) -> Vec<Method> {
-    let plain = |model| Method { model, normal_kept: false, half_vector: false };
+fn methods(task: &Task) -> Vec<AnswerMethod> {
+    let plain = |model| AnswerMethod { model, normal_kept: false, half_vector: false };
     let mut all = Vec::new();
     for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
         all.push(plain(model));
         if model != ModelSolution::Gouraud {
-            all.push(Method { normal_kept: true, ..plain(model) });
+            all.push(AnswerMethod { normal_kept: true, ..plain(model) });
         }
         if model.is_lit() && task.required[2] {
-            let half: Vec<Method> = all.iter().filter(|method| method.model == model).copied().collect();
-            all.extend(half.into_iter().map(|method| Method { half_vector: true, ..method }));
+            let half: Vec<AnswerMethod> = all.iter().filter(|method| method.model == model).copied().collect();
+            all.extend(half.into_iter().map(|method| AnswerMethod { half_vector: true, ..method }));
         }
     }
     all
@@ -125,7 +125,7 @@ pub fn diagnose(
         })
         .collect();
     let runner = Runner::new(&program, &samples);
-    let model_of = |method: Method, has_mistakes: bool| {
+    let model_of = |method: AnswerMethod, has_mistakes: bool| {
         Model::new(method, &samples, parameterisation.written_exponent.unwrap_or(1.0), has_mistakes)
             .map_err(NotJudged::Unsupported)
     };
@@ -134,7 +134,7 @@ pub fn diagnose(
     let mut wrong = Vec::new();
     for method in methods(task) {
         let model = model_of(method, false)?;
-        let Some(target) = Target::new(&model, task, &parameterisation, &samples) else { continue };
+        let Some(target) = RightPicture::new(&model, task, &parameterisation, &samples) else { continue };
         let mut search = Search::new(Observer { runner: &runner, model: &model }, &target);
         match search.is_right() {
             None => return Ok(Diagnosis { found: Found::Endless, method, bindings, runs }),
@@ -157,7 +157,7 @@ pub fn diagnose(
     });
     for (method, _) in wrong.iter().take(MOST_METHODS) {
         let model = model_of(*method, true)?;
-        let Some(target) = Target::new(&model, task, &parameterisation, &samples) else { continue };
+        let Some(target) = RightPicture::new(&model, task, &parameterisation, &samples) else { continue };
         let mut search = Search::new(Observer { runner: &runner, model: &model }, &target);
         let found = search.run();
         runs += search.runs();

@@ -2,7 +2,7 @@
 //! catalogue compute instead.
 
 use super::program::{Change, Program, Runner};
-use super::samples::SceneSamples;
+use super::samples::{SceneSamples, interpolated};
 use super::values::Values;
 use crate::mistakes::{Hypotheses, Hypothesis, Mistake, ModelSolution};
 use crate::roles::{Meaning, Role};
@@ -24,7 +24,7 @@ pub enum Space {
 
 /// A quantity at all points of a stage.
 #[derive(Clone, Debug)]
-pub struct Quantity {
+pub(crate) struct Quantity {
     /// The variable of the model solution, or the name of an input.
     pub name: String,
     /// The stage whose points have the values.
@@ -57,7 +57,7 @@ impl Default for Quantity {
 
 /// The method of a right answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Method {
+pub struct AnswerMethod {
     /// The model solution.
     pub model: ModelSolution,
     /// Whether only the fragment shader normalises the normal.
@@ -67,9 +67,9 @@ pub struct Method {
 }
 
 /// The quantities of one method.
-pub struct Model {
+pub(crate) struct Model {
     /// The method.
-    pub method: Method,
+    pub method: AnswerMethod,
     /// All of them.
     pub quantities: Vec<Quantity>,
 }
@@ -85,7 +85,7 @@ struct Assigned {
 /// A way to make a mistake: the variables and the values assigned instead.
 type Way = (&'static Mistake, Vec<(String, String)>);
 
-impl Method {
+impl AnswerMethod {
     /// The model's shaders as this method writes them.
     fn sources(self) -> ([String; 2], Vec<Way>) {
         let all = Hypotheses::for_model(self.model);
@@ -311,7 +311,7 @@ impl Model {
     /// # Errors
     /// The model solution cannot be compiled; a test ensures that all can.
     pub fn new(
-        method: Method,
+        method: AnswerMethod,
         samples: &[SceneSamples],
         written_exponent: f32,
         has_mistakes: bool,
@@ -435,26 +435,6 @@ impl Model {
         };
         self.quantities.iter().find(is_it).map(|quantity| &quantity.values)
     }
-}
-
-/// Interpolates values of vertices.
-pub(super) fn interpolated(values: &Values, samples: &[SceneSamples]) -> Values {
-    let places = samples.iter().map(|samples| samples.places.len()).sum();
-    let mut made = Values::absent(values.size, places);
-    let (mut first, mut point) = (0, 0);
-    for samples in samples {
-        for place in &samples.places {
-            let corners = place.corners.map(|corner| first + corner as usize);
-            made.present[point] = corners.iter().all(|corner| values.present[*corner]);
-            for component in 0..values.size {
-                let sum = (0..3).map(|c| values.at(corners[c])[component] * place.weights[c]).sum();
-                made.numbers[point * values.size + component] = sum;
-            }
-            point += 1;
-        }
-        first += samples.vertices();
-    }
-    made
 }
 
 /// Both stages, in the order of their work.

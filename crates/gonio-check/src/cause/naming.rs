@@ -11,7 +11,7 @@ use gonio_interpreter::ExprId;
 
 /// A proven cause.
 #[derive(Clone, Debug)]
-pub struct Cause {
+pub struct ProvenCause {
     /// The stage.
     pub stage: Stage,
     /// The expression.
@@ -46,7 +46,7 @@ pub struct Cause {
     pub mistakes: Vec<&'static Mistake>,
 }
 
-impl Cause {
+impl ProvenCause {
     /// What it is, as a sentence; empty if that is unknown.
     #[must_use]
     pub fn is_in_words(&self) -> String {
@@ -88,7 +88,7 @@ fn structural(should: &str) -> Option<&'static str> {
 
 impl Observer<'_> {
     /// Names and orders proven repairs.
-    pub(super) fn causes(&self, base: &[Change], observed: &[Observed], proven: &[Repair]) -> Vec<Cause> {
+    pub(super) fn causes(&self, base: &[Change], observed: &[Observed], proven: &[Repair]) -> Vec<ProvenCause> {
         let few = 0..self.runner.samples.len().min(TELLING);
         let before = self.observe(base, few.clone());
         let mut all = Vec::new();
@@ -129,7 +129,7 @@ impl Observer<'_> {
             let should = words::should_be(&repair, &self.model.quantities, added);
             let Repair { relation, cost, .. } = repair;
             let least = names.first().map_or(0, |(distance, _)| *distance);
-            all.push(Cause {
+            all.push(ProvenCause {
                 stage: seen.stage,
                 expr: seen.expr,
                 span: source.span,
@@ -148,11 +148,11 @@ impl Observer<'_> {
                 mistakes: names.into_iter().map(|(_, mistake)| mistake).collect(),
             });
         }
-        let in_main = |cause: &Cause| {
+        let in_main = |cause: &ProvenCause| {
             let source = &self.runner.program.stage(cause.stage).source.expressions[cause.expr.0 as usize];
             source.function.as_deref() == Some("main")
         };
-        let rank = |cause: &Cause| {
+        let rank = |cause: &ProvenCause| {
             let unsound = (cause.has_wrong_input, cause.mistakes.is_empty(), cause.is_intermediate, cause.reads_wrong);
             (unsound, cause.distance.min(2), cause.relation, !in_main(cause), cause.stage, cause.expr)
         };

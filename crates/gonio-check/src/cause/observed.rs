@@ -28,7 +28,7 @@ pub struct Observed {
 
 /// Observes a program and compares its values with the quantities of one method.
 #[derive(Clone, Copy)]
-pub struct Observer<'a> {
+pub(crate) struct Observer<'a> {
     /// The program.
     pub runner: &'a Runner<'a>,
     /// The quantities.

@@ -14,7 +14,7 @@ use std::rc::Rc;
 
 /// A pair of shaders that the interpreter can run.
 #[derive(Clone, Debug)]
-pub struct Program {
+pub(crate) struct Program {
     /// The vertex shader.
     pub vertex: CompiledStage,
     /// The fragment shader.
@@ -163,7 +163,7 @@ impl TextureSource for SceneTextures {
 
 /// Other values for expressions of one stage.
 #[derive(Clone, Debug)]
-pub struct Change {
+pub(crate) struct Change {
     /// The stage.
     pub stage: Stage,
     /// The expressions: one, or all reads of a variable.
@@ -176,7 +176,7 @@ pub struct Change {
 
 /// The results of one scene.
 #[derive(Clone, Debug)]
-pub struct SceneResult {
+pub(crate) struct SceneResult {
     /// The vertex shader's run.
     pub vertex: Rc<StageRun>,
     /// The fragment shader's run.
@@ -190,7 +190,7 @@ struct SceneStart {
 }
 
 /// Runs a program over the points of test scenes, again and again with changed values.
-pub struct Runner<'a> {
+pub(crate) struct Runner<'a> {
     /// The program.
     pub program: &'a Program,
     /// The points.

@@ -51,7 +51,7 @@ pub enum Make {
 
 /// A right value for an expression.
 #[derive(Clone, Debug)]
-pub struct Repair {
+pub(crate) struct Repair {
     /// Index in the observed expressions.
     pub of: usize,
     /// The relation of both values.

@@ -1,5 +1,6 @@
 //! The points at which values are compared: places on the surfaces of the test scenes, and the vertices around them.
 
+use super::values::Values;
 use crate::testbench::{TestMesh, TestScene};
 use glam::{Vec3, Vec4};
 use gonio_interpreter::Fragment;
@@ -90,6 +91,26 @@ impl SceneSamples {
     pub fn vertices(&self) -> usize {
         self.mesh.positions.len() / 3
     }
+}
+
+/// Interpolates values of vertices.
+pub(super) fn interpolated(values: &Values, samples: &[SceneSamples]) -> Values {
+    let places = samples.iter().map(|samples| samples.places.len()).sum();
+    let mut made = Values::absent(values.size, places);
+    let (mut first, mut point) = (0, 0);
+    for samples in samples {
+        for place in &samples.places {
+            let corners = place.corners.map(|corner| first + corner as usize);
+            made.present[point] = corners.iter().all(|corner| values.present[*corner]);
+            for component in 0..values.size {
+                let sum = (0..3).map(|c| values.at(corners[c])[component] * place.weights[c]).sum();
+                made.numbers[point * values.size + component] = sum;
+            }
+            point += 1;
+        }
+        first += samples.vertices();
+    }
+    made
 }
 
 #[cfg(test)]

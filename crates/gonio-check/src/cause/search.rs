@@ -1,10 +1,10 @@
 //! The search for causes: expressions that, with another value, make the whole picture right.
 
-use super::naming::Cause;
+use super::naming::ProvenCause;
 use super::observed::{Observed, Observer};
 use super::program::Change;
 use super::repair::{Relation, Repair};
-use super::target::{Agreement, Seen, Target};
+use super::target::{Agreement, RightPicture, Seen};
 use super::values::Values;
 use gonio_glsl::Stage;
 use gonio_interpreter::PointValues;
@@ -15,7 +15,7 @@ pub enum Found {
     /// The picture is right.
     Right(Agreement),
     /// Causes that together explain everything wrong; alternatives of a single cause, the best first.
-    Causes(Vec<Vec<Cause>>),
+    Causes(Vec<Vec<ProvenCause>>),
     /// Nothing repairs the picture.
     Nothing,
     /// A loop never ends.
@@ -36,7 +36,7 @@ impl Found {
         match self {
             Found::Right(_) | Found::Endless => 0,
             Found::Causes(groups) => {
-                let is_sound = |group: &Vec<Cause>| group.first().is_some_and(Cause::is_sound);
+                let is_sound = |group: &Vec<ProvenCause>| group.first().is_some_and(ProvenCause::is_sound);
                 let unsound = groups.iter().filter(|group| !is_sound(group)).count();
                 (groups.len() - 1) + 2 * unsound
             }
@@ -46,9 +46,9 @@ impl Found {
 }
 
 /// A search in one program with one right answer.
-pub struct Search<'a> {
+pub(crate) struct Search<'a> {
     pub(super) at: Observer<'a>,
-    target: &'a Target,
+    target: &'a RightPicture,
     runs: usize,
     statements: u64,
 }
@@ -56,7 +56,7 @@ pub struct Search<'a> {
 impl<'a> Search<'a> {
     /// Creates a search.
     #[must_use]
-    pub fn new(at: Observer<'a>, target: &'a Target) -> Self {
+    pub fn new(at: Observer<'a>, target: &'a RightPicture) -> Self {
         Search { at, target, runs: 0, statements: 0 }
     }
 
@@ -146,7 +146,8 @@ impl<'a> Search<'a> {
             }
             let Some(both) = best.change(&again, self.at.model) else { continue };
             let firsts = self.at.causes(&[both], &observed, std::slice::from_ref(first));
-            let name = |group: &[Cause]| group.first().and_then(|cause| cause.mistakes.first()).map(|m| m.id.clone());
+            let name =
+                |group: &[ProvenCause]| group.first().and_then(|cause| cause.mistakes.first()).map(|m| m.id.clone());
             if name(&firsts).is_some() && name(&firsts) == name(&seconds) {
                 let mut merged = firsts;
                 merged[0].also.push((seconds[0].stage, seconds[0].expr));

@@ -1,8 +1,8 @@
 //! Decides whether a picture is right: whether its colours are those of the light equation, with strengths that are
 //! inputs or any constants, and its positions those of the camera.
 
-use super::model::{Model, interpolated};
-use super::samples::SceneSamples;
+use super::model::Model;
+use super::samples::{SceneSamples, interpolated};
 use super::values::Values;
 use crate::mistakes::ModelSolution;
 use crate::search::{Parameterisation, Task, strengths};
@@ -46,7 +46,7 @@ struct Variant {
 }
 
 /// The right picture.
-pub struct Target {
+pub struct RightPicture {
     variants: Vec<Variant>,
     clip: Option<Values>,
 }
@@ -86,7 +86,7 @@ fn planes(colour: &Values) -> [Vec<f32>; 3] {
     std::array::from_fn(|channel| colour.numbers.iter().skip(channel).step_by(3).copied().collect())
 }
 
-impl Target {
+impl RightPicture {
     /// Creates the right picture of a method.
     #[must_use]
     pub fn new(
@@ -100,7 +100,7 @@ impl Target {
             let colour = model.right("found", Stage::Fragment, false)?.clone();
             let terms = vec![Term { planes: planes(&colour), is_open: false, is_required: true }];
             let highlight = Highlight { gated: false, weighted: false, white: false };
-            return Some(Target { variants: vec![Variant { highlight, terms }], clip });
+            return Some(RightPicture { variants: vec![Variant { highlight, terms }], clip });
         }
         let stage = if model.method.model == ModelSolution::Gouraud { Stage::Vertex } else { Stage::Fragment };
         let of = |name: &str| model.right(name, stage, false);
@@ -135,7 +135,7 @@ impl Target {
                 variants.push(Variant { highlight: Highlight { gated, weighted, white }, terms });
             }
         }
-        Some(Target { variants, clip })
+        Some(RightPicture { variants, clip })
     }
 
     /// Whether a picture is right, at the points that it has. The first variant that fits counts.
@@ -145,15 +145,6 @@ impl Target {
             return None;
         }
         self.variants.iter().find_map(|variant| variant.agrees(&seen.colour))
-    }
-
-    /// The share of the points with a wrong colour, in the variant that fits best; 1 if the positions are wrong.
-    #[must_use]
-    pub fn residual(&self, seen: &Seen) -> f32 {
-        if !self.is_in_place(&seen.clip) {
-            return 1.0;
-        }
-        self.variants.iter().map(|variant| variant.fit(&seen.colour).1).fold(1.0, f32::min)
     }
 
     /// Whether the positions on the screen are right.

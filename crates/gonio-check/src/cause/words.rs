@@ -89,7 +89,7 @@ pub fn should_be(repair: &Repair, quantities: &[Quantity], added: &str) -> Strin
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cause::model::{Method, Model};
+    use crate::cause::model::{AnswerMethod, Model};
     use crate::cause::samples::SceneSamples;
     use crate::mistakes::ModelSolution;
     use crate::testbench::scene;
@@ -100,7 +100,7 @@ mod tests {
         for model in
             [ModelSolution::Phong, ModelSolution::Gouraud, ModelSolution::Reflection, ModelSolution::Refraction]
         {
-            let method = Method { model, normal_kept: false, half_vector: false };
+            let method = AnswerMethod { model, normal_kept: false, half_vector: false };
             let model = Model::new(method, &samples, 1.0, false).unwrap();
             for q in model.quantities.iter().filter(|q| q.values.size <= 4) {
                 assert!(words(&q.name).is_some() || q.name == "v_col", "{}", q.name);

@@ -1,7 +1,7 @@
 //! Corrects a verdict by the values that a program computes: a right program is never wrong, a mistake is named only
 //! where another value repairs every test scene, and an unlisted one gets its line and both quantities in words.
 
-use crate::cause::naming::Cause;
+use crate::cause::naming::ProvenCause;
 use crate::cause::search::Found;
 use crate::cause::{Diagnosis, diagnose};
 use crate::compile::ParsedStage;
@@ -54,7 +54,7 @@ pub(super) fn correct(
             acquit(verdict, &diagnosis);
             return false;
         }
-        Found::Causes(groups) if groups.iter().all(|group| group.first().is_some_and(Cause::is_sound)) => {
+        Found::Causes(groups) if groups.iter().all(|group| group.first().is_some_and(ProvenCause::is_sound)) => {
             let found: Vec<FoundMistake> =
                 groups.iter().filter_map(|group| named(group.first()?, submission)).flatten().collect();
             // The same names: the rules about the source know their lines too.
@@ -108,7 +108,7 @@ fn acquit(verdict: &mut Verdict, diagnosis: &Diagnosis) {
 }
 
 /// The mistakes that a cause has by name.
-fn named(cause: &Cause, submission: &Submission) -> Option<Vec<FoundMistake>> {
+fn named(cause: &ProvenCause, submission: &Submission) -> Option<Vec<FoundMistake>> {
     let first = cause.mistakes.first()?;
     let or = cause.mistakes.iter().skip(1).take(cause.equals).map(|other| other.id.clone()).collect();
     let found = FoundMistake { or, lab_does_it: first.lab_does_it, ..FoundMistake::from_catalogue(first, 1.0) };
@@ -116,7 +116,7 @@ fn named(cause: &Cause, submission: &Submission) -> Option<Vec<FoundMistake>> {
     Some(std::iter::once(found).chain(second).map(|found| placed(found, cause, submission)).collect())
 }
 
-fn placed(found: FoundMistake, cause: &Cause, submission: &Submission) -> FoundMistake {
+fn placed(found: FoundMistake, cause: &ProvenCause, submission: &Submission) -> FoundMistake {
     let text: &StageText = if cause.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
     let (file, line, _) = text.place(cause.span.line, cause.span.column);
     found.at(file, Some(line), text.line(cause.span.line).unwrap_or_default())
