@@ -187,10 +187,15 @@ fn a_mistake_in_no_list_gets_its_line_and_the_right_quantity() {
 }
 
 #[test]
-fn a_program_that_takes_long_is_not_judged() {
-    let long = fragment("un6 - p")
-        .replace("void main() {", "void main() {\nfloat x = 0.0; for (int i = 0; i < 100000; i++) x += 0.1;");
-    let texts = [StageText::whole("a.vert", VERTEX.to_owned()), StageText::whole("a.frag", long)];
-    let found = diagnosed("ex06", [&texts[0], &texts[1]], NamesFile::default());
-    assert!(matches!(found, Err(NotJudged::TooLong)), "{found:?}");
+fn programs_that_take_long_are_not_judged() {
+    let start = "void main() {";
+    let loops =
+        fragment("un6 - p").replace(start, "void main() {\nfloat x = 0.0; for (int i = 0; i < 100000; i++) x += 0.1;");
+    let long =
+        fragment("un6 - p").replace(start, &format!("{start}\nfloat x = 0.0;\n{}", "x = x * 2.0 + 1.0;\n".repeat(400)));
+    for text in [loops, long] {
+        let texts = [StageText::whole("a.vert", VERTEX.to_owned()), StageText::whole("a.frag", text)];
+        let found = diagnosed("ex06", [&texts[0], &texts[1]], NamesFile::default());
+        assert!(matches!(found, Err(NotJudged::TooLong)), "{found:?}");
+    }
 }

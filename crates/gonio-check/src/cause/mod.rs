@@ -77,7 +77,14 @@ fn methods(task: &Task) -> Vec<AnswerMethod> {
 /// Most statements of one scene, all points together; the exercises' own answers have about 3,000.
 const MOST_STATEMENTS: u64 = 60_000;
 
+/// Most expressions of both stages; students' programs have 100 to 400.
+const MOST_EXPRESSIONS: usize = 1_500;
+
 fn is_long(program: &Program, scene: &TestScene) -> bool {
+    let expressions = |stage: Stage| program.stage(stage).source.expressions.len();
+    if expressions(Stage::Vertex) + expressions(Stage::Fragment) > MOST_EXPRESSIONS {
+        return true;
+    }
     let samples = [SceneSamples::new(scene.clone())];
     let runner = Runner::new(program, &samples);
     let result = runner.run(0, &[], [&[], &[]]);

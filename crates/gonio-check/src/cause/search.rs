@@ -23,7 +23,7 @@ pub enum Found {
 }
 
 /// Most runs of a search.
-const MOST_RUNS: usize = 4_000;
+const MOST_RUNS: usize = 2_000;
 /// Most statements of a search, all points together.
 const MOST_STATEMENTS: u64 = 12_000_000;
 /// Most runs for the second of two causes.
