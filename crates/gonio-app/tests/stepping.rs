@@ -85,7 +85,7 @@ fn put_cursor(window: &mut Window, code: &str, offset: usize) {
     let line = text.lines().position(|line| line.contains(code)).unwrap();
     let column = text.lines().nth(line).unwrap().find(code).unwrap() + offset;
     click(window, "editor");
-    window.press(Modifiers::COMMAND, Key::Home);
+    window.press(Modifiers::CTRL, Key::Home);
     (0..line).for_each(|_| window.press(Modifiers::NONE, Key::ArrowDown));
     window.press(Modifiers::NONE, Key::Home);
     (0..column).for_each(|_| window.press(Modifiers::NONE, Key::ArrowRight));
