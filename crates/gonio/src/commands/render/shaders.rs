@@ -82,7 +82,8 @@ impl ShaderOptions {
     /// Refuses settings without shaders.
     pub fn check(&self) -> Result<(), CliError> {
         let option = if self.uniform.is_empty() { "--texture" } else { "--uniform" };
-        if !self.any() && !(self.uniform.is_empty() && self.texture.is_empty()) {
+        let has_settings = !self.uniform.is_empty() || !self.texture.is_empty();
+        if has_settings && !self.any() {
             return Err(CliError::new(format!("{option} sets a value of your shaders; add --vertex or --fragment")));
         }
         Ok(())
