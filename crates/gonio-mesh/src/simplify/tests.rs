@@ -1,3 +1,5 @@
+#![allow(clippy::unwrap_used)]
+
 use super::*;
 use crate::sphere::sphere;
 use crate::{Limits, NoSidecars, NormalSource, topology};
