@@ -324,7 +324,7 @@ fn the_truth_is_refined_and_starts_again() {
     assert!(window.widget("pane-0").value.starts_with("traced: "), "{}", window.widget("pane-0").value);
     // Nobody would see an overlay: the key says so, and changes nothing.
     let before = window.app().document().clone();
-    window.press(Modifiers::SHIFT, Key::W);
+    window.press(Modifiers::SHIFT, Key::N);
     let announcement = &window.app().session().announcement;
     assert!(announcement.starts_with("overlays are not drawn over a traced picture"), "{announcement}");
     assert_eq!(window.app().document(), &before);

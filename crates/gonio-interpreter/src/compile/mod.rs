@@ -313,6 +313,7 @@ pub(crate) fn unsupported(construct: impl Into<String>, span: Span) -> Unsupport
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used)]
     use super::*;
     use gonio_glsl::Stage;
 
