@@ -1,8 +1,8 @@
 //! The points at which values are compared: places on the surfaces of the test scenes, and the vertices around them.
 
 use super::values::Values;
-use crate::testbench::{TestMesh, TestScene};
-use glam::{Vec3, Vec4};
+use crate::testbench::{TestMesh, TestScene, TestShape};
+use glam::{Mat3, Mat4, Vec3, Vec4};
 use gonio_interpreter::Fragment;
 
 /// Places on the surface in each test scene: as many as the interpreter computes together.
@@ -30,7 +30,12 @@ impl SceneSamples {
     pub fn new(scene: TestScene) -> Self {
         let whole = scene.shape.mesh();
         let at = |all: &[f32], vertex: u32| Vec3::from_slice(&all[vertex as usize * 3..][..3]);
-        let clip_from_model = scene.clip_from_view() * scene.view_from_world() * scene.world_from_model;
+        let view = match scene.shape {
+            // A sky moves with the camera.
+            TestShape::Cube => Mat4::from_mat3(Mat3::from_mat4(scene.view_from_world())),
+            _ => scene.view_from_world(),
+        };
+        let clip_from_model = scene.clip_from_view() * view * scene.world_from_model;
         let world = |vertex: u32| scene.world_from_model.transform_point3(at(&whole.positions, vertex));
         // The area of each triangle as the camera sees it.
         let seen = |corners: &[u32]| {
