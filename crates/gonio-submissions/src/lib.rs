@@ -1,7 +1,7 @@
 //! Generates pairs of shaders as students write them, right ones and ones with mistakes, to measure the checker with
 //! programs that nobody has seen.
 //!
-//! A program is not patched text. An [`Answer`](plan::Answer) says what is computed, a [`Plan`](plan::Plan) says how, and a
+//! A program is not patched text. An `Answer` says what is computed, a `Plan` says how, and a
 //! mistake changes one quantity while the text is written. Every program is run by the interpreter: without its mistake it
 //! draws the right pictures, computed without any shader; with it, it draws visibly different ones. The same seed and
 //! number give the same text.
