@@ -6,7 +6,6 @@ use super::program::{Program, Runner};
 use super::samples::SceneSamples;
 use super::target::on_screen;
 use crate::roles::{Bound, How, Role, VariableKind};
-use gonio_glsl::{Scalar, Stage};
 use gonio_interpreter::ExprId;
 
 const MATRICES: [Role; 8] = [
@@ -218,12 +217,13 @@ fn is_in_place(program: &Program, samples: &[SceneSamples]) -> bool {
 /// How many expressions are quantities of the light equation.
 fn score(program: &Program, samples: &[SceneSamples], models: &[Model]) -> usize {
     let runner = Runner::new(program, samples);
-    let exprs = STAGES.map(|stage: Stage| {
-        let all = program.stage(stage).source.expressions.iter().enumerate();
-        let is_number = |ty: &gonio_glsl::Type| ty.scalar() == Some(Scalar::Float) && ty.components().is_some();
-        let numbers =
-            all.filter(|(_, expr)| expr.ty.as_ref().is_some_and(is_number) && expr.tokens.first != expr.tokens.last);
-        numbers.map(|(index, _)| ExprId(index as u32)).collect::<Vec<_>>()
+    // A name that is read counts where its value is computed.
+    let exprs = STAGES.map(|stage| {
+        let expressions = &program.stage(stage).source.expressions;
+        let tokens = |expr: &ExprId| expressions[expr.0 as usize].tokens;
+        let mut all = program.numbers(stage);
+        all.retain(|expr| tokens(expr).first != tokens(expr).last);
+        all
     });
     let observed = observe(&runner, &[], 0..1, [&exprs[0], &exprs[1]]);
     let is_known = |seen: &&super::model::Recorded| {

@@ -3,7 +3,7 @@
 use super::model::{Model, Quantity, STAGES, Space, TELLING, observe};
 use super::program::{Change, Runner};
 use super::values::Values;
-use gonio_glsl::{Scalar, Stage, Type};
+use gonio_glsl::Stage;
 use gonio_interpreter::{ExprId, InputRate};
 use std::collections::BTreeMap;
 
@@ -70,7 +70,7 @@ fn is_assignment(text: &str) -> bool {
     after.starts_with('=') && !after.starts_with("==")
 }
 
-pub(super) fn is_read_only((first, last): (u32, u32)) -> bool {
+pub(super) fn is_single_token((first, last): (u32, u32)) -> bool {
     first == last
 }
 
@@ -97,12 +97,7 @@ impl Observer<'_> {
     /// Observes all expressions in some scenes.
     #[must_use]
     pub fn observe(&self, changes: &[Change], scenes: std::ops::Range<usize>) -> Vec<Observed> {
-        let is_number = |ty: &Type| ty.scalar() == Some(Scalar::Float) && ty.components().is_some();
-        let exprs = STAGES.map(|stage| {
-            let all = self.runner.program.stage(stage).source.expressions.iter().enumerate();
-            let numbers = all.filter(|(_, expr)| expr.ty.as_ref().is_some_and(is_number));
-            numbers.map(|(index, _)| ExprId(index as u32)).collect::<Vec<_>>()
-        });
+        let exprs = STAGES.map(|stage| self.runner.program.numbers(stage));
         let mut found = observe(self.runner, changes, scenes, [&exprs[0], &exprs[1]]);
         found.retain(|seen| !is_assignment(self.runner.program.text(seen.stage, seen.expr)));
         let mut counts = BTreeMap::<(Stage, ExprId), usize>::new();
@@ -149,7 +144,7 @@ impl Observer<'_> {
         for _ in 0..4 {
             // The value of a read variable is wrong for its readers only if it is recognised as such.
             let tainted: Vec<bool> = (0..observed.len())
-                .map(|at| is_wrong[at] || observed[at].has_wrong_input && !is_read_only(tokens(&observed[at])))
+                .map(|at| is_wrong[at] || observed[at].has_wrong_input && !is_single_token(tokens(&observed[at])))
                 .collect();
             let mut is_changed = false;
             for at in 0..observed.len() {
@@ -183,7 +178,7 @@ impl Observer<'_> {
             }
         }
         let unknown: Vec<(Stage, u32)> = (observed.iter())
-            .filter(|seen| seen.has_wrong_input && is_read_only(tokens(seen)))
+            .filter(|seen| seen.has_wrong_input && is_single_token(tokens(seen)))
             .map(|seen| (seen.stage, tokens(seen).0))
             .collect();
         for seen in observed.iter_mut() {

@@ -3,7 +3,9 @@
 use super::samples::SceneSamples;
 use super::values::Values;
 use crate::roles::{self, Bindings, Declared, NamesFile, Role, VariableKind};
-use crate::testbench::{CUBEMAP_UNIT, TestScene, WHITE_UNIT, numbers_of_array, radiance, stream_of, unit};
+use crate::testbench::{
+    CUBEMAP_UNIT, TestScene, WHITE_UNIT, numbers_of_array, radiance, stream_of, uniform_bits, unit,
+};
 use glam::Vec3;
 use gonio_glsl::{Checked, Parsed, Scalar, Stage, Type};
 use gonio_interpreter::{
@@ -78,6 +80,15 @@ impl Program {
         if stage == Stage::Vertex { &self.vertex } else { &self.fragment }
     }
 
+    /// The expressions of a stage whose values are floats, vectors or matrices.
+    #[must_use]
+    pub fn numbers(&self, stage: Stage) -> Vec<ExprId> {
+        let is_number = |ty: &Type| ty.scalar() == Some(Scalar::Float) && ty.components().is_some();
+        let all = self.stage(stage).source.expressions.iter().enumerate();
+        let numbers = all.filter(|(_, expr)| expr.ty.as_ref().is_some_and(is_number));
+        numbers.map(|(index, _)| ExprId(index as u32)).collect()
+    }
+
     /// The text of an expression.
     #[must_use]
     pub fn text(&self, stage: Stage, expr: ExprId) -> &str {
@@ -105,7 +116,7 @@ impl Program {
     fn set_uniforms(&self, stage: &CompiledStage, inputs: &mut StageInputs, scene: &TestScene) {
         for (index, input) in stage.inputs.iter().enumerate().filter(|(_, input)| input.rate == InputRate::Uniform) {
             if let Some(values) = self.uniform(input, scene) {
-                inputs.set(index, PointValues::Same(bits(&input.ty, input.count, &values)));
+                inputs.set(index, PointValues::Same(uniform_bits(&input.ty, input.count, &values)));
             }
         }
     }
@@ -124,19 +135,6 @@ impl Program {
         }
         inputs
     }
-}
-
-/// Numbers as OpenGL's calls convert them: integers and booleans are rounded, missing ones are 0.
-fn bits(ty: &Type, count: u32, values: &[f32]) -> Vec<u32> {
-    let size = ty.components().unwrap_or(1) * count;
-    let number = |at: u32| values.get(at as usize).copied().unwrap_or(0.0);
-    let convert = |x: f32| match ty.scalar() {
-        Some(Scalar::Float | Scalar::Double) => x.to_bits(),
-        Some(Scalar::Bool) => u32::from(x.round() != 0.0),
-        Some(Scalar::Int) => x.round() as i32 as u32,
-        Some(Scalar::UInt) | None => x.round() as u32,
-    };
-    (0..size).map(|at| convert(number(at))).collect()
 }
 
 /// The textures of the test scenes: the sky as a function of the direction, and white.

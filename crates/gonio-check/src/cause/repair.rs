@@ -1,7 +1,7 @@
 //! Right values for wrong expressions, by what they have in common with the wrong ones.
 
 use super::model::{Model, Quantity};
-use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, TERMS, has_space, is_read_only};
+use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, TERMS, has_space, is_single_token};
 use super::program::Change;
 use super::values::Values;
 
@@ -200,7 +200,7 @@ impl Observer<'_> {
                     if other.expr == seen.expr || other.values.is_constant() && !is_term {
                         continue;
                     }
-                    if !is_term && (other.values.size < size || !is_read_only(self.tokens(other))) {
+                    if !is_term && (other.values.size < size || !is_single_token(self.tokens(other))) {
                         continue;
                     }
                     let name = other.is.map_or("a term", |is| self.model.quantities[is].name.as_str());

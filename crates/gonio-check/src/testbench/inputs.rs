@@ -3,6 +3,7 @@
 use super::TestScene;
 use crate::roles::{Bindings, Role, VariableKind};
 use glam::{Mat4, Vec3};
+use gonio_glsl::{Scalar, Type};
 use gonio_render::user_program::UserProgram;
 
 /// Returns the value of a uniform with this role and type; `None` if the test scene has none.
@@ -93,6 +94,19 @@ pub fn numbers_of_array(role: Role, glsl_type: &str, elements: u32, test_scene: 
         Some(numbers)
     });
     elements.collect::<Option<Vec<_>>>().map(|elements| elements.concat())
+}
+
+/// Returns the value of a uniform in bits, as OpenGL's calls convert numbers: integers and booleans are rounded, missing ones are 0.
+pub fn uniform_bits(ty: &Type, count: u32, values: &[f32]) -> Vec<u32> {
+    let size = ty.components().unwrap_or(1) * count;
+    let number = |at: u32| values.get(at as usize).copied().unwrap_or(0.0);
+    let convert = |x: f32| match ty.scalar() {
+        Some(Scalar::Float | Scalar::Double) => x.to_bits(),
+        Some(Scalar::Bool) => u32::from(x.round() != 0.0),
+        Some(Scalar::Int) => x.round() as i32 as u32,
+        Some(Scalar::UInt) | None => x.round() as u32,
+    };
+    (0..size).map(|at| convert(number(at))).collect()
 }
 
 /// The texture unit of the environment.

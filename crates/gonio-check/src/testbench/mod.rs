@@ -7,7 +7,7 @@ pub mod scene;
 mod sky;
 
 pub use draw::{Atlas, CoverageMap, ProgramInputs, TILE, Testbench, stream_of};
-pub use inputs::{CUBEMAP_UNIT, WHITE_UNIT, numbers, numbers_of_array, samplers, unit};
+pub use inputs::{CUBEMAP_UNIT, WHITE_UNIT, numbers, numbers_of_array, samplers, uniform_bits, unit};
 pub use mesh::{TestMesh, TestShape};
 pub use scene::{TestLight, TestScene};
 pub use sky::{SKY_SIDE, radiance, sky_faces};

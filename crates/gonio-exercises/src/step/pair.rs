@@ -7,9 +7,9 @@ use crate::preview::{Note, NoteKind, PreviewShape, SubmittedPair, held};
 use gonio_check::compile::ParsedStage;
 use gonio_check::roles::{self, Bindings, Declared, NamesFile, VariableKind};
 use gonio_check::submission::StageText;
-use gonio_check::testbench::{TestMesh, TestScene, stream_of, unit};
+use gonio_check::testbench::{TestMesh, TestScene, stream_of, uniform_bits, unit};
 use gonio_check::verdict::CompilerMessage;
-use gonio_glsl::{OutputVersion, Parsed, Scalar, Stage, Type};
+use gonio_glsl::{OutputVersion, Parsed, Stage};
 use gonio_interpreter::{
     CompiledStage, EndedEarly, Fragment, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun, run,
 };
@@ -64,7 +64,7 @@ impl SteppedStage {
     pub(super) fn set_uniforms(&self, inputs: &mut StageInputs, bindings: &Bindings, test_scene: &TestScene) {
         for (index, input) in self.compiled.inputs.iter().enumerate().filter(|(_, i)| i.rate == InputRate::Uniform) {
             if let Some(values) = self.uniform(input, bindings, test_scene) {
-                inputs.set(index, PointValues::Same(bits(&input.ty, input.count, &values)));
+                inputs.set(index, PointValues::Same(uniform_bits(&input.ty, input.count, &values)));
             }
         }
     }
@@ -103,19 +103,6 @@ impl SteppedStage {
             inputs.set(index, PointValues::Each { components, written: None });
         }
     }
-}
-
-/// Numbers as OpenGL's calls convert them: integers and booleans are rounded, missing ones are 0.
-fn bits(ty: &Type, count: u32, values: &[f32]) -> Vec<u32> {
-    let size = ty.components().unwrap_or(1) * count;
-    let number = |at: u32| values.get(at as usize).copied().unwrap_or(0.0);
-    let convert = |x: f32| match ty.scalar() {
-        Some(Scalar::Float | Scalar::Double) => x.to_bits(),
-        Some(Scalar::Bool) => u32::from(x.round() != 0.0),
-        Some(Scalar::Int) => x.round() as i32 as u32,
-        Some(Scalar::UInt) | None => x.round() as u32,
-    };
-    (0..size).map(|at| convert(number(at))).collect()
 }
 
 /// A pair of shaders that the interpreter can run.

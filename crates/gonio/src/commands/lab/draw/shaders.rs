@@ -5,6 +5,7 @@ use crate::capture::CaptureRecorder;
 use crate::error::{CliError, CommandOutcome};
 use crate::report::Reporter;
 use gonio_check::submission::SourceFile;
+use gonio_check::user_shaders::message_text;
 use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview::{
     self, CompiledPair, Note, NoteKind, PreviewRenderer, PreviewScene, PreviewShape, SubmittedPair, VariableValue,
@@ -151,12 +152,5 @@ pub fn compile_error(notes: Vec<Note>) -> CliError {
 
 /// A note with its place in the student's files.
 pub fn note_text(note: &Note) -> String {
-    let message = &note.message;
-    let place = match (message.line, message.column) {
-        (Some(line), Some(column)) => format!("{}:{line}:{column}", message.file),
-        (Some(line), None) => format!("{}:{line}", message.file),
-        _ => message.file.clone(),
-    };
-    let explained = message.explanation.as_ref().map_or(String::new(), |why| format!("; {why}"));
-    format!("{place}: {}{explained}", message.text)
+    message_text(&note.message)
 }
