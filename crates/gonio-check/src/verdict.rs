@@ -151,6 +151,19 @@ pub struct CompilerMessage {
     pub explanation: Option<String>,
 }
 
+/// A change of one piece of a student's file. All changes of a verdict together make every test scene right.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ProposedEdit {
+    /// The student's file.
+    pub file: String,
+    /// The first line that changes, from 1.
+    pub line: u32,
+    /// The old lines as a whole, without the last line break; empty if lines are only added before `line`.
+    pub before: String,
+    /// The new lines as a whole, without the last line break.
+    pub after: String,
+}
+
 /// A variable of the program and its role.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BoundVariable {
@@ -181,6 +194,10 @@ pub struct Verdict {
     pub peculiarities: Vec<Peculiarity>,
     /// Problems that may occur on other drivers.
     pub warnings: Vec<String>,
+    /// Changes of the student's files with which every test scene is right, compiled and drawn before they were
+    /// proposed; empty if none was found. They belong together.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub proposed_fix: Vec<ProposedEdit>,
     /// The verdicts on single terms.
     pub terms: Vec<TermVerdict>,
     /// The verdicts on test scenes.
@@ -262,6 +279,7 @@ impl Verdict {
             runner_up: None,
             peculiarities: Vec::new(),
             warnings: Vec::new(),
+            proposed_fix: Vec::new(),
             terms: Vec::new(),
             scenes: Vec::new(),
             properties: Vec::new(),
@@ -311,6 +329,8 @@ mod tests {
         let found = found.taught("the light turns with the model", "multiply", "3.1");
         verdict.mistakes = vec![found.clone().at("a.vert", Some(3), "v = normal;"), found];
         verdict.terms = vec![TermVerdict { term: "diffuse".into(), state: TermState::NotSeparable }];
+        let (before, after) = ("v = normal;".to_owned(), "v = normals * normal;".to_owned());
+        verdict.proposed_fix = vec![ProposedEdit { file: "a.vert".to_owned(), line: 3, before, after }];
         let scene = |worst| SceneVerdict {
             scene: "lab".into(),
             shows: "the lab's own".into(),
@@ -323,6 +343,10 @@ mod tests {
             serde_json::from_str::<Verdict>(&serde_json::to_string(verdict).unwrap_or_default())
                 .map_err(|e| e.to_string())
         };
+        assert_eq!(read(&verdict), Ok(verdict.clone()));
+        // Verdicts that were stored without these keys are still read.
+        verdict.proposed_fix.clear();
+        assert!(!serde_json::to_string(&verdict).unwrap().contains("proposed_fix"));
         assert_eq!(read(&verdict), Ok(verdict.clone()));
         // NaN, the result of 0 / 0, has no JSON number.
         verdict.scenes = vec![scene(f32::NAN)];
