@@ -23,7 +23,7 @@ fn open(size: Vec2, from: &str, to: &str) -> Window {
         let text = if name.ends_with(".frag") { text.replacen(from, to, 1) } else { text.to_owned() };
         ExerciseFile { name: name.to_owned(), path: None, bytes: text.into_bytes() }
     };
-    let start = Start { exercise: "ex07".to_owned(), files: of.reference_files().map(file).collect() };
+    let start = Start { exercise: "ex07".to_owned(), files: of.reference_files().unwrap().map(file).collect() };
     let mut window = Window::with("builtin:cube", size);
     let ctx = window.harness.ctx.clone();
     window.harness.state_mut().as_mut().unwrap().begin_exercise(&ctx, start);

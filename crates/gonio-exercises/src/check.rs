@@ -4,6 +4,7 @@ use crate::buffers::{self, Expected};
 use crate::cubemap;
 use crate::exercise::{Exercise, ExerciseKind};
 use crate::gl_program::{self, GlProgramFiles, GlProgramImage};
+use gonio_check::feedback::Feedback;
 use gonio_check::search::Evidence;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict, join_names};
@@ -45,7 +46,10 @@ impl Checker {
     }
 }
 
-/// Checks a student's files. Everything that is wrong with the files is a verdict.
+/// Checks a student's files, and returns what `feedback` shows of the verdict and its pictures. Everything that is wrong with
+/// the files is a verdict. There are no pictures if the exercise hides its reference.
+///
+/// This is the only source of verdicts for reports and windows, so none of them can show more.
 ///
 /// # Errors
 /// Errors of the driver.
@@ -54,11 +58,26 @@ pub fn check(
     exercise: &Exercise,
     files: Vec<SourceFile>,
     options: &CheckOptions,
+    feedback: Feedback,
+) -> Result<(Verdict, Option<Evidence>), GlError> {
+    let (verdict, evidence) = whole(checker, exercise, files, options, feedback)?;
+    let evidence = evidence.filter(|_| exercise.shows_reference).map(|evidence| feedback.reduce_pictures(evidence));
+    Ok((feedback.reduce(verdict), evidence))
+}
+
+/// The whole verdict with all pictures.
+fn whole(
+    checker: &mut Checker,
+    exercise: &Exercise,
+    files: Vec<SourceFile>,
+    options: &CheckOptions,
+    feedback: Feedback,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     match exercise.kind {
         ExerciseKind::Buffers => return Ok((buffers(exercise, files), None)),
         ExerciseKind::GlProgram => {
-            return Ok((host_program(checker.shaders.gl(), exercise, files, &checker.host_files())?, None));
+            let files_here = checker.host_files();
+            return Ok((host_program(checker.shaders.gl(), exercise, files, &files_here, feedback)?, None));
         }
         ExerciseKind::Faces if answers_with_pictures(exercise, &files) => {
             return cubemap::check(&mut checker.shaders, exercise, &files);
@@ -164,6 +183,7 @@ fn host_program(
     exercise: &Exercise,
     files: Vec<SourceFile>,
     usable: &GlProgramFiles,
+    feedback: Feedback,
 ) -> Result<Verdict, GlError> {
     let answers = answers(&files, &[".txt"]);
     let [answer] = answers.as_slice() else {
@@ -181,8 +201,10 @@ fn host_program(
         .mistakes
         .into_iter()
         .map(|mistake| {
+            // The fix is the text to write, which is the answer.
+            let fix = if feedback == Feedback::Fix { mistake.fix } else { mistake.explanation };
             FoundMistake::new(mistake.id, mistake.name, 1.0)
-                .taught(mistake.looks_like, mistake.fix, &exercise.lecture_section)
+                .taught(mistake.looks_like, fix, &exercise.lecture_section)
                 .at(&answer.name, Some(mistake.line), mistake.quoted)
         })
         .collect();

@@ -1,5 +1,6 @@
 //! The exercises: texts, start files and references, all of them built into the program.
 
+use gonio_check::feedback::Feedback;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -63,6 +64,14 @@ struct Declaration {
     look_for: Vec<LookFor>,
     #[serde(default)]
     inputs: Inputs,
+    #[serde(default)]
+    feedback: Feedback,
+    #[serde(default = "shown")]
+    show_reference: bool,
+}
+
+fn shown() -> bool {
+    true
 }
 
 /// An exercise.
@@ -86,6 +95,10 @@ pub struct Exercise {
     pub look_for: Vec<LookFor>,
     /// The inputs.
     pub inputs: Inputs,
+    /// How much of a verdict is shown, unless the command line asks for another level.
+    pub feedback: Feedback,
+    /// Whether students may see the reference solution, its values and its pictures.
+    pub shows_reference: bool,
     files: &'static [(&'static str, &'static str)],
 }
 
@@ -114,7 +127,21 @@ impl Exercise {
     }
 
     /// The files of the reference solution.
-    pub fn reference_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+    ///
+    /// # Errors
+    /// The exercise hides it; one sentence.
+    pub fn reference_files(&self) -> Result<impl Iterator<Item = (&'static str, &'static str)>, String> {
+        match self.shows_reference {
+            true => Ok(self.answer_files()),
+            false => Err(format!(
+                "the reference solution of {} is not shown in this course, as its exercise.toml states",
+                self.id
+            )),
+        }
+    }
+
+    /// The same files, also if students may not see them.
+    pub(crate) fn answer_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         self.files.iter().copied().filter(|(name, _)| name.split('/').any(|part| part.starts_with("reference")))
     }
 }
@@ -150,6 +177,8 @@ fn read(folder: &'static str, files: &'static [(&'static str, &'static str)]) ->
         builds_on: declared.builds_on,
         look_for: declared.look_for,
         inputs: declared.inputs,
+        feedback: declared.feedback,
+        shows_reference: declared.show_reference,
         files,
     })
 }
@@ -225,13 +254,75 @@ mod tests {
         assert!(find("ex99").is_none() && find("").is_none() && find("ex").is_none());
     }
 
+    /// A line of a program without spaces and comment.
+    fn code(line: &str) -> String {
+        line.split("//").next().unwrap_or_default().split_whitespace().collect()
+    }
+
+    /// The lines of a program that compute something.
+    fn statements(text: &str) -> Vec<String> {
+        let lines = text.lines().map(code);
+        lines.filter(|line| line.len() >= 12 && line.contains(['=', '('])).collect()
+    }
+
     #[test]
-    fn start_files_do_not_contain_the_answer() {
+    fn nothing_that_is_handed_out_contains_the_answer() {
+        let mut compared = 0;
         for exercise in all() {
-            for (name, _) in exercise.start_files() {
-                assert!(!name.contains("reference"), "{}: {name}", exercise.id);
+            let handed_out: Vec<(&str, &str)> = exercise.start_files().collect();
+            assert!(handed_out.len() >= 2, "{}", exercise.id);
+            for (name, _) in &handed_out {
+                assert!(!name.contains("reference") && !name.ends_with(".toml"), "{}: {name}", exercise.id);
             }
-            assert!(exercise.start_files().count() >= 2, "{}", exercise.id);
+            // The answer is what the solution has and the files to start from lack.
+            let is_program = |name: &str| [".vert", ".frag", ".cpp", ".py"].iter().any(|end| name.ends_with(end));
+            let given: Vec<String> = (handed_out.iter().filter(|(name, _)| is_program(name)))
+                .flat_map(|(_, text)| text.lines().map(code))
+                .collect();
+            let texts: Vec<(&str, String)> =
+                handed_out.iter().map(|(name, text)| (*name, text.lines().map(code).collect())).collect();
+            for (file, text) in exercise.answer_files().filter(|(name, _)| is_program(name)) {
+                let answer: Vec<String> = statements(text).into_iter().filter(|line| !given.contains(line)).collect();
+                compared += answer.len();
+                for line in &answer {
+                    for (name, text) in &texts {
+                        assert!(!text.contains(line), "{}: {name} contains `{line}` of {file}", exercise.id);
+                    }
+                }
+            }
+            // The lists of calls to repair differ from the right one in a line or more.
+            for (_, right) in exercise.answer_files().filter(|(name, _)| name.ends_with(".txt")) {
+                let calls = |text: &str| text.lines().map(code).filter(|line| !line.is_empty()).collect::<Vec<_>>();
+                for (name, text) in handed_out.iter().filter(|(name, _)| name.ends_with(".txt")) {
+                    compared += 1;
+                    assert_ne!(calls(text), calls(right), "{}: {name}", exercise.id);
+                }
+            }
+        }
+        assert!(compared > 100, "only {compared} lines were compared");
+    }
+
+    #[test]
+    fn an_exercise_states_how_much_is_shown() {
+        const FILES: &[(&str, &str)] = &[
+            (
+                "exercise.toml",
+                "id = \"ex98\"\ntitle = \"x\"\nkind = \"shaders\"\nfeedback = \"name\"\nshow_reference = false",
+            ),
+            ("reference.frag", "void main() {}"),
+        ];
+        let exercise = read("ex98", FILES).unwrap();
+        assert_eq!((exercise.feedback, exercise.shows_reference), (Feedback::Name, false));
+        let refused = exercise.reference_files().map(Iterator::count).unwrap_err();
+        assert!(refused.contains("reference solution of ex98 is not shown in this course"), "{refused}");
+        assert!(crate::preview::reference(&exercise).is_err());
+        assert_eq!(exercise.answer_files().count(), 1);
+        const UNKNOWN: &[(&str, &str)] =
+            &[("exercise.toml", "id = \"ex98\"\ntitle = \"x\"\nkind = \"shaders\"\nfeedback = \"all\"")];
+        assert!(read("ex98", UNKNOWN).unwrap_err().contains("expected one of `verdict`, `name`, `line`, `fix`"));
+        for exercise in all() {
+            assert_eq!((exercise.feedback, exercise.shows_reference), (Feedback::Line, true), "{}", exercise.id);
+            assert!(exercise.reference_files().is_ok_and(|mut files| files.next().is_some()), "{}", exercise.id);
         }
     }
 }

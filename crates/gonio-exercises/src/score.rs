@@ -4,6 +4,7 @@
 use crate::check::{Checker, check};
 use crate::exercise::Exercise;
 use gonio_check::CheckOptions;
+use gonio_check::feedback::Feedback;
 use gonio_check::mistakes::{Hypotheses, Hypothesis};
 use gonio_check::search::{Comparison, Evidence, Task};
 use gonio_check::submission::SourceFile;
@@ -86,7 +87,7 @@ pub fn measure(checker: &mut Checker, exercise: &Exercise, pairs: usize) -> Resu
     let mut hand_in = |hypothesis: &Hypothesis| -> Result<(Verdict, Option<Evidence>), GlError> {
         let [vertex, fragment] = hypotheses.written(hypothesis);
         let files = vec![SourceFile::new("made.vert", vertex), SourceFile::new("made.frag", fragment)];
-        check(checker, exercise, files, &CheckOptions::default())
+        check(checker, exercise, files, &CheckOptions::default(), Feedback::Fix)
     };
     let ids =
         |h: &Hypothesis| -> Vec<&str> { h.mistakes.iter().map(|&m| hypotheses.mistakes[m].id.as_str()).collect() };
@@ -347,7 +348,7 @@ impl GeneratedScore {
 pub fn score_generated(checker: &mut Checker, exercise: &Exercise, pair: &GeneratedPair) -> Result<ScoredPair, String> {
     let mut check_files = |files: &[(String, String)]| -> Result<Verdict, String> {
         let files = files.iter().map(|(name, text)| SourceFile::new(name, text.clone())).collect();
-        let checked = check(checker, exercise, files, &CheckOptions::default());
+        let checked = check(checker, exercise, files, &CheckOptions::default(), Feedback::Fix);
         checked.map(|(verdict, _)| verdict).map_err(|error| error.to_string())
     };
     let verdict = check_files(&pair.files)?;

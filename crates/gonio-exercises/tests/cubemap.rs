@@ -2,6 +2,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use gonio_check::CheckOptions;
+use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{Outcome, Verdict};
 use gonio_environment::{Arrangement, Conversion, Cubemap, Face, Filter, Layout, Panorama, arrange, convert};
@@ -75,7 +76,7 @@ impl TestLab {
 
     fn check(&mut self, files: Vec<SourceFile>) -> Verdict {
         let s1 = exercise::find("s1").unwrap();
-        gonio_exercises::check(&mut self.checker, s1, files, &CheckOptions::default()).unwrap().0
+        gonio_exercises::check(&mut self.checker, s1, files, &CheckOptions::default(), Feedback::Fix).unwrap().0
     }
 
     fn is_right(&mut self, what: &str, files: Vec<SourceFile>) -> Verdict {

@@ -5,6 +5,7 @@
 mod hostile;
 
 use gonio_check::CheckOptions;
+use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Outcome;
 use gonio_exercises::Checker;
@@ -24,7 +25,8 @@ fn shaders_that_are_too_large_give_a_verdict_and_no_crash() {
     let mut refused = 0;
     for pair in hostile::pairs().iter().filter(|pair| pair.limit.is_some()) {
         let (verdict, _) =
-            gonio_exercises::check(&mut checker, exercise, files(pair), &CheckOptions::default()).unwrap();
+            gonio_exercises::check(&mut checker, exercise, files(pair), &CheckOptions::default(), Feedback::Fix)
+                .unwrap();
         assert_eq!(verdict.verdict, Outcome::DoesNotCompile, "{}: {}", pair.name, verdict.summary);
         assert!(verdict.messages[0].line.is_some_and(|line| line > 1), "{}: {:?}", pair.name, verdict.messages[0]);
         assert!(verdict.summary.starts_with("a.") && verdict.summary.lines().count() == 1, "{}", verdict.summary);
@@ -55,7 +57,8 @@ fn deep_shaders_within_the_limits_are_checked_on_a_thread_of_their_own() {
     for name in names {
         let pair = hostile::pairs().into_iter().find(|pair| pair.name == name).unwrap();
         let (verdict, _) =
-            gonio_exercises::check(&mut checker, exercise, files(&pair), &CheckOptions::default()).unwrap();
+            gonio_exercises::check(&mut checker, exercise, files(&pair), &CheckOptions::default(), Feedback::Fix)
+                .unwrap();
         assert_eq!(verdict.verdict, Outcome::Wrong, "{name}: {}", verdict.summary);
     }
 }

@@ -60,7 +60,7 @@ impl PageChecker {
         let bytes = contents.iter().map(|content| js_sys::Uint8Array::new(&content).to_vec());
         let files = names.into_iter().zip(bytes).map(|(name, bytes)| SourceFile::new(name, bytes)).collect();
         let options = CheckOptions { as_the_lab, ..CheckOptions::default() };
-        let outcome = gonio_exercises::check(&mut self.checker, exercise, files, &options);
+        let outcome = gonio_exercises::check(&mut self.checker, exercise, files, &options, exercise.feedback);
         if self.context.is_context_lost() {
             return Err("the browser reset the graphics during the check: look for a loop in a shader that never ends"
                 .to_owned());

@@ -62,6 +62,57 @@ fn a_mistake_is_named_with_its_line_and_a_right_answer_passes() {
 }
 
 #[test]
+fn a_teacher_chooses_how_much_is_shown() {
+    let lab = Lab::new();
+    hand_in(&lab, "ex04", "ann", "mat3(itM)", "mat3(M)");
+    let folder = lab.path("ann").to_string_lossy().into_owned();
+    let check = |level: &[&str]| lab.run(&[&["lab", "check", "ex04", &folder, "--json"], level].concat()).json();
+    let verdict = check(&["--feedback", "verdict"]);
+    assert_eq!((&verdict["verdict"], &verdict["mistakes"]), (&"wrong".into(), &serde_json::json!([])));
+    let scenes = verdict["scenes"].as_array().unwrap();
+    assert!(scenes.iter().any(|scene| scene["right"] == true) && scenes.iter().any(|scene| scene["right"] == false));
+    assert!(verdict["summary"].as_str().unwrap().ends_with("test scenes are right"), "{verdict}");
+    let found = |level: &[&str]| check(level)["mistakes"][0].clone();
+    let name = found(&["--feedback", "name"]);
+    assert_eq!(name["id"], "normal-by-model-matrix");
+    assert!(name.get("line").is_none() && name.get("quoted").is_none() && name["fix"] == "", "{name}");
+    let line = found(&[]);
+    assert!(line["line"].is_number() && !line["fix"].as_str().unwrap().is_empty(), "{line}");
+    assert_eq!(found(&["--feedback", "line"]), line, "the exercise's own setting");
+    assert!(check(&[]).get("proposed_fix").is_none());
+    lab.run(&["lab", "check", "ex04", &folder, "--feedback", "all"]).refused(&["verdict", "name", "line", "fix"]);
+    // The text to write in a program of OpenGL calls is the answer.
+    lab.run(&["lab", "start", "ex11", &lab.path("gl").to_string_lossy()]).good();
+    let program = lab.path("gl/host/unbound-unit.txt").to_string_lossy().into_owned();
+    let fix = |level: &str| {
+        let verdict = lab.run(&["lab", "check", "ex11", &program, "--json", "--feedback", level]).json();
+        verdict["mistakes"][0]["fix"].as_str().unwrap().to_owned()
+    };
+    assert!(fix("fix").contains("uniform_1i ourTexture 2") && !fix("line").contains("uniform_1i"), "{}", fix("line"));
+}
+
+#[test]
+fn a_batch_shows_as_much_as_the_last_run_asked_for() {
+    let lab = Lab::new();
+    hand_in(&lab, "ex04", "all/ann", "mat3(itM)", "mat3(M)");
+    let all = lab.path("all").to_string_lossy().into_owned();
+    let files = ["all-results/ann.html", "all-results/table.csv", "all-results/index.html", "all.xml"];
+    let junit = lab.path("all.xml").to_string_lossy().into_owned();
+    for (level, is_named) in [("line", true), ("verdict", false), ("name", true)] {
+        let batch = ["lab", "check", "ex04", &all, "--submissions", "many", "--junit", &junit, "--feedback", level];
+        let run = lab.run(&batch);
+        let is_word = |text: &str, word: &str| text.contains(word);
+        assert_eq!(is_word(run.text(), "normal-by-model-matrix"), is_named, "{level}: {}", run.text());
+        for file in files {
+            let text = String::from_utf8(lab.read(file)).unwrap();
+            assert_eq!(is_word(&text, "normal-by-model-matrix"), is_named, "{file} at {level}");
+            let has_place = is_word(&text, "reference.vert");
+            assert_eq!(has_place, level == "line", "{file} at {level}");
+        }
+    }
+}
+
+#[test]
 fn every_mistake_is_listed_and_explained() {
     let lab = Lab::new();
     let all = lab.run(&["lab", "mistakes", "--json"]).json();
@@ -306,7 +357,7 @@ fn outcome(change: &str) -> TrialOutcome {
         let text = if name.ends_with(".frag") { text.replacen("void main() {", change, 1) } else { text.to_owned() };
         (name.to_owned(), text.into_bytes())
     };
-    let files = exercise.reference_files().map(text).collect();
+    let files = exercise.reference_files().unwrap().map(text).collect();
     let request = CheckRequest { exercise: "ex04".into(), files, as_the_lab: false };
     let mut process = trial::begin(Path::new(env!("CARGO_BIN_EXE_gonio")), &request, || ()).unwrap();
     loop {

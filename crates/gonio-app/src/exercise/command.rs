@@ -36,6 +36,8 @@ pub enum ExerciseCommand {
     TakeOther(usize),
     /// Save the editor's version of the file with this index over that on disk.
     KeepMine(usize),
+    /// Apply the last verdict's proposed fix.
+    ApplyFix,
     /// Discard the restored drafts.
     DiscardRestored,
     /// Keep the restored drafts, and dismiss the note.

@@ -10,6 +10,7 @@
 //! | `compiler`, `preview` | shaders compiled as they are typed; their pictures |
 //! | `step` | the values of the shaders at a pixel, step by step |
 //! | `drafts` | unsaved text, kept for the next window |
+//! | `fix` | the proposed fix of a verdict |
 //! | `editor` | the files' texts, with colours and marked lines |
 //! | `toolbar`, `list`, `pictures` | the toolbar, the exercises, the pictures and their settings |
 //! | `markdown`, `figure`, `pages` | the pages: the text and its figures; the verdict and the variables |
@@ -24,6 +25,7 @@ mod drafts;
 mod editor;
 mod figure;
 mod file_sets;
+mod fix;
 mod list;
 mod markdown;
 mod pages;
@@ -409,6 +411,14 @@ fn apply_to_work(
             for file in work.files.iter_mut().filter(|file| file.is_restored() && file.other.is_none()) {
                 editor::remember(ctx, file);
                 file.take(file.saved.clone());
+            }
+        }
+        ExerciseCommand::ApplyFix => {
+            for (index, text) in work.fixed_texts().unwrap_or_default() {
+                if let Some(file) = work.files.get_mut(index) {
+                    editor::remember(ctx, file);
+                    file.text = text;
+                }
             }
         }
         ExerciseCommand::KeepRestored => work.files.iter_mut().for_each(|file| file.restored = None),

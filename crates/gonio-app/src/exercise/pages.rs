@@ -1,10 +1,12 @@
 //! The pages beside the editor: the verdict, and the meaning and value of each variable.
 
 use super::command::ExerciseCommand;
+use super::fix;
 use super::work::{Judged, Work};
 use crate::exported::{self, WidgetRole};
 use crate::theme::{self, colors, icons};
 use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui};
+use gonio_check::feedback::Feedback;
 use gonio_check::mistakes;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, TermState, Verdict};
 use gonio_exercises::preview::VariableValue;
@@ -31,8 +33,15 @@ pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>
     let stale = work.is_judged_before();
     let Some(judged) = work.judged.clone() else {
         if !work.checking {
-            let hint = "Not checked yet. The check draws your program in test scenes that reveal mistakes, and reports each \
-                        mistake by name and line, with a fix.";
+            let hint = match work.exercise.feedback {
+                Feedback::Verdict => "tells which are right.",
+                Feedback::Name => "names each mistake.",
+                Feedback::Line => "reports each mistake by name and line, with what belongs there.",
+                Feedback::Fix => "reports each mistake by name and line, with a fix.",
+            };
+            let hint = format!(
+                "Not checked yet. The check draws your program in test scenes that reveal mistakes, and {hint}"
+            );
             ui.add(Label::new(RichText::new(hint).weak()).wrap());
         }
         return;
@@ -44,7 +53,7 @@ pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>
     }
     let Judged { verdict, .. } = judged;
     match verdict {
-        Ok(verdict) => shown(ui, work, &verdict),
+        Ok(verdict) => shown(ui, work, &verdict, commands),
         Err(error) => {
             ui.add(Label::new(RichText::new(error).color(colors::ERROR.of(ui))).wrap());
         }
@@ -52,7 +61,7 @@ pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>
     ui.add_space(16.0);
 }
 
-fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
+fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict, commands: &mut Vec<ExerciseCommand>) {
     head(ui, verdict);
     for message in &verdict.messages {
         compiler_message(ui, work, message);
@@ -60,6 +69,7 @@ fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
     for (index, mistake) in verdict.mistakes.iter().enumerate() {
         self::mistake(ui, work, index, mistake);
     }
+    fix::show(ui, work, &verdict.proposed_fix, commands);
     if let Some(other) = &verdict.runner_up {
         let names: Vec<String> = other.ids.iter().map(|id| name_of(id)).collect();
         let share = 100.0 * other.share_explained;

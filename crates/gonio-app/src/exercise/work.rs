@@ -243,7 +243,7 @@ impl Work {
             exercise,
             files,
             current,
-            shown: PictureMode::default(),
+            shown: if exercise.shows_reference { PictureMode::default() } else { PictureMode::Yours },
             page: ExercisePage::default(),
             scenes,
             scene: 0,

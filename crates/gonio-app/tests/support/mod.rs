@@ -110,7 +110,8 @@ impl Platform for Here {
             let exercise = exercise::find(&request.exercise).unwrap();
             let files = request.files.into_iter().map(|(name, bytes)| SourceFile { name, bytes }).collect();
             let options = gonio_check::CheckOptions { pair: None, as_the_lab: request.as_the_lab };
-            let verdict = gonio_exercises::check(&mut Checker::new(context.gl()), exercise, files, &options);
+            let verdict =
+                gonio_exercises::check(&mut Checker::new(context.gl()), exercise, files, &options, exercise.feedback);
             let _ = sender.send(verdict.map(|(verdict, _)| verdict).map_err(|error| error.to_string()));
             ctx.request_repaint();
         });

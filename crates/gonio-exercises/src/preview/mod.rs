@@ -17,20 +17,25 @@ use gonio_check::submission::SourceFile;
 
 /// Whether the answer is a pair of shaders that can be drawn in a preview scene.
 pub fn is_drawn(exercise: &Exercise) -> bool {
-    exercise.kind == ExerciseKind::Shaders && reference(exercise).is_ok()
+    exercise.kind == ExerciseKind::Shaders && answer(exercise).is_ok()
 }
 
 /// The exercise's right answer.
 ///
 /// # Errors
-/// The exercise has no reference that is a pair of shaders.
+/// The exercise hides its reference, or has none that is a pair of shaders.
 pub fn reference(exercise: &Exercise) -> Result<SubmittedPair, String> {
-    let files = exercise.reference_files().map(|(name, text)| SourceFile::new(name, text)).collect();
+    let files = exercise.reference_files()?;
+    SubmittedPair::gather(exercise, files.map(|(name, text)| SourceFile::new(name, text)).collect())
+}
+
+fn answer(exercise: &Exercise) -> Result<SubmittedPair, String> {
+    let files = exercise.answer_files().map(|(name, text)| SourceFile::new(name, text)).collect();
     SubmittedPair::gather(exercise, files)
 }
 
 /// The pair that draws the sky behind reflecting and refracting objects.
 pub fn sky() -> Result<SubmittedPair, String> {
     let exercise = crate::exercise::find("ex08").ok_or("the exercise about skyboxes is missing")?;
-    reference(exercise)
+    answer(exercise)
 }

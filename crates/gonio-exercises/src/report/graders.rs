@@ -1,6 +1,7 @@
 //! Results for the graders of courses: Gradescope, and CodeRunner in Moodle.
 
-use super::html::{messages_html, mistakes_html, notes_html, verdict_html};
+use super::html::{messages_html, mistakes_html, notes_html, proposed_fix_html, verdict_html};
+use super::junit::proposed_fix_text;
 use super::text::{line, percent, place, plain, unit, words};
 use gonio_check::verdict::{Outcome, SceneVerdict, TermState, Verdict};
 use serde_json::{Value, json};
@@ -59,7 +60,7 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
 
 /// The result that a combinator template grader of Moodle's CodeRunner returns.
 ///
-/// Used: `fraction`; `prologuehtml`, the verdict, the mistakes and the compiler's messages; `testresults`, whose first row names
+/// Used: `fraction`; `prologuehtml`, the verdict, the mistakes, the proposed change and the compiler's messages; `testresults`, whose first row names
 /// the columns (`iscorrect` is shown as tick or cross), with one row per term and scene; `columnformats`, all `%s`, so that the
 /// page escapes the cells; `epiloguehtml`, peculiarities and warnings. Not used: `got`, which belongs to graders of single
 /// tests. CodeRunner rejects a combinator's answer with any other field.
@@ -76,9 +77,12 @@ pub fn code_runner(verdict: &Verdict) -> String {
     for scene in &verdict.scenes {
         results.push(row(scene.right, format!("scene: {}", line(&scene.scene)), scene_words(scene)));
     }
+    let prologue =
+        [verdict_html(verdict, false), mistakes_html(verdict), proposed_fix_html(verdict), messages_html(verdict)];
+    let prologue = prologue.concat();
     json!({
         "fraction": unit(verdict.score),
-        "prologuehtml": format!("{}{}{}", verdict_html(verdict, false), mistakes_html(verdict), messages_html(verdict)),
+        "prologuehtml": prologue,
         "testresults": results,
         "columnformats": ["%s", "%s", "%s"],
         "epiloguehtml": notes_html(verdict),
@@ -140,10 +144,17 @@ fn text_output(verdict: &Verdict) -> String {
             lines.push(format!("    {}", line(quoted)));
         }
         lines.push(format!("  it explains {} of the difference", percent(mistake.share_explained)));
-        lines.push(format!("  what it looks like: {}", line(&mistake.looks_like)));
-        lines.push(format!("  how to fix it: {}", line(&mistake.fix)));
-        lines.push(format!("  in the lecture: {}", line(&mistake.lecture_section)));
+        for (heading, text) in [
+            ("what it looks like", &mistake.looks_like),
+            ("how to fix it", &mistake.fix),
+            ("in the lecture", &mistake.lecture_section),
+        ] {
+            if !text.is_empty() {
+                lines.push(format!("  {heading}: {}", line(text)));
+            }
+        }
     }
+    lines.extend(proposed_fix_text(&verdict.proposed_fix));
     for message in &verdict.messages {
         lines.push(String::new());
         let place = place(Some(&message.file), message.line).unwrap_or_default();

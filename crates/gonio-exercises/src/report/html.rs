@@ -2,8 +2,9 @@
 
 use super::text::{count, escaped, escaped_line, line, percent, word, words};
 use crate::content_hash;
+use gonio_check::proposed_fix::{self, DiffLine};
 use gonio_check::verdict::{
-    CompilerMessage, FoundMistake, Outcome, PropertyState, PropertyVerdict, Verdict, join_names,
+    CompilerMessage, FoundMistake, Outcome, PropertyState, PropertyVerdict, ProposedEdit, Verdict, join_names,
 };
 use std::fmt::Write as _;
 
@@ -269,6 +270,34 @@ fn nearest_html(verdict: &Verdict) -> String {
              hint: {names}.</p>\n"
         ),
     }
+}
+
+/// The proposed fix as a diff, in which signs and colours mark the lines.
+pub fn proposed_fix_html(verdict: &Verdict) -> String {
+    if verdict.proposed_fix.is_empty() {
+        return String::new();
+    }
+    let each = |edit: &ProposedEdit| {
+        let line = |line: &DiffLine<'_>| {
+            let class = match line {
+                DiffLine::Kept(_) => "kept",
+                DiffLine::Removed(_) => "removed",
+                DiffLine::Added(_) => "added",
+            };
+            format!("<code class=\"{class}\">{} {}\n</code>", line.sign(), escaped(line.text().trim_end()))
+        };
+        let diff =
+            shown(&edit.diff(), line, |more| format!("<code>And {}.</code>", count(more, "more line", "more lines")));
+        let place = quote("h3", Some(&edit.file), Some(edit.line), None, None);
+        format!("<article>\n{place}<pre class=\"diff\">{diff}</pre>\n</article>\n")
+    };
+    let edits = shown(&verdict.proposed_fix, each, |more| {
+        format!("<p>And {}.</p>\n", count(more, "more change", "more changes"))
+    });
+    format!(
+        "<section class=\"fix\">\n<h2>How it becomes right</h2>\n<p class=\"promise\">{}</p>\n{edits}</section>\n",
+        proposed_fix::promise(&verdict.proposed_fix)
+    )
 }
 
 /// Compiler messages.

@@ -1,7 +1,8 @@
 //! JUnit XML, which build servers read.
 
-use super::text::{escaped, escaped_line, line, percent, place, word};
-use gonio_check::verdict::{FoundMistake, Outcome, TermState, Verdict};
+use super::text::{escaped, escaped_line, line, percent, place, plain, word};
+use gonio_check::proposed_fix;
+use gonio_check::verdict::{FoundMistake, Outcome, ProposedEdit, TermState, Verdict};
 use std::fmt::Write as _;
 
 /// JUnit XML: a suite for each exercise and submission, with a case for the verdict, one for each term and one for each scene.
@@ -142,7 +143,8 @@ fn whole(verdict: &Verdict) -> End {
                 [] => kind.to_owned(),
                 some => some.iter().map(|mistake| escaped_line(&mistake.id)).collect::<Vec<_>>().join(" "),
             };
-            let text: Vec<String> = verdict.mistakes.iter().map(mistake_text).collect();
+            let text: Vec<String> =
+                verdict.mistakes.iter().map(mistake_text).chain(proposed_fix_text(&verdict.proposed_fix)).collect();
             let text = escaped(&text.join("\n"));
             End::Failure(format!("<failure type=\"{kind}\" message=\"{message}\">{text}</failure>"))
         }
@@ -161,6 +163,19 @@ fn whole(verdict: &Verdict) -> End {
     }
 }
 
+/// The proposed fix as a unified diff, in lines of plain text.
+pub fn proposed_fix_text(edits: &[ProposedEdit]) -> Vec<String> {
+    if edits.is_empty() {
+        return Vec::new();
+    }
+    let mut lines = vec![String::new(), proposed_fix::promise(edits).to_owned()];
+    for edit in edits {
+        lines.extend(place(Some(&edit.file), Some(edit.line)).map(|place| format!("  {place}")));
+        lines.extend(edit.diff().iter().map(|line| format!("    {} {}", line.sign(), plain(line.text().trim_end()))));
+    }
+    lines
+}
+
 fn mistake_text(mistake: &FoundMistake) -> String {
     let mut text = line(&mistake.name);
     if let Some(place) = place(mistake.file.as_deref(), mistake.line) {
@@ -170,6 +185,8 @@ fn mistake_text(mistake: &FoundMistake) -> String {
         let _ = write!(text, "\n  {}", line(quoted));
     }
     let _ = write!(text, "\n  explains {} of the difference", percent(mistake.share_explained));
-    let _ = write!(text, "\n  to fix it: {}", line(&mistake.fix));
+    if !mistake.fix.is_empty() {
+        let _ = write!(text, "\n  to fix it: {}", line(&mistake.fix));
+    }
     text
 }

@@ -1,6 +1,6 @@
 //! The page of a submission.
 
-use super::html::{Icon, document, messages_html, mistakes_html, notes_html, shown, verdict_html};
+use super::html::{Icon, document, messages_html, mistakes_html, notes_html, proposed_fix_html, shown, verdict_html};
 use super::picture::{PictureKind, Pictures, heat};
 use super::text::{count, escaped_line, percent};
 use gonio_check::search::Evidence;
@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 const SHOWN: u32 = 4 * TILE;
 
 /// A page for a student, as one HTML file that loads and runs nothing: the verdict, each mistake with its place and fix, the
-/// compiler's messages, terms, scenes with pictures if there is evidence, peculiarities, warnings, and the roles of variables.
+/// proposed change as a diff, the compiler's messages, terms, scenes with pictures if there is evidence, peculiarities, warnings, and the roles of variables.
 /// `label` is the submission's name. The page follows the light or dark theme of the system, and fits a phone.
 ///
 /// Pictures are linear light encoded as sRGB; pixels are enlarged without smoothing; NaN is magenta; a chequered background
@@ -28,6 +28,7 @@ pub fn page(label: &str, verdict: &Verdict, evidence: Option<&Evidence>) -> Stri
     );
     body.push_str(&verdict_html(verdict, true));
     body.push_str(&mistakes_html(verdict));
+    body.push_str(&proposed_fix_html(verdict));
     body.push_str(&messages_html(verdict));
     body.push_str(&terms(&verdict.terms));
     body.push_str(&scenes(verdict, pictures.as_ref()));

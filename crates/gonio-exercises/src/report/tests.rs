@@ -5,8 +5,8 @@ use super::*;
 use gonio_check::search::Evidence;
 use gonio_check::testbench::{Atlas, TILE};
 use gonio_check::verdict::{
-    BoundVariable, CompilerMessage, FoundMistake, Outcome, Peculiarity, RunnerUp, SceneVerdict, TermState, TermVerdict,
-    Verdict,
+    BoundVariable, CompilerMessage, FoundMistake, Outcome, Peculiarity, ProposedEdit, RunnerUp, SceneVerdict,
+    TermState, TermVerdict, Verdict,
 };
 use gonio_render::user_program::NOT_DRAWN;
 use serde_json::Value;
@@ -27,6 +27,7 @@ fn evil(outcome: Outcome) -> Verdict {
     verdict.runner_up = Some(RunnerUp { ids: vec![evil()], share_explained: 0.5 });
     verdict.peculiarities = vec![Peculiarity { id: evil(), name: evil() }];
     verdict.warnings = vec![evil()];
+    verdict.proposed_fix = vec![ProposedEdit { file: evil(), line: 14, before: evil(), after: format!("{EVIL}x") }];
     verdict.terms = vec![
         TermVerdict { term: "ambient".into(), state: TermState::Right },
         TermVerdict { term: "diffuse".into(), state: TermState::Wrong },

@@ -89,7 +89,7 @@ impl Answer {
     pub fn right(exercise: &'static str) -> Answer {
         let found = gonio_exercises::exercise::find(exercise).unwrap();
         let text = |end: &str| {
-            let (_, text) = found.reference_files().find(|(name, _)| name.ends_with(end)).unwrap();
+            let (_, text) = found.reference_files().unwrap().find(|(name, _)| name.ends_with(end)).unwrap();
             text.to_owned()
         };
         Answer { exercise, vertex: text(".vert"), fragment: text(".frag") }

@@ -7,6 +7,7 @@
 
 use super::child::{self, Ended};
 use gonio_check::CheckOptions;
+use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
 use serde::de::DeserializeOwned;
@@ -36,6 +37,8 @@ pub struct WorkerRequest {
     pub left_out: Vec<String>,
     /// See [`CheckOptions`].
     pub options: CheckOptions,
+    /// How much of the verdict is shown; `None` for the exercise's own setting.
+    pub feedback: Option<Feedback>,
     /// OpenGL ES 3 instead of OpenGL.
     pub es: bool,
     /// The title of the requested page, if any.
@@ -62,6 +65,7 @@ struct RequestHeader {
     left_out: Vec<String>,
     pair: Option<String>,
     as_the_lab: bool,
+    feedback: Option<Feedback>,
     es: bool,
     page: Option<String>,
     sheet: bool,
@@ -189,6 +193,7 @@ fn write_request(output: &mut impl Write, request: &WorkerRequest) -> Result<(),
         left_out: request.left_out.clone(),
         pair: request.options.pair.clone(),
         as_the_lab: request.options.as_the_lab,
+        feedback: request.feedback,
         es: request.es,
         page: request.page.clone(),
         sheet: request.sheet,
@@ -209,6 +214,7 @@ pub fn read_request(input: &mut impl Read) -> Result<WorkerRequest, Error> {
         exercise: header.exercise,
         left_out: header.left_out,
         options: CheckOptions { pair: header.pair, as_the_lab: header.as_the_lab },
+        feedback: header.feedback,
         es: header.es,
         page: header.page,
         sheet: header.sheet,
@@ -275,6 +281,7 @@ mod tests {
             files: vec![SourceFile::new("a.vert", "void main() {}"), SourceFile::new("\u{fffd}/b.frag", [0, 255])],
             left_out: vec!["c.png: too large".into()],
             options: CheckOptions { pair: Some("phong".into()), as_the_lab: true },
+            feedback: Some(Feedback::Name),
             es: true,
             page: Some("anna".into()),
             sheet: true,

@@ -230,7 +230,8 @@ fn content(args: &CheckArgs, exercise: &Exercise, files: &[SourceFile], left_out
     let convention = if args.as_the_lab { "lab" } else { "book" };
     let api = if args.es { "es" } else { "core" };
     let pair = args.pair.as_deref().unwrap_or_default();
-    let options = [exercise.id.as_str(), convention, api, pair, env!("CARGO_PKG_VERSION")];
+    let feedback = args.feedback.unwrap_or(exercise.feedback).word();
+    let options = [exercise.id.as_str(), convention, api, pair, feedback, env!("CARGO_PKG_VERSION")];
     let options = options.into_iter().chain(left_out.iter().map(String::as_str)).map(str::as_bytes);
     content_hash(options.chain(files.iter().flat_map(|file| [file.name.as_bytes(), &file.bytes])))
 }

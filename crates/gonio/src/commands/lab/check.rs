@@ -11,6 +11,7 @@ use crate::report::Reporter;
 use clap::Args;
 use gonio_app::platform::desktop::worker::{self, WorkerAnswer, WorkerRequest};
 use gonio_check::CheckOptions;
+use gonio_check::feedback::Feedback;
 use gonio_check::verdict::Outcome as Word;
 use gonio_exercises::exercise::Exercise;
 use gonio_exercises::report;
@@ -25,6 +26,8 @@ Examples:
   gonio lab check ex07 light.vert light.frag --page verdict.html
   gonio lab check ex09 main.cpp --json
   gonio lab check ex02 cube.csv
+  gonio lab check ex07 mine --feedback verdict
+      Only whether it is right, and in which test scenes.
   gonio lab check ex07 submissions -o results
       Each folder and each zip in `submissions` is one submission; the results are a page for each, a table and an overview. \
 Submissions that have not changed since the last check are not checked again. A zip of the whole class works too, and so do the \
@@ -47,6 +50,11 @@ pub struct CheckArgs {
     /// Accept what the lab's own solutions do where they differ from the textbook.
     #[arg(long, help_heading = "Check options")]
     pub as_the_lab: bool,
+    /// How much to show: right or wrong alone, also the mistakes' names, also their lines and what belongs there, also the change
+    /// that makes it right. By default as the exercise states: line.
+    #[arg(long, value_name = "LEVEL", value_parser = values::named(&Feedback::ALL, Feedback::word),
+          help_heading = "Check options")]
+    pub feedback: Option<Feedback>,
     /// Number of submissions in the files, instead of deciding by names and contents.
     #[arg(long, value_name = "NUMBER", default_value = "auto", help_heading = "Check options")]
     pub submissions: Submissions,
@@ -110,6 +118,7 @@ impl CheckArgs {
             files: gathered.files,
             left_out: gathered.left_out.iter().map(|what| format!("ignored: {what}")).collect(),
             options: CheckOptions { pair: self.pair.clone(), as_the_lab: self.as_the_lab },
+            feedback: self.feedback,
             es: self.es,
             page: None,
             sheet: false,
@@ -126,6 +135,13 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     let exercise = exercise(&args.exercise)?;
     if let Some(folder) = &args.output {
         check_folder(folder, "-o")?;
+    }
+    if let (Some(_), false) = (&args.sheet, exercise.shows_reference) {
+        return Err(CliError::new(format!(
+            "--sheet shows the pictures of the reference solution of {}, which is not shown in this course, as its \
+             exercise.toml states",
+            exercise.id
+        )));
     }
     let texts = [&args.page, &args.junit, &args.gradescope, &args.code_runner].into_iter().flatten();
     let texts = texts.map(|output| (output, OutputKind::Text));

@@ -95,8 +95,9 @@ fn check(request: WorkerRequest) -> Result<WorkerAnswer, String> {
     let context = HeadlessContext::with_options(&HeadlessOptions { es: request.es, ..Default::default() })
         .map_err(|error| error.message)?;
     let mut checker = Checker::new(context.gl());
-    let (mut verdict, evidence) = gonio_exercises::check(&mut checker, exercise, request.files, &request.options)
-        .map_err(|error| CliError::from(error).to_string())?;
+    let feedback = request.feedback.unwrap_or(exercise.feedback);
+    let checked = gonio_exercises::check(&mut checker, exercise, request.files, &request.options, feedback);
+    let (mut verdict, evidence) = checked.map_err(|error| CliError::from(error).to_string())?;
     // The process ends next, and the system frees it faster.
     std::mem::forget((checker, context));
     verdict.warnings.extend(request.left_out);

@@ -43,6 +43,8 @@ pub struct StartArgs {
 }
 
 /// Print the reference solution, or write it into a folder.
+///
+/// Courses can hide it: `show_reference = false` in the exercise.toml of an exercise, before gonio is built.
 #[derive(Args, Debug)]
 pub struct ReferenceArgs {
     /// Exercise: ex04, or 4.
@@ -114,7 +116,7 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     let mut set = OutputFiles::new();
     let mut written = add_all(&mut set, texts.chain(exercise.pictures()), &args.folder)?;
     let goal = args.folder.join(GOAL);
-    let mut is_drawn = preview::is_drawn(exercise) && !goal.exists();
+    let mut is_drawn = exercise.shows_reference && preview::is_drawn(exercise) && !goal.exists();
     if is_drawn {
         match draw::goal(exercise) {
             Ok(picture) => {
@@ -148,9 +150,10 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
 
 pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let exercise: &Exercise = exercise(&args.exercise)?;
+    let files = exercise.reference_files().map_err(CliError::new)?;
     if let Some(folder) = args.output.as_ref().and_then(OutputPath::file) {
         let mut set = OutputFiles::new();
-        let files = exercise.reference_files().map(|(name, text)| (name, text.as_bytes()));
+        let files = files.map(|(name, text)| (name, text.as_bytes()));
         let written = add_all(&mut set, files, folder)?;
         set.commit()?;
         reporter.note(format!("wrote {} into {}", written.join(", "), folder.display()));
@@ -158,13 +161,13 @@ pub fn reference(args: &ReferenceArgs, reporter: &Reporter) -> Result<CommandOut
     }
     if reporter.json() {
         let files: serde_json::Map<String, serde_json::Value> =
-            exercise.reference_files().map(|(name, text)| (name.to_owned(), text.into())).collect();
+            files.map(|(name, text)| (name.to_owned(), text.into())).collect();
         reporter.report(&serde_json::json!({ "exercise": exercise.id, "files": files }))?;
         return Ok(CommandOutcome::Done);
     }
     let bold = Style::Bold;
     let mut page = TerminalPage::new();
-    for (name, content) in exercise.reference_files() {
+    for (name, content) in files {
         page.line(format_args!("{bold}// {name}{bold:#}"));
         page.text(content);
         page.blank();

@@ -10,6 +10,7 @@ use crate::terminal::TerminalPage;
 use clap::Args;
 use gonio_app::platform::desktop::child;
 use gonio_check::CheckOptions;
+use gonio_check::feedback::Feedback;
 use gonio_check::search::TASKS;
 use gonio_check::verdict::Outcome as Word;
 use gonio_exercises::Checker;
@@ -127,7 +128,8 @@ fn measure(args: &ScoreArgs, exercise: &Exercise) -> Result<Row, CliError> {
         for submission in right_answers(&right, exercise)? {
             let mut submitted = submission.gather().files;
             submitted.retain(|file| !file.name.ends_with("expected.toml"));
-            let (verdict, _) = gonio_exercises::check(&mut checker, exercise, submitted, &CheckOptions::default())?;
+            let (verdict, _) =
+                gonio_exercises::check(&mut checker, exercise, submitted, &CheckOptions::default(), Feedback::Fix)?;
             row.right_answers += 1;
             if verdict.verdict != Word::Correct {
                 row.false_alarms.push(submission.label);

@@ -104,7 +104,9 @@ pub fn run(args: &StepArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
     }
     child_process::end_with_the_caller();
     let files = match args.files.as_slice() {
-        [] => exercise.reference_files().map(|(name, text)| SourceFile::new(name, text)).collect(),
+        [] => {
+            exercise.reference_files().map_err(CliError::new)?.map(|(name, text)| SourceFile::new(name, text)).collect()
+        }
         named => intake::read(named)?,
     };
     backend::report_driver(reporter);

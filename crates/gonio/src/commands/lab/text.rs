@@ -1,7 +1,8 @@
 //! Verdicts as text for a terminal.
 
 use crate::terminal::{Style, TerminalPage};
-use gonio_check::verdict::{FoundMistake, Outcome, PropertyState, TermState, Verdict};
+use gonio_check::proposed_fix::{self, DiffLine};
+use gonio_check::verdict::{FoundMistake, Outcome, PropertyState, ProposedEdit, TermState, Verdict};
 use gonio_exercises::report::Row;
 
 const BOLD: Style = Style::Bold;
@@ -38,6 +39,7 @@ pub fn verdict(verdict: &Verdict) -> TerminalPage {
     for found in &verdict.mistakes {
         mistake(&mut page, found);
     }
+    proposed_fix(&mut page, &verdict.proposed_fix);
     if let Some(next) = &verdict.runner_up {
         let share = 100.0 * next.share_explained;
         page.blank();
@@ -135,6 +137,26 @@ fn mistake(page: &mut TerminalPage, found: &FoundMistake) {
     }
 }
 
+/// The proposed fix as a unified diff.
+fn proposed_fix(page: &mut TerminalPage, edits: &[ProposedEdit]) {
+    if edits.is_empty() {
+        return;
+    }
+    page.blank();
+    page.line(format_args!("  {GREEN}{}{GREEN:#}", proposed_fix::promise(edits)));
+    for edit in edits {
+        page.line(format_args!("    {BOLD}{}:{}{BOLD:#}", edit.file, edit.line));
+        for line in edit.diff() {
+            let (sign, text) = (line.sign(), line.text().trim_end().replace('\t', "    "));
+            match line {
+                DiffLine::Kept(_) => page.line(format_args!("      {sign} {text}")),
+                DiffLine::Removed(_) => page.line(format_args!("      {RED}{sign} {text}{RED:#}")),
+                DiffLine::Added(_) => page.line(format_args!("      {GREEN}{sign} {text}{GREEN:#}")),
+            }
+        }
+    }
+}
+
 /// Many submissions, one line each, with a summary.
 pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> TerminalPage {
     let width = rows.iter().map(|row| row.submission.chars().count()).max().unwrap_or(0).min(40);
@@ -174,6 +196,34 @@ pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> TerminalPage {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use gonio_check::feedback::Feedback;
+
+    #[test]
+    fn a_verdict_shows_as_much_as_its_level() {
+        let mut whole = Verdict::new("ex04", Outcome::Wrong, "skylark");
+        let found = FoundMistake::new("skylark", "skylark", 1.0).taught("murky", "remedy", "chapter");
+        whole.mistakes = vec![found.at("student.frag", Some(14), "quotation")];
+        let (before, after) = ("same\n\toldtext".to_owned(), "same\n\tnewtext".to_owned());
+        whole.proposed_fix = vec![ProposedEdit { file: "student.frag".to_owned(), line: 14, before, after }];
+        let shown = |level: Feedback| verdict(&level.reduce(whole.clone())).for_terminal().to_owned();
+        for (word, first) in [
+            ("wrong", Feedback::Verdict),
+            ("skylark", Feedback::Name),
+            ("murky", Feedback::Name),
+            ("chapter", Feedback::Name),
+            ("student.frag:14", Feedback::Line),
+            ("quotation", Feedback::Line),
+            ("remedy", Feedback::Line),
+            ("With this change every test scene is right.", Feedback::Fix),
+            ("        same", Feedback::Fix),
+            ("-     oldtext", Feedback::Fix),
+            ("+     newtext", Feedback::Fix),
+        ] {
+            for level in Feedback::ALL {
+                assert_eq!(shown(level).contains(word), level >= first, "`{word}` at {level:?}: {}", shown(level));
+            }
+        }
+    }
 
     #[test]
     fn a_quoted_line_fits_a_terminal() {

@@ -122,7 +122,9 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
     }
     child_process::end_with_the_caller();
     let submitted = match args.files.as_slice() {
-        [] => exercise.reference_files().map(|(name, text)| SourceFile::new(name, text)).collect(),
+        [] => {
+            exercise.reference_files().map_err(CliError::new)?.map(|(name, text)| SourceFile::new(name, text)).collect()
+        }
         named => intake::read(named)?,
     };
     for file in &submitted {
