@@ -112,3 +112,29 @@ fn the_interpreter_draws_what_opengl_draws() {
     let shown = &run.json()["shown"];
     assert_eq!((&shown["expression"], &shown["pixels_not_evaluated"]), (&"normalize(v_normal)".into(), &0.into()));
 }
+
+#[test]
+fn a_wrong_value_is_listed_and_drawn_beside_the_right_one() {
+    let lab = Lab::new();
+    hand_in(&lab, "mine", "length(light.light_pos - v_frag_coord)", "length(light.light_pos)");
+    let text = small(&lab, "64", &["lab", "step", "ex07", "mine", "--at", "30,20"]).good();
+    let right = "`length(light.light_pos)` should be the distance from the surface to the light = 3.";
+    assert!(text.text().contains(right), "{}", text.text());
+    let report = small(&lab, "64", &["lab", "step", "ex07", "mine", "--at", "30,20", "--json"]).good().json();
+    let right = &report["stages"][0]["should_be"][0];
+    assert_eq!((&right["line"], &right["column"]), (&35.into(), &15.into()), "{right}");
+    assert!(right["value"].as_f64().is_some_and(|d| (3.0..4.0).contains(&d)), "{right}");
+    let show = |files: &[&str]| {
+        let args = [&["lab", "draw", "ex07", "--show", "35:11", "-o", "d.png", "--json"], files].concat();
+        let report = small(&lab, "64", &args).good().json();
+        (lab.picture("d.png").to_rgba8(), report)
+    };
+    let (both, report) = show(&["mine"]);
+    assert_eq!((both.dimensions(), &report["right_beside"]), ((130, 64), &true.into()));
+    // The wrong distance is the same everywhere, the right one is not.
+    let [own, right] = [&both.get_pixel(32, 32), &both.get_pixel(66 + 32, 32)];
+    assert!(own[0] == 0 && right[0] > 60 && right[0] == right[1], "{own:?} {right:?}");
+    assert!(report["quantity"].as_str().unwrap().contains("should be the distance"), "{report}");
+    let (alone, _) = show(&[]);
+    assert_eq!(alone.dimensions(), (64, 64));
+}

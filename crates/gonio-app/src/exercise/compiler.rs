@@ -147,7 +147,7 @@ impl Compiler {
         };
         let content: &[SourceFile] = self.compiled.insert(content);
         let variables = std::mem::take(&mut work.program.variables);
-        work.program = match preview.compile(source, content) {
+        work.program = match preview.compile(work.exercise, source, content) {
             Ok(pair) => ProgramFacts {
                 notes: pair.notes.clone(),
                 warnings: pair.warnings.clone(),

@@ -5,6 +5,7 @@ use crate::scene_view::drawing::PaneRenderer;
 use gonio_check::roles::Bindings;
 use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TestScene;
+use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview::{self, CompiledPair, Eye, Note, PreviewRenderer, PreviewShape, SubmittedPair};
 use gonio_gl::{Gl, GlError};
 use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
@@ -28,6 +29,8 @@ pub enum PreviewPicture {
 
 /// The student's program that is drawn.
 pub struct DrawnProgram {
+    /// The exercise that it answers.
+    pub exercise: &'static Exercise,
     /// The files that it was made of.
     pub content: Vec<SourceFile>,
     /// The pair among them.
@@ -78,11 +81,16 @@ impl Preview {
     }
 
     /// Compiles the student's pair. If it compiles, it is drawn from now on; otherwise the previous pair is.
-    pub fn compile(&mut self, source: SubmittedPair, content: &[SourceFile]) -> Result<&CompiledPair, Vec<Note>> {
+    pub fn compile(
+        &mut self,
+        exercise: &'static Exercise,
+        source: SubmittedPair,
+        content: &[SourceFile],
+    ) -> Result<&CompiledPair, Vec<Note>> {
         let pair = source.compile(&self.gl)?;
         self.serial += 1;
         let bindings = pair.bindings.clone();
-        self.program = Some(Arc::new(DrawnProgram { content: content.to_vec(), source, bindings }));
+        self.program = Some(Arc::new(DrawnProgram { exercise, content: content.to_vec(), source, bindings }));
         Ok(self.pairs[0].insert(pair))
     }
 

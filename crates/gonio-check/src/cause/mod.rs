@@ -10,6 +10,7 @@ pub(crate) mod model;
 pub mod naming;
 pub(crate) mod observed;
 pub(crate) mod program;
+pub mod quantity_of;
 pub(crate) mod repair;
 pub(crate) mod samples;
 pub mod search;
@@ -26,7 +27,7 @@ use gonio_glsl::{Checked, Parsed, Stage};
 use model::{AnswerMethod, Model};
 use observed::Observer;
 use program::{Program, Runner};
-use samples::SceneSamples;
+pub use samples::SceneSamples;
 use search::{Found, Search};
 use target::RightPicture;
 

@@ -3,6 +3,7 @@
 use super::model::TELLING;
 use super::observed::{Observed, Observer, SCALED};
 use super::program::Change;
+use super::quantity_of::RightChange;
 use super::repair::{Make, Relation, Repair};
 use super::words;
 use crate::mistakes::{Mistake, ModelSolution};
@@ -34,6 +35,8 @@ pub struct ProvenCause {
     pub is_intermediate: bool,
     /// Whether it reads a variable or a function's result that is not right.
     pub reads_wrong: bool,
+    /// Its right values at any points, and those of other places of the same mistake.
+    pub right: Vec<RightChange>,
     /// Another mistake in the same expression.
     pub with: Option<&'static Mistake>,
     /// Other places of the same mistake.
@@ -141,6 +144,7 @@ impl Observer<'_> {
                 has_wrong_input: seen.has_wrong_input,
                 is_intermediate: seen.is.is_some_and(|is| is_intermediate(&self.model.quantities[is].name)),
                 reads_wrong: seen.reads_wrong || is_call_of_another(seen),
+                right: vec![RightChange::new(&repair, observed, self.model)],
                 also: Vec::new(),
                 with: self.unnormalised(&repair, seen, proven),
                 distance: names.first().map_or(u32::MAX, |(distance, _)| *distance),

@@ -151,6 +151,7 @@ impl<'a> Search<'a> {
             if name(&firsts).is_some() && name(&firsts) == name(&seconds) {
                 let mut merged = firsts;
                 merged[0].also.push((seconds[0].stage, seconds[0].expr));
+                merged[0].right.extend(seconds[0].right.iter().cloned());
                 return Found::Causes(vec![merged]);
             }
             if !single.is_empty() && [&firsts, &seconds].iter().any(|group| group[0].mistakes.is_empty()) {

@@ -7,6 +7,7 @@ mod coverage;
 mod listing;
 mod pair;
 mod picture;
+mod right;
 mod syntax;
 mod textures;
 mod value;
@@ -16,6 +17,7 @@ mod tests;
 
 pub use listing::{ListedCondition, ListedLine, ListedPlace, ListedStep, ListedVariable, StepListing};
 pub use pair::{PixelSurface, StepOptions, StepWork, SteppedPair, SteppedScene, SteppedStage};
-pub use picture::{ExpressionMapping, ExpressionPicture, NEVER_WRITTEN_COLOUR};
+pub use picture::{ExpressionMapping, ExpressionPicture, NEVER_WRITTEN_COLOUR, PictureBeside};
+pub use right::{RightAnswer, RightValue};
 pub use syntax::{EvaluatedValue, ExpressionValue, SteppedPlace};
 pub use value::ShownValue;

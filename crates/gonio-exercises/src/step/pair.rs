@@ -1,6 +1,6 @@
 //! A pair of shaders for the interpreter, and its run over the vertices of a scene.
 
-use super::coverage::{Coverage, Plane, Triangle, ndc};
+use super::coverage::{Coverage, Place, Plane, Triangle, ndc};
 use super::textures::PreviewTextures;
 use super::value::StructTypes;
 use crate::preview::{Note, NoteKind, PreviewShape, SubmittedPair, held};
@@ -342,16 +342,7 @@ impl SteppedScene {
                 })),
             }
         }
-        let fragment = |(triangle, _, _, place): &(&Triangle, bool, [u32; 2], super::coverage::Place)| {
-            let on_screen: [f64; 3] = std::array::from_fn(|i| place.shares[i] * f64::from(triangle.clip[i][3]));
-            let sum: f64 = on_screen.iter().sum();
-            Fragment {
-                corners: triangle.corners,
-                screen: on_screen.map(|weight| (weight / sum) as f32),
-                weights: place.shares.map(|share| share as f32),
-            }
-        };
-        let fragments: Vec<Fragment> = points.iter().map(fragment).collect();
+        let fragments: Vec<Fragment> = points.iter().map(|point| fragment_at(point.0, &point.3)).collect();
         let Some(of) = self.objects.get(object) else { return StageInputs::new(&stage.compiled, 0) };
         let vertex = &self.pair.vertex.compiled;
         let mut inputs = gonio_interpreter::interpolate(vertex, &of.vertices, &stage.compiled, &fragments);
@@ -373,6 +364,17 @@ impl SteppedScene {
             inputs.set_named(&stage.compiled, name, PointValues::Each { components, written: None });
         }
         inputs
+    }
+}
+
+/// A place on a triangle for the interpolation of varyings.
+pub(super) fn fragment_at(triangle: &Triangle, place: &Place) -> Fragment {
+    let on_screen: [f64; 3] = std::array::from_fn(|i| place.shares[i] * f64::from(triangle.clip[i][3]));
+    let sum: f64 = on_screen.iter().sum();
+    Fragment {
+        corners: triangle.corners,
+        screen: on_screen.map(|weight| (weight / sum) as f32),
+        weights: place.shares.map(|share| share as f32),
     }
 }
 

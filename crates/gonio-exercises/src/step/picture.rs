@@ -2,9 +2,11 @@
 
 use super::coverage::{Plane, ndc};
 use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
+use super::right::RightAnswer;
 use super::syntax::{ExpressionValue, expressions_at, text_of};
 use super::value::float_text;
 use crate::report::NAN_COLOUR;
+use gonio_check::cause::quantity_of::ExpressionQuantity;
 use gonio_glsl::{Scalar, Stage, Type};
 use gonio_interpreter::{Evaluation, ExprId, LANES, RunOptions, run};
 
@@ -92,20 +94,31 @@ pub struct ExpressionPicture {
     pub is_truncated: bool,
 }
 
+/// The pictures of an expression and of its right values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PictureBeside {
+    /// The expression's own picture.
+    pub own: ExpressionPicture,
+    /// The picture of its right values, in the same colours; `None` if they are not known.
+    pub right: Option<ExpressionPicture>,
+    /// What it is or should be, in one sentence.
+    pub quantity: Option<String>,
+}
+
 /// The value at a point: up to four components.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct PointValue {
-    components: [f32; 4],
-    is_written: bool,
-    evaluations: u32,
+pub(super) struct PointValue {
+    pub components: [f32; 4],
+    pub is_written: bool,
+    pub evaluations: u32,
 }
 
 /// The values of an expression at the drawn pixels.
-type PixelValues = Vec<([u32; 2], PointValue)>;
+pub(super) type PixelValues = Vec<([u32; 2], PointValue)>;
 
 impl SteppedScene {
-    /// Draws the smallest expression at a line and column of the student's file, both from 1. The picture has the colour
-    /// `background` where nothing is drawn.
+    /// Draws the smallest expression at a line and column of the student's file, both from 1, and beside it its right
+    /// values. The pictures have the colour `background` where nothing is drawn.
     ///
     /// # Errors
     /// The reason why it has no picture, in one sentence.
@@ -114,17 +127,18 @@ impl SteppedScene {
         stage: Stage,
         [line, column]: [u32; 2],
         background: [u8; 3],
-    ) -> Result<ExpressionPicture, String> {
+        right: Option<&RightAnswer>,
+    ) -> Result<PictureBeside, String> {
         let of = self.pair.stage(stage);
         let candidates = expressions_at(of, line, column);
         if candidates.is_empty() {
             let file = &of.text.file;
             return Err(format!("{file}:{line}:{column}: there is no expression; point at a name or an operator"));
         }
-        self.picture_of_first(stage, &candidates, [line, column], background)
+        self.picture_of_first(stage, &candidates, [line, column], background, right)
     }
 
-    /// Draws an expression, whose value at one pixel or vertex is known.
+    /// The same for an expression whose value at one pixel or vertex is known.
     ///
     /// # Errors
     /// The reason why it has no picture, in one sentence.
@@ -133,8 +147,9 @@ impl SteppedScene {
         stage: Stage,
         value: &ExpressionValue,
         background: [u8; 3],
-    ) -> Result<ExpressionPicture, String> {
-        self.picture_of_first(stage, &[value.id], [value.line, value.column], background)
+        right: Option<&RightAnswer>,
+    ) -> Result<PictureBeside, String> {
+        self.picture_of_first(stage, &[value.id], [value.line, value.column], background, right)
     }
 
     /// Draws the first of some expressions that a pixel evaluates.
@@ -144,7 +159,8 @@ impl SteppedScene {
         candidates: &[ExprId],
         [line, column]: [u32; 2],
         background: [u8; 3],
-    ) -> Result<ExpressionPicture, String> {
+        right: Option<&RightAnswer>,
+    ) -> Result<PictureBeside, String> {
         let of = self.pair.stage(stage);
         let file = &of.text.file;
         let (values, is_truncated) = match stage {
@@ -176,8 +192,11 @@ impl SteppedScene {
         };
         let span = source.map(|source| source.span).unwrap_or_default();
         let (_, line, column) = of.text.place(span.line, span.column);
-        let mapping = mapping(&ty, size, values);
-        let mut picture = ExpressionPicture {
+        let beside = right.and_then(|right| self.right_values(right, stage, expr));
+        let beside = beside.filter(|beside| beside.len() == values.len());
+        // The same colours for both, so that they can be compared.
+        let mapping = mapping(&ty, size, values.iter().chain(beside.iter().flatten()));
+        let mut own = ExpressionPicture {
             expression: text,
             stage,
             file: file.clone(),
@@ -193,10 +212,15 @@ impl SteppedScene {
             evaluations: values.iter().map(|(_, value)| value.evaluations).max().unwrap_or(0),
             is_truncated,
         };
-        for (pixel, value) in values {
-            picture.paint(*pixel, value, size, self.size());
-        }
-        Ok(picture)
+        let painted = |picture: &ExpressionPicture, values: &PixelValues| {
+            let mut picture = picture.clone();
+            values.iter().for_each(|(pixel, value)| picture.paint(*pixel, value, size, self.size()));
+            picture
+        };
+        let beside = beside.map(|beside| painted(&own, &beside));
+        own = painted(&own, values);
+        let quantity = right.and_then(|right| right.quantity(stage, expr)).map(ExpressionQuantity::sentence);
+        Ok(PictureBeside { own, right: beside, quantity })
     }
 
     /// The values of expressions at all drawn pixels.
@@ -345,11 +369,15 @@ fn last_values(
     values
 }
 
-fn mapping(ty: &Type, size: usize, values: &[([u32; 2], PointValue)]) -> ExpressionMapping {
+fn mapping<'v>(
+    ty: &Type,
+    size: usize,
+    values: impl Iterator<Item = &'v ([u32; 2], PointValue)> + Clone,
+) -> ExpressionMapping {
     // The fourth component is that of a position or an opacity, and has no colour.
     let shown = size.min(3);
     let finite = || {
-        let written = values.iter().map(|(_, value)| value).filter(|value| value.is_written && value.evaluations > 0);
+        let written = values.clone().map(|(_, value)| value).filter(|value| value.is_written && value.evaluations > 0);
         written.map(|value| &value.components[..shown]).filter(|components| components.iter().all(|x| x.is_finite()))
     };
     let least = finite().flatten().copied().fold(f32::INFINITY, f32::min);

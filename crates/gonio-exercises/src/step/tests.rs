@@ -12,15 +12,26 @@ const SIDE: u32 = 64;
 
 /// Compiles a pair of exercise 07 and hands it to `use_it` in the lab's scene.
 fn with_pair<T>(vertex: &str, fragment: &str, use_it: impl FnOnce(&SteppedScene) -> T) -> T {
+    with_answer(vertex, fragment, 0, |scene, _| use_it(scene))
+}
+
+/// The same in one of the scenes, with the right answer.
+fn with_answer<T>(
+    vertex: &str,
+    fragment: &str,
+    scene: usize,
+    use_it: impl FnOnce(&SteppedScene, &dyn Fn() -> Option<RightAnswer>) -> T,
+) -> T {
     let exercise = exercise::find("ex07").unwrap();
     let files = [("a.vert", vertex), ("a.frag", fragment)].map(|(name, text)| SourceFile::new(name, text)).into();
     let submitted = SubmittedPair::gather(exercise, files).unwrap();
     let context = HeadlessContext::new().unwrap();
     let compiled = submitted.compile(context.gl()).unwrap_or_else(|notes| panic!("{notes:?}"));
     let pair = Arc::new(SteppedPair::new(&submitted, &compiled.bindings).unwrap());
-    let scene = &preview::scenes(exercise)[0];
+    let scene = &preview::scenes(exercise)[scene];
     let objects = scene.test_scenes(&scene.eye, 0.0, [SIDE; 2]);
-    use_it(&SteppedScene::new(pair, &objects, StepOptions::square(SIDE)))
+    let answer = || RightAnswer::new(exercise, &submitted);
+    use_it(&SteppedScene::new(pair, &objects, StepOptions::square(SIDE)), &answer)
 }
 
 fn reference(name: &str) -> &'static str {
@@ -135,9 +146,9 @@ fn a_varying_that_the_vertex_shader_never_writes_is_listed() {
         let place = &listing.unwritten[0];
         assert_eq!((&*place.expression, place.line), ("v_normal", 26));
         // What depends on it is cyan in pictures.
-        let picture = scene.picture(Stage::Fragment, [28, 10], [0; 3]).unwrap();
+        let picture = scene.picture(Stage::Fragment, [28, 10], [0; 3], None).unwrap().own;
         assert_eq!((&*picture.expression, picture.unwritten), ("normalize(u_view_pos - v_frag_coord)", 0));
-        let picture = scene.picture(Stage::Fragment, [29, 10], [0; 3]).unwrap();
+        let picture = scene.picture(Stage::Fragment, [29, 10], [0; 3], None).unwrap().own;
         assert_eq!((&*picture.expression, picture.unwritten), ("reflect(-L, N)", picture.drawn));
         assert_eq!(picture.rgba[((SIDE / 2 * SIDE + SIDE / 2) * 4) as usize..][..4], NEVER_WRITTEN_COLOUR);
     });
@@ -217,7 +228,7 @@ fn an_endless_loop_ends_with_its_line() {
     assert!(listing.lines.iter().all(|line| line.ran != Some(false)), "nothing is known about lines after it");
     let fragment = reference("reference.frag").replace("float d =", "for (;;) { N += 1.0; }\nfloat d =");
     with_pair(reference("reference.vert"), &fragment, |scene| {
-        let picture = scene.picture(Stage::Fragment, [26, 10], [0; 3]).unwrap();
+        let picture = scene.picture(Stage::Fragment, [26, 10], [0; 3], None).unwrap().own;
         assert!(picture.is_truncated && (1..picture.drawn).contains(&picture.unevaluated), "{}", picture.unevaluated);
     });
     let vertex = reference("reference.vert").replace("v_normal =", "while (true) { v_normal.x += 1.0; }\nv_normal =");
@@ -238,7 +249,7 @@ fn derivatives_are_those_of_neighbouring_pixels() {
 #[test]
 fn a_picture_shows_the_smallest_expression_at_a_place() {
     with_pair(reference("reference.vert"), reference("reference.frag"), |scene| {
-        let shown = |line, column| scene.picture(Stage::Fragment, [line, column], [9; 3]).unwrap();
+        let shown = |line, column| scene.picture(Stage::Fragment, [line, column], [9; 3], None).unwrap().own;
         let middle = |picture: &ExpressionPicture| {
             let at = ((SIDE / 2 * SIDE + SIDE / 2) * 4) as usize;
             [picture.rgba[at], picture.rgba[at + 1], picture.rgba[at + 2]]
@@ -259,15 +270,15 @@ fn a_picture_shows_the_smallest_expression_at_a_place() {
         // The sphere's nearest point is at 0.5 from its centre on the way to the light.
         let nearest = glam::Vec3::new(1.0, 2.0, 3.5).length() - 0.5;
         assert!((least - nearest).abs() < 0.01 && greatest < nearest + 1.0, "{least} to {greatest}, {nearest}");
-        let error = scene.picture(Stage::Fragment, [1, 1], [0; 3]).unwrap_err();
+        let error = scene.picture(Stage::Fragment, [1, 1], [0; 3], None).unwrap_err();
         assert!(error.contains("a.frag:1:1") && error.contains("no expression"), "{error}");
         // In the vertex shader: `v_normal = normalize(mat3(itM) * normal);`
-        let normal = scene.picture(Stage::Vertex, [20, 16], [0; 3]).unwrap();
+        let normal = scene.picture(Stage::Vertex, [20, 16], [0; 3], None).unwrap().own;
         assert_eq!(
             (&*normal.expression, normal.mapping),
             ("normalize(mat3(itM) * normal)", ExpressionMapping::Direction)
         );
-        let error = scene.picture(Stage::Vertex, [20, 27], [0; 3]).unwrap_err();
+        let error = scene.picture(Stage::Vertex, [20, 27], [0; 3], None).unwrap_err();
         assert!(error.contains("mat3(itM)") && error.contains("has the type mat3"), "{error}");
     });
 }
@@ -291,7 +302,7 @@ fn an_expression_has_a_value_for_each_iteration_and_call() {
         let expected = [("0", 1), ("0.5", 2), ("1", 3)].map(|(value, iteration)| (value.to_owned(), vec![iteration]));
         assert_eq!(seen, expected);
         assert!(product.evaluations.iter().all(|e| e.function == "half_of" && e.calls == [13]));
-        let picture = scene.picture_of(Stage::Fragment, &product, [0; 3]).unwrap();
+        let picture = scene.picture_of(Stage::Fragment, &product, [0; 3], None).unwrap().own;
         assert_eq!((&*picture.expression, picture.evaluations), ("0.5 * x", 3));
         assert!(scene.expression_value(SteppedPlace::Pixel([0; 2]), [5, 15]).is_none(), "nothing is drawn there");
         assert!(scene.expression_value(middle, [1, 1]).is_none(), "there is no expression");
@@ -339,9 +350,84 @@ fn brief_work_suffices_for_every_exercise() {
             let last = listing.steps.last().unwrap().line;
             let text = &listing.lines[last as usize - 1].text;
             let column = text.find("= ").unwrap_or_else(|| panic!("{name}: {text}")) as u32 + 3;
-            let picture = scene.picture(Stage::Fragment, [last, column], [0; 3]);
+            let picture = scene.picture(Stage::Fragment, [last, column], [0; 3], None);
             let picture = picture.unwrap_or_else(|error| panic!("{name}: {error}"));
-            assert!(!picture.is_truncated, "{name}");
+            assert!(!picture.own.is_truncated, "{name}");
         }
     }
+}
+
+/// The line and column of the first place of some code, both from 1.
+fn place(text: &str, code: &str) -> [u32; 2] {
+    let line = text.lines().position(|line| line.contains(code)).unwrap();
+    let column = text.lines().nth(line).unwrap().find(code).unwrap();
+    [line as u32 + 1, column as u32 + 1]
+}
+
+#[track_caller]
+fn alike(found: &ExpressionPicture, expected: &ExpressionPicture) {
+    assert_eq!((found.mapping, found.drawn), (expected.mapping, expected.drawn));
+    let differ = |(a, b): (&u8, &u8)| a.abs_diff(*b) > 1;
+    let different = found.rgba.iter().zip(&expected.rgba).filter(|pair| differ(*pair)).count();
+    assert!(found.drawn > 200 && different == 0, "{different} bytes of {}", found.drawn * 4);
+}
+
+#[test]
+fn right_values_are_those_of_a_right_program() {
+    let vertex = reference("reference.vert");
+    // A colour that is no quantity of the light equation.
+    let dark = "vec3 dark = vec3(0.5 * attenuation * attenuation);\n    float sum = ";
+    let fragment = reference("reference.frag").replace("float sum = ", dark);
+    let normal = ["normalize(mat3(itM) * normal)", "normalize(mat3(M) * normal)"];
+    let distance = ["length(light.light_pos - v_frag_coord)", "length(light.light_pos)"];
+    let wrongs = [
+        (vertex.to_owned(), fragment.replace(distance[0], distance[1]), Stage::Fragment, distance[1]),
+        (vertex.replace(normal[0], normal[1]), fragment.clone(), Stage::Vertex, "mat3(M) * normal"),
+    ];
+    for (wrong_vertex, wrong_fragment, stage, cause) in wrongs {
+        for (number, code) in [(0, "* sum, 1.0"), (1, "normalize(v_normal)"), (1, "vec3(0.5")] {
+            let at = place(&fragment, code);
+            let of_right = with_answer(vertex, &fragment, number, |scene, answer| {
+                let shown = scene.picture(Stage::Fragment, at, [0; 3], answer().as_ref()).unwrap();
+                // Its own right values are the model solution's.
+                shown.right.iter().for_each(|right| alike(right, &shown.own));
+                assert_eq!(shown.right.is_some(), code != "vec3(0.5", "{code}");
+                shown.own
+            });
+            with_answer(&wrong_vertex, &wrong_fragment, number, |scene, answer| {
+                let answer = answer().unwrap();
+                let shown = scene.picture(Stage::Fragment, at, [0; 3], Some(&answer)).unwrap();
+                let is_wrong = (stage == Stage::Fragment) == (code != "normalize(v_normal)");
+                let sentence = shown.quantity.unwrap_or_default();
+                if is_wrong || code == "* sum, 1.0" {
+                    assert!(sentence.ends_with("earlier value is wrong."), "{code}: {sentence}");
+                }
+                match shown.right {
+                    Some(right) => alike(&right, &of_right),
+                    None => assert!(stage == Stage::Vertex && code == "vec3(0.5", "{code}"),
+                }
+                let text = if stage == Stage::Vertex { &wrong_vertex } else { &wrong_fragment };
+                let pixel = scene.nearest_drawn([SIDE / 2; 2]).unwrap();
+                let vertex = scene.surface(pixel).unwrap().vertices[0];
+                let both = [SteppedPlace::Pixel(pixel), SteppedPlace::Vertex(vertex)];
+                let found = both.map(|place| scene.right_at(&answer, place));
+                let right = &found[usize::from(stage == Stage::Vertex)];
+                assert_eq!(found.iter().flatten().count(), 1);
+                assert_eq!([right[0].line, right[0].column], place(text, cause), "{}", right[0].should);
+                assert!(right[0].value.is_some() && right[0].should.starts_with("should be "), "{right:?}");
+            });
+        }
+    }
+}
+
+#[test]
+fn a_right_value_at_a_pixel_is_that_of_the_reference() {
+    let fragment = reference("reference.frag");
+    let pixel = [SIDE / 2 + 5, SIDE / 2 - 3];
+    let d = with_pair(reference("reference.vert"), fragment, |scene| floats(&scene.step_pixel(pixel).unwrap(), "d"));
+    let wrong = fragment.replace("length(light.light_pos - v_frag_coord)", "length(light.light_pos)");
+    with_answer(reference("reference.vert"), &wrong, 0, |scene, answer| {
+        let right = scene.right_at(&answer().unwrap(), SteppedPlace::Pixel(pixel));
+        assert!((float(right[0].value.as_ref().unwrap()) - d[0]).abs() < 1e-4, "{right:?} {d:?}");
+    });
 }

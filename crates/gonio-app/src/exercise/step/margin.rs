@@ -14,8 +14,8 @@ use egui::{
 use gonio_check::testbench::TestScene;
 use gonio_exercises::preview::{Note, PreviewShape};
 use gonio_exercises::step::{
-    ExpressionPicture, ExpressionValue, PixelSurface, StepListing, StepOptions, StepWork, SteppedPair, SteppedPlace,
-    SteppedScene,
+    ExpressionPicture, ExpressionValue, PictureBeside, PixelSurface, RightAnswer, StepListing, StepOptions, StepWork,
+    SteppedPair, SteppedPlace, SteppedScene,
 };
 use gonio_glsl::Stage;
 use std::sync::Arc;
@@ -171,31 +171,32 @@ pub type Target = [u32; 2];
 pub struct Hovered {
     /// The expression and its values.
     pub value: ExpressionValue,
-    /// Its picture, or one sentence on why there is none.
-    pub picture: Result<ExpressionPicture, String>,
+    /// Its picture and that of its right values, or one sentence on why there is none.
+    pub pictures: Result<PictureBeside, String>,
     /// Width and height of the pictures in pixels.
     pub size: [u32; 2],
-    /// The picture of the quantity that belongs here, if it is known.
-    pub right: Option<ExpressionPicture>,
 }
 
-/// The expression at a line and column, with its value at the place and its picture.
+/// The expression at a line and column, with its value at the place, its picture, and that of its right values.
 pub fn evaluate(
     pair: &Arc<SteppedPair>,
     scene: &SteppedScene,
     picture: &SteppedPicture,
     place: SteppedPlace,
     target: Target,
+    right: Option<&RightAnswer>,
 ) -> Option<Hovered> {
     let value = scene.expression_value(place, target)?;
     let options = StepOptions { work: WORK, ..StepOptions::square(SIDE) };
     let small = SteppedScene::new(pair.clone(), &picture.objects, options);
-    let mut drawn = small.picture_of(place.stage(), &value, BACKGROUND);
+    let mut pictures = small.picture_of(place.stage(), &value, BACKGROUND, right);
     let size = cropped_size(picture.size);
-    if let Ok(drawn) = &mut drawn {
-        drawn.rgba = cropped(&drawn.rgba, size);
+    if let Ok(PictureBeside { own, right, .. }) = &mut pictures {
+        for drawn in std::iter::once(own).chain(right) {
+            drawn.rgba = cropped(&drawn.rgba, size);
+        }
     }
-    Some(Hovered { value, picture: drawn, size, right: None })
+    Some(Hovered { value, pictures, size })
 }
 
 /// The visible part of the square.
@@ -343,7 +344,7 @@ fn tooltip(ui: &Ui, stepper: &mut Stepper, rows: &[Rect], id: Id) {
         ui.painter().hline(left..=right, row.bottom() - 1.0, egui::Stroke::new(1.5, color));
     }
     if hover.textures.is_empty() {
-        let pictures = hovered.picture.iter().chain(&hovered.right);
+        let pictures = hovered.pictures.iter().flat_map(|both| std::iter::once(&both.own).chain(&both.right));
         let load = |picture: &ExpressionPicture| {
             let size = hovered.size.map(|side| side as usize);
             let is_whole = picture.rgba.len() == size[0] * size[1] * 4;
@@ -356,7 +357,9 @@ fn tooltip(ui: &Ui, stepper: &mut Stepper, rows: &[Rect], id: Id) {
     }
     let textures = hover.textures.clone();
     let layer = ui.layer_id();
-    let width = 320_f32.min(ui.ctx().content_rect().width() - 24.0);
+    // Room for the pictures side by side.
+    let pictures = textures.len().max(1) as f32 * (hovered.size[0] as f32 + 8.0);
+    let width = pictures.max(320.0).min(ui.ctx().content_rect().width() - 24.0);
     let shown = Tooltip::always_open(ui.ctx().clone(), layer, id.with("expression"), place).width(width).show(|ui| {
         let value = &hovered.value;
         let name = RichText::new(&value.expression).monospace().color(ui.visuals().strong_text_color());
@@ -386,16 +389,21 @@ fn tooltip(ui: &Ui, stepper: &mut Stepper, rows: &[Rect], id: Id) {
             }
         }
         ui.horizontal_wrapped(|ui| {
-            let mut textures = textures.iter();
-            if hovered.picture.is_ok() {
-                textures.next().map(|texture| ui.add(Image::new(texture)));
-            }
-            if let (Some(_), Some(texture)) = (&hovered.right, textures.next()) {
-                ui.add(Image::new(texture)).on_hover_text("The quantity that belongs here");
+            for (texture, whose) in textures.iter().zip(["yours", "right"]) {
+                ui.vertical(|ui| {
+                    ui.set_max_width(hovered.size[0] as f32);
+                    ui.add(Image::new(texture));
+                    if textures.len() > 1 {
+                        ui.label(RichText::new(whose).small());
+                    }
+                });
             }
         });
-        let about = match &hovered.picture {
-            Ok(picture) => about(picture),
+        if let Some(sentence) = hovered.pictures.as_ref().ok().and_then(|both| both.quantity.as_ref()) {
+            ui.add(Label::new(sentence).wrap());
+        }
+        let about = match &hovered.pictures {
+            Ok(both) => about(&both.own),
             // The place of the expression is known here.
             Err(reason) => reason.split_once(": ").map_or(reason.as_str(), |(_, why)| why).to_owned(),
         };

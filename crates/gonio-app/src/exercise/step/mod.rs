@@ -20,7 +20,7 @@ use crate::platform::Platform;
 use egui::{Context, Rect, TextureHandle};
 use gonio_check::testbench::TestScene;
 use gonio_exercises::preview::PreviewShape;
-use gonio_exercises::step::SteppedPlace;
+use gonio_exercises::step::{RightAnswer, SteppedPlace};
 use gonio_glsl::Stage;
 use margin::{Hovered, Listed, Pin, Request, SteppedPicture, Target};
 use serde_json::{Value, json};
@@ -38,6 +38,7 @@ const LONG_PAUSE: Duration = Duration::from_millis(500);
 enum Answer {
     Listed(Result<Box<Listed>, String>),
     Hovered(Option<Box<Hovered>>),
+    Compared(Option<Arc<RightAnswer>>),
 }
 
 /// Time that the pointer rests on a character.
@@ -123,6 +124,8 @@ pub struct Stepper {
     /// Whether the file of the current shader is to be shown.
     shows_file: bool,
     hover: Hover,
+    /// The right answer for a program; nothing if its values cannot be judged.
+    compared: Option<(Arc<DrawnProgram>, Option<Arc<RightAnswer>>)>,
     is_new: bool,
 }
 
@@ -311,7 +314,11 @@ impl Stepper {
             state["iterations"] = json!(step.iterations);
             state["values"] = values.collect();
             state["variables"] = steps.variables().iter().map(variable).collect();
-            state["expression"] = self.hover.shown().map(|hovered| hovered.value.expression.as_str()).into();
+            let hovered = self.hover.shown();
+            let pictures = hovered.and_then(|hovered| hovered.pictures.as_ref().ok());
+            state["expression"] = hovered.map(|hovered| hovered.value.expression.as_str()).into();
+            state["quantity"] = pictures.and_then(|both| both.quantity.as_deref()).into();
+            state["right_beside"] = pictures.is_some_and(|both| both.right.is_some()).into();
         }
         state
     }
@@ -383,6 +390,12 @@ impl Stepper {
         self.running = None;
         match answer {
             Answer::Hovered(hovered) => self.hover.take(hovered.map(|hovered| *hovered)),
+            Answer::Compared(right) => {
+                if right.is_some() {
+                    self.hover.forget();
+                }
+                self.compared = Some((request.picture.program, right));
+            }
             Answer::Listed(mut listed) => {
                 if let Ok(listed) = &mut listed {
                     if request.pin.is_nearest {
@@ -430,9 +443,21 @@ impl Stepper {
     fn follow_hover(&mut self, ctx: &Context, platform: &mut dyn Platform, request: &Request) {
         let (Some(place), Some(listed)) = (self.place(), self.listing()) else { return };
         let (pair, scene) = (listed.pair.clone(), listed.scene.clone());
-        let Some(target) = self.hover.due(ctx) else { return };
-        let picture = request.picture.clone();
-        let work = move || Answer::Hovered(margin::evaluate(&pair, &scene, &picture, place, target).map(Box::new));
-        self.start(ctx, platform, request.clone(), work);
+        let program = &request.picture.program;
+        let compared = self.compared.as_ref().filter(|(compared, _)| Arc::ptr_eq(compared, program));
+        let (is_compared, right) = (compared.is_some(), compared.and_then(|(_, right)| right.clone()));
+        if let Some(target) = self.hover.due(ctx) {
+            let picture = request.picture.clone();
+            let work = move || {
+                let hovered = margin::evaluate(&pair, &scene, &picture, place, target, right.as_deref());
+                Answer::Hovered(hovered.map(Box::new))
+            };
+            self.start(ctx, platform, request.clone(), work);
+        } else if !is_compared && self.hover.shown().is_some() {
+            // The own value is shown before.
+            let program = program.clone();
+            let work = move || Answer::Compared(RightAnswer::new(program.exercise, &program.source).map(Arc::new));
+            self.start(ctx, platform, request.clone(), work);
+        }
     }
 }

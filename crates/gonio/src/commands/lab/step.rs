@@ -13,7 +13,8 @@ use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::{Exercise, ExerciseKind};
 use gonio_exercises::preview::{self, NoteKind, PreviewScene, SubmittedPair};
 use gonio_exercises::step::{
-    ListedPlace, ListedStep, ListedVariable, PixelSurface, StepListing, StepOptions, SteppedPair, SteppedScene,
+    ListedPlace, ListedStep, ListedVariable, PixelSurface, RightAnswer, RightValue, ShownValue, StepListing,
+    StepOptions, SteppedPair, SteppedPlace, SteppedScene,
 };
 use gonio_glsl::Stage;
 use serde_json::{Value, json};
@@ -28,7 +29,7 @@ const MOST_STEPS: usize = 10_000;
 #[command(after_long_help = "\
 The shaders run on the CPU, in the order of their statements. Beside each line are the values that it wrote, matrices by rows. \
 Lines that run several times, in loops and functions, refer to numbered steps below the source. Declarations show the values of \
-varyings and uniforms. The end names reads of values that were never written, where the first NaN or infinity arose, a \
+varyings and uniforms. Below the line where the values begin to be wrong is what they should be. The end names reads of values that were never written, where the first NaN or infinity arose, a \
 `discard`, and a loop that does not end.
 
 Examples:
@@ -87,6 +88,8 @@ pub struct SceneRequest {
     pub size: u32,
     /// Seconds.
     pub time: f64,
+    /// Whether the pair is compared with the right answer.
+    pub is_compared: bool,
 }
 
 /// The place that was stepped through, and the listings: the fragment shader's, then those of vertices.
@@ -95,6 +98,8 @@ struct Stepped {
     pixel: Option<([u32; 2], PixelSurface)>,
     vertices: Vec<u32>,
     listings: Vec<StepListing>,
+    /// The right values at the causes of what is wrong, of each listing.
+    right: Vec<Vec<RightValue>>,
 }
 
 pub fn run(args: &StepArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
@@ -110,9 +115,11 @@ pub fn run(args: &StepArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         named => intake::read(named)?,
     };
     backend::report_driver(reporter);
-    let request = SceneRequest { exercise, files, scene: args.scene.clone(), size: args.size, time: args.time };
+    let (scene, is_compared) = (args.scene.clone(), !args.files.is_empty());
+    let request = SceneRequest { exercise, files, scene, size: args.size, time: args.time, is_compared };
     let (at, vertex, corners) = (args.at, args.vertex, args.corners);
-    let (stepped, warnings) = with_scene(request, move |scene, of| step(scene, of, at, vertex, corners))?;
+    let step = move |scene: &_, of: &_, right: Option<&_>| step(scene, of, right, at, vertex, corners);
+    let (stepped, warnings) = with_scene(request, step)?;
     for warning in &warnings {
         reporter.warning(warning);
     }
@@ -128,9 +135,9 @@ pub fn run(args: &StepArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
 /// over the vertices of a scene. Returns warnings too.
 pub fn with_scene<T: Send + 'static>(
     request: SceneRequest,
-    use_it: impl FnOnce(&SteppedScene, &PreviewScene) -> Result<T, CliError> + Send + 'static,
+    use_it: impl FnOnce(&SteppedScene, &PreviewScene, Option<&RightAnswer>) -> Result<T, CliError> + Send + 'static,
 ) -> Result<(T, Vec<String>), CliError> {
-    let SceneRequest { exercise, files, scene: name, size, time } = request;
+    let SceneRequest { exercise, files, scene: name, size, time, is_compared } = request;
     if exercise.kind != ExerciseKind::Shaders || !preview::is_drawn(exercise) {
         return Err(CliError::new(format!("{} has no pair of shaders to step through", exercise.id)));
     }
@@ -143,7 +150,9 @@ pub fn with_scene<T: Send + 'static>(
         let notes = compiled.notes.iter().filter(|note| note.kind == NoteKind::Warning).map(note_text);
         let warnings = notes.chain(compiled.warnings.iter().cloned()).collect();
         let objects = scene.test_scenes(&scene.eye, time as f32, [size; 2]);
-        let result = use_it(&SteppedScene::new(Arc::new(pair), &objects, StepOptions::square(size)), &scene);
+        let right = is_compared.then(|| RightAnswer::new(exercise, &source)).flatten();
+        let stepped = SteppedScene::new(Arc::new(pair), &objects, StepOptions::square(size));
+        let result = use_it(&stepped, &scene, right.as_ref());
         // The process ends next, and the system frees it faster.
         std::mem::forget((compiled, context));
         Ok((result?, warnings))
@@ -153,15 +162,18 @@ pub fn with_scene<T: Send + 'static>(
 fn step(
     scene: &SteppedScene,
     of: &PreviewScene,
+    right: Option<&RightAnswer>,
     at: Option<(u32, u32)>,
     vertex: Option<u32>,
     corners: bool,
 ) -> Result<Stepped, CliError> {
+    let right_at = |place| right.map_or_else(Vec::new, |right| scene.right_at(right, place));
     if let Some(vertex) = vertex {
         let listing = scene.step_vertex(vertex).ok_or_else(|| {
             CliError::new(format!("there is no vertex {vertex}; the scene has {}, from 0 on", scene.vertex_count()))
         })?;
-        return Ok(Stepped { scene: of.name, pixel: None, vertices: vec![vertex], listings: vec![listing] });
+        let right = vec![right_at(SteppedPlace::Vertex(vertex))];
+        return Ok(Stepped { scene: of.name, pixel: None, vertices: vec![vertex], listings: vec![listing], right });
     }
     let pixel = the_pixel(scene, at)?;
     let (Some(surface), Some(listing)) = (scene.surface(pixel), scene.step_pixel(pixel)) else {
@@ -170,7 +182,9 @@ fn step(
     let vertices = if corners { surface.vertices.to_vec() } else { Vec::new() };
     let of_vertices = vertices.iter().filter_map(|vertex| scene.step_vertex(*vertex));
     let listings = std::iter::once(listing).chain(of_vertices).collect();
-    Ok(Stepped { scene: of.name, pixel: Some((pixel, surface)), vertices, listings })
+    let places = std::iter::once(SteppedPlace::Pixel(pixel));
+    let right = places.chain(vertices.iter().copied().map(SteppedPlace::Vertex)).map(right_at).collect();
+    Ok(Stepped { scene: of.name, pixel: Some((pixel, surface)), vertices, listings, right })
 }
 
 /// The pixel, if something is drawn there; without one, that nearest to the middle.
@@ -220,7 +234,10 @@ fn to_json(args: &StepArgs, exercise: &Exercise, stepped: &Stepped, warnings: &[
     let first_vertex = usize::from(stepped.pixel.is_some());
     let listing = |(index, listing): (usize, &StepListing)| {
         let vertex = index.checked_sub(first_vertex).and_then(|index| stepped.vertices.get(index));
-        listing_to_json(listing, vertex.copied())
+        let mut report = listing_to_json(listing, vertex.copied());
+        let right = stepped.right.get(index).into_iter().flatten();
+        report["should_be"] = right.map(right_to_json).collect();
+        report
     };
     report["stages"] = stepped.listings.iter().enumerate().map(listing).collect();
     report
@@ -247,6 +264,16 @@ fn listing_to_json(listing: &StepListing, vertex: Option<u32>) -> Value {
         "discarded_at_line": listing.discarded,
         "endless_loop": listing.endless.map(|(line, statements)| json!({ "line": line, "statements": statements })),
         "more_steps": listing.is_truncated || listing.steps.len() > MOST_STEPS,
+    })
+}
+
+fn right_to_json(right: &RightValue) -> Value {
+    json!({
+        "line": right.line,
+        "column": right.column,
+        "expression": right.expression,
+        "should": right.should,
+        "value": right.value.as_ref().map(ShownValue::to_json),
     })
 }
 

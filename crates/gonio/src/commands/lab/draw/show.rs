@@ -8,7 +8,8 @@ use crate::report::Reporter;
 use clap::ValueEnum;
 use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::Exercise;
-use gonio_exercises::step::{ExpressionPicture, SteppedScene};
+use gonio_exercises::preview::PreviewScene;
+use gonio_exercises::step::{ExpressionPicture, PictureBeside, RightAnswer, SteppedScene};
 use gonio_glsl::Stage;
 use serde_json::json;
 
@@ -34,33 +35,46 @@ pub fn run(
     files: Vec<SourceFile>,
     reporter: &Reporter,
 ) -> Result<CommandOutcome, CliError> {
-    let request = SceneRequest { exercise, files, scene: args.scene.clone(), size: args.size, time: args.time };
+    let (scene, is_compared) = (args.scene.clone(), !args.files.is_empty());
+    let request = SceneRequest { exercise, files, scene, size: args.size, time: args.time, is_compared };
     let stage = match args.file {
         ShownStage::Vertex => Stage::Vertex,
         ShownStage::Fragment => Stage::Fragment,
     };
-    let draw = move |scene: &SteppedScene, of: &gonio_exercises::preview::PreviewScene| {
-        let background = BACKGROUND.map(|x| (x * 255.0 + 0.5) as u8);
-        let picture = scene.picture(stage, place, background).map_err(CliError::new)?;
-        Ok((picture, of.name))
+    let background = BACKGROUND.map(|x| (x * 255.0 + 0.5) as u8);
+    let draw = move |scene: &SteppedScene, of: &PreviewScene, right: Option<&RightAnswer>| {
+        let pictures = scene.picture(stage, place, background, right).map_err(CliError::new)?;
+        Ok((pictures, of.name))
     };
-    let ((mut picture, scene), mut warnings) = with_scene(request, draw)?;
+    let ((pictures, scene), mut warnings) = with_scene(request, draw)?;
+    let PictureBeside { own: picture, right, quantity } = pictures;
     if picture.is_truncated {
         warnings.push("the shader runs for too long: some pixels lack their value".to_owned());
     }
     for warning in &warnings {
         reporter.warning(warning);
     }
-    super::write_picture(args, [args.size; 2], std::mem::take(&mut picture.rgba))?;
+    let size = args.size as usize;
+    let (size, rgba) = match &right {
+        Some(right) => beside(&picture.rgba, &right.rgba, size, background),
+        None => ([args.size; 2], picture.rgba.clone()),
+    };
+    super::write_picture(args, size, rgba)?;
     if !reporter.json() {
         reporter.note(note(&picture));
+        if let Some(quantity) = quantity {
+            let beside = if right.is_some() { " Its right values are on the right." } else { "" };
+            reporter.note(format!("{quantity}{beside}"));
+        }
         return Ok(CommandOutcome::Done);
     }
     reporter.report(&json!({
         "command": "lab draw",
         "exercise": exercise.id,
         "scene": scene,
-        "size": [args.size, args.size],
+        "size": size,
+        "quantity": quantity,
+        "right_beside": right.is_some(),
         "shown": {
             "expression": picture.expression,
             "stage": stage_name(picture.stage),
@@ -78,6 +92,15 @@ pub fn run(
         "warnings": warnings,
     }))?;
     Ok(CommandOutcome::Done)
+}
+
+/// Two square pictures with a gap of a thirty-second of their side.
+fn beside(left: &[u8], right: &[u8], side: usize, [r, g, b]: [u8; 3]) -> ([u32; 2], Vec<u8>) {
+    let gap = (side / 32).max(1);
+    let between = [r, g, b, 255].repeat(gap);
+    let rows = left.chunks_exact(side * 4).zip(right.chunks_exact(side * 4));
+    let rgba = rows.flat_map(|(left, right)| [left, &between, right].concat()).collect();
+    ([(2 * side + gap) as u32, side as u32], rgba)
 }
 
 /// The expression and the meaning of the colours.

@@ -2,7 +2,7 @@
 
 use super::{Stepped, stage_name};
 use crate::terminal::{Style, TerminalPage};
-use gonio_exercises::step::{ListedLine, ListedStep, ListedVariable, StepListing};
+use gonio_exercises::step::{ListedLine, ListedStep, ListedVariable, RightValue, StepListing};
 
 const BOLD: Style = Style::Bold;
 const CYAN: Style = Style::Cyan;
@@ -46,7 +46,7 @@ pub(super) fn page(exercise: &str, size: u32, stepped: &Stepped) -> TerminalPage
             variables(&mut page, &format!("attributes{place}"), listing.inputs.iter().filter(|i| !i.is_uniform));
         }
         page.heading(format_args!("{} ({} shader{place})", listing.file, stage_name(listing.stage)));
-        source(&mut page, listing);
+        source(&mut page, listing, stepped.right.get(index).map(Vec::as_slice).unwrap_or_default());
         repeated(&mut page, listing);
         variables(&mut page, "outputs", listing.outputs.iter());
         remarks(&mut page, listing);
@@ -98,8 +98,8 @@ fn steps_at<'a>(listing: &'a StepListing, line: &ListedLine) -> Vec<(usize, &'a 
     listing.steps.iter().enumerate().filter(|(_, step)| step.line == line.number).collect()
 }
 
-/// The source with values at the end of the lines.
-fn source(page: &mut TerminalPage, listing: &StepListing) {
+/// The source with values at the end of the lines, and the right values below the lines of causes.
+fn source(page: &mut TerminalPage, listing: &StepListing, right: &[RightValue]) {
     let widest = listing.lines.iter().map(|line| line.text.trim_end().chars().count()).max().unwrap_or(0);
     let column = widest.min(WIDEST_SOURCE);
     for line in &listing.lines {
@@ -137,6 +137,11 @@ fn source(page: &mut TerminalPage, listing: &StepListing) {
             for (text, _) in &beside {
                 page.line(format_args!("{:indent$}{text}", "", indent = 6 + column.min(12)));
             }
+        }
+        for right in right.iter().filter(|right| right.line == line.number) {
+            let RightValue { expression, should, .. } = right;
+            let value = right.value.as_ref().map_or_else(String::new, |value| format!(" = {CYAN}{value}{CYAN:#}"));
+            page.line(format_args!("      {YELLOW}`{expression}` {should}{YELLOW:#}{value}"));
         }
     }
 }

@@ -1,0 +1,374 @@
+//! The quantity of the light equation that each expression of a pair is or should be, and its right values at the points
+//! of any scene.
+//!
+//! An expression is what its values are in the test scenes. What a wrong one should be follows from the cause: with the
+//! cause's right values, the values that depend on it become right too.
+
+use super::model::{AnswerMethod, Model, Quantity, Space, TELLING, observe};
+use super::naming::ProvenCause;
+use super::observed::{Observed, Observer};
+use super::program::{Change, Program, Runner};
+use super::repair::{Make, Repair};
+use super::samples::{SceneSamples, interpolated};
+use super::search::Found;
+use super::values::Values;
+use super::{diagnose, words};
+use crate::compile::ParsedStage;
+use crate::dataflow::Shader;
+use crate::roles::{Meaning, NamesFile};
+use crate::rules::Analysis;
+use crate::search::{Parameterisation, Task};
+use crate::submission::Submission;
+use gonio_glsl::{OutputVersion, Span, Stage};
+use gonio_interpreter::ExprId;
+use std::collections::BTreeMap;
+
+/// A right quantity, apart from its values.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct QuantityName {
+    name: String,
+    space: Space,
+    interpolated: bool,
+}
+
+impl QuantityName {
+    fn new(quantity: &Quantity) -> Self {
+        let Quantity { name, space, interpolated, .. } = quantity;
+        QuantityName { name: name.clone(), space: *space, interpolated: *interpolated }
+    }
+
+    /// Its index in a model.
+    fn index(&self, stage: Stage, model: &Model) -> Option<usize> {
+        let is_it = |q: &Quantity| q.stage == stage && q.mistake.is_none() && QuantityName::new(q) == *self;
+        model.quantities.iter().position(is_it)
+    }
+}
+
+/// How the right values of an expression are made, at any points.
+#[derive(Clone, Debug, PartialEq)]
+enum RightMake {
+    Quantity(QuantityName),
+    Times(QuantityName),
+    Over(QuantityName),
+    /// Plus the value of another expression, in one of its evaluations.
+    Plus(ExprId, Option<u32>),
+    /// From the own values alone.
+    Own(Make),
+}
+
+/// The right values of a cause, at any points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RightChange {
+    stage: Stage,
+    expr: ExprId,
+    occurrence: Option<u32>,
+    make: RightMake,
+}
+
+impl RightChange {
+    pub(super) fn new(repair: &Repair, observed: &[Observed], model: &Model) -> Self {
+        let seen = &observed[repair.of];
+        let name = |index: usize| QuantityName::new(&model.quantities[index]);
+        let make = match repair.make {
+            Make::Quantity(index) => RightMake::Quantity(name(index)),
+            Make::Times(index) => RightMake::Times(name(index)),
+            Make::Over(index) => RightMake::Over(name(index)),
+            Make::Plus(other) => RightMake::Plus(observed[other].expr, observed[other].occurrence),
+            own @ (Make::Negative | Make::Unit | Make::NotNegative | Make::Linear) => RightMake::Own(own),
+        };
+        RightChange { stage: seen.stage, expr: seen.expr, occurrence: seen.occurrence, make }
+    }
+
+    /// The change at the points of a runner; `None` if the values are right there.
+    fn change(&self, runner: &Runner<'_>, model: &Model, before: &[Change]) -> Option<Change> {
+        let mut watched = vec![(self.expr, self.occurrence)];
+        if let RightMake::Plus(expr, occurrence) = self.make {
+            watched.push((expr, occurrence));
+        }
+        let observed: Option<Vec<Observed>> =
+            watched.into_iter().map(|(expr, occurrence)| self.observed(runner, before, expr, occurrence)).collect();
+        let index = |name: &QuantityName| name.index(self.stage, model);
+        let make = match &self.make {
+            RightMake::Quantity(name) => Make::Quantity(index(name)?),
+            RightMake::Times(name) => Make::Times(index(name)?),
+            RightMake::Over(name) => Make::Over(index(name)?),
+            RightMake::Plus(..) => Make::Plus(1),
+            RightMake::Own(make) => *make,
+        };
+        let relation = super::repair::Relation::Other;
+        Repair { of: 0, relation, should: String::new(), make, cost: 0.0 }.change(&observed?, model)
+    }
+
+    fn observed(
+        &self,
+        runner: &Runner<'_>,
+        before: &[Change],
+        expr: ExprId,
+        occurrence: Option<u32>,
+    ) -> Option<Observed> {
+        let values = values_of(runner, before, self.stage, expr, occurrence)?;
+        let Self { stage, .. } = *self;
+        Some(Observed { stage, expr, occurrence, values, is: None, has_wrong_input: false, reads_wrong: false })
+    }
+}
+
+/// The values of an expression in one of its evaluations, or in the last of each point.
+fn values_of(
+    runner: &Runner<'_>,
+    changes: &[Change],
+    stage: Stage,
+    expr: ExprId,
+    occurrence: Option<u32>,
+) -> Option<Values> {
+    let (only, none) = ([expr], []);
+    let watched: [&[ExprId]; 2] = if stage == Stage::Vertex { [&only, &none] } else { [&none, &only] };
+    let all = observe(runner, changes, 0..runner.samples.len(), watched);
+    let wanted = all.into_iter().filter(|found| occurrence.is_none_or(|wanted| wanted == found.occurrence));
+    wanted.map(|found| found.values).reduce(|mut last, next| {
+        for point in (0..next.points()).filter(|point| next.present[*point]) {
+            last.present[point] = true;
+            let at = point * next.size..(point + 1) * next.size;
+            last.numbers[at.clone()].copy_from_slice(&next.numbers[at]);
+        }
+        last
+    })
+}
+
+/// What an expression is, or what it should be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExpressionQuantity {
+    /// The quantity in words, such as "the unit normal, in view space"; `None` if no quantity has its right values.
+    pub words: Option<String>,
+    /// Whether it has these values. A wrong expression gets them if the causes do.
+    pub is_right: bool,
+    /// For a cause, what it should be: "should be the unit normal".
+    pub cause: Option<String>,
+    quantity: Option<QuantityName>,
+}
+
+impl ExpressionQuantity {
+    /// The same in a sentence.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        match (&self.cause, &self.words) {
+            (Some(should), _) => format!("This {should}: here the values begin to be wrong."),
+            (None, Some(words)) if self.is_right => format!("This is {words}."),
+            (None, Some(words)) => format!("This should be {words}; an earlier value is wrong."),
+            (None, None) => "An earlier value is wrong.".to_owned(),
+        }
+    }
+}
+
+/// A cause with its place in the text of its stage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedCause {
+    /// The stage.
+    pub stage: Stage,
+    /// The expression.
+    pub expr: ExprId,
+    /// Its position.
+    pub span: Span,
+    /// Its text.
+    pub text: String,
+    /// What it should be: "should be the unit normal".
+    pub should: String,
+}
+
+/// The right values of an expression at the places of some scenes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RightValues {
+    /// Components of each value.
+    pub size: usize,
+    /// The components at each place; `None` where it has no value.
+    pub places: Vec<Option<Vec<f32>>>,
+}
+
+impl RightValues {
+    fn new(values: &Values) -> Self {
+        let at = |point: usize| values.present[point].then(|| values.at(point).to_vec());
+        RightValues { size: values.size, places: (0..values.points()).map(at).collect() }
+    }
+}
+
+/// The quantities of a pair's expressions.
+pub struct RightQuantities {
+    program: Program,
+    method: AnswerMethod,
+    parameterisation: Parameterisation,
+    changes: Vec<RightChange>,
+    causes: Vec<PlacedCause>,
+    quantities: BTreeMap<(Stage, ExprId), ExpressionQuantity>,
+}
+
+impl RightQuantities {
+    /// Finds the cause of what is wrong with a pair, and the quantities. `None` if its values cannot be judged.
+    #[must_use]
+    pub fn new(task: &Task, submission: &Submission, names: &NamesFile) -> Option<Self> {
+        let stages = [(&submission.vertex, Stage::Vertex), (&submission.fragment, Stage::Fragment)]
+            .map(|(text, stage)| ParsedStage::new(text, stage, OutputVersion::Core330));
+        let [vertex, fragment] = stages.each_ref().map(|stage| (&stage.parsed, &stage.checked));
+        let read = |names: &NamesFile| {
+            let [vertex, fragment] =
+                stages.each_ref().map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
+            Analysis::new(&vertex, &fragment, names)
+        };
+        let (mut names, mut source) = (names.clone(), read(names));
+        if !task.model.is_of_places() {
+            for (name, role) in source.matrices_by_use() {
+                names.names.entry(name).or_insert(Meaning::Role(role));
+            }
+            source = read(&names);
+        }
+        let constants = source.constants();
+        let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);
+        let diagnosis = diagnose(task, vertex, fragment, texts, &names, &constants).ok()?;
+        let groups: &[Vec<ProvenCause>] = match &diagnosis.found {
+            Found::Endless => return None,
+            Found::Causes(groups) => groups,
+            Found::Right(_) | Found::Nothing => &[],
+        };
+        let firsts: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
+        let changes = firsts.iter().flat_map(|cause| cause.right.iter().cloned()).collect();
+        let placed = |cause: &&ProvenCause| PlacedCause {
+            stage: cause.stage,
+            expr: cause.expr,
+            span: cause.span,
+            text: cause.text.clone(),
+            should: cause.should.clone(),
+        };
+        let causes = firsts.iter().map(placed).collect();
+        let mut program = Program::new(vertex, fragment, texts, &names).ok()?;
+        program.bindings = diagnosis.bindings;
+        let parameterisation = Parameterisation::new(task, &program.bindings, &program.declared, &constants);
+        let (method, quantities) = (diagnosis.method, BTreeMap::new());
+        let mut found = RightQuantities { program, method, parameterisation, changes, causes, quantities };
+        found.recognise(task)?;
+        Some(found)
+    }
+
+    /// The causes of what is wrong; none if the pair is right, or no single value repairs it.
+    #[must_use]
+    pub fn causes(&self) -> &[PlacedCause] {
+        &self.causes
+    }
+
+    /// What an expression is or should be; `None` if no quantity has its values.
+    #[must_use]
+    pub fn of(&self, stage: Stage, expr: ExprId) -> Option<&ExpressionQuantity> {
+        self.quantities.get(&(stage, self.computed(stage, expr)))
+    }
+
+    /// The right side of an assignment, or the expression itself.
+    fn computed(&self, stage: Stage, expr: ExprId) -> ExprId {
+        let expressions = &self.program.stage(stage).source.expressions;
+        let text = self.program.text(stage, expr);
+        let Some(own) = expressions.get(expr.0 as usize).map(|source| source.span) else { return expr };
+        let is_right_side = |span: Span| {
+            let before = text.get(..(span.start.saturating_sub(own.start)) as usize).unwrap_or_default().trim_end();
+            let target = before.strip_suffix('=').unwrap_or_default();
+            span.end == own.end && target.ends_with(|c: char| c.is_alphanumeric() || "_] \t".contains(c))
+        };
+        let found = expressions.iter().position(|source| is_right_side(source.span));
+        found.map_or(expr, |index| ExprId(index as u32))
+    }
+
+    /// The right values of an expression at the places of scenes, whatever the stage that computes it.
+    #[must_use]
+    pub fn at_places(&self, scenes: Vec<SceneSamples>, stage: Stage, expr: ExprId) -> Option<RightValues> {
+        let (samples, values) = self.values(scenes, stage, expr)?;
+        Some(RightValues::new(&if stage == Stage::Vertex { interpolated(&values, &samples) } else { values }))
+    }
+
+    /// The right values of an expression of the vertex shader at all vertices of scenes.
+    #[must_use]
+    pub fn at_vertices(&self, scenes: Vec<SceneSamples>, expr: ExprId) -> Option<RightValues> {
+        self.values(scenes, Stage::Vertex, expr).map(|(_, values)| RightValues::new(&values))
+    }
+
+    fn values(
+        &self,
+        mut samples: Vec<SceneSamples>,
+        stage: Stage,
+        expr: ExprId,
+    ) -> Option<(Vec<SceneSamples>, Values)> {
+        let expr = self.computed(stage, expr);
+        let of = self.quantities.get(&(stage, expr))?;
+        samples.iter_mut().for_each(|samples| self.parameterisation.apply(&mut samples.scene));
+        let model = self.model(&samples)?;
+        let values = match &of.quantity {
+            Some(name) => model.quantities[name.index(stage, &model)?].values.clone(),
+            None => {
+                let runner = Runner::new(&self.program, &samples);
+                values_of(&runner, &self.changes(&runner, &model), stage, expr, None)?
+            }
+        };
+        Some((samples, values))
+    }
+
+    fn model(&self, samples: &[SceneSamples]) -> Option<Model> {
+        Model::new(self.method, samples, self.parameterisation.written_exponent.unwrap_or(1.0), false).ok()
+    }
+
+    /// The right values of all causes at the points of a runner.
+    fn changes(&self, runner: &Runner<'_>, model: &Model) -> Vec<Change> {
+        let mut changes = Vec::new();
+        for right in &self.changes {
+            changes.extend(right.change(runner, model, &changes));
+        }
+        changes
+    }
+
+    /// Compares the values of all expressions, before and after the change, with the quantities.
+    fn recognise(&mut self, task: &Task) -> Option<()> {
+        let (scenes, [whole, _]) = task.test_scenes();
+        let samples: Vec<SceneSamples> = (scenes.into_iter().take(whole.min(TELLING)))
+            .map(|mut scene| {
+                self.parameterisation.apply(&mut scene);
+                SceneSamples::new(scene)
+            })
+            .collect();
+        let model = self.model(&samples)?;
+        let runner = Runner::new(&self.program, &samples);
+        let observer = Observer { runner: &runner, model: &model };
+        let before = observer.observe(&[], 0..samples.len());
+        let changes = self.changes(&runner, &model);
+        let after = if changes.is_empty() { before.clone() } else { observer.observe(&changes, 0..samples.len()) };
+        let mut quantities: BTreeMap<(Stage, ExprId), ExpressionQuantity> = BTreeMap::new();
+        let mut ambiguous = Vec::new();
+        for (old, new) in before.iter().filter_map(|old| Some((old, of_same(old, &after)?))) {
+            let cause = self.causes.iter().find(|cause| (cause.stage, cause.expr) == (old.stage, old.expr));
+            let cause = cause.map(|cause| cause.should.clone());
+            let text = self.program.text(old.stage, old.expr);
+            // A number that is written is only a quantity where it should be another one.
+            let is_literal = text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+            let is_right = old.values.is_same(&new.values);
+            let is = observer.recognise(new.stage, &new.values).map(|is| &model.quantities[is]);
+            let is = is.filter(|_| !(is_literal && is_right));
+            if is.is_none() && is_right {
+                continue;
+            }
+            let found = ExpressionQuantity {
+                words: is.map(words::quantity),
+                is_right,
+                cause,
+                quantity: is.map(QuantityName::new),
+            };
+            let key = (old.stage, old.expr);
+            if quantities.get(&key).is_some_and(|known| *known != found) {
+                ambiguous.push(key);
+            }
+            quantities.insert(key, found);
+        }
+        // A function's parameter is another quantity in each call.
+        ambiguous.iter().for_each(|key| {
+            quantities.remove(key);
+        });
+        self.quantities = quantities;
+        Some(())
+    }
+}
+
+/// The same evaluation in another run.
+fn of_same<'o>(old: &Observed, all: &'o [Observed]) -> Option<&'o Observed> {
+    all.iter().find(|new| (new.stage, new.expr, new.occurrence) == (old.stage, old.expr, old.occurrence))
+}
