@@ -9,6 +9,7 @@ use crate::exercise::Exercise;
 use crate::preview::SubmittedPair;
 use gonio_check::cause::SceneSamples;
 use gonio_check::cause::quantity_of::{ExpressionQuantity, PlacedCause, RightQuantities};
+use gonio_check::feedback::Feedback;
 use gonio_check::search::Task;
 use gonio_glsl::Stage;
 use gonio_interpreter::{ExprId, Fragment};
@@ -38,10 +39,13 @@ pub struct RightValue {
 }
 
 impl RightAnswer {
-    /// Compares a pair with the right answer of its exercise; a tenth of a second. `None` if the exercise has none, or
-    /// the pair's values cannot be judged. This is the only access to right answers from the steps.
+    /// Compares a pair with the right answer of its exercise; a tenth of a second. `None` if the exercise has none, hides
+    /// it or shows no lines of mistakes, or the pair's values cannot be judged. This is the only access to right answers from the steps.
     #[must_use]
     pub fn new(exercise: &Exercise, submitted: &SubmittedPair) -> Option<Self> {
+        if !exercise.shows_reference || exercise.feedback < Feedback::Line {
+            return None;
+        }
         let task = Task::find(&exercise.id)?;
         Some(Self { quantities: RightQuantities::new(task, submitted.submission(), submitted.names())? })
     }
@@ -126,4 +130,23 @@ impl SteppedScene {
 
 fn samples(object: &SteppedObject, places: Vec<Fragment>) -> SceneSamples {
     SceneSamples { scene: object.test_scene.clone(), mesh: object.mesh.clone(), places }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exercise;
+
+    #[test]
+    fn right_values_are_hidden_with_the_reference_and_with_the_lines_of_mistakes() {
+        let ex04 = exercise::find("ex04").unwrap();
+        let pair = crate::preview::reference(ex04).unwrap();
+        let is_shown = |shows_reference: bool, feedback: Feedback| {
+            let mut exercise = ex04.clone();
+            (exercise.shows_reference, exercise.feedback) = (shows_reference, feedback);
+            RightAnswer::new(&exercise, &pair).is_some()
+        };
+        assert!(is_shown(true, Feedback::Line) && is_shown(true, Feedback::Fix));
+        assert!(!is_shown(false, Feedback::Fix) && !is_shown(true, Feedback::Name));
+    }
 }
