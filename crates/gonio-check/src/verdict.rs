@@ -158,7 +158,7 @@ pub struct ProposedEdit {
     pub file: String,
     /// The first line that changes, from 1.
     pub line: u32,
-    /// The old lines as a whole, without the last line break; empty if lines are only added before `line`.
+    /// The old lines as a whole, without the last line break.
     pub before: String,
     /// The new lines as a whole, without the last line break.
     pub after: String,

@@ -144,7 +144,7 @@ pub struct ScoredPair {
     pub lines_right: bool,
     /// Whether the rewritten programs got the same verdict; `None` if there are none.
     pub same_when_rewritten: Option<bool>,
-    /// Whether the proposed fix passes; `None` while the checker proposes none.
+    /// Whether a fix was proposed and passes; `None` unless a single mistake was named.
     pub fix_passes: Option<bool>,
     /// Mistakes that were left out because no picture shows them.
     pub invisible: usize,
@@ -168,12 +168,15 @@ fn gist(verdict: &Verdict) -> (Outcome, Vec<&str>) {
 
 impl ScoredPair {
     /// Compares a verdict with the label, and with the verdicts on the rewritten programs.
-    pub fn new(pair: &GeneratedPair, verdict: &Verdict, rewritten: &[Verdict]) -> Self {
+    /// `fixed` is the verdict on the files with the proposed fix, if there is one.
+    pub fn new(pair: &GeneratedPair, verdict: &Verdict, rewritten: &[Verdict], fixed: Option<&Verdict>) -> Self {
         let right = if pair.mistakes.is_empty() { Outcome::Correct } else { Outcome::Wrong };
         let found = &verdict.mistakes;
         let named = pair.mistakes.iter().all(|made| found.iter().any(|found| answers(found, made)));
         let located = pair.mistakes.iter().all(|made| found.iter().any(|found| is_at(found, made)));
         let in_no_list = pair.mistakes.iter().any(|made| made.ids.is_empty());
+        let names_right = named && found.len() == pair.mistakes.len();
+        let has_fix_to_make = names_right && !in_no_list && pair.mistakes.len() == 1;
         ScoredPair {
             exercise: pair.exercise.to_owned(),
             index: pair.index,
@@ -182,11 +185,11 @@ impl ScoredPair {
             verdict: outcome_word(verdict.verdict).to_owned(),
             outcome_right: verdict.verdict == right,
             named: found.iter().map(|found| found.id.clone()).collect(),
-            names_right: named && found.len() == pair.mistakes.len(),
+            names_right,
             lines_right: located,
             same_when_rewritten: (!rewritten.is_empty())
                 .then(|| rewritten.iter().all(|other| gist(other) == gist(verdict))),
-            fix_passes: None,
+            fix_passes: has_fix_to_make.then(|| fixed.is_some_and(|fixed| fixed.verdict == Outcome::Correct)),
             invisible: pair.invisible.len(),
         }
     }
@@ -279,7 +282,7 @@ pub struct GeneratedScore {
     pub pairs_located: Share,
     /// Programs whose rewrites got the same verdict.
     pub same_when_rewritten: Share,
-    /// Proposed fixes that pass; `None` while the checker proposes none.
+    /// Named single mistakes with a proposed fix that passes; `None` if there are none.
     pub fixes: Option<Share>,
     /// Mistakes that were left out because no picture shows them.
     pub invisible: usize,
@@ -346,12 +349,18 @@ impl GeneratedScore {
 /// # Errors
 /// Faults of the generator and errors of the driver, in words.
 pub fn score_generated(checker: &mut Checker, exercise: &Exercise, pair: &GeneratedPair) -> Result<ScoredPair, String> {
-    let mut check_files = |files: &[(String, String)]| -> Result<Verdict, String> {
-        let files = files.iter().map(|(name, text)| SourceFile::new(name, text.clone())).collect();
+    let sources = |files: &[(String, String)]| -> Vec<SourceFile> {
+        files.iter().map(|(name, text)| SourceFile::new(name, text.clone())).collect()
+    };
+    let mut check_files = |files: Vec<SourceFile>| -> Result<Verdict, String> {
         let checked = check(checker, exercise, files, &CheckOptions::default(), Feedback::Fix);
         checked.map(|(verdict, _)| verdict).map_err(|error| error.to_string())
     };
-    let verdict = check_files(&pair.files)?;
-    let rewritten = pair.rewrites.iter().map(|files| check_files(files)).collect::<Result<Vec<_>, _>>()?;
-    Ok(ScoredPair::new(pair, &verdict, &rewritten))
+    let files = sources(&pair.files);
+    let verdict = check_files(files.clone())?;
+    let rewritten = pair.rewrites.iter().map(|files| check_files(sources(files))).collect::<Result<Vec<_>, _>>()?;
+    let fix = &verdict.proposed_fix;
+    let changed = if fix.is_empty() { None } else { gonio_check::with_edits(&files, fix) };
+    let fixed = changed.map(check_files).transpose()?;
+    Ok(ScoredPair::new(pair, &verdict, &rewritten, fixed.as_ref()))
 }

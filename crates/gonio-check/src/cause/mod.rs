@@ -6,6 +6,8 @@
 //! expression's own, the whole picture becomes right (`target`, [`search`]).
 
 mod assign;
+pub mod edit;
+pub(crate) mod formula;
 pub(crate) mod model;
 pub mod naming;
 pub(crate) mod observed;
@@ -13,6 +15,7 @@ pub(crate) mod program;
 pub mod quantity_of;
 pub(crate) mod repair;
 pub(crate) mod samples;
+pub(crate) mod scope;
 pub mod search;
 pub(crate) mod target;
 pub(crate) mod values;
@@ -23,11 +26,13 @@ use crate::roles::{Bindings, NamesFile, Role};
 use crate::rules::SourceConstants;
 use crate::search::{Parameterisation, Second, Task};
 use crate::testbench::TestScene;
+use edit::{Editor, TextFix, Trial};
 use gonio_glsl::{Checked, Parsed, Stage};
 use model::{AnswerMethod, Model};
 use observed::Observer;
 use program::{Program, Runner};
 pub use samples::SceneSamples;
+use scope::Scopes;
 use search::{Found, Search};
 use target::RightPicture;
 
@@ -53,10 +58,15 @@ pub struct Diagnosis {
     pub bindings: Bindings,
     /// Single runs of scenes.
     pub runs: usize,
+    /// Edits with which every scene is right, the most promising first; empty if none were found.
+    pub fixes: Vec<TextFix>,
 }
 
 /// Most methods that are searched for causes.
 const MOST_METHODS: usize = 2;
+
+/// Most proven fixes that are kept for the driver.
+const MOST_FIXES: usize = 2;
 
 /// The methods of right answers to a task, the usual one first.
 fn methods(task: &Task) -> Vec<AnswerMethod> {
@@ -145,8 +155,12 @@ pub fn diagnose(
         let Some(target) = RightPicture::new(&model, task, &parameterisation, &samples) else { continue };
         let mut search = Search::new(Observer { runner: &runner, model: &model }, &target);
         match search.is_right() {
-            None => return Ok(Diagnosis { found: Found::Endless, method, bindings, runs }),
-            Some(Some(agreement)) => return Ok(Diagnosis { found: Found::Right(agreement), method, bindings, runs }),
+            None => {
+                return Ok(Diagnosis { found: Found::Endless, method, bindings, runs, fixes: Vec::new() });
+            }
+            Some(Some(agreement)) => {
+                return Ok(Diagnosis { found: Found::Right(agreement), method, bindings, runs, fixes: Vec::new() });
+            }
             Some(None) => wrong.push((method, search.at.likeness())),
         }
     }
@@ -181,5 +195,16 @@ pub fn diagnose(
         Some((found, method, _)) => (found, method),
         None => (Found::Nothing, methods(task)[0]),
     };
-    Ok(Diagnosis { found, method, bindings, runs })
+    let mut fixes = Vec::new();
+    if let Found::Causes(groups) = &found {
+        let model = model_of(method, true)?;
+        if let Some(target) = RightPicture::new(&model, task, &parameterisation, &samples) {
+            let at = Observer { runner: &runner, model: &model };
+            let scopes = [Scopes::new(vertex.0, vertex.1), Scopes::new(fragment.0, fragment.1)];
+            let trial = Trial { at, target: &target, texts, names };
+            let tried = Editor::new(at, scopes, texts).fixes(groups);
+            fixes = tried.into_iter().filter(|fix| trial.is_right(fix)).take(MOST_FIXES).collect();
+        }
+    }
+    Ok(Diagnosis { found, method, bindings, runs, fixes })
 }

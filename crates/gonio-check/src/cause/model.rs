@@ -8,7 +8,7 @@ use crate::mistakes::{Hypotheses, Hypothesis, Mistake, ModelSolution};
 use crate::roles::{Meaning, Role};
 use crate::testbench::numbers;
 use glam::{Mat3, Vec3};
-use gonio_glsl::Stage;
+use gonio_glsl::{Stage, TokenRange};
 use gonio_interpreter::{ExprId, PointValues, SourceMap};
 use std::collections::BTreeMap;
 
@@ -83,11 +83,11 @@ struct Assigned {
 }
 
 /// A way to make a mistake: the variables and the values assigned instead.
-type Way = (&'static Mistake, Vec<(String, String)>);
+pub(super) type Way = (&'static Mistake, Vec<(String, String)>);
 
 impl AnswerMethod {
     /// The model's shaders as this method writes them.
-    fn sources(self) -> ([String; 2], Vec<Way>) {
+    pub(super) fn sources(self) -> ([String; 2], Vec<Way>) {
         let all = Hypotheses::for_model(self.model);
         let mut chosen = Hypothesis::default();
         let wanted = [("normal-kept-unnormalised", self.normal_kept), ("specular-half-vector", self.half_vector)];
@@ -219,8 +219,14 @@ fn assigned(text: &str, map: &SourceMap) -> Vec<Assigned> {
     found
 }
 
+/// The variables that a source assigns, and the tokens of their values.
+pub(super) fn assignments(text: &str, map: &SourceMap) -> Vec<(String, TokenRange)> {
+    let tokens = |expr: ExprId| map.expressions[expr.0 as usize].tokens;
+    assigned(text, map).into_iter().map(|assigned| (assigned.variable, tokens(assigned.expr))).collect()
+}
+
 /// Inputs of the light equation, by the names that the model solutions give them.
-const INPUTS: [(&str, Role, &str); 18] = [
+pub(super) const INPUTS: [(&str, Role, &str); 18] = [
     ("light_pos", Role::LightPos(0), "vec3"),
     ("u_view_pos", Role::ViewPos, "vec3"),
     ("materialColour", Role::MaterialColor, "vec3"),

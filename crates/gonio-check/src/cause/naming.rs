@@ -21,6 +21,12 @@ pub struct ProvenCause {
     pub span: Span,
     /// Its text.
     pub text: String,
+    /// Its evaluation, if there are several.
+    pub occurrence: Option<u32>,
+    /// How the right value is made.
+    pub make: Make,
+    /// The expression that is missing in a sum.
+    pub added: Option<ExprId>,
     /// What it should be: "should be the unit normal".
     pub should: String,
     /// What it is, if that is a quantity of the equation.
@@ -130,13 +136,16 @@ impl Observer<'_> {
                 _ => "",
             };
             let should = words::should_be(&repair, &self.model.quantities, added);
-            let Repair { relation, cost, .. } = repair;
+            let Repair { relation, make, cost, .. } = repair;
             let least = names.first().map_or(0, |(distance, _)| *distance);
             all.push(ProvenCause {
                 stage: seen.stage,
                 expr: seen.expr,
                 span: source.span,
                 text: self.text(seen).to_owned(),
+                occurrence: seen.occurrence,
+                make,
+                added: if let Make::Plus(other) = make { Some(observed[other].expr) } else { None },
                 equals: names.iter().skip(1).filter(|(distance, _)| *distance == least).count(),
                 should,
                 is,

@@ -1,6 +1,7 @@
 //! Corrects a verdict by the values that a program computes: a right program is never wrong, a mistake is named only
 //! where another value repairs every test scene, and an unlisted one gets its line and both quantities in words.
 
+use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
 use crate::cause::search::Found;
 use crate::cause::{Diagnosis, diagnose};
@@ -29,7 +30,15 @@ const BEYOND_VALUES: [&str; 8] = [
     "specular-power-of-negative",
 ];
 
-/// Corrects a wrong verdict. Returns whether its pictures still belong to it.
+/// What the values of a program add to its verdict.
+pub(super) struct ByValues {
+    /// Whether the pictures still belong to the verdict.
+    pub has_its_pictures: bool,
+    /// Edits with which the interpreter finds every scene right.
+    pub fixes: Vec<TextFix>,
+}
+
+/// Corrects a wrong verdict.
 pub(super) fn correct(
     verdict: &mut Verdict,
     task: &Task,
@@ -37,22 +46,24 @@ pub(super) fn correct(
     [vertex, fragment]: [&ParsedStage<'_>; 2],
     names: &NamesFile,
     constants: &SourceConstants,
-) -> bool {
+) -> ByValues {
+    let unchanged = ByValues { has_its_pictures: true, fixes: Vec::new() };
     let is_judged = task.model.is_lit() || task.model.is_looked_up();
     // A term that the exercise requires is in every right picture.
     let is_required = |id: &str| (0..3).any(|term| task.required[term] && id == format!("{}-missing", TERMS[term]));
     let is_beyond = |id: &str| BEYOND_VALUES.contains(&id) && !is_required(id);
     let is_beyond = verdict.mistakes.iter().any(|found| is_beyond(&found.id));
     if verdict.verdict != Outcome::Wrong || !is_judged {
-        return true;
+        return unchanged;
     }
     let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);
     let stages = [vertex, fragment].map(|stage| (&stage.parsed, &stage.checked));
-    let Ok(diagnosis) = diagnose(task, stages[0], stages[1], texts, names, constants) else { return true };
+    let Ok(diagnosis) = diagnose(task, stages[0], stages[1], texts, names, constants) else { return unchanged };
+    let fixes = diagnosis.fixes.clone();
     match &diagnosis.found {
         Found::Right(_) if !is_beyond => {
             acquit(verdict, &diagnosis);
-            return false;
+            return ByValues { has_its_pictures: false, fixes };
         }
         Found::Causes(groups) if groups.iter().all(|group| group.first().is_some_and(ProvenCause::is_sound)) => {
             let found: Vec<FoundMistake> =
@@ -61,7 +72,7 @@ pub(super) fn correct(
             let is_known =
                 |new: &FoundMistake| verdict.mistakes.iter().any(|old| old.id == new.id && old.line.is_some());
             if found.len() == verdict.mistakes.len() && found.iter().all(is_known) {
-                return true;
+                return ByValues { fixes, ..unchanged };
             }
             verdict.mistakes = found;
             verdict.summary = verdict.mistake_names();
@@ -81,7 +92,7 @@ pub(super) fn correct(
         }
         _ => {}
     }
-    true
+    ByValues { fixes, ..unchanged }
 }
 
 /// Makes the verdict right, and states the roles that this assumes where the names do not tell them.

@@ -2,8 +2,10 @@
 
 mod by_values;
 mod corrections;
+mod proposed;
 
 pub use by_values::WRONG_VALUE;
+pub use proposed::with_edits;
 
 use crate::compile::{ParsedStage, compile, compiler_messages, does_not_link, first_message, strictness};
 use crate::dataflow::Shader;
@@ -54,11 +56,23 @@ pub fn check(
     files: Vec<SourceFile>,
     options: &CheckOptions,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
+    check_files(checker, exercise, files, options, true)
+}
+
+/// Checks files, and searches for a fix if `has_fix` says so.
+fn check_files(
+    checker: &mut ShaderChecker,
+    exercise: &ShaderExercise<'_>,
+    files: Vec<SourceFile>,
+    options: &CheckOptions,
+    has_fix: bool,
+) -> Result<(Verdict, Option<Evidence>), GlError> {
     let unsure = |sentence: String| Ok((Verdict::new(exercise.id, Outcome::Unsure, sentence), None));
     let Some(task) = Task::find(exercise.id) else {
         return unsure(format!("{} cannot be checked yet", exercise.id));
     };
     let hints = [exercise.id];
+    let given = if has_fix { files.clone() } else { Vec::new() };
     let submission = match Submission::gather_with(files, options.pair.as_deref(), &hints) {
         Ok(submission) => submission,
         Err(error) => return unsure(error.to_string()),
@@ -161,10 +175,13 @@ pub fn check(
         let (file, line, _) = text.place(at.span.line, at.span.column);
         verdict.warnings.push(format!("{file}:{line}: {sentence}"));
     }
-    let has_its_pictures =
+    let by_values =
         by_values::correct(&mut verdict, task, &submission, [&vertex, &fragment], &prepared.names, &source.constants());
-    if !has_its_pictures {
+    if !by_values.has_its_pictures {
         evidence = None;
+    }
+    if has_fix && verdict.verdict == Outcome::Wrong && !is_unchanged(exercise, &submission) {
+        verdict.proposed_fix = proposed::propose(checker, exercise, &given, options, &submission, &by_values.fixes);
     }
     if options.as_the_lab {
         pass_as_the_lab(&mut verdict);

@@ -117,6 +117,20 @@ impl Bindings {
     pub fn variable(&self, role: Role) -> Option<&Declared> {
         self.bound.iter().find(|bound| bound.role == role).map(|bound| &bound.declared)
     }
+
+    /// Takes over the roles that the same variables have in another version of the program.
+    pub fn adopt(&mut self, known: &Bindings) {
+        for bound in &known.bound {
+            match self.bound.iter_mut().find(|own| own.declared == bound.declared) {
+                Some(own) => own.role = bound.role,
+                None if self.unknown.contains(&bound.declared) => {
+                    self.unknown.retain(|unknown| *unknown != bound.declared);
+                    self.bound.push(bound.clone());
+                }
+                None => {}
+            }
+        }
+    }
 }
 
 /// Determines the role of each variable. OpenGL's own variables (`gl_...`) are ignored.

@@ -85,6 +85,11 @@ impl Submission {
     }
 }
 
+/// The text of a file, with lines that end in `\n`; `None` if it is not text.
+pub(crate) fn decoded(file: &SourceFile) -> Option<String> {
+    text::decode(&file.name, &file.bytes).ok().map(|(text, _)| text)
+}
+
 /// The parts of a submission that a file contains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Holds {
