@@ -11,8 +11,8 @@ use gonio_check::roles::NamesFile;
 use gonio_check::rules::Analysis;
 use gonio_check::search::Task;
 use gonio_check::submission::{SourceFile, StageText};
-use gonio_check::verdict::Outcome;
-use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise, with_edits};
+use gonio_check::verdict::{Outcome, Verdict};
+use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise, check_without_fix, with_edits};
 use gonio_gl::HeadlessContext;
 use gonio_glsl::{OutputVersion, Stage};
 
@@ -186,4 +186,6 @@ fn a_verdict_proposes_a_fix_that_the_driver_draws_right() {
     let fixed = check(with_edits(&files, &verdict.proposed_fix).unwrap());
     assert_eq!(fixed.verdict, Outcome::Correct, "{fixed:?}");
     assert!(fixed.proposed_fix.is_empty());
+    let without = check_without_fix(&mut checker, &exercise, files, &CheckOptions::default()).unwrap().0;
+    assert_eq!(without, Verdict { proposed_fix: Vec::new(), ..verdict });
 }

@@ -96,7 +96,10 @@ fn whole(
         start_vertex: exercise.file("start.vert"),
         start_fragment: exercise.file("start.frag"),
     };
-    gonio_check::check(&mut checker.shaders, &shader_exercise, files, options)
+    match feedback {
+        Feedback::Fix => gonio_check::check(&mut checker.shaders, &shader_exercise, files, options),
+        _ => gonio_check::check_without_fix(&mut checker.shaders, &shader_exercise, files, options),
+    }
 }
 
 /// Whether the answer is pictures: whether there are other pictures than those handed out.

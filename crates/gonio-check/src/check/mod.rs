@@ -59,6 +59,19 @@ pub fn check(
     check_files(checker, exercise, files, options, true)
 }
 
+/// Checks a student's files where no fix is shown, which saves drawing it.
+///
+/// # Errors
+/// Errors of the driver.
+pub fn check_without_fix(
+    checker: &mut ShaderChecker,
+    exercise: &ShaderExercise<'_>,
+    files: Vec<SourceFile>,
+    options: &CheckOptions,
+) -> Result<(Verdict, Option<Evidence>), GlError> {
+    check_files(checker, exercise, files, options, false)
+}
+
 /// Checks files, and searches for a fix if `has_fix` says so.
 fn check_files(
     checker: &mut ShaderChecker,

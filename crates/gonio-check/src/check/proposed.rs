@@ -2,6 +2,7 @@
 
 use super::{CheckOptions, ShaderExercise, check_files};
 use crate::cause::edit::{TextEdit, TextFix};
+use crate::proposed_fix::applied;
 use crate::search::ShaderChecker;
 use crate::submission::{SourceFile, StageText, Submission, decoded};
 use crate::verdict::{Outcome, ProposedEdit};
@@ -36,21 +37,11 @@ pub(super) fn propose(
 #[must_use]
 pub fn with_edits(files: &[SourceFile], edits: &[ProposedEdit]) -> Option<Vec<SourceFile>> {
     let mut files = files.to_vec();
-    let mut last_first: Vec<&ProposedEdit> = edits.iter().collect();
-    last_first.sort_by_key(|edit| std::cmp::Reverse(edit.line));
-    for edit in last_first {
-        let file = files.iter_mut().find(|file| file.name == edit.file)?;
-        let text = decoded(file)?;
-        let mut lines: Vec<&str> = text.split('\n').collect();
-        let first = (edit.line as usize).checked_sub(1)?;
-        let count = edit.before.split('\n').count();
-        if !lines.get(first..first + count)?.iter().copied().eq(edit.before.split('\n')) {
-            return None;
-        }
-        lines.splice(first..first + count, edit.after.split('\n'));
-        file.bytes = lines.join("\n").into_bytes();
+    for file in files.iter_mut().filter(|file| edits.iter().any(|edit| edit.file == file.name)) {
+        file.bytes = applied(edits, &file.name, &decoded(file)?)?.into_bytes();
     }
-    Some(files)
+    let is_known = |edit: &ProposedEdit| files.iter().any(|file| file.name == edit.file);
+    edits.iter().all(is_known).then_some(files)
 }
 
 /// A replaced range of a file's text, in bytes.
