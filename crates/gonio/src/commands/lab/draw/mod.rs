@@ -34,7 +34,8 @@ Examples:
   gonio lab draw ex07 mine -o mine.png
       The picture of a pair of shaders in the lab's own scene. --scene stretched shows what that scene hides.
   gonio lab draw ex07 mine --show 26:10 -o normals.png
-      The values of the smallest expression around line 26, column 10 of the fragment shader, as colours.
+      The values of the smallest expression around line 26, column 10 of the fragment shader, as colours. If gonio knows \
+what they should be, the right ones are beside them.
   gonio lab draw ex11 host/texture-name-as-unit.txt -o triangle.png
       The picture of a GL program, whose OpenGL calls are executed.
   gonio lab draw ex11 host/texture-name-as-unit.txt --frame
