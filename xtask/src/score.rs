@@ -59,6 +59,51 @@ pub fn check(root: &Path) -> Findings {
     }
 }
 
+/// Programs that are generated for one run of the tests.
+const GENERATED: u32 = 60;
+/// Least shares with a seed that nobody has seen. They are below what 400 programs have (see `docs/decisions/checker.md`) by
+/// more than the chance of so few programs explains, so that a failure is a defect.
+const LEAST_OF_GENERATED: [(&str, f64); 4] =
+    [("correct", 0.9), ("outcomes", 0.94), ("single_named", 0.8), ("same_when_rewritten", 0.8)];
+
+/// Checks generated programs and their rewrites, with a new seed.
+pub fn check_generated(root: &Path) -> Findings {
+    let program = crate::web::target_folder(root).join("debug").join(program_name());
+    let mut command = Command::new(&program);
+    command.args(["lab", "score", "--generated", &GENERATED.to_string(), "--json", "--quiet"]).current_dir(root);
+    let output = match command.output() {
+        Ok(output) => output,
+        Err(error) => return Findings::fail(format!("cannot run {}: {error}", program.display())),
+    };
+    let Ok(report) = serde_json::from_slice::<serde_json::Value>(&output.stdout) else {
+        return Findings::fail(String::from_utf8_lossy(&output.stderr).into_owned());
+    };
+    let seed = report["seed"].to_string();
+    let all = report["scores"].as_array().and_then(|scores| scores.last()).cloned().unwrap_or_default();
+    let mut remarks = vec![format!("seed {seed}")];
+    let mut failures = Vec::new();
+    for (name, least) in LEAST_OF_GENERATED {
+        let count = |key: &str| all[name][key].as_f64();
+        // Without a number, the report is not what it was.
+        let (Some(right), Some(of)) = (count("right"), count("all")) else {
+            failures.push(format!("the report has no `{name}`"));
+            continue;
+        };
+        let words = name.replace('_', " ");
+        remarks.push(format!("{words} {right} of {of}"));
+        if right < least * of {
+            failures.push(format!("{words}: {right} of {of}, expected at least {:.0} %", 100.0 * least));
+        }
+    }
+    match failures.is_empty() {
+        true => Findings::pass().remarking(remarks.join(", ")),
+        false => Findings::fail(format!(
+            "{}\nsee them with `gonio lab score --generated {GENERATED} --seed {seed}`",
+            failures.join("\n")
+        )),
+    }
+}
+
 fn program_name() -> PathBuf {
     PathBuf::from(format!("gonio{}", std::env::consts::EXE_SUFFIX))
 }

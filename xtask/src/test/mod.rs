@@ -78,6 +78,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
     if built {
         report.step("tests", || cargo_test(root));
         report.step("checker, score", || score::check(root));
+        report.step("checker, generated", || score::check_generated(root));
     } else {
         report.step("tests", || Findings::fail("not run, because the tests did not build"));
     }
