@@ -29,7 +29,8 @@ void main() {
     vec3 V = normalize(to_eye);
     vec3 R = reflect(-L, N);
     float cos_theta = max(dot(N, L), 0.0);
-    float cos_phi = max(dot(R, V), 0.0);
+    float cos_highlight = dot(R, V);
+    float cos_phi = max(cos_highlight, 0.0);
     float spec = pow(cos_phi, shininess);
     float d = length(to_light);
     float attenuation = 1.0 / (light.constant + light.linear * d + light.quadratic * d * d);

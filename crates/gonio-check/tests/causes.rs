@@ -8,10 +8,11 @@ mod submissions;
 
 use gonio_check::cause::naming::ProvenCause;
 use gonio_check::cause::search::Found;
-use gonio_check::cause::{Diagnosis, NotJudged, diagnose};
+use gonio_check::cause::{Diagnosis, ModelSolutions, NotJudged, diagnose};
 use gonio_check::compile::ParsedStage;
 use gonio_check::dataflow::Shader;
-use gonio_check::roles::{Meaning, NamesFile, Role};
+use gonio_check::mistakes::{Hypotheses, ModelSolution};
+use gonio_check::roles::{NamesFile, Role};
 use gonio_check::rules::Analysis;
 use gonio_check::search::Task;
 use gonio_check::submission::{StageText, Submission};
@@ -34,11 +35,11 @@ fn diagnosed(
         Analysis::new(&vertex, &fragment, names)
     };
     for (name, role) in read(&names).matrices_by_use() {
-        names.names.entry(name).or_insert(Meaning::Role(role));
+        names.by_use.insert(name, role);
     }
     let constants = read(&names).constants();
     let [v, f] = stages.each_ref().map(|stage| (&stage.parsed, &stage.checked));
-    diagnose(task, v, f, [&vertex.text, &fragment.text], &names, &constants)
+    diagnose(task, v, f, [&vertex.text, &fragment.text], &names, &constants, &ModelSolutions::default())
 }
 
 /// A submission of the corpus with its diagnosis, if it is one that values judge.
@@ -152,8 +153,74 @@ void main() {{
 }
 
 fn of_texts(vertex: &str, fragment: &str) -> Diagnosis {
+    of_exercise("ex06", vertex, fragment)
+}
+
+fn of_exercise(exercise: &str, vertex: &str, fragment: &str) -> Diagnosis {
     let texts = [StageText::whole("a.vert", vertex.to_owned()), StageText::whole("a.frag", fragment.to_owned())];
-    diagnosed("ex06", [&texts[0], &texts[1]], NamesFile::default()).unwrap()
+    diagnosed(exercise, [&texts[0], &texts[1]], NamesFile::default()).unwrap()
+}
+
+/// The mistakes of the first explanation, in alphabetical order.
+fn explained(diagnosis: &Diagnosis) -> Vec<&'static str> {
+    let first = diagnosis.explanations.first().unwrap_or_else(|| panic!("{diagnosis:?}"));
+    let mut ids: Vec<&str> = first.mistakes.iter().map(|mistake| mistake.id.as_str()).collect();
+    ids.sort_unstable();
+    ids
+}
+
+#[test]
+fn two_mistakes_are_named_by_what_they_compute_together() {
+    let all = Hypotheses::for_model(ModelSolution::Phong);
+    let single = |id: &str| {
+        all.singles.iter().find(|single| all.mistakes[single.mistakes[0]].id == id).unwrap_or_else(|| panic!("{id}"))
+    };
+    for pair in [
+        ["attenuation-missing", "normal-by-model-matrix"],
+        ["diffuse-floor", "specular-without-power"],
+        ["ambient-attenuated", "light-direction-reversed"],
+    ] {
+        let [vertex, fragment] = all.written(&single(pair[0]).and(single(pair[1])).unwrap());
+        assert_eq!(explained(&of_exercise("ex07", &vertex, &fragment)), pair);
+    }
+}
+
+const IN_VIEW_SPACE: &str = "#version 330 core
+in vec3 position; in vec3 normal;
+uniform mat4 M, V, P, itM;
+out vec3 n; out vec3 p;
+void main() {
+    gl_Position = P * V * M * vec4(position, 1.0);
+    n = normalize(mat3(V) * (mat3(itM) * normal));
+    p = PLACE;
+}
+";
+
+const LIT_IN_VIEW_SPACE: &str = "#version 330 core
+in vec3 n; in vec3 p;
+uniform vec3 light_pos; uniform mat4 V;
+out vec4 c;
+void main() {
+    vec3 toLight = (V * vec4(light_pos, 1.0)).xyz - p;
+    c = vec4(vec3(max(dot(normalize(n), normalize(toLight)), 0.0)), 1.0);
+}
+";
+
+#[test]
+fn the_space_of_the_light_is_a_convention_and_mistakes_in_it_are_named() {
+    let right = IN_VIEW_SPACE.replace("PLACE", "(V * M * vec4(position, 1.0)).xyz");
+    assert!(matches!(of_exercise("ex04", &right, LIT_IN_VIEW_SPACE).found, Found::Right(_)));
+    // In world space, the same mistake has other colours.
+    let wrong = IN_VIEW_SPACE.replace("PLACE", "(P * V * M * vec4(position, 1.0)).xyz");
+    assert_eq!(explained(&of_exercise("ex04", &wrong, LIT_IN_VIEW_SPACE)), ["position-in-clip-space"]);
+}
+
+#[test]
+fn strengths_that_the_program_fixes_hide_no_mistake() {
+    let wrong = IN_VIEW_SPACE.replace("PLACE", "(V * M * vec4(position, 1.0)).xyz");
+    let floor =
+        LIT_IN_VIEW_SPACE.replace("vec3(max(", "vec3(0.15) + vec3(0.7 * max(").replace("0.0)), 1.0)", "0.3)), 1.0)");
+    assert_eq!(explained(&of_exercise("ex04", &wrong, &floor)), ["diffuse-floor"]);
 }
 
 #[test]

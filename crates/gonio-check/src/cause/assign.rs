@@ -19,13 +19,15 @@ const MATRICES: [Role; 8] = [
     Role::NormalMatrixOfModelView,
 ];
 const NORMAL_MATRICES: [Role; 4] = [Role::NormalMatrix, Role::NormalMatrixOfModelView, Role::Model, Role::View];
-const VECTORS: [Role; 4] = [Role::LightPos(0), Role::ViewPos, Role::LightPosInView(0), Role::MaterialColor];
+/// The colour first, because few values show it.
+const VECTORS: [Role; 4] = [Role::MaterialColor, Role::LightPos(0), Role::ViewPos, Role::LightPosInView(0)];
 
+/// In the order in which programs usually declare them.
 const NUMBERS: [Role; 9] = [
-    Role::Shininess,
+    Role::AmbientStrength(0),
     Role::DiffuseStrength(0),
     Role::SpecularStrength(0),
-    Role::AmbientStrength(0),
+    Role::Shininess,
     Role::AttenuationConstant(0),
     Role::AttenuationLinear(0),
     Role::AttenuationQuadratic(0),
@@ -46,10 +48,18 @@ fn candidates(bound: &Bound) -> &'static [Role] {
     match bound.role {
         _ if bound.how == How::NamesFile => &[],
         role if is_named && LIGHT_POSITIONS.contains(&role) => &LIGHT_POSITIONS,
+        // `itM` is that of M alone.
+        role if is_named && NORMALS.contains(&role) && is_of_model(&bound.declared.name) => &[],
         role if is_named && NORMALS.contains(&role) => &NORMALS,
         _ if is_named => &[],
         _ => of_type(&bound.declared.glsl_type),
     }
+}
+
+/// Whether the name of a normal matrix says that it belongs to the model matrix.
+fn is_of_model(name: &str) -> bool {
+    let name = name.to_lowercase();
+    ["itm", "model"].iter().any(|word| name.contains(word)) && !["mv", "view"].iter().any(|word| name.contains(word))
 }
 
 /// The roles that a type may have.
@@ -70,10 +80,26 @@ pub fn is_open(program: &Program) -> bool {
     let mut unknown = program.bindings.unknown.iter();
     unknown.any(|declared| is_uniform(declared.kind) && !of_type(&declared.glsl_type).is_empty())
         || program.bindings.bound.iter().any(|bound| is_uniform(bound.declared.kind) && !candidates(bound).is_empty())
+        || open_attributes(program).is_some()
 }
 
 /// Assigns roles to the inputs of a program whose names do not determine them. `samples` are those of the test scenes.
 pub fn assign(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
+    let other = open_attributes(program).map(|[a, b]| {
+        let mut other = program.clone();
+        (other.bindings.bound[a].role, other.bindings.bound[b].role) =
+            (program.bindings.bound[b].role, program.bindings.bound[a].role);
+        assign_uniforms(&mut other, samples, models);
+        other
+    });
+    assign_uniforms(program, samples, models);
+    let fitness = |program: &Program| (is_in_place(program, samples), score(program, samples, models));
+    if let Some(other) = other.filter(|other| fitness(other) > fitness(program)) {
+        *program = other;
+    }
+}
+
+fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
     let Some(first) = samples.first() else { return };
     let samples = std::slice::from_ref(first);
     // Variables without a role take part.
@@ -94,19 +120,23 @@ pub fn assign(program: &mut Program, samples: &[SceneSamples], models: &[Model])
         return;
     }
     let known = program.bindings.bound.clone();
-    let before = score(program, samples, models);
+    let before = (is_in_place(program, samples), score(program, samples, models));
     let is_matrix = |index: &usize| bound[*index].declared.glsl_type == "mat4" && bound[*index].how != How::Name;
     let matrices: Vec<usize> = open.iter().copied().filter(is_matrix).collect();
     let mut others: Vec<usize> = open.iter().copied().filter(|index| !is_matrix(index)).collect();
     let order = |index: &usize| match of_type(&bound[*index].declared.glsl_type) {
         [Role::NormalMatrix | Role::Model, ..] => 0,
-        [Role::LightPos(_), ..] => 1,
+        [Role::MaterialColor, ..] => 1,
         _ => 2,
     };
     others.sort_by_key(order);
     program.bindings.bound.clone_from(&bound);
     if (1..=MOST_MATRICES).contains(&matrices.len()) {
-        let mut best = (0, Vec::new());
+        // The roles that the source shows, unless others fit better.
+        let mut best = match is_in_place(program, samples) {
+            true => (1 + score(program, samples, models), matrices.iter().map(|_| MATRICES.len()).collect()),
+            false => (0, Vec::new()),
+        };
         let mut chosen = vec![0_usize; matrices.len()];
         loop {
             let is_distinct = (1..chosen.len()).all(|at| !chosen[..at].contains(&chosen[at]));
@@ -126,7 +156,8 @@ pub fn assign(program: &mut Program, samples: &[SceneSamples], models: &[Model])
             chosen[at + 1..].fill(0);
         }
         for (place, index) in matrices.iter().enumerate() {
-            let role = best.1.get(place).map_or(bound[*index].role, |role| MATRICES[*role]);
+            let chosen = best.1.get(place).and_then(|role: &usize| MATRICES.get(*role));
+            let role = chosen.map_or(bound[*index].role, |role| *role);
             program.bindings.bound[*index].role = role;
         }
     }
@@ -139,9 +170,35 @@ pub fn assign(program: &mut Program, samples: &[SceneSamples], models: &[Model])
     // Twice, because the first of two unknown vectors is tried beside a wrong second one.
     for _ in 0..2 {
         for index in &others {
-            let usual = program.bindings.bound[*index].role;
+            let mut usual = match is_exponent(program, &bound[*index].declared.name) {
+                true => Role::Shininess,
+                false => program.bindings.bound[*index].role,
+            };
+            program.bindings.bound[*index].role = usual;
+            if NUMBERS.contains(&usual) || VECTORS.contains(&usual) {
+                let is_taken = |role: &Role| {
+                    let others = program.bindings.bound.iter().enumerate().filter(|(other, _)| other != index);
+                    others.into_iter().any(|(_, bound)| bound.role == *role)
+                };
+                if is_taken(&usual) {
+                    let mut all = of_type(&bound[*index].declared.glsl_type).iter().copied();
+                    usual = all.find(|role| !is_taken(role)).unwrap_or(usual);
+                    program.bindings.bound[*index].role = usual;
+                }
+            }
             let mut best = (score(program, samples, models), usual);
             for role in candidates(&bound[*index]) {
+                // An input has one meaning.
+                let is_same = |a: Role, b: Role| a == b || [a, b].iter().all(|role| LIGHT_POSITIONS.contains(role));
+                let is_other = |(other, bound): (usize, &Bound)| {
+                    other != *index
+                        && bound.how == How::Name
+                        && is_same(bound.role, *role)
+                        && (NUMBERS.contains(role) || VECTORS.contains(role))
+                };
+                if program.bindings.bound.iter().enumerate().any(is_other) {
+                    continue;
+                }
                 program.bindings.bound[*index].role = *role;
                 let score = score(program, samples, models);
                 if score > best.0 {
@@ -151,7 +208,7 @@ pub fn assign(program: &mut Program, samples: &[SceneSamples], models: &[Model])
             program.bindings.bound[*index].role = best.1;
         }
     }
-    if score(program, samples, models) <= before {
+    if (is_in_place(program, samples), score(program, samples, models)) <= before {
         program.bindings.bound = known;
         return;
     }
@@ -165,6 +222,28 @@ pub fn assign(program: &mut Program, samples: &[SceneSamples], models: &[Model])
     }
     let bound = &program.bindings.bound;
     program.bindings.unknown.retain(|unknown| bound.iter().all(|bound| bound.declared != *unknown));
+}
+
+/// Whether an input is the second argument of `pow`.
+fn is_exponent(program: &Program, name: &str) -> bool {
+    STAGES.into_iter().any(|stage| {
+        program.numbers(stage).into_iter().any(|expr| {
+            let arguments = program.text(stage, expr).strip_prefix("pow").and_then(|text| text.strip_suffix(')'));
+            arguments.and_then(|text| text.rsplit_once(',')).is_some_and(|(_, exponent)| exponent.trim() == name)
+        })
+    })
+}
+
+/// Position and normal, if their names do not tell which attribute is which.
+fn open_attributes(program: &Program) -> Option<[usize; 2]> {
+    let is_open = |bound: &Bound| {
+        bound.declared.kind == VariableKind::Attribute
+            && bound.how == How::Type
+            && [Role::Position, Role::Normal].contains(&bound.role)
+    };
+    let all = program.bindings.bound.iter().enumerate();
+    let open: Vec<usize> = all.filter(|(_, bound)| is_open(bound)).map(|(index, _)| index).collect();
+    open.try_into().ok()
 }
 
 /// The three numbers among the open ones that are the constants of the attenuation: together they give a right value.

@@ -8,7 +8,7 @@ use super::program::{Change, Program, Runner};
 use super::repair::{Make, Relation, Repair};
 use super::samples::interpolated;
 use super::scope::{Level, Readable, Scopes, expression_at, level_of};
-use super::search::Search;
+use super::search::see;
 use super::target::RightPicture;
 use super::values::Values;
 use crate::roles::NamesFile;
@@ -86,8 +86,7 @@ impl Trial<'_> {
         program.bindings.adopt(&known.bindings);
         program.declared.adopt(&known.declared);
         let runner = Runner::new(&program, self.at.runner.samples);
-        let at = Observer { runner: &runner, model: self.at.model };
-        matches!(Search::new(at, self.target).is_right(), Some(Some(_)))
+        see(&runner, &[], 0..runner.samples.len()).is_some_and(|seen| self.target.agrees(&seen).is_some())
     }
 }
 
@@ -96,7 +95,7 @@ const MOST_CAUSES: usize = 8;
 /// Most edits of one cause.
 const MOST_OF_CAUSE: usize = 3;
 /// The characters that a fix of the next cause must be smaller by to be tried first.
-const RANK_COST: usize = 8;
+const RANK_COST: usize = 24;
 /// The same for a fix where a variable is computed and not where it is read.
 const READ_COST: usize = 16;
 /// Most fixes that are tried.

@@ -7,13 +7,19 @@
 
 mod assign;
 pub mod edit;
+pub mod explain;
 pub(crate) mod formula;
+mod methods;
 pub(crate) mod model;
 pub mod naming;
 pub(crate) mod observed;
+mod prediction;
+mod products;
 pub(crate) mod program;
 pub mod quantity_of;
+mod recording;
 pub(crate) mod repair;
+pub mod right_change;
 pub(crate) mod samples;
 pub(crate) mod scope;
 pub mod search;
@@ -22,19 +28,24 @@ pub(crate) mod values;
 pub(crate) mod words;
 
 use crate::mistakes::ModelSolution;
-use crate::roles::{Bindings, NamesFile, Role};
+use crate::roles::{Bindings, NamesFile};
 use crate::rules::SourceConstants;
-use crate::search::{Parameterisation, Second, Task};
+use crate::search::{Lights, Parameterisation, Second, Task};
 use crate::testbench::TestScene;
 use edit::{Editor, TextFix, Trial};
+use explain::{Explainer, Explanation, LightingMethod};
 use gonio_glsl::{Checked, Parsed, Stage};
-use model::{AnswerMethod, Model};
+use methods::{Hints, methods, suspects};
+use model::{AnswerMethod, Mistakes, Model, Space};
 use observed::Observer;
+pub use prediction::ModelSolutions;
+use prediction::Predictor;
 use program::{Program, Runner};
 pub use samples::SceneSamples;
 use scope::Scopes;
-use search::{Found, Search};
-use target::RightPicture;
+use search::{Found, Search, see};
+use std::cell::Cell;
+use target::{RightPicture, Seen};
 
 /// Why values cannot be judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,8 +54,6 @@ pub enum NotJudged {
     Unsupported(String),
     /// It takes too long for many counterfactuals.
     TooLong,
-    /// The program is lit by more lights than the equation of these quantities has.
-    SeveralLights,
 }
 
 /// What was found, and with which method of a right answer.
@@ -58,6 +67,8 @@ pub struct Diagnosis {
     pub bindings: Bindings,
     /// Single runs of scenes.
     pub runs: usize,
+    /// Mistakes that explain the picture.
+    pub explanations: Vec<Explanation>,
     /// Edits with which every scene is right, the most promising first; empty if none were found.
     pub fixes: Vec<TextFix>,
 }
@@ -67,23 +78,6 @@ const MOST_METHODS: usize = 2;
 
 /// Most proven fixes that are kept for the driver.
 const MOST_FIXES: usize = 2;
-
-/// The methods of right answers to a task, the usual one first.
-fn methods(task: &Task) -> Vec<AnswerMethod> {
-    let plain = |model| AnswerMethod { model, normal_kept: false, half_vector: false };
-    let mut all = Vec::new();
-    for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
-        all.push(plain(model));
-        if model != ModelSolution::Gouraud {
-            all.push(AnswerMethod { normal_kept: true, ..plain(model) });
-        }
-        if model.is_lit() && task.required[2] {
-            let half: Vec<AnswerMethod> = all.iter().filter(|method| method.model == model).copied().collect();
-            all.extend(half.into_iter().map(|method| AnswerMethod { half_vector: true, ..method }));
-        }
-    }
-    all
-}
 
 /// Most statements of one scene, all points together; the exercises' own answers have about 3,000.
 const MOST_STATEMENTS: u64 = 60_000;
@@ -113,98 +107,225 @@ pub fn diagnose(
     texts: [&str; 2],
     names: &NamesFile,
     constants: &SourceConstants,
+    solutions: &ModelSolutions,
 ) -> Result<Diagnosis, NotJudged> {
-    let mut program = Program::new(vertex, fragment, texts, names)
+    let named = Program::new(vertex, fragment, texts, names)
         .map_err(|(stage, why)| NotJudged::Unsupported(format!("{stage}: {why}")))?;
-    let (scenes, [whole, _]) = task.test_scenes();
-    if scenes.iter().take(1).any(|scene| is_long(&program, scene)) {
+    let (scenes, [of_one, of_two]) = task.test_scenes();
+    if scenes.iter().take(1).any(|scene| is_long(&named, scene)) {
         return Err(NotJudged::TooLong);
     }
-    let first: Vec<SceneSamples> = (scenes.iter().take(1).cloned())
-        .map(|mut scene| {
-            scene.light.position = constants.light_position.unwrap_or(scene.light.position);
-            SceneSamples::new(scene)
-        })
-        .collect();
-    if assign::is_open(&program) {
-        let plain = methods(task).into_iter().map(|method| Model::new(method, &first, 1.0, false));
+    let mut assigned = named.clone();
+    if assign::is_open(&assigned) {
+        let parameterisation = Parameterisation::new(task, &assigned.bindings, &assigned.declared, constants);
+        let first: Vec<SceneSamples> = (scenes.iter().take(1).cloned())
+            .map(|mut scene| {
+                parameterisation.apply(&mut scene);
+                scene.light.position = constants.light_position.unwrap_or(scene.light.position);
+                SceneSamples::new(scene)
+            })
+            .collect();
+        let plain = methods(task).into_iter().map(|method| Model::new(method, &first, 1.0, Mistakes::These(&[])));
         let plain = plain.collect::<Result<Vec<_>, _>>().map_err(NotJudged::Unsupported)?;
-        assign::assign(&mut program, &first, &plain);
+        assign::assign(&mut assigned, &first, &plain);
     }
-    let bindings = program.bindings.clone();
-    let parameterisation = Parameterisation::new(task, &program.bindings, &program.declared, constants);
-    if parameterisation.second != Second::None {
-        return Err(NotJudged::SeveralLights);
+    // A mistake may hide the roles: then those that the names tell explain more.
+    let mut programs = vec![&assigned];
+    if named.bindings != assigned.bindings {
+        programs.push(&named);
     }
-    let samples: Vec<SceneSamples> = (scenes.into_iter().take(whole))
-        .map(|mut scene| {
-            parameterisation.apply(&mut scene);
-            SceneSamples::new(scene)
+    let hints = Hints::new(task, [vertex.1, fragment.1], texts);
+    let inputs: Vec<Inputs> = (programs.iter())
+        .map(|program| {
+            let parameterisation = Parameterisation::new(task, &program.bindings, &program.declared, constants);
+            let count = if parameterisation.second == Second::None { of_one } else { of_one + of_two };
+            let applied = |mut scene: TestScene| {
+                parameterisation.apply(&mut scene);
+                SceneSamples::new(scene)
+            };
+            let scenes = scenes.iter().take(count).map(|scene| (scene.clone(), applied(scene.clone()))).collect();
+            Inputs { scenes, parameterisation }
         })
         .collect();
-    let runner = Runner::new(&program, &samples);
-    let model_of = |method: AnswerMethod, has_mistakes: bool| {
-        Model::new(method, &samples, parameterisation.written_exponent.unwrap_or(1.0), has_mistakes)
-            .map_err(NotJudged::Unsupported)
+    let stages = [vertex, fragment];
+    let diagnosing = |(program, inputs)| {
+        let Inputs { scenes, parameterisation }: &Inputs = inputs;
+        let program: &Program = program;
+        Diagnosing { task, solutions, program, stages, texts, names, parameterisation, scenes, hints: &hints }
     };
-    let mut best = None;
-    let mut runs = 0;
-    let mut wrong = Vec::new();
-    for method in methods(task) {
-        let model = model_of(method, false)?;
-        let Some(target) = RightPicture::new(&model, task, &parameterisation, &samples) else { continue };
-        let mut search = Search::new(Observer { runner: &runner, model: &model }, &target);
-        match search.is_right() {
-            None => {
-                return Ok(Diagnosis { found: Found::Endless, method, bindings, runs, fixes: Vec::new() });
-            }
-            Some(Some(agreement)) => {
-                return Ok(Diagnosis { found: Found::Right(agreement), method, bindings, runs, fixes: Vec::new() });
-            }
-            Some(None) => wrong.push((method, search.at.likeness())),
+    let all: Vec<Diagnosing<'_>> = programs.into_iter().zip(&inputs).map(diagnosing).collect();
+    first_conclusion(&all).map_err(NotJudged::Unsupported)
+}
+
+/// The inputs of a program with some roles.
+struct Inputs {
+    scenes: Vec<(TestScene, SceneSamples)>,
+    parameterisation: Parameterisation,
+}
+
+/// The diagnosis with the first roles with which the program is right, or else explained.
+fn first_conclusion(all: &[Diagnosing<'_>]) -> Result<Diagnosis, String> {
+    let mut pictures = Vec::new();
+    for one in all {
+        match one.picture() {
+            Some(seen) => pictures.push(seen),
+            None => return Ok(one.diagnosis(Found::Endless, methods(one.task)[0])),
         }
     }
-    let is_lit_at = |stage: Stage| {
-        let inputs = program.stage(stage).inputs.iter();
-        let mut roles = inputs.filter_map(|input| program.role(&input.name));
-        roles.any(|role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_) | Role::LightDirection(_)))
-    };
-    let has_dot = |checked: &Checked| checked.functions_used.contains("dot");
-    let is_gouraud =
-        !is_lit_at(Stage::Fragment) && (is_lit_at(Stage::Vertex) || has_dot(vertex.1) && !has_dot(fragment.1));
-    // The methods that the program resembles most, the usual one first among equals.
-    wrong.sort_by_key(|(method, likeness)| {
-        let is_other_stage = task.model.is_lit() && (method.model == ModelSolution::Gouraud) != is_gouraud;
-        (is_other_stage, std::cmp::Reverse(*likeness))
-    });
-    for (method, _) in wrong.iter().take(MOST_METHODS) {
-        let model = model_of(*method, true)?;
-        let Some(target) = RightPicture::new(&model, task, &parameterisation, &samples) else { continue };
-        let mut search = Search::new(Observer { runner: &runner, model: &model }, &target);
-        let found = search.run();
-        runs += search.runs();
-        let rank = found.rank();
-        if best.as_ref().is_none_or(|(_, _, known)| rank < *known) {
-            best = Some((found, *method, rank));
-        }
-        if rank == 0 {
-            break;
+    for (one, seen) in all.iter().zip(&pictures) {
+        if let Some(right) = one.right(seen)? {
+            return Ok(right);
         }
     }
-    let (found, method) = match best {
-        Some((found, method, _)) => (found, method),
-        None => (Found::Nothing, methods(task)[0]),
-    };
-    let mut fixes = Vec::new();
-    if let Found::Causes(groups) = &found {
-        let model = model_of(method, true)?;
-        if let Some(target) = RightPicture::new(&model, task, &parameterisation, &samples) {
+    for (one, seen) in all.iter().zip(&pictures) {
+        let explanations = one.explanations(seen, 0)?;
+        if !explanations.is_empty() {
+            return one.wrong(explanations);
+        }
+    }
+    let (Some(first), Some(seen)) = (all.first(), pictures.first()) else { return Err("no program".to_owned()) };
+    first.wrong(first.explanations(seen, explain::MOST_PAIRS)?)
+}
+
+/// A program in its test scenes.
+struct Diagnosing<'a> {
+    task: &'a Task,
+    solutions: &'a ModelSolutions,
+    program: &'a Program,
+    stages: [(&'a Parsed, &'a Checked); 2],
+    texts: [&'a str; 2],
+    names: &'a NamesFile,
+    parameterisation: &'a Parameterisation,
+    /// Each scene as it is, and the points in it with the inputs of the program.
+    scenes: &'a [(TestScene, SceneSamples)],
+    hints: &'a Hints<'a>,
+}
+
+impl Diagnosing<'_> {
+    fn right_picture(&self, method: AnswerMethod, lights: Lights) -> Result<RightPicture, String> {
+        let scenes = self.scenes.iter().cloned();
+        let all = self.solutions.get(method.model)?;
+        let predictor = Predictor::new(all, lights, self.parameterisation, Space::World, scenes);
+        Ok(RightPicture::new(predictor, method, self.task.required))
+    }
+
+    fn samples(&self) -> Vec<SceneSamples> {
+        self.scenes.iter().map(|(_, samples)| samples.clone()).collect()
+    }
+
+    /// The picture; `None` if a run does not end.
+    fn picture(&self) -> Option<Seen> {
+        let samples = self.samples();
+        see(&Runner::new(self.program, &samples), &[], 0..samples.len())
+    }
+
+    fn diagnosis(&self, found: Found, method: AnswerMethod) -> Diagnosis {
+        let bindings = self.program.bindings.clone();
+        Diagnosis { found, method, bindings, runs: 0, explanations: Vec::new(), fixes: Vec::new() }
+    }
+
+    /// The diagnosis of a right program.
+    fn right(&self, seen: &Seen) -> Result<Option<Diagnosis>, String> {
+        for method in methods(self.task) {
+            for lights in self.parameterisation.right_lights() {
+                if let Some(agreement) = self.right_picture(method, *lights)?.agrees(seen) {
+                    return Ok(Some(self.diagnosis(Found::Right(agreement), method)));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// The diagnosis of a wrong program.
+    fn wrong(&self, explanations: Vec<Explanation>) -> Result<Diagnosis, String> {
+        let usual = methods(self.task)[0];
+        if self.parameterisation.second != Second::None {
+            return Ok(Diagnosis { explanations, ..self.diagnosis(Found::Nothing, usual) });
+        }
+        let samples = self.samples();
+        let runner = Runner::new(self.program, &samples);
+        // Strengths that are constants of the program are those of the explanation.
+        let mut of_model = samples.clone();
+        if let Some(explanation) = explanations.first() {
+            of_model.iter_mut().for_each(|samples| explanation.strengthen(&mut samples.scene));
+        }
+        let explaining: Vec<&str> =
+            explanations.iter().flat_map(|e| e.mistakes.iter().map(|mistake| mistake.id.as_str())).collect();
+        let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
+        let mut best = None;
+        let mut runs = 0;
+        for method in self.methods_to_search(&runner, &explanations)? {
+            let model = Model::new(method, &of_model, exponent, Mistakes::These(&explaining))?;
+            let target = self.right_picture(method, Lights::One)?;
+            let mut search = Search::new(Observer { runner: &runner, model: &model }, &target, &explanations);
+            let found = search.run();
+            runs += search.runs();
+            let rank = found.rank();
+            if best.as_ref().is_none_or(|(_, _, known)| rank < *known) {
+                best = Some((found, method, rank));
+            }
+            if rank == 0 {
+                break;
+            }
+        }
+        let (found, method) = best.map_or((Found::Nothing, usual), |(found, method, _)| (found, method));
+        let mut fixes = Vec::new();
+        if let Found::Causes(groups) = &found {
+            let model = Model::new(method, &of_model, exponent, Mistakes::These(&explaining))?;
+            let target = self.right_picture(method, Lights::One)?;
             let at = Observer { runner: &runner, model: &model };
-            let scopes = [Scopes::new(vertex.0, vertex.1), Scopes::new(fragment.0, fragment.1)];
-            let trial = Trial { at, target: &target, texts, names };
-            let tried = Editor::new(at, scopes, texts).fixes(groups);
+            let scopes = self.stages.map(|(parsed, checked)| Scopes::new(parsed, checked));
+            let trial = Trial { at, target: &target, texts: self.texts, names: self.names };
+            let tried = Editor::new(at, scopes, self.texts).fixes(groups);
             fixes = tried.into_iter().filter(|fix| trial.is_right(fix)).take(MOST_FIXES).collect();
         }
+        Ok(Diagnosis { runs, explanations, fixes, ..self.diagnosis(found, method) })
     }
-    Ok(Diagnosis { found, method, bindings, runs, fixes })
+
+    fn explanations(&self, seen: &Seen, most_pairs: usize) -> Result<Vec<Explanation>, String> {
+        let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
+        let suspects = |method: LightingMethod| suspects(self.program, self.scenes, method, exponent);
+        let explainer = Explainer {
+            solutions: self.solutions,
+            methods: &self.hints.methods(self.program),
+            suspects: &suspects,
+            is_likely: &|id| self.hints.is_likely(id),
+            parameterisation: self.parameterisation,
+            required: self.task.required,
+            scenes: self.scenes,
+            pairs_left: Cell::new(most_pairs),
+        };
+        explainer.explain(seen)
+    }
+
+    /// The methods to search for causes: those of the explanations, or those that the program resembles most.
+    fn methods_to_search(
+        &self,
+        runner: &Runner<'_>,
+        explanations: &[Explanation],
+    ) -> Result<Vec<AnswerMethod>, String> {
+        let mut found: Vec<AnswerMethod> = Vec::new();
+        for method in explanations.iter().map(|explanation| explanation.method) {
+            if !found.contains(&method) {
+                found.push(method);
+            }
+        }
+        if found.is_empty() {
+            let samples = runner.samples;
+            let mut all = Vec::new();
+            for method in methods(self.task) {
+                let model = Model::new(method, samples, 1.0, Mistakes::These(&[]))?;
+                all.push((method, Observer { runner, model: &model }.likeness()));
+            }
+            let is_gouraud = self.hints.is_gouraud();
+            // The usual one first among equals.
+            all.sort_by_key(|(method, likeness)| {
+                let is_other_stage = self.task.model.is_lit() && (method.model == ModelSolution::Gouraud) != is_gouraud;
+                (is_other_stage, std::cmp::Reverse(*likeness))
+            });
+            found = all.into_iter().map(|(method, _)| method).collect();
+        }
+        found.truncate(MOST_METHODS);
+        Ok(found)
+    }
 }

@@ -2,6 +2,7 @@
 //! catalogue compute instead.
 
 use super::program::{Change, Program, Runner};
+pub(super) use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::{SceneSamples, interpolated};
 use super::values::Values;
 use crate::mistakes::{Hypotheses, Hypothesis, Mistake, ModelSolution};
@@ -9,7 +10,7 @@ use crate::roles::{Meaning, Role};
 use crate::testbench::numbers;
 use glam::{Mat3, Vec3};
 use gonio_glsl::{Stage, TokenRange};
-use gonio_interpreter::{ExprId, PointValues, SourceMap};
+use gonio_interpreter::{ExprId, SourceMap};
 use std::collections::BTreeMap;
 
 /// The space of a vector or position.
@@ -82,24 +83,37 @@ struct Assigned {
     expr: ExprId,
 }
 
+/// The mistakes whose values a model has.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Mistakes<'a> {
+    /// All of the catalogue.
+    All,
+    /// Those with these ids.
+    These(&'a [&'a str]),
+}
+
 /// A way to make a mistake: the variables and the values assigned instead.
 pub(super) type Way = (&'static Mistake, Vec<(String, String)>);
 
 impl AnswerMethod {
-    /// The model's shaders as this method writes them.
-    pub(super) fn sources(self) -> ([String; 2], Vec<Way>) {
+    /// The model's shaders as this method writes them, and ways to make mistakes.
+    pub(super) fn sources(self, wanted: Mistakes<'_>) -> ([String; 2], Vec<Way>) {
         let all = Hypotheses::for_model(self.model);
         let mut chosen = Hypothesis::default();
-        let wanted = [("normal-kept-unnormalised", self.normal_kept), ("specular-half-vector", self.half_vector)];
+        let peculiar = [("normal-kept-unnormalised", self.normal_kept), ("specular-half-vector", self.half_vector)];
         for single in &all.singles {
             let id = single.mistakes.first().map(|mistake| all.mistakes[*mistake].id.as_str());
-            if wanted.iter().any(|(name, is_chosen)| *is_chosen && id == Some(name))
+            if peculiar.iter().any(|(name, is_chosen)| *is_chosen && id == Some(name))
                 && let Some(both) = chosen.and(single)
             {
                 chosen = both;
             }
         }
-        let changes = all.mistakes.iter().filter(|mistake| !mistake.harmless).flat_map(|mistake| {
+        let is_wanted = |mistake: &&&'static Mistake| match wanted {
+            Mistakes::All => !mistake.harmless,
+            Mistakes::These(ids) => ids.contains(&mistake.id.as_str()),
+        };
+        let changes = all.mistakes.iter().filter(is_wanted).flat_map(|mistake| {
             let way = |change: &BTreeMap<String, String>| change.clone().into_iter().collect();
             mistake.change.iter().map(move |change| (*mistake, way(change)))
         });
@@ -320,9 +334,9 @@ impl Model {
         method: AnswerMethod,
         samples: &[SceneSamples],
         written_exponent: f32,
-        has_mistakes: bool,
+        mistakes: Mistakes<'_>,
     ) -> Result<Self, String> {
-        let (sources, ways) = method.sources();
+        let (sources, ways) = method.sources(mistakes);
         let plain = ModelProgram::new(&sources, written_exponent)?;
         let runner = Runner::new(&plain.program, samples);
         let exprs = plain.exprs();
@@ -332,7 +346,7 @@ impl Model {
             let name = of.variable.clone();
             quantities.push(Quantity { name, stage: seen.stage, values: seen.values, ..Quantity::default() });
         }
-        if has_mistakes {
+        if !ways.is_empty() {
             let right = quantities.len();
             let few = 0..samples.len().min(TELLING);
             let changes = wrong_values(&sources, &ways, written_exponent, samples, &plain)?;
@@ -355,6 +369,17 @@ impl Model {
                 }
             }
         }
+        let places: Vec<f32> = samples
+            .iter()
+            .flat_map(|samples| samples.mesh.positions.chunks_exact(3))
+            .flat_map(|at| [at[0], at[1], at[2], 1.0])
+            .collect();
+        quantities.push(Quantity {
+            name: "vec4(position, 1.0)".to_owned(),
+            stage: Stage::Vertex,
+            values: Values::new(4, places),
+            ..Quantity::default()
+        });
         let mut model = Model { method, quantities };
         model.add_intermediate();
         model.interpolate(samples);
@@ -372,9 +397,14 @@ impl Model {
             let (Some(normal), Some(to_light), Some(to_eye), reflected) = (of("N"), of("L"), of("V"), of("R")) else {
                 continue;
             };
+            let is_here = |q: &&Quantity| q.stage == stage && q.mistake.is_none() && !q.interpolated;
+            let of_stage: Vec<Quantity> = self.quantities.iter().filter(is_here).cloned().collect();
             let mut push = |name: &str, values: Values| {
                 self.quantities.push(Quantity { name: name.to_owned(), stage, values, ..Quantity::default() });
             };
+            super::products::products(&mut push, &|name: &str| {
+                of_stage.iter().find(|q| q.name == name).map(|q| &q.values)
+            });
             let dot =
                 |a: &Values, b: &Values| a.map(1, |p, a, to| to[0] = a.iter().zip(b.at(p)).map(|(a, b)| a * b).sum());
             push("-L", to_light.map(3, |_, a, to| to.iter_mut().zip(a).for_each(|(to, a)| *to = -a)));
@@ -441,53 +471,4 @@ impl Model {
         };
         self.quantities.iter().find(is_it).map(|quantity| &quantity.values)
     }
-}
-
-/// Both stages, in the order of their work.
-pub(super) const STAGES: [Stage; 2] = [Stage::Vertex, Stage::Fragment];
-/// The first test scenes distinguish most mistakes.
-pub(super) const TELLING: usize = 3;
-
-/// The values of one expression in one of its evaluations.
-pub(super) struct Recorded {
-    pub stage: Stage,
-    pub expr: ExprId,
-    pub occurrence: u32,
-    pub values: Values,
-}
-
-/// The values of expressions of both stages in some scenes.
-pub(super) fn observe(
-    runner: &Runner<'_>,
-    changes: &[Change],
-    scenes: std::ops::Range<usize>,
-    watched: [&[ExprId]; 2],
-) -> Vec<Recorded> {
-    let mut found = BTreeMap::<(usize, ExprId, u32), Values>::new();
-    for scene in scenes {
-        let result = runner.run(scene, changes, watched);
-        for (stage, run) in STAGES.into_iter().zip([&*result.vertex, &result.fragment]) {
-            let (all, first) = (runner.points(stage), runner.first_point(stage, scene));
-            for evaluation in &run.evaluations {
-                let size = match &evaluation.values {
-                    PointValues::Same(components) => components.len(),
-                    PointValues::Each { components, .. } => components.len(),
-                };
-                let key = (stage as usize, evaluation.expr, evaluation.occurrence);
-                let values = found.entry(key).or_insert_with(|| Values::absent(size, all));
-                if values.size != size {
-                    continue;
-                }
-                for lane in evaluation.points.iter() {
-                    let point = first + evaluation.first_point + lane;
-                    values.present[point] = true;
-                    for component in 0..size {
-                        values.numbers[point * size + component] = evaluation.values.float(component, lane);
-                    }
-                }
-            }
-        }
-    }
-    let recorded = |((stage, expr, occurrence), values)| Recorded { stage: STAGES[stage], expr, occurrence, values };
-    found.into_iter().map(recorded).collect()
 }

@@ -1,10 +1,10 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
 use super::model::TELLING;
-use super::observed::{Observed, Observer, SCALED};
+use super::observed::{Observed, Observer, SCALED, TERMS, is_name};
 use super::program::Change;
-use super::quantity_of::RightChange;
 use super::repair::{Make, Relation, Repair};
+use super::right_change::RightChange;
 use super::words;
 use crate::mistakes::{Mistake, ModelSolution};
 use gonio_glsl::{Span, Stage};
@@ -35,12 +35,18 @@ pub struct ProvenCause {
     pub equals: usize,
     /// The relation of both.
     pub relation: Relation,
-    /// Whether it is computed from a value that is recognised as wrong.
-    pub has_wrong_input: bool,
-    /// Whether its value is a right intermediate value, and so probably right there.
-    pub is_intermediate: bool,
-    /// Whether it reads a variable or a function's result that is not right.
-    pub reads_wrong: bool,
+    /// The repair.
+    pub(crate) repair: Repair,
+    /// Steps from right values: 1 if it is computed from right values and inputs.
+    pub depth: u32,
+    /// Whether its value is a right one, of another quantity.
+    pub is_right_elsewhere: bool,
+    /// Whether its mistakes explain the picture.
+    pub is_explained: bool,
+    /// Whether its value is a right one: it is used wrongly.
+    pub is_given: bool,
+    /// Whether it is the result of a function that computes the wrong value, or the name of a wrong value.
+    pub is_computed_elsewhere: bool,
     /// Its right values at any points, and those of other places of the same mistake.
     pub right: Vec<RightChange>,
     /// Another mistake in the same expression.
@@ -62,18 +68,22 @@ impl ProvenCause {
         self.is.as_ref().map(|is| format!("Here it is {is}.")).unwrap_or_default()
     }
 
-    /// Whether its inputs are right and it has a name.
+    /// Whether it has a name.
     #[must_use]
     pub fn is_sound(&self) -> bool {
-        !self.has_wrong_input && !self.mistakes.is_empty()
+        !self.mistakes.is_empty()
     }
 }
 
 /// Most proven repairs that are named.
-const MOST_NAMED: usize = 30;
-/// Whether a right quantity is only an intermediate value of another one.
-fn is_intermediate(name: &str) -> bool {
-    name.starts_with('-') || name.starts_with("dot(") || name == "L + V"
+const MOST_NAMED: usize = 40;
+/// Most of them for one expression.
+const MOST_OF_ONE: usize = 2;
+/// Whether a right term is to be replaced by a sum: the sum is wrong, not the term.
+fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool {
+    let name = |index: usize| at.model.quantities[index].name.as_str();
+    let is_sum = |index: usize| ["attenuated", "lit", "colour", "FragColor"].contains(&name(index));
+    seen.is.is_some_and(|is| TERMS.contains(&name(is))) && repair.quantity().is_some_and(is_sum)
 }
 
 /// The mistake that a missing or superfluous factor or summand is.
@@ -97,7 +107,14 @@ fn structural(should: &str) -> Option<&'static str> {
 
 impl Observer<'_> {
     /// Names and orders proven repairs.
-    pub(super) fn causes(&self, base: &[Change], observed: &[Observed], proven: &[Repair]) -> Vec<ProvenCause> {
+    /// Mistakes that explain the picture come first.
+    pub(super) fn causes(
+        &self,
+        base: &[Change],
+        observed: &[Observed],
+        proven: &[Repair],
+        explaining: &[&'static Mistake],
+    ) -> Vec<ProvenCause> {
         let few = 0..self.runner.samples.len().min(TELLING);
         let before = self.observe(base, few.clone());
         let mut all = Vec::new();
@@ -107,13 +124,33 @@ impl Observer<'_> {
         // The result of a student's function is wrong where the function computes it.
         let is_call_of_another = |seen: &Observed| {
             proven.iter().map(|repair| &observed[repair.of]).any(|other| {
+                let of = function(other).unwrap_or("main");
+                let arguments = self.text(seen).strip_prefix(of).map(str::trim_start);
                 other.stage == seen.stage
-                    && function(other) != function(seen)
-                    && function(other) != Some("main")
+                    && arguments.is_some_and(|text| text.starts_with('('))
                     && other.values.is_same(&seen.values)
             })
         };
-        for repair in proven.iter().take(MOST_NAMED).cloned() {
+        // A wrong name is wrong where its value is computed; a right value of another kind where it is used.
+        let is_elsewhere = |seen: &Observed, repair: &Repair| {
+            let is_name = is_name(self.text(seen));
+            let is_of_kind = repair.quantity().is_none_or(|q| {
+                let right = &self.model.quantities[q].values;
+                let is_vector = seen.values.is_parallel(right, 1.0) || seen.values.is_parallel(right, -1.0);
+                is_vector || seen.values.is_clamped(right) || right.is_power_of(&seen.values)
+            });
+            let is_use = seen.is_given() && !is_of_kind;
+            is_use != is_name
+                && proven.iter().map(|repair| &observed[repair.of]).any(|other| {
+                    other.expr != seen.expr
+                        && self::is_name(self.text(other)) != is_name
+                        && (other.stage == seen.stage && other.values.is_same(&seen.values)
+                            || is_name && seen.defined_at.is_some_and(|at| observed[at].expr == other.expr))
+                })
+        };
+        let count_before = |at: usize| proven[..at].iter().filter(|other| other.of == proven[at].of).count();
+        let named = (0..proven.len()).filter(|at| count_before(*at) < MOST_OF_ONE).take(MOST_NAMED);
+        for repair in named.map(|at| proven[at].clone()) {
             let seen = &observed[repair.of];
             let mut changes = base.to_vec();
             changes.extend(repair.change(observed, self.model));
@@ -124,6 +161,11 @@ impl Observer<'_> {
             }
             if names.is_empty() {
                 names.extend(structural(&repair.should).and_then(crate::mistakes::find).map(|mistake| (4, mistake)));
+            }
+            let explains = |mistake: &Mistake| explaining.iter().any(|known| known.id == mistake.id);
+            let is_explained = names.iter().any(|(_, mistake)| explains(mistake));
+            if is_explained {
+                names.retain(|(_, mistake)| explains(mistake));
             }
             let is = (self.model.quantities.iter())
                 .filter(|q| q.stage == seen.stage && q.values.is_same(&seen.values))
@@ -136,6 +178,9 @@ impl Observer<'_> {
                 _ => "",
             };
             let should = words::should_be(&repair, &self.model.quantities, added);
+            let with = self.unnormalised(&repair, seen, proven);
+            let is_right_elsewhere = is_term_for_sum(self, seen, &repair);
+            let right = vec![RightChange::new(&repair, observed, self.model)];
             let Repair { relation, make, cost, .. } = repair;
             let least = names.first().map_or(0, |(distance, _)| *distance);
             all.push(ProvenCause {
@@ -146,16 +191,19 @@ impl Observer<'_> {
                 occurrence: seen.occurrence,
                 make,
                 added: if let Make::Plus(other) = make { Some(observed[other].expr) } else { None },
+                right,
                 equals: names.iter().skip(1).filter(|(distance, _)| *distance == least).count(),
                 should,
                 is,
                 relation,
-                has_wrong_input: seen.has_wrong_input,
-                is_intermediate: seen.is.is_some_and(|is| is_intermediate(&self.model.quantities[is].name)),
-                reads_wrong: seen.reads_wrong || is_call_of_another(seen),
-                right: vec![RightChange::new(&repair, observed, self.model)],
+                depth: seen.depth,
+                is_explained,
+                is_computed_elsewhere: is_call_of_another(seen) || is_elsewhere(seen, &repair),
+                is_given: seen.is_given(),
+                is_right_elsewhere,
+                repair,
                 also: Vec::new(),
-                with: self.unnormalised(&repair, seen, proven),
+                with,
                 distance: names.first().map_or(u32::MAX, |(distance, _)| *distance),
                 cost,
                 mistakes: names.into_iter().map(|(_, mistake)| mistake).collect(),
@@ -165,9 +213,39 @@ impl Observer<'_> {
             let source = &self.runner.program.stage(cause.stage).source.expressions[cause.expr.0 as usize];
             source.function.as_deref() == Some("main")
         };
+        // A right value that is part of a wrong one.
+        let wrong: Vec<(Stage, Span)> = (all.iter())
+            .filter(|cause| !cause.is_given && cause.is_explained && cause.distance == 0)
+            .map(|cause| (cause.stage, cause.span))
+            .collect();
+        // A right value that is computed from a wrong one, which makes it another quantity.
+        let earlier: Vec<(Stage, ExprId)> = (all.iter())
+            .filter(|cause| {
+                !cause.is_given && cause.is_explained && cause.depth == 1 && cause.relation < Relation::Clamp
+            })
+            .map(|cause| (cause.stage, cause.expr))
+            .collect();
         let rank = |cause: &ProvenCause| {
-            let unsound = (cause.has_wrong_input, cause.mistakes.is_empty(), cause.is_intermediate, cause.reads_wrong);
-            (unsound, cause.distance.min(2), cause.relation, !in_main(cause), cause.stage, cause.expr)
+            let is_within = |(stage, span): &(Stage, Span)| {
+                *stage == cause.stage && span.start <= cause.span.start && cause.span.end <= span.end
+            };
+            let unlikely = (cause.is_right_elsewhere, cause.is_computed_elsewhere);
+            let name = (cause.mistakes.is_empty(), cause.distance.min(2), cause.relation);
+            // A part of an expression that is the mistake itself.
+            let is_part = cause.distance > 0 && wrong.iter().any(is_within);
+            let is_after = earlier.iter().any(|wrong| *wrong < (cause.stage, cause.expr));
+            let is_use = cause.is_given && (cause.distance > 0 || is_after || wrong.iter().any(is_within));
+            (
+                !cause.is_explained,
+                is_part,
+                unlikely,
+                is_use,
+                cause.depth,
+                name,
+                !in_main(cause),
+                cause.stage,
+                cause.expr,
+            )
         };
         all.sort_by_key(rank);
         all
@@ -254,7 +332,9 @@ impl Observer<'_> {
                     q.stage == old.stage
                         && q.mistake.is_none()
                         && (q.name == wrong.name && q.interpolated == wrong.interpolated
-                            || wrong.name == "world_normal" && wrong.is_direct && q.name == "N")
+                            || wrong.name == "world_normal"
+                                && wrong.is_direct
+                                && ["N", "v_normal"].contains(&q.name.as_str()))
                         && q.space == wrong.space
                         && new.values.is_scaled(&q.values, factor)
                 });

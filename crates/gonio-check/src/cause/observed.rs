@@ -2,6 +2,7 @@
 
 use super::model::{Model, Quantity, STAGES, Space, TELLING, observe};
 use super::program::{Change, Runner};
+use super::samples::interpolated;
 use super::values::Values;
 use gonio_glsl::Stage;
 use gonio_interpreter::{ExprId, InputRate};
@@ -20,10 +21,20 @@ pub struct Observed {
     pub values: Values,
     /// The right quantity that it is, by its index in the model.
     pub is: Option<usize>,
-    /// Whether it is computed from a value that is recognised as wrong.
-    pub has_wrong_input: bool,
-    /// Whether it reads a variable that is no right quantity.
-    pub reads_wrong: bool,
+    /// Whether it assigns; its value is the new one.
+    pub is_assignment: bool,
+    /// Where the value of a name or of a call was computed, by its index.
+    pub defined_at: Option<usize>,
+    /// Steps from right values: 0 for right values and inputs, 1 if it is computed from such, and so on.
+    pub depth: u32,
+}
+
+impl Observed {
+    /// Whether it is a right value or an input.
+    #[must_use]
+    pub fn is_given(&self) -> bool {
+        self.depth == 0
+    }
 }
 
 /// Observes a program and compares its values with the quantities of one method.
@@ -70,6 +81,15 @@ fn is_assignment(text: &str) -> bool {
     after.starts_with('=') && !after.starts_with("==")
 }
 
+/// Whether an expression only reads a variable, or a member of one.
+pub(super) fn is_name(text: &str) -> bool {
+    text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || "_.[]".contains(c))
+}
+
+/// The largest depth.
+pub(super) const DEEPEST: u32 = 16;
+
 pub(super) fn is_single_token((first, last): (u32, u32)) -> bool {
     first == last
 }
@@ -98,26 +118,27 @@ impl Observer<'_> {
     #[must_use]
     pub fn observe(&self, changes: &[Change], scenes: std::ops::Range<usize>) -> Vec<Observed> {
         let exprs = STAGES.map(|stage| self.runner.program.numbers(stage));
-        let mut found = observe(self.runner, changes, scenes, [&exprs[0], &exprs[1]]);
-        found.retain(|seen| !is_assignment(self.runner.program.text(seen.stage, seen.expr)));
+        let found = observe(self.runner, changes, scenes, [&exprs[0], &exprs[1]]);
         let mut counts = BTreeMap::<(Stage, ExprId), usize>::new();
         found.iter().for_each(|seen| *counts.entry((seen.stage, seen.expr)).or_default() += 1);
         let observed = found.into_iter().map(|seen| {
             let occurrence = (counts[&(seen.stage, seen.expr)] > 1).then_some(seen.occurrence);
+            let is_assignment = is_assignment(self.runner.program.text(seen.stage, seen.expr));
             Observed {
                 stage: seen.stage,
                 expr: seen.expr,
                 occurrence,
                 values: seen.values,
                 is: None,
-                has_wrong_input: false,
-                reads_wrong: false,
+                is_assignment,
+                defined_at: None,
+                depth: 0,
             }
         });
         observed.collect()
     }
 
-    /// Recognises the right quantities among the values, and marks expressions with a wrong input.
+    /// Recognises the right quantities among the values, and counts how far the others are from them.
     pub(super) fn interpret(&self, observed: &mut [Observed]) {
         for seen in observed.iter_mut() {
             seen.is = self.recognise(seen.stage, &seen.values);
@@ -129,63 +150,91 @@ impl Observer<'_> {
                 !has_space(&quantity.name) || quantity.space == space
             })
         };
-        let is_wrong: Vec<bool> = (observed.iter())
-            .map(|seen| !right(seen) && !self.is_input(seen) && self.is_recognised_wrong(seen))
+        let tokens: Vec<(u32, u32)> = observed.iter().map(|seen| self.tokens(seen)).collect();
+        let is_given: Vec<bool> = (observed.iter())
+            .map(|seen| !seen.is_assignment && (right(seen) || self.is_input(seen) || self.is_literal(seen)))
             .collect();
-        let tokens = |seen: &Observed| {
-            let tokens = self.runner.program.stage(seen.stage).source.expressions[seen.expr.0 as usize].tokens;
-            (tokens.first, tokens.last)
+        let is_read: Vec<bool> = observed.iter().map(|seen| is_name(self.text(seen))).collect();
+        let calls: Vec<Option<String>> = observed.iter().map(|seen| self.called(seen)).collect();
+        // Where the value of a name or of a call was computed.
+        let definition = |at: usize, observed: &[Observed]| -> Option<usize> {
+            let seen = &observed[at];
+            let computed = |of: &usize| !is_read[*of] && *of != at;
+            if let Some(function) = &calls[at] {
+                return (0..observed.len()).filter(computed).find(|of| {
+                    let other = &observed[*of];
+                    let source = &self.runner.program.stage(other.stage).source.expressions[other.expr.0 as usize];
+                    other.stage == seen.stage
+                        && source.function.as_ref() == Some(function)
+                        && other.values.is_same(&seen.values)
+                });
+            }
+            let here = (0..observed.len()).filter(computed).filter(|of| {
+                let other = &observed[*of];
+                other.stage == seen.stage && tokens[*of].1 < tokens[at].0 && other.values.is_same(&seen.values)
+            });
+            let argument = || {
+                (0..observed.len())
+                    .filter(computed)
+                    .find(|of| observed[*of].stage == seen.stage && observed[*of].values.is_same(&seen.values))
+            };
+            let varying = || {
+                (0..observed.len()).filter(computed).find(|of| {
+                    let other = &observed[*of];
+                    other.stage == Stage::Vertex
+                        && seen.stage == Stage::Fragment
+                        && other.values.size == seen.values.size
+                        && interpolated(&other.values, self.runner.samples).is_same(&seen.values)
+                })
+            };
+            here.last().or_else(argument).or_else(varying)
         };
-        // A variable is wrong where it is computed, not where it is read.
-        for seen in observed.iter_mut() {
-            let (first, last) = tokens(seen);
-            seen.has_wrong_input = first == last && !right(seen) && !self.is_input(seen) && !self.is_literal(seen);
+        let reads: Vec<Option<usize>> = (0..observed.len())
+            .map(|at| {
+                ((is_read[at] || calls[at].is_some()) && !is_given[at]).then(|| definition(at, observed)).flatten()
+            })
+            .collect();
+        for (seen, of) in observed.iter_mut().zip(&reads) {
+            seen.defined_at = *of;
         }
-        for _ in 0..4 {
-            // The value of a read variable is wrong for its readers only if it is recognised as such.
-            let tainted: Vec<bool> = (0..observed.len())
-                .map(|at| is_wrong[at] || observed[at].has_wrong_input && !is_single_token(tokens(&observed[at])))
-                .collect();
+        for _ in 0..12 {
             let mut is_changed = false;
             for at in 0..observed.len() {
-                let seen = &observed[at];
-                if seen.has_wrong_input || right(seen) {
+                if is_given[at] {
                     continue;
                 }
-                let (first, last) = tokens(seen);
-                let has_wrong_input = (0..observed.len()).any(|other| {
-                    if other == at || !tainted[other] {
-                        return false;
-                    }
-                    let input = &observed[other];
-                    let within = tokens(input);
-                    let is_within =
-                        input.stage == seen.stage && within.0 >= first && within.1 <= last && within != (first, last);
-                    // A name read here that has been computed elsewhere.
-                    let is_read = first == last
-                        && tokens(input).0 != tokens(input).1
-                        && input.stage == seen.stage
-                        && input.values.is_same(&seen.values);
-                    is_within || is_read
-                });
-                if has_wrong_input {
-                    observed[at].has_wrong_input = true;
-                    is_changed = true;
-                }
+                let (first, last) = tokens[at];
+                let stage = observed[at].stage;
+                let inside = || {
+                    (0..observed.len()).filter(|other| {
+                        observed[*other].stage == stage
+                            && tokens[*other].0 >= first
+                            && tokens[*other].1 <= last
+                            && tokens[*other] != (first, last)
+                    })
+                };
+                let depth = match reads[at] {
+                    Some(of) => observed[of].depth + 1,
+                    None => 1 + inside().map(|other| observed[other].depth).max().unwrap_or(0),
+                };
+                let depth = depth.min(DEEPEST);
+                is_changed |= observed[at].depth != depth;
+                observed[at].depth = depth;
             }
             if !is_changed {
                 break;
             }
         }
-        let unknown: Vec<(Stage, u32)> = (observed.iter())
-            .filter(|seen| seen.has_wrong_input && is_single_token(tokens(seen)))
-            .map(|seen| (seen.stage, tokens(seen).0))
-            .collect();
-        for seen in observed.iter_mut() {
-            let (first, last) = tokens(seen);
-            seen.reads_wrong =
-                first != last && unknown.iter().any(|(stage, at)| *stage == seen.stage && (first..=last).contains(at));
-        }
+    }
+
+    /// The student's function that an expression calls.
+    fn called(&self, seen: &Observed) -> Option<String> {
+        let text = self.text(seen);
+        let name: String = text.chars().take_while(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
+        let is_call = text[name.len()..].trim_start().starts_with('(') && text.ends_with(')');
+        let expressions = &self.runner.program.stage(seen.stage).source.expressions;
+        let is_own = || expressions.iter().any(|expression| expression.function.as_deref() == Some(name.as_str()));
+        (is_call && is_own()).then_some(name)
     }
 
     /// The text of an expression.
@@ -209,7 +258,9 @@ impl Observer<'_> {
     }
 
     pub(super) fn is_literal(&self, seen: &Observed) -> bool {
-        self.text(seen).starts_with(|c: char| c.is_ascii_digit() || c == '.')
+        let text = self.text(seen);
+        text.starts_with(|c: char| c.is_ascii_digit() || c == '.') && text.parse::<f32>().is_ok()
+            || text.strip_suffix(['f', 'F']).is_some_and(|number| number.parse::<f32>().is_ok())
     }
 
     /// Whether it reads an attribute or a uniform, which are never wrong themselves.
@@ -220,20 +271,6 @@ impl Observer<'_> {
             .inputs
             .iter()
             .any(|input| input.name == text && (seen.stage == Stage::Vertex || input.rate == InputRate::Uniform))
-    }
-
-    /// Whether the values are those of a mistake, or a right quantity's with another sign or length or in another space.
-    pub(super) fn is_recognised_wrong(&self, seen: &Observed) -> bool {
-        seen.is.is_some()
-            || self.model.quantities.iter().any(|q| {
-                q.stage == seen.stage
-                    && q.values.size == seen.values.size
-                    && if q.mistake.is_some() {
-                        q.is_direct && q.values.is_same(&seen.values)
-                    } else {
-                        seen.values.is_parallel(&q.values, -1.0)
-                    }
-            })
     }
 
     pub(super) fn recognise(&self, stage: Stage, values: &Values) -> Option<usize> {

@@ -97,6 +97,15 @@ impl Program {
         text.unwrap_or_default()
     }
 
+    /// The output of the fragment shader that is the colour.
+    #[must_use]
+    pub fn colour_output(&self) -> Option<usize> {
+        let outputs = &self.fragment.outputs;
+        let is_colour = |at: usize| outputs[at].ty.components().is_some_and(|count| count >= 3);
+        let first = (0..outputs.len()).filter(|at| is_colour(*at) && outputs[*at].name != "gl_FragDepth");
+        first.min_by_key(|at| outputs[*at].location.unwrap_or(0))
+    }
+
     /// The role of an input.
     #[must_use]
     pub fn role(&self, name: &str) -> Option<Role> {
@@ -113,7 +122,7 @@ impl Program {
         numbers_of_array(self.role(&input.name)?, &input.ty.written(), input.count, scene)
     }
 
-    fn set_uniforms(&self, stage: &CompiledStage, inputs: &mut StageInputs, scene: &TestScene) {
+    pub(super) fn set_uniforms(&self, stage: &CompiledStage, inputs: &mut StageInputs, scene: &TestScene) {
         for (index, input) in stage.inputs.iter().enumerate().filter(|(_, input)| input.rate == InputRate::Uniform) {
             if let Some(values) = self.uniform(input, scene) {
                 inputs.set(index, PointValues::Same(uniform_bits(&input.ty, input.count, &values)));
@@ -121,7 +130,7 @@ impl Program {
         }
     }
 
-    fn vertex_inputs(&self, samples: &SceneSamples) -> StageInputs {
+    pub(super) fn vertex_inputs(&self, samples: &SceneSamples) -> StageInputs {
         let mut inputs = StageInputs::new(&self.vertex, samples.vertices());
         self.set_uniforms(&self.vertex, &mut inputs, &samples.scene);
         let mesh = &samples.mesh;
@@ -138,7 +147,7 @@ impl Program {
 }
 
 /// The textures of the test scenes: the sky as a function of the direction, and white.
-struct SceneTextures;
+pub(super) struct SceneTextures;
 
 impl TextureSource for SceneTextures {
     fn look_up(&self, lookup: &TextureLookup) -> [f32; 4] {
@@ -229,15 +238,6 @@ impl<'a> Runner<'a> {
     #[must_use]
     pub fn start(&self, scene: usize) -> &StageRun {
         &self.starts[scene].vertex
-    }
-
-    /// The output of the fragment shader that is the colour.
-    #[must_use]
-    pub fn colour_output(&self) -> Option<usize> {
-        let outputs = &self.program.fragment.outputs;
-        let is_colour = |at: usize| outputs[at].ty.components().is_some_and(|count| count >= 3);
-        let first = (0..outputs.len()).filter(|at| is_colour(*at) && outputs[*at].name != "gl_FragDepth");
-        first.min_by_key(|at| outputs[*at].location.unwrap_or(0))
     }
 
     /// Runs one scene with changes.

@@ -4,135 +4,24 @@
 //! An expression is what its values are in the test scenes. What a wrong one should be follows from the cause: with the
 //! cause's right values, the values that depend on it become right too.
 
-use super::model::{AnswerMethod, Model, Quantity, Space, TELLING, observe};
+use super::model::{AnswerMethod, Mistakes, Model, TELLING};
 use super::naming::ProvenCause;
 use super::observed::{Observed, Observer};
 use super::program::{Change, Program, Runner};
-use super::repair::{Make, Repair};
+use super::right_change::{QuantityName, RightChange, values_of};
 use super::samples::{SceneSamples, interpolated};
 use super::search::Found;
 use super::values::Values;
-use super::{diagnose, words};
+use super::{ModelSolutions, diagnose, words};
 use crate::compile::ParsedStage;
 use crate::dataflow::Shader;
-use crate::roles::{Meaning, NamesFile};
+use crate::roles::NamesFile;
 use crate::rules::Analysis;
 use crate::search::{Parameterisation, Task};
 use crate::submission::Submission;
 use gonio_glsl::{OutputVersion, Span, Stage};
 use gonio_interpreter::ExprId;
 use std::collections::BTreeMap;
-
-/// A right quantity, apart from its values.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct QuantityName {
-    name: String,
-    space: Space,
-    interpolated: bool,
-}
-
-impl QuantityName {
-    fn new(quantity: &Quantity) -> Self {
-        let Quantity { name, space, interpolated, .. } = quantity;
-        QuantityName { name: name.clone(), space: *space, interpolated: *interpolated }
-    }
-
-    /// Its index in a model.
-    fn index(&self, stage: Stage, model: &Model) -> Option<usize> {
-        let is_it = |q: &Quantity| q.stage == stage && q.mistake.is_none() && QuantityName::new(q) == *self;
-        model.quantities.iter().position(is_it)
-    }
-}
-
-/// How the right values of an expression are made, at any points.
-#[derive(Clone, Debug, PartialEq)]
-enum RightMake {
-    Quantity(QuantityName),
-    Times(QuantityName),
-    Over(QuantityName),
-    /// Plus the value of another expression, in one of its evaluations.
-    Plus(ExprId, Option<u32>),
-    /// From the own values alone.
-    Own(Make),
-}
-
-/// The right values of a cause, at any points.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RightChange {
-    stage: Stage,
-    expr: ExprId,
-    occurrence: Option<u32>,
-    make: RightMake,
-}
-
-impl RightChange {
-    pub(super) fn new(repair: &Repair, observed: &[Observed], model: &Model) -> Self {
-        let seen = &observed[repair.of];
-        let name = |index: usize| QuantityName::new(&model.quantities[index]);
-        let make = match repair.make {
-            Make::Quantity(index) => RightMake::Quantity(name(index)),
-            Make::Times(index) => RightMake::Times(name(index)),
-            Make::Over(index) => RightMake::Over(name(index)),
-            Make::Plus(other) => RightMake::Plus(observed[other].expr, observed[other].occurrence),
-            own @ (Make::Negative | Make::Unit | Make::NotNegative | Make::Linear) => RightMake::Own(own),
-        };
-        RightChange { stage: seen.stage, expr: seen.expr, occurrence: seen.occurrence, make }
-    }
-
-    /// The change at the points of a runner; `None` if the values are right there.
-    fn change(&self, runner: &Runner<'_>, model: &Model, before: &[Change]) -> Option<Change> {
-        let mut watched = vec![(self.expr, self.occurrence)];
-        if let RightMake::Plus(expr, occurrence) = self.make {
-            watched.push((expr, occurrence));
-        }
-        let observed: Option<Vec<Observed>> =
-            watched.into_iter().map(|(expr, occurrence)| self.observed(runner, before, expr, occurrence)).collect();
-        let index = |name: &QuantityName| name.index(self.stage, model);
-        let make = match &self.make {
-            RightMake::Quantity(name) => Make::Quantity(index(name)?),
-            RightMake::Times(name) => Make::Times(index(name)?),
-            RightMake::Over(name) => Make::Over(index(name)?),
-            RightMake::Plus(..) => Make::Plus(1),
-            RightMake::Own(make) => *make,
-        };
-        let relation = super::repair::Relation::Other;
-        Repair { of: 0, relation, should: String::new(), make, cost: 0.0 }.change(&observed?, model)
-    }
-
-    fn observed(
-        &self,
-        runner: &Runner<'_>,
-        before: &[Change],
-        expr: ExprId,
-        occurrence: Option<u32>,
-    ) -> Option<Observed> {
-        let values = values_of(runner, before, self.stage, expr, occurrence)?;
-        let Self { stage, .. } = *self;
-        Some(Observed { stage, expr, occurrence, values, is: None, has_wrong_input: false, reads_wrong: false })
-    }
-}
-
-/// The values of an expression in one of its evaluations, or in the last of each point.
-fn values_of(
-    runner: &Runner<'_>,
-    changes: &[Change],
-    stage: Stage,
-    expr: ExprId,
-    occurrence: Option<u32>,
-) -> Option<Values> {
-    let (only, none) = ([expr], []);
-    let watched: [&[ExprId]; 2] = if stage == Stage::Vertex { [&only, &none] } else { [&none, &only] };
-    let all = observe(runner, changes, 0..runner.samples.len(), watched);
-    let wanted = all.into_iter().filter(|found| occurrence.is_none_or(|wanted| wanted == found.occurrence));
-    wanted.map(|found| found.values).reduce(|mut last, next| {
-        for point in (0..next.points()).filter(|point| next.present[*point]) {
-            last.present[point] = true;
-            let at = point * next.size..(point + 1) * next.size;
-            last.numbers[at.clone()].copy_from_slice(&next.numbers[at]);
-        }
-        last
-    })
-}
 
 /// What an expression is, or what it should be.
 #[derive(Clone, Debug, PartialEq)]
@@ -215,13 +104,13 @@ impl RightQuantities {
         let (mut names, mut source) = (names.clone(), read(names));
         if !task.model.is_of_places() {
             for (name, role) in source.matrices_by_use() {
-                names.names.entry(name).or_insert(Meaning::Role(role));
+                names.by_use.insert(name, role);
             }
             source = read(&names);
         }
         let constants = source.constants();
         let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);
-        let diagnosis = diagnose(task, vertex, fragment, texts, &names, &constants).ok()?;
+        let diagnosis = diagnose(task, vertex, fragment, texts, &names, &constants, &ModelSolutions::default()).ok()?;
         let groups: &[Vec<ProvenCause>] = match &diagnosis.found {
             Found::Endless => return None,
             Found::Causes(groups) => groups,
@@ -306,7 +195,8 @@ impl RightQuantities {
     }
 
     fn model(&self, samples: &[SceneSamples]) -> Option<Model> {
-        Model::new(self.method, samples, self.parameterisation.written_exponent.unwrap_or(1.0), false).ok()
+        Model::new(self.method, samples, self.parameterisation.written_exponent.unwrap_or(1.0), Mistakes::These(&[]))
+            .ok()
     }
 
     /// The right values of all causes at the points of a runner.

@@ -125,7 +125,7 @@ impl Observer<'_> {
                     && terms.iter().any(|term| names.contains(term))
             })
         };
-        for (of, seen) in observed.iter().enumerate() {
+        for (of, seen) in observed.iter().enumerate().filter(|(_, seen)| !seen.is_assignment) {
             let fits = |q: &Quantity| !has_space(&q.name) || q.space == space;
             let is_right = seen.is.is_some_and(|is| fits(&model.quantities[is]));
             let size = seen.values.size;
@@ -142,8 +142,7 @@ impl Observer<'_> {
                 let is_whole = quantity.is_some_and(|q| SCALED[3..].contains(&q.name.as_str()));
                 let extra = extra + if is_whole && relation == Relation::Other { 2.0 } else { 0.0 };
                 let extra = extra + if is_right { 2.0 } else { 0.0 } + if is_bold { 4.0 } else { 0.0 };
-                let of_input = if seen.has_wrong_input { 6.0 } else { 0.0 };
-                let cost = relation as u8 as f32 + extra + length * 0.002 + of_input;
+                let cost = relation as u8 as f32 + extra + length * 0.002;
                 all.push(Repair { of, relation, should, make, cost });
             };
             let known: Vec<&Quantity> = (model.quantities.iter())
@@ -197,7 +196,7 @@ impl Observer<'_> {
                         continue;
                     }
                     let is_term = other.is.is_some_and(|is| TERMS.contains(&model.quantities[is].name.as_str()));
-                    if other.expr == seen.expr || other.values.is_constant() && !is_term {
+                    if other.expr == seen.expr || other.is_assignment || other.values.is_constant() && !is_term {
                         continue;
                     }
                     if !is_term && (other.values.size < size || !is_single_token(self.tokens(other))) {

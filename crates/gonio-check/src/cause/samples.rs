@@ -15,7 +15,7 @@ pub struct SceneSamples {
     pub scene: TestScene,
     /// Its mesh, reduced to the vertices around the places; indices count these.
     pub mesh: TestMesh,
-    /// The places, at most [`PLACES`].
+    /// The places, at most as many as the interpreter computes together.
     pub places: Vec<Fragment>,
 }
 
@@ -89,6 +89,38 @@ impl SceneSamples {
             places.push(Fragment { corners, screen: shares.map(|share| share / sum), weights });
         }
         SceneSamples { scene, mesh, places }
+    }
+
+    /// Some of the places, and the vertices around them, by their numbers here.
+    #[must_use]
+    pub fn some(&self, places: &[usize]) -> (Self, Vec<usize>) {
+        let mut vertices: Vec<usize> = Vec::new();
+        let mut chosen: Vec<Fragment> = places.iter().map(|place| self.places[*place]).collect();
+        for corner in chosen.iter_mut().flat_map(|place| &mut place.corners) {
+            let known = vertices.iter().position(|vertex| *vertex == *corner as usize);
+            *corner = known.unwrap_or_else(|| {
+                vertices.push(*corner as usize);
+                vertices.len() - 1
+            }) as u32;
+        }
+        let of = |all: &[f32], size: usize| -> Vec<f32> {
+            vertices.iter().flat_map(|vertex| &all[vertex * size..][..size]).copied().collect()
+        };
+        let mesh = TestMesh {
+            positions: of(&self.mesh.positions, 3),
+            normals: of(&self.mesh.normals, 3),
+            tex_coords: of(&self.mesh.tex_coords, 2),
+            colors: of(&self.mesh.colors, 3),
+            ..TestMesh::default()
+        };
+        (SceneSamples { scene: self.scene.clone(), mesh, places: chosen }, vertices)
+    }
+
+    /// The first places, with the vertices around them.
+    #[must_use]
+    pub fn few(&self, count: usize) -> Self {
+        let places: Vec<usize> = (0..count.min(self.places.len())).collect();
+        self.some(&places).0
     }
 
     /// The number of vertices.

@@ -1,11 +1,13 @@
 //! The search for causes: expressions that, with another value, make the whole picture right.
 
+use super::explain::Explanation;
 use super::naming::ProvenCause;
-use super::observed::{Observed, Observer};
-use super::program::Change;
+use super::observed::{DEEPEST, Observed, Observer};
+use super::program::{Change, Runner};
 use super::repair::{Relation, Repair};
 use super::target::{Agreement, RightPicture, Seen};
 use super::values::Values;
+use crate::mistakes::Mistake;
 use gonio_glsl::Stage;
 use gonio_interpreter::PointValues;
 
@@ -28,7 +30,8 @@ const MOST_RUNS: usize = 2_000;
 const MOST_STATEMENTS: u64 = 12_000_000;
 /// Most runs for the second of two causes.
 const MOST_RUNS_OF_SECOND: usize = 400;
-
+/// Most values that are tried as the first of two causes.
+const MOST_FIRSTS: usize = 8;
 impl Found {
     /// Ranks results of several methods: 0 is best.
     #[must_use]
@@ -49,6 +52,8 @@ impl Found {
 pub(crate) struct Search<'a> {
     pub(super) at: Observer<'a>,
     target: &'a RightPicture,
+    /// The mistakes that explain the picture, alternatives of each other.
+    explanations: &'a [Explanation],
     runs: usize,
     statements: u64,
 }
@@ -56,41 +61,14 @@ pub(crate) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Creates a search.
     #[must_use]
-    pub fn new(at: Observer<'a>, target: &'a RightPicture) -> Self {
-        Search { at, target, runs: 0, statements: 0 }
+    pub fn new(at: Observer<'a>, target: &'a RightPicture, explanations: &'a [Explanation]) -> Self {
+        Search { at, target, explanations, runs: 0, statements: 0 }
     }
 
     /// The number of runs of single scenes so far.
     #[must_use]
     pub fn runs(&self) -> usize {
         self.runs
-    }
-
-    /// The picture in some scenes with changes; `None` if a run does not end.
-    fn see(&mut self, changes: &[Change], scenes: std::ops::Range<usize>) -> Option<Seen> {
-        let runner = self.at.runner;
-        let mut colour = Values::absent(3, runner.points(Stage::Fragment));
-        let mut clip = Values::absent(4, runner.points(Stage::Vertex));
-        for scene in scenes {
-            self.runs += 1;
-            let result = runner.run(scene, changes, [&[], &[]]);
-            self.statements += result.vertex.statements + result.fragment.statements;
-            if result.vertex.ended.is_some() || result.fragment.ended.is_some() {
-                return None;
-            }
-            let first = runner.first_point(Stage::Vertex, scene);
-            if let Some(position) = result.vertex.output(&runner.program.vertex, "gl_Position") {
-                copy(position, 4, result.vertex.points, first, &mut clip);
-            }
-            let first = runner.first_point(Stage::Fragment, scene);
-            if let Some(output) = runner.colour_output() {
-                copy(&result.fragment.outputs[output], 3, result.fragment.points, first, &mut colour);
-            }
-            for (point, _) in result.fragment.discarded.iter().enumerate().filter(|(_, is)| **is) {
-                colour.numbers[(first + point) * 3..][..3].fill(f32::NAN);
-            }
-        }
-        Some(Seen { colour, clip })
     }
 
     fn judge(&mut self, changes: &[Change]) -> Option<Agreement> {
@@ -101,73 +79,112 @@ impl<'a> Search<'a> {
         self.target.agrees(&all)
     }
 
-    /// Whether the picture is right; `None` if a run does not end.
-    pub fn is_right(&mut self) -> Option<Option<Agreement>> {
-        let seen = self.see(&[], 0..self.at.runner.samples.len())?;
-        Some(self.target.agrees(&seen))
+    fn see(&mut self, changes: &[Change], scenes: std::ops::Range<usize>) -> Option<Seen> {
+        self.runs += scenes.len();
+        let seen = see(self.at.runner, changes, scenes)?;
+        self.statements += seen.statements;
+        Some(seen)
     }
 
     /// Runs the search.
     pub fn run(&mut self) -> Found {
-        let Some(seen) = self.see(&[], 0..self.at.runner.samples.len()) else { return Found::Endless };
-        if let Some(agreement) = self.target.agrees(&seen) {
-            return Found::Right(agreement);
-        }
         let all = 0..self.at.runner.samples.len();
-        let mut observed = self.at.observe(&[], all.clone());
+        let mut observed = self.at.observe(&[], all);
         self.at.interpret(&mut observed);
-        let repairs = self.at.repairs(&observed);
-        let proven = self.proven(&[], &observed, &repairs, MOST_RUNS / 2);
-        let single = self.at.causes(&[], &observed, &proven);
-        if single.first().is_some_and(|best| best.is_sound()) {
+        let explaining = |at: usize| -> Vec<&'static Mistake> {
+            self.explanations.iter().filter_map(|explanation| explanation.mistakes.get(at).copied()).collect()
+        };
+        let is_pair = self.explanations.first().is_some_and(|explanation| explanation.mistakes.len() > 1);
+        if is_pair {
+            let mistakes: Vec<&'static Mistake> = explaining(0).into_iter().chain(explaining(1)).collect();
+            return self.pair(&observed, &mistakes).unwrap_or(Found::Nothing);
+        }
+        let single = self.causes(&[], &observed, &explaining(0), MOST_RUNS);
+        if !single.is_empty() {
             return Found::Causes(vec![single]);
         }
-        // Two causes: the first one is a wrong value that is recognised.
-        let mut tried = 0;
-        for first in repairs.iter().filter(|repair| repair.relation < Relation::Clamp) {
-            if tried == 8 || self.runs > MOST_RUNS {
+        self.pair(&observed, &[]).unwrap_or(Found::Nothing)
+    }
+
+    /// The single causes beside other changes, the best first.
+    fn causes(
+        &mut self,
+        base: &[Change],
+        observed: &[Observed],
+        explaining: &[&'static Mistake],
+        most: usize,
+    ) -> Vec<ProvenCause> {
+        let repairs = self.at.repairs(observed);
+        let (known, others): (Vec<Repair>, Vec<Repair>) =
+            repairs.into_iter().partition(|repair| repair.relation == Relation::Known);
+        let end = (self.runs + most).min(MOST_RUNS);
+        let mut proven = self.proven(base, observed, &known, end);
+        // Earlier expressions, from the inputs on.
+        let depth = |repair: &Repair| observed[repair.of].depth;
+        let first = proven.iter().map(depth).min().unwrap_or(DEEPEST + 1);
+        // A right value may be computed from a wrong one, which makes it another quantity.
+        for at in 1..first.max(2) {
+            let here: Vec<Repair> = others.iter().filter(|repair| depth(repair) == at).cloned().collect();
+            let found = self.proven(base, observed, &here, end);
+            let is_found = !found.is_empty();
+            proven.extend(found);
+            if is_found {
                 break;
             }
-            if observed[first.of].has_wrong_input {
-                continue;
+        }
+        self.at.causes(base, observed, &proven, explaining)
+    }
+
+    /// Two causes: the first one is a wrong value that is recognised. With an explanation, its mistakes are both.
+    fn pair(&mut self, observed: &[Observed], explaining: &[&'static Mistake]) -> Option<Found> {
+        let all = 0..self.at.runner.samples.len();
+        let mut firsts = self.at.repairs(observed);
+        let is_explained = !explaining.is_empty();
+        let is_first = |repair: &Repair| match is_explained {
+            true => repair.relation == Relation::Known,
+            false => repair.relation < Relation::Clamp && observed[repair.of].depth == 1,
+        };
+        firsts.retain(is_first);
+        firsts.sort_by_key(|repair| observed[repair.of].depth);
+        let mut best: Option<Found> = None;
+        for first in firsts.iter().take(MOST_FIRSTS) {
+            if self.runs > MOST_RUNS {
+                break;
             }
-            tried += 1;
-            let Some(change) = first.change(&observed, self.at.model) else { continue };
+            let Some(change) = first.change(observed, self.at.model) else { continue };
             let base = vec![change];
             let mut again = self.at.observe(&base, all.clone());
             self.at.interpret(&mut again);
-            let mut further = self.at.repairs(&again);
-            further.retain(|repair| !again[repair.of].has_wrong_input && repair.cost < 8.0);
-            let proven = self.proven(&base, &again, &further, MOST_RUNS_OF_SECOND);
-            let Some(best) = proven.first().cloned() else { continue };
-            let seconds = self.at.causes(&base, &again, &proven);
-            if seconds.first().is_none_or(|second| second.has_wrong_input) {
+            let seconds = self.causes(&base, &again, explaining, MOST_RUNS_OF_SECOND);
+            let Some(second) = seconds.first() else { continue };
+            if is_explained != second.is_explained {
                 continue;
             }
-            let Some(both) = best.change(&again, self.at.model) else { continue };
-            let firsts = self.at.causes(&[both], &observed, std::slice::from_ref(first));
-            let name =
-                |group: &[ProvenCause]| group.first().and_then(|cause| cause.mistakes.first()).map(|m| m.id.clone());
+            let Some(both) = second.repair.change(&again, self.at.model) else { continue };
+            let firsts = self.at.causes(&[both], observed, std::slice::from_ref(first), explaining);
+            let name = |group: &[ProvenCause]| Some(group.first()?.mistakes.first()?.id.clone());
             if name(&firsts).is_some() && name(&firsts) == name(&seconds) {
+                // One mistake at two places.
                 let mut merged = firsts;
                 merged[0].also.push((seconds[0].stage, seconds[0].expr));
                 merged[0].right.extend(seconds[0].right.iter().cloned());
-                return Found::Causes(vec![merged]);
-            }
-            if !single.is_empty() && [&firsts, &seconds].iter().any(|group| group[0].mistakes.is_empty()) {
+                best.get_or_insert(Found::Causes(vec![merged]));
                 continue;
             }
-            return Found::Causes(vec![firsts, seconds]);
+            let found = Found::Causes(vec![firsts, seconds]);
+            if !is_explained || found.rank() == 1 {
+                return Some(found);
+            }
+            best.get_or_insert(found);
         }
-        if single.is_empty() { Found::Nothing } else { Found::Causes(vec![single]) }
+        best
     }
 
-    /// The repairs that make the picture right, the cheapest first.
-    fn proven(&mut self, base: &[Change], observed: &[Observed], repairs: &[Repair], most: usize) -> Vec<Repair> {
+    /// The repairs that make the picture right, until a number of runs.
+    fn proven(&mut self, base: &[Change], observed: &[Observed], repairs: &[Repair], end: usize) -> Vec<Repair> {
         let mut influential: Vec<Option<bool>> = vec![None; observed.len()];
         let mut proven = Vec::new();
         let Some(before) = self.see(base, 0..1) else { return proven };
-        let end = (self.runs + most).min(MOST_RUNS);
         let mut dearest = f32::INFINITY;
         for repair in repairs {
             if self.runs > end || self.statements > MOST_STATEMENTS || repair.cost > dearest {
@@ -190,7 +207,7 @@ impl<'a> Search<'a> {
             let mut changes = base.to_vec();
             changes.push(change);
             if self.judge(&changes).is_some() {
-                if !observed[repair.of].has_wrong_input {
+                if repair.relation != Relation::Known {
                     dearest = dearest.min(repair.cost + 2.5);
                 }
                 proven.push(repair.clone());
@@ -198,6 +215,32 @@ impl<'a> Search<'a> {
         }
         proven
     }
+}
+
+/// The picture in some scenes with changes; `None` if a run does not end.
+pub(super) fn see(runner: &Runner<'_>, changes: &[Change], scenes: std::ops::Range<usize>) -> Option<Seen> {
+    let colour = Values::absent(3, runner.points(Stage::Fragment));
+    let clip = Values::absent(4, runner.points(Stage::Vertex));
+    let mut seen = Seen { colour, clip, statements: 0 };
+    for scene in scenes {
+        let result = runner.run(scene, changes, [&[], &[]]);
+        seen.statements += result.vertex.statements + result.fragment.statements;
+        if result.vertex.ended.is_some() || result.fragment.ended.is_some() {
+            return None;
+        }
+        let first = runner.first_point(Stage::Vertex, scene);
+        if let Some(position) = result.vertex.output(&runner.program.vertex, "gl_Position") {
+            copy(position, 4, result.vertex.points, first, &mut seen.clip);
+        }
+        let first = runner.first_point(Stage::Fragment, scene);
+        if let Some(output) = runner.program.colour_output() {
+            copy(&result.fragment.outputs[output], 3, result.fragment.points, first, &mut seen.colour);
+        }
+        for (point, _) in result.fragment.discarded.iter().enumerate().filter(|(_, is)| **is) {
+            seen.colour.numbers[(first + point) * 3..][..3].fill(f32::NAN);
+        }
+    }
+    Some(seen)
 }
 
 fn copy(from: &PointValues, size: usize, points: usize, first: usize, to: &mut Values) {

@@ -1,12 +1,12 @@
 //! Decides whether a picture is right: whether its colours are those of the light equation, with strengths that are
 //! inputs or any constants, and its positions those of the camera.
 
-use super::model::Model;
-use super::samples::{SceneSamples, interpolated};
+use super::model::AnswerMethod;
+use super::prediction::{Planes, Predicted, Predictor, Sum};
 use super::values::Values;
-use crate::mistakes::ModelSolution;
-use crate::search::{Parameterisation, Task, strengths};
-use gonio_glsl::Stage;
+use crate::mistakes::{Hypotheses, Hypothesis};
+use crate::search::weighted_strengths;
+use std::cell::OnceCell;
 
 /// The difference of colours that no eye and no 8-bit picture shows.
 const TOLERANCE: f32 = 0.003;
@@ -18,7 +18,7 @@ const MOST_DIFFERENT: f32 = 0.008;
 const FAINTEST: f64 = 2e-3;
 
 /// What an answer may choose about its highlight.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Highlight {
     /// 0 where the light is behind the surface, instead of everywhere where R.V is positive.
     pub gated: bool,
@@ -28,27 +28,18 @@ pub struct Highlight {
     pub white: bool,
 }
 
-/// A term of the right colour.
-#[derive(Clone, Debug)]
-struct Term {
-    /// Red, green and blue at all places.
-    planes: [Vec<f32>; 3],
-    /// Whether the strength is a constant of the program and must be fitted.
-    is_open: bool,
-    is_required: bool,
-}
-
-/// The right colours for one choice of the highlight.
-#[derive(Clone, Debug)]
+/// The right colours for one choice of the highlight, in each scene.
 struct Variant {
     highlight: Highlight,
-    terms: Vec<Term>,
+    hypothesis: Hypothesis,
+    scenes: Vec<OnceCell<Predicted>>,
 }
 
 /// The right picture.
-pub struct RightPicture {
+pub(crate) struct RightPicture {
+    predictor: Predictor,
+    required: [bool; 3],
     variants: Vec<Variant>,
-    clip: Option<Values>,
 }
 
 /// A picture that is right.
@@ -68,100 +59,99 @@ pub struct Seen {
     pub colour: Values,
     /// `gl_Position` at each vertex.
     pub clip: Values,
-}
-
-fn product(factors: &[&Values]) -> Option<Values> {
-    let first = factors.first()?;
-    Some(first.map(3, |point, _, to| {
-        to.fill(1.0);
-        for factor in factors {
-            let numbers = factor.at(point);
-            to.iter_mut().enumerate().for_each(|(c, to)| *to *= numbers[c.min(numbers.len() - 1)]);
-        }
-    }))
+    /// The statements that were executed, all points together.
+    pub statements: u64,
 }
 
 /// The channels of a colour, apart.
-fn planes(colour: &Values) -> [Vec<f32>; 3] {
+pub(super) fn planes(colour: &Values) -> Planes {
     std::array::from_fn(|channel| colour.numbers.iter().skip(channel).step_by(3).copied().collect())
+}
+
+/// The harmless peculiarities of a method of a right answer.
+pub(super) fn peculiarities(method: AnswerMethod, highlight: Highlight) -> [(&'static str, bool); 5] {
+    [
+        ("normal-kept-unnormalised", method.normal_kept),
+        ("specular-half-vector", method.half_vector),
+        ("specular-gated", highlight.gated),
+        ("specular-cosine-weighted", highlight.weighted),
+        ("specular-not-coloured", highlight.white),
+    ]
+}
+
+/// The hypothesis of those peculiarities that are chosen; `None` if they exclude each other.
+fn hypothesis_of(all: &Hypotheses, chosen: &[(&str, bool)]) -> Option<Hypothesis> {
+    let mut hypothesis = Hypothesis::default();
+    for (id, _) in chosen.iter().filter(|(_, is_chosen)| *is_chosen) {
+        let is_it = |single: &&Hypothesis| single.mistakes.iter().any(|mistake| all.mistakes[*mistake].id == *id);
+        hypothesis = hypothesis.and(all.singles.iter().find(is_it)?)?;
+    }
+    Some(hypothesis)
 }
 
 impl RightPicture {
     /// Creates the right picture of a method.
     #[must_use]
-    pub fn new(
-        model: &Model,
-        task: &Task,
-        parameterisation: &Parameterisation,
-        samples: &[SceneSamples],
-    ) -> Option<Self> {
-        let clip = model.right("gl_Position", Stage::Vertex, false).cloned();
-        if !model.method.model.is_lit() {
-            let colour = model.right("found", Stage::Fragment, false)?.clone();
-            let terms = vec![Term { planes: planes(&colour), is_open: false, is_required: true }];
-            let highlight = Highlight { gated: false, weighted: false, white: false };
-            return Some(RightPicture { variants: vec![Variant { highlight, terms }], clip });
-        }
-        let stage = if model.method.model == ModelSolution::Gouraud { Stage::Vertex } else { Stage::Fragment };
-        let of = |name: &str| model.right(name, stage, false);
-        let [material, attenuation, cosine, spec] =
-            [of("materialColour")?, of("attenuation")?, of("cos_theta")?, of("spec")?];
-        let (normal, to_light) = (of("N")?, of("L")?);
-        let strength = |term: usize| {
-            let names = ["light.ambient_strength", "light.diffuse_strength", "light.specular_strength"];
-            let is_free = parameterisation.to_find[term] && !parameterisation.given[term];
-            (!is_free).then(|| of(names[term])).flatten()
-        };
-        let term = |index: usize, factors: &[&Values]| {
-            let all: Vec<&Values> = factors.iter().copied().chain(strength(index)).collect();
-            let basis = product(&all)?;
-            let basis = if stage == Stage::Vertex { interpolated(&basis, samples) } else { basis };
-            let is_open = parameterisation.to_find[index];
-            Some(Term { planes: planes(&basis), is_open, is_required: task.required[index] })
-        };
-        let gate = cosine.map(1, |point, _, to| {
-            let dot: f32 = normal.at(point).iter().zip(to_light.at(point)).map(|(a, b)| a * b).sum();
-            to[0] = f32::from(u8::from(dot > 0.0));
-        });
+    pub fn new(predictor: Predictor, method: AnswerMethod, required: [bool; 3]) -> Self {
         let mut variants = Vec::new();
         for white in [false, true] {
             for (gated, weighted) in [(false, false), (true, false), (false, true)] {
-                let mut of_highlight = vec![spec, attenuation];
-                of_highlight.extend(gated.then_some(&gate));
-                of_highlight.extend(weighted.then_some(cosine));
-                of_highlight.extend((!white).then_some(material));
-                let terms =
-                    vec![term(0, &[material])?, term(1, &[material, attenuation, cosine])?, term(2, &of_highlight)?];
-                variants.push(Variant { highlight: Highlight { gated, weighted, white }, terms });
+                let highlight = Highlight { gated, weighted, white };
+                let is_plain = highlight == Highlight::default();
+                let Some(hypothesis) = hypothesis_of(&predictor.all.hypotheses, &peculiarities(method, highlight))
+                    .filter(|_| is_plain || method.model.is_lit())
+                else {
+                    continue;
+                };
+                let scenes = (0..predictor.scenes()).map(|_| OnceCell::new()).collect();
+                variants.push(Variant { highlight, hypothesis, scenes });
             }
         }
-        Some(RightPicture { variants, clip })
+        RightPicture { predictor, required, variants }
+    }
+
+    /// The predictions of a variant in the first scenes.
+    fn scenes<'a>(&'a self, variant: &'a Variant, count: usize) -> Vec<&'a Predicted> {
+        let scene = |scene: usize| {
+            variant.scenes[scene].get_or_init(|| self.predictor.predict(scene, &variant.hypothesis, Sum::Terms))
+        };
+        (0..count).map(scene).collect()
     }
 
     /// Whether a picture is right, at the points that it has. The first variant that fits counts.
     #[must_use]
     pub fn agrees(&self, seen: &Seen) -> Option<Agreement> {
-        if !self.is_in_place(&seen.clip) {
+        let places = seen.colour.present.iter().take_while(|present| **present).count();
+        let mut count = 0;
+        let mut sum = 0;
+        while sum < places && count < self.predictor.scenes() {
+            sum += self.predictor.places(count);
+            count += 1;
+        }
+        let seen_planes = planes(&seen.colour);
+        let first = self.variants.first()?;
+        if !is_in_place(&seen.clip, &self.scenes(first, count)) {
             return None;
         }
-        self.variants.iter().find_map(|variant| variant.agrees(&seen.colour))
+        self.variants.iter().find_map(|variant| {
+            let scenes = self.scenes(variant, count);
+            let fit = Fit::new(&seen_planes, sum, &scenes);
+            let is_lit = self.variants.len() > 1;
+            fit.is_right(self.required)
+                .then(|| Agreement { highlight: is_lit.then_some(variant.highlight), strengths: fit.strengths })
+        })
     }
+}
 
-    /// Whether the positions on the screen are right.
-    #[must_use]
-    pub fn is_in_place(&self, clip: &Values) -> bool {
-        let Some(right) = &self.clip else { return true };
-        let (mut all, mut different) = (0_usize, 0_usize);
-        for point in (0..right.points()).filter(|point| clip.present[*point]) {
-            let (a, b) = (clip.at(point), right.at(point));
-            if b[3] <= 1e-3 {
-                continue;
-            }
-            all += 1;
-            different += usize::from(!on_screen(a, b));
-        }
-        different as f32 <= MOST_DIFFERENT * all as f32
+/// Whether the positions on the screen are as predicted.
+pub(super) fn is_in_place(clip: &Values, scenes: &[&Predicted]) -> bool {
+    let right = scenes.iter().flat_map(|scene| &scene.clip);
+    let (mut all, mut different) = (0_usize, 0_usize);
+    for (point, right) in right.enumerate().filter(|(point, right)| clip.present[*point] && right[3] > 1e-3) {
+        all += 1;
+        different += usize::from(!on_screen(clip.at(point), right));
     }
+    different as f32 <= MOST_DIFFERENT * all as f32
 }
 
 /// Whether a position appears at the same place on the screen as another one before the camera.
@@ -170,56 +160,87 @@ pub(super) fn on_screen(seen: &[f32], right: &[f32]) -> bool {
     right[3] <= 1e-3 || seen[3] > 0.0 && is_near(0) && is_near(1)
 }
 
-impl Variant {
-    /// Fits the open strengths; returns them, and the share of points whose colour differs.
-    fn fit(&self, colour: &Values) -> ([Option<[f64; 3]>; 3], f32) {
-        // Scenes are drawn in their order.
-        let count = colour.present.iter().take_while(|present| **present).count();
-        let seen_planes = planes(colour);
+/// Colours with the open strengths that bring them nearest to the seen ones.
+pub(super) struct Fit {
+    /// The strengths of ambient, diffuse and specular light; `None` where they are not open or not shown.
+    pub strengths: [Option<[f64; 3]>; 3],
+    /// The common factor, if only that is open, is negative or 0.
+    is_dark: bool,
+    /// The share of places whose colour differs.
+    pub share: f32,
+}
+
+impl Fit {
+    /// Fits predictions of the first scenes, `count` places together.
+    pub fn new(seen: &Planes, count: usize, scenes: &[&Predicted]) -> Self {
         let mut wrong = vec![false; count];
-        let mut found = [None; 3];
-        // With open strengths, a dark picture is as good as a bright one.
-        let is_open = self.terms.iter().any(|term| term.is_open);
-        let scale = if is_open { (2.0 * colour.root_mean_square()).min(1.0) } else { 1.0 };
-        for (channel, seen) in seen_planes.iter().enumerate() {
-            let seen = &seen[..count];
-            let mut known = vec![0.0_f32; count];
-            for term in self.terms.iter().filter(|term| !term.is_open) {
-                known.iter_mut().zip(&term.planes[channel]).for_each(|(sum, x)| *sum += x);
+        let mut found = Fit { strengths: [None; 3], is_dark: false, share: 1.0 };
+        let Some(first) = scenes.first() else { return found };
+        let root_mean_square = {
+            let (mut sum, mut counted) = (0.0_f64, 0_u32);
+            for x in seen.iter().flat_map(|plane| &plane[..count]).filter(|x| x.is_finite()) {
+                sum += f64::from(*x) * f64::from(*x);
+                counted += 1;
             }
-            let open: Vec<(usize, Vec<f32>)> = (self.terms.iter().enumerate())
-                .filter(|(_, term)| term.is_open)
-                .map(|(index, term)| (index, term.planes[channel].iter().zip(&known).map(|(x, k)| x + k).collect()))
+            (sum / f64::from(counted.max(1))).sqrt() as f32
+        };
+        // With open strengths, a dark picture is as good as a bright one.
+        let scale = if first.open.is_empty() { 1.0 } else { (2.0 * root_mean_square).min(1.0) };
+        for channel in 0..3 {
+            let seen = &seen[channel][..count];
+            let mut right: Vec<f32> = scenes.iter().flat_map(|scene| &scene.known[channel]).copied().collect();
+            let open: Vec<Vec<f32>> = (0..first.open.len())
+                .map(|term| {
+                    let beyond = scenes.iter().flat_map(|scene| &scene.open[term].1[channel]);
+                    beyond.zip(&right).map(|(beyond, known)| beyond + known).collect()
+                })
                 .collect();
-            let planes: Vec<&[f32]> = open.iter().map(|(_, plane)| plane.as_slice()).collect();
-            let fitted = strengths(seen, &known, &planes);
-            let mut right = known.clone();
-            for ((index, plane), strength) in open.iter().zip(&fitted) {
-                found[*index].get_or_insert([0.0; 3])[channel] = *strength;
+            let planes: Vec<&[f32]> = open.iter().map(Vec::as_slice).collect();
+            // Errors are in parts of large values. A value of 1 may have been limited to it.
+            let weight = |s: f32| if s == 1.0 { 0.0 } else { (0.05 + f64::from(s.abs())).powi(-2) };
+            let fitted = if planes.is_empty() { Vec::new() } else { weighted_strengths(weight, seen, &right, &planes) };
+            let known = right.clone();
+            for (((term, _), plane), strength) in first.open.iter().zip(&open).zip(&fitted) {
+                match term {
+                    Some(term) => found.strengths[*term].get_or_insert([0.0; 3])[channel] = *strength,
+                    None => found.is_dark |= *strength <= 0.0,
+                }
                 for (sum, (x, k)) in right.iter_mut().zip(plane.iter().zip(&known)) {
                     *sum += *strength as f32 * (x - k);
                 }
             }
             for ((seen, right), wrong) in seen.iter().zip(&right).zip(&mut wrong) {
                 let is_near = (seen - right).abs() <= TOLERANCE * scale + RELATIVE_TOLERANCE * right.abs()
-                    || *seen >= 1.0 && *right >= 0.999;
+                    || *seen >= 1.0 && *right >= 0.999
+                    || !seen.is_finite() && !right.is_finite();
                 *wrong |= !is_near;
             }
         }
-        let share = wrong.iter().filter(|wrong| **wrong).count() as f32 / wrong.len().max(1) as f32;
-        (found, share)
+        // The strength of a term that is not shown cannot be fitted.
+        for (index, (term, _)) in first.open.iter().enumerate() {
+            let is_shown = scenes.iter().flat_map(|scene| scene.open[index].1.iter().flatten()).any(|x| *x != 0.0);
+            if let Some(term) = term.filter(|_| !is_shown) {
+                found.strengths[term] = None;
+            }
+        }
+        found.share = wrong.iter().filter(|wrong| **wrong).count() as f32 / count.max(1) as f32;
+        found
     }
 
-    fn agrees(&self, colour: &Values) -> Option<Agreement> {
-        let (strengths, share) = self.fit(colour);
-        let is_shown = |index: usize| {
-            strengths.get(index).copied().flatten().is_none_or(|found| {
+    /// Whether few places may be the same as those of a right picture: one of them may differ.
+    pub fn is_right_at_few(&self) -> bool {
+        // A required term may be dark at all of them.
+        self.share <= 0.07 && Fit { share: 0.0, is_dark: false, ..*self }.is_right([false; 3])
+    }
+
+    /// Whether the colours are the same, no strength is negative, and the required terms are visible.
+    pub fn is_right(&self, required: [bool; 3]) -> bool {
+        let is_plausible = |(strength, is_required): (&Option<[f64; 3]>, bool)| {
+            strength.is_none_or(|found| {
                 let brightest = found.iter().copied().fold(f64::MIN, f64::max);
-                let is_negative = found.iter().any(|s| *s < -FAINTEST);
-                !is_negative && (!self.terms[index].is_required || brightest > FAINTEST)
+                found.iter().all(|s| *s >= -FAINTEST) && (!is_required || brightest > FAINTEST)
             })
         };
-        let is_right = share <= MOST_DIFFERENT && (0..self.terms.len()).all(is_shown);
-        is_right.then_some(Agreement { highlight: (self.terms.len() == 3).then_some(self.highlight), strengths })
+        self.share <= MOST_DIFFERENT && !self.is_dark && self.strengths.iter().zip(required).all(is_plausible)
     }
 }

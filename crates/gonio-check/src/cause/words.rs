@@ -4,7 +4,7 @@ use super::model::{Quantity, Space};
 use super::repair::{Make, Repair};
 
 /// The variables of the model solutions, and what they are.
-const WORDS: [(&str, &str); 47] = [
+const WORDS: [(&str, &str); 51] = [
     ("world_position", "the position"),
     ("world_place", "the position"),
     ("model_position", "the position in model space"),
@@ -26,7 +26,11 @@ const WORDS: [(&str, &str); 47] = [
     ("dot(N, V)", "the cosine between normal and eye"),
     ("dot(N, H)", "the cosine between normal and half vector"),
     ("dot(R, V)", "the cosine between reflected direction and eye"),
+    ("vec4(position, 1.0)", "the position in model space"),
+    ("diffuse + specular", "the sum of the diffuse and the specular term"),
+    ("(diffuse + specular)", "the sum of the diffuse and the specular term"),
     ("cos_theta", "the cosine between normal and light, at least 0"),
+    ("cos_highlight", "the cosine of the highlight"),
     ("cos_phi", "the cosine of the highlight, at least 0"),
     ("spec", "the cosine of the highlight to the power of the shininess"),
     ("d", "the distance from the surface to the light"),
@@ -59,10 +63,19 @@ fn words(name: &str) -> Option<&'static str> {
     WORDS.iter().find(|(known, _)| *known == name).map(|(_, words)| *words)
 }
 
+/// A product of quantities in words: "the attenuation times the diffuse term".
+fn product(name: &str) -> String {
+    let factors: Vec<&str> = name.split(" * ").filter_map(words).collect();
+    match factors.as_slice() {
+        [_, ..] if factors.len() == name.split(" * ").count() => factors.join(" times "),
+        _ => format!("`{name}`"),
+    }
+}
+
 /// A right quantity in words: "the unit normal, in view space".
 #[must_use]
 pub fn quantity(quantity: &Quantity) -> String {
-    let name = words(&quantity.name).map_or_else(|| format!("`{}`", quantity.name), str::to_owned);
+    let name = words(&quantity.name).map_or_else(|| product(&quantity.name), str::to_owned);
     let of_vertices = if quantity.interpolated { ", interpolated" } else { "" };
     match quantity.space {
         Space::View => format!("{name}, in view space{of_vertices}"),
@@ -89,7 +102,7 @@ pub fn should_be(repair: &Repair, quantities: &[Quantity], added: &str) -> Strin
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cause::model::{AnswerMethod, Model};
+    use crate::cause::model::{AnswerMethod, Mistakes, Model};
     use crate::cause::samples::SceneSamples;
     use crate::mistakes::ModelSolution;
     use crate::testbench::scene;
@@ -101,9 +114,9 @@ mod tests {
             [ModelSolution::Phong, ModelSolution::Gouraud, ModelSolution::Reflection, ModelSolution::Refraction]
         {
             let method = AnswerMethod { model, normal_kept: false, half_vector: false };
-            let model = Model::new(method, &samples, 1.0, false).unwrap();
+            let model = Model::new(method, &samples, 1.0, Mistakes::These(&[])).unwrap();
             for q in model.quantities.iter().filter(|q| q.values.size <= 4) {
-                assert!(words(&q.name).is_some() || q.name == "v_col", "{}", q.name);
+                assert!(!product(&q.name).contains('`') || q.name == "v_col", "{}", q.name);
             }
         }
     }

@@ -4,9 +4,9 @@
 use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
 use crate::cause::search::Found;
-use crate::cause::{Diagnosis, diagnose};
+use crate::cause::{Diagnosis, ModelSolutions, diagnose};
 use crate::compile::ParsedStage;
-use crate::mistakes::TERMS;
+use crate::mistakes::{Mistake, TERMS};
 use crate::roles::NamesFile;
 use crate::rules::SourceConstants;
 use crate::search::Task;
@@ -46,6 +46,7 @@ pub(super) fn correct(
     [vertex, fragment]: [&ParsedStage<'_>; 2],
     names: &NamesFile,
     constants: &SourceConstants,
+    solutions: &ModelSolutions,
 ) -> ByValues {
     let unchanged = ByValues { has_its_pictures: true, fixes: Vec::new() };
     let is_judged = task.model.is_lit() || task.model.is_looked_up();
@@ -58,41 +59,100 @@ pub(super) fn correct(
     }
     let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);
     let stages = [vertex, fragment].map(|stage| (&stage.parsed, &stage.checked));
-    let Ok(diagnosis) = diagnose(task, stages[0], stages[1], texts, names, constants) else { return unchanged };
+    let Ok(diagnosis) = diagnose(task, stages[0], stages[1], texts, names, constants, solutions) else {
+        return unchanged;
+    };
     let fixes = diagnosis.fixes.clone();
-    match &diagnosis.found {
-        Found::Right(_) if !is_beyond => {
+    if matches!(diagnosis.found, Found::Right(_)) {
+        if !is_beyond {
             acquit(verdict, &diagnosis);
-            return ByValues { has_its_pictures: false, fixes };
         }
-        Found::Causes(groups) if groups.iter().all(|group| group.first().is_some_and(ProvenCause::is_sound)) => {
-            let found: Vec<FoundMistake> =
-                groups.iter().filter_map(|group| named(group.first()?, submission)).flatten().collect();
-            // The same names: the rules about the source know their lines too.
-            let is_known =
-                |new: &FoundMistake| verdict.mistakes.iter().any(|old| old.id == new.id && old.line.is_some());
-            if found.len() == verdict.mistakes.len() && found.iter().all(is_known) {
-                return ByValues { fixes, ..unchanged };
-            }
-            verdict.mistakes = found;
-            verdict.summary = verdict.mistake_names();
-            verdict.runner_up = None;
-        }
-        Found::Causes(groups) if verdict.mistakes.is_empty() => {
-            if let [group] = groups.as_slice()
-                && let Some(cause) = group.first().filter(|cause| !cause.has_wrong_input && !cause.is_intermediate)
-            {
-                let found =
-                    FoundMistake::new(WRONG_VALUE, format!("`{}` {}", one_line(&cause.text), cause.should), 1.0)
-                        .taught(cause.is_in_words(), "With this value every test scene is right.", "");
-                verdict.mistakes = vec![placed(found, cause, submission)];
-                verdict.summary = verdict.mistake_names();
-                verdict.runner_up = None;
-            }
-        }
-        _ => {}
+        return ByValues { has_its_pictures: is_beyond, fixes };
     }
+    let groups = match &diagnosis.found {
+        Found::Causes(groups) => groups.as_slice(),
+        _ => &[],
+    };
+    let is_sound = !groups.is_empty() && groups.iter().all(|group| group.first().is_some_and(ProvenCause::is_sound));
+    let known = verdict.mistakes.clone();
+    // Mistakes that are no change of a value, found by the rules about the source.
+    let structural = crate::mistakes::structural();
+    let is_structural = |found: &FoundMistake| structural.iter().any(|mistake| mistake.id == found.id);
+    if !known.is_empty() && known.iter().all(is_structural) {
+        return ByValues { fixes, ..unchanged };
+    }
+    let found = if !diagnosis.explanations.is_empty() {
+        explained(task, &diagnosis, groups, submission, &known)
+    } else if is_sound {
+        groups.iter().filter_map(|group| named(group.first()?, submission)).flatten().collect()
+    } else if let ([group], true) = (groups, verdict.mistakes.is_empty()) {
+        group.first().map(|cause| unlisted(cause, submission)).into_iter().collect()
+    } else {
+        return ByValues { fixes, ..unchanged };
+    };
+    verdict.mistakes = found.into_iter().map(|new| with_line_of(new, &known)).collect();
+    verdict.summary = verdict.mistake_names();
+    verdict.runner_up = None;
     ByValues { fixes, ..unchanged }
+}
+
+/// The mistakes that explain the picture, at the lines of their causes.
+fn explained(
+    task: &Task,
+    diagnosis: &Diagnosis,
+    groups: &[Vec<ProvenCause>],
+    submission: &Submission,
+    known: &[FoundMistake],
+) -> Vec<FoundMistake> {
+    let Some(first) = diagnosis.explanations.first() else { return Vec::new() };
+    let word = task.other.filter(|(model, _)| *model == first.method.model).and_then(|(_, word)| word);
+    let structural = crate::mistakes::structural();
+    let structural = word.and_then(|word| structural.into_iter().find(|mistake| mistake.id == word));
+    let mut found: Vec<FoundMistake> =
+        structural.iter().map(|mistake| FoundMistake::from_catalogue(mistake, 1.0)).collect();
+    let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
+    for at in 0..first.mistakes.len() {
+        // The alternative that the program itself shows, if it shows one.
+        let alternatives: Vec<&'static Mistake> =
+            diagnosis.explanations.iter().filter_map(|explanation| explanation.mistakes.get(at).copied()).collect();
+        let is_one = |mistake: &Mistake| alternatives.iter().any(|other| other.id == mistake.id);
+        // Pictures do not tell some mistakes apart, but the source does.
+        let by_source = alternatives.iter().copied().find(|m| known.iter().any(|old| old.id == m.id));
+        let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
+        let cause = cause.map(|at| causes.remove(at));
+        let shown: Vec<&'static Mistake> = match cause {
+            Some(cause) => cause.mistakes.iter().take(1 + cause.equals).copied().filter(|m| is_one(m)).collect(),
+            None => alternatives,
+        };
+        let shown: Vec<&'static Mistake> = by_source.into_iter().chain(shown).collect();
+        let Some((mistake, others)) = shown.split_first() else { continue };
+        let mut or: Vec<String> = Vec::new();
+        for other in others.iter().filter(|other| other.id != mistake.id) {
+            if !or.contains(&other.id) {
+                or.push(other.id.clone());
+            }
+        }
+        let new = FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
+        found.push(match cause {
+            Some(cause) => placed(new, cause, submission),
+            None => new,
+        });
+    }
+    found
+}
+
+/// The same mistake with the line that the rules about the source found, if it has none.
+fn with_line_of(new: FoundMistake, known: &[FoundMistake]) -> FoundMistake {
+    let is_it = |old: &&FoundMistake| old.id == new.id && old.line.is_some();
+    match known.iter().find(is_it) {
+        Some(old) => FoundMistake { file: old.file.clone(), line: old.line, quoted: old.quoted.clone(), ..new },
+        _ => new,
+    }
+}
+
+fn unlisted(cause: &ProvenCause, submission: &Submission) -> FoundMistake {
+    let found = FoundMistake::new(WRONG_VALUE, format!("`{}` {}", one_line(&cause.text), cause.should), 1.0);
+    placed(found.taught(cause.is_in_words(), "With this value every test scene is right.", ""), cause, submission)
 }
 
 /// Makes the verdict right, and states the roles that this assumes where the names do not tell them.

@@ -11,7 +11,7 @@ use crate::compile::{ParsedStage, compile, compiler_messages, does_not_link, fir
 use crate::dataflow::Shader;
 use crate::mistakes::{self, ModelSolution};
 use crate::panorama;
-use crate::roles::{Declared, Meaning, NamesFile};
+use crate::roles::{Declared, NamesFile};
 use crate::rules::{Analysis, Place};
 use crate::search::{Evidence, PLACES, Prepared, ShaderChecker, Task};
 use crate::submission::{SourceFile, Submission};
@@ -123,7 +123,7 @@ fn check_files(
     let by_use = if task.model.is_of_places() { Vec::new() } else { source.matrices_by_use() };
     if !by_use.is_empty() {
         for (name, role) in by_use {
-            names.names.entry(name).or_insert(Meaning::Role(role));
+            names.by_use.insert(name, role);
         }
         source = read(&names);
     }
@@ -188,8 +188,15 @@ fn check_files(
         let (file, line, _) = text.place(at.span.line, at.span.column);
         verdict.warnings.push(format!("{file}:{line}: {sentence}"));
     }
-    let by_values =
-        by_values::correct(&mut verdict, task, &submission, [&vertex, &fragment], &prepared.names, &source.constants());
+    let by_values = by_values::correct(
+        &mut verdict,
+        task,
+        &submission,
+        [&vertex, &fragment],
+        &prepared.names,
+        &source.constants(),
+        &checker.solutions,
+    );
     if !by_values.has_its_pictures {
         evidence = None;
     }

@@ -27,6 +27,8 @@ pub enum Meaning {
 pub struct NamesFile {
     /// The meanings by the names in the shader.
     pub names: BTreeMap<String, Meaning>,
+    /// The roles that the source shows of other names; they are not certain.
+    pub by_use: BTreeMap<String, Role>,
 }
 
 /// An error in a `names.toml`, with its line.

@@ -138,7 +138,9 @@ impl Bindings {
 pub fn bind(declared: &[Declared], file: &NamesFile) -> Bindings {
     let mut bindings = Bindings { unused: file.names.keys().cloned().collect(), ..Bindings::default() };
     let own: Vec<&Declared> = declared.iter().filter(|declared| !declared.name.starts_with("gl_")).collect();
-    let meanings: Vec<Option<&Meaning>> = own.iter().map(|declared| file.get(&declared.name)).collect();
+    let by_use = |declared: &&Declared| file.by_use.get(&declared.name).map(|role| Meaning::Role(*role));
+    let meanings: Vec<Option<Meaning>> =
+        own.iter().map(|declared| file.get(&declared.name).cloned().or_else(|| by_use(declared))).collect();
     let roles: Vec<Option<Role>> = meanings
         .iter()
         .map(|meaning| match meaning {
@@ -155,8 +157,11 @@ pub fn bind(declared: &[Declared], file: &NamesFile) -> Bindings {
             bindings.unused.retain(|name| *name != declared.name && declared.name.strip_suffix("[0]") != Some(name));
         }
         match (meaning, found) {
-            (Some(Meaning::Value(values)), _) => bindings.fixed.push(Fixed { declared, values: values.clone() }),
-            (Some(Meaning::Role(role)), _) => bindings.bound.push(Bound { declared, role: *role, how: How::NamesFile }),
+            (Some(Meaning::Value(values)), _) => bindings.fixed.push(Fixed { declared, values }),
+            (Some(Meaning::Role(role)), _) => {
+                let how = if file.get(&declared.name).is_some() { How::NamesFile } else { How::Use };
+                bindings.bound.push(Bound { declared, role, how });
+            }
             (None, Some((role, how))) => bindings.bound.push(Bound { declared, role, how }),
             (None, None) => bindings.unknown.push(declared),
         }

@@ -150,7 +150,12 @@ pub(super) fn attribute(shape: Shape, words: &Words) -> Option<Role> {
     if shape != Shape::Vector || names_axis(words) {
         return None;
     }
-    first(ATTRIBUTES, words, 0)
+    // A letter that is the whole name.
+    match (words.tokens.as_slice(), words.letters.as_slice()) {
+        ([], ['p'] | ['a', 'p']) => Some(Role::Position),
+        ([], ['n'] | ['a', 'n']) => Some(Role::Normal),
+        _ => first(ATTRIBUTES, words, 0),
+    }
 }
 
 /// Returns the role of a uniform by its name and type.

@@ -22,12 +22,18 @@ pub type Plane = Vec<f32>;
 
 /// Returns the strengths that bring `known + sum strength * (term - known)` nearest to `seen`, for one channel.
 pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
+    // Overexposed pixels are excluded: their value is unknown.
+    weighted_strengths(|seen| if seen < 1.0 { 1.0 } else { 0.0 }, seen, known, terms)
+}
+
+/// As [`strengths`], with a weight for each seen value.
+pub fn weighted_strengths(weight: impl Fn(f32) -> f64, seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
     let count = terms.len();
     let (mut matrix, mut right) = (vec![0.0_f64; count * count], vec![0.0_f64; count]);
     let mut beyond_known = vec![0.0_f64; count];
     for (index, (&s, &k)) in seen.iter().zip(known).enumerate() {
-        // Overexposed pixels are excluded: their value is unknown.
-        if !(s.is_finite() && k.is_finite() && s < 1.0) {
+        let weight = weight(s);
+        if !(s.is_finite() && k.is_finite() && weight > 0.0) {
             continue;
         }
         for (beyond, term) in beyond_known.iter_mut().zip(terms) {
@@ -38,9 +44,9 @@ pub fn strengths(seen: &[f32], known: &[f32], terms: &[&[f32]]) -> Vec<f64> {
         }
         let target = f64::from(s - k);
         for (row, a) in beyond_known.iter().enumerate() {
-            right[row] += a * target;
+            right[row] += weight * a * target;
             for (sum, b) in matrix[row * count..].iter_mut().zip(&beyond_known) {
-                *sum += a * b;
+                *sum += weight * a * b;
             }
         }
     }

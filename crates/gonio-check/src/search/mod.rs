@@ -15,12 +15,13 @@ mod task;
 pub use compare::{Comparison, PIXEL_TOLERANCE, PIXELS_TOLERANCE, pixel_difference};
 pub use conclusion::mistake as named;
 pub(crate) use conclusion::{bound, fixed};
-pub(crate) use fit::strengths;
+pub(crate) use fit::weighted_strengths;
 pub use parameterisation::{Lights, Parameterisation, Second};
 pub(crate) use predict::model_names;
 pub use predict::{CompiledModel, declared};
 pub use task::{PLACES, TASKS, Task};
 
+use crate::cause::ModelSolutions;
 use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::roles::{self, Declared, NamesFile, Role, VariableKind};
 use crate::rules::SourceConstants;
@@ -69,12 +70,19 @@ pub struct ShaderChecker {
     gl: Gl,
     models: HashMap<ModelSolution, CompiledModel>,
     testbenches: HashMap<&'static str, (Testbench, [usize; 2])>,
+    /// The model solutions for the interpreter.
+    pub(crate) solutions: ModelSolutions,
 }
 
 impl ShaderChecker {
     /// Creates a checker for this OpenGL context.
     pub fn new(gl: &Gl) -> Self {
-        ShaderChecker { gl: gl.clone(), models: HashMap::new(), testbenches: HashMap::new() }
+        ShaderChecker {
+            gl: gl.clone(),
+            models: HashMap::new(),
+            testbenches: HashMap::new(),
+            solutions: ModelSolutions::default(),
+        }
     }
 
     /// Returns the OpenGL context.

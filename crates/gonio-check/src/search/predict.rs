@@ -196,7 +196,7 @@ impl CompiledModel {
 /// Returns the roles of names that only model solutions have: the position of the light that is not being added.
 pub fn model_names() -> NamesFile {
     let meaning = crate::roles::Meaning::Role(crate::roles::Role::LightPos(1));
-    NamesFile { names: [("other_light_pos".to_owned(), meaning)].into() }
+    NamesFile { names: [("other_light_pos".to_owned(), meaning)].into(), ..NamesFile::default() }
 }
 
 /// The terms that are lit, among those whose strengths are fitted.

@@ -126,6 +126,22 @@ impl TestScene {
         self.world_from_model.inverse().transpose()
     }
 
+    /// Returns the scene in the coordinates of its camera, which is at the origin and looks along -z.
+    #[must_use]
+    pub fn in_view_space(&self) -> Self {
+        let view = self.view_from_world();
+        let moved = |light: TestLight| TestLight { position: view.transform_point3(light.position), ..light };
+        TestScene {
+            world_from_model: view * self.world_from_model,
+            eye: Vec3::ZERO,
+            target: Vec3::NEG_Z,
+            up: Vec3::Y,
+            light: moved(self.light),
+            other: self.other.map(moved),
+            ..self.clone()
+        }
+    }
+
     /// Returns the inverse transpose of V M, for normals in view space.
     pub fn view_normal_matrix(&self) -> Mat3 {
         Mat3::from_mat4((self.view_from_world() * self.world_from_model).inverse().transpose())

@@ -26,7 +26,10 @@ const INPUTS: [(&str, &str, &str, Role); 13] = [
 
 /// The roles of the stand-ins' inputs.
 pub(super) fn names() -> NamesFile {
-    NamesFile { names: INPUTS.iter().map(|(.., name, role)| ((*name).to_owned(), Meaning::Role(*role))).collect() }
+    NamesFile {
+        names: INPUTS.iter().map(|(.., name, role)| ((*name).to_owned(), Meaning::Role(*role))).collect(),
+        ..NamesFile::default()
+    }
 }
 
 /// Whether this is the name of one of those inputs.

@@ -1,0 +1,394 @@
+//! Explains a wrong picture: the mistakes of the catalogue with which a model solution computes the same colours and
+//! positions at every place of every test scene.
+
+use super::model::{AnswerMethod, Space};
+use super::prediction::{ModelSolutions, Planes, Predicted, Predictor, Sum};
+use super::samples::SceneSamples;
+use super::target::{Fit, Seen, is_in_place, planes};
+use super::values::Values;
+use crate::mistakes::{Hypothesis, Mistake, ModelSolution, TERMS, term_of};
+use crate::search::{Lights, Parameterisation};
+use crate::testbench::TestScene;
+use glam::Vec3;
+use std::cell::Cell;
+use std::collections::BTreeSet;
+
+/// Mistakes that explain a picture.
+#[derive(Clone, Debug)]
+pub struct Explanation {
+    /// The method of a right answer in which they are made.
+    pub method: AnswerMethod,
+    /// The strengths of ambient, diffuse and specular light in red, green and blue, where they are constants of the
+    /// program and shown.
+    pub strengths: Strengths,
+    /// The lights to which they apply.
+    pub lights: Lights,
+    /// The space in which the light is computed.
+    pub space: Space,
+    /// The changed lines, peculiarities included.
+    pub hypothesis: Hypothesis,
+    /// The mistakes.
+    pub mistakes: Vec<&'static Mistake>,
+    /// How many peculiarities it assumes.
+    pub peculiarities: usize,
+}
+
+/// The fitted strengths of ambient, diffuse and specular light in red, green and blue.
+pub type Strengths = [Option<[f64; 3]>; 3];
+
+impl Explanation {
+    /// Gives a scene the strengths that are constants of the program, and the colour that these have in common.
+    pub(super) fn strengthen(&self, scene: &mut TestScene) {
+        let brightest = |strength: &[f64; 3]| strength.iter().copied().fold(0.0, f64::max);
+        let light = &mut scene.light;
+        let terms = [&mut light.ambient, &mut light.diffuse, &mut light.specular];
+        let mut colour: Option<[f64; 3]> = None;
+        for (term, strength) in terms.into_iter().zip(&self.strengths) {
+            if let Some(strength) = strength {
+                let most = brightest(strength);
+                *term = most as f32;
+                if most > 1e-3 {
+                    colour.get_or_insert(strength.map(|channel| channel / most));
+                }
+            }
+        }
+        let is_coloured = colour.is_some_and(|colour| colour.iter().any(|channel| (channel - 1.0).abs() > 1e-3));
+        if let Some(colour) = colour.filter(|_| is_coloured && scene.material == Vec3::ONE) {
+            scene.material = Vec3::from_array(colour.map(|channel| channel as f32));
+        }
+    }
+}
+
+/// A model solution that may explain a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LightingMethod {
+    /// The model solution.
+    pub model: ModelSolution,
+    /// The space in which it computes the light.
+    pub space: Space,
+}
+
+/// What a program may assume.
+pub(crate) struct Explainer<'a> {
+    /// The model solutions.
+    pub solutions: &'a ModelSolutions,
+    /// The methods, the likeliest first.
+    pub methods: &'a [LightingMethod],
+    /// For each method, the mistakes whose own wrong values the program has.
+    pub suspects: &'a dyn Fn(LightingMethod) -> Vec<&'static str>,
+    /// Whether a peculiarity of right answers may be that of the program.
+    pub is_likely: &'a dyn Fn(&str) -> bool,
+    /// The parameterisation of the program.
+    pub parameterisation: &'a Parameterisation,
+    /// The terms that are required.
+    pub required: [bool; 3],
+    /// The test scenes, and the points with the inputs of the program.
+    pub scenes: &'a [(TestScene, SceneSamples)],
+    /// Pairs that may still be predicted at few places; 0 to explain by single mistakes only.
+    pub pairs_left: Cell<usize>,
+}
+
+/// Places in the first test scene that exclude most hypotheses: each has three vertices of its own.
+fn coarse(model: ModelSolution) -> usize {
+    if model == ModelSolution::Gouraud { 12 } else { 32 }
+}
+
+/// The test scene whose seen colours differ most, and places there: half of them evenly spread, half the brightest.
+fn telling(scenes: &[(TestScene, SceneSamples)], seen: &Planes, count: usize) -> Option<(usize, Vec<usize>)> {
+    let brightness = |point: usize| -> f32 {
+        let sum: f32 = seen.iter().map(|plane| plane[point]).sum();
+        if sum.is_finite() { sum } else { 0.0 }
+    };
+    let mut first = 0;
+    let mut best: Option<(f32, usize, usize)> = None;
+    for (scene, (_, samples)) in scenes.iter().enumerate() {
+        let all = || first..first + samples.places.len();
+        let mean = all().map(brightness).sum::<f32>() / samples.places.len().max(1) as f32;
+        let lit = all().filter(|point| brightness(*point) > 0.02).count();
+        let spread = all().map(|point| (brightness(point) - mean).abs().min(1.0)).sum::<f32>();
+        let score = spread * (lit as f32).sqrt();
+        if best.is_none_or(|(known, ..)| score > known * 1.05) {
+            best = Some((score, scene, first));
+        }
+        first += samples.places.len();
+    }
+    let (_, scene, first) = best?;
+    let all = scenes[scene].1.places.len();
+    let mut places: Vec<usize> = (0..all.min(count / 2)).collect();
+    let mut brightest: Vec<usize> = (places.len()..all).collect();
+    brightest.sort_by(|a, b| brightness(first + b).total_cmp(&brightness(first + a)));
+    places.extend(brightest.iter().take(count - places.len()));
+    Some((scene, places))
+}
+
+/// Hypotheses that are predicted together.
+const TOGETHER: usize = 64;
+/// Most runs of pairs at few places.
+pub(super) const MOST_PAIRS: usize = 16_000;
+/// Most pairs that are predicted at all places.
+const MOST_WHOLE: usize = 60;
+/// With more mistakes that explain a picture equally well, none is named.
+const MOST_ALTERNATIVES: usize = 4;
+/// Most sets of peculiarities with which pairs are tried.
+const MOST_SETS_OF_PAIRS: usize = 3;
+
+/// A model solution with predictions at few and at all places.
+struct Candidate {
+    method: LightingMethod,
+    coarse: Predictor,
+    fine: Predictor,
+    few: Planes,
+    few_clip: Values,
+}
+
+impl Candidate {
+    fn new(of: &Explainer<'_>, method: LightingMethod, lights: Lights, seen: &Seen) -> Result<Self, String> {
+        let LightingMethod { model, space } = method;
+        let all = of.solutions.get(model)?;
+        let whole = planes(&seen.colour);
+        let (scene, places) = telling(of.scenes, &whole, coarse(model)).ok_or("no test scene")?;
+        let first: usize = of.scenes[..scene].iter().map(|(_, samples)| samples.places.len()).sum();
+        let first_vertex: usize = of.scenes[..scene].iter().map(|(_, samples)| samples.vertices()).sum();
+        let (raw, samples) = &of.scenes[scene];
+        let (some, vertices) = samples.some(&places);
+        let clip = vertices.iter().flat_map(|vertex| seen.clip.at(first_vertex + vertex)).copied().collect();
+        let fine = of.scenes.iter().cloned();
+        Ok(Candidate {
+            few: whole.map(|plane| places.iter().map(|place| plane[first + place]).collect()),
+            few_clip: Values::new(4, clip),
+            coarse: Predictor::new(all.clone(), lights, of.parameterisation, space, [(raw.clone(), some)]),
+            fine: Predictor::new(all, lights, of.parameterisation, space, fine),
+            method,
+        })
+    }
+
+    /// For each hypothesis, the share of few places in the first scene that it draws otherwise, and whether it may be
+    /// right.
+    fn resemble(&self, hypotheses: &[&Hypothesis]) -> Vec<(f32, bool)> {
+        let mut found = vec![(1.0_f32, false); hypotheses.len()];
+        for sum in [Sum::Terms, Sum::Whole] {
+            let have: Vec<usize> =
+                (0..hypotheses.len()).filter(|at| self.coarse.sums(hypotheses[*at]).contains(&sum)).collect();
+            for chunk in have.chunks(TOGETHER) {
+                let chosen: Vec<&Hypothesis> = chunk.iter().map(|at| hypotheses[*at]).collect();
+                for (at, predicted) in chunk.iter().zip(self.coarse.predict_each(0, &chosen, sum)) {
+                    let scenes = [&predicted];
+                    let fit = Fit::new(&self.few, self.coarse.places(0), &scenes);
+                    let may_be = fit.is_right_at_few() && is_in_place(&self.few_clip, &scenes);
+                    let known = &mut found[*at];
+                    *known = (known.0.min(fit.share), known.1 || may_be);
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether a hypothesis draws every scene at all places; returns the fitted strengths.
+    fn draws(&self, seen: &Seen, hypothesis: &Hypothesis, required: [bool; 3]) -> Option<Strengths> {
+        let whole = planes(&seen.colour);
+        // A mistake in a term may take its light away.
+        let all = &self.fine.all.hypotheses.mistakes;
+        let is_of =
+            |term: usize| hypothesis.mistakes.iter().any(|mistake| term_of(&all[*mistake].id) == Some(TERMS[term]));
+        let required: [bool; 3] = std::array::from_fn(|term| required[term] && !is_of(term));
+        self.fine.sums(hypothesis).iter().find_map(|sum| {
+            let mut all: Vec<Predicted> = Vec::new();
+            let mut count = 0;
+            for scene in 0..self.fine.scenes() {
+                all.push(self.fine.predict(scene, hypothesis, *sum));
+                count += self.fine.places(scene);
+                let scenes: Vec<&Predicted> = all.iter().collect();
+                let fit = Fit::new(&whole, count, &scenes);
+                let is_last = scene + 1 == self.fine.scenes();
+                let may_be = if is_last { fit.is_right(required) } else { fit.is_right_at_few() };
+                if !may_be || is_last && !is_in_place(&seen.clip, &scenes) {
+                    return None;
+                }
+                if is_last {
+                    return Some(fit.strengths);
+                }
+            }
+            None
+        })
+    }
+
+    /// The peculiarities of right answers that may be combined: each set as a hypothesis, small sets first. Of sets
+    /// that draw the same, the smallest.
+    fn peculiarities(&self, is_likely: &dyn Fn(&str) -> bool) -> Vec<Hypothesis> {
+        let all = &self.coarse.all.hypotheses;
+        let is_peculiar = |single: &&Hypothesis| {
+            single.mistakes.iter().all(|mistake| {
+                let mistake = all.mistakes[*mistake];
+                mistake.harmless && is_likely(&mistake.id)
+            })
+        };
+        let mut sets = vec![Hypothesis::default()];
+        for single in all.singles.iter().filter(is_peculiar) {
+            let more: Vec<Hypothesis> = sets.iter().filter_map(|set| set.and(single)).collect();
+            sets.extend(more);
+        }
+        sets.sort_by_key(|set| set.mistakes.len());
+        sets
+    }
+
+    /// The explanation by a hypothesis, if it draws what is seen.
+    fn explanation(&self, seen: &Seen, hypothesis: &Hypothesis, required: [bool; 3]) -> Option<Explanation> {
+        let strengths = self.draws(seen, hypothesis, required)?;
+        let mistakes = hypothesis.mistakes.iter().map(|mistake| self.coarse.all.hypotheses.mistakes[*mistake]);
+        let (harmless, mut mistakes): (Vec<_>, Vec<_>) = mistakes.partition(|mistake| mistake.harmless);
+        let of_lights = match self.coarse.lights {
+            Lights::First => Some("second-light-missing"),
+            Lights::Second => Some("lights-overwritten"),
+            Lights::EachAmbient => Some("ambient-twice"),
+            _ => None,
+        };
+        mistakes.extend(of_lights.and_then(crate::mistakes::find));
+        let has = |id: &str| harmless.iter().any(|mistake| mistake.id == id);
+        let method = AnswerMethod {
+            model: self.method.model,
+            normal_kept: has("normal-kept-unnormalised"),
+            half_vector: has("specular-half-vector"),
+        };
+        Some(Explanation {
+            method,
+            strengths,
+            lights: self.coarse.lights,
+            space: self.method.space,
+            mistakes,
+            hypothesis: hypothesis.clone(),
+            peculiarities: harmless.len(),
+        })
+    }
+}
+
+impl Explainer<'_> {
+    /// Explains a picture. All explanations are of the fewest mistakes that suffice, at most two, and of the fewest
+    /// peculiarities.
+    ///
+    /// # Errors
+    /// The interpreter cannot run gonio's own shaders; a test ensures that it can.
+    pub fn explain(&self, seen: &Seen) -> Result<Vec<Explanation>, String> {
+        let mut found: Vec<Explanation> = Vec::new();
+        let mut unexplained = Vec::new();
+        for method in self.methods {
+            for lights in self.parameterisation.right_lights() {
+                let candidate = Candidate::new(self, *method, *lights, seen)?;
+                let sets = self.singles(&candidate, seen, &mut found);
+                unexplained.push((candidate, sets));
+            }
+        }
+        for method in self.methods {
+            if !found.is_empty() {
+                break;
+            }
+            for lights in self.parameterisation.wrong_lights() {
+                let candidate = Candidate::new(self, *method, *lights, seen)?;
+                let is_light = matches!(lights, Lights::First | Lights::Second | Lights::EachAmbient);
+                match is_light {
+                    true => {
+                        let sets = candidate.peculiarities(self.is_likely);
+                        found.extend(sets.iter().find_map(|set| candidate.explanation(seen, set, self.required)));
+                    }
+                    false => drop(self.singles(&candidate, seen, &mut found)),
+                }
+            }
+        }
+        // One of two mistakes shows its own wrong value, unless it is computed from the other's.
+        if found.is_empty() && self.pairs_left.get() > 0 {
+            for (candidate, sets) in &unexplained {
+                let suspects = (self.suspects)(candidate.method);
+                let is_suspect = |mistake: &Mistake| suspects.contains(&mistake.id.as_str());
+                for set in sets.iter().take(MOST_SETS_OF_PAIRS) {
+                    self.pairs(candidate, set, seen, &is_suspect, &mut found);
+                }
+            }
+        }
+        if found.is_empty()
+            && let Some((candidate, sets)) = unexplained.first()
+            && let Some(set) = sets.first()
+        {
+            self.pairs(candidate, set, seen, &|_| true, &mut found);
+        }
+        found.sort_by_key(|explanation| (explanation.mistakes.len(), explanation.peculiarities));
+        if let Some(least) = found.first().map(|best| (best.mistakes.len(), best.peculiarities)) {
+            found.retain(|explanation| (explanation.mistakes.len(), explanation.peculiarities) == least);
+        }
+        // Too many mistakes explain a black picture.
+        let first = |explanation: &Explanation| explanation.mistakes.first().map(|mistake| mistake.id.as_str());
+        let distinct: BTreeSet<&str> = found.iter().filter_map(first).collect();
+        if distinct.len() > MOST_ALTERNATIVES {
+            found.clear();
+        }
+        Ok(found)
+    }
+
+    /// Adds the single mistakes that explain a picture. Returns the sets of peculiarities, those first that some mistake
+    /// brings nearest to the picture.
+    fn singles(&self, candidate: &Candidate, seen: &Seen, found: &mut Vec<Explanation>) -> Vec<Hypothesis> {
+        let mut sets = Vec::new();
+        for set in candidate.peculiarities(self.is_likely) {
+            if found.iter().any(|known| known.peculiarities < set.mistakes.len()) {
+                break;
+            }
+            let both: Vec<Hypothesis> = candidate.wrong().filter_map(|single| set.and(single)).collect();
+            let all: Vec<&Hypothesis> = both.iter().collect();
+            let mut least = 1.0_f32;
+            for (hypothesis, (share, may_be)) in both.iter().zip(candidate.resemble(&all)) {
+                least = least.min(share);
+                if may_be {
+                    found.extend(candidate.explanation(seen, hypothesis, self.required));
+                }
+            }
+            sets.push((least, set));
+        }
+        sets.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sets.into_iter().map(|(_, set)| set).collect()
+    }
+
+    /// Adds the pairs of mistakes that explain a picture.
+    fn pairs(
+        &self,
+        candidate: &Candidate,
+        set: &Hypothesis,
+        seen: &Seen,
+        is_suspect: &dyn Fn(&Mistake) -> bool,
+        found: &mut Vec<Explanation>,
+    ) {
+        let all = &candidate.coarse.all.hypotheses;
+        let is_suspect = |single: &Hypothesis| single.mistakes.iter().any(|mistake| is_suspect(all.mistakes[*mistake]));
+        let right = candidate.coarse.predict(0, set, Sum::Terms);
+        let is_moved = !is_in_place(&candidate.few_clip, &[&right]);
+        let moves = |single: &Hypothesis| {
+            let clip = candidate.coarse.predict(0, single, Sum::Terms).clip;
+            !is_in_place(&Values::new(4, clip.into_iter().flatten().collect()), &[&right])
+        };
+        let wrong: Vec<(&Hypothesis, bool)> = candidate.wrong().map(|single| (single, moves(single))).collect();
+        let mut pairs = Vec::new();
+        for (at, (first, moves)) in wrong.iter().enumerate() {
+            let Some(one) = set.and(first) else { continue };
+            let seconds = wrong[at + 1..].iter().filter(|(_, also_moves)| (*moves || *also_moves) == is_moved);
+            let is_first = is_suspect(first);
+            let seconds = seconds.filter(|(second, _)| is_first || is_suspect(second));
+            pairs.extend(seconds.filter_map(|(second, _)| one.and(second)));
+        }
+        // Each open strength is one more run.
+        let runs = 1 + self.parameterisation.to_find.iter().filter(|is_open| **is_open).count();
+        pairs.truncate(self.pairs_left.get() / runs);
+        self.pairs_left.set(self.pairs_left.get() - pairs.len() * runs);
+        let all: Vec<&Hypothesis> = pairs.iter().collect();
+        let resemblance = candidate.resemble(&all);
+        let likely = pairs.iter().zip(resemblance).filter(|(_, (_, may_be))| *may_be);
+        for (hypothesis, _) in likely.take(MOST_WHOLE) {
+            found.extend(candidate.explanation(seen, hypothesis, self.required));
+        }
+    }
+}
+
+impl Candidate {
+    /// The single mistakes.
+    fn wrong(&self) -> impl Iterator<Item = &Hypothesis> {
+        let all = &self.coarse.all.hypotheses;
+        let is_wrong = |single: &&Hypothesis| single.mistakes.iter().all(|mistake| !all.mistakes[*mistake].harmless);
+        all.singles.iter().filter(is_wrong)
+    }
+}

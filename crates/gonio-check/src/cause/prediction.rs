@@ -1,0 +1,373 @@
+//! Predicts the colours and positions that a model solution computes with mistakes, at places of the test scenes.
+
+use super::model::Space;
+use super::program::{Program, SceneTextures};
+use super::samples::SceneSamples;
+use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
+use crate::search::{Lights, Parameterisation};
+use crate::testbench::TestScene;
+use gonio_glsl::Stage;
+use gonio_interpreter::{CompiledStage, Fragment, InputRate, PointValues, RunOptions, StageInputs, interpolate, run};
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// One compiled program for all hypotheses of a model solution.
+pub(crate) struct AllHypotheses {
+    /// The hypotheses.
+    pub hypotheses: Hypotheses,
+    program: Program,
+    /// For each stage, the changeable lines and the inputs that select their variants.
+    ways: [Vec<(usize, usize)>; 2],
+    /// The inputs that are the written exponent.
+    exponent: [Option<usize>; 2],
+}
+
+/// Model solutions with their hypotheses, compiled on first use and kept for further programs.
+#[derive(Default)]
+pub struct ModelSolutions {
+    known: RefCell<HashMap<ModelSolution, Rc<AllHypotheses>>>,
+}
+
+impl ModelSolutions {
+    /// A model solution.
+    ///
+    /// # Errors
+    /// The interpreter cannot run gonio's own shaders; a test ensures that it can.
+    pub(crate) fn get(&self, model: ModelSolution) -> Result<Rc<AllHypotheses>, String> {
+        if let Some(known) = self.known.borrow().get(&model) {
+            return Ok(Rc::clone(known));
+        }
+        let new = Rc::new(AllHypotheses::new(model)?);
+        self.known.borrow_mut().insert(model, Rc::clone(&new));
+        Ok(new)
+    }
+}
+
+impl AllHypotheses {
+    fn new(model: ModelSolution) -> Result<Self, String> {
+        let hypotheses = Hypotheses::for_model(model);
+        let texts = hypotheses.sources();
+        let parsed = [Stage::Vertex, Stage::Fragment].map(|stage| {
+            let mut parsed = gonio_glsl::parse(&texts[stage as usize]);
+            let checked = gonio_glsl::check(&mut parsed, stage);
+            (parsed, checked)
+        });
+        let [vertex, fragment] = &parsed;
+        let names = crate::search::model_names();
+        let texts = texts.each_ref().map(String::as_str);
+        let program = Program::new((&vertex.0, &vertex.1), (&fragment.0, &fragment.1), texts, &names)
+            .map_err(|(stage, error)| format!("{stage}: {error}"))?;
+        let of = |stage: Stage| {
+            let input = |line: usize| program.stage(stage).input(&hypotheses.uniform(line)).map(|input| (line, input));
+            (0..hypotheses.variables.len()).filter_map(input).collect()
+        };
+        let ways = [of(Stage::Vertex), of(Stage::Fragment)];
+        let exponent = [Stage::Vertex, Stage::Fragment].map(|stage| program.stage(stage).input("written_exponent"));
+        Ok(AllHypotheses { hypotheses, program, ways, exponent })
+    }
+
+    fn choices(&self, stage: Stage, hypothesis: &Hypothesis) -> Vec<i32> {
+        let way = |line: usize| hypothesis.choices.get(&line).copied().unwrap_or(0) as i32;
+        self.ways[stage as usize].iter().map(|(line, _)| way(*line)).collect()
+    }
+
+    /// Selects variants, one after the other for `points` points each.
+    fn choose(&self, stage: Stage, choices: &[&[i32]], points: usize, inputs: &mut StageInputs) {
+        for (at, (_, input)) in self.ways[stage as usize].iter().enumerate() {
+            let first = choices.first().map_or(0, |choices| choices[at]);
+            let values = if choices.iter().all(|choices| choices[at] == first) {
+                PointValues::ints(&[first])
+            } else {
+                let each = choices.iter().flat_map(|choices| std::iter::repeat_n(choices[at] as u32, points));
+                PointValues::Each { components: vec![each.collect()], written: None }
+            };
+            inputs.set(*input, values);
+        }
+    }
+}
+
+/// The values of points, several times one after the other.
+fn repeated(inputs: &StageInputs, stage: &CompiledStage, count: usize) -> StageInputs {
+    let mut made = StageInputs::new(stage, inputs.points() * count);
+    for input in 0..stage.inputs.len() {
+        let Some(values) = inputs.values(input) else { continue };
+        let values = match values {
+            PointValues::Same(_) => values.clone(),
+            PointValues::Each { components, .. } => {
+                let components = components.iter().map(|all| all.repeat(count)).collect();
+                PointValues::Each { components, written: None }
+            }
+        };
+        made.set(input, values);
+    }
+    made
+}
+
+/// The terms that are lit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Lit {
+    /// All but those whose strengths are fitted.
+    Known,
+    /// Also one of these.
+    Term(usize),
+    /// All with equal strengths.
+    Whole,
+}
+
+/// The inputs of one light with some terms.
+struct LitInputs {
+    lit: Lit,
+    /// Whether a hypothesis applies to this light.
+    is_changed: bool,
+    vertex: StageInputs,
+    uniforms: Vec<(usize, PointValues)>,
+    /// The inputs of the fragment shader, by the choices in the vertex shader.
+    vertices: RefCell<HashMap<Vec<i32>, Rc<OfVertices>>>,
+}
+
+/// The results of the vertex shader with some choices.
+struct OfVertices {
+    clip: Vec<[f32; 4]>,
+    /// The varyings at the places, by the inputs of the fragment shader.
+    varyings: Vec<(usize, Vec<Vec<u32>>)>,
+}
+
+/// A model solution in one test scene.
+struct SceneModel {
+    samples: SceneSamples,
+    lit: Vec<LitInputs>,
+}
+
+/// Predicts pictures for one program: with its parameterisation, in its test scenes.
+pub(crate) struct Predictor {
+    /// The model solution.
+    pub all: Rc<AllHypotheses>,
+    /// The lights.
+    pub lights: Lights,
+    open: Vec<usize>,
+    scenes: Vec<SceneModel>,
+}
+
+/// Red, green and blue at each place.
+pub(crate) type Planes = [Vec<f32>; 3];
+
+/// How strengths that are open add up to a colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sum {
+    /// Each term has its own strength.
+    Terms,
+    /// All have the usual strengths, with a common factor.
+    Whole,
+}
+
+/// A predicted picture of one test scene.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Predicted {
+    /// The colours without the terms whose strengths are open.
+    pub known: Planes,
+    /// The terms whose strengths are open: ambient 0, diffuse 1, specular 2; `None` for all together. They are added to
+    /// the known colours.
+    pub open: Vec<(Option<usize>, Planes)>,
+    /// `gl_Position` at each vertex.
+    pub clip: Vec<[f32; 4]>,
+}
+
+/// Most variants of the vertex shader that are kept.
+const MOST_KEPT: usize = 1_000;
+
+impl Predictor {
+    /// Prepares predictions in test scenes, at places on their surfaces.
+    #[must_use]
+    pub fn new(
+        all: Rc<AllHypotheses>,
+        lights: Lights,
+        parameterisation: &Parameterisation,
+        space: Space,
+        scenes: impl IntoIterator<Item = (TestScene, SceneSamples)>,
+    ) -> Self {
+        let open: Vec<usize> = (0..3).filter(|term| parameterisation.to_find[*term]).collect();
+        let exponent = parameterisation.written_exponent.unwrap_or(1.0);
+        let lit_inputs = |scene: &TestScene, samples: &SceneSamples, lit: Lit, light: usize, is_changed: bool| {
+            let mut scene = scene.clone();
+            match lit {
+                Lit::Known => parameterisation.apply_to_model(&mut scene, lights, light, None),
+                Lit::Term(term) => parameterisation.apply_to_model(&mut scene, lights, light, Some(term)),
+                Lit::Whole => parameterisation.apply_whole(&mut scene, lights, light),
+            }
+            if space == Space::View {
+                scene = scene.in_view_space();
+            }
+            let samples = SceneSamples { scene: scene.clone(), ..samples.clone() };
+            let mut vertex = all.program.vertex_inputs(&samples);
+            if let Some(input) = all.exponent[0] {
+                vertex.set(input, PointValues::floats(&[exponent]));
+            }
+            let fragment = &all.program.fragment;
+            let mut of_fragment = StageInputs::new(fragment, samples.places.len());
+            all.program.set_uniforms(fragment, &mut of_fragment, &scene);
+            if let Some(input) = all.exponent[1] {
+                of_fragment.set(input, PointValues::floats(&[exponent]));
+            }
+            let is_uniform = |input: &usize| fragment.inputs[*input].rate == InputRate::Uniform;
+            let uniforms = (0..fragment.inputs.len()).filter(is_uniform);
+            let uniforms = uniforms.filter_map(|input| Some((input, of_fragment.values(input)?.clone()))).collect();
+            LitInputs { lit, is_changed, vertex, uniforms, vertices: RefCell::default() }
+        };
+        let scenes = scenes.into_iter().map(|(scene, samples)| {
+            let lit = std::iter::once(Lit::Known).chain(open.iter().map(|term| Lit::Term(*term)));
+            let lit = lit.chain((!open.is_empty()).then_some(Lit::Whole));
+            let lit =
+                lit.flat_map(|lit| lights.each().iter().map(move |(light, is_changed)| (lit, *light, *is_changed)));
+            let lit = lit.map(|(lit, light, changed)| lit_inputs(&scene, &samples, lit, light, changed)).collect();
+            SceneModel { samples, lit }
+        });
+        let scenes = scenes.collect();
+        Predictor { all, lights, open, scenes }
+    }
+
+    /// The number of test scenes.
+    #[must_use]
+    pub fn scenes(&self) -> usize {
+        self.scenes.len()
+    }
+
+    /// The places in a scene.
+    #[must_use]
+    pub fn places(&self, scene: usize) -> usize {
+        self.scenes[scene].samples.places.len()
+    }
+
+    /// The ways to add the terms of a hypothesis.
+    #[must_use]
+    pub fn sums(&self, hypothesis: &Hypothesis) -> &'static [Sum] {
+        let is_whole = |mistake: &usize| self.all.hypotheses.mistakes[*mistake].whole;
+        match !self.open.is_empty() && hypothesis.mistakes.iter().any(is_whole) {
+            true => &[Sum::Terms, Sum::Whole],
+            false => &[Sum::Terms],
+        }
+    }
+
+    /// Runs the vertex shader with each of several choices, all together.
+    fn of_vertices(&self, scene: &SceneModel, lit: &LitInputs, choices: &[Vec<i32>]) -> Vec<Rc<OfVertices>> {
+        let program = &self.all.program;
+        let mut new: Vec<&[i32]> = Vec::new();
+        for choices in choices {
+            if !lit.vertices.borrow().contains_key(choices) && !new.contains(&choices.as_slice()) {
+                new.push(choices);
+            }
+        }
+        if !new.is_empty() {
+            let points = scene.samples.vertices();
+            let mut inputs = repeated(&lit.vertex, &program.vertex, new.len());
+            self.all.choose(Stage::Vertex, &new, points, &mut inputs);
+            let options = RunOptions { textures: &SceneTextures, ..RunOptions::default() };
+            let vertex = run(&program.vertex, &inputs, &options);
+            // The places around each copy of the vertices.
+            let shifted = |place: &Fragment, copy: usize| Fragment {
+                corners: place.corners.map(|corner| corner + (copy * points) as u32),
+                ..*place
+            };
+            let places = &scene.samples.places;
+            let all: Vec<Fragment> =
+                (0..new.len()).flat_map(|copy| places.iter().map(move |place| shifted(place, copy))).collect();
+            let fragment = interpolate(&program.vertex, &vertex, &program.fragment, &all);
+            let position = vertex.output(&program.vertex, "gl_Position");
+            let mut kept = lit.vertices.borrow_mut();
+            if kept.len() > MOST_KEPT {
+                kept.clear();
+            }
+            for (copy, choices) in new.iter().enumerate() {
+                let clip = position.map_or_else(Vec::new, |position| {
+                    let at = |point: usize| std::array::from_fn(|c| position.float(c, copy * points + point));
+                    (0..points).map(at).collect()
+                });
+                let range = copy * places.len()..(copy + 1) * places.len();
+                let varyings = (0..program.fragment.inputs.len()).filter_map(|input| match fragment.values(input)? {
+                    PointValues::Each { components, .. } => {
+                        Some((input, components.iter().map(|all| all[range.clone()].to_vec()).collect()))
+                    }
+                    PointValues::Same(_) => None,
+                });
+                let varyings = varyings.collect();
+                kept.insert(choices.to_vec(), Rc::new(OfVertices { clip, varyings }));
+            }
+        }
+        let kept = lit.vertices.borrow();
+        choices.iter().filter_map(|choices| kept.get(choices).cloned()).collect()
+    }
+
+    /// Predicts one scene.
+    #[must_use]
+    pub fn predict(&self, scene: usize, hypothesis: &Hypothesis, sum: Sum) -> Predicted {
+        let mut all = self.predict_each(scene, &[hypothesis], sum);
+        all.pop().unwrap_or_default()
+    }
+
+    /// Predicts one scene with each of several hypotheses.
+    #[must_use]
+    pub fn predict_each(&self, scene: usize, hypotheses: &[&Hypothesis], sum: Sum) -> Vec<Predicted> {
+        let program = &self.all.program;
+        let scene = &self.scenes[scene];
+        let plain = Hypothesis::default();
+        let count = scene.samples.places.len();
+        let black = || [(); 3].map(|()| vec![0.0_f32; count]);
+        let mut made: Vec<Predicted> =
+            hypotheses.iter().map(|_| Predicted { known: black(), ..Predicted::default() }).collect();
+        let colour = program.colour_output();
+        let is_whole = sum == Sum::Whole;
+        for lit in scene.lit.iter().filter(|lit| is_whole == (lit.lit == Lit::Whole)) {
+            let applied: Vec<&Hypothesis> =
+                hypotheses.iter().map(|hypothesis| if lit.is_changed { *hypothesis } else { &plain }).collect();
+            let of = |stage: Stage| -> Vec<Vec<i32>> {
+                applied.iter().map(|hypothesis| self.all.choices(stage, hypothesis)).collect()
+            };
+            let vertices = self.of_vertices(scene, lit, &of(Stage::Vertex));
+            let mut inputs = StageInputs::new(&program.fragment, count * hypotheses.len());
+            for (input, values) in &lit.uniforms {
+                inputs.set(*input, values.clone());
+            }
+            for (at, (input, first)) in vertices.first().into_iter().flat_map(|first| &first.varyings).enumerate() {
+                let of_all = |c: usize| vertices.iter().flat_map(|one| &one.varyings[at].1[c]).copied().collect();
+                let components = (0..first.len()).map(of_all).collect();
+                inputs.set(*input, PointValues::Each { components, written: None });
+            }
+            let choices = of(Stage::Fragment);
+            let choices: Vec<&[i32]> = choices.iter().map(Vec::as_slice).collect();
+            self.all.choose(Stage::Fragment, &choices, count, &mut inputs);
+            let options = RunOptions { textures: &SceneTextures, ..RunOptions::default() };
+            let fragment = run(&program.fragment, &inputs, &options);
+            let Some(colour) = colour.and_then(|at| fragment.outputs.get(at)) else { continue };
+            for (at, (made, vertices)) in made.iter_mut().zip(&vertices).enumerate() {
+                if made.clip.is_empty() {
+                    made.clip.clone_from(&vertices.clip);
+                }
+                let to = match lit.lit {
+                    Lit::Known => &mut made.known,
+                    Lit::Term(term) => of_term(&mut made.open, Some(term), black),
+                    Lit::Whole => of_term(&mut made.open, None, black),
+                };
+                for (channel, plane) in to.iter_mut().enumerate() {
+                    let of = |point: usize| colour.float(channel, at * count + point);
+                    plane.iter_mut().enumerate().for_each(|(point, sum)| *sum += of(point));
+                }
+            }
+        }
+        for made in &mut made {
+            for (_, planes) in &mut made.open {
+                for (plane, known) in planes.iter_mut().zip(&made.known) {
+                    plane.iter_mut().zip(known).for_each(|(sum, known)| *sum -= known);
+                }
+            }
+        }
+        made
+    }
+}
+
+fn of_term(open: &mut Vec<(Option<usize>, Planes)>, term: Option<usize>, black: impl Fn() -> Planes) -> &mut Planes {
+    let at = open.iter().position(|(known, _)| *known == term).unwrap_or_else(|| {
+        open.push((term, black()));
+        open.len() - 1
+    });
+    &mut open[at].1
+}

@@ -1,0 +1,56 @@
+//! The values of expressions while a program runs.
+
+use super::program::{Change, Runner};
+use super::values::Values;
+use gonio_glsl::Stage;
+use gonio_interpreter::{ExprId, PointValues};
+use std::collections::BTreeMap;
+
+/// Both stages, in the order of their work.
+pub(super) const STAGES: [Stage; 2] = [Stage::Vertex, Stage::Fragment];
+/// The first test scenes distinguish most mistakes.
+pub(super) const TELLING: usize = 3;
+
+/// The values of one expression in one of its evaluations.
+pub(super) struct Recorded {
+    pub stage: Stage,
+    pub expr: ExprId,
+    pub occurrence: u32,
+    pub values: Values,
+}
+
+/// The values of expressions of both stages in some scenes.
+pub(super) fn observe(
+    runner: &Runner<'_>,
+    changes: &[Change],
+    scenes: std::ops::Range<usize>,
+    watched: [&[ExprId]; 2],
+) -> Vec<Recorded> {
+    let mut found = BTreeMap::<(usize, ExprId, u32), Values>::new();
+    for scene in scenes {
+        let result = runner.run(scene, changes, watched);
+        for (stage, run) in STAGES.into_iter().zip([&*result.vertex, &result.fragment]) {
+            let (all, first) = (runner.points(stage), runner.first_point(stage, scene));
+            for evaluation in &run.evaluations {
+                let size = match &evaluation.values {
+                    PointValues::Same(components) => components.len(),
+                    PointValues::Each { components, .. } => components.len(),
+                };
+                let key = (stage as usize, evaluation.expr, evaluation.occurrence);
+                let values = found.entry(key).or_insert_with(|| Values::absent(size, all));
+                if values.size != size {
+                    continue;
+                }
+                for lane in evaluation.points.iter() {
+                    let point = first + evaluation.first_point + lane;
+                    values.present[point] = true;
+                    for component in 0..size {
+                        values.numbers[point * size + component] = evaluation.values.float(component, lane);
+                    }
+                }
+            }
+        }
+    }
+    let recorded = |((stage, expr, occurrence), values)| Recorded { stage: STAGES[stage], expr, occurrence, values };
+    found.into_iter().map(recorded).collect()
+}
