@@ -88,7 +88,7 @@ pub(crate) struct Explainer<'a> {
     pub pairs_left: Cell<usize>,
 }
 
-/// Places in the first test scene that exclude most hypotheses: each has three vertices of its own.
+/// Places in the telling test scene that exclude most hypotheses: each has three vertices of its own.
 fn coarse(model: ModelSolution) -> usize {
     if model == ModelSolution::Gouraud { 12 } else { 32 }
 }
@@ -162,7 +162,7 @@ impl Candidate {
         })
     }
 
-    /// For each hypothesis, the share of few places in the first scene that it draws otherwise, and whether it may be
+    /// For each hypothesis, the share of few places in the telling scene that it draws otherwise, and whether it may be
     /// right.
     fn resemble(&self, hypotheses: &[&Hypothesis]) -> Vec<(f32, bool)> {
         let mut found = vec![(1.0_f32, false); hypotheses.len()];
@@ -212,8 +212,7 @@ impl Candidate {
         })
     }
 
-    /// The peculiarities of right answers that may be combined: each set as a hypothesis, small sets first. Of sets
-    /// that draw the same, the smallest.
+    /// The peculiarities of right answers that may be combined: each set as a hypothesis, small sets first.
     fn peculiarities(&self, is_likely: &dyn Fn(&str) -> bool) -> Vec<Hypothesis> {
         let all = &self.coarse.all.hypotheses;
         let is_peculiar = |single: &&Hypothesis| {
@@ -304,6 +303,7 @@ impl Explainer<'_> {
             }
         }
         if found.is_empty()
+            && self.pairs_left.get() > 0
             && let Some((candidate, sets)) = unexplained.first()
             && let Some(set) = sets.first()
         {

@@ -261,25 +261,25 @@ impl Diagnosing<'_> {
             let found = search.run();
             runs += search.runs();
             let rank = found.rank();
-            if best.as_ref().is_none_or(|(_, _, known)| rank < *known) {
-                best = Some((found, method, rank));
+            if best.as_ref().is_none_or(|(_, _, known, _)| rank < *known) {
+                best = Some((found, model, rank, target));
             }
             if rank == 0 {
                 break;
             }
         }
-        let (found, method) = best.map_or((Found::Nothing, usual), |(found, method, _)| (found, method));
+        let Some((found, model, _, target)) = best else {
+            return Ok(Diagnosis { runs, explanations, ..self.diagnosis(Found::Nothing, usual) });
+        };
         let mut fixes = Vec::new();
         if let Found::Causes(groups) = &found {
-            let model = Model::new(method, &of_model, exponent, Mistakes::These(&explaining))?;
-            let target = self.right_picture(method, Lights::One)?;
             let at = Observer { runner: &runner, model: &model };
             let scopes = self.stages.map(|(parsed, checked)| Scopes::new(parsed, checked));
             let trial = Trial { at, target: &target, texts: self.texts, names: self.names };
             let tried = Editor::new(at, scopes, self.texts).fixes(groups);
             fixes = tried.into_iter().filter(|fix| trial.is_right(fix)).take(MOST_FIXES).collect();
         }
-        Ok(Diagnosis { runs, explanations, fixes, ..self.diagnosis(found, method) })
+        Ok(Diagnosis { runs, explanations, fixes, ..self.diagnosis(found, model.method) })
     }
 
     fn explanations(&self, seen: &Seen, most_pairs: usize) -> Result<Vec<Explanation>, String> {

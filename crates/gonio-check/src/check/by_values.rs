@@ -141,7 +141,7 @@ fn explained(
     found
 }
 
-/// The same mistake with the line that the rules about the source found, if it has none.
+/// The same mistake with the line that the rules about the source found, if they found one.
 fn with_line_of(new: FoundMistake, known: &[FoundMistake]) -> FoundMistake {
     let is_it = |old: &&FoundMistake| old.id == new.id && old.line.is_some();
     match known.iter().find(is_it) {
