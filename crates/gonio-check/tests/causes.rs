@@ -215,6 +215,78 @@ fn the_space_of_the_light_is_a_convention_and_mistakes_in_it_are_named() {
     assert_eq!(explained(&of_exercise("ex04", &wrong, LIT_IN_VIEW_SPACE)), ["position-in-clip-space"]);
 }
 
+/// The line of the first cause of each group, in order.
+fn lines(diagnosis: &Diagnosis) -> Vec<u32> {
+    let Found::Causes(groups) = &diagnosis.found else { panic!("{diagnosis:?}") };
+    let mut lines: Vec<u32> = groups.iter().map(|group| group[0].span.line).collect();
+    lines.sort_unstable();
+    lines
+}
+
+#[test]
+fn causes_in_view_space_have_their_lines() {
+    let wrong = IN_VIEW_SPACE.replace("PLACE", "(P * V * M * vec4(position, 1.0)).xyz");
+    assert_eq!(lines(&of_exercise("ex04", &wrong, LIT_IN_VIEW_SPACE)), [8]);
+}
+
+#[test]
+fn the_program_may_send_light_and_normal_matrix_in_view_space() {
+    let vertex = "#version 330 core
+in vec3 position; in vec3 normal;
+uniform mat4 M, V, P; uniform mat3 MATRIX;
+out vec3 n; out vec3 p;
+void main() {
+    gl_Position = P * V * M * vec4(position, 1.0);
+    n = MATRIX * normal;
+    p = vec3(V * M * vec4(position, 1.0));
+}
+";
+    let fragment = LIT_IN_VIEW_SPACE.replace("(V * vec4(light_pos, 1.0)).xyz", "light_pos");
+    let sent = of_exercise("ex04", &vertex.replace("MATRIX", "normalMatrix"), &fragment);
+    assert!(matches!(sent.found, Found::Right(_)), "{sent:?}");
+    // The name of this one tells that it is in world space.
+    let world = of_exercise("ex04", &vertex.replace("MATRIX", "itM"), &fragment);
+    assert!(!matches!(world.found, Found::Right(_)), "{world:?}");
+}
+
+#[test]
+fn a_mistake_of_both_stages_has_the_line_where_it_is_used() {
+    let vertex = IN_VIEW_SPACE
+        .replace("normalize(mat3(V) * (mat3(itM) * normal))", "mat3(itM) * normal")
+        .replace("PLACE", "vec3(M * vec4(position, 1.0))");
+    let fragment =
+        LIT_IN_VIEW_SPACE.replace("(V * vec4(light_pos, 1.0)).xyz", "light_pos").replace("normalize(n)", "n");
+    let diagnosis = of_exercise("ex04", &vertex, &fragment);
+    assert_eq!((explained(&diagnosis), lines(&diagnosis)), (vec!["normal-not-renormalised"], vec![7]));
+}
+
+#[test]
+fn causes_beside_a_second_light_have_their_lines() {
+    let fragment = "#version 330 core
+in vec3 n; in vec3 p;
+struct Light { vec3 light_pos; float ambient_strength, diffuse_strength, specular_strength, constant, linear, quadratic; };
+uniform Light lights[2];
+uniform vec3 materialColour, u_view_pos; uniform float shininess;
+out vec4 c;
+void main() {
+    vec3 a = normalize(n); vec3 sum = vec3(0.0);
+    for (int i = 0; i < 2; i++) {
+        vec3 l = normalize(lights[i].light_pos - p);
+        vec3 r = reflect(-l, a);
+        float d = length(lights[i].light_pos - p);
+        float f = 1.0 / (lights[i].constant + lights[i].linear * d);
+        float s = pow(max(dot(r, normalize(u_view_pos - p)), 0.0), shininess);
+        sum += lights[i].ambient_strength
+            + f * (lights[i].diffuse_strength * max(dot(a, l), 0.0) + lights[i].specular_strength * s);
+    }
+    c = vec4(sum * materialColour, 1.0);
+}
+";
+    let vertex = IN_VIEW_SPACE.replace("mat3(V) * ", "").replace("PLACE", "vec3(M * vec4(position, 1.0))");
+    let diagnosis = of_exercise("ex07", &vertex, fragment);
+    assert_eq!((explained(&diagnosis), lines(&diagnosis)), (vec!["attenuation-without-quadratic"], vec![13]));
+}
+
 #[test]
 fn strengths_that_the_program_fixes_hide_no_mistake() {
     let wrong = IN_VIEW_SPACE.replace("PLACE", "(V * M * vec4(position, 1.0)).xyz");

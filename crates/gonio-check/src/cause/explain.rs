@@ -2,9 +2,9 @@
 //! positions at every place of every test scene.
 
 use super::model::{AnswerMethod, Space};
-use super::prediction::{ModelSolutions, Planes, Predicted, Predictor, Sum};
+use super::prediction::{AllHypotheses, ModelSolutions, Planes, Predicted, Predictor, Sum};
 use super::samples::SceneSamples;
-use super::target::{Fit, Seen, is_in_place, planes};
+use super::target::{Fit, Highlight, Seen, is_in_place, planes};
 use super::values::Values;
 use crate::mistakes::{Hypothesis, Mistake, ModelSolution, TERMS, term_of};
 use crate::search::{Lights, Parameterisation};
@@ -12,6 +12,7 @@ use crate::testbench::TestScene;
 use glam::Vec3;
 use std::cell::Cell;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// Mistakes that explain a picture.
 #[derive(Clone, Debug)]
@@ -86,6 +87,13 @@ pub(crate) struct Explainer<'a> {
     pub scenes: &'a [(TestScene, SceneSamples)],
     /// Pairs that may still be predicted at few places; 0 to explain by single mistakes only.
     pub pairs_left: Cell<usize>,
+    /// Pairs that may still be predicted at all places.
+    pub whole_left: Cell<usize>,
+}
+
+/// Places that exclude most pairs.
+fn quick(model: ModelSolution) -> usize {
+    if model == ModelSolution::Gouraud { 4 } else { 8 }
 }
 
 /// Places in the telling test scene that exclude most hypotheses: each has three vertices of its own.
@@ -121,66 +129,108 @@ fn telling(scenes: &[(TestScene, SceneSamples)], seen: &Planes, count: usize) ->
     Some((scene, places))
 }
 
-/// Hypotheses that are predicted together.
-const TOGETHER: usize = 64;
+/// Places of all hypotheses that are predicted together.
+const TOGETHER: usize = 2_048;
 /// Most runs of pairs at few places.
-pub(super) const MOST_PAIRS: usize = 16_000;
+pub(super) const MOST_PAIRS: usize = 120_000;
 /// Most pairs that are predicted at all places.
-const MOST_WHOLE: usize = 60;
+pub(super) const MOST_WHOLE: usize = 240;
+/// Most single mistakes that resemble a picture at few places.
+const MOST_LIKE_ONE: usize = 40;
 /// With more mistakes that explain a picture equally well, none is named.
 const MOST_ALTERNATIVES: usize = 4;
 /// Most sets of peculiarities with which pairs are tried.
-const MOST_SETS_OF_PAIRS: usize = 3;
+const MOST_SETS_OF_PAIRS: usize = 8;
 
-/// A model solution with predictions at few and at all places.
-struct Candidate {
-    method: LightingMethod,
-    coarse: Predictor,
-    fine: Predictor,
-    few: Planes,
-    few_clip: Values,
+/// The result of single mistakes.
+pub(crate) enum Singly {
+    /// The mistakes, alternatives of each other; none if too many explain the picture.
+    Explained(Vec<Explanation>),
+    /// The model solutions that were tried, each with its sets of peculiarities, the likeliest first.
+    Unexplained(Vec<(Candidate, Vec<Hypothesis>)>),
 }
 
-impl Candidate {
-    fn new(of: &Explainer<'_>, method: LightingMethod, lights: Lights, seen: &Seen) -> Result<Self, String> {
-        let LightingMethod { model, space } = method;
-        let all = of.solutions.get(model)?;
+/// The explanations of the fewest mistakes and peculiarities; none if there are too many.
+fn simplest(mut found: Vec<Explanation>) -> Vec<Explanation> {
+    let size = |explanation: &Explanation| (explanation.mistakes.len(), explanation.peculiarities);
+    let least = found.iter().map(size).min();
+    found.retain(|explanation| Some(size(explanation)) == least);
+    // Too many mistakes explain a black picture.
+    let first = |explanation: &Explanation| explanation.mistakes.first().map(|mistake| mistake.id.as_str());
+    let distinct: BTreeSet<&str> = found.iter().filter_map(first).collect();
+    if distinct.len() > MOST_ALTERNATIVES { Vec::new() } else { found }
+}
+
+/// A model solution with predictions at few and at all places.
+pub(crate) struct Candidate {
+    method: LightingMethod,
+    quick: AtFew,
+    coarse: AtFew,
+    fine: Predictor,
+}
+
+/// Predictions at few places of the telling test scene.
+struct AtFew {
+    predictor: Predictor,
+    seen: Planes,
+    clip: Values,
+}
+
+impl AtFew {
+    fn new(
+        of: &Explainer<'_>,
+        all: &Rc<AllHypotheses>,
+        (space, lights): (Space, Lights),
+        seen: &Seen,
+        count: usize,
+    ) -> Result<Self, String> {
         let whole = planes(&seen.colour);
-        let (scene, places) = telling(of.scenes, &whole, coarse(model)).ok_or("no test scene")?;
+        let (scene, places) = telling(of.scenes, &whole, count).ok_or("no test scene")?;
         let first: usize = of.scenes[..scene].iter().map(|(_, samples)| samples.places.len()).sum();
         let first_vertex: usize = of.scenes[..scene].iter().map(|(_, samples)| samples.vertices()).sum();
         let (raw, samples) = &of.scenes[scene];
         let (some, vertices) = samples.some(&places);
         let clip = vertices.iter().flat_map(|vertex| seen.clip.at(first_vertex + vertex)).copied().collect();
-        let fine = of.scenes.iter().cloned();
-        Ok(Candidate {
-            few: whole.map(|plane| places.iter().map(|place| plane[first + place]).collect()),
-            few_clip: Values::new(4, clip),
-            coarse: Predictor::new(all.clone(), lights, of.parameterisation, space, [(raw.clone(), some)]),
-            fine: Predictor::new(all, lights, of.parameterisation, space, fine),
-            method,
+        Ok(AtFew {
+            seen: whole.map(|plane| places.iter().map(|place| plane[first + place]).collect()),
+            clip: Values::new(4, clip),
+            predictor: Predictor::new(all.clone(), lights, of.parameterisation, space, [(raw.clone(), some)]),
         })
     }
 
-    /// For each hypothesis, the share of few places in the telling scene that it draws otherwise, and whether it may be
-    /// right.
+    /// For each hypothesis, the share of these places that it draws otherwise, and whether it may be right.
     fn resemble(&self, hypotheses: &[&Hypothesis]) -> Vec<(f32, bool)> {
         let mut found = vec![(1.0_f32, false); hypotheses.len()];
         for sum in [Sum::Terms, Sum::Whole] {
             let have: Vec<usize> =
-                (0..hypotheses.len()).filter(|at| self.coarse.sums(hypotheses[*at]).contains(&sum)).collect();
-            for chunk in have.chunks(TOGETHER) {
+                (0..hypotheses.len()).filter(|at| self.predictor.sums(hypotheses[*at]).contains(&sum)).collect();
+            for chunk in have.chunks((TOGETHER / self.predictor.places(0).max(1)).max(1)) {
                 let chosen: Vec<&Hypothesis> = chunk.iter().map(|at| hypotheses[*at]).collect();
-                for (at, predicted) in chunk.iter().zip(self.coarse.predict_each(0, &chosen, sum)) {
+                for (at, predicted) in chunk.iter().zip(self.predictor.predict_each(0, &chosen, sum)) {
                     let scenes = [&predicted];
-                    let fit = Fit::new(&self.few, self.coarse.places(0), &scenes);
-                    let may_be = fit.is_right_at_few() && is_in_place(&self.few_clip, &scenes);
+                    let fit = Fit::new(&self.seen, self.predictor.places(0), &scenes);
+                    let may_be = fit.is_right_at_few() && is_in_place(&self.clip, &scenes);
                     let known = &mut found[*at];
                     *known = (known.0.min(fit.share), known.1 || may_be);
                 }
             }
         }
         found
+    }
+}
+
+impl Candidate {
+    fn new(of: &Explainer<'_>, method: LightingMethod, lights: Lights, seen: &Seen) -> Result<Self, String> {
+        let LightingMethod { model, space } = method;
+        let all = of.solutions.get(model)?;
+        let at_few = |places: usize| AtFew::new(of, &all, (method.space, lights), seen, places);
+        let fine = of.scenes.iter().cloned();
+        Ok(Candidate {
+            quick: at_few(quick(model))?,
+            coarse: at_few(coarse(model))?,
+            fine: Predictor::new(all, lights, of.parameterisation, space, fine),
+            method,
+        })
     }
 
     /// Whether a hypothesis draws every scene at all places; returns the fitted strengths.
@@ -214,7 +264,7 @@ impl Candidate {
 
     /// The peculiarities of right answers that may be combined: each set as a hypothesis, small sets first.
     fn peculiarities(&self, is_likely: &dyn Fn(&str) -> bool) -> Vec<Hypothesis> {
-        let all = &self.coarse.all.hypotheses;
+        let all = &self.fine.all.hypotheses;
         let is_peculiar = |single: &&Hypothesis| {
             single.mistakes.iter().all(|mistake| {
                 let mistake = all.mistakes[*mistake];
@@ -233,9 +283,9 @@ impl Candidate {
     /// The explanation by a hypothesis, if it draws what is seen.
     fn explanation(&self, seen: &Seen, hypothesis: &Hypothesis, required: [bool; 3]) -> Option<Explanation> {
         let strengths = self.draws(seen, hypothesis, required)?;
-        let mistakes = hypothesis.mistakes.iter().map(|mistake| self.coarse.all.hypotheses.mistakes[*mistake]);
+        let mistakes = hypothesis.mistakes.iter().map(|mistake| self.fine.all.hypotheses.mistakes[*mistake]);
         let (harmless, mut mistakes): (Vec<_>, Vec<_>) = mistakes.partition(|mistake| mistake.harmless);
-        let of_lights = match self.coarse.lights {
+        let of_lights = match self.fine.lights {
             Lights::First => Some("second-light-missing"),
             Lights::Second => Some("lights-overwritten"),
             Lights::EachAmbient => Some("ambient-twice"),
@@ -247,11 +297,16 @@ impl Candidate {
             model: self.method.model,
             normal_kept: has("normal-kept-unnormalised"),
             half_vector: has("specular-half-vector"),
+            highlight: Highlight {
+                gated: has("specular-gated"),
+                weighted: has("specular-cosine-weighted"),
+                white: has("specular-not-coloured"),
+            },
         };
         Some(Explanation {
             method,
             strengths,
-            lights: self.coarse.lights,
+            lights: self.fine.lights,
             space: self.method.space,
             mistakes,
             hypothesis: hypothesis.clone(),
@@ -261,12 +316,11 @@ impl Candidate {
 }
 
 impl Explainer<'_> {
-    /// Explains a picture. All explanations are of the fewest mistakes that suffice, at most two, and of the fewest
-    /// peculiarities.
+    /// Explains a picture by single mistakes. All explanations are of the fewest peculiarities.
     ///
     /// # Errors
     /// The interpreter cannot run gonio's own shaders; a test ensures that it can.
-    pub fn explain(&self, seen: &Seen) -> Result<Vec<Explanation>, String> {
+    pub fn singly(&self, seen: &Seen) -> Result<Singly, String> {
         let mut found: Vec<Explanation> = Vec::new();
         let mut unexplained = Vec::new();
         for method in self.methods {
@@ -292,34 +346,30 @@ impl Explainer<'_> {
                 }
             }
         }
+        Ok(match found.is_empty() {
+            true => Singly::Unexplained(unexplained),
+            false => Singly::Explained(simplest(found)),
+        })
+    }
+
+    /// Explains a picture by two mistakes.
+    pub fn by_pairs(&self, unexplained: &[(Candidate, Vec<Hypothesis>)], seen: &Seen) -> Vec<Explanation> {
+        let mut found = Vec::new();
         // One of two mistakes shows its own wrong value, unless it is computed from the other's.
-        if found.is_empty() && self.pairs_left.get() > 0 {
-            for (candidate, sets) in &unexplained {
-                let suspects = (self.suspects)(candidate.method);
-                let is_suspect = |mistake: &Mistake| suspects.contains(&mistake.id.as_str());
-                for set in sets.iter().take(MOST_SETS_OF_PAIRS) {
-                    self.pairs(candidate, set, seen, &is_suspect, &mut found);
-                }
+        for (candidate, sets) in unexplained {
+            let suspects = (self.suspects)(candidate.method);
+            let is_suspect = |mistake: &Mistake| suspects.contains(&mistake.id.as_str());
+            for set in sets.iter().take(MOST_SETS_OF_PAIRS) {
+                self.pairs(candidate, set, seen, &is_suspect, &mut found);
             }
         }
         if found.is_empty()
-            && self.pairs_left.get() > 0
             && let Some((candidate, sets)) = unexplained.first()
             && let Some(set) = sets.first()
         {
             self.pairs(candidate, set, seen, &|_| true, &mut found);
         }
-        found.sort_by_key(|explanation| (explanation.mistakes.len(), explanation.peculiarities));
-        if let Some(least) = found.first().map(|best| (best.mistakes.len(), best.peculiarities)) {
-            found.retain(|explanation| (explanation.mistakes.len(), explanation.peculiarities) == least);
-        }
-        // Too many mistakes explain a black picture.
-        let first = |explanation: &Explanation| explanation.mistakes.first().map(|mistake| mistake.id.as_str());
-        let distinct: BTreeSet<&str> = found.iter().filter_map(first).collect();
-        if distinct.len() > MOST_ALTERNATIVES {
-            found.clear();
-        }
-        Ok(found)
+        simplest(found)
     }
 
     /// Adds the single mistakes that explain a picture. Returns the sets of peculiarities, those first that some mistake
@@ -333,9 +383,12 @@ impl Explainer<'_> {
             let both: Vec<Hypothesis> = candidate.wrong().filter_map(|single| set.and(single)).collect();
             let all: Vec<&Hypothesis> = both.iter().collect();
             let mut least = 1.0_f32;
-            for (hypothesis, (share, may_be)) in both.iter().zip(candidate.resemble(&all)) {
+            let resemblance = candidate.coarse.resemble(&all);
+            // A picture that is dark at all these places resembles those of most mistakes.
+            let is_telling = resemblance.iter().filter(|(_, may_be)| *may_be).count() <= MOST_LIKE_ONE;
+            for (hypothesis, (share, may_be)) in both.iter().zip(resemblance) {
                 least = least.min(share);
-                if may_be {
+                if may_be && is_telling {
                     found.extend(candidate.explanation(seen, hypothesis, self.required));
                 }
             }
@@ -354,12 +407,12 @@ impl Explainer<'_> {
         is_suspect: &dyn Fn(&Mistake) -> bool,
         found: &mut Vec<Explanation>,
     ) {
-        let all = &candidate.coarse.all.hypotheses;
+        let all = &candidate.fine.all.hypotheses;
         let is_suspect = |single: &Hypothesis| single.mistakes.iter().any(|mistake| is_suspect(all.mistakes[*mistake]));
-        let right = candidate.coarse.predict(0, set, Sum::Terms);
-        let is_moved = !is_in_place(&candidate.few_clip, &[&right]);
+        let right = candidate.coarse.predictor.predict(0, set, Sum::Terms);
+        let is_moved = !is_in_place(&candidate.coarse.clip, &[&right]);
         let moves = |single: &Hypothesis| {
-            let clip = candidate.coarse.predict(0, single, Sum::Terms).clip;
+            let clip = candidate.coarse.predictor.predict(0, single, Sum::Terms).clip;
             !is_in_place(&Values::new(4, clip.into_iter().flatten().collect()), &[&right])
         };
         let wrong: Vec<(&Hypothesis, bool)> = candidate.wrong().map(|single| (single, moves(single))).collect();
@@ -373,13 +426,30 @@ impl Explainer<'_> {
         }
         // Each open strength is one more run.
         let runs = 1 + self.parameterisation.to_find.iter().filter(|is_open| **is_open).count();
-        pairs.truncate(self.pairs_left.get() / runs);
-        self.pairs_left.set(self.pairs_left.get() - pairs.len() * runs);
-        let all: Vec<&Hypothesis> = pairs.iter().collect();
-        let resemblance = candidate.resemble(&all);
-        let likely = pairs.iter().zip(resemblance).filter(|(_, (_, may_be))| *may_be);
-        for (hypothesis, _) in likely.take(MOST_WHOLE) {
-            found.extend(candidate.explanation(seen, hypothesis, self.required));
+        let mut left: Vec<&Hypothesis> = pairs.iter().collect();
+        for at in [&candidate.quick, &candidate.coarse] {
+            // More places cost more.
+            let vertices = if candidate.method.model == ModelSolution::Gouraud { 3 } else { 1 };
+            let cost = vertices * runs * at.predictor.places(0) / candidate.quick.predictor.places(0);
+            left.truncate(self.pairs_left.get() / cost);
+            self.pairs_left.set(self.pairs_left.get() - left.len() * cost);
+            let found = at.resemble(&left);
+            left = left.into_iter().zip(found).filter(|(_, (_, may_be))| *may_be).map(|(pair, _)| pair).collect();
+        }
+        for hypothesis in left.into_iter().take(self.whole_left.get()) {
+            self.whole_left.set(self.whole_left.get() - 1);
+            let Some(pair) = candidate.explanation(seen, hypothesis, self.required) else { continue };
+            // One of them alone may have the same picture, because it takes away a whole term.
+            let is_part =
+                |one: &Hypothesis| one.choices.iter().all(|(line, way)| hypothesis.choices.get(line) == Some(way));
+            let alone = wrong.iter().filter_map(|(single, _)| set.and(single)).filter(is_part);
+            let alone: Vec<Explanation> =
+                alone.filter_map(|single| candidate.explanation(seen, &single, [false; 3])).collect();
+            if !alone.is_empty() {
+                found.extend(alone);
+                continue;
+            }
+            found.push(pair);
         }
     }
 }
@@ -387,8 +457,16 @@ impl Explainer<'_> {
 impl Candidate {
     /// The single mistakes.
     fn wrong(&self) -> impl Iterator<Item = &Hypothesis> {
-        let all = &self.coarse.all.hypotheses;
-        let is_wrong = |single: &&Hypothesis| single.mistakes.iter().all(|mistake| !all.mistakes[*mistake].harmless);
+        let all = &self.fine.all.hypotheses;
+        // A strength that is fitted cannot be missing.
+        let is_fitted =
+            move |id: &str| self.fine.open().iter().any(|term| id == format!("{}-strength-missing", TERMS[*term]));
+        let is_wrong = move |single: &&Hypothesis| {
+            single
+                .mistakes
+                .iter()
+                .all(|mistake| !all.mistakes[*mistake].harmless && !is_fitted(&all.mistakes[*mistake].id))
+        };
         all.singles.iter().filter(is_wrong)
     }
 }

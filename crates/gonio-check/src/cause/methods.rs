@@ -13,7 +13,7 @@ use gonio_glsl::Checked;
 
 /// The methods of right answers to a task, the usual one first.
 pub(super) fn methods(task: &Task) -> Vec<AnswerMethod> {
-    let plain = |model| AnswerMethod { model, normal_kept: false, half_vector: false };
+    let plain = AnswerMethod::new;
     let mut all = Vec::new();
     for model in std::iter::once(task.model).chain(task.other.map(|(model, _)| model)) {
         all.push(plain(model));
@@ -93,17 +93,15 @@ pub(super) fn suspects(
 ) -> Vec<&'static str> {
     const PLACES: usize = 48;
     let of_program: Vec<SceneSamples> = scenes.iter().take(1).map(|(_, samples)| samples.few(PLACES)).collect();
-    let mut of_method = of_program.clone();
-    if method.space == Space::View {
-        of_method.iter_mut().for_each(|samples| samples.scene = samples.scene.in_view_space());
-    }
     let runner = Runner::new(program, &of_program);
     let exprs = STAGES.map(|stage| program.numbers(stage));
     let observed = observe(&runner, &[], 0..of_program.len(), [&exprs[0], &exprs[1]]);
     let mut found = Vec::new();
     for half_vector in [false, true] {
-        let method = AnswerMethod { model: method.model, normal_kept: false, half_vector };
-        let Ok(model) = Model::new(method, &of_method, written_exponent, Mistakes::All) else { continue };
+        let of_answer = AnswerMethod { half_vector, ..AnswerMethod::new(method.model) };
+        let Ok(model) = Model::new(of_answer, method.space, &of_program, written_exponent, Mistakes::All) else {
+            continue;
+        };
         for q in model.quantities.iter().filter(|q| q.is_direct) {
             let Some(mistake) = q.mistake else { continue };
             let is_scaled = SCALED.contains(&q.name.as_str());

@@ -6,6 +6,7 @@
 //! expression's own, the whole picture becomes right (`target`, [`search`]).
 
 mod assign;
+mod conventions;
 pub mod edit;
 pub mod explain;
 pub(crate) mod formula;
@@ -33,7 +34,7 @@ use crate::rules::SourceConstants;
 use crate::search::{Lights, Parameterisation, Second, Task};
 use crate::testbench::TestScene;
 use edit::{Editor, TextFix, Trial};
-use explain::{Explainer, Explanation, LightingMethod};
+use explain::{Explainer, Explanation, LightingMethod, Singly};
 use gonio_glsl::{Checked, Parsed, Stage};
 use methods::{Hints, methods, suspects};
 use model::{AnswerMethod, Mistakes, Model, Space};
@@ -43,9 +44,9 @@ use prediction::Predictor;
 use program::{Program, Runner};
 pub use samples::SceneSamples;
 use scope::Scopes;
-use search::{Found, Search, see};
+use search::{Found, Search, Tried, see};
 use std::cell::Cell;
-use target::{RightPicture, Seen};
+use target::{Highlight, RightPicture, Seen};
 
 /// Why values cannot be judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,8 +74,10 @@ pub struct Diagnosis {
     pub fixes: Vec<TextFix>,
 }
 
-/// Most methods that are searched for causes.
+/// Most methods that are searched for causes by all repairs.
 const MOST_METHODS: usize = 2;
+/// Most methods that are searched for a known mistake.
+const MOST_VARIANTS: usize = 6;
 
 /// Most proven fixes that are kept for the driver.
 const MOST_FIXES: usize = 2;
@@ -125,15 +128,18 @@ pub fn diagnose(
                 SceneSamples::new(scene)
             })
             .collect();
-        let plain = methods(task).into_iter().map(|method| Model::new(method, &first, 1.0, Mistakes::These(&[])));
+        let plain =
+            methods(task).into_iter().map(|method| Model::new(method, Space::World, &first, 1.0, Mistakes::These(&[])));
         let plain = plain.collect::<Result<Vec<_>, _>>().map_err(NotJudged::Unsupported)?;
         assign::assign(&mut assigned, &first, &plain);
     }
-    // A mistake may hide the roles: then those that the names tell explain more.
+    // A mistake may hide the roles: then those that the names tell explain more. Another convention makes no mistake.
+    let others = conventions::other_conventions(&named);
     let mut programs = vec![&assigned];
-    if named.bindings != assigned.bindings {
-        programs.push(&named);
-    }
+    let is_open = named.bindings != assigned.bindings;
+    programs.extend(is_open.then_some(&named));
+    let may_be_wrong = programs.len();
+    programs.extend(others.iter().filter(|other| other.bindings != assigned.bindings));
     let hints = Hints::new(task, [vertex.1, fragment.1], texts);
     let inputs: Vec<Inputs> = (programs.iter())
         .map(|program| {
@@ -151,10 +157,10 @@ pub fn diagnose(
     let diagnosing = |(program, inputs)| {
         let Inputs { scenes, parameterisation }: &Inputs = inputs;
         let program: &Program = program;
-        Diagnosing { task, solutions, program, stages, texts, names, parameterisation, scenes, hints: &hints }
+        Diagnosing { task, solutions, program, stages, texts, names, parameterisation, scenes, of_one, hints: &hints }
     };
     let all: Vec<Diagnosing<'_>> = programs.into_iter().zip(&inputs).map(diagnosing).collect();
-    first_conclusion(&all).map_err(NotJudged::Unsupported)
+    first_conclusion(&all, may_be_wrong).map_err(NotJudged::Unsupported)
 }
 
 /// The inputs of a program with some roles.
@@ -163,8 +169,9 @@ struct Inputs {
     parameterisation: Parameterisation,
 }
 
-/// The diagnosis with the first roles with which the program is right, or else explained.
-fn first_conclusion(all: &[Diagnosing<'_>]) -> Result<Diagnosis, String> {
+/// The diagnosis with the first roles with which the program is right, or else with the first of some by which it is
+/// explained.
+fn first_conclusion(all: &[Diagnosing<'_>], may_be_wrong: usize) -> Result<Diagnosis, String> {
     let mut pictures = Vec::new();
     for one in all {
         match one.picture() {
@@ -177,14 +184,22 @@ fn first_conclusion(all: &[Diagnosing<'_>]) -> Result<Diagnosis, String> {
             return Ok(right);
         }
     }
+    let all = &all[..may_be_wrong];
+    let mut unexplained = Vec::new();
     for (one, seen) in all.iter().zip(&pictures) {
-        let explanations = one.explanations(seen, 0)?;
+        match one.explaining(|explainer| explainer.singly(seen))? {
+            Singly::Explained(explanations) => return one.wrong(explanations),
+            Singly::Unexplained(tried) => unexplained.push(tried),
+        }
+    }
+    for ((one, seen), tried) in all.iter().zip(&pictures).zip(&unexplained) {
+        let explanations = one.explaining(|explainer| explainer.by_pairs(tried, seen));
         if !explanations.is_empty() {
             return one.wrong(explanations);
         }
     }
-    let (Some(first), Some(seen)) = (all.first(), pictures.first()) else { return Err("no program".to_owned()) };
-    first.wrong(first.explanations(seen, explain::MOST_PAIRS)?)
+    let Some(first) = all.first() else { return Err("no program".to_owned()) };
+    first.wrong(Vec::new())
 }
 
 /// A program in its test scenes.
@@ -198,12 +213,19 @@ struct Diagnosing<'a> {
     parameterisation: &'a Parameterisation,
     /// Each scene as it is, and the points in it with the inputs of the program.
     scenes: &'a [(TestScene, SceneSamples)],
+    /// The number of scenes with one light, which come first.
+    of_one: usize,
     hints: &'a Hints<'a>,
 }
 
 impl Diagnosing<'_> {
-    fn right_picture(&self, method: AnswerMethod, lights: Lights) -> Result<RightPicture, String> {
-        let scenes = self.scenes.iter().cloned();
+    fn right_picture(
+        &self,
+        method: AnswerMethod,
+        lights: Lights,
+        scenes: &[(TestScene, SceneSamples)],
+    ) -> Result<RightPicture, String> {
+        let scenes = scenes.iter().cloned();
         let all = self.solutions.get(method.model)?;
         let predictor = Predictor::new(all, lights, self.parameterisation, Space::World, scenes);
         Ok(RightPicture::new(predictor, method, self.task.required))
@@ -228,7 +250,7 @@ impl Diagnosing<'_> {
     fn right(&self, seen: &Seen) -> Result<Option<Diagnosis>, String> {
         for method in methods(self.task) {
             for lights in self.parameterisation.right_lights() {
-                if let Some(agreement) = self.right_picture(method, *lights)?.agrees(seen) {
+                if let Some(agreement) = self.right_picture(method, *lights, self.scenes)?.agrees(seen) {
                     return Ok(Some(self.diagnosis(Found::Right(agreement), method)));
                 }
             }
@@ -239,10 +261,13 @@ impl Diagnosing<'_> {
     /// The diagnosis of a wrong program.
     fn wrong(&self, explanations: Vec<Explanation>) -> Result<Diagnosis, String> {
         let usual = methods(self.task)[0];
-        if self.parameterisation.second != Second::None {
-            return Ok(Diagnosis { explanations, ..self.diagnosis(Found::Nothing, usual) });
-        }
-        let samples = self.samples();
+        let (scenes, lights) = match self.parameterisation.second {
+            Second::None => (self.scenes, Lights::One),
+            // A light that is off is in no picture, so causes are searched in the scenes of the other one.
+            Second::Switched => (&self.scenes[..self.of_one], Lights::First),
+            Second::Always => return Ok(Diagnosis { explanations, ..self.diagnosis(Found::Nothing, usual) }),
+        };
+        let samples: Vec<SceneSamples> = scenes.iter().map(|(_, samples)| samples.clone()).collect();
         let runner = Runner::new(self.program, &samples);
         // Strengths that are constants of the program are those of the explanation.
         let mut of_model = samples.clone();
@@ -254,11 +279,16 @@ impl Diagnosing<'_> {
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
         let mut best = None;
         let mut runs = 0;
-        for method in self.methods_to_search(&runner, &explanations)? {
-            let model = Model::new(method, &of_model, exponent, Mistakes::These(&explaining))?;
-            let target = self.right_picture(method, Lights::One)?;
+        let all = self.methods_to_search(&runner, &explanations)?;
+        // With a known mistake, its own wrong value is looked for in every method first.
+        let known = if explanations.is_empty() { 0 } else { all.len() };
+        let known = all.iter().take(known).map(|method| (*method, Tried::Known));
+        let others = all.iter().take(MOST_METHODS).map(|method| (*method, Tried::All));
+        for ((method, space), tried) in known.chain(others) {
+            let model = Model::new(method, space, &of_model, exponent, Mistakes::These(&explaining))?;
+            let target = self.right_picture(method, lights, scenes)?;
             let mut search = Search::new(Observer { runner: &runner, model: &model }, &target, &explanations);
-            let found = search.run();
+            let found = search.run(tried);
             runs += search.runs();
             let rank = found.rank();
             if best.as_ref().is_none_or(|(_, _, known, _)| rank < *known) {
@@ -282,10 +312,10 @@ impl Diagnosing<'_> {
         Ok(Diagnosis { runs, explanations, fixes, ..self.diagnosis(found, model.method) })
     }
 
-    fn explanations(&self, seen: &Seen, most_pairs: usize) -> Result<Vec<Explanation>, String> {
+    fn explaining<T>(&self, explain: impl FnOnce(&Explainer<'_>) -> T) -> T {
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
         let suspects = |method: LightingMethod| suspects(self.program, self.scenes, method, exponent);
-        let explainer = Explainer {
+        explain(&Explainer {
             solutions: self.solutions,
             methods: &self.hints.methods(self.program),
             suspects: &suspects,
@@ -293,9 +323,9 @@ impl Diagnosing<'_> {
             parameterisation: self.parameterisation,
             required: self.task.required,
             scenes: self.scenes,
-            pairs_left: Cell::new(most_pairs),
-        };
-        explainer.explain(seen)
+            pairs_left: Cell::new(explain::MOST_PAIRS),
+            whole_left: Cell::new(explain::MOST_WHOLE),
+        })
     }
 
     /// The methods to search for causes: those of the explanations, or those that the program resembles most.
@@ -303,18 +333,31 @@ impl Diagnosing<'_> {
         &self,
         runner: &Runner<'_>,
         explanations: &[Explanation],
-    ) -> Result<Vec<AnswerMethod>, String> {
-        let mut found: Vec<AnswerMethod> = Vec::new();
-        for method in explanations.iter().map(|explanation| explanation.method) {
+    ) -> Result<Vec<(AnswerMethod, Space)>, String> {
+        let mut found: Vec<(AnswerMethod, Space)> = Vec::new();
+        for method in explanations.iter().map(|explanation| (explanation.method, explanation.space)) {
             if !found.contains(&method) {
                 found.push(method);
+            }
+        }
+        // Some mistakes look the same in either space, with a highlight that is cut off or not.
+        for (method, _) in found.clone() {
+            for space in self.hints.methods(self.program).iter().map(|method| method.space) {
+                for gated in [method.highlight.gated, true] {
+                    let is_likely = gated == method.highlight.gated || self.hints.is_likely("specular-gated");
+                    let highlight = Highlight { gated, ..method.highlight };
+                    let other = (AnswerMethod { highlight, ..method }, space);
+                    if is_likely && !found.contains(&other) && !(gated && method.highlight.weighted) {
+                        found.push(other);
+                    }
+                }
             }
         }
         if found.is_empty() {
             let samples = runner.samples;
             let mut all = Vec::new();
             for method in methods(self.task) {
-                let model = Model::new(method, samples, 1.0, Mistakes::These(&[]))?;
+                let model = Model::new(method, Space::World, samples, 1.0, Mistakes::These(&[]))?;
                 all.push((method, Observer { runner, model: &model }.likeness()));
             }
             let is_gouraud = self.hints.is_gouraud();
@@ -323,9 +366,9 @@ impl Diagnosing<'_> {
                 let is_other_stage = self.task.model.is_lit() && (method.model == ModelSolution::Gouraud) != is_gouraud;
                 (is_other_stage, std::cmp::Reverse(*likeness))
             });
-            found = all.into_iter().map(|(method, _)| method).collect();
+            found = all.into_iter().map(|(method, _)| (method, Space::World)).collect();
         }
-        found.truncate(MOST_METHODS);
+        found.truncate(MOST_VARIANTS);
         Ok(found)
     }
 }

@@ -1,11 +1,13 @@
 //! The quantities of the light equation at all points: those of a model solution, and those that the mistakes of the
 //! catalogue compute instead.
 
+use super::observed::has_space;
 use super::program::{Change, Program, Runner};
 pub(super) use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::{SceneSamples, interpolated};
+use super::target::{Highlight, hypothesis_of, peculiarities};
 use super::values::Values;
-use crate::mistakes::{Hypotheses, Hypothesis, Mistake, ModelSolution};
+use crate::mistakes::{Hypotheses, Mistake, ModelSolution};
 use crate::roles::{Meaning, Role};
 use crate::testbench::numbers;
 use glam::{Mat3, Vec3};
@@ -65,12 +67,16 @@ pub struct AnswerMethod {
     pub normal_kept: bool,
     /// Whether the highlight is that of the half vector.
     pub half_vector: bool,
+    /// The other choices of the highlight.
+    pub highlight: Highlight,
 }
 
 /// The quantities of one method.
 pub(crate) struct Model {
     /// The method.
     pub method: AnswerMethod,
+    /// The space in which it computes the light.
+    pub space: Space,
     /// All of them.
     pub quantities: Vec<Quantity>,
 }
@@ -96,19 +102,16 @@ pub(crate) enum Mistakes<'a> {
 pub(super) type Way = (&'static Mistake, Vec<(String, String)>);
 
 impl AnswerMethod {
+    /// The usual answer in a model solution.
+    #[must_use]
+    pub fn new(model: ModelSolution) -> Self {
+        AnswerMethod { model, normal_kept: false, half_vector: false, highlight: Highlight::default() }
+    }
+
     /// The model's shaders as this method writes them, and ways to make mistakes.
     pub(super) fn sources(self, wanted: Mistakes<'_>) -> ([String; 2], Vec<Way>) {
         let all = Hypotheses::for_model(self.model);
-        let mut chosen = Hypothesis::default();
-        let peculiar = [("normal-kept-unnormalised", self.normal_kept), ("specular-half-vector", self.half_vector)];
-        for single in &all.singles {
-            let id = single.mistakes.first().map(|mistake| all.mistakes[*mistake].id.as_str());
-            if peculiar.iter().any(|(name, is_chosen)| *is_chosen && id == Some(name))
-                && let Some(both) = chosen.and(single)
-            {
-                chosen = both;
-            }
-        }
+        let chosen = hypothesis_of(&all, &peculiarities(self, self.highlight)).unwrap_or_default();
         let is_wanted = |mistake: &&&'static Mistake| match wanted {
             Mistakes::All => !mistake.harmless,
             Mistakes::These(ids) => ids.contains(&mistake.id.as_str()),
@@ -176,13 +179,38 @@ fn wrong_values(
     let wrong = ModelProgram::new(&texts, written_exponent)?;
     let runner = Runner::new(&wrong.program, samples);
     let exprs = wrong.exprs();
-    let mut changes = vec![Vec::new(); ways.len()];
+    let mut changes: Vec<Vec<Change>> = vec![Vec::new(); ways.len()];
+    let right = |seen: &Recorded, of: &Assigned| {
+        let all = &plain.assigned[seen.stage as usize];
+        all.iter().find(|right| right.variable == of.variable).map(|right| right.expr)
+    };
     for seen in observe(&runner, &[], 0..samples.len(), [&exprs[0], &exprs[1]]) {
         let Some(of) = wrong.assigned(seen.stage, seen.expr) else { continue };
-        let right = plain.assigned[seen.stage as usize].iter().find(|right| right.variable == of.variable);
-        if let (Some(change), Some(right)) = (of.change, right) {
-            let (stage, exprs) = (seen.stage, vec![right.expr]);
+        if let (Some(change), Some(expr)) = (of.change, right(&seen, of)) {
+            let (stage, exprs) = (seen.stage, vec![expr]);
             changes[change].push(Change { stage, exprs, occurrence: None, values: seen.values });
+        }
+    }
+    // A line of a way may read what another line of the same way changes.
+    let few = 0..samples.len().min(TELLING);
+    for (way, changes) in changes.iter_mut().enumerate().filter(|(_, changes)| changes.len() > 1) {
+        let in_wrong = |change: &Change| {
+            let variable = &plain.assigned(change.stage, change.exprs[0])?.variable;
+            let all = &wrong.assigned[change.stage as usize];
+            let expr = all.iter().find(|of| of.change.is_none() && of.variable == *variable)?.expr;
+            Some(Change { exprs: vec![expr], ..change.clone() })
+        };
+        let before: Vec<Change> = changes.iter().filter_map(in_wrong).collect();
+        let of_way = STAGES.map(|stage| {
+            let all = wrong.assigned[stage as usize].iter();
+            all.filter(|of| of.change == Some(way)).map(|of| of.expr).collect::<Vec<_>>()
+        });
+        for seen in observe(&runner, &before, few.clone(), [&of_way[0], &of_way[1]]) {
+            let expr = wrong.assigned(seen.stage, seen.expr).and_then(|of| right(&seen, of));
+            let is_it = |change: &&mut Change| change.stage == seen.stage && expr == Some(change.exprs[0]);
+            if let Some(change) = changes.iter_mut().find(is_it) {
+                change.values = seen.values;
+            }
         }
     }
     Ok(changes)
@@ -326,16 +354,23 @@ const DIRECTIONS: [&str; 15] = [
 const POSITIONS: [&str; 1] = ["world_position"];
 
 impl Model {
-    /// Evaluates a method at all points.
+    /// Evaluates a method at all points. It computes the light in a space, in which its mistakes are made.
     ///
     /// # Errors
     /// The model solution cannot be compiled; a test ensures that all can.
     pub fn new(
         method: AnswerMethod,
-        samples: &[SceneSamples],
+        space: Space,
+        given: &[SceneSamples],
         written_exponent: f32,
         mistakes: Mistakes<'_>,
     ) -> Result<Self, String> {
+        let in_space = |samples: &SceneSamples| match space {
+            Space::World => samples.clone(),
+            Space::View => SceneSamples { scene: samples.scene.in_view_space(), ..samples.clone() },
+        };
+        let samples: Vec<SceneSamples> = given.iter().map(in_space).collect();
+        let samples = samples.as_slice();
         let (sources, ways) = method.sources(mistakes);
         let plain = ModelProgram::new(&sources, written_exponent)?;
         let runner = Runner::new(&plain.program, samples);
@@ -380,12 +415,15 @@ impl Model {
             values: Values::new(4, places),
             ..Quantity::default()
         });
-        let mut model = Model { method, quantities };
+        quantities.iter_mut().filter(|q| has_space(&q.name)).for_each(|q| q.space = space);
+        let mut model = Model { method, space, quantities };
         model.add_intermediate();
         model.interpolate(samples);
-        model.add_views(samples);
+        if space == Space::World {
+            model.add_views(samples);
+        }
         for stage in [Stage::Vertex, Stage::Fragment] {
-            model.quantities.extend(inputs(stage, samples));
+            model.quantities.extend(inputs(stage, given));
         }
         Ok(model)
     }
@@ -467,7 +505,7 @@ impl Model {
                 && q.stage == stage
                 && q.interpolated == interpolated
                 && q.mistake.is_none()
-                && q.space == Space::World
+                && q.space == if has_space(name) { self.space } else { Space::World }
         };
         self.quantities.iter().find(is_it).map(|quantity| &quantity.values)
     }

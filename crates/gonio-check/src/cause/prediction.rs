@@ -226,6 +226,12 @@ impl Predictor {
         Predictor { all, lights, open, scenes }
     }
 
+    /// The terms whose strengths are fitted: ambient 0, diffuse 1, specular 2.
+    #[must_use]
+    pub fn open(&self) -> &[usize] {
+        &self.open
+    }
+
     /// The number of test scenes.
     #[must_use]
     pub fn scenes(&self) -> usize {

@@ -4,7 +4,7 @@
 //! An expression is what its values are in the test scenes. What a wrong one should be follows from the cause: with the
 //! cause's right values, the values that depend on it become right too.
 
-use super::model::{AnswerMethod, Mistakes, Model, TELLING};
+use super::model::{AnswerMethod, Mistakes, Model, Space, TELLING};
 use super::naming::ProvenCause;
 use super::observed::{Observed, Observer};
 use super::program::{Change, Program, Runner};
@@ -195,8 +195,14 @@ impl RightQuantities {
     }
 
     fn model(&self, samples: &[SceneSamples]) -> Option<Model> {
-        Model::new(self.method, samples, self.parameterisation.written_exponent.unwrap_or(1.0), Mistakes::These(&[]))
-            .ok()
+        Model::new(
+            self.method,
+            Space::World,
+            samples,
+            self.parameterisation.written_exponent.unwrap_or(1.0),
+            Mistakes::These(&[]),
+        )
+        .ok()
     }
 
     /// The right values of all causes at the points of a runner.

@@ -25,9 +25,9 @@ pub enum Found {
 }
 
 /// Most runs of a search.
-const MOST_RUNS: usize = 2_000;
+const MOST_RUNS: usize = 1_000;
 /// Most statements of a search, all points together.
-const MOST_STATEMENTS: u64 = 12_000_000;
+const MOST_STATEMENTS: u64 = 6_000_000;
 /// Most runs for the second of two causes.
 const MOST_RUNS_OF_SECOND: usize = 400;
 /// Most values that are tried as the first of two causes.
@@ -46,6 +46,15 @@ impl Found {
             Found::Nothing => usize::MAX,
         }
     }
+}
+
+/// The repairs that are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tried {
+    /// Those of mistakes that explain the picture.
+    Known,
+    /// All, from right values on.
+    All,
 }
 
 /// A search in one program with one right answer.
@@ -86,8 +95,8 @@ impl<'a> Search<'a> {
         Some(seen)
     }
 
-    /// Runs the search.
-    pub fn run(&mut self) -> Found {
+    /// Runs the search with some repairs.
+    pub fn run(&mut self, tried: Tried) -> Found {
         let all = 0..self.at.runner.samples.len();
         let mut observed = self.at.observe(&[], all);
         self.at.interpret(&mut observed);
@@ -99,11 +108,12 @@ impl<'a> Search<'a> {
             let mistakes: Vec<&'static Mistake> = explaining(0).into_iter().chain(explaining(1)).collect();
             return self.pair(&observed, &mistakes).unwrap_or(Found::Nothing);
         }
-        let single = self.causes(&[], &observed, &explaining(0), MOST_RUNS);
+        let single = self.causes(&[], &observed, &explaining(0), tried, MOST_RUNS);
         if !single.is_empty() {
             return Found::Causes(vec![single]);
         }
-        self.pair(&observed, &[]).unwrap_or(Found::Nothing)
+        let pair = if tried == Tried::All { self.pair(&observed, &[]) } else { None };
+        pair.unwrap_or(Found::Nothing)
     }
 
     /// The single causes beside other changes, the best first.
@@ -112,6 +122,7 @@ impl<'a> Search<'a> {
         base: &[Change],
         observed: &[Observed],
         explaining: &[&'static Mistake],
+        tried: Tried,
         most: usize,
     ) -> Vec<ProvenCause> {
         let repairs = self.at.repairs(observed);
@@ -123,7 +134,8 @@ impl<'a> Search<'a> {
         let depth = |repair: &Repair| observed[repair.of].depth;
         let first = proven.iter().map(depth).min().unwrap_or(DEEPEST + 1);
         // A right value may be computed from a wrong one, which makes it another quantity.
-        for at in 1..first.max(2) {
+        let depths = if tried == Tried::All { 1..first.max(2) } else { 0..0 };
+        for at in depths {
             let here: Vec<Repair> = others.iter().filter(|repair| depth(repair) == at).cloned().collect();
             let found = self.proven(base, observed, &here, end);
             let is_found = !found.is_empty();
@@ -155,7 +167,8 @@ impl<'a> Search<'a> {
             let base = vec![change];
             let mut again = self.at.observe(&base, all.clone());
             self.at.interpret(&mut again);
-            let seconds = self.causes(&base, &again, explaining, MOST_RUNS_OF_SECOND);
+            let tried = if is_explained { Tried::Known } else { Tried::All };
+            let seconds = self.causes(&base, &again, explaining, tried, MOST_RUNS_OF_SECOND);
             let Some(second) = seconds.first() else { continue };
             if is_explained != second.is_explained {
                 continue;

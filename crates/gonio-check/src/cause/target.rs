@@ -14,11 +14,13 @@ const TOLERANCE: f32 = 0.003;
 const RELATIVE_TOLERANCE: f32 = 0.004;
 /// The share of points that may differ: silhouettes, where rounding decides.
 const MOST_DIFFERENT: f32 = 0.008;
+/// The same at few places: one of 15.
+const MOST_DIFFERENT_AT_FEW: f32 = 0.07;
 /// A term with a smaller strength is missing.
 const FAINTEST: f64 = 2e-3;
 
 /// What an answer may choose about its highlight.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Highlight {
     /// 0 where the light is behind the surface, instead of everywhere where R.V is positive.
     pub gated: bool,
@@ -80,7 +82,7 @@ pub(super) fn peculiarities(method: AnswerMethod, highlight: Highlight) -> [(&'s
 }
 
 /// The hypothesis of those peculiarities that are chosen; `None` if they exclude each other.
-fn hypothesis_of(all: &Hypotheses, chosen: &[(&str, bool)]) -> Option<Hypothesis> {
+pub(super) fn hypothesis_of(all: &Hypotheses, chosen: &[(&str, bool)]) -> Option<Hypothesis> {
     let mut hypothesis = Hypothesis::default();
     for (id, _) in chosen.iter().filter(|(_, is_chosen)| *is_chosen) {
         let is_it = |single: &&Hypothesis| single.mistakes.iter().any(|mistake| all.mistakes[*mistake].id == *id);
@@ -229,8 +231,8 @@ impl Fit {
 
     /// Whether few places may be the same as those of a right picture: one of them may differ.
     pub fn is_right_at_few(&self) -> bool {
-        // A required term may be dark at all of them.
-        self.share <= 0.07 && Fit { share: 0.0, is_dark: false, ..*self }.is_right([false; 3])
+        // A term may be dark at all of them, and then its strength is any.
+        self.share <= MOST_DIFFERENT_AT_FEW
     }
 
     /// Whether the colours are the same, no strength is negative, and the required terms are visible.

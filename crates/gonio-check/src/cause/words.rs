@@ -113,8 +113,8 @@ mod tests {
         for model in
             [ModelSolution::Phong, ModelSolution::Gouraud, ModelSolution::Reflection, ModelSolution::Refraction]
         {
-            let method = AnswerMethod { model, normal_kept: false, half_vector: false };
-            let model = Model::new(method, &samples, 1.0, Mistakes::These(&[])).unwrap();
+            let method = AnswerMethod::new(model);
+            let model = Model::new(method, Space::World, &samples, 1.0, Mistakes::These(&[])).unwrap();
             for q in model.quantities.iter().filter(|q| q.values.size <= 4) {
                 assert!(!product(&q.name).contains('`') || q.name == "v_col", "{}", q.name);
             }

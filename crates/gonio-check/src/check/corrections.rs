@@ -22,7 +22,6 @@ const SUPPORTED_FROM: f32 = 0.85;
 /// distance of a fog, the cosine of a shadow or a second light for those of the exercise.
 const BEYOND_DOUBT: &[&str] = &[
     "normal-by-model-matrix",
-    "normal-by-model-view",
     "normal-by-whole-matrix",
     "normal-not-transformed",
     "normal-translated",

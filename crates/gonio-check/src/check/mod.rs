@@ -280,21 +280,6 @@ fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: ModelSolution)
         *found = FoundMistake { or: vec![flat.to_owned()], ..other };
         verdict.summary = found.name.clone();
     }
-    // The product of diffuse and specular light looks like specular light weighted by the cosine.
-    let weighted = verdict.peculiarities.iter().any(|p| p.id == "specular-cosine-weighted");
-    let product = "terms-multiplied";
-    if verdict.verdict == Outcome::Correct
-        && weighted
-        && source.support(product, model) > SURE
-        && let Some(mistake) = mistakes::for_model(model).find(|mistake| mistake.id == product)
-    {
-        // The picture looks right, so only the source shows the mistake.
-        let found = FoundMistake::from_catalogue(mistake, 0.0);
-        verdict.verdict = Outcome::Wrong;
-        verdict.score = 0.5;
-        verdict.summary = found.name.clone();
-        verdict.mistakes.push(found);
-    }
 }
 
 /// For ambient, diffuse and specular: whether the vertex shader outputs it but the fragment shader never uses it.
