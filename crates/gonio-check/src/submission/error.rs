@@ -52,6 +52,15 @@ pub enum IntakeError {
         /// The names of the shaders.
         found: Vec<String>,
     },
+    /// A file that a shader includes is not among the files.
+    MissingInclude {
+        /// The file with the `#include`.
+        file: String,
+        /// Its line, from 1.
+        line: u32,
+        /// The name of the included file.
+        included: String,
+    },
     /// No pair has the requested name.
     NotFound {
         /// The requested name.
@@ -105,6 +114,11 @@ impl fmt::Display for IntakeError {
                 "{} are all {stage} shaders, and there is no {} shader: hand in one of each",
                 list(found),
                 stage.other()
+            ),
+            Self::MissingInclude { file, line, included } => write!(
+                f,
+                "{file}:{line}: `{included}` is included and is not among the files: hand it in too, or paste its text \
+                 here"
             ),
             Self::NotFound { requested, candidates } => {
                 write!(f, "no pair of shaders is called `{requested}`: choose one of {}", list(candidates))

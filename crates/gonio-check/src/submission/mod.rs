@@ -5,6 +5,7 @@
 
 mod choose;
 mod error;
+mod include;
 mod literal;
 mod split;
 mod stage;
@@ -137,6 +138,8 @@ struct Intake {
     /// Shaders of unknown stage.
     undecided: Vec<(String, String)>,
     few: bool,
+    /// The names and texts of files that a shader may include.
+    texts: Vec<(String, String)>,
     left_aside: Vec<String>,
     /// Errors of files that should have been shaders; they matter only if no pair is found without them.
     errors: Vec<IntakeError>,
@@ -218,6 +221,9 @@ impl Intake {
                 return;
             }
         };
+        if matches!(kind, FileKind::Shader | FileKind::Perhaps) || kind == FileKind::Program(literal::Language::C) {
+            self.texts.push((name.clone(), text.clone()));
+        }
         let found_before = self.candidates.len() + self.undecided.len();
         match kind {
             FileKind::Names => return self.names = Some(text),
@@ -364,6 +370,9 @@ impl Intake {
         let (vertex, fragment, chosen_because) = chosen;
         let is_taken =
             |name: &str| name == vertex.text.file || name == fragment.text.file || kind(name) == FileKind::Names;
+        let (vertex_text, in_vertex) = include::insert(vertex.text.clone(), &self.texts)?;
+        let (fragment_text, in_fragment) = include::insert(fragment.text.clone(), &self.texts)?;
+        self.left_aside.retain(|name| !in_vertex.contains(name) && !in_fragment.contains(name));
         let mut warnings: Vec<String> =
             self.corrected.into_iter().filter(|(name, _)| is_taken(name)).map(|(_, warning)| warning).collect();
         warnings.extend(chosen_because);
@@ -371,6 +380,6 @@ impl Intake {
         if !self.left_aside.is_empty() {
             warnings.push(format!("ignored: {}", error::list(&self.left_aside)));
         }
-        Ok(Submission { vertex: vertex.text, fragment: fragment.text, names: self.names, warnings })
+        Ok(Submission { vertex: vertex_text, fragment: fragment_text, names: self.names, warnings })
     }
 }

@@ -198,6 +198,22 @@ fn pairs_belong_together() {
 }
 
 #[test]
+fn included_files_are_inserted() {
+    let vertex = "#version 330 core\n#include \"lib/space.glsl\"\nvoid main() { gl_Position = at; }\n";
+    let submission = gathered(&[("a.vert", vertex), ("a.frag", F), ("space.glsl", "uniform vec4 b;\nin vec4 at;\n")]);
+    assert!(submission.vertex.text.contains("core\nuniform vec4 b;\nin vec4 at;\nvoid main"));
+    assert_eq!(submission.vertex.place(3, 4), ("space.glsl", 2, 4));
+    assert_eq!(submission.vertex.place(4, 1), ("a.vert", 3, 1));
+    assert_eq!(submission.warnings, [""; 0]);
+    let alone = Submission::gather(files(&[("a.vert", vertex), ("a.frag", F)]));
+    let Err(IntakeError::MissingInclude { line: 2, included, .. }) = alone else { panic!("{alone:?}") };
+    assert_eq!(included, "lib/space.glsl");
+    let circular =
+        gathered(&[("a.vert", vertex), ("a.frag", F), ("space.glsl", "#include <space.glsl>\nin vec4 at;\n")]);
+    assert_eq!(circular.vertex.text.matches("in vec4 at").count(), 1);
+}
+
+#[test]
 fn names_toml_is_kept_and_corrections_are_reported() {
     let submission = gathered(&[("a.vert", V), ("a.frag", &format!("\u{FEFF}{F}")), ("names.toml", "[names]\n")]);
     assert_eq!(submission.names.as_deref(), Some("[names]\n"));

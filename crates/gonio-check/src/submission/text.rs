@@ -5,6 +5,8 @@ use super::error::IntakeError;
 /// The start of a piece of the text that is contiguous in the file, up to the end of the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Stretch {
+    /// 0 for the stage's own file, else one more than the index of an inserted one.
+    source: usize,
     text_line: u32,
     text_column: u32,
     file_line: u32,
@@ -18,6 +20,8 @@ pub struct StageText {
     pub text: String,
     /// The file, as the student named it.
     pub file: String,
+    /// The files that were inserted for `#include`.
+    inserted: Vec<String>,
     /// In order of the text; empty if the text is the whole file.
     stretches: Vec<Stretch>,
 }
@@ -26,7 +30,7 @@ impl StageText {
     /// Creates a text that is a whole file.
     #[must_use]
     pub fn whole(file: impl Into<String>, text: impl Into<String>) -> Self {
-        Self { text: text.into(), file: file.into(), stretches: Vec::new() }
+        Self { text: text.into(), file: file.into(), inserted: Vec::new(), stretches: Vec::new() }
     }
 
     /// Returns the file, line and column of a line and column of the text, all from 1, columns in characters.
@@ -40,14 +44,20 @@ impl StageText {
         let Some(stretch) = after.checked_sub(1).and_then(|i| self.stretches.get(i)) else {
             return match self.stretches.first() {
                 None => (&self.file, line, column),
-                Some(first) => (&self.file, first.file_line, first.file_column),
+                Some(first) => (self.source(first), first.file_line, first.file_column),
             };
         };
         if stretch.text_line == line {
-            (&self.file, stretch.file_line, stretch.file_column.saturating_add(column - stretch.text_column))
+            let column = stretch.file_column.saturating_add(column - stretch.text_column);
+            (self.source(stretch), stretch.file_line, column)
         } else {
-            (&self.file, stretch.file_line, stretch.file_column)
+            (self.source(stretch), stretch.file_line, stretch.file_column)
         }
+    }
+
+    fn source(&self, stretch: &Stretch) -> &str {
+        let inserted = stretch.source.checked_sub(1).and_then(|at| self.inserted.get(at));
+        inserted.map_or(&self.file, String::as_str)
     }
 
     /// Returns a line of the text, from 1, without its end.
@@ -61,6 +71,8 @@ impl StageText {
 #[derive(Clone, Debug)]
 pub(super) struct Builder {
     pub(super) text: String,
+    /// The source of the next characters: 0 for the stage's own file, else one more than the index of an inserted one.
+    pub(super) source: usize,
     stretches: Vec<Stretch>,
     line: u32,
     column: u32,
@@ -70,13 +82,14 @@ pub(super) struct Builder {
 
 impl Builder {
     pub(super) fn new() -> Self {
-        Self { text: String::new(), stretches: Vec::new(), line: 1, column: 1, next_in_file: None }
+        Self { text: String::new(), source: 0, stretches: Vec::new(), line: 1, column: 1, next_in_file: None }
     }
 
     /// Appends a character with its position in the file.
     pub(super) fn push(&mut self, c: char, line: u32, column: u32) {
         if self.column == 1 || self.next_in_file != Some((line, column)) {
             self.stretches.push(Stretch {
+                source: self.source,
                 text_line: self.line,
                 text_column: self.column,
                 file_line: line,
@@ -143,7 +156,12 @@ impl Builder {
     }
 
     pub(super) fn finish(self, file: &str) -> StageText {
-        StageText { text: self.text, file: file.to_owned(), stretches: self.stretches }
+        self.finish_with(file, Vec::new())
+    }
+
+    /// Finishes a text into which other files were inserted.
+    pub(super) fn finish_with(self, file: &str, inserted: Vec<String>) -> StageText {
+        StageText { text: self.text, file: file.to_owned(), inserted, stretches: self.stretches }
     }
 }
 
