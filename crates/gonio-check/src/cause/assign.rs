@@ -1,6 +1,9 @@
 //! Finds the roles of inputs whose names say nothing: those with which most values of the program are quantities of the
 //! light equation.
 
+mod lights;
+mod switches;
+
 use super::model::{Model, STAGES, observe};
 use super::program::{Program, Runner};
 use super::samples::SceneSamples;
@@ -42,12 +45,13 @@ const ATTENUATION: [Role; 3] =
 /// Most matrices whose roles are tried together.
 const MOST_MATRICES: usize = 4;
 
-/// The roles that an input may have: the name alone does not tell the space of a light or a normal matrix.
+/// The roles that an input may have: the name alone does not tell the space of a normal matrix.
 fn candidates(bound: &Bound) -> &'static [Role] {
     let is_named = bound.how == How::Name;
     match bound.role {
         _ if bound.how == How::NamesFile => &[],
-        role if is_named && LIGHT_POSITIONS.contains(&role) => &LIGHT_POSITIONS,
+        _ if lights::is_open(bound) && (is_named || bound.declared.array > 1) => &[],
+        _ if bound.declared.name.starts_with("gl_") => &[],
         // `itM` is that of M alone.
         role if is_named && NORMALS.contains(&role) && is_of_model(&bound.declared.name) => &[],
         role if is_named && NORMALS.contains(&role) => &NORMALS,
@@ -80,11 +84,22 @@ pub fn is_open(program: &Program) -> bool {
     let mut unknown = program.bindings.unknown.iter();
     unknown.any(|declared| is_uniform(declared.kind) && !of_type(&declared.glsl_type).is_empty())
         || program.bindings.bound.iter().any(|bound| is_uniform(bound.declared.kind) && !candidates(bound).is_empty())
+        || program.bindings.bound.iter().any(lights::is_open)
+        || lights::may_be_directions(program)
+        || switches::are_open(program)
         || open_attributes(program).is_some()
 }
 
 /// Assigns roles to the inputs of a program whose names do not determine them. `samples` are those of the test scenes.
 pub fn assign(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
+    let suns = lights::may_be_directions(program).then(|| lights::choose_suns(program, samples, models)).flatten();
+    let (samples, models) = match &suns {
+        Some((samples, models)) => (samples.as_slice(), models.as_slice()),
+        None => (samples, models),
+    };
+    if switches::are_open(program) {
+        switches::set(program, samples, models);
+    }
     let other = open_attributes(program).map(|[a, b]| {
         let mut other = program.clone();
         (other.bindings.bound[a].role, other.bindings.bound[b].role) =
@@ -116,7 +131,7 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
         bound.declared.kind == VariableKind::Uniform && bound.declared.array <= 1 && !candidates(bound).is_empty()
     };
     let open: Vec<usize> = (0..bound.len()).filter(|index| is_open(&bound[*index])).collect();
-    if open.is_empty() {
+    if open.is_empty() && !bound.iter().any(lights::is_open) {
         return;
     }
     let known = program.bindings.bound.clone();
@@ -161,6 +176,7 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
             program.bindings.bound[*index].role = role;
         }
     }
+    lights::choose_space(program, samples, models);
     if let Some(found) = attenuation(program, samples, models, &bound, &others) {
         for (index, role) in found.into_iter().zip(ATTENUATION) {
             program.bindings.bound[index].role = role;

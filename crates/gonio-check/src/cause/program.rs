@@ -62,6 +62,9 @@ impl Program {
                 };
                 let (name, glsl_type) = (input.name.clone(), input.ty.written());
                 let declared = Declared { name, glsl_type, array: input.count, kind };
+                if !is_indexed(&input.name, texts) {
+                    continue;
+                }
                 if used(checked, &input.name) && !active.contains(&declared) {
                     active.push(declared.clone());
                 }
@@ -144,6 +147,20 @@ impl Program {
         }
         inputs
     }
+}
+
+/// Whether a program may read this element of an array of OpenGL's own, such as `gl_LightSource[3].position`. These
+/// arrays have all elements in every program.
+fn is_indexed(name: &str, texts: [&str; 2]) -> bool {
+    let Some((array, rest)) = name.split_once('[').filter(|(array, _)| array.starts_with("gl_")) else { return true };
+    let element = rest.split(']').next().unwrap_or_default();
+    texts.iter().flat_map(|text| text.split(array).skip(1)).any(|after| {
+        let Some(index) = after.trim_start().strip_prefix('[').and_then(|after| after.split(']').next()) else {
+            return true;
+        };
+        let index = index.trim();
+        index == element || index.parse::<u32>().is_err()
+    })
 }
 
 /// The textures of the test scenes: the sky as a function of the direction, and white.

@@ -95,13 +95,16 @@ pub(super) fn roles(declared: &[&Declared], given: &[Option<Role>], open: &[bool
         read.found =
             if *open { by_name(read).map(|role| (role, How::Name)) } else { given.map(|r| (r, How::NamesFile)) };
     }
+    intensities(&mut all);
     attributes_by_type(&mut all);
+    worlds(&mut all);
     matrices(&mut all);
     camera(&mut all);
     view(&mut all);
     terms(&mut all);
     samplers(&mut all);
     number_lights(&mut all);
+    tints(&mut all);
     all.into_iter().map(|read| read.found).collect()
 }
 
@@ -132,6 +135,62 @@ fn attributes_by_type(all: &mut [Read<'_>]) {
         };
         if let Some(read) = all.iter_mut().find(fits) {
             read.found = Some((role, How::Type));
+        }
+    }
+}
+
+/// Assigns roles to the intensities `Ia`, `Id` and `Is` of a light, which are clear together.
+fn intensities(all: &mut [Read<'_>]) {
+    const NAMES: [(&str, Role); 3] =
+        [("Ia", Role::AmbientColor(0)), ("Id", Role::DiffuseColor(0)), ("Is", Role::SpecularColor(0))];
+    let last = |read: &Read<'_>| {
+        let field = read.declared.name.rsplit('.').next().unwrap_or_default();
+        let field = without_index(field).0;
+        field.strip_prefix("u_").or(field.strip_prefix('u')).unwrap_or(field).to_owned()
+    };
+    let is_uniform = |read: &Read<'_>| read.declared.kind == VariableKind::Uniform && read.shape == Shape::Vector;
+    let count = NAMES.iter().filter(|(name, _)| all.iter().any(|read| is_uniform(read) && last(read) == *name)).count();
+    if count < 2 {
+        return;
+    }
+    for read in all.iter_mut().filter(|read| read.open && is_uniform(read)) {
+        if let Some((_, role)) = NAMES.iter().find(|(name, _)| last(read) == *name) {
+            read.found = Some((*role, How::Use));
+        }
+    }
+}
+
+/// Treats `worldMatrix` beside `modelMatrix` as the view matrix if no other matrix is.
+fn worlds(all: &mut [Read<'_>]) {
+    let views = [Role::View, Role::ModelView, Role::ViewProjection, Role::ModelViewProjection];
+    if all.iter().any(|read| views.iter().any(|role| read.is(*role))) {
+        return;
+    }
+    let of = |read: &Read<'_>, word: &str| read.is(Role::Model) && read.words.has(word);
+    if !all.iter().any(|read| of(read, "model") && !read.words.has("world")) {
+        return;
+    }
+    for read in all.iter_mut().filter(|read| read.open && of(read, "world") && !read.words.has("model")) {
+        read.found = Some((Role::View, How::Use));
+    }
+}
+
+/// Of two inputs with the same meaning whose product is used, such as `ambientStrength * ambientColor` or
+/// `objectColor * material.diffuse`, one has the value and the other is a tint.
+fn tints(all: &mut [Read<'_>]) {
+    let roles: Vec<Role> = all.iter().filter_map(|read| read.found.map(|(role, _)| role)).collect();
+    let has_material = all.iter().any(|read| read.is(Role::MaterialDiffuse) && read.words.has("material"));
+    for read in all.iter_mut().filter(|read| read.open && read.declared.kind == VariableKind::Uniform) {
+        let Some((role, How::Name | How::Use)) = read.found else { continue };
+        let is_double = match role {
+            Role::AmbientColor(light) => roles.contains(&Role::AmbientStrength(light)),
+            Role::DiffuseColor(light) => roles.contains(&Role::DiffuseStrength(light)),
+            Role::SpecularColor(light) => roles.contains(&Role::SpecularStrength(light)),
+            Role::MaterialColor => has_material,
+            _ => false,
+        };
+        if is_double {
+            read.found = Some((Role::Tint, How::Use));
         }
     }
 }
@@ -377,5 +436,32 @@ fn within_group(lights: &[(Role, Place)], members: &[usize], indices: &mut [u32]
             (None, Some(rank)) => u32::try_from(rank).unwrap_or(u32::MAX).saturating_add(u32::from(shift)),
             (None, None) => 0,
         };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Declared, NamesFile, Role, bind};
+
+    #[test]
+    fn names_are_clear_beside_others() {
+        for (all, name, role) in [
+            ("vec4 Ia, vec4 Id, vec4 Is", "Id", Some(Role::DiffuseColor(0))),
+            ("int Id, vec4 Ia", "Ia", None),
+            ("vec3 light_in_eye_space", "light_in_eye_space", Some(Role::LightPosInView(0))),
+            ("mat4 modelMatrix, mat4 worldMatrix, mat4 projection", "worldMatrix", Some(Role::View)),
+            ("mat4 worldMatrix, mat4 projection", "worldMatrix", Some(Role::Model)),
+            ("mat4 cofactorM, mat4 M", "cofactorM", Some(Role::NormalMatrix)),
+            ("float ambientStrength, vec3 ambientColor", "ambientColor", Some(Role::Tint)),
+            ("vec3 ambientColor", "ambientColor", Some(Role::AmbientColor(0))),
+            ("vec3 objectColor, vec3 material.diffuse", "objectColor", Some(Role::Tint)),
+            ("vec3 objectColor", "objectColor", Some(Role::MaterialColor)),
+        ] {
+            let uniform = |text: &str| text.split_once(' ').map(|(ty, name)| Declared::uniform(name, ty));
+            let declared: Vec<Declared> = all.split(", ").filter_map(uniform).collect();
+            let bindings = bind(&declared, &NamesFile::default());
+            let found = bindings.bound.iter().find(|bound| bound.declared.name == name).map(|bound| bound.role);
+            assert_eq!(found, role, "{name} in {all}");
+        }
     }
 }

@@ -5,6 +5,7 @@
 
 mod context;
 mod file;
+mod fixed_function;
 mod role;
 mod rules;
 mod words;
@@ -134,14 +135,18 @@ impl Bindings {
     }
 }
 
-/// Determines the role of each variable. OpenGL's own variables (`gl_...`) are ignored.
+/// Determines the role of each variable. Of OpenGL's own variables (`gl_...`), those of the old pipeline have the roles
+/// that the specification gives them; the others are ignored.
 #[must_use]
 pub fn bind(declared: &[Declared], file: &NamesFile) -> Bindings {
     let mut bindings = Bindings { unused: file.names.keys().cloned().collect(), ..Bindings::default() };
-    let own: Vec<&Declared> = declared.iter().filter(|declared| !declared.name.starts_with("gl_")).collect();
-    let by_use = |declared: &&Declared| file.by_use.get(&declared.name).map(|role| Meaning::Role(*role));
+    let is_own =
+        |declared: &&Declared| !declared.name.starts_with("gl_") || fixed_function::meaning(&declared.name).is_some();
+    let own: Vec<&Declared> = declared.iter().filter(is_own).collect();
+    let by_use = |name: &str| file.by_use.get(name).map(|role| Meaning::Role(*role));
+    let known = |name: &str| file.get(name).cloned().or_else(|| fixed_function::meaning(name));
     let meanings: Vec<Option<Meaning>> =
-        own.iter().map(|declared| file.get(&declared.name).cloned().or_else(|| by_use(declared))).collect();
+        own.iter().map(|declared| known(&declared.name).or_else(|| by_use(&declared.name))).collect();
     let roles: Vec<Option<Role>> = meanings
         .iter()
         .map(|meaning| match meaning {
@@ -160,7 +165,11 @@ pub fn bind(declared: &[Declared], file: &NamesFile) -> Bindings {
         match (meaning, found) {
             (Some(Meaning::Value(values)), _) => bindings.fixed.push(Fixed { declared, values }),
             (Some(Meaning::Role(role)), _) => {
-                let how = if file.get(&declared.name).is_some() { How::NamesFile } else { How::Use };
+                let how = match (file.get(&declared.name), fixed_function::meaning(&declared.name)) {
+                    (Some(_), _) => How::NamesFile,
+                    (None, Some(_)) => How::Name,
+                    (None, None) => How::Use,
+                };
                 bindings.bound.push(Bound { declared, role, how });
             }
             (None, Some((role, how))) => bindings.bound.push(Bound { declared, role, how }),

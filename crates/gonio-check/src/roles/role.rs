@@ -54,6 +54,10 @@ pub enum Role {
     LightPosInView(u32),
     /// The direction in which a light shines.
     LightDirection(u32),
+    /// The direction of a light that is infinitely far away, in view space.
+    LightDirectionInView(u32),
+    /// The unit vector halfway between the directions to a light and to an eye infinitely far away, in view space.
+    LightHalfVector(u32),
     /// A light's colour.
     LightColor(u32),
     /// A light's ambient part, as a colour.
@@ -90,6 +94,8 @@ pub enum Role {
     MaterialSpecular,
     /// Light that the material emits.
     Emitted,
+    /// A colour or number that another one of the same meaning is multiplied by: 1 in test scenes.
+    Tint,
     /// Index of refraction, such as 1.52.
     RefractionIndex,
     /// Ratio of the indices, such as 1 / 1.52.
@@ -122,7 +128,7 @@ enum Named {
 
 use Named::{Light, Plain};
 
-const NAMES: [(&str, Named); 53] = [
+const NAMES: [(&str, Named); 56] = [
     ("position", Plain(Role::Position)),
     ("normal", Plain(Role::Normal)),
     ("tex-coord", Plain(Role::TexCoord)),
@@ -147,6 +153,8 @@ const NAMES: [(&str, Named); 53] = [
     ("light-pos", Light(Role::LightPos)),
     ("light-pos-in-view", Light(Role::LightPosInView)),
     ("light-direction", Light(Role::LightDirection)),
+    ("light-direction-in-view", Light(Role::LightDirectionInView)),
+    ("light-half-vector", Light(Role::LightHalfVector)),
     ("light-color", Light(Role::LightColor)),
     ("ambient-color", Light(Role::AmbientColor)),
     ("diffuse-color", Light(Role::DiffuseColor)),
@@ -165,6 +173,7 @@ const NAMES: [(&str, Named); 53] = [
     ("material-diffuse", Plain(Role::MaterialDiffuse)),
     ("material-specular", Plain(Role::MaterialSpecular)),
     ("emitted", Plain(Role::Emitted)),
+    ("tint", Plain(Role::Tint)),
     ("refraction-index", Plain(Role::RefractionIndex)),
     ("refraction-ratio", Plain(Role::RefractionRatio)),
     ("time", Plain(Role::Time)),
@@ -191,6 +200,8 @@ impl Role {
             Self::LightPos(i)
             | Self::LightPosInView(i)
             | Self::LightDirection(i)
+            | Self::LightDirectionInView(i)
+            | Self::LightHalfVector(i)
             | Self::LightColor(i)
             | Self::AmbientColor(i)
             | Self::DiffuseColor(i)
@@ -288,7 +299,7 @@ mod tests {
 
     #[test]
     fn role_names_survive_a_round_trip() {
-        assert_eq!(Role::all().count(), 53);
+        assert_eq!(Role::all().count(), 56);
         for role in Role::all() {
             assert_eq!(role.to_string().parse(), Ok(role));
             let third = role.with_light(2);

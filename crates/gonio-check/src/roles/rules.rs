@@ -46,6 +46,12 @@ const VECTORS: &[Rule] = &[
     rule(&["struct", "view", "pos"], &[], |_| Role::ViewPos),
     rule(&["light", "pos", "view"], &["world"], Role::LightPosInView),
     rule(&["light", "pos", "camera"], &["world"], Role::LightPosInView),
+    rule(
+        &["light", "view"],
+        &["world", "struct", "dir", "color", "ambient", "diffuse", "specular"],
+        Role::LightPosInView,
+    ),
+    rule(&["light", "dir", "view"], &["world", "struct"], Role::LightDirectionInView),
     rule(&["attenuation"], &["pos", "dir", "color"], Role::Attenuation),
     rule(&["light", "pos"], &[], Role::LightPos),
     rule(&["light", "dir"], &[], Role::LightDirection),

@@ -207,7 +207,7 @@ const DIALECTS: &[(&str, &str)] = &[
          vec4 u_color material-color
          vec4 u_lightColor light-color
          vec4 u_ambient ambient-color
-         vec4 u_specular specular-color
+         vec4 u_specular tint
          float u_specularFactor specular-strength
          float u_shininess shininess
          vec3 u_reverseLightDirection -",

@@ -77,7 +77,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("inv inverse inversed invert inverted", "inverse"),
     ("transpose transp transposed transposee tr", "transpose"),
     ("trans", "trans"),
-    ("it ti invtr invt tinv", "inverse transpose"),
+    ("it ti invtr invt tinv cofactor cofactors cof adjugate", "inverse transpose"),
     ("itm tim mit invtm", "inverse transpose m"),
     ("itmv timv mvit", "inverse transpose mv"),
     ("mv vm wv modelview", "mv"),

@@ -10,6 +10,9 @@ use glam::{Mat3, Vec3};
 /// The exponent in the lab's programs.
 const USUAL_EXPONENT: f32 = 32.0;
 
+/// The exponents with which a highlight shows in the test scenes.
+const EXPONENTS: std::ops::RangeInclusive<f32> = 2.0..=128.0;
+
 /// A light with a direction instead of a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Sun {
@@ -112,6 +115,14 @@ fn determines_up(role: Role) -> bool {
     )
 }
 
+/// Whether a program has the exercises' own inputs: an exponent, or a name that only the lab uses.
+fn is_of_the_lab(declared: &Bindings) -> bool {
+    const NAMES: [&str; 4] = ["itM", "u_light_pos", "u_view_pos", "materialColour"];
+    let all = declared.bound.iter().map(|bound| &bound.declared).chain(&declared.unknown);
+    declared.bound.iter().any(|bound| bound.role == Role::Shininess)
+        || all.into_iter().any(|declared| NAMES.contains(&declared.name.as_str()))
+}
+
 impl Parameterisation {
     /// Determines the parameterisation of a program with these bindings, which may declare strengths and colours
     /// without using them.
@@ -139,8 +150,9 @@ impl Parameterisation {
         // A term that the exercise does not ask for is optional.
         let to_find =
             std::array::from_fn(|term| task.model.is_lit() && !(given[term] && material && task.required[term]));
+        let is_direction = |role| matches!(role, Role::LightDirection(_) | Role::LightDirectionInView(_));
         let lit_from_outside =
-            has(&|role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_) | Role::LightDirection(_)));
+            has(&|role| matches!(role, Role::LightPos(_) | Role::LightPosInView(_)) || is_direction(role));
         let of_second = |is_match: &dyn Fn(Role) -> bool| {
             bindings.bound.iter().any(|bound| {
                 // Element i of an array belongs to light i.
@@ -174,12 +186,16 @@ impl Parameterisation {
         };
         let fixed = |given: bool, written: Option<f32>, usual: f32| (!given).then(|| written.unwrap_or(usual));
         // Beside a position, a direction is the axis of a lamp.
-        let is_given = has(&|role| matches!(role, Role::LightDirection(_))) && !has(&is_place);
+        let is_given = has(&is_direction) && !has(&is_place);
         // The position of the exercise's lamp is not a direction.
         let is_lamp = |sun: &ConstantSun| sun.to_light.dot(task.light_position.normalize_or_zero()) > 0.9999;
         let sun = match constants.sun.filter(|sun| !lit_from_outside && !is_lamp(sun)) {
             Some(sun) => Some(Sun::Constant(sun)),
-            None => is_given.then(|| Sun::Given { points_to_light: constants.points_to_light.unwrap_or(false) }),
+            // A direction in view space is the position of a light at infinity, as in OpenGL's old pipeline.
+            None => is_given.then(|| {
+                let is_in_view = has(&|role| matches!(role, Role::LightDirectionInView(_)));
+                Sun::Given { points_to_light: constants.points_to_light.unwrap_or(is_in_view) }
+            }),
         };
         // The light of a sun does not decrease with distance.
         let usual = if task.attenuated && sun.is_none() { [1.0, 0.14, 0.07] } else { [1.0, 0.0, 0.0] };
@@ -189,10 +205,11 @@ impl Parameterisation {
             usual: [0.0, 1.0, if task.required[2] { 1.0 } else { 0.0 }],
             material,
             light_position: (!lit_from_outside).then(|| constants.light_position.unwrap_or(task.light_position)),
-            // The exercises prescribe the exponent, so another constant is a mistake. The lab's own exponent, a
-            // constant for one light and an input for another, is the same.
+            // The exercises prescribe the exponent, so another constant is a mistake for those who answer with the
+            // exercise's inputs. The lab's own exponent, a constant for one light and an input for another, is the same.
             shininess: match constants.shininess {
-                Some(exponent) if exponent == USUAL_EXPONENT => constants.shininess,
+                Some(exponent) if exponent == USUAL_EXPONENT => Some(exponent),
+                Some(exponent) if EXPONENTS.contains(&exponent) && !is_of_the_lab(declared) => Some(exponent),
                 _ => fixed(has(&|role| role == Role::Shininess), None, USUAL_EXPONENT),
             },
             written_exponent: constants.shininess,

@@ -1,6 +1,6 @@
 //! The inputs of programs in a test scene: the value of each uniform with a known role, and the texture of each sampler.
 
-use super::TestScene;
+use super::{TestLight, TestScene};
 use crate::roles::{Bindings, Role, VariableKind};
 use glam::{Mat4, Vec3};
 use gonio_glsl::{Scalar, Type};
@@ -23,6 +23,8 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
     };
     let point = |p: Vec3| vec![p.x, p.y, p.z, 1.0];
     let direction = |p: Vec3| vec![p.x, p.y, p.z, 0.0];
+    let centre = model.w_axis.truncate();
+    let to_light_in_centre = |light: TestLight| (light.position - centre).normalize();
     // A strength may be declared as a number or as a grey colour.
     let grey = |x: f32| match glsl_type {
         "float" | "int" => vec![x],
@@ -49,9 +51,16 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
         Role::LightPos(index) => point(light_of(index).position),
         Role::LightPosInView(index) => point(view.transform_point3(light_of(index).position)),
         Role::LightDirection(index) => {
-            let light = light_of(index);
-            let from_light = (test_scene.world_from_model.w_axis.truncate() - light.position).normalize();
-            direction(if light.points_to_light { -from_light } else { from_light })
+            let to_light = to_light_in_centre(light_of(index));
+            direction(if light_of(index).points_to_light { to_light } else { -to_light })
+        }
+        Role::LightDirectionInView(index) => {
+            let to_light = view.transform_vector3(to_light_in_centre(light_of(index)));
+            direction(if light_of(index).points_to_light { to_light } else { -to_light })
+        }
+        Role::LightHalfVector(index) => {
+            let to_light = view.transform_vector3(to_light_in_centre(light_of(index)));
+            direction((to_light + Vec3::Z).normalize_or_zero())
         }
         Role::LightColor(index) => grey(light_of(index).brightness),
         Role::AmbientColor(index) | Role::AmbientStrength(index) => grey(light_of(index).ambient),
@@ -72,7 +81,7 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
         Role::RefractionIndex => grey(test_scene.refraction_index),
         Role::RefractionRatio => grey(1.0 / test_scene.refraction_index),
         Role::Time => grey(test_scene.time),
-        Role::Gamma => grey(1.0),
+        Role::Gamma | Role::Tint => grey(1.0),
         _ => return None,
     })
 }

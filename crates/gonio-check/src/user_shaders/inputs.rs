@@ -44,6 +44,8 @@ pub(super) fn origin(role: Role) -> String {
         Role::LightPos(i) => light(i, "position"),
         Role::LightPosInView(i) => light(i, "position in view space"),
         Role::LightDirection(i) => light(i, "direction"),
+        Role::LightDirectionInView(i) => light(i, "direction in view space"),
+        Role::LightHalfVector(i) => light(i, "half vector"),
         Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => light(i, "colour"),
         Role::DiffuseStrength(i) | Role::SpecularStrength(i) => light(i, "strength"),
         Role::AmbientColor(_) | Role::AmbientStrength(_) => "the ambient light".to_owned(),
@@ -55,6 +57,7 @@ pub(super) fn origin(role: Role) -> String {
         Role::Time => "the time in seconds".to_owned(),
         Role::Resolution => "the picture's size in pixels".to_owned(),
         Role::Gamma => "2.2".to_owned(),
+        Role::Tint => "1".to_owned(),
         _ => "from the material".to_owned(),
     }
 }
@@ -107,6 +110,12 @@ fn value(role: Role, glsl_type: &str, input: &DrawInputs<'_>) -> Option<Vec<f32>
         LightKind::Directional { direction } => center - direction * SUN_DISTANCE * radius,
         LightKind::Ambient => center,
     };
+    let direction = |light: Option<Light>| match light.map(|light| light.kind) {
+        Some(LightKind::Directional { direction }) => direction,
+        Some(LightKind::Spot { axis, .. }) => axis,
+        Some(LightKind::Point { position }) => (center - position).normalize_or(DVec3::NEG_Y),
+        _ => DVec3::NEG_Y,
+    };
     let ambient = || {
         let sum = ambient_color(&frame.lights);
         let first = light(0).map_or(DVec3::ONE, |light| light.color);
@@ -132,14 +141,10 @@ fn value(role: Role, glsl_type: &str, input: &DrawInputs<'_>) -> Option<Vec<f32>
         Role::Pitch => vec![camera.yaw_pitch_deg().1 as f32],
         Role::LightPos(i) => vector(light(i).map_or(center, position), 1.0),
         Role::LightPosInView(i) => vector(view.transform_point3(light(i).map_or(center, position)), 1.0),
-        Role::LightDirection(i) => {
-            let direction = match light(i).map(|light| light.kind) {
-                Some(LightKind::Directional { direction }) => direction,
-                Some(LightKind::Spot { axis, .. }) => axis,
-                Some(LightKind::Point { position }) => (center - position).normalize_or(DVec3::NEG_Y),
-                _ => DVec3::NEG_Y,
-            };
-            vector(direction, 0.0)
+        Role::LightDirection(i) => vector(direction(light(i)), 0.0),
+        Role::LightDirectionInView(i) => vector(-view.transform_vector3(direction(light(i))), 0.0),
+        Role::LightHalfVector(i) => {
+            vector((DVec3::Z - view.transform_vector3(direction(light(i)))).normalize_or(DVec3::Z), 0.0)
         }
         Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => {
             color(light(i).map_or(DVec3::ZERO, |light| light.color))
@@ -165,6 +170,7 @@ fn value(role: Role, glsl_type: &str, input: &DrawInputs<'_>) -> Option<Vec<f32>
         Role::RefractionRatio => number(1.0 / f64::from(material.refraction_index.max(1e-3))),
         Role::Time => number(frame.time),
         Role::Gamma => number(2.2),
+        Role::Tint => number(1.0),
         Role::Resolution => vec![width as f32, height as f32, 1.0, 1.0],
         _ => return None,
     })

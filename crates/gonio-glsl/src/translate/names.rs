@@ -201,6 +201,10 @@ impl Translator<'_> {
                 self.preamble.insert((*line).to_string());
                 continue;
             }
+            if let Some(new) = self.fixed_state(name) {
+                self.replace_token(tokens.first, &new);
+                continue;
+            }
             let is_there = crate::builtins::variable(name, self.stage(), target).is_some_and(|f| f.is_ok());
             if !is_there {
                 let span = self.parsed.tokens[tokens.first as usize].span;
@@ -217,5 +221,27 @@ impl Translator<'_> {
                 self.preamble.insert(line.into());
             }
         }
+    }
+}
+
+/// The length of the arrays `gl_LightSource` and `gl_FrontLightProduct`: the least `gl_MaxLights` that OpenGL allows.
+const LIGHTS: u32 = 8;
+
+impl Translator<'_> {
+    /// Declares a struct of the fixed-function state, such as `gl_LightSource`, as a uniform with the same members, and
+    /// returns its name.
+    fn fixed_state(&mut self, name: &str) -> Option<String> {
+        let ty = builtins::variable(name, self.stage(), self.parsed.dialect())?.ok()?.ty?;
+        let Type::Struct(of) = ty.innermost() else { return None };
+        let info = crate::check::builtin_structs().iter().find(|info| info.name == *of)?;
+        let (of, new) = (format!("gonio_{}", of.strip_prefix("gl_")?), format!("gonio_{}", name.strip_prefix("gl_")?));
+        let members: Vec<String> = (info.members.iter())
+            .filter_map(|(member, ty)| Some(format!("{} {member};", ty.as_ref()?.written())))
+            .collect();
+        let count = if matches!(ty, Type::Array(..)) { format!("[{LIGHTS}]") } else { String::new() };
+        // Structs come before uniforms in alphabetical order.
+        self.preamble.insert(format!("struct {of} {{ {} }};", members.join(" ")));
+        self.preamble.insert(format!("uniform {of} {new}{count};"));
+        Some(new)
     }
 }

@@ -1,0 +1,85 @@
+//! Finds out in which space a program expects its lights, and whether it uses their positions as directions.
+
+use super::{Program, score};
+use crate::cause::model::{Mistakes, Model};
+use crate::cause::samples::SceneSamples;
+use crate::roles::{Bound, How, Role, VariableKind};
+use crate::testbench::TestLight;
+
+/// The same role in world space or view space.
+fn in_space(role: Role, is_in_view: bool) -> Option<Role> {
+    let light = role.light()?;
+    Some(match (role, is_in_view) {
+        (Role::LightPos(_) | Role::LightPosInView(_), false) => Role::LightPos(light),
+        (Role::LightPos(_) | Role::LightPosInView(_), true) => Role::LightPosInView(light),
+        (Role::LightDirection(_) | Role::LightDirectionInView(_), false) => Role::LightDirection(light),
+        (Role::LightDirection(_) | Role::LightDirectionInView(_), true) => Role::LightDirectionInView(light),
+        _ => return None,
+    })
+}
+
+/// Whether it is a light of OpenGL's old pipeline, whose positions are in view space.
+fn is_fixed_function(bound: &Bound) -> bool {
+    bound.declared.name.starts_with("gl_")
+}
+
+/// Whether the name leaves the space of a light open.
+pub(super) fn is_open(bound: &Bound) -> bool {
+    bound.declared.kind == VariableKind::Uniform
+        && bound.how != How::NamesFile
+        && in_space(bound.role, false).is_some()
+        && !is_fixed_function(bound)
+}
+
+/// Whether a program reads a light of the old pipeline, whose position is a direction if its w is 0.
+pub(super) fn may_be_directions(program: &Program) -> bool {
+    program.bindings.bound.iter().any(|bound| is_fixed_function(bound) && in_space(bound.role, false).is_some())
+}
+
+/// Chooses one space for all lights: another one than that of the names only if it makes more values right.
+pub(super) fn choose_space(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
+    let mut best = (score(program, samples, models), program.bindings.bound.clone());
+    for is_in_view in [false, true] {
+        for bound in program.bindings.bound.iter_mut().filter(|bound| is_open(bound)) {
+            bound.role = in_space(bound.role, is_in_view).unwrap_or(bound.role);
+        }
+        if program.bindings.bound == best.1 {
+            continue;
+        }
+        let score = score(program, samples, models);
+        if score > best.0 {
+            best = (score, program.bindings.bound.clone());
+        }
+    }
+    program.bindings.bound = best.1;
+}
+
+/// Treats the positions of the old pipeline's lights as directions if that makes more values right. Returns the scenes
+/// and models with a sun in that case.
+pub(super) fn choose_suns(
+    program: &mut Program,
+    samples: &[SceneSamples],
+    models: &[Model],
+) -> Option<(Vec<SceneSamples>, Vec<Model>)> {
+    let in_sun = |samples: &SceneSamples| {
+        let mut scene = samples.scene.clone();
+        let centre = scene.world_from_model.w_axis.truncate();
+        scene.light = TestLight { points_to_light: true, ..scene.light.as_sun(centre) };
+        SceneSamples { scene, ..samples.clone() }
+    };
+    let in_sun: Vec<SceneSamples> = samples.iter().map(in_sun).collect();
+    let models_in_sun = models.iter().map(|model| Model::new(model.method, &in_sun, 1.0, Mistakes::These(&[])));
+    let models_in_sun = models_in_sun.collect::<Result<Vec<_>, _>>().ok()?;
+    let of_lamps = (score(program, samples, models), program.bindings.bound.clone());
+    for bound in program.bindings.bound.iter_mut().filter(|bound| is_fixed_function(bound)) {
+        if let Role::LightPosInView(light) = bound.role {
+            bound.role = Role::LightDirectionInView(light);
+        }
+    }
+    if score(program, &in_sun, &models_in_sun) <= of_lamps.0 {
+        program.bindings.bound = of_lamps.1;
+        return None;
+    }
+    program.declared.adopt(&program.bindings);
+    Some((in_sun, models_in_sun))
+}

@@ -1,0 +1,91 @@
+//! Finds the settings of switches: integers and booleans without a role that choose between branches.
+
+use super::{Program, score};
+use crate::cause::model::Model;
+use crate::cause::samples::SceneSamples;
+use crate::roles::{Declared, Fixed, VariableKind};
+
+/// Most switches that are set; more belong to an engine.
+const MOST_SWITCHES: usize = 4;
+
+/// The settings of a switch of this type, apart from 0.
+fn settings(glsl_type: &str) -> &'static [f32] {
+    match glsl_type {
+        "bool" | "bvec2" | "bvec3" | "bvec4" => &[1.0],
+        "int" | "uint" => &[1.0, 2.0, 3.0],
+        _ => &[],
+    }
+}
+
+/// The name without the indices of arrays: `lights[1].type` and `lights[0].type` are one switch.
+fn group(name: &str) -> String {
+    name.chars().filter(|c| !c.is_ascii_digit()).collect()
+}
+
+/// The switches of a program, each with all its elements.
+fn switches(program: &Program) -> Vec<Vec<Declared>> {
+    let mut all: Vec<Vec<Declared>> = Vec::new();
+    let is_switch = |declared: &&Declared| {
+        declared.kind == VariableKind::Uniform && declared.array <= 1 && !settings(&declared.glsl_type).is_empty()
+    };
+    for declared in program.bindings.unknown.iter().filter(is_switch) {
+        match all.iter_mut().find(|others| group(&others[0].name) == group(&declared.name)) {
+            Some(others) => others.push(declared.clone()),
+            None => all.push(vec![declared.clone()]),
+        }
+    }
+    all.truncate(MOST_SWITCHES);
+    all
+}
+
+/// Whether a program has switches.
+pub(super) fn are_open(program: &Program) -> bool {
+    !switches(program).is_empty()
+}
+
+/// Sets the switches with which the most values are right. Without one, they keep the value that OpenGL gives them.
+///
+/// Switches are tried on and off together, because one may only count where another is on; then each with its other
+/// settings.
+pub(super) fn set(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
+    let all = switches(program);
+    let before = program.bindings.fixed.clone();
+    let mut best = (score(program, samples, models), vec![0.0; all.len()]);
+    let mut attempt = |program: &mut Program, chosen: Vec<f32>| {
+        program.bindings.fixed.clone_from(&before);
+        program.bindings.fixed.extend(fixed(&all, &chosen));
+        let score = score(program, samples, models);
+        if score > best.0 {
+            best = (score, chosen);
+        }
+        best.1.clone()
+    };
+    let mut chosen = vec![0.0; all.len()];
+    for bits in 1..1_u32 << all.len() {
+        let on = (0..all.len()).map(|at| f32::from(u8::from(bits >> at & 1 == 1))).collect();
+        chosen = attempt(program, on);
+    }
+    for (at, switch) in all.iter().enumerate() {
+        for setting in settings(&switch[0].glsl_type).iter().filter(|setting| **setting > 1.0) {
+            let mut other = chosen.clone();
+            other[at] = *setting;
+            chosen = attempt(program, other);
+        }
+    }
+    let mut found = before;
+    found.extend(fixed(&all, &chosen));
+    for bindings in [&mut program.bindings, &mut program.declared] {
+        bindings.fixed.clone_from(&found);
+        bindings.unknown.retain(|unknown| found.iter().all(|fixed| fixed.declared != *unknown));
+    }
+}
+
+/// The values of switches with these settings; those at 0 keep the value that OpenGL gives them.
+fn fixed(all: &[Vec<Declared>], settings: &[f32]) -> Vec<Fixed> {
+    let value = |declared: &Declared, setting: f32| {
+        let size = declared.glsl_type.strip_prefix("bvec").and_then(|size| size.parse().ok()).unwrap_or(1);
+        Fixed { declared: declared.clone(), values: vec![setting; size] }
+    };
+    let set = all.iter().zip(settings).filter(|(_, setting)| **setting != 0.0);
+    set.flat_map(|(switch, setting)| switch.iter().map(|declared| value(declared, *setting))).collect()
+}
