@@ -200,7 +200,7 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
 }
 
 fn shaders(shaders: &OwnShaders) -> Value {
-    let uniforms = shaders.program().map(|program| program.uniforms()).unwrap_or_default();
+    let uniforms = shaders.program().map(|program| program.inputs.uniforms()).unwrap_or_default();
     let uniform = |uniform: &UserUniform| json!({ "name": uniform.name, "type": uniform.glsl_type, "origin": uniform.origin(), "values": uniform.values });
     json!({
         "failed": shaders.has_failed(),

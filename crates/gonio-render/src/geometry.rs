@@ -180,7 +180,7 @@ pub enum VertexData {
 
 impl VertexData {
     /// The name of its buffer, the numbers of a vertex, and the value where a mesh does not have it.
-    fn layout(self) -> (&'static str, i32, [f32; 4]) {
+    pub fn layout(self) -> (&'static str, i32, [f32; 4]) {
         match self {
             VertexData::Position => ("position", 3, [0.0, 0.0, 0.0, 1.0]),
             VertexData::Normal => ("normal", 3, [0.0, 0.0, 1.0, 0.0]),

@@ -95,6 +95,16 @@ impl Texture {
     }
 }
 
+impl Texture {
+    /// The same bytes, smaller levels included, that are not decoded when they are sampled: as a user's shaders read them.
+    #[must_use]
+    pub fn undecoded(&self) -> Texture {
+        let levels = OnceLock::from(self.mip_levels().to_vec());
+        let (name, rgba) = (self.name.clone(), self.rgba.clone());
+        Texture { name, width: self.width, height: self.height, rgba, color_space: ColorSpace::Data, levels }
+    }
+}
+
 /// RGBA bytes as linear numbers in [0, 1]; alpha is never encoded.
 pub fn decode(texel: [u8; 4], color_space: ColorSpace) -> [f64; 4] {
     let plain = |byte: u8| f64::from(byte) / 255.0;

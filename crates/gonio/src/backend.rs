@@ -4,10 +4,12 @@ use crate::capture::CaptureRecorder;
 use crate::error::CliError;
 use crate::options::{BackendChoice, BackendOptions};
 use crate::report::{Reporter, Times};
+use crate::user_drawing::{UserDrawing, interpreter_sentence, shaded};
 use gonio_check::user_shaders::UserShaderProgram;
+use gonio_exercises::step::{ShadedPicture, UserPair};
 use gonio_gl::{DriverInfo, Gl, GlError, GpuStatistics, HeadlessContext};
 use gonio_reference::{ReferenceScene, Rendered};
-use gonio_render::{DisplayOptions, GpuScene, RenderedFrame, RenderedPicture, Renderer};
+use gonio_render::{DisplayOptions, GpuScene, RenderedFrame, RenderedPicture, Renderer, shown_unchanged};
 use gonio_scene::picture::EncodedPicture;
 use gonio_scene::{DisplayMap, Frame, Picture, Scene, ViewSpec};
 use serde::Serialize;
@@ -109,11 +111,11 @@ impl Opened {
         }
     }
 
-    /// The context that compiles the user's shaders; an error without OpenGL.
-    pub fn gl_for_shaders(&self) -> Result<&Gl, CliError> {
+    /// The context that compiles the user's shaders; `None` if the CPU runs them.
+    pub fn gl_for_shaders(&self) -> Option<&Gl> {
         match self {
-            Opened::Gl(gl) => Ok(gl.context.gl()),
-            Opened::Cpu { reason } => Err(needs_opengl(reason.as_deref())),
+            Opened::Gl(gl) => Some(gl.context.gl()),
+            Opened::Cpu { .. } => None,
         }
     }
 
@@ -150,7 +152,7 @@ impl Opened {
             Opened::Cpu { reason } => {
                 let _busy = reporter.busy("sorting the triangles");
                 let scene = Box::new(times.measure("upload", || ReferenceScene::new(scene)));
-                Ok(Backend::Cpu { scene, reason })
+                Ok(Backend::Cpu { scene, reason, user: None })
             }
         }
     }
@@ -197,12 +199,6 @@ pub fn open_context(options: &BackendOptions) -> Result<HeadlessContext, GlError
     })
 }
 
-/// The error of shaders without OpenGL.
-fn needs_opengl(reason: Option<&str>) -> CliError {
-    let reason = reason.and_then(|reason| reason.lines().next()).unwrap_or("it is not available");
-    CliError::new(format!("your shaders need OpenGL: {reason}"))
-}
-
 /// A backend with its scene.
 pub enum Backend {
     Gl {
@@ -213,6 +209,8 @@ pub enum Backend {
         scene: Box<ReferenceScene>,
         /// The reason for the CPU if OpenGL was preferred.
         reason: Option<String>,
+        /// The user's shaders that draw instead of the light equation, and the scene that they draw.
+        user: Option<Box<(UserPair, Scene)>>,
     },
 }
 
@@ -236,14 +234,12 @@ pub struct BackendReport {
 }
 
 impl Backend {
-    /// Draws with the user's program from now on.
-    pub fn draw_with(&mut self, program: UserShaderProgram, scene: &Scene) -> Result<(), CliError> {
-        match self {
-            Backend::Gl { gl, .. } => {
-                gl.user = Some((program, scene.clone()));
-                Ok(())
-            }
-            Backend::Cpu { reason, .. } => Err(needs_opengl(reason.as_deref())),
+    /// Draws with the user's shaders from now on, which were compiled for this backend.
+    pub fn draw_with(&mut self, drawing: UserDrawing, scene: &Scene) {
+        match (self, drawing) {
+            (Backend::Gl { gl, .. }, UserDrawing::Gl(program)) => gl.user = Some((program, scene.clone())),
+            (Backend::Cpu { user, .. }, UserDrawing::Cpu(pair)) => *user = Some(Box::new((pair, scene.clone()))),
+            (Backend::Gl { .. }, UserDrawing::Cpu(_)) | (Backend::Cpu { .. }, UserDrawing::Gl(_)) => {}
         }
     }
 
@@ -257,8 +253,11 @@ impl Backend {
                 }
                 Ok(())
             }
-            Backend::Cpu { scene, .. } => {
+            Backend::Cpu { scene, user, .. } => {
                 **scene = ReferenceScene::new(moved);
+                if let Some(user) = user {
+                    user.1 = moved.clone();
+                }
                 Ok(())
             }
         })
@@ -294,6 +293,15 @@ impl Backend {
                     };
                     each(index, shot)?;
                 }
+            }
+            Backend::Cpu { scene, user: Some(user), .. } => {
+                let shaded = {
+                    let progress = reporter.progress("drawing");
+                    times.measure("draw", || shaded(user, scene, frame, &|share| progress.set(share)))?
+                };
+                let ShadedPicture { picture, vertices, fragments } = shaded;
+                let map = DisplayMap::for_view(None, &shown_unchanged(frame));
+                each(0, Shot::Cpu(Rendered { picture, vertices, fragments }, map))?;
             }
             Backend::Cpu { scene, .. } => {
                 let picture = ViewSpec { quantity: gonio_light::Quantity::Total, light: None };
@@ -356,7 +364,15 @@ impl Backend {
 
     /// A sentence that names the backend, and the reason for it.
     pub fn sentence(&self) -> String {
-        sentence(self.driver(), self.reason())
+        match (self, self.reason()) {
+            (Backend::Cpu { user: Some(_), .. }, reason) => interpreter_sentence(reason),
+            (_, reason) => sentence(self.driver(), reason),
+        }
+    }
+
+    /// Whether the user's shaders run on the CPU.
+    pub fn interprets_shaders(&self) -> bool {
+        matches!(self, Backend::Cpu { user: Some(_), .. })
     }
 
     fn reason(&self) -> Option<&str> {

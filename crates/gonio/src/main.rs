@@ -13,6 +13,7 @@ mod options;
 mod output;
 mod report;
 mod terminal;
+mod user_drawing;
 
 use clap::error::ErrorKind;
 use error::{CliError, CommandOutcome};

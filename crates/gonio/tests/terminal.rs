@@ -78,6 +78,8 @@ fn arguments() {
         vec!["trace", "builtin:cube", "-o", "x.png", "--camera", EVIL],
         vec!["simplify", "builtin:cube", "-o", "x", "--camera", EVIL],
         vec!["probe", "builtin:cube", "--at", "1,1", "--camera", EVIL],
+        vec!["probe", "builtin:cube", "--fragment", EVIL],
+        vec!["render", "builtin:cube", "-o", "x.png", "--fragment", "x", "--show", EVIL],
         vec!["environment", "check", EVIL],
         vec!["diff", EVIL, EVIL],
     ] {

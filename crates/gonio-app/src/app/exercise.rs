@@ -97,7 +97,7 @@ impl App {
     /// Watches the files of the scene and of the exercises.
     pub(super) fn watch(&mut self, ctx: &egui::Context) {
         self.watched = self.exercise.paths();
-        let shaders = self.session.shaders.iter().flat_map(|shaders| shaders.files().paths()).map(PathBuf::from);
+        let shaders = self.session.shaders.iter().flat_map(|shaders| shaders.files().paths());
         let all = self.read.iter().chain(&self.watched).cloned().chain(shaders).collect();
         self.platform.watch(all, ctx);
     }

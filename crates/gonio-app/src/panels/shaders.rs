@@ -22,11 +22,12 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
         return;
     };
     let mut changed = false;
-    let count = program.uniforms().len();
-    for uniform in program.uniforms_mut() {
+    let inputs = &mut program.inputs;
+    let count = inputs.uniforms().len();
+    for uniform in inputs.uniforms_mut() {
         changed |= uniform_row(ui, uniform, seen.as_ref());
     }
-    let samplers = program.sampler_origins();
+    let samplers: Vec<_> = inputs.sampler_origins().collect();
     for (name, origin) in &samplers {
         row(ui, name, name, |ui| ui.add(Label::new(RichText::new(*origin).weak()).truncate()));
     }

@@ -69,7 +69,8 @@ pub fn period(document: &Document, session: &Session) -> Option<f64> {
     let of_lights = lights.filter_map(|light| Some(light.motion.as_ref()?.period));
     let of_objects = document.scene.objects.iter().filter_map(|object| Some(object.motion.as_ref()?.period));
     let longest = of_lights.chain(of_objects).fold(0.0, f64::max);
-    let is_read = || session.shaders.as_ref().and_then(|shaders| shaders.program()).is_some_and(|p| p.reads_time());
+    let is_read =
+        || session.shaders.as_ref().and_then(|shaders| shaders.program()).is_some_and(|p| p.inputs.reads_time());
     let longest = if longest == 0.0 && is_read() { SHADER_PERIOD } else { longest };
     (longest > 0.0 && longest.is_finite()).then_some(longest)
 }

@@ -3,10 +3,11 @@
 use crate::platform::{Pending, Platform, TrialOutcome};
 use crate::session::{MessageSeverity, Messages};
 use gonio_check::submission::SourceFile;
-use gonio_check::user_shaders::{UniformSource, UserShaderProgram, UserShaders, message_text};
+use gonio_check::user_shaders::{UniformSource, UserShaderProgram, UserShaders, message_text, names_beside};
 use gonio_gl::Gl;
 use gonio_scene::Texture;
 use gonio_scene::files::FileSource;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -24,9 +25,31 @@ pub struct ShaderFiles {
 }
 
 impl ShaderFiles {
-    /// The paths of all files.
-    pub fn paths(&self) -> impl Iterator<Item = &String> {
+    /// The paths of all files that the user named.
+    pub fn named(&self) -> impl Iterator<Item = &String> {
         self.vertex.iter().chain(&self.fragment).chain(self.textures.iter().map(|(_, path)| path))
+    }
+
+    /// The paths of all files, those of `names.toml` included, which need not exist.
+    pub fn paths(&self) -> impl Iterator<Item = PathBuf> {
+        self.named().map(PathBuf::from).chain(self.names())
+    }
+
+    fn names(&self) -> Vec<PathBuf> {
+        names_beside(self.vertex.iter().chain(&self.fragment).map(String::as_str))
+    }
+
+    /// Reads the `names.toml` beside each shader, where there is one.
+    ///
+    /// # Errors
+    /// A file cannot be read; one sentence.
+    pub fn read_names(&self, files: &dyn FileSource) -> Result<Vec<SourceFile>, String> {
+        let read = |path: PathBuf| match files.read_within(&path, MOST_BYTES) {
+            Ok(bytes) => Ok(Some(SourceFile::new(path.display().to_string(), bytes.into_vec()))),
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(format!("cannot read {}: {error}", path.display())),
+        };
+        self.names().into_iter().filter_map(|path| read(path).transpose()).collect()
     }
 }
 
@@ -92,7 +115,7 @@ impl OwnShaders {
 
     /// Has the files read again if one of them has changed.
     pub fn changed(&mut self, paths: &[PathBuf]) {
-        self.is_stale |= paths.iter().any(|path| self.files.paths().any(|own| Path::new(own) == path));
+        self.is_stale |= self.files.paths().any(|own| paths.contains(&own));
     }
 
     /// Forgets what is on the GPU: its context was lost.
@@ -137,7 +160,7 @@ impl OwnShaders {
             let bytes = bytes.map_err(|error| format!("cannot read the shader {name}: {error}"))?;
             Ok::<_, String>(Some(SourceFile::new(name, bytes.into_vec())))
         };
-        UserShaders::read(read(&self.files.vertex)?, read(&self.files.fragment)?)
+        UserShaders::read(read(&self.files.vertex)?, read(&self.files.fragment)?, &self.files.read_names(files)?)
     }
 
     fn compiled(
@@ -153,28 +176,28 @@ impl OwnShaders {
             let bytes = files.read_within(Path::new(path), u64::MAX).map_err(|error| error.to_string());
             let texture = bytes.and_then(|bytes| Texture::decode(path, &bytes));
             let texture = texture.map_err(|error| vec![format!("cannot read the texture {path}: {error}")])?;
-            warnings.extend(program.set_texture(name, Arc::new(texture)).err());
+            warnings.extend(program.inputs.set_texture(name, Arc::new(texture)).err());
         }
         match &self.program {
             // Values that were chosen stay, where the uniforms still exist.
             Some(before) => {
-                let chosen = before.uniforms().iter().filter(|uniform| uniform.source == UniformSource::Chosen);
+                let chosen = before.inputs.uniforms().iter().filter(|uniform| uniform.source == UniformSource::Chosen);
                 for uniform in chosen {
-                    let _ = program.set(&uniform.name, &uniform.values);
+                    let _ = program.inputs.set(&uniform.name, &uniform.values);
                 }
             }
             None => {
                 for (name, values) in &self.files.uniforms {
-                    warnings.extend(program.set(name, values).unwrap_or_else(Some));
+                    warnings.extend(program.inputs.set(name, values).unwrap_or_else(Some));
                 }
             }
         }
-        program.warnings.extend(warnings);
+        program.inputs.warnings.extend(warnings);
         Ok(program)
     }
 
     fn take(&mut self, program: UserShaderProgram, messages: &mut Messages) {
-        self.replace_remarks(program.warnings.clone(), MessageSeverity::Warning, messages);
+        self.replace_remarks(program.inputs.warnings.clone(), MessageSeverity::Warning, messages);
         self.program = Some(program);
         self.failed = false;
         self.serial += 1;

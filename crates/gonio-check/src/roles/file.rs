@@ -29,6 +29,8 @@ pub struct NamesFile {
     pub names: BTreeMap<String, Meaning>,
     /// The roles that the source shows of other names; they are not certain.
     pub by_use: BTreeMap<String, Role>,
+    /// The lines of the names in the file, from 1.
+    pub lines: BTreeMap<String, u32>,
 }
 
 /// An error in a `names.toml`, with its line.
@@ -99,6 +101,7 @@ impl NamesFile {
                 error(format!("`{name}` must be a role such as \"light-pos\", a number or a list of numbers"))
             })?]),
         };
+        self.lines.insert(name.clone(), line);
         self.names.insert(name, meaning);
         Ok(())
     }

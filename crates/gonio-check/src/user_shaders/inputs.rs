@@ -62,6 +62,15 @@ pub(super) fn origin(role: Role) -> String {
     }
 }
 
+/// Whether a scene has a value for a role.
+pub(super) fn has_value(role: Role) -> bool {
+    let is_texture = matches!(
+        role,
+        Role::Cubemap | Role::DiffuseTexture | Role::SpecularTexture | Role::NormalTexture | Role::Panorama
+    );
+    !role.is_attribute() && !is_texture && role != Role::Face
+}
+
 /// The value of a uniform with a role; arrays of lights have consecutive lights, others the same value in all elements.
 /// `None` if a scene has no such value.
 pub(super) fn values(role: Role, glsl_type: &str, elements: u32, input: &DrawInputs<'_>) -> Option<Vec<f32>> {

@@ -1,7 +1,8 @@
 //! Writes the stage that the user left out: a vertex shader that feeds a fragment shader by the names of its inputs, or a
 //! fragment shader that shows the shape.
 
-use crate::roles::{self, Declared, Meaning, NamesFile, Role};
+use super::uniforms::components;
+use crate::roles::{self, Bindings, Declared, How, Meaning, NamesFile, Role};
 use crate::submission::StageText;
 use crate::words::words_of;
 use gonio_glsl::{Interface, Storage, Type, Variable};
@@ -48,10 +49,14 @@ fn declarations(body: &str, with_attributes: bool) -> String {
 const WORLD: &str = "vec4 gonio_world = gonio_model * vec4(gonio_position, 1.0);\n";
 
 /// A vertex shader for this fragment shader. Inputs that it cannot provide are 0, with a warning.
-pub(super) fn vertex(fragment: Option<(&StageText, &Interface)>, warnings: &mut Vec<String>) -> StageText {
+pub(super) fn vertex(
+    fragment: Option<(&StageText, &Interface)>,
+    names: &NamesFile,
+    warnings: &mut Vec<String>,
+) -> StageText {
     let (mut outputs, mut body) = (String::new(), String::new());
     if let Some((text, interface)) = fragment {
-        let by_role = Varyings::new(interface);
+        let by_role = Varyings::new(interface, names);
         for input in &interface.inputs {
             let Some(ty) = declarable(input) else { continue };
             let _ = writeln!(outputs, "{}out {ty} {};", interpolation(input), input.name);
@@ -132,11 +137,11 @@ fn declarable(variable: &Variable) -> Option<String> {
 
 /// The roles of all inputs of a fragment shader: one whose name says nothing gets what its type suggests.
 struct Varyings {
-    roles: Vec<(String, Role)>,
+    bindings: Bindings,
 }
 
 impl Varyings {
-    fn new(interface: &Interface) -> Self {
+    fn new(interface: &Interface, names: &NamesFile) -> Self {
         let members = interface.blocks.iter().filter(|block| block.storage == Storage::In).flat_map(|b| &b.members);
         let declared: Vec<Declared> = interface
             .inputs
@@ -144,21 +149,32 @@ impl Varyings {
             .chain(members)
             .map(|input| Declared::attribute(&input.name, input.ty.as_ref().map(Type::written).unwrap_or_default()))
             .collect();
-        let bound = roles::bind(&declared, &NamesFile::default()).bound;
-        Varyings { roles: bound.into_iter().map(|bound| (bound.declared.name, bound.role)).collect() }
+        Varyings { bindings: roles::bind(&declared, names) }
+    }
+
+    /// The value of an input in GLSL; `None` if nobody knows what it is.
+    fn value(&self, name: &str, ty: &str) -> Option<String> {
+        if let Some(fixed) = self.bindings.fixed.iter().find(|fixed| fixed.declared.name == name) {
+            let is_whole = [1, components(ty)].contains(&fixed.values.len());
+            let numbers: Vec<String> = fixed.values.iter().map(|number| format!("{number:?}")).collect();
+            return is_whole.then(|| format!("{ty}({})", numbers.join(", ")));
+        }
+        let bound = self.bindings.bound.iter().find(|bound| bound.declared.name == name);
+        // The words of a name that names.toml explains do not count.
+        let words = bound.filter(|bound| bound.how == How::NamesFile).map_or(name, |_| "");
+        let (value, size, w) = value(words, bound.map(|bound| bound.role))?;
+        converted(&value, size, w, ty)
     }
 
     /// Appends the assignment of an input.
     fn assign(&self, target: &str, input: &Variable, text: &StageText, body: &mut String, warnings: &mut Vec<String>) {
         let ty = input.ty.as_ref().map(Type::written).unwrap_or_default();
-        let role = self.roles.iter().find(|(name, _)| *name == input.name).map(|(_, role)| *role);
-        let value = value(&input.name, role).and_then(|(value, size, w)| converted(&value, size, w, &ty));
-        let value = value.unwrap_or_else(|| {
+        let value = self.value(&input.name, &ty).unwrap_or_else(|| {
             if input.is_used {
                 let (file, line, column) = text.place(input.span.line, input.span.column);
                 warnings.push(format!(
                     "{file}:{line}:{column}: gonio's vertex shader does not know what `{}` is, and writes 0; give it \
-                     a name such as `world_position`, `normal`, `uv` or `color`, or add a vertex shader",
+                     a name such as `world_position`, `normal`, `uv` or `color` or a role in names.toml, or add a vertex shader",
                     input.name
                 ));
             }
@@ -243,7 +259,8 @@ mod tests {
     fn vertex_of(fragment: &str) -> (String, Vec<String>) {
         let mut warnings = Vec::new();
         let text = StageText::whole("a.frag", fragment);
-        let made = vertex(Some((&text, &interface(fragment, Stage::Fragment))), &mut warnings);
+        let names = NamesFile::default();
+        let made = vertex(Some((&text, &interface(fragment, Stage::Fragment))), &names, &mut warnings);
         (made.text, warnings)
     }
 
@@ -279,6 +296,18 @@ mod tests {
         assert!(text.contains("glow = float(0);"), "{text}");
         assert_eq!(warnings.len(), 1);
         assert!(warnings[0].starts_with("a.frag:3:10: ") && warnings[0].contains("`glow`"), "{warnings:?}");
+    }
+
+    #[test]
+    fn names_toml_gives_inputs_roles_and_values() {
+        let fragment =
+            "#version 330 core\nin vec3 uv;\nin vec2 glow;\nout vec4 c;\nvoid main() { c = vec4(glow, uv.xy); }\n";
+        let names = NamesFile::parse("[names]\nuv = \"normal\"\nglow = [0.5, 2]\n").unwrap();
+        let mut warnings = Vec::new();
+        let text = StageText::whole("a.frag", fragment);
+        let made = vertex(Some((&text, &interface(fragment, Stage::Fragment))), &names, &mut warnings).text;
+        assert!(made.contains("uv = normalize((gonio_normal_matrix * gonio_normal));"), "{made}");
+        assert!(made.contains("glow = vec2(0.5, 2.0);") && warnings.is_empty(), "{made} {warnings:?}");
     }
 
     #[test]

@@ -14,6 +14,8 @@ pub enum UniformSource {
     Scene(Role),
     /// Its initialiser in the shader.
     Initialiser,
+    /// `names.toml`.
+    NamesFile,
     /// The user.
     Chosen,
     /// Nobody: a plausible value.
@@ -33,21 +35,15 @@ pub struct UserUniform {
     pub source: UniformSource,
     /// The numbers if they do not come from the scene, columns of a matrix first.
     pub values: Vec<f32>,
-    /// Its number in the program.
-    pub(super) index: usize,
     /// The role that a value of the user replaces, and the values of the others.
     unchosen: (UniformSource, Vec<f32>),
 }
 
 impl UserUniform {
-    pub(super) fn new(declared: &Declared, index: usize, role: Option<Role>, initial: Option<Vec<f32>>) -> Self {
-        let is_color = is_color_name(&declared.name);
+    /// `values`: those of the source if they do not come from the scene, of all elements or of one.
+    pub(super) fn new(declared: &Declared, source: UniformSource, values: Option<Vec<f32>>) -> Self {
         let size = components(&declared.glsl_type) * declared.array.max(1) as usize;
-        let (source, mut values) = match (initial, role) {
-            (Some(values), _) => (UniformSource::Initialiser, values),
-            (None, Some(role)) => (UniformSource::Scene(role), guess(&declared.glsl_type, is_color)),
-            (None, None) => (UniformSource::Guess, guess(&declared.glsl_type, is_color)),
-        };
+        let mut values = values.unwrap_or_else(|| guess(&declared.glsl_type, is_color_name(&declared.name)));
         let one = values.clone();
         while values.len() < size && !one.is_empty() {
             values.extend(&one);
@@ -60,7 +56,6 @@ impl UserUniform {
             source,
             unchosen: (source, values.clone()),
             values,
-            index,
         }
     }
 
@@ -95,6 +90,7 @@ impl UserUniform {
         match self.source {
             UniformSource::Scene(role) => inputs::origin(role),
             UniformSource::Initialiser => "its initialiser".to_owned(),
+            UniformSource::NamesFile => "names.toml".to_owned(),
             UniformSource::Chosen => "your value".to_owned(),
             UniformSource::Guess => "not recognised: a guess".to_owned(),
         }
@@ -220,7 +216,8 @@ mod tests {
 
     #[test]
     fn a_chosen_value_must_fit_and_can_be_taken_back() {
-        let mut uniform = UserUniform::new(&Declared::uniform("u_tint", "vec3"), 0, Some(Role::MaterialColor), None);
+        let mut uniform =
+            UserUniform::new(&Declared::uniform("u_tint", "vec3"), UniformSource::Scene(Role::MaterialColor), None);
         assert!(uniform.is_color());
         let error = uniform.choose(&[1.0, 2.0]).unwrap_err();
         assert_eq!(error, "`u_tint` is a vec3 and takes 3 numbers, not 2");
@@ -230,7 +227,7 @@ mod tests {
         assert_eq!(uniform.source, UniformSource::Scene(Role::MaterialColor));
         // One value for all elements of an array.
         let array = Declared { array: 3, ..Declared::uniform("weights", "vec2") };
-        let mut uniform = UserUniform::new(&array, 0, None, None);
+        let mut uniform = UserUniform::new(&array, UniformSource::Guess, None);
         assert_eq!(uniform.choose(&[1.0, 2.0]), Ok(()));
         assert_eq!(uniform.values, [1.0, 2.0, 1.0, 2.0, 1.0, 2.0]);
     }

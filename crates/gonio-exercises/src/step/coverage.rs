@@ -1,5 +1,7 @@
 //! Determines which triangle each pixel of a picture shows, as OpenGL does: perspective, clipping and the depth test.
 
+use gonio_interpreter::Fragment;
+
 /// A triangle after the vertex shader.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Triangle {
@@ -62,16 +64,17 @@ impl Plane {
     }
 
     /// The same within the triangle and between the near and the far plane.
-    fn covered(&self, ndc: [f64; 2]) -> Option<Place> {
+    pub fn covered(&self, ndc: [f64; 2]) -> Option<Place> {
         let inside = self.inverse.iter().all(|row| row[0] * ndc[0] + row[1] * ndc[1] + row[2] >= 0.0);
         inside.then(|| self.at(ndc)).filter(|place| place.depth.abs() <= 1.0 + DEPTH_TOLERANCE)
     }
 }
 
-/// The triangle at each pixel of a square picture, the top row first.
+/// The triangle at each pixel of a picture, the top row first.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Coverage {
-    pub size: u32,
+    /// Width and height in pixels.
+    pub size: [u32; 2],
     pub triangles: Vec<Triangle>,
     pixels: Vec<u32>,
 }
@@ -79,15 +82,16 @@ pub(super) struct Coverage {
 const NOTHING: u32 = u32::MAX;
 
 impl Coverage {
-    pub fn new(size: u32, triangles: Vec<Triangle>) -> Self {
-        let count = (size as usize).pow(2);
+    pub fn new(size: [u32; 2], triangles: Vec<Triangle>) -> Self {
+        let width = size[0] as usize;
+        let count = width * size[1] as usize;
         let (mut pixels, mut depths) = (vec![NOTHING; count], vec![f32::INFINITY; count]);
         for (number, triangle) in triangles.iter().enumerate() {
             let Some(plane) = Plane::new(&triangle.clip) else { continue };
             let [columns, rows] = bounds(&triangle.clip, size);
             for y in rows {
                 for x in columns.clone() {
-                    let at = y as usize * size as usize + x as usize;
+                    let at = y as usize * width + x as usize;
                     // As in OpenGL's test "less or equal".
                     if let Some(place) = plane.covered(ndc([x, y], size))
                         && place.depth as f32 <= depths[at]
@@ -107,34 +111,75 @@ impl Coverage {
     }
 
     pub fn number(&self, [x, y]: [u32; 2]) -> Option<usize> {
-        let at = (x < self.size && y < self.size).then_some(y as usize * self.size as usize + x as usize)?;
+        let [width, height] = self.size;
+        let at = (x < width && y < height).then_some(y as usize * width as usize + x as usize)?;
         self.pixels.get(at).filter(|number| **number != NOTHING).map(|number| *number as usize)
     }
 
     /// The covered pixels, row by row.
     pub fn covered(&self) -> impl Iterator<Item = [u32; 2]> {
-        let place = |at: usize| [(at % self.size as usize) as u32, (at / self.size as usize) as u32];
+        let width = self.size[0] as usize;
+        let place = move |at: usize| [(at % width) as u32, (at / width) as u32];
         self.pixels.iter().enumerate().filter(|(_, number)| **number != NOTHING).map(move |(at, _)| place(at))
     }
 }
 
 /// The middle of a pixel in normalized device coordinates; y of the pixel is downwards.
-pub(super) fn ndc([x, y]: [u32; 2], size: u32) -> [f64; 2] {
-    let along = |i: u32| (f64::from(i) + 0.5) / f64::from(size) * 2.0 - 1.0;
-    [along(x), -along(y)]
+pub(super) fn ndc([x, y]: [u32; 2], size: [u32; 2]) -> [f64; 2] {
+    let along = |i: u32, side: u32| (f64::from(i) + 0.5) / f64::from(side) * 2.0 - 1.0;
+    [along(x, size[0]), -along(y, size[1])]
 }
 
 /// The columns and rows that a triangle may cover.
-fn bounds(clip: &[[f32; 4]; 3], size: u32) -> [std::ops::Range<u32>; 2] {
+pub(super) fn bounds(clip: &[[f32; 4]; 3], size: [u32; 2]) -> [std::ops::Range<u32>; 2] {
     if clip.iter().any(|corner| corner[3] <= 0.0) {
-        return [0..size, 0..size];
+        return size.map(|side| 0..side);
     }
     [(0, 1.0), (1, -1.0)].map(|(axis, sign)| {
+        let size = size[axis];
         let places = clip.map(|c| (sign * f64::from(c[axis]) / f64::from(c[3]) * 0.5 + 0.5) * f64::from(size));
         let least = places.iter().copied().fold(f64::INFINITY, f64::min).floor().max(0.0) as u32;
         let greatest = places.iter().copied().fold(f64::NEG_INFINITY, f64::max).ceil().max(0.0) as u32;
         least.min(size)..greatest.min(size)
     })
+}
+
+/// A point of a triangle's plane that the fragment shader runs at.
+pub(super) struct SurfacePoint<'a> {
+    pub triangle: &'a Triangle,
+    /// Whether the triangle's corners are counter-clockwise in the picture.
+    pub is_front: bool,
+    /// Column and row from the bottom left.
+    pub pixel: [u32; 2],
+    pub place: Place,
+}
+
+/// The middle of a pixel in normalized device coordinates; its row is counted from the bottom.
+pub(super) fn ndc_from_bottom([x, row]: [u32; 2], size: [u32; 2]) -> [f64; 2] {
+    let along = |i: u32, side: u32| (f64::from(i) + 0.5) / f64::from(side) * 2.0 - 1.0;
+    [along(x, size[0]), along(row, size[1])]
+}
+
+/// The four pixels of the quad around a pixel, column and row from the bottom left; a row beyond the picture is only a helper
+/// for derivatives.
+pub(super) fn quad_of([x, row]: [u32; 2]) -> [[u32; 2]; 4] {
+    [0, 1, 2, 3].map(|at| [(x & !1) + at % 2, (row & !1) + at / 2])
+}
+
+/// A place on a triangle for the interpolation of varyings.
+pub(super) fn fragment_at(triangle: &Triangle, place: &Place) -> Fragment {
+    let on_screen: [f64; 3] = std::array::from_fn(|i| place.shares[i] * f64::from(triangle.clip[i][3]));
+    let sum: f64 = on_screen.iter().sum();
+    Fragment {
+        corners: triangle.corners,
+        screen: on_screen.map(|weight| (weight / sum) as f32),
+        weights: place.shares.map(|share| share as f32),
+    }
+}
+
+/// The point of a pixel among the four of its quad, in a picture of this height.
+pub(super) fn lane_in_quad([x, y]: [u32; 2], height: u32) -> usize {
+    ((x & 1) + 2 * ((height - 1 - y) & 1)) as usize
 }
 
 #[cfg(test)]
@@ -148,7 +193,7 @@ mod tests {
     #[test]
     fn the_nearer_triangle_is_visible_and_the_later_one_of_two_at_the_same_depth() {
         let whole = |object, z: f32| triangle(object, [[-3.0, -1.0, z, 1.0], [3.0, -1.0, z, 1.0], [0.0, 4.0, z, 1.0]]);
-        let at = |triangles: Vec<Triangle>| Coverage::new(5, triangles).at([2, 2]).map(|found| found.object);
+        let at = |triangles: Vec<Triangle>| Coverage::new([5; 2], triangles).at([2, 2]).map(|found| found.object);
         assert_eq!(at(vec![whole(1, 0.5), whole(2, 0.2), whole(3, 0.4)]), Some(2));
         assert_eq!(at(vec![whole(1, 0.5), whole(2, 0.5)]), Some(2));
         // The farthest plane is visible, and what is beyond it is not.
@@ -161,11 +206,11 @@ mod tests {
     fn a_triangle_covers_pixels_whose_middle_it_contains_also_if_it_reaches_behind_the_eye() {
         // The lower left half of four pixels by four.
         let half = [[-1.0, -1.0, 0.0, 1.0], [1.0, -1.0, 0.0, 1.0], [-1.0, 0.99, 0.0, 1.0]];
-        let covered: Vec<_> = Coverage::new(4, vec![triangle(0, half)]).covered().collect();
+        let covered: Vec<_> = Coverage::new([4; 2], vec![triangle(0, half)]).covered().collect();
         assert_eq!(covered, [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3], [2, 3]]);
         // A floor that begins behind the eye and ends at a tenth of the way to the horizon.
         let floor = [[-90.0, -1.0, 0.0, 10.0], [90.0, -1.0, 0.0, 10.0], [0.0, -1.0, 0.0, -1.0]];
-        let covered = Coverage::new(4, vec![triangle(0, floor)]);
+        let covered = Coverage::new([4; 2], vec![triangle(0, floor)]);
         assert!(covered.covered().eq((0..8).map(|i| [i % 4, 2 + i / 4])));
     }
 

@@ -1,6 +1,7 @@
 //! The steps of one pixel or vertex, with the values that they wrote.
 
-use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
+use super::coverage::lane_in_quad;
+use super::pair::{SteppedScene, SteppedStage};
 use super::syntax::{Syntax, counted, one_line};
 use super::value::ShownValue;
 use gonio_glsl::{Span, Stage};
@@ -110,7 +111,7 @@ impl SteppedScene {
         let stage = &self.pair.fragment;
         let quads = stage.compiled.takes_derivatives;
         let inputs = self.fragment_inputs(surface.object, &[pixel], quads);
-        let point = if quads { lane_in_quad(pixel, self.coverage.size) } else { 0 };
+        let point = if quads { lane_in_quad(pixel, self.coverage.size[1]) } else { 0 };
         Some(self.list(stage, &inputs, point, quads))
     }
 
@@ -124,7 +125,7 @@ impl SteppedScene {
 
     fn list(&self, stage: &SteppedStage, inputs: &StageInputs, point: usize, quads: bool) -> StepListing {
         let options = RunOptions {
-            textures: &self.textures,
+            textures: &*self.textures,
             quads,
             traced_point: Some(point),
             find_non_finite: true,
@@ -333,6 +334,10 @@ impl Lister<'_> {
                 // Its initialization, its body and what follows each iteration are steps of their own.
                 continue;
             }
+            if !step.writes.is_empty() && step.writes.iter().all(|write| self.is_set_uniform(write)) {
+                // The program has replaced the value of the initialiser.
+                continue;
+            }
             let statement = step.statement.and_then(|id| self.stage.compiled.source.statements.get(id.0 as usize));
             let line = statement.map_or(1, |statement| self.line(statement.span));
             let key = step.statement.map(|id| (id, step.frame, step.iterations.clone()));
@@ -358,6 +363,13 @@ impl Lister<'_> {
             }
         }
         steps
+    }
+
+    fn is_set_uniform(&self, write: &TraceWrite) -> bool {
+        let Some(variable) = self.stage.compiled.variables.get(write.variable as usize) else { return false };
+        let inputs = self.stage.compiled.inputs.iter().enumerate();
+        let mut found = inputs.filter(|(_, input)| input.rate == InputRate::Uniform && input.name == variable.name);
+        found.any(|(index, _)| self.inputs.values(index).is_some())
     }
 
     fn empty_step(&self, step: &TraceStep) -> ListedStep {

@@ -1,7 +1,8 @@
-//! Steps through a pair of shaders in a preview scene: runs it on the CPU, lists the value of every variable at one pixel
-//! or vertex, and draws the values of one expression at all pixels.
+//! Steps through a pair of shaders: runs it on the CPU, lists the value of every variable at one pixel or vertex, and draws
+//! the values of one expression at all pixels.
 //!
-//! The values of uniforms and attributes and the camera are those of the [preview](crate::preview).
+//! In an exercise, the values of uniforms and attributes and the camera are those of the [preview](crate::preview). A user's
+//! own shaders run on any scene ([`UserPair`]), with the values of [`gonio_check::user_shaders`].
 
 mod coverage;
 mod listing;
@@ -10,6 +11,9 @@ mod picture;
 mod right;
 mod syntax;
 mod textures;
+mod user_picture;
+mod user_scene;
+mod user_textures;
 mod value;
 
 #[cfg(test)]
@@ -20,4 +24,6 @@ pub use pair::{PixelSurface, StepOptions, StepWork, SteppedPair, SteppedScene, S
 pub use picture::{ExpressionMapping, ExpressionPicture, NEVER_WRITTEN_COLOUR, PictureBeside};
 pub use right::{RightAnswer, RightValue};
 pub use syntax::{EvaluatedValue, ExpressionValue, SteppedPlace};
+pub use user_picture::ShadedPicture;
+pub use user_scene::UserPair;
 pub use value::ShownValue;

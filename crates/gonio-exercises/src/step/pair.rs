@@ -1,6 +1,6 @@
 //! A pair of shaders for the interpreter, and its run over the vertices of a scene.
 
-use super::coverage::{Coverage, Place, Plane, Triangle, ndc};
+use super::coverage::{Coverage, Plane, SurfacePoint, Triangle, fragment_at, ndc, ndc_from_bottom, quad_of};
 use super::textures::PreviewTextures;
 use super::value::StructTypes;
 use crate::preview::{Note, NoteKind, PreviewShape, SubmittedPair, held};
@@ -11,7 +11,8 @@ use gonio_check::testbench::{TestMesh, TestScene, stream_of, uniform_bits, unit}
 use gonio_check::verdict::CompilerMessage;
 use gonio_glsl::{OutputVersion, Parsed, Stage};
 use gonio_interpreter::{
-    CompiledStage, EndedEarly, Fragment, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun, run,
+    CompiledStage, EndedEarly, Fragment, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun,
+    TextureSource, run,
 };
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -50,7 +51,7 @@ impl SteppedStage {
     }
 
     /// The name of an input in the program that OpenGL compiled.
-    fn name_in_program(&self, name: &str) -> String {
+    pub(super) fn name_in_program(&self, name: &str) -> String {
         let (base, rest) = name.split_at(name.find(['.', '[']).unwrap_or(name.len()));
         match (self.renamed.get(base), base.strip_prefix("gl_")) {
             (Some(renamed), _) => format!("{renamed}{rest}"),
@@ -60,13 +61,16 @@ impl SteppedStage {
         }
     }
 
-    /// Sets the uniforms as [`crate::preview::PreviewRenderer`] does.
-    pub(super) fn set_uniforms(&self, inputs: &mut StageInputs, bindings: &Bindings, test_scene: &TestScene) {
-        for (index, input) in self.compiled.inputs.iter().enumerate().filter(|(_, i)| i.rate == InputRate::Uniform) {
-            if let Some(values) = self.uniform(input, bindings, test_scene) {
-                inputs.set(index, PointValues::Same(uniform_bits(&input.ty, input.count, &values)));
-            }
-        }
+    /// The values of uniforms by their numbers among the inputs: those for which `values` has one.
+    pub(super) fn uniforms(&self, values: impl Fn(&StageInput) -> Option<Vec<f32>>) -> Uniforms {
+        let uniforms = self.compiled.inputs.iter().enumerate().filter(|(_, input)| input.rate == InputRate::Uniform);
+        let bits = |input: &StageInput| Some(uniform_bits(&input.ty, input.count, &values(input)?));
+        uniforms.filter_map(|(index, input)| Some((index, PointValues::Same(bits(input)?)))).collect()
+    }
+
+    /// The uniforms as [`crate::preview::PreviewRenderer`] sets them.
+    fn uniforms_of_exercise(&self, bindings: &Bindings, test_scene: &TestScene) -> Uniforms {
+        self.uniforms(|input| self.uniform(input, bindings, test_scene))
     }
 
     fn uniform(&self, input: &StageInput, bindings: &Bindings, test_scene: &TestScene) -> Option<Vec<f32>> {
@@ -82,24 +86,19 @@ impl SteppedStage {
         held(bindings.bound.iter().find(|found| bound(found.declared.kind, &found.declared.name))?, test_scene)
     }
 
-    /// Sets the attributes of some vertices, and their numbers.
-    fn set_attributes(&self, inputs: &mut StageInputs, bindings: &Bindings, mesh: &TestMesh, vertices: &[u32]) {
+    /// Sets the attributes of all vertices.
+    fn set_attributes(&self, inputs: &mut StageInputs, bindings: &Bindings, mesh: &TestMesh) {
+        let points = inputs.points();
         let streams = [(&mesh.positions, 3), (&mesh.normals, 3), (&mesh.tex_coords, 2), (&mesh.colors, 3)];
         for (index, input) in self.compiled.inputs.iter().enumerate().filter(|(_, i)| i.rate == InputRate::PerPoint) {
-            if input.name == "gl_VertexID" {
-                let components = vec![vertices.to_vec()];
-                inputs.set(index, PointValues::Each { components, written: None });
-            } else if input.name == "gl_InstanceID" {
-                inputs.set(index, PointValues::ints(&[0]));
-            }
             let name = self.name_in_program(&input.name);
             let is_it = |kind: VariableKind, declared: &str| kind == VariableKind::Attribute && declared == name;
             let bound = bindings.bound.iter().find(|found| is_it(found.declared.kind, &found.declared.name));
             let Some((numbers, size)) = bound.and_then(|b| stream_of(b.role)).and_then(|s| streams.get(s)) else {
                 continue;
             };
-            let number = |vertex: &u32, at: usize| numbers.get(*vertex as usize * size + at).map_or(0, |x| x.to_bits());
-            let components = (0..*size).map(|at| vertices.iter().map(|v| number(v, at)).collect()).collect();
+            let number = |vertex: usize, at: usize| numbers.get(vertex * size + at).map_or(0, |x| x.to_bits());
+            let components = (0..*size).map(|at| (0..points).map(|vertex| number(vertex, at)).collect()).collect();
             inputs.set(index, PointValues::Each { components, written: None });
         }
     }
@@ -129,10 +128,90 @@ impl SteppedPair {
         Ok(Self { vertex, fragment, bindings })
     }
 
+    /// Compiles a user's own pair, whose values have other sources than roles in an exercise.
+    ///
+    /// # Errors
+    /// As for [`SteppedPair::new`].
+    pub(super) fn of_texts(vertex: &StageText, fragment: &StageText) -> Result<Self, Note> {
+        let vertex = SteppedStage::new(vertex, Stage::Vertex)?;
+        let fragment = SteppedStage::new(fragment, Stage::Fragment)?;
+        Ok(Self { vertex, fragment, bindings: Bindings::default() })
+    }
+
     /// One of the stages.
     #[must_use]
     pub fn stage(&self, stage: Stage) -> &SteppedStage {
         if stage == Stage::Vertex { &self.vertex } else { &self.fragment }
+    }
+
+    /// Runs the vertex shader: every object, and all triangles in order.
+    pub(super) fn run_vertices(
+        &self,
+        parts: Vec<DrawnPart>,
+        textures: &dyn TextureSource,
+        most_work: u64,
+    ) -> (Vec<SteppedObject>, Vec<Triangle>) {
+        let (mut stepped, mut triangles, mut first_vertex) = (Vec::new(), Vec::new(), 0);
+        for (object, part) in parts.into_iter().enumerate() {
+            let DrawnPart { vertices: mut inputs, indices, fragment_uniforms, is_mirrored, of_exercise } = part;
+            set_numbers(&self.vertex, &mut inputs);
+            let vertices =
+                run(&self.vertex.compiled, &inputs, &RunOptions { textures, most_work, ..RunOptions::default() });
+            let first_triangle = triangles.len();
+            let position = vertices.output(&self.vertex.compiled, "gl_Position");
+            let corner = |vertex: u32| {
+                std::array::from_fn(|at| position.map_or(f32::NAN, |position| position.float(at, vertex as usize)))
+            };
+            triangles.extend(indices.chunks_exact(3).map(|corners| {
+                let corners = [corners[0], corners[1], corners[2]];
+                Triangle { object, corners, clip: corners.map(corner) }
+            }));
+            let count = inputs.points() as u32;
+            stepped.push(SteppedObject {
+                inputs,
+                fragment_uniforms,
+                is_mirrored,
+                of_exercise,
+                first_vertex,
+                first_triangle,
+                vertices,
+            });
+            first_vertex += count;
+        }
+        (stepped, triangles)
+    }
+
+    /// The inputs of the fragment shader at some points of an object. `origin`: that of [`StepOptions`].
+    pub(super) fn inputs_of_points(
+        &self,
+        object: &SteppedObject,
+        origin: [u32; 2],
+        points: &[SurfacePoint<'_>],
+    ) -> StageInputs {
+        let (vertex, stage) = (&self.vertex.compiled, &self.fragment);
+        let fragments: Vec<Fragment> = points.iter().map(|point| fragment_at(point.triangle, &point.place)).collect();
+        let mut inputs = gonio_interpreter::interpolate(vertex, &object.vertices, &stage.compiled, &fragments);
+        for (index, values) in &object.fragment_uniforms {
+            inputs.set(*index, values.clone());
+        }
+        let [left, bottom] = origin.map(|pixels| pixels as f32);
+        let coordinates: Vec<[f32; 4]> = points
+            .iter()
+            .map(|SurfacePoint { pixel: [x, row], place, .. }| {
+                let (depth, over_w) = ((place.depth * 0.5 + 0.5) as f32, (1.0 / place.w) as f32);
+                [*x as f32 + 0.5 - left, *row as f32 + 0.5 - bottom, depth, over_w]
+            })
+            .collect();
+        let each = |at: usize| coordinates.iter().map(|c| c[at].to_bits()).collect();
+        let is_front = |point: &SurfacePoint<'_>| u32::from(point.is_front != object.is_mirrored);
+        let built_in = [
+            ("gl_FragCoord", (0..4).map(each).collect()),
+            ("gl_FrontFacing", vec![points.iter().map(is_front).collect()]),
+        ];
+        for (name, components) in built_in {
+            inputs.set_named(&stage.compiled, name, PointValues::Each { components, written: None });
+        }
+        inputs
     }
 }
 
@@ -198,10 +277,10 @@ impl StepWork {
 /// The picture of a scene that is stepped through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepOptions {
-    /// Pixels along each side of the square picture.
-    pub size: u32,
-    /// The pixel of the square, column and row from the bottom left, at which `gl_FragCoord` is (0.5, 0.5): not 0 if the picture
-    /// on the screen is a part of the square.
+    /// Width and height of the picture in pixels.
+    pub size: [u32; 2],
+    /// The pixel of this picture, column and row from the bottom left, at which `gl_FragCoord` is (0.5, 0.5): not 0 if the picture
+    /// on the screen is a part of this one.
     pub origin: [u32; 2],
     /// Bounds on the work.
     pub work: StepWork,
@@ -211,13 +290,34 @@ impl StepOptions {
     /// A whole square of `size` pixels along each side.
     #[must_use]
     pub fn square(size: u32) -> Self {
-        StepOptions { size, origin: [0; 2], work: StepWork::PATIENT }
+        StepOptions { size: [size; 2], origin: [0; 2], work: StepWork::PATIENT }
     }
 }
 
+/// The values of uniforms, by their numbers among a stage's inputs.
+pub(super) type Uniforms = Vec<(usize, PointValues)>;
+
+/// What a draw call reads.
+pub(super) struct DrawnPart {
+    /// The inputs of the vertex shader at all vertices.
+    pub vertices: StageInputs,
+    /// The vertices of each triangle.
+    pub indices: Vec<u32>,
+    /// The uniforms of the fragment shader.
+    pub fragment_uniforms: Uniforms,
+    /// Whether front faces are clockwise.
+    pub is_mirrored: bool,
+    /// The scene and the mesh of an exercise.
+    pub of_exercise: Option<(TestScene, TestMesh)>,
+}
+
 pub(super) struct SteppedObject {
-    pub test_scene: TestScene,
-    pub mesh: TestMesh,
+    /// The inputs of the vertex shader at all vertices.
+    pub inputs: StageInputs,
+    fragment_uniforms: Uniforms,
+    is_mirrored: bool,
+    /// The scene and the mesh of an exercise.
+    pub of_exercise: Option<(TestScene, TestMesh)>,
     /// The number of its first vertex in the scene.
     pub first_vertex: u32,
     first_triangle: usize,
@@ -230,47 +330,46 @@ pub struct SteppedScene {
     pub(super) options: StepOptions,
     pub(super) objects: Vec<SteppedObject>,
     pub(super) coverage: Coverage,
-    pub(super) textures: PreviewTextures,
+    pub(super) textures: Box<dyn TextureSource + Send>,
 }
 
 impl SteppedScene {
-    /// Runs the vertex shader.
+    /// Runs the vertex shader over the objects of an exercise's scene.
     #[must_use]
     pub fn new(pair: Arc<SteppedPair>, objects: &[(PreviewShape, TestScene)], options: StepOptions) -> Self {
-        let textures = PreviewTextures::new();
-        let (mut stepped, mut triangles, mut first_vertex) = (Vec::new(), Vec::new(), 0);
-        for (object, (shape, test_scene)) in objects.iter().enumerate() {
+        let part = |(shape, test_scene): &(PreviewShape, TestScene)| {
             let mesh = shape.mesh();
-            let count = (mesh.positions.len() / 3) as u32;
-            let all: Vec<u32> = (0..count).collect();
-            let inputs = vertex_inputs(&pair, &mesh, test_scene, &all);
-            let most_work = options.work.vertices;
-            let run_options = RunOptions { textures: &textures, most_work, ..RunOptions::default() };
-            let vertices = run(&pair.vertex.compiled, &inputs, &run_options);
-            let first_triangle = triangles.len();
-            let position = vertices.output(&pair.vertex.compiled, "gl_Position");
-            let corner = |vertex: u32| {
-                std::array::from_fn(|at| position.map_or(f32::NAN, |position| position.float(at, vertex as usize)))
-            };
-            triangles.extend(mesh.indices.chunks_exact(3).map(|corners| {
-                let corners = [corners[0], corners[1], corners[2]];
-                Triangle { object, corners, clip: corners.map(corner) }
-            }));
-            stepped.push(SteppedObject {
-                test_scene: test_scene.clone(),
-                mesh,
-                first_vertex,
-                first_triangle,
+            let mut vertices = StageInputs::new(&pair.vertex.compiled, mesh.positions.len() / 3);
+            for (index, values) in pair.vertex.uniforms_of_exercise(&pair.bindings, test_scene) {
+                vertices.set(index, values);
+            }
+            pair.vertex.set_attributes(&mut vertices, &pair.bindings, &mesh);
+            DrawnPart {
                 vertices,
-            });
-            first_vertex += count;
-        }
-        Self { pair, options, objects: stepped, coverage: Coverage::new(options.size, triangles), textures }
+                indices: mesh.indices.clone(),
+                fragment_uniforms: pair.fragment.uniforms_of_exercise(&pair.bindings, test_scene),
+                is_mirrored: false,
+                of_exercise: Some((test_scene.clone(), mesh)),
+            }
+        };
+        let parts: Vec<DrawnPart> = objects.iter().map(part).collect();
+        Self::of_parts(pair, parts, Box::new(PreviewTextures::new()), options)
     }
 
-    /// Pixels along each side of the picture.
+    /// Runs the vertex shader over the parts of a scene.
+    pub(super) fn of_parts(
+        pair: Arc<SteppedPair>,
+        parts: Vec<DrawnPart>,
+        textures: Box<dyn TextureSource + Send>,
+        options: StepOptions,
+    ) -> Self {
+        let (objects, triangles) = pair.run_vertices(parts, &*textures, options.work.vertices);
+        Self { pair, options, objects, coverage: Coverage::new(options.size, triangles), textures }
+    }
+
+    /// Width and height of the picture in pixels.
     #[must_use]
-    pub fn size(&self) -> u32 {
+    pub fn size(&self) -> [u32; 2] {
         self.coverage.size
     }
 
@@ -318,74 +417,62 @@ impl SteppedScene {
         ((within as usize) < object.vertices.points).then_some((object, within))
     }
 
+    /// The inputs of some of an object's vertices.
     pub(super) fn inputs_of_vertices(&self, object: &SteppedObject, vertices: &[u32]) -> StageInputs {
-        vertex_inputs(&self.pair, &object.mesh, &object.test_scene, vertices)
+        let stage = &self.pair.vertex.compiled;
+        let mut inputs = StageInputs::new(stage, vertices.len());
+        for index in 0..stage.inputs.len() {
+            match object.inputs.values(index) {
+                Some(PointValues::Each { components, .. }) => {
+                    let of = |all: &Vec<u32>| {
+                        vertices.iter().map(|vertex| all.get(*vertex as usize).copied().unwrap_or(0)).collect()
+                    };
+                    let components = components.iter().map(of).collect();
+                    inputs.set(index, PointValues::Each { components, written: None });
+                }
+                Some(same) => {
+                    inputs.set(index, same.clone());
+                }
+                None => {}
+            }
+        }
+        inputs
     }
 
     /// The inputs of the fragment shader for pixels of one object. With quads, each pixel becomes four points, of which
     /// [`lane_in_quad`] is its own.
     pub(super) fn fragment_inputs(&self, object: usize, pixels: &[[u32; 2]], quads: bool) -> StageInputs {
-        let (size, stage) = (self.coverage.size, &self.pair.fragment);
+        let size = self.coverage.size;
         let mut points = Vec::with_capacity(pixels.len() * if quads { 4 } else { 1 });
-        for pixel in pixels {
-            let Some(triangle) = self.coverage.at(*pixel) else { continue };
+        for [x, y] in pixels {
+            let Some(triangle) = self.coverage.at([*x, *y]) else { continue };
             let Some(plane) = Plane::new(&triangle.clip) else { continue };
-            let [x, y] = *pixel;
-            let row = size - 1 - y;
+            let own = [*x, size[1] - 1 - y];
+            let point = |pixel: [u32; 2]| SurfacePoint {
+                triangle,
+                is_front: plane.is_front,
+                pixel,
+                place: plane.at(ndc_from_bottom(pixel, size)),
+            };
             match quads {
-                false => points.push((triangle, plane.is_front, [x, row], plane.at(ndc([x, y], size)))),
-                true => points.extend((0..4).map(|at| {
-                    // A row above or below the picture is only a helper for derivatives.
-                    let (x, row) = ((x & !1) + at % 2, (row & !1) + at / 2);
-                    let along = |i: u32| (f64::from(i) + 0.5) / f64::from(size) * 2.0 - 1.0;
-                    (triangle, plane.is_front, [x, row], plane.at([along(x), along(row)]))
-                })),
+                false => points.push(point(own)),
+                true => points.extend(quad_of(own).map(point)),
             }
         }
-        let fragments: Vec<Fragment> = points.iter().map(|point| fragment_at(point.0, &point.3)).collect();
-        let Some(of) = self.objects.get(object) else { return StageInputs::new(&stage.compiled, 0) };
-        let vertex = &self.pair.vertex.compiled;
-        let mut inputs = gonio_interpreter::interpolate(vertex, &of.vertices, &stage.compiled, &fragments);
-        stage.set_uniforms(&mut inputs, &self.pair.bindings, &of.test_scene);
-        let [left, bottom] = self.options.origin.map(|pixels| pixels as f32);
-        let coordinates: Vec<[f32; 4]> = points
-            .iter()
-            .map(|(_, _, [x, row], place)| {
-                let (depth, over_w) = ((place.depth * 0.5 + 0.5) as f32, (1.0 / place.w) as f32);
-                [*x as f32 + 0.5 - left, *row as f32 + 0.5 - bottom, depth, over_w]
-            })
-            .collect();
-        let each = |at: usize| coordinates.iter().map(|c| c[at].to_bits()).collect();
-        let built_in = [
-            ("gl_FragCoord", (0..4).map(each).collect()),
-            ("gl_FrontFacing", vec![points.iter().map(|point| u32::from(point.1)).collect()]),
-        ];
-        for (name, components) in built_in {
-            inputs.set_named(&stage.compiled, name, PointValues::Each { components, written: None });
+        match self.objects.get(object) {
+            Some(object) => self.pair.inputs_of_points(object, self.options.origin, &points),
+            None => StageInputs::new(&self.pair.fragment.compiled, 0),
         }
-        inputs
     }
 }
 
-/// A place on a triangle for the interpolation of varyings.
-pub(super) fn fragment_at(triangle: &Triangle, place: &Place) -> Fragment {
-    let on_screen: [f64; 3] = std::array::from_fn(|i| place.shares[i] * f64::from(triangle.clip[i][3]));
-    let sum: f64 = on_screen.iter().sum();
-    Fragment {
-        corners: triangle.corners,
-        screen: on_screen.map(|weight| (weight / sum) as f32),
-        weights: place.shares.map(|share| share as f32),
+/// Sets the numbers of vertices, unless they are set, and of instances.
+fn set_numbers(stage: &SteppedStage, inputs: &mut StageInputs) {
+    let is_set = |input: usize| inputs.values(input).is_some();
+    if !stage.compiled.input("gl_VertexID").is_some_and(is_set) {
+        let numbers = (0..inputs.points() as u32).collect();
+        let each = PointValues::Each { components: vec![numbers], written: None };
+        inputs.set_named(&stage.compiled, "gl_VertexID", each);
     }
-}
-
-/// The point of a pixel among the four of its quad.
-pub(super) fn lane_in_quad([x, y]: [u32; 2], size: u32) -> usize {
-    ((x & 1) + 2 * ((size - 1 - y) & 1)) as usize
-}
-
-fn vertex_inputs(pair: &SteppedPair, mesh: &TestMesh, test_scene: &TestScene, vertices: &[u32]) -> StageInputs {
-    let mut inputs = StageInputs::new(&pair.vertex.compiled, vertices.len());
-    pair.vertex.set_uniforms(&mut inputs, &pair.bindings, test_scene);
-    pair.vertex.set_attributes(&mut inputs, &pair.bindings, mesh, vertices);
-    inputs
+    inputs.set_named(&stage.compiled, "gl_InstanceID", PointValues::ints(&[0]));
 }

@@ -1,7 +1,7 @@
 //! The values of one expression at all pixels, as a picture.
 
-use super::coverage::{Plane, ndc};
-use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
+use super::coverage::{Plane, lane_in_quad, ndc};
+use super::pair::{SteppedScene, SteppedStage};
 use super::right::RightAnswer;
 use super::syntax::{ExpressionValue, expressions_at, text_of};
 use super::value::float_text;
@@ -203,7 +203,8 @@ impl SteppedScene {
             line,
             column,
             glsl_type: ty.written(),
-            rgba: [background[0], background[1], background[2], 255].repeat((self.size() as usize).pow(2)),
+            rgba: [background[0], background[1], background[2], 255]
+                .repeat(self.size().map(|side| side as usize).iter().product()),
             mapping,
             drawn: values.len(),
             non_finite: 0,
@@ -214,7 +215,7 @@ impl SteppedScene {
         };
         let painted = |picture: &ExpressionPicture, values: &PixelValues| {
             let mut picture = picture.clone();
-            values.iter().for_each(|(pixel, value)| picture.paint(*pixel, value, size, self.size()));
+            values.iter().for_each(|(pixel, value)| picture.paint(*pixel, value, size, self.size()[0]));
             picture
         };
         let beside = beside.map(|beside| painted(&own, &beside));
@@ -239,7 +240,7 @@ impl SteppedScene {
             for chunk in pixels.chunks(CHUNK) {
                 let inputs = self.fragment_inputs(object, chunk, quads);
                 let options = RunOptions {
-                    textures: &self.textures,
+                    textures: &*self.textures,
                     quads,
                     watched,
                     most_work: (self.options.work.picture / chunks as u64).max(self.options.work.picture / 20),
@@ -253,7 +254,7 @@ impl SteppedScene {
                 let found = last_values(stage, watched, &evaluations, inputs.points());
                 for (all, found) in values.iter_mut().zip(found) {
                     let at = |index: usize, pixel: [u32; 2]| match quads {
-                        true => 4 * index + lane_in_quad(pixel, self.coverage.size),
+                        true => 4 * index + lane_in_quad(pixel, self.coverage.size[1]),
                         false => index,
                     };
                     all.extend(chunk.iter().enumerate().map(|(index, pixel)| (*pixel, found[at(index, *pixel)])));
@@ -272,7 +273,7 @@ impl SteppedScene {
             let all: Vec<u32> = (0..object.vertices.points as u32).collect();
             let inputs = self.inputs_of_vertices(object, &all);
             let options = RunOptions {
-                textures: &self.textures,
+                textures: &*self.textures,
                 watched,
                 most_work: self.options.work.vertices,
                 ..RunOptions::default()
@@ -304,7 +305,7 @@ impl SteppedScene {
 }
 
 impl ExpressionPicture {
-    fn paint(&mut self, [x, y]: [u32; 2], value: &PointValue, size: usize, side: u32) {
+    fn paint(&mut self, [x, y]: [u32; 2], value: &PointValue, size: usize, width: u32) {
         let components = &value.components[..size.min(4)];
         let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
         let colour = if value.evaluations == 0 {
@@ -332,7 +333,7 @@ impl ExpressionPicture {
             };
             [r, g, b, 255]
         };
-        let at = (y as usize * side as usize + x as usize) * 4;
+        let at = (y as usize * width as usize + x as usize) * 4;
         if let Some(pixel) = self.rgba.get_mut(at..at + 4) {
             pixel.copy_from_slice(&colour);
         }

@@ -1,7 +1,7 @@
 //! The right values of a pair's expressions, beside its own.
 
-use super::coverage::{Plane, ndc};
-use super::pair::{SteppedObject, SteppedScene, fragment_at};
+use super::coverage::{Plane, fragment_at, ndc};
+use super::pair::{SteppedObject, SteppedScene};
 use super::picture::{PixelValues, PointValue};
 use super::syntax::{SteppedPlace, one_line};
 use super::value::ShownValue;
@@ -74,7 +74,7 @@ impl SteppedScene {
             if pixels.is_empty() {
                 continue;
             }
-            let found = right.quantities.at_places(vec![samples(object, places)], stage, expr)?;
+            let found = right.quantities.at_places(vec![samples(object, places)?], stage, expr)?;
             let value = |components: Option<Vec<f32>>| {
                 let Some(found) = components else { return PointValue::default() };
                 let components = std::array::from_fn(|at| found.get(at).copied().unwrap_or(0.0));
@@ -111,11 +111,11 @@ impl SteppedScene {
                 let triangle = self.coverage.at(pixel)?;
                 let at = fragment_at(triangle, &Plane::new(&triangle.clip)?.at(ndc(pixel, self.coverage.size)));
                 let object = self.objects.get(triangle.object)?;
-                (right.quantities.at_places(vec![samples(object, vec![at])], Stage::Fragment, expr)?, 0)
+                (right.quantities.at_places(vec![samples(object, vec![at])?], Stage::Fragment, expr)?, 0)
             }
             SteppedPlace::Vertex(vertex) => {
                 let (object, within) = self.vertex(vertex)?;
-                (right.quantities.at_vertices(vec![samples(object, Vec::new())], expr)?, within as usize)
+                (right.quantities.at_vertices(vec![samples(object, Vec::new())?], expr)?, within as usize)
             }
         };
         let parts: Vec<ShownValue> =
@@ -128,8 +128,10 @@ impl SteppedScene {
     }
 }
 
-fn samples(object: &SteppedObject, places: Vec<Fragment>) -> SceneSamples {
-    SceneSamples { scene: object.test_scene.clone(), mesh: object.mesh.clone(), places }
+/// The places on an object of an exercise's scene.
+fn samples(object: &SteppedObject, places: Vec<Fragment>) -> Option<SceneSamples> {
+    let (scene, mesh) = object.of_exercise.clone()?;
+    Some(SceneSamples { scene, mesh, places })
 }
 
 #[cfg(test)]

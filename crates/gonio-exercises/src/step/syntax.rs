@@ -1,6 +1,7 @@
 //! The statements and expressions of a shader that a listing watches, and the values of one expression at one pixel or vertex.
 
-use super::pair::{SteppedScene, SteppedStage, lane_in_quad};
+use super::coverage::lane_in_quad;
+use super::pair::{SteppedScene, SteppedStage};
 use super::value::ShownValue;
 use gonio_glsl::ast::{Declarator, Function};
 use gonio_glsl::walk::{Visitor, walk_unit};
@@ -171,7 +172,7 @@ impl SteppedScene {
         let (inputs, point) = match place {
             SteppedPlace::Pixel(pixel) => {
                 let inputs = self.fragment_inputs(self.surface(pixel)?.object, &[pixel], quads);
-                (inputs, if quads { lane_in_quad(pixel, self.size()) } else { 0 })
+                (inputs, if quads { lane_in_quad(pixel, self.size()[1]) } else { 0 })
             }
             SteppedPlace::Vertex(vertex) => {
                 let (object, within) = self.vertex(vertex)?;
@@ -179,7 +180,7 @@ impl SteppedScene {
             }
         };
         let options = RunOptions {
-            textures: &self.textures,
+            textures: &*self.textures,
             quads: quads && place.stage() == Stage::Fragment,
             watched: &watched,
             most_work: self.options.work.point,

@@ -15,7 +15,7 @@ mod user_pass;
 pub use bands::RenderedPicture;
 pub use output::RenderedFrame;
 pub use paint::{DifferenceScale, Painted};
-pub use user_pass::{SampledTexture, UniformValues, UserPass};
+pub use user_pass::{SampledTexture, UniformValues, UserPass, displayed_environment, map_of, shown_unchanged};
 
 use crate::glsl::texture_unit;
 use crate::light_table::LightTable;

@@ -304,14 +304,7 @@ impl Renderer {
         if is_current {
             return Ok(());
         }
-        let levels = source.mips.levels();
-        let Some(level) = levels.iter().find(|level| level.size() <= ENVIRONMENT_SIDE).or(levels.last()) else {
-            return Ok(());
-        };
-        let turn = surroundings.environment_from_world;
-        let shown = |light: DVec3| frame.output.encode(light * surroundings.intensity);
-        let map = Cubemap::from_function(level.size(), |direction| shown(level.sample(turn * direction)));
-        let mips = CubeMips::new(map);
+        let Some(mips) = displayed_environment(pass.scene, frame) else { return Ok(()) };
         let most = self.shared.info.max_cube_size;
         let map = CubeTexture::upload(&self.shared.gl, "environment as shown", mips.levels(), most)?;
         self.displayed_environment =
@@ -320,8 +313,20 @@ impl Renderer {
     }
 }
 
+/// The scene's environment as a user's program reads it: the colours that are shown behind the objects, in the directions of
+/// the world. `None` if the scene has none.
+pub fn displayed_environment(scene: &Scene, frame: &Frame) -> Option<CubeMips> {
+    let (source, surroundings) = (scene.environment.as_ref()?, frame.surroundings?);
+    let levels = source.mips.levels();
+    let level = levels.iter().find(|level| level.size() <= ENVIRONMENT_SIDE).or(levels.last())?;
+    let turn = surroundings.environment_from_world;
+    let shown = |light: DVec3| frame.output.encode(light * surroundings.intensity);
+    let map = Cubemap::from_function(level.size(), |direction| shown(level.sample(turn * direction)));
+    Some(CubeMips::new(map))
+}
+
 /// The texture of a material that a sampler reads.
-fn map_of(material: &SceneMaterial, kind: SampledTexture) -> Option<&BoundTexture> {
+pub fn map_of(material: &SceneMaterial, kind: SampledTexture) -> Option<&BoundTexture> {
     match kind {
         SampledTexture::DiffuseMap => material.maps.diffuse.as_ref(),
         SampledTexture::SpecularMap => material.maps.specular.as_ref(),
@@ -330,10 +335,14 @@ fn map_of(material: &SceneMaterial, kind: SampledTexture) -> Option<&BoundTextur
     }
 }
 
-/// The settings for a picture whose colours, background included, are already those that are shown.
 fn display_settings(frame: &Frame) -> DisplaySettings {
+    DisplaySettings::new(None, &shown_unchanged(frame))
+}
+
+/// The frame for a picture whose colours, background included, are already those that are shown.
+pub fn shown_unchanged(frame: &Frame) -> Frame {
     let mut frame = frame.clone();
     frame.output = OutputTransform { exposure: 0.0, tone_map: ToneMap::None, encoding: ColorEncoding::Direct };
     frame.background.transparent = true;
-    DisplaySettings::new(None, &frame)
+    frame
 }

@@ -166,3 +166,28 @@ fn a_shader_that_does_not_compile_leaves_the_last_good_program() {
     window.wait("the last program", |s| s["shaders"]["serial"].as_u64() > serial);
     assert_eq!(color(&mut window, "last.png"), [0, 0, 51]);
 }
+
+#[test]
+fn names_toml_beside_the_shaders_is_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let shader =
+        "#version 330 core\nuniform float level;\nout vec4 c;\nvoid main() { c = vec4(level, 0.0, 0.0, 1.0); }\n";
+    std::fs::write(folder.path().join("own.frag"), shader).unwrap();
+    let mut window = Window::open_in(folder, 900, 600, &["builtin:cube", "--fragment", "own.frag"]);
+    let state = window.wait("the program", |s| s["shaders"]["compiled"] == true);
+    assert_eq!(state["shaders"]["uniforms"][0]["origin"], "not recognised: a guess");
+    // The file is new.
+    window.write("names.toml", "[names]\nlevel = 1\n");
+    let state = window.wait("the value", |s| s["shaders"]["uniforms"][0]["origin"] == "names.toml");
+    assert_eq!(state["shaders"]["uniforms"][0]["values"][0], 1.0);
+    window.write("names.toml", "[names]\nlevel = \"tiem\"\n");
+    let state = window.wait("an error", |s| s["shaders"]["failed"] == true);
+    let error = state["error"].as_str().unwrap();
+    assert!(error.contains("names.toml:2: unknown role `tiem`: did you mean `time`?"), "{error}");
+    window.write("names.toml", "[names]\nlevel = \"time\"\n");
+    let state = window.wait("another program", |s| s["shaders"]["failed"] == false);
+    assert_eq!(
+        (&state["shaders"]["uniforms"][0]["origin"], &state["error"]),
+        (&"the time in seconds".into(), &serde_json::Value::Null)
+    );
+}

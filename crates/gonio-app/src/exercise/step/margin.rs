@@ -64,12 +64,12 @@ impl SteppedPicture {
     fn options(&self) -> StepOptions {
         let size = self.size[0].max(self.size[1]);
         // The picture is the middle of a square.
-        StepOptions { size, origin: self.size.map(|side| (size - side) / 2), work: WORK }
+        StepOptions { size: [size; 2], origin: self.size.map(|side| (size - side) / 2), work: WORK }
     }
 
     /// A pixel of the picture, both counted from the top left, in the square.
     pub fn in_square(&self, [x, y]: [u32; 2]) -> [u32; 2] {
-        let StepOptions { size, origin: [left, bottom], .. } = self.options();
+        let StepOptions { size: [size, _], origin: [left, bottom], .. } = self.options();
         let from_bottom = (self.size[1].saturating_sub(1)).saturating_sub(y) + bottom;
         [x + left, size.saturating_sub(1).saturating_sub(from_bottom)]
     }

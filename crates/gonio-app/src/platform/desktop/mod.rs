@@ -76,7 +76,7 @@ pub fn run_within(
         ..Default::default()
     };
     let access = Access { max_bytes: options.limits.max_bytes, sandbox: options.sandbox };
-    let shaders = options.shaders.iter().flat_map(ShaderFiles::paths);
+    let shaders = options.shaders.iter().flat_map(ShaderFiles::named);
     let named: Vec<String> = options.inputs.iter().chain(&options.environments).chain(shaders).cloned().collect();
     let created = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
         let gl = creation.gl.clone().map(Gl::of_window);

@@ -3,13 +3,13 @@
 mod batch;
 mod check;
 pub mod child_process;
-mod draw;
+pub mod draw;
 mod exercises;
 mod intake;
 mod mistakes;
 mod open;
 mod score;
-mod step;
+pub mod step;
 mod text;
 
 use crate::error::{CliError, CommandOutcome};

@@ -1,6 +1,6 @@
 //! `gonio lab step`: a student's shaders with the value of every variable at one pixel or vertex.
 
-mod text;
+pub mod text;
 
 use super::{child_process, exercise, intake};
 use crate::backend;
@@ -92,9 +92,21 @@ pub struct SceneRequest {
     pub is_compared: bool,
 }
 
+/// The place to step through.
+#[derive(Clone, Copy)]
+pub struct StepPlace {
+    /// Column and row from the top left; by default the drawn pixel nearest to the middle.
+    pub at: Option<(u32, u32)>,
+    /// A vertex, counted over all objects, in place of a pixel.
+    pub vertex: Option<u32>,
+    /// Whether the vertex shader at the corners of the pixel's triangle is listed too.
+    pub corners: bool,
+    /// The option that chooses a vertex.
+    pub vertex_option: &'static str,
+}
+
 /// The place that was stepped through, and the listings: the fragment shader's, then those of vertices.
-struct Stepped {
-    scene: &'static str,
+pub struct Stepped {
     pixel: Option<([u32; 2], PixelSurface)>,
     vertices: Vec<u32>,
     listings: Vec<StepListing>,
@@ -117,16 +129,24 @@ pub fn run(args: &StepArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
     backend::report_driver(reporter);
     let (scene, is_compared) = (args.scene.clone(), !args.files.is_empty());
     let request = SceneRequest { exercise, files, scene, size: args.size, time: args.time, is_compared };
-    let (at, vertex, corners) = (args.at, args.vertex, args.corners);
-    let step = move |scene: &_, of: &_, right: Option<&_>| step(scene, of, right, at, vertex, corners);
-    let (stepped, warnings) = with_scene(request, step)?;
+    let place = StepPlace { at: args.at, vertex: args.vertex, corners: args.corners, vertex_option: "--vertex" };
+    let step = move |scene: &_, of: &PreviewScene, right: Option<&_>| Ok((step(scene, right, place)?, of.name));
+    let ((stepped, scene), warnings) = with_scene(request, step)?;
     for warning in &warnings {
         reporter.warning(warning);
     }
     if reporter.json() {
-        reporter.report(&to_json(args, exercise, &stepped, &warnings))?;
+        let mut report = json!({
+            "command": "lab step",
+            "exercise": exercise.id,
+            "scene": scene,
+            "size": [args.size, args.size],
+            "warnings": warnings,
+        });
+        stepped.add_to(&mut report);
+        reporter.report(&report)?;
     } else {
-        reporter.text(&text::page(&exercise.id, args.size, &stepped))?;
+        reporter.text(&text::page(&exercise.id, &format!("scene `{scene}`"), [args.size; 2], &stepped))?;
     }
     Ok(CommandOutcome::Done)
 }
@@ -159,23 +179,18 @@ pub fn with_scene<T: Send + 'static>(
     })
 }
 
-fn step(
-    scene: &SteppedScene,
-    of: &PreviewScene,
-    right: Option<&RightAnswer>,
-    at: Option<(u32, u32)>,
-    vertex: Option<u32>,
-    corners: bool,
-) -> Result<Stepped, CliError> {
+/// Steps through the shaders of a scene.
+pub fn step(scene: &SteppedScene, right: Option<&RightAnswer>, place: StepPlace) -> Result<Stepped, CliError> {
+    let StepPlace { vertex, corners, .. } = place;
     let right_at = |place| right.map_or_else(Vec::new, |right| scene.right_at(right, place));
     if let Some(vertex) = vertex {
         let listing = scene.step_vertex(vertex).ok_or_else(|| {
             CliError::new(format!("there is no vertex {vertex}; the scene has {}, from 0 on", scene.vertex_count()))
         })?;
         let right = vec![right_at(SteppedPlace::Vertex(vertex))];
-        return Ok(Stepped { scene: of.name, pixel: None, vertices: vec![vertex], listings: vec![listing], right });
+        return Ok(Stepped { pixel: None, vertices: vec![vertex], listings: vec![listing], right });
     }
-    let pixel = the_pixel(scene, at)?;
+    let pixel = the_pixel(scene, place)?;
     let (Some(surface), Some(listing)) = (scene.surface(pixel), scene.step_pixel(pixel)) else {
         return Err(CliError::new(format!("nothing is drawn at pixel {},{}", pixel[0], pixel[1])));
     };
@@ -184,25 +199,26 @@ fn step(
     let listings = std::iter::once(listing).chain(of_vertices).collect();
     let places = std::iter::once(SteppedPlace::Pixel(pixel));
     let right = places.chain(vertices.iter().copied().map(SteppedPlace::Vertex)).map(right_at).collect();
-    Ok(Stepped { scene: of.name, pixel: Some((pixel, surface)), vertices, listings, right })
+    Ok(Stepped { pixel: Some((pixel, surface)), vertices, listings, right })
 }
 
 /// The pixel, if something is drawn there; without one, that nearest to the middle.
-fn the_pixel(scene: &SteppedScene, at: Option<(u32, u32)>) -> Result<[u32; 2], CliError> {
-    let size = scene.size();
-    let [x, y] = at.map_or([size / 2; 2], |(x, y)| [x, y]);
+fn the_pixel(scene: &SteppedScene, place: StepPlace) -> Result<[u32; 2], CliError> {
+    let StepPlace { at, vertex_option: option, .. } = place;
+    let [width, height] = scene.size();
+    let [x, y] = at.map_or([width / 2, height / 2], |(x, y)| [x, y]);
     let Some([near_x, near_y]) = scene.nearest_drawn([x, y]) else {
         return Err(CliError::new(match scene.endless_vertex() {
             Some(vertex) => format!(
-                "the vertex shader does not end at vertex {vertex}, so nothing is drawn; `--vertex {vertex}` steps through it"
+                "the vertex shader does not end at vertex {vertex}, so nothing is drawn; `{option} {vertex}` steps through it"
             ),
-            None => "nothing is drawn anywhere; `--vertex 0` steps through the vertex shader".to_owned(),
+            None => format!("nothing is drawn anywhere; `{option} 0` steps through the vertex shader"),
         }));
     };
     match at {
         None => Ok([near_x, near_y]),
-        Some(_) if x >= size || y >= size => Err(CliError::new(format!(
-            "pixel {x},{y} is outside of the picture of {size}x{size} pixels; something is drawn at {near_x},{near_y}"
+        Some(_) if x >= width || y >= height => Err(CliError::new(format!(
+            "pixel {x},{y} is outside of the picture of {width}x{height} pixels; something is drawn at {near_x},{near_y}"
         ))),
         Some(_) if [near_x, near_y] != [x, y] => Err(CliError::new(format!(
             "nothing is drawn at pixel {x},{y}; the nearest pixel where something is drawn is {near_x},{near_y}"
@@ -216,31 +232,26 @@ pub fn stage_name(stage: Stage) -> &'static str {
     if stage == Stage::Vertex { "vertex" } else { "fragment" }
 }
 
-fn to_json(args: &StepArgs, exercise: &Exercise, stepped: &Stepped, warnings: &[String]) -> Value {
-    let mut report = json!({
-        "command": "lab step",
-        "exercise": exercise.id,
-        "scene": stepped.scene,
-        "size": [args.size, args.size],
-        "warnings": warnings,
-    });
-    if let Some((pixel, surface)) = &stepped.pixel {
-        report["pixel"] = json!(pixel);
-        report["object"] = json!(surface.object);
-        report["triangle"] = json!(surface.triangle);
-        report["triangle_vertices"] = json!(surface.vertices);
-        report["weights"] = json!(surface.shares);
+impl Stepped {
+    /// Adds the place and the listings to a report.
+    pub fn add_to(&self, report: &mut Value) {
+        if let Some((pixel, surface)) = &self.pixel {
+            report["pixel"] = json!(pixel);
+            report["object"] = json!(surface.object);
+            report["triangle"] = json!(surface.triangle);
+            report["triangle_vertices"] = json!(surface.vertices);
+            report["weights"] = json!(surface.shares);
+        }
+        let first_vertex = usize::from(self.pixel.is_some());
+        let listing = |(index, listing): (usize, &StepListing)| {
+            let vertex = index.checked_sub(first_vertex).and_then(|index| self.vertices.get(index));
+            let mut report = listing_to_json(listing, vertex.copied());
+            let right = self.right.get(index).into_iter().flatten();
+            report["should_be"] = right.map(right_to_json).collect();
+            report
+        };
+        report["stages"] = self.listings.iter().enumerate().map(listing).collect();
     }
-    let first_vertex = usize::from(stepped.pixel.is_some());
-    let listing = |(index, listing): (usize, &StepListing)| {
-        let vertex = index.checked_sub(first_vertex).and_then(|index| stepped.vertices.get(index));
-        let mut report = listing_to_json(listing, vertex.copied());
-        let right = stepped.right.get(index).into_iter().flatten();
-        report["should_be"] = right.map(right_to_json).collect();
-        report
-    };
-    report["stages"] = stepped.listings.iter().enumerate().map(listing).collect();
-    report
 }
 
 fn listing_to_json(listing: &StepListing, vertex: Option<u32>) -> Value {

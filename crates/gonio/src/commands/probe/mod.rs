@@ -1,10 +1,12 @@
 //! `gonio probe`: the light equation at one pixel by the CPU reference, compared with the pixel that the GPU drew.
 
+mod shaders;
 mod surroundings;
 mod text;
 mod traced;
 
 use crate::backend::{self, Backend, BackendReport, Opened};
+use crate::commands::render::shaders::{ShaderOptions, on_a_large_stack};
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
 use crate::options::{BackendChoice, BackendOptions, GeneralOptions, SceneOptions, values};
@@ -33,6 +35,9 @@ Examples:
       With options of render. For Gouraud shading, the light is listed at the triangle's corners.
   gonio probe model.obj --at 512,384 --json
       The same for machines.
+  gonio probe model.obj --fragment toon.frag --at 512,384
+      Your own shaders there: the value of every variable beside its line, as `gonio lab step` lists it. --corners adds the
+      vertex shader at the corners of the triangle, and --at-vertex 7 lists it at one vertex.
   gonio probe scene.toml --at 100,80 --traced
       Also the light of the rendering equation there: emitted, direct from each source, of the first bounce, and the rest.
 
@@ -43,9 +48,11 @@ pub struct ProbeArgs {
     #[arg(required = true, value_name = "INPUT")]
     pub inputs: Vec<String>,
     /// The pixel: column and row, counted from 0 at the top left.
-    #[arg(long, required = true, value_name = "X,Y", value_parser = values::pixel, allow_hyphen_values = true,
-          help_heading = "Picture options")]
-    pub at: (u32, u32),
+    ///
+    /// With your own shaders it may be left out: the drawn pixel nearest to the picture's middle.
+    #[arg(long, required_unless_present_any = ["vertex", "fragment"], value_name = "X,Y", value_parser = values::pixel,
+          allow_hyphen_values = true, help_heading = "Picture options")]
+    pub at: Option<(u32, u32)>,
     /// Time in seconds, for lights that move.
     #[arg(long, help_heading = "Light options", value_name = "SECONDS", value_parser = values::number,
           allow_negative_numbers = true, default_value = "0")]
@@ -55,6 +62,14 @@ pub struct ProbeArgs {
     pub traced: bool,
     #[command(flatten)]
     pub scene: SceneOptions,
+    #[command(flatten)]
+    pub shaders: ShaderOptions,
+    /// Step through the vertex shader at this vertex, counted from 0 over all parts of the scene.
+    #[arg(long, value_name = "N", conflicts_with = "at", help_heading = "Shader options")]
+    pub at_vertex: Option<u32>,
+    /// Also step through the vertex shader at the corners of the pixel's triangle.
+    #[arg(long, conflicts_with = "at_vertex", help_heading = "Shader options")]
+    pub corners: bool,
     #[command(flatten)]
     pub backend: BackendOptions,
     #[command(flatten)]
@@ -95,8 +110,11 @@ struct GpuValue {
 }
 
 pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    let (Some((x, y)), false) = (args.at, args.shaders.any()) else {
+        return on_a_large_stack(|| shaders::run(args, reporter))?;
+    };
+    shaders::refuse(args)?;
     let times = Times::default();
-    let (x, y) = args.at;
     let options = SceneOptions { samples: None, ..args.scene.clone() };
     let (scene, opened) = loading::load_scene_while(&args.inputs, &options, reporter, &times, || {
         Opened::new(&args.backend, None, &times)

@@ -3,10 +3,12 @@
 mod animation;
 mod plan;
 pub mod shaders;
+mod show;
 
 use crate::backend::{self, Backend, BackendReport, Counts, Opened, Shot};
 use crate::capture;
 use crate::commands::lab::child_process;
+use crate::commands::lab::draw::show::{ShownStage, line_and_column};
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
 use crate::options::values::{self, DebugView};
@@ -19,7 +21,7 @@ use gonio_image::ImageError;
 use gonio_image::encode::exr::{self, Layer};
 use gonio_image::encode::png::{self, ColorTag};
 use gonio_mesh::Diagnostic;
-use gonio_render::{DisplayOptions, VertexData, View};
+use gonio_render::{DisplayOptions, View};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{DisplayMap, Frame, Overlay, Overlays, Picture, Scene, ViewSpec};
 use plan::{PictureFormat, PicturePlan, PicturePlanRequest};
@@ -47,7 +49,9 @@ Examples:
   gonio render model.obj --frames 72 --orbit 360 -o turn.gif
       A full turn around the model. With turn.png the files are turn-0001.png and so on; --animated writes one animated PNG.
   gonio render model.obj --fragment toon.frag --uniform steps=4 -o toon.png
-      Your own shaders; values of their variables follow from the names. --verbose lists them.
+      Your own shaders; values of their variables follow from the names, or from a names.toml beside them. --verbose lists them.
+  gonio render model.obj --fragment toon.frag --show 12:15 -o normals.png
+      The values of the smallest expression around line 12, column 15 of the shader, as colours.
   gonio render model.obj -o - | imv -
       To stdout.
   gonio render model.obj -o model.png --capture model.rdc
@@ -117,6 +121,14 @@ pub struct RenderArgs {
     pub scene: SceneOptions,
     #[command(flatten)]
     pub shaders: ShaderOptions,
+    /// Instead of their colours, show the values of the expression here, at a line and column of one of those shaders.
+    ///
+    /// Numbers are grey, vectors red, green and blue; a note names the range. gonio's interpreter computes them on the CPU.
+    #[arg(long, value_name = "LINE:COLUMN", value_parser = line_and_column, help_heading = "Shader options")]
+    pub show: Option<[u32; 2]>,
+    /// The shader that --show points into; by default the fragment shader, if there is one.
+    #[arg(long, value_name = "STAGE", value_enum, requires = "show", help_heading = "Shader options")]
+    pub file: Option<ShownStage>,
     /// Draw with the shaders in this process, which the caller guards.
     #[arg(long, hide = true)]
     pub in_this_process: bool,
@@ -157,6 +169,9 @@ struct Written {
 
 pub fn run(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     shaders::refuse(args)?;
+    if let Some(place) = args.show {
+        return shaders::on_a_large_stack(|| show::run(args, place, reporter))?;
+    }
     if shaders::needs_a_process(args) {
         return shaders::run_in_a_process(args);
     }
@@ -212,24 +227,17 @@ fn draw(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, CliErr
     if views().any(|view| view.quantity == gonio_light::Quantity::Tangent) {
         scene.add_tangents();
     }
-    let opened = opened?;
-    let program = match &shaders {
-        Some(shaders) => Some(shaders.compile(opened.gl_for_shaders()?, &args.shaders, reporter)?),
+    let (width, height) = (scene.settings.picture.width, scene.settings.picture.height);
+    let opened = opened?.for_size(width, height, &args.backend)?;
+    let drawing = match &shaders {
+        Some(shaders) => Some(shaders.for_backend(&opened, &args.shaders, &mut scene, reporter)?),
         None => None,
     };
-    if let Some(program) = &program {
-        if program.reads(VertexData::Tangent) {
-            scene.add_tangents();
-        }
-        for warning in program.missing_inputs(&scene) {
-            reporter.warning(warning);
-        }
-    }
     let mut backend = opened.take_scene(&scene, &args.backend, reporter, &times)?;
-    if let Some(program) = program {
-        backend.draw_with(program, &scene)?;
+    if let Some(drawing) = drawing {
+        backend.draw_with(drawing, &scene);
     }
-    if args.backend.backend == BackendChoice::Auto {
+    if args.backend.backend == BackendChoice::Auto || backend.interprets_shaders() {
         reporter.note(backend.sentence());
     }
 

@@ -1,16 +1,21 @@
 //! The user's own shaders: their options, their files, and the process that draws with them.
 
 use super::RenderArgs;
+use crate::backend::Opened;
 use crate::commands::lab::child_process;
 use crate::error::{CliError, CommandOutcome};
-use crate::options::{BackendChoice, LimitOptions};
+use crate::options::LimitOptions;
 use crate::report::Reporter;
+use crate::user_drawing::UserDrawing;
 use clap::{ArgAction, Args};
 use gonio_app::session::ShaderFiles;
 use gonio_check::submission::SourceFile;
-use gonio_check::user_shaders::{UserShaderProgram, UserShaders, message_text, parse_setting};
-use gonio_scene::Texture;
+use gonio_check::user_shaders::{UserInputs, UserShaders, message_text, parse_setting};
+use gonio_check::verdict::CompilerMessage;
+use gonio_exercises::step::UserPair;
+use gonio_render::VertexData;
 use gonio_scene::files::STANDARD_INPUT;
+use gonio_scene::{Scene, Texture};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -21,8 +26,9 @@ use std::time::Duration;
 pub struct ShaderOptions {
     /// Draw the model with this vertex shader, GLSL of any version.
     ///
-    /// Attributes and uniforms get their values by their names: matrices, camera, lights, material, time and size. Without
-    /// --fragment the colour that it writes is shown, or the shape.
+    /// Attributes and uniforms get their values by their names: matrices, camera, lights, material, time and size. A names.toml
+    /// beside the file gives other names a role or a value: [names], then sun = "light-pos" or steps = 4. Without --fragment
+    /// the colour that it writes is shown, or the shape.
     #[arg(long, value_name = "FILE")]
     pub vertex: Option<String>,
     /// Draw the model with this fragment shader, GLSL of any version.
@@ -103,7 +109,10 @@ impl ShaderOptions {
             name.as_ref().map(source).transpose()
         };
         let (vertex, fragment) = (shader("vertex shader", &self.vertex)?, shader("fragment shader", &self.fragment)?);
-        let shaders = UserShaders::read(vertex, fragment).map_err(CliError::new)?;
+        let shaders = {
+            let names = self.files().unwrap_or_default().read_names(&*files).map_err(CliError::new)?;
+            UserShaders::read(vertex, fragment, &names).map_err(CliError::new)?
+        };
         let texture = |(sampler, name): &(String, String)| {
             let bytes = read("texture", name, limits.limits().max_bytes)?;
             let texture = Texture::decode(name, &bytes);
@@ -117,46 +126,80 @@ impl ShaderOptions {
 }
 
 impl OwnShaderFiles {
-    /// Compiles them, and gives the uniforms and samplers their values.
-    pub fn compile(
+    /// Compiles them for a backend, and gives the uniforms and samplers their values. The scene gets tangents if they read them.
+    pub fn for_backend(
         &self,
-        gl: &gonio_gl::Gl,
+        opened: &Opened,
         options: &ShaderOptions,
+        scene: &mut Scene,
         reporter: &Reporter,
-    ) -> Result<UserShaderProgram, CliError> {
-        let compiled = self.shaders.compile(gl);
-        let mut program = compiled.map_err(|messages| CliError::lines(messages.iter().map(message_text)))?;
+    ) -> Result<UserDrawing, CliError> {
+        let Some(gl) = opened.gl_for_shaders() else {
+            return Ok(UserDrawing::Cpu(self.interpreted(options, scene, reporter)?));
+        };
+        let mut program = self.shaders.compile(gl).map_err(compile_errors)?;
+        self.set_values(&mut program.inputs, options, scene, reporter)?;
+        Ok(UserDrawing::Gl(program))
+    }
+
+    /// The same for gonio's interpreter, without OpenGL.
+    pub fn interpreted(
+        &self,
+        options: &ShaderOptions,
+        scene: &mut Scene,
+        reporter: &Reporter,
+    ) -> Result<UserPair, CliError> {
+        let mut pair = UserPair::new(&self.shaders).map_err(compile_errors)?;
+        self.set_values(&mut pair.inputs, options, scene, reporter)?;
+        Ok(pair)
+    }
+
+    fn set_values(
+        &self,
+        inputs: &mut UserInputs,
+        options: &ShaderOptions,
+        scene: &mut Scene,
+        reporter: &Reporter,
+    ) -> Result<(), CliError> {
         for (name, values) in &options.uniform {
-            let warning = program.set(name, values);
+            let warning = inputs.set(name, values);
             if let Some(warning) = warning.map_err(|error| CliError::new(format!("--uniform {name}: {error}")))? {
                 reporter.warning(warning);
             }
         }
         for (name, texture) in &self.textures {
-            let set = program.set_texture(name, texture.clone());
+            let set = inputs.set_texture(name, texture.clone());
             set.map_err(|error| CliError::new(format!("--texture {name}: {error}")))?;
         }
-        for warning in &program.warnings {
+        for warning in &inputs.warnings {
             reporter.warning(warning);
         }
-        for uniform in program.uniforms() {
+        for uniform in inputs.uniforms() {
             reporter.verbose(format_args!("uniform {} {}: {}", uniform.glsl_type, uniform.name, uniform.origin()));
         }
-        for (name, origin) in program.sampler_origins() {
+        for (name, origin) in inputs.sampler_origins() {
             reporter.verbose(format_args!("sampler {name}: {origin}"));
         }
-        Ok(program)
+        if inputs.reads(VertexData::Tangent) {
+            scene.add_tangents();
+        }
+        for warning in inputs.missing_inputs(scene) {
+            reporter.warning(warning);
+        }
+        Ok(())
     }
+}
+
+fn compile_errors(messages: Vec<CompilerMessage>) -> CliError {
+    CliError::lines(messages.iter().map(message_text))
 }
 
 /// Refuses options that concern gonio's own shaders.
 pub fn refuse(args: &RenderArgs) -> Result<(), CliError> {
     args.shaders.check()?;
     if !args.shaders.any() {
-        return Ok(());
-    }
-    if args.backend.backend == BackendChoice::Cpu {
-        return Err(CliError::new("your shaders need OpenGL; leave out --backend cpu"));
+        let shown = args.show.map(|_| "--show shows a value of your shaders; add --vertex or --fragment");
+        return shown.map_or(Ok(()), |error| Err(CliError::new(error)));
     }
     let scene = &args.scene;
     let refused = [

@@ -1,7 +1,7 @@
 //! `gonio lab draw`: the picture of a student's files, and the OpenGL calls behind it.
 
 pub mod shaders;
-mod show;
+pub mod show;
 
 use super::{child_process, exercise, intake};
 use crate::backend;

@@ -11,7 +11,7 @@ use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview::PreviewScene;
 use gonio_exercises::step::{ExpressionPicture, PictureBeside, RightAnswer, SteppedScene};
 use gonio_glsl::Stage;
-use serde_json::json;
+use serde_json::{Value, json};
 
 /// A stage of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -19,6 +19,24 @@ pub enum ShownStage {
     Vertex,
     Fragment,
 }
+
+impl ShownStage {
+    /// The stage.
+    pub fn stage(self) -> Stage {
+        match self {
+            ShownStage::Vertex => Stage::Vertex,
+            ShownStage::Fragment => Stage::Fragment,
+        }
+    }
+}
+
+/// The colour where nothing is drawn, as it is shown.
+pub fn background() -> [u8; 3] {
+    BACKGROUND.map(|x| (x * 255.0 + 0.5) as u8)
+}
+
+/// The warning about a picture that is not complete.
+pub const TOO_LONG: &str = "the shader runs for too long: some pixels lack their value";
 
 /// Parses `LINE:COLUMN`.
 pub fn line_and_column(text: &str) -> Result<[u32; 2], String> {
@@ -37,11 +55,7 @@ pub fn run(
 ) -> Result<CommandOutcome, CliError> {
     let (scene, is_compared) = (args.scene.clone(), !args.files.is_empty());
     let request = SceneRequest { exercise, files, scene, size: args.size, time: args.time, is_compared };
-    let stage = match args.file {
-        ShownStage::Vertex => Stage::Vertex,
-        ShownStage::Fragment => Stage::Fragment,
-    };
-    let background = BACKGROUND.map(|x| (x * 255.0 + 0.5) as u8);
+    let (stage, background) = (args.file.stage(), background());
     let draw = move |scene: &SteppedScene, of: &PreviewScene, right: Option<&RightAnswer>| {
         let pictures = scene.picture(stage, place, background, right).map_err(CliError::new)?;
         Ok((pictures, of.name))
@@ -49,7 +63,7 @@ pub fn run(
     let ((pictures, scene), mut warnings) = with_scene(request, draw)?;
     let PictureBeside { own: picture, right, quantity } = pictures;
     if picture.is_truncated {
-        warnings.push("the shader runs for too long: some pixels lack their value".to_owned());
+        warnings.push(TOO_LONG.to_owned());
     }
     for warning in &warnings {
         reporter.warning(warning);
@@ -75,23 +89,28 @@ pub fn run(
         "size": size,
         "quantity": quantity,
         "right_beside": right.is_some(),
-        "shown": {
-            "expression": picture.expression,
-            "stage": stage_name(picture.stage),
-            "file": picture.file,
-            "line": picture.line,
-            "column": picture.column,
-            "type": picture.glsl_type,
-            "mapping": picture.mapping.to_string(),
-            "evaluations": picture.evaluations,
-            "pixels": picture.drawn,
-            "pixels_not_finite": picture.non_finite,
-            "pixels_never_written": picture.unwritten,
-            "pixels_not_evaluated": picture.unevaluated,
-        },
+        "shown": shown_to_json(&picture),
         "warnings": warnings,
     }))?;
     Ok(CommandOutcome::Done)
+}
+
+/// The expression, the meaning of the colours, and the numbers of pixels.
+pub fn shown_to_json(picture: &ExpressionPicture) -> Value {
+    json!({
+        "expression": picture.expression,
+        "stage": stage_name(picture.stage),
+        "file": picture.file,
+        "line": picture.line,
+        "column": picture.column,
+        "type": picture.glsl_type,
+        "mapping": picture.mapping.to_string(),
+        "evaluations": picture.evaluations,
+        "pixels": picture.drawn,
+        "pixels_not_finite": picture.non_finite,
+        "pixels_never_written": picture.unwritten,
+        "pixels_not_evaluated": picture.unevaluated,
+    })
 }
 
 /// Two square pictures with a gap of a thirty-second of their side.
@@ -104,7 +123,7 @@ fn beside(left: &[u8], right: &[u8], side: usize, [r, g, b]: [u8; 3]) -> ([u32; 
 }
 
 /// The expression and the meaning of the colours.
-fn note(picture: &ExpressionPicture) -> String {
+pub fn note(picture: &ExpressionPicture) -> String {
     let ExpressionPicture { expression, file, line, column, glsl_type, mapping, .. } = picture;
     let mut note = format!("{file}:{line}:{column}: `{expression}`, {glsl_type}: {mapping}");
     if picture.stage == Stage::Vertex {

@@ -21,20 +21,19 @@ const WIDEST_PLACE: usize = 48;
 /// Steps that one line refers to by number.
 const MOST_NUMBERS: usize = 6;
 
-/// Everything about a pixel or a vertex.
-pub(super) fn page(exercise: &str, size: u32, stepped: &Stepped) -> TerminalPage {
+/// Everything about a pixel or a vertex. `title` and `detail`: what is drawn.
+pub fn page(title: &str, detail: &str, [width, height]: [u32; 2], stepped: &Stepped) -> TerminalPage {
     let mut page = TerminalPage::new();
-    let scene = stepped.scene;
     match &stepped.pixel {
         Some(([x, y], surface)) => {
-            page.line(format_args!("{BOLD}{exercise}{BOLD:#}  scene `{scene}`, pixel {x},{y} of {size}x{size}"));
+            page.line(format_args!("{BOLD}{title}{BOLD:#}  {detail}, pixel {x},{y} of {width}x{height}"));
             let ([a, b, c], [p, q, r]) = (surface.vertices, surface.shares);
             page.line(format_args!(
                 "{DIM}object {}, triangle {}, vertices {a}, {b}, {c} with weights {p:.4}, {q:.4}, {r:.4}{DIM:#}",
                 surface.object, surface.triangle
             ));
         }
-        None => page.line(format_args!("{BOLD}{exercise}{BOLD:#}  scene `{scene}`")),
+        None => page.line(format_args!("{BOLD}{title}{BOLD:#}  {detail}")),
     }
     let of_pixel = usize::from(stepped.pixel.is_some());
     for (index, listing) in stepped.listings.iter().enumerate() {
