@@ -61,7 +61,7 @@ fn candidates(bound: &Bound) -> &'static [Role] {
 }
 
 /// Whether the name of a normal matrix says that it belongs to the model matrix.
-fn is_of_model(name: &str) -> bool {
+pub(super) fn is_of_model(name: &str) -> bool {
     let name = name.to_lowercase();
     ["itm", "model"].iter().any(|word| name.contains(word)) && !["mv", "view"].iter().any(|word| name.contains(word))
 }

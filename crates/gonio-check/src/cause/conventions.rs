@@ -1,8 +1,9 @@
 //! The space in which a program is given its light and its normals: world or view space is a convention between the
 //! shaders and the program that sends the uniforms, and names do not tell it.
 
+use super::assign::is_of_model;
 use super::program::Program;
-use crate::roles::{Role, names_its_matrix};
+use crate::roles::Role;
 
 /// The same quantity as the other convention gives it.
 fn other_space(role: Role) -> Option<Role> {
@@ -22,8 +23,7 @@ pub(super) fn other_conventions(program: &Program) -> Vec<Program> {
     for (lights, matrices) in [(false, true), (true, false), (true, true)] {
         let mut other = program.clone();
         for bound in &mut other.bindings.bound {
-            let is_open =
-                if is_light(bound.role) { lights } else { matrices && !names_its_matrix(&bound.declared.name) };
+            let is_open = if is_light(bound.role) { lights } else { matrices && !is_of_model(&bound.declared.name) };
             if let Some(role) = other_space(bound.role).filter(|_| is_open) {
                 bound.role = role;
             }

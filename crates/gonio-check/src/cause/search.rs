@@ -96,7 +96,7 @@ impl<'a> Search<'a> {
     }
 
     /// Runs the search with some repairs.
-    pub fn run(&mut self, tried: Tried) -> Found {
+    pub(super) fn run(&mut self, tried: Tried) -> Found {
         let all = 0..self.at.runner.samples.len();
         let mut observed = self.at.observe(&[], all);
         self.at.interpret(&mut observed);

@@ -15,7 +15,6 @@ mod tests;
 
 pub use file::{Meaning, NamesError, NamesFile};
 pub use role::{Role, UnknownRole};
-pub use words::names_its_matrix;
 
 use std::fmt;
 

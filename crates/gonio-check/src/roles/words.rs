@@ -123,14 +123,6 @@ const MEANINGS: &[(&str, &str)] = &[
     ),
 ];
 
-/// Whether the name of a normal matrix tells which matrix it is the inverse transpose of, such as `itM`.
-#[must_use]
-pub fn names_its_matrix(name: &str) -> bool {
-    let words = Words::split(name);
-    ["m", "mv", "model", "world", "view"].iter().any(|word| words.has(word))
-        || words.letters.iter().any(|letter| letter.eq_ignore_ascii_case(&'m'))
-}
-
 /// The words of a name.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Words {

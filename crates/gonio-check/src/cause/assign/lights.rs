@@ -68,7 +68,8 @@ pub(super) fn choose_suns(
         SceneSamples { scene, ..samples.clone() }
     };
     let in_sun: Vec<SceneSamples> = samples.iter().map(in_sun).collect();
-    let models_in_sun = models.iter().map(|model| Model::new(model.method, &in_sun, 1.0, Mistakes::These(&[])));
+    let models_in_sun =
+        models.iter().map(|model| Model::new(model.method, model.space, &in_sun, 1.0, Mistakes::These(&[])));
     let models_in_sun = models_in_sun.collect::<Result<Vec<_>, _>>().ok()?;
     let of_lamps = (score(program, samples, models), program.bindings.bound.clone());
     for bound in program.bindings.bound.iter_mut().filter(|bound| is_fixed_function(bound)) {
