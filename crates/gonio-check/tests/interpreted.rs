@@ -169,9 +169,12 @@ fn values(glsl_type: &str, numbers: &[f32]) -> PointValues {
     }
 }
 
-/// Sets a uniform by the name that the translation gives to it: `Block_member` for the member of a block.
+/// Sets a uniform by the name that the translation gives to it: `Block_member` for the member of a block,
+/// `gonio_Fog.color` for OpenGL's own.
 fn set_uniform(inputs: &mut StageInputs, stage: &CompiledStage, name: &str, values: PointValues) {
-    let found = stage.inputs.iter().position(|input| input.name == name || input.name.replace('.', "_") == name);
+    let own = name.replacen("gonio_", "gl_", 1);
+    let is_it = |input: &str| input == name || input == own || input.replace('.', "_") == name;
+    let found = stage.inputs.iter().position(|input| is_it(&input.name));
     if let Some(found) = found {
         inputs.set(found, values);
     }

@@ -134,7 +134,8 @@ impl<'a> Search<'a> {
         let depth = |repair: &Repair| observed[repair.of].depth;
         let first = proven.iter().map(depth).min().unwrap_or(DEEPEST + 1);
         // A right value may be computed from a wrong one, which makes it another quantity.
-        let depths = if tried == Tried::All { 1..first.max(2) } else { 0..0 };
+        // Beside a known wrong value, only earlier ones may be the cause.
+        let depths = if tried == Tried::All || !proven.is_empty() { 1..first.max(2) } else { 0..0 };
         for at in depths {
             let here: Vec<Repair> = others.iter().filter(|repair| depth(repair) == at).cloned().collect();
             let found = self.proven(base, observed, &here, end);

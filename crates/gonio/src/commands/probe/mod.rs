@@ -36,8 +36,8 @@ Examples:
   gonio probe model.obj --at 512,384 --json
       The same for machines.
   gonio probe model.obj --fragment toon.frag --at 512,384
-      Your own shaders there: the value of every variable beside its line, as `gonio lab step` lists it. --corners adds the
-      vertex shader at the corners of the triangle, and --at-vertex 7 lists it at one vertex.
+      Your own shaders there: the value of every variable beside its line, as `gonio lab step` lists it. --corners adds the \
+vertex shader at the corners of the triangle, and --at-vertex 7 lists it at one vertex.
   gonio probe scene.toml --at 100,80 --traced
       Also the light of the rendering equation there: emitted, direct from each source, of the first bounce, and the rest.
 
