@@ -5,6 +5,7 @@
 //! those of known mistakes (`model`). A cause is proven by a counterfactual: with the right value instead of one
 //! expression's own, the whole picture becomes right (`target`, [`search`]).
 
+mod answer;
 mod assign;
 mod conventions;
 pub mod edit;

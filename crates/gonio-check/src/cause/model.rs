@@ -1,29 +1,19 @@
 //! The quantities of the light equation at all points: those of a model solution, and those that the mistakes of the
 //! catalogue compute instead.
 
-use super::observed::has_space;
+pub use super::answer::{AnswerMethod, Space};
+use super::answer::{has_space, hypothesis_of, peculiarities};
 use super::program::{Change, Program, Runner};
 pub(super) use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::{SceneSamples, interpolated};
-use super::target::{Highlight, hypothesis_of, peculiarities};
 use super::values::Values;
-use crate::mistakes::{Hypotheses, Mistake, ModelSolution};
+use crate::mistakes::{Hypotheses, Mistake};
 use crate::roles::{Meaning, Role};
 use crate::testbench::numbers;
 use glam::{Mat3, Vec3};
 use gonio_glsl::{Stage, TokenRange};
 use gonio_interpreter::{ExprId, SourceMap};
 use std::collections::BTreeMap;
-
-/// The space of a vector or position.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Space {
-    /// World space, or no space at all.
-    #[default]
-    World,
-    /// The camera's.
-    View,
-}
 
 /// A quantity at all points of a stage.
 #[derive(Clone, Debug)]
@@ -58,19 +48,6 @@ impl Default for Quantity {
     }
 }
 
-/// The method of a right answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct AnswerMethod {
-    /// The model solution.
-    pub model: ModelSolution,
-    /// Whether only the fragment shader normalises the normal.
-    pub normal_kept: bool,
-    /// Whether the highlight is that of the half vector.
-    pub half_vector: bool,
-    /// The other choices of the highlight.
-    pub highlight: Highlight,
-}
-
 /// The quantities of one method.
 pub(crate) struct Model {
     /// The method.
@@ -102,12 +79,6 @@ pub(crate) enum Mistakes<'a> {
 pub(super) type Way = (&'static Mistake, Vec<(String, String)>);
 
 impl AnswerMethod {
-    /// The usual answer in a model solution.
-    #[must_use]
-    pub fn new(model: ModelSolution) -> Self {
-        AnswerMethod { model, normal_kept: false, half_vector: false, highlight: Highlight::default() }
-    }
-
     /// The model's shaders as this method writes them, and ways to make mistakes.
     pub(super) fn sources(self, wanted: Mistakes<'_>) -> ([String; 2], Vec<Way>) {
         let all = Hypotheses::for_model(self.model);

@@ -1,5 +1,6 @@
 //! The values of all expressions of a program, and what they are.
 
+pub(super) use super::answer::has_space;
 use super::model::{Model, Quantity, STAGES, Space, TELLING, observe};
 use super::program::{Change, Runner};
 use super::samples::interpolated;
@@ -44,25 +45,6 @@ pub(crate) struct Observer<'a> {
     pub runner: &'a Runner<'a>,
     /// The quantities.
     pub model: &'a Model,
-}
-
-/// Names of quantities that have a space.
-pub(super) fn has_space(name: &str) -> bool {
-    const PLACED: [&str; 12] = [
-        "N",
-        "world_normal",
-        "v_normal",
-        "L",
-        "to_light",
-        "V",
-        "to_eye",
-        "R",
-        "I",
-        "from_eye",
-        "world_position",
-        "light_pos",
-    ];
-    PLACED.contains(&name) || name == "u_view_pos"
 }
 
 /// Names of the diffuse term.

@@ -1,6 +1,6 @@
 //! Predicts the colours and positions that a model solution computes with mistakes, at places of the test scenes.
 
-use super::model::Space;
+use super::answer::Space;
 use super::program::{Program, SceneTextures};
 use super::samples::SceneSamples;
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};

@@ -1,10 +1,11 @@
 //! Decides whether a picture is right: whether its colours are those of the light equation, with strengths that are
 //! inputs or any constants, and its positions those of the camera.
 
-use super::model::AnswerMethod;
+pub use super::answer::Highlight;
+use super::answer::{AnswerMethod, hypothesis_of, peculiarities};
 use super::prediction::{Planes, Predicted, Predictor, Sum};
 use super::values::Values;
-use crate::mistakes::{Hypotheses, Hypothesis};
+use crate::mistakes::Hypothesis;
 use crate::search::weighted_strengths;
 use std::cell::OnceCell;
 
@@ -18,17 +19,6 @@ const MOST_DIFFERENT: f32 = 0.008;
 const MOST_DIFFERENT_AT_FEW: f32 = 0.07;
 /// A term with a smaller strength is missing.
 const FAINTEST: f64 = 2e-3;
-
-/// What an answer may choose about its highlight.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Highlight {
-    /// 0 where the light is behind the surface, instead of everywhere where R.V is positive.
-    pub gated: bool,
-    /// Multiplied by the cosine, as in the rendering equation.
-    pub weighted: bool,
-    /// In the light's colour instead of the material's.
-    pub white: bool,
-}
 
 /// The right colours for one choice of the highlight, in each scene.
 struct Variant {
@@ -68,27 +58,6 @@ pub struct Seen {
 /// The channels of a colour, apart.
 pub(super) fn planes(colour: &Values) -> Planes {
     std::array::from_fn(|channel| colour.numbers.iter().skip(channel).step_by(3).copied().collect())
-}
-
-/// The harmless peculiarities of a method of a right answer.
-pub(super) fn peculiarities(method: AnswerMethod, highlight: Highlight) -> [(&'static str, bool); 5] {
-    [
-        ("normal-kept-unnormalised", method.normal_kept),
-        ("specular-half-vector", method.half_vector),
-        ("specular-gated", highlight.gated),
-        ("specular-cosine-weighted", highlight.weighted),
-        ("specular-not-coloured", highlight.white),
-    ]
-}
-
-/// The hypothesis of those peculiarities that are chosen; `None` if they exclude each other.
-pub(super) fn hypothesis_of(all: &Hypotheses, chosen: &[(&str, bool)]) -> Option<Hypothesis> {
-    let mut hypothesis = Hypothesis::default();
-    for (id, _) in chosen.iter().filter(|(_, is_chosen)| *is_chosen) {
-        let is_it = |single: &&Hypothesis| single.mistakes.iter().any(|mistake| all.mistakes[*mistake].id == *id);
-        hypothesis = hypothesis.and(all.singles.iter().find(is_it)?)?;
-    }
-    Some(hypothesis)
 }
 
 impl RightPicture {

@@ -1,0 +1,85 @@
+//! The methods of right answers: their model solution, their choices, and the space in which they compute the light.
+
+use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
+
+/// The space of a vector or position.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Space {
+    /// World space, or no space at all.
+    #[default]
+    World,
+    /// The camera's.
+    View,
+}
+
+/// The method of a right answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct AnswerMethod {
+    /// The model solution.
+    pub model: ModelSolution,
+    /// Whether only the fragment shader normalises the normal.
+    pub normal_kept: bool,
+    /// Whether the highlight is that of the half vector.
+    pub half_vector: bool,
+    /// The other choices of the highlight.
+    pub highlight: Highlight,
+}
+
+/// What an answer may choose about its highlight.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Highlight {
+    /// 0 where the light is behind the surface, instead of everywhere where R.V is positive.
+    pub gated: bool,
+    /// Multiplied by the cosine, as in the rendering equation.
+    pub weighted: bool,
+    /// In the light's colour instead of the material's.
+    pub white: bool,
+}
+
+impl AnswerMethod {
+    /// The usual answer in a model solution.
+    #[must_use]
+    pub fn new(model: ModelSolution) -> Self {
+        AnswerMethod { model, normal_kept: false, half_vector: false, highlight: Highlight::default() }
+    }
+}
+
+/// The harmless peculiarities of a method of a right answer.
+pub(super) fn peculiarities(method: AnswerMethod, highlight: Highlight) -> [(&'static str, bool); 5] {
+    [
+        ("normal-kept-unnormalised", method.normal_kept),
+        ("specular-half-vector", method.half_vector),
+        ("specular-gated", highlight.gated),
+        ("specular-cosine-weighted", highlight.weighted),
+        ("specular-not-coloured", highlight.white),
+    ]
+}
+
+/// The hypothesis of those peculiarities that are chosen; `None` if they exclude each other.
+pub(super) fn hypothesis_of(all: &Hypotheses, chosen: &[(&str, bool)]) -> Option<Hypothesis> {
+    let mut hypothesis = Hypothesis::default();
+    for (id, _) in chosen.iter().filter(|(_, is_chosen)| *is_chosen) {
+        let is_it = |single: &&Hypothesis| single.mistakes.iter().any(|mistake| all.mistakes[*mistake].id == *id);
+        hypothesis = hypothesis.and(all.singles.iter().find(is_it)?)?;
+    }
+    Some(hypothesis)
+}
+
+/// Names of quantities that have a space.
+pub(super) fn has_space(name: &str) -> bool {
+    const PLACED: [&str; 12] = [
+        "N",
+        "world_normal",
+        "v_normal",
+        "L",
+        "to_light",
+        "V",
+        "to_eye",
+        "R",
+        "I",
+        "from_eye",
+        "world_position",
+        "light_pos",
+    ];
+    PLACED.contains(&name) || name == "u_view_pos"
+}
