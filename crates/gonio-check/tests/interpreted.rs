@@ -169,9 +169,9 @@ fn values(glsl_type: &str, numbers: &[f32]) -> PointValues {
     }
 }
 
-/// Sets a uniform by the name that the translation gives to it: `Block_member` for the member of a block,
+/// Sets an input by the name that the translation gives to it: `Block_member` for the member of a block,
 /// `gonio_Fog.color` for OpenGL's own.
-fn set_uniform(inputs: &mut StageInputs, stage: &CompiledStage, name: &str, values: PointValues) {
+fn set_input(inputs: &mut StageInputs, stage: &CompiledStage, name: &str, values: PointValues) {
     let own = name.replacen("gonio_", "gl_", 1);
     let is_it = |input: &str| input == name || input == own || input.replace('.', "_") == name;
     let found = stage.inputs.iter().position(|input| is_it(&input.name));
@@ -325,14 +325,18 @@ impl Bench {
         let mut inputs = StageInputs::new(vertex, mesh.positions.len() / 3);
         let given = uniforms(program, pair, scene);
         for (name, glsl_type, numbers) in &given {
-            set_uniform(&mut inputs, vertex, name, values(glsl_type, numbers));
+            set_input(&mut inputs, vertex, name, values(glsl_type, numbers));
         }
         for (name, stream) in attributes(program, pair) {
             let (components, numbers) = streams(&mesh)[stream];
-            let planes: Vec<Vec<f32>> =
+            let mut planes: Vec<Vec<f32>> =
                 (0..components).map(|c| numbers.iter().skip(c).step_by(components).copied().collect()).collect();
+            // OpenGL's own position and colour have four components.
+            if ["gonio_Vertex", "gonio_VertexColor"].contains(&name.as_str()) {
+                planes.push(vec![1.0; planes[0].len()]);
+            }
             let planes: Vec<&[f32]> = planes.iter().map(Vec::as_slice).collect();
-            inputs.set_named(vertex, &name, PointValues::each(&planes));
+            set_input(&mut inputs, vertex, &name, PointValues::each(&planes));
         }
         // The driver draws without indices: what counts is the first triangle, which alone is the sky.
         let number =
@@ -357,7 +361,7 @@ impl Bench {
         }
         let mut inputs = interpolate(vertex, &vertices, fragment, &fragments);
         for (name, glsl_type, numbers) in &given {
-            set_uniform(&mut inputs, fragment, name, values(glsl_type, numbers));
+            set_input(&mut inputs, fragment, name, values(glsl_type, numbers));
         }
         let along = |of: fn(u32) -> u32| pixels.iter().map(|p| of(*p as u32) as f32 + 0.5).collect::<Vec<f32>>();
         let (x, y) = (along(|pixel| pixel % TILE), along(|pixel| pixel / TILE));
