@@ -27,8 +27,8 @@ pub struct ShaderOptions {
     /// Draw the model with this vertex shader, GLSL of any version.
     ///
     /// Attributes and uniforms get their values by their names: matrices, camera, lights, material, time and size. A names.toml
-    /// beside the file gives other names a role or a value: [names], then sun = "light-pos" or steps = 4. Without --fragment
-    /// the colour that it writes is shown, or the shape.
+    /// beside the file gives other names a role or a value: lines such as sun = "light-pos" or steps = 4 in its table names.
+    /// Without --fragment the colour that it writes is shown, or the shape.
     #[arg(long, value_name = "FILE")]
     pub vertex: Option<String>,
     /// Draw the model with this fragment shader, GLSL of any version.
