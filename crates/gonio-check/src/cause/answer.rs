@@ -65,21 +65,30 @@ pub(super) fn hypothesis_of(all: &Hypotheses, chosen: &[(&str, bool)]) -> Option
     Some(hypothesis)
 }
 
-/// Names of quantities that have a space.
+/// Vectors that are the same in another space after a rotation.
+pub(super) const DIRECTIONS: [&str; 15] = [
+    "N",
+    "world_normal",
+    "v_normal",
+    "L",
+    "to_light",
+    "V",
+    "to_eye",
+    "R",
+    "I",
+    "from_eye",
+    "looked_up",
+    "H",
+    "up",
+    "-L",
+    "L + V",
+];
+/// Positions that a model solution computes.
+pub(super) const POSITIONS: [&str; 1] = ["world_position"];
+/// Positions that a program is given.
+const GIVEN_POSITIONS: [&str; 2] = ["light_pos", "u_view_pos"];
+
+/// Whether a quantity is a direction or a position, whose values depend on its space.
 pub(super) fn has_space(name: &str) -> bool {
-    const PLACED: [&str; 12] = [
-        "N",
-        "world_normal",
-        "v_normal",
-        "L",
-        "to_light",
-        "V",
-        "to_eye",
-        "R",
-        "I",
-        "from_eye",
-        "world_position",
-        "light_pos",
-    ];
-    PLACED.contains(&name) || name == "u_view_pos"
+    DIRECTIONS.contains(&name) || POSITIONS.contains(&name) || GIVEN_POSITIONS.contains(&name)
 }

@@ -1,7 +1,7 @@
 //! Finds the roles of inputs whose names say nothing: those with which most values of the program are quantities of the
 //! light equation.
 
-mod lights;
+pub(super) mod lights;
 mod switches;
 
 use super::model::{Model, STAGES, observe};
@@ -52,16 +52,22 @@ fn candidates(bound: &Bound) -> &'static [Role] {
         _ if bound.how == How::NamesFile => &[],
         _ if lights::is_open(bound) && (is_named || bound.declared.array > 1) => &[],
         _ if bound.declared.name.starts_with("gl_") => &[],
-        // `itM` is that of M alone.
-        role if is_named && NORMALS.contains(&role) && is_of_model(&bound.declared.name) => &[],
-        role if is_named && NORMALS.contains(&role) => &NORMALS,
+        _ if is_named && has_open_normals(bound) => &NORMALS,
         _ if is_named => &[],
         _ => of_type(&bound.declared.glsl_type),
     }
 }
 
+/// Whether it is a normal matrix whose name leaves open to which matrix it belongs.
+pub(super) fn has_open_normals(bound: &Bound) -> bool {
+    NORMALS.contains(&bound.role)
+        && bound.how != How::NamesFile
+        && !bound.declared.name.starts_with("gl_")
+        && !is_of_model(&bound.declared.name)
+}
+
 /// Whether the name of a normal matrix says that it belongs to the model matrix.
-pub(super) fn is_of_model(name: &str) -> bool {
+fn is_of_model(name: &str) -> bool {
     let name = name.to_lowercase();
     ["itm", "model"].iter().any(|word| name.contains(word)) && !["mv", "view"].iter().any(|word| name.contains(word))
 }

@@ -85,7 +85,7 @@ pub(crate) struct Explainer<'a> {
     pub required: [bool; 3],
     /// The test scenes, and the points with the inputs of the program.
     pub scenes: &'a [(TestScene, SceneSamples)],
-    /// Pairs that may still be predicted at few places; 0 to explain by single mistakes only.
+    /// Pairs that may still be predicted at few places.
     pub pairs_left: Cell<usize>,
     /// Pairs that may still be predicted at all places.
     pub whole_left: Cell<usize>,
@@ -164,7 +164,6 @@ fn simplest(mut found: Vec<Explanation>) -> Vec<Explanation> {
 /// A model solution with predictions at few and at all places.
 pub(crate) struct Candidate {
     method: LightingMethod,
-    quick: AtFew,
     coarse: AtFew,
     fine: Predictor,
 }
@@ -223,11 +222,9 @@ impl Candidate {
     fn new(of: &Explainer<'_>, method: LightingMethod, lights: Lights, seen: &Seen) -> Result<Self, String> {
         let LightingMethod { model, space } = method;
         let all = of.solutions.get(model)?;
-        let at_few = |places: usize| AtFew::new(of, &all, (method.space, lights), seen, places);
         let fine = of.scenes.iter().cloned();
         Ok(Candidate {
-            quick: at_few(quick(model))?,
-            coarse: at_few(coarse(model))?,
+            coarse: AtFew::new(of, &all, (space, lights), seen, coarse(model))?,
             fine: Predictor::new(all, lights, of.parameterisation, space, fine),
             method,
         })
@@ -353,23 +350,31 @@ impl Explainer<'_> {
     }
 
     /// Explains a picture by two mistakes.
-    pub fn by_pairs(&self, unexplained: &[(Candidate, Vec<Hypothesis>)], seen: &Seen) -> Vec<Explanation> {
+    ///
+    /// # Errors
+    /// There is no test scene.
+    pub fn by_pairs(
+        &self,
+        unexplained: &[(Candidate, Vec<Hypothesis>)],
+        seen: &Seen,
+    ) -> Result<Vec<Explanation>, String> {
         let mut found = Vec::new();
         // One of two mistakes shows its own wrong value, unless it is computed from the other's.
         for (candidate, sets) in unexplained {
             let suspects = (self.suspects)(candidate.method);
             let is_suspect = |mistake: &Mistake| suspects.contains(&mistake.id.as_str());
+            let quick = candidate.at_fewest(self, seen)?;
             for set in sets.iter().take(MOST_SETS_OF_PAIRS) {
-                self.pairs(candidate, set, seen, &is_suspect, &mut found);
+                self.pairs((candidate, &quick), set, seen, &is_suspect, &mut found);
             }
         }
         if found.is_empty()
             && let Some((candidate, sets)) = unexplained.first()
             && let Some(set) = sets.first()
         {
-            self.pairs(candidate, set, seen, &|_| true, &mut found);
+            self.pairs((candidate, &candidate.at_fewest(self, seen)?), set, seen, &|_| true, &mut found);
         }
-        simplest(found)
+        Ok(simplest(found))
     }
 
     /// Adds the single mistakes that explain a picture. Returns the sets of peculiarities, those first that some mistake
@@ -401,7 +406,7 @@ impl Explainer<'_> {
     /// Adds the pairs of mistakes that explain a picture.
     fn pairs(
         &self,
-        candidate: &Candidate,
+        (candidate, quick): (&Candidate, &AtFew),
         set: &Hypothesis,
         seen: &Seen,
         is_suspect: &dyn Fn(&Mistake) -> bool,
@@ -427,10 +432,10 @@ impl Explainer<'_> {
         // Each open strength is one more run.
         let runs = 1 + self.parameterisation.to_find.iter().filter(|is_open| **is_open).count();
         let mut left: Vec<&Hypothesis> = pairs.iter().collect();
-        for at in [&candidate.quick, &candidate.coarse] {
+        for at in [quick, &candidate.coarse] {
             // More places cost more.
             let vertices = if candidate.method.model == ModelSolution::Gouraud { 3 } else { 1 };
-            let cost = vertices * runs * at.predictor.places(0) / candidate.quick.predictor.places(0);
+            let cost = vertices * runs * at.predictor.places(0) / quick.predictor.places(0);
             left.truncate(self.pairs_left.get() / cost);
             self.pairs_left.set(self.pairs_left.get() - left.len() * cost);
             let found = at.resemble(&left);
@@ -455,6 +460,12 @@ impl Explainer<'_> {
 }
 
 impl Candidate {
+    /// Predictions at the places that exclude most pairs.
+    fn at_fewest(&self, of: &Explainer<'_>, seen: &Seen) -> Result<AtFew, String> {
+        let LightingMethod { model, space } = self.method;
+        AtFew::new(of, &self.fine.all, (space, self.fine.lights), seen, quick(model))
+    }
+
     /// The single mistakes.
     fn wrong(&self) -> impl Iterator<Item = &Hypothesis> {
         let all = &self.fine.all.hypotheses;

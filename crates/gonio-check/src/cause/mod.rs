@@ -142,64 +142,48 @@ pub fn diagnose(
     let may_be_wrong = programs.len();
     programs.extend(others.iter().filter(|other| other.bindings != assigned.bindings));
     let hints = Hints::new(task, [vertex.1, fragment.1], texts);
-    let inputs: Vec<Inputs> = (programs.iter())
-        .map(|program| {
-            let parameterisation = Parameterisation::new(task, &program.bindings, &program.declared, constants);
-            let count = if parameterisation.second == Second::None { of_one } else { of_one + of_two };
-            let applied = |mut scene: TestScene| {
-                parameterisation.apply(&mut scene);
-                SceneSamples::new(scene)
-            };
-            let scenes = scenes.iter().take(count).map(|scene| (scene.clone(), applied(scene.clone()))).collect();
-            Inputs { scenes, parameterisation }
-        })
-        .collect();
     let stages = [vertex, fragment];
-    let diagnosing = |(program, inputs)| {
-        let Inputs { scenes, parameterisation }: &Inputs = inputs;
+    let diagnosing = |program| {
         let program: &Program = program;
+        let parameterisation = Parameterisation::new(task, &program.bindings, &program.declared, constants);
+        let count = if parameterisation.second == Second::None { of_one } else { of_one + of_two };
+        let applied = |mut scene: TestScene| {
+            parameterisation.apply(&mut scene);
+            SceneSamples::new(scene)
+        };
+        let scenes = scenes.iter().take(count).map(|scene| (scene.clone(), applied(scene.clone()))).collect();
         Diagnosing { task, solutions, program, stages, texts, names, parameterisation, scenes, of_one, hints: &hints }
     };
-    let all: Vec<Diagnosing<'_>> = programs.into_iter().zip(&inputs).map(diagnosing).collect();
-    first_conclusion(&all, may_be_wrong).map_err(NotJudged::Unsupported)
-}
-
-/// The inputs of a program with some roles.
-struct Inputs {
-    scenes: Vec<(TestScene, SceneSamples)>,
-    parameterisation: Parameterisation,
+    first_conclusion(programs.into_iter().map(diagnosing), may_be_wrong).map_err(NotJudged::Unsupported)
 }
 
 /// The diagnosis with the first roles with which the program is right, or else with the first of some by which it is
 /// explained.
-fn first_conclusion(all: &[Diagnosing<'_>], may_be_wrong: usize) -> Result<Diagnosis, String> {
-    let mut pictures = Vec::new();
-    for one in all {
-        match one.picture() {
-            Some(seen) => pictures.push(seen),
-            None => return Ok(one.diagnosis(Found::Endless, methods(one.task)[0])),
-        }
-    }
-    for (one, seen) in all.iter().zip(&pictures) {
-        if let Some(right) = one.right(seen)? {
+fn first_conclusion<'a>(all: impl Iterator<Item = Diagnosing<'a>>, may_be_wrong: usize) -> Result<Diagnosis, String> {
+    let mut wrong = Vec::new();
+    for (number, one) in all.enumerate() {
+        let Some(seen) = one.picture() else { return Ok(one.diagnosis(Found::Endless, methods(one.task)[0])) };
+        if let Some(right) = one.right(&seen)? {
             return Ok(right);
         }
+        if number < may_be_wrong {
+            wrong.push((one, seen));
+        }
     }
-    let all = &all[..may_be_wrong];
     let mut unexplained = Vec::new();
-    for (one, seen) in all.iter().zip(&pictures) {
+    for (one, seen) in &wrong {
         match one.explaining(|explainer| explainer.singly(seen))? {
             Singly::Explained(explanations) => return one.wrong(explanations),
             Singly::Unexplained(tried) => unexplained.push(tried),
         }
     }
-    for ((one, seen), tried) in all.iter().zip(&pictures).zip(&unexplained) {
-        let explanations = one.explaining(|explainer| explainer.by_pairs(tried, seen));
+    for ((one, seen), tried) in wrong.iter().zip(&unexplained) {
+        let explanations = one.explaining(|explainer| explainer.by_pairs(tried, seen))?;
         if !explanations.is_empty() {
             return one.wrong(explanations);
         }
     }
-    let Some(first) = all.first() else { return Err("no program".to_owned()) };
+    let Some((first, _)) = wrong.first() else { return Err("no program".to_owned()) };
     first.wrong(Vec::new())
 }
 
@@ -211,9 +195,9 @@ struct Diagnosing<'a> {
     stages: [(&'a Parsed, &'a Checked); 2],
     texts: [&'a str; 2],
     names: &'a NamesFile,
-    parameterisation: &'a Parameterisation,
+    parameterisation: Parameterisation,
     /// Each scene as it is, and the points in it with the inputs of the program.
-    scenes: &'a [(TestScene, SceneSamples)],
+    scenes: Vec<(TestScene, SceneSamples)>,
     /// The number of scenes with one light, which come first.
     of_one: usize,
     hints: &'a Hints<'a>,
@@ -228,7 +212,7 @@ impl Diagnosing<'_> {
     ) -> Result<RightPicture, String> {
         let scenes = scenes.iter().cloned();
         let all = self.solutions.get(method.model)?;
-        let predictor = Predictor::new(all, lights, self.parameterisation, Space::World, scenes);
+        let predictor = Predictor::new(all, lights, &self.parameterisation, Space::World, scenes);
         Ok(RightPicture::new(predictor, method, self.task.required))
     }
 
@@ -251,7 +235,7 @@ impl Diagnosing<'_> {
     fn right(&self, seen: &Seen) -> Result<Option<Diagnosis>, String> {
         for method in methods(self.task) {
             for lights in self.parameterisation.right_lights() {
-                if let Some(agreement) = self.right_picture(method, *lights, self.scenes)?.agrees(seen) {
+                if let Some(agreement) = self.right_picture(method, *lights, &self.scenes)?.agrees(seen) {
                     return Ok(Some(self.diagnosis(Found::Right(agreement), method)));
                 }
             }
@@ -263,7 +247,7 @@ impl Diagnosing<'_> {
     fn wrong(&self, explanations: Vec<Explanation>) -> Result<Diagnosis, String> {
         let usual = methods(self.task)[0];
         let (scenes, lights) = match self.parameterisation.second {
-            Second::None => (self.scenes, Lights::One),
+            Second::None => (&self.scenes[..], Lights::One),
             // A light that is off is in no picture, so causes are searched in the scenes of the other one.
             Second::Switched => (&self.scenes[..self.of_one], Lights::First),
             Second::Always => return Ok(Diagnosis { explanations, ..self.diagnosis(Found::Nothing, usual) }),
@@ -278,35 +262,41 @@ impl Diagnosing<'_> {
         let explaining: Vec<&str> =
             explanations.iter().flat_map(|e| e.mistakes.iter().map(|mistake| mistake.id.as_str())).collect();
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
-        let mut best = None;
         let mut runs = 0;
         let all = self.methods_to_search(&runner, &explanations)?;
         // With a known mistake, its own wrong value is looked for in every method first.
         let known = if explanations.is_empty() { 0 } else { all.len() };
-        let known = all.iter().take(known).map(|method| (*method, Tried::Known));
-        let others = all.iter().take(MOST_METHODS).map(|method| (*method, Tried::All));
-        for ((method, space), tried) in known.chain(others) {
-            let model = Model::new(method, space, &of_model, exponent, Mistakes::These(&explaining))?;
-            let target = self.right_picture(method, lights, scenes)?;
-            let mut search = Search::new(Observer { runner: &runner, model: &model }, &target, &explanations);
+        let known = (0..known).map(|at| (at, Tried::Known));
+        let others = (0..all.len().min(MOST_METHODS)).map(|at| (at, Tried::All));
+        let mut of_methods: Vec<(Model, RightPicture)> = Vec::new();
+        let mut best: Option<(Found, usize)> = None;
+        for (at, tried) in known.chain(others) {
+            if at == of_methods.len() {
+                let (method, space) = all[at];
+                let model = Model::new(method, space, &of_model, exponent, Mistakes::These(&explaining))?;
+                of_methods.push((model, self.right_picture(method, lights, scenes)?));
+            }
+            let (model, target) = &of_methods[at];
+            let mut search = Search::new(Observer { runner: &runner, model }, target, &explanations);
             let found = search.run(tried);
             runs += search.runs();
             let rank = found.rank();
-            if best.as_ref().is_none_or(|(_, _, known, _)| rank < *known) {
-                best = Some((found, model, rank, target));
+            if best.as_ref().is_none_or(|(known, _)| rank < known.rank()) {
+                best = Some((found, at));
             }
             if rank == 0 {
                 break;
             }
         }
-        let Some((found, model, _, target)) = best else {
+        let Some((found, at)) = best else {
             return Ok(Diagnosis { runs, explanations, ..self.diagnosis(Found::Nothing, usual) });
         };
+        let (model, target) = &of_methods[at];
         let mut fixes = Vec::new();
         if let Found::Causes(groups) = &found {
-            let at = Observer { runner: &runner, model: &model };
+            let at = Observer { runner: &runner, model };
             let scopes = self.stages.map(|(parsed, checked)| Scopes::new(parsed, checked));
-            let trial = Trial { at, target: &target, texts: self.texts, names: self.names };
+            let trial = Trial { at, target, texts: self.texts, names: self.names };
             let tried = Editor::new(at, scopes, self.texts).fixes(groups);
             fixes = tried.into_iter().filter(|fix| trial.is_right(fix)).take(MOST_FIXES).collect();
         }
@@ -315,15 +305,15 @@ impl Diagnosing<'_> {
 
     fn explaining<T>(&self, explain: impl FnOnce(&Explainer<'_>) -> T) -> T {
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
-        let suspects = |method: LightingMethod| suspects(self.program, self.scenes, method, exponent);
+        let suspects = |method: LightingMethod| suspects(self.program, &self.scenes, method, exponent);
         explain(&Explainer {
             solutions: self.solutions,
             methods: &self.hints.methods(self.program),
             suspects: &suspects,
             is_likely: &|id| self.hints.is_likely(id),
-            parameterisation: self.parameterisation,
+            parameterisation: &self.parameterisation,
             required: self.task.required,
-            scenes: self.scenes,
+            scenes: &self.scenes,
             pairs_left: Cell::new(explain::MOST_PAIRS),
             whole_left: Cell::new(explain::MOST_WHOLE),
         })

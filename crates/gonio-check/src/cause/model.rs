@@ -2,7 +2,7 @@
 //! catalogue compute instead.
 
 pub use super::answer::{AnswerMethod, Space};
-use super::answer::{has_space, hypothesis_of, peculiarities};
+use super::answer::{DIRECTIONS, POSITIONS, has_space, hypothesis_of, peculiarities};
 use super::program::{Change, Program, Runner};
 pub(super) use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::{SceneSamples, interpolated};
@@ -303,27 +303,6 @@ fn inputs(stage: Stage, samples: &[SceneSamples]) -> Vec<Quantity> {
     all
 }
 
-/// Vectors that are the same in another space after a rotation.
-const DIRECTIONS: [&str; 15] = [
-    "N",
-    "world_normal",
-    "v_normal",
-    "L",
-    "to_light",
-    "V",
-    "to_eye",
-    "R",
-    "I",
-    "from_eye",
-    "looked_up",
-    "H",
-    "up",
-    "-L",
-    "L + V",
-];
-/// Positions.
-const POSITIONS: [&str; 1] = ["world_position"];
-
 impl Model {
     /// Evaluates a method at all points. It computes the light in a space, in which its mistakes are made.
     ///
@@ -409,7 +388,8 @@ impl Model {
             let is_here = |q: &&Quantity| q.stage == stage && q.mistake.is_none() && !q.interpolated;
             let of_stage: Vec<Quantity> = self.quantities.iter().filter(is_here).cloned().collect();
             let mut push = |name: &str, values: Values| {
-                self.quantities.push(Quantity { name: name.to_owned(), stage, values, ..Quantity::default() });
+                let space = if has_space(name) { self.space } else { Space::World };
+                self.quantities.push(Quantity { name: name.to_owned(), stage, space, values, ..Quantity::default() });
             };
             super::products::products(&mut push, &|name: &str| {
                 of_stage.iter().find(|q| q.name == name).map(|q| &q.values)

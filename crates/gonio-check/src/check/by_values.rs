@@ -72,7 +72,6 @@ pub(super) fn correct(
         Found::Causes(groups) => groups.as_slice(),
         _ => &[],
     };
-    let is_sound = !groups.is_empty() && groups.iter().all(|group| group.first().is_some_and(ProvenCause::is_sound));
     let known = verdict.mistakes.clone();
     // Mistakes that are no change of a value, found by the rules about the source.
     let structural = crate::mistakes::structural();
@@ -82,10 +81,8 @@ pub(super) fn correct(
     }
     let found = if !diagnosis.explanations.is_empty() {
         explained(task, &diagnosis, groups, submission, &known)
-    } else if is_sound {
-        groups.iter().filter_map(|group| named(group.first()?, submission)).flatten().collect()
-    } else if let ([group], true) = (groups, verdict.mistakes.is_empty()) {
-        group.first().map(|cause| unlisted(cause, submission)).into_iter().collect()
+    } else if let Some(proven) = proven(groups, submission, &known) {
+        proven
     } else {
         return ByValues { fixes, ..unchanged };
     };
@@ -93,6 +90,27 @@ pub(super) fn correct(
     verdict.summary = verdict.mistake_names();
     verdict.runner_up = None;
     ByValues { fixes, ..unchanged }
+}
+
+/// The causes that together make every scene right, by name where they have one; `None` if there are none, or if they
+/// are not at the mistakes that the source shows.
+fn proven(groups: &[Vec<ProvenCause>], submission: &Submission, known: &[FoundMistake]) -> Option<Vec<FoundMistake>> {
+    let causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
+    let is_sound = !causes.is_empty() && causes.iter().all(|cause| cause.is_sound());
+    let is_there =
+        |new: &FoundMistake, old: &FoundMistake| new.line.is_some() && new.line == old.line && new.file == old.file;
+    let mut found = Vec::new();
+    for cause in causes {
+        match named(cause, submission) {
+            Some(named) => found.extend(named),
+            None => {
+                let new = unlisted(cause, submission);
+                found.push(known.iter().find(|old| is_there(&new, old)).cloned().unwrap_or(new));
+            }
+        }
+    }
+    let is_found = |old: &FoundMistake| found.iter().any(|new| new.id == old.id || is_there(new, old));
+    (is_sound || !found.is_empty() && known.iter().all(is_found)).then_some(found)
 }
 
 /// The mistakes that explain the picture, at the lines of their causes.

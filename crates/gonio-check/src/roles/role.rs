@@ -227,6 +227,20 @@ impl Role {
         NAMES.iter().find(|(_, named)| of_first(named)).map_or(self, |(_, named)| named.with_light(light))
     }
 
+    /// Returns the same quantity in world space or in view space; `None` if it is not given in one of them.
+    #[must_use]
+    pub const fn in_space(self, is_in_view: bool) -> Option<Self> {
+        Some(match (self, is_in_view) {
+            (Self::LightPos(i) | Self::LightPosInView(i), false) => Self::LightPos(i),
+            (Self::LightPos(i) | Self::LightPosInView(i), true) => Self::LightPosInView(i),
+            (Self::LightDirection(i) | Self::LightDirectionInView(i), false) => Self::LightDirection(i),
+            (Self::LightDirection(i) | Self::LightDirectionInView(i), true) => Self::LightDirectionInView(i),
+            (Self::NormalMatrix | Self::NormalMatrixOfModelView, false) => Self::NormalMatrix,
+            (Self::NormalMatrix | Self::NormalMatrixOfModelView, true) => Self::NormalMatrixOfModelView,
+            _ => return None,
+        })
+    }
+
     /// Whether it is a role of attributes.
     #[must_use]
     pub const fn is_attribute(self) -> bool {

@@ -6,34 +6,27 @@ use crate::cause::samples::SceneSamples;
 use crate::roles::{Bound, How, Role, VariableKind};
 use crate::testbench::TestLight;
 
-/// The same role in world space or view space.
-fn in_space(role: Role, is_in_view: bool) -> Option<Role> {
-    let light = role.light()?;
-    Some(match (role, is_in_view) {
-        (Role::LightPos(_) | Role::LightPosInView(_), false) => Role::LightPos(light),
-        (Role::LightPos(_) | Role::LightPosInView(_), true) => Role::LightPosInView(light),
-        (Role::LightDirection(_) | Role::LightDirectionInView(_), false) => Role::LightDirection(light),
-        (Role::LightDirection(_) | Role::LightDirectionInView(_), true) => Role::LightDirectionInView(light),
-        _ => return None,
-    })
-}
-
 /// Whether it is a light of OpenGL's old pipeline, whose positions are in view space.
 fn is_fixed_function(bound: &Bound) -> bool {
     bound.declared.name.starts_with("gl_")
 }
 
+/// Whether it is a light's position or direction, which has a space.
+fn has_space(bound: &Bound) -> bool {
+    bound.role.light().is_some() && bound.role.in_space(false).is_some()
+}
+
 /// Whether the name leaves the space of a light open.
-pub(super) fn is_open(bound: &Bound) -> bool {
+pub(in crate::cause) fn is_open(bound: &Bound) -> bool {
     bound.declared.kind == VariableKind::Uniform
         && bound.how != How::NamesFile
-        && in_space(bound.role, false).is_some()
+        && has_space(bound)
         && !is_fixed_function(bound)
 }
 
 /// Whether a program reads a light of the old pipeline, whose position is a direction if its w is 0.
 pub(super) fn may_be_directions(program: &Program) -> bool {
-    program.bindings.bound.iter().any(|bound| is_fixed_function(bound) && in_space(bound.role, false).is_some())
+    program.bindings.bound.iter().any(|bound| is_fixed_function(bound) && has_space(bound))
 }
 
 /// Chooses one space for all lights: another one than that of the names only if it makes more values right.
@@ -41,7 +34,7 @@ pub(super) fn choose_space(program: &mut Program, samples: &[SceneSamples], mode
     let mut best = (score(program, samples, models), program.bindings.bound.clone());
     for is_in_view in [false, true] {
         for bound in program.bindings.bound.iter_mut().filter(|bound| is_open(bound)) {
-            bound.role = in_space(bound.role, is_in_view).unwrap_or(bound.role);
+            bound.role = bound.role.in_space(is_in_view).unwrap_or(bound.role);
         }
         if program.bindings.bound == best.1 {
             continue;
