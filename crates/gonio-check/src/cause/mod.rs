@@ -273,10 +273,21 @@ impl Diagnosing<'_> {
         for (at, tried) in known.chain(others) {
             if at == of_methods.len() {
                 let (method, space) = all[at];
-                let model = Model::new(method, space, &of_model, exponent, Mistakes::These(&explaining))?;
+                let lighting = LightingMethod { model: method.model, space };
+                let wrong = match explanations.is_empty() {
+                    true => suspects(self.program, &self.scenes, lighting, exponent),
+                    false => explaining.clone(),
+                };
+                let model = Model::new(method, space, &of_model, exponent, Mistakes::These(&wrong))?;
                 of_methods.push((model, self.right_picture(method, lights, scenes)?));
             }
             let (model, target) = &of_methods[at];
+            // What is wrong with the other light is in none of these scenes.
+            let is_right_here =
+                || see(&runner, &[], 0..samples.len()).is_some_and(|seen| target.agrees(&seen).is_some());
+            if lights == Lights::First && is_right_here() {
+                break;
+            }
             let mut search = Search::new(Observer { runner: &runner, model }, target, &explanations);
             let found = search.run(tried);
             runs += search.runs();

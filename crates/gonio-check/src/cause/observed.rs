@@ -96,6 +96,15 @@ impl Observer<'_> {
         self.model.quantities.iter().filter(is_here).filter(|q| is_of_method(&q.name)).count()
     }
 
+    /// How many values of the program are right quantities, in the first scene.
+    #[must_use]
+    pub fn recognised(&self, changes: &[Change]) -> usize {
+        let observed = self.observe(changes, 0..1);
+        let is_right =
+            |seen: &&Observed| !seen.values.is_constant() && self.recognise(seen.stage, &seen.values).is_some();
+        observed.iter().filter(is_right).count()
+    }
+
     /// Observes all expressions in some scenes.
     #[must_use]
     pub fn observe(&self, changes: &[Change], scenes: std::ops::Range<usize>) -> Vec<Observed> {

@@ -28,10 +28,14 @@ pub enum Found {
 const MOST_RUNS: usize = 1_000;
 /// Most statements of a search, all points together.
 const MOST_STATEMENTS: u64 = 6_000_000;
+/// Most runs for two causes, besides those for one.
+const MOST_RUNS_OF_PAIR: usize = 1_000;
 /// Most runs for the second of two causes.
 const MOST_RUNS_OF_SECOND: usize = 400;
 /// Most values that are tried as the first of two causes.
 const MOST_FIRSTS: usize = 8;
+/// Most repairs whose gain is measured.
+const MOST_MEASURED: usize = 120;
 impl Found {
     /// Ranks results of several methods: 0 is best.
     #[must_use]
@@ -108,7 +112,7 @@ impl<'a> Search<'a> {
             let mistakes: Vec<&'static Mistake> = explaining(0).into_iter().chain(explaining(1)).collect();
             return self.pair(&observed, &mistakes).unwrap_or(Found::Nothing);
         }
-        let single = self.causes(&[], &observed, &explaining(0), tried, MOST_RUNS);
+        let single = self.causes(&[], &observed, &explaining(0), tried, (MOST_RUNS, MOST_RUNS));
         if !single.is_empty() {
             return Found::Causes(vec![single]);
         }
@@ -123,12 +127,12 @@ impl<'a> Search<'a> {
         observed: &[Observed],
         explaining: &[&'static Mistake],
         tried: Tried,
-        most: usize,
+        (most, end): (usize, usize),
     ) -> Vec<ProvenCause> {
         let repairs = self.at.repairs(observed);
         let (known, others): (Vec<Repair>, Vec<Repair>) =
             repairs.into_iter().partition(|repair| repair.relation == Relation::Known);
-        let end = (self.runs + most).min(MOST_RUNS);
+        let end = (self.runs + most).min(end);
         let mut proven = self.proven(base, observed, &known, end);
         // Earlier expressions, from the inputs on.
         let depth = |repair: &Repair| observed[repair.of].depth;
@@ -151,17 +155,12 @@ impl<'a> Search<'a> {
     /// Two causes: the first one is a wrong value that is recognised. With an explanation, its mistakes are both.
     fn pair(&mut self, observed: &[Observed], explaining: &[&'static Mistake]) -> Option<Found> {
         let all = 0..self.at.runner.samples.len();
-        let mut firsts = self.at.repairs(observed);
         let is_explained = !explaining.is_empty();
-        let is_first = |repair: &Repair| match is_explained {
-            true => repair.relation == Relation::Known,
-            false => repair.relation < Relation::Clamp && observed[repair.of].depth == 1,
-        };
-        firsts.retain(is_first);
-        firsts.sort_by_key(|repair| observed[repair.of].depth);
+        let firsts = if is_explained { self.known(observed) } else { self.gainful(observed) };
+        let end = self.runs + MOST_RUNS_OF_PAIR;
         let mut best: Option<Found> = None;
         for first in firsts.iter().take(MOST_FIRSTS) {
-            if self.runs > MOST_RUNS {
+            if self.runs > end {
                 break;
             }
             let Some(change) = first.change(observed, self.at.model) else { continue };
@@ -169,7 +168,7 @@ impl<'a> Search<'a> {
             let mut again = self.at.observe(&base, all.clone());
             self.at.interpret(&mut again);
             let tried = if is_explained { Tried::Known } else { Tried::All };
-            let seconds = self.causes(&base, &again, explaining, tried, MOST_RUNS_OF_SECOND);
+            let seconds = self.causes(&base, &again, explaining, tried, (MOST_RUNS_OF_SECOND, end));
             let Some(second) = seconds.first() else { continue };
             if is_explained != second.is_explained {
                 continue;
@@ -192,6 +191,32 @@ impl<'a> Search<'a> {
             best.get_or_insert(found);
         }
         best
+    }
+
+    /// The repairs of wrong values of mistakes, the earliest first.
+    fn known(&self, observed: &[Observed]) -> Vec<Repair> {
+        let mut known = self.at.repairs(observed);
+        known.retain(|repair| repair.relation == Relation::Known);
+        known.sort_by_key(|repair| observed[repair.of].depth);
+        known
+    }
+
+    /// Repairs of values that are computed from right ones, those first with which most other values become right.
+    fn gainful(&mut self, observed: &[Observed]) -> Vec<Repair> {
+        let before = self.at.recognised(&[]);
+        let repairs = self.at.repairs(observed);
+        let firsts = repairs.into_iter().filter(|repair| observed[repair.of].depth == 1);
+        let mut gains: Vec<(usize, Repair)> = Vec::new();
+        for repair in firsts.take(MOST_MEASURED) {
+            let Some(change) = repair.change(observed, self.at.model) else { continue };
+            self.runs += 1;
+            let gain = self.at.recognised(&[change]).saturating_sub(before);
+            if gain > 0 {
+                gains.push((gain, repair));
+            }
+        }
+        gains.sort_by_key(|(gain, _)| std::cmp::Reverse(*gain));
+        gains.into_iter().map(|(_, repair)| repair).collect()
     }
 
     /// The repairs that make the picture right, until a number of runs.

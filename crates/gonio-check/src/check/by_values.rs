@@ -97,6 +97,10 @@ pub(super) fn correct(
 fn proven(groups: &[Vec<ProvenCause>], submission: &Submission, known: &[FoundMistake]) -> Option<Vec<FoundMistake>> {
     let causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
     let is_sound = !causes.is_empty() && causes.iter().all(|cause| cause.is_sound());
+    // A single wrong value that no mistake computes may follow from those that the source shows.
+    if causes.len() == 1 && !is_sound && !known.is_empty() {
+        return None;
+    }
     let is_there =
         |new: &FoundMistake, old: &FoundMistake| new.line.is_some() && new.line == old.line && new.file == old.file;
     let mut found = Vec::new();
