@@ -299,6 +299,26 @@ impl Diagnosing<'_> {
                 break;
             }
         }
+        // The mistakes of the catalogue are predicted in all scenes.
+        if let (None | Some((Found::Nothing, _)), Some((model, target)), Lights::One) =
+            (&best, of_methods.first(), lights)
+        {
+            let explain = |seen: &Seen| {
+                Ok(match self.explaining(|explainer| explainer.singly(seen))? {
+                    Singly::Explained(explanations) => explanations,
+                    Singly::Unexplained(_) => Vec::new(),
+                })
+            };
+            let in_model = |explanations: &[Explanation]| {
+                let ids: Vec<&str> =
+                    explanations.iter().filter_map(|e| Some(e.mistakes.first()?.id.as_str())).collect();
+                Model::new(model.method, model.space, &of_model, exponent, Mistakes::These(&ids))
+            };
+            let mut search = Search::new(Observer { runner: &runner, model }, target, &[]);
+            let found = search.beside_one(&explain, &in_model)?;
+            runs += search.runs();
+            best = Some((found, 0));
+        }
         let Some((found, at)) = best else {
             return Ok(Diagnosis { runs, explanations, ..self.diagnosis(Found::Nothing, usual) });
         };

@@ -1,6 +1,7 @@
 //! The search for causes: expressions that, with another value, make the whole picture right.
 
 use super::explain::Explanation;
+use super::model::Model;
 use super::naming::ProvenCause;
 use super::observed::{DEEPEST, Observed, Observer};
 use super::program::{Change, Runner};
@@ -34,6 +35,8 @@ const MOST_RUNS_OF_PAIR: usize = 1_000;
 const MOST_RUNS_OF_SECOND: usize = 400;
 /// Most values that are tried as the first of two causes.
 const MOST_FIRSTS: usize = 8;
+/// Most pictures with a first cause repaired that are explained by mistakes.
+const MOST_EXPLAINED: usize = 6;
 /// Most repairs whose gain is measured.
 const MOST_MEASURED: usize = 120;
 impl Found {
@@ -191,6 +194,55 @@ impl<'a> Search<'a> {
             best.get_or_insert(found);
         }
         best
+    }
+
+    /// The causes beside a first one with which the mistakes that `explain` finds explain the picture.
+    ///
+    /// `in_model` gives the quantities of those mistakes.
+    ///
+    /// # Errors
+    /// Those of the functions.
+    pub(super) fn beside_one(
+        &mut self,
+        explain: &dyn Fn(&Seen) -> Result<Vec<Explanation>, String>,
+        in_model: &dyn Fn(&[Explanation]) -> Result<Model, String>,
+    ) -> Result<Found, String> {
+        let all = 0..self.at.runner.samples.len();
+        let mut observed = self.at.observe(&[], all.clone());
+        self.at.interpret(&mut observed);
+        let mut tried: Vec<Values> = Vec::new();
+        for first in self.gainful(&observed) {
+            if tried.len() >= MOST_EXPLAINED {
+                break;
+            }
+            let Some(change) = first.change(&observed, self.at.model) else { continue };
+            let base = vec![change];
+            let Some(seen) = self.see(&base, all.clone()) else { continue };
+            if tried.iter().any(|known| known.is_same(&seen.colour)) {
+                continue;
+            }
+            tried.push(seen.colour.clone());
+            let explanations = explain(&seen)?;
+            let explaining: Vec<&'static Mistake> =
+                explanations.iter().filter_map(|explanation| explanation.mistakes.first().copied()).collect();
+            if explaining.is_empty() {
+                continue;
+            }
+            let model = in_model(&explanations)?;
+            let at = Observer { runner: self.at.runner, model: &model };
+            let mut beside = Search { at, target: self.target, explanations: &explanations, runs: 0, statements: 0 };
+            let mut again = at.observe(&base, all.clone());
+            at.interpret(&mut again);
+            let budget = (MOST_RUNS_OF_SECOND, MOST_RUNS_OF_SECOND);
+            let seconds = beside.causes(&base, &again, &explaining, Tried::Known, budget);
+            self.runs += beside.runs;
+            let Some(both) = seconds.first().and_then(|second| second.repair.change(&again, &model)) else { continue };
+            let firsts = self.at.causes(&[both], &observed, std::slice::from_ref(&first), &[]);
+            if !firsts.is_empty() {
+                return Ok(Found::Causes(vec![firsts, seconds]));
+            }
+        }
+        Ok(Found::Nothing)
     }
 
     /// The repairs of wrong values of mistakes, the earliest first.
