@@ -299,9 +299,10 @@ impl Diagnosing<'_> {
                 break;
             }
         }
+        let is_rooted = best.as_ref().is_some_and(|(found, _)| found.is_rooted());
         // The mistakes of the catalogue are predicted in all scenes.
-        if let (None | Some((Found::Nothing, _)), Some((model, target)), Lights::One) =
-            (&best, of_methods.first(), lights)
+        if let (false, true, Lights::One) = (is_rooted, explanations.is_empty(), lights)
+            && let Some((model, target)) = of_methods.first()
         {
             let explain = |seen: &Seen| {
                 Ok(match self.explaining(|explainer| explainer.singly(seen))? {
@@ -317,7 +318,9 @@ impl Diagnosing<'_> {
             let mut search = Search::new(Observer { runner: &runner, model }, target, &[]);
             let found = search.beside_one(&explain, &in_model)?;
             runs += search.runs();
-            best = Some((found, 0));
+            if best.as_ref().is_none_or(|(known, _)| found.rank() < known.rank()) {
+                best = Some((found, 0));
+            }
         }
         let Some((found, at)) = best else {
             return Ok(Diagnosis { runs, explanations, ..self.diagnosis(Found::Nothing, usual) });

@@ -73,6 +73,12 @@ impl ProvenCause {
     pub fn is_sound(&self) -> bool {
         !self.mistakes.is_empty()
     }
+
+    /// Whether the error is in this expression: it has a name, or it is computed from right values alone.
+    #[must_use]
+    pub fn is_root(&self) -> bool {
+        self.is_sound() || self.depth <= 1
+    }
 }
 
 /// Most proven repairs that are named.

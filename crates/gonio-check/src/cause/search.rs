@@ -5,7 +5,7 @@ use super::model::Model;
 use super::naming::ProvenCause;
 use super::observed::{DEEPEST, Observed, Observer};
 use super::program::{Change, Runner};
-use super::repair::{Relation, Repair};
+use super::repair::{Make, Relation, Repair};
 use super::target::{Agreement, RightPicture, Seen};
 use super::values::Values;
 use crate::mistakes::Mistake;
@@ -38,7 +38,7 @@ const MOST_FIRSTS: usize = 8;
 /// Most pictures with a first cause repaired that are explained by mistakes.
 const MOST_EXPLAINED: usize = 6;
 /// Most repairs whose gain is measured.
-const MOST_MEASURED: usize = 120;
+const MOST_MEASURED: usize = 300;
 impl Found {
     /// Ranks results of several methods: 0 is best.
     #[must_use]
@@ -48,9 +48,19 @@ impl Found {
             Found::Causes(groups) => {
                 let is_sound = |group: &Vec<ProvenCause>| group.first().is_some_and(ProvenCause::is_sound);
                 let unsound = groups.iter().filter(|group| !is_sound(group)).count();
-                (groups.len() - 1) + 2 * unsound
+                // Two errors are more likely than one in a value that is computed from wrong ones.
+                (groups.len() - 1) + 2 * unsound + if self.is_rooted() { 0 } else { 4 }
             }
             Found::Nothing => usize::MAX,
+        }
+    }
+
+    /// Whether it says where the errors are.
+    pub(super) fn is_rooted(&self) -> bool {
+        match self {
+            Found::Right(_) | Found::Endless => true,
+            Found::Causes(groups) => groups.iter().all(|group| group.first().is_some_and(ProvenCause::is_root)),
+            Found::Nothing => false,
         }
     }
 }
@@ -116,11 +126,12 @@ impl<'a> Search<'a> {
             return self.pair(&observed, &mistakes).unwrap_or(Found::Nothing);
         }
         let single = self.causes(&[], &observed, &explaining(0), tried, (MOST_RUNS, MOST_RUNS));
-        if !single.is_empty() {
-            return Found::Causes(vec![single]);
+        let single = if single.is_empty() { Found::Nothing } else { Found::Causes(vec![single]) };
+        if single.is_rooted() || tried == Tried::Known {
+            return single;
         }
-        let pair = if tried == Tried::All { self.pair(&observed, &[]) } else { None };
-        pair.unwrap_or(Found::Nothing)
+        let pair = self.pair(&observed, &[]).filter(|pair| pair.rank() < single.rank());
+        pair.unwrap_or(single)
     }
 
     /// The single causes beside other changes, the best first.
@@ -257,7 +268,9 @@ impl<'a> Search<'a> {
     fn gainful(&mut self, observed: &[Observed]) -> Vec<Repair> {
         let before = self.at.recognised(&[]);
         let repairs = self.at.repairs(observed);
-        let firsts = repairs.into_iter().filter(|repair| observed[repair.of].depth == 1);
+        // A product or a sum with another value is rarely one that others are computed from.
+        let is_other_value = |repair: &Repair| matches!(repair.make, Make::Quantity(_) | Make::Negative | Make::Unit);
+        let firsts = repairs.into_iter().filter(|repair| observed[repair.of].depth == 1 && is_other_value(repair));
         let mut gains: Vec<(usize, Repair)> = Vec::new();
         for repair in firsts.take(MOST_MEASURED) {
             let Some(change) = repair.change(observed, self.at.model) else { continue };
