@@ -26,11 +26,11 @@ pub enum Found {
 }
 
 /// Most runs of a search.
-const MOST_RUNS: usize = 1_000;
+const MOST_RUNS: usize = 600;
 /// Most statements of a search, all points together.
 const MOST_STATEMENTS: u64 = 6_000_000;
 /// Most runs for two causes, besides those for one.
-const MOST_RUNS_OF_PAIR: usize = 1_000;
+const MOST_RUNS_OF_PAIR: usize = 800;
 /// Most runs for the second of two causes.
 const MOST_RUNS_OF_SECOND: usize = 400;
 /// Most values that are tried as the first of two causes.
@@ -38,7 +38,7 @@ const MOST_FIRSTS: usize = 8;
 /// Most pictures with a first cause repaired that are explained by mistakes.
 const MOST_EXPLAINED: usize = 6;
 /// Most repairs whose gain is measured.
-const MOST_MEASURED: usize = 300;
+const MOST_MEASURED: usize = 240;
 impl Found {
     /// Ranks results of several methods: 0 is best.
     #[must_use]
