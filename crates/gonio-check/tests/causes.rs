@@ -244,6 +244,14 @@ void main() {
     let fragment = LIT_IN_VIEW_SPACE.replace("(V * vec4(light_pos, 1.0)).xyz", "light_pos");
     let sent = of_exercise("ex04", &vertex.replace("MATRIX", "normalMatrix"), &fragment);
     assert!(matches!(sent.found, Found::Right(_)), "{sent:?}");
+    // names.toml leaves nothing open.
+    let texts = [("a.vert", vertex.replace("MATRIX", "normalMatrix")), ("a.frag", fragment.clone())]
+        .map(|(name, text)| StageText::whole(name, text));
+    for (light, normals) in [("light-pos", "normal-matrix"), ("light-pos-in-view", "normal-matrix-of-model-view")] {
+        let names = format!("[names]\nlight_pos = \"{light}\"\nnormalMatrix = \"{normals}\"\n");
+        let stated = diagnosed("ex04", [&texts[0], &texts[1]], NamesFile::parse(&names).unwrap()).unwrap();
+        assert_eq!(matches!(stated.found, Found::Right(_)), light == "light-pos-in-view", "{stated:?}");
+    }
     // The name of this one tells that it is in world space.
     let world = of_exercise("ex04", &vertex.replace("MATRIX", "itM"), &fragment);
     assert!(!matches!(world.found, Found::Right(_)), "{world:?}");
@@ -323,6 +331,31 @@ fn a_mistake_in_no_list_gets_its_line_and_the_right_quantity() {
     let cause = &groups[0][0];
     assert_eq!((groups.len(), cause.span.line, cause.stage), (1, 8, Stage::Fragment), "{cause:?}");
     assert!(cause.text.contains("un6 + p") && cause.should.contains("from the surface to the eye"), "{cause:?}");
+}
+
+#[test]
+fn two_mistakes_have_their_lines_if_one_or_both_are_in_no_list() {
+    let vertex = IN_VIEW_SPACE
+        .replace("mat3(V) * (mat3(itM) * normal)", "mat3(itM) * normal")
+        .replace("PLACE", "vec3(M * vec4(position, 1.0))");
+    let fragment = "#version 330 core
+in vec3 n; in vec3 p;
+uniform vec3 light_pos, u_view_pos; uniform float shininess;
+out vec4 c;
+void main() {
+    vec3 a = normalize(n);
+    vec3 l = normalize(light_pos - p);
+    vec3 r = reflect(-l, a);
+    float s = pow(max(dot(r, normalize(u_view_pos - p)), 0.0), shininess);
+    c = vec4(vec3(s), 1.0);
+}
+";
+    assert!(matches!(of_exercise("ex06", &vertex, fragment).found, Found::Right(_)));
+    let by_model = vertex.replace("mat3(itM)", "mat3(M)");
+    let to_light = fragment.replace("light_pos - p", "light_pos - u_view_pos");
+    assert_eq!(lines(&of_exercise("ex06", &by_model, &to_light)), [7, 7]);
+    let swapped = fragment.replace("light_pos - p", "light_pos + p").replace("reflect(-l, a)", "reflect(a, -l)");
+    assert_eq!(lines(&of_exercise("ex06", &vertex, &swapped)), [7, 8]);
 }
 
 #[test]
