@@ -11,8 +11,8 @@ pub(super) fn other_conventions(program: &Program) -> Vec<Program> {
         let mut other = program.clone();
         for bound in &mut other.bindings.bound {
             let is_open = has_other_lights && lights::is_open(bound) || has_other_normals && has_open_normals(bound);
-            let spaces = [false, true].into_iter().filter_map(|is_in_view| bound.role.in_space(is_in_view));
-            if let Some(role) = spaces.filter(|role| is_open && *role != bound.role).last() {
+            let mut spaces = [false, true].into_iter().filter_map(|is_in_view| bound.role.in_space(is_in_view));
+            if let Some(role) = spaces.find(|role| is_open && *role != bound.role) {
                 bound.role = role;
             }
         }
