@@ -31,15 +31,13 @@ impl Averaging {
 /// Makes one normal per triangle: every triangle gets three vertices of its own. Degenerate triangles get the normal
 /// (0, 0, 0), which the equation replaces by the view direction.
 pub fn make_flat(mesh: &Mesh) -> Mesh {
-    let mut flat = mesh.unshared();
-    flat.tangents = Vec::new();
-    flat.normals = Vec::with_capacity(flat.indices.len());
-    for t in 0..mesh.triangle_count() {
-        let normal = face_normal(mesh, t).as_vec3().to_array();
-        flat.normals.extend([normal; 3]);
-    }
-    flat.normal_source = NormalSource::Flat;
-    flat
+    Mesh { tangents: Vec::new(), normal_source: NormalSource::Flat, ..with_face_normals(mesh) }
+}
+
+/// The same with the tangents of the mesh, as flat shading draws it.
+pub fn with_face_normals(mesh: &Mesh) -> Mesh {
+    let of_face = |triangle| [face_normal(mesh, triangle).as_vec3().to_array(); 3];
+    Mesh { normals: (0..mesh.triangle_count()).flat_map(of_face).collect(), ..mesh.unshared() }
 }
 
 /// Averages normals over adjacent faces, weighted by angle, within smoothing groups.

@@ -28,7 +28,7 @@ pub use renderer::{
     DifferenceScale, Painted, RenderedFrame, RenderedPicture, Renderer, SampledTexture, UniformValues, UserPass,
     displayed_environment, map_of, shown_unchanged,
 };
-pub use scene_on_gpu::GpuScene;
+pub use scene_on_gpu::{GpuScene, wants_unshared};
 
 #[cfg(test)]
 mod tests;

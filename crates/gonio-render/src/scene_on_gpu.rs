@@ -80,7 +80,7 @@ pub(crate) struct TransparentTriangle {
 }
 
 /// Whether a shading draws the unshared form of a mesh.
-pub(crate) fn wants_unshared(shading: Shading) -> bool {
+pub fn wants_unshared(shading: Shading) -> bool {
     matches!(shading, Shading::Flat | Shading::FlatPerFace)
 }
 

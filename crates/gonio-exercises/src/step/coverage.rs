@@ -126,8 +126,8 @@ impl Coverage {
 
 /// The middle of a pixel in normalized device coordinates; y of the pixel is downwards.
 pub(super) fn ndc([x, y]: [u32; 2], size: [u32; 2]) -> [f64; 2] {
-    let along = |i: u32, side: u32| (f64::from(i) + 0.5) / f64::from(side) * 2.0 - 1.0;
-    [along(x, size[0]), -along(y, size[1])]
+    let [right, down] = ndc_from_bottom([x, y], size);
+    [right, -down]
 }
 
 /// The columns and rows that a triangle may cover.

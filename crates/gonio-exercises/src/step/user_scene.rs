@@ -7,8 +7,8 @@ use gonio_check::verdict::CompilerMessage;
 use gonio_glsl::Stage;
 use gonio_interpreter::{InputRate, PointValues, StageInputs};
 use gonio_mesh::Mesh;
-use gonio_render::{SampledTexture, VertexData};
-use gonio_scene::scene_file::Shading;
+use gonio_mesh::normals::with_face_normals;
+use gonio_render::{SampledTexture, VertexData, wants_unshared};
 use gonio_scene::{Frame, Object, Scene, SceneMaterial};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -67,7 +67,7 @@ impl UserPair {
         let mut parts = Vec::new();
         for object in &scene.objects {
             let Some(mesh) = scene.meshes.get(object.mesh) else { continue };
-            let flat = matches!(object.shading, Shading::Flat | Shading::FlatPerFace).then(|| unshared(mesh));
+            let flat = wants_unshared(object.shading).then(|| with_face_normals(mesh));
             let mesh: &Mesh = flat.as_ref().unwrap_or(mesh);
             for part in &object.parts {
                 let Some(material) = scene.materials.get(part.material) else { continue };
@@ -168,17 +168,6 @@ fn columns(mesh: &Mesh, data: VertexData, vertices: &[u32]) -> Option<Vec<Vec<u3
         VertexData::Color => split(&mesh.colors, vertices),
         VertexData::Tangent => split(&mesh.tangents, vertices),
     }
-}
-
-/// Three vertices of its own for each triangle, with the triangle's normal, as flat shading draws them.
-fn unshared(mesh: &Mesh) -> Mesh {
-    let mut flat = mesh.unshared();
-    let normals = (0..flat.triangle_count()).flat_map(|triangle| {
-        let [a, b, c] = flat.triangle_positions(triangle).map(glam::Vec3::as_dvec3);
-        [(b - a).cross(c - a).normalize_or_zero().as_vec3().to_array(); 3]
-    });
-    flat.normals = normals.collect();
-    flat
 }
 
 /// The vertices that triangles use, in ascending order, and the triangles' corners among them.
