@@ -128,6 +128,11 @@ pub fn read_shader(file: &SourceFile) -> Result<(StageText, Option<String>), Int
     Ok((StageText::whole(&file.name, text), warning))
 }
 
+/// The stage of a shader by its name and content, if they tell.
+pub fn stage_of(name: &str, text: &str) -> Option<Stage> {
+    stage::determine(name, name, &without_comments(text)).0
+}
+
 /// The shaders and messages found so far.
 #[derive(Default)]
 struct Intake {

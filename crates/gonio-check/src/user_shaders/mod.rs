@@ -81,6 +81,13 @@ impl UserShaders {
         Ok(UserShaders { vertex, fragment, names: OwnNames::read(names)?, warnings })
     }
 
+    /// gonio's own shader for a stage that is missing, if one is.
+    pub fn stand_in(&self) -> Option<SourceFile> {
+        let PairTexts { vertex, fragment, .. } = self.texts();
+        let text = if self.vertex.is_none() { vertex } else { fragment };
+        (self.vertex.is_none() || self.fragment.is_none()).then(|| SourceFile::new(text.file, text.text))
+    }
+
     /// Whether a driver that compiles or draws them may take long: there are loops.
     pub fn has_loops(&self) -> bool {
         [&self.vertex, &self.fragment].into_iter().flatten().any(|stage| {

@@ -144,6 +144,22 @@ impl UserInputs {
         })
     }
 
+    /// Takes the values that the user chose and the user's textures from the inputs of another program, where this one has the
+    /// same variables.
+    pub fn take_choices(&mut self, other: &UserInputs) {
+        for uniform in other.uniforms.iter().filter(|uniform| uniform.source == UniformSource::Chosen) {
+            // A variable that is gone or has another type now keeps its own value.
+            let _ = self.set(&uniform.name, &uniform.values);
+        }
+        for (name, texture) in &other.samplers {
+            if let SampledTexture::File(index) = texture
+                && let Some(texture) = other.files.get(*index)
+            {
+                let _ = self.set_texture(name, texture.clone());
+            }
+        }
+    }
+
     fn sampler(&self, name: &str) -> Option<usize> {
         self.samplers.iter().position(|(known, _)| known == name)
     }

@@ -29,6 +29,11 @@ const BAND_SAMPLES: usize = 1 << 21;
 /// The work for one chunk, in units of the interpreter: an endless loop ends after about ten seconds.
 const CHUNK_WORK: u64 = 100_000_000;
 
+/// Pixels along each side of a picture that is only tried, how many of them are run, and the work for those of an object.
+const TRIED_SIDE: u32 = 64;
+const TRIED_PIXELS: usize = 64;
+const TRIED_WORK: u64 = 5_000_000;
+
 /// The places of the samples in a pixel, in sixteenths from its middle, y upwards: those of most drivers.
 fn sample_places(count: u32) -> &'static [[i8; 2]] {
     const ONE: [[i8; 2]; 1] = [[0, 0]];
@@ -107,6 +112,33 @@ impl UserPair {
             progress(f64::from(band.rows.end) / f64::from(frame.height));
         }
         Ok(ShadedPicture { picture, vertices: points as u64, fragments })
+    }
+
+    /// Runs the shaders at some pixels of a small picture, which takes a second at most. It finds most loops that never end.
+    ///
+    /// # Errors
+    /// A shader does not end; one sentence with file and line.
+    pub fn try_at_some_pixels(&self, scene: &Scene) -> Result<(), String> {
+        let frame = Frame { width: TRIED_SIDE, height: TRIED_SIDE, samples: 1, ..scene.frame(0.0) };
+        let tried = self.in_scene(scene, &frame, StepWork::BRIEF);
+        if let Some(ended) = tried.objects.iter().find_map(|object| object.vertices.ended) {
+            return Err(self.endless(Stage::Vertex, ended));
+        }
+        let stage = &self.pair.fragment.compiled;
+        let quads = stage.takes_derivatives;
+        let pixels: Vec<[u32; 2]> = tried.coverage.covered().collect();
+        let apart = pixels.len().div_ceil(TRIED_PIXELS).max(1);
+        let at_object = |pixel: &[u32; 2], object| tried.coverage.at(*pixel).is_some_and(|at| at.object == object);
+        for object in 0..tried.objects.len() {
+            let of_object = pixels.iter().step_by(apart).copied().filter(|pixel| at_object(pixel, object));
+            let inputs = tried.fragment_inputs(object, &of_object.collect::<Vec<_>>(), quads);
+            let options =
+                RunOptions { textures: &*tried.textures, quads, most_work: TRIED_WORK, ..RunOptions::default() };
+            if let Some(ended) = run(stage, &inputs, &options).ended {
+                return Err(self.endless(Stage::Fragment, ended));
+            }
+        }
+        Ok(())
     }
 
     fn endless(&self, stage: Stage, ended: EndedEarly) -> String {
