@@ -58,6 +58,8 @@ pub enum Action {
     ListExercises,
     /// Starts the exercise with this id.
     StartExercise(String),
+    /// Closes the user's own shaders.
+    CloseShaders,
     /// Dismisses a message.
     Dismiss(u64),
 }

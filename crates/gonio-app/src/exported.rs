@@ -105,7 +105,8 @@ pub fn triangles(session: &Session) -> usize {
 /// | `measured`, `difference` | measurements of each pane; the difference of the pair in 8-bit steps, or null |
 /// | `traced` | for each pane null, or its traced picture: the simplifications, paths per pixel, relative error or null; |
 /// | | milliseconds until its first picture, or null, and of the longest frame since it was requested |
-/// | `shaders` | null, or the user's own: whether the present texts `failed`, their `remarks`, `serial`, and all `uniforms` |
+/// | `shaders` | null, or the user's own: whether the present texts `failed`, their `remarks`, `serial`, all `uniforms`, |
+/// | | the `text` that is shown, or null, and the values at the pinned pixel as in an exercise: `step` |
 /// | `selection`, `tab`, `help`, `asking` | the selection, the tab, whether the shortcuts are shown; the text of the path field, or null |
 /// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the observer's view is shown |
 /// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it is recorded |
@@ -205,8 +206,10 @@ fn shaders(shaders: &OwnShaders) -> Value {
     json!({
         "failed": shaders.has_failed(),
         "compiled": shaders.program().is_some(),
-        "remarks": shaders.remarks(),
+        "remarks": shaders.remarks().iter().map(|remark| remark.text.as_str()).collect::<Vec<_>>(),
         "serial": shaders.serial(),
+        "text": shaders.is_reading().then_some(&shaders.shown),
+        "step": shaders.stepper.state(),
         "uniforms": uniforms.iter().map(uniform).collect::<Vec<_>>(),
     })
 }

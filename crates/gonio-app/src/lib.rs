@@ -12,6 +12,7 @@
 //! | [`session`] | everything else: loaded scene, time, selection, messages |
 //! | [`panels`] | the equation, the lists, the numbers: widgets over the document |
 //! | [`scene_view`] | the pictures of the scene, and what pointer and keys do there |
+//! | `step` | shaders, stepped through at a pixel |
 //! | [`exercise`] | an exercise: the student's files, their picture, the checker |
 //! | [`files`] | files that the user drops, chooses or links to |
 //! | [`saving`] | pictures and scenes as files |
@@ -34,6 +35,7 @@ pub mod saving;
 pub mod scene_view;
 pub mod session;
 pub mod shortcuts;
+mod step;
 pub mod theme;
 pub mod truth;
 pub mod typeset;

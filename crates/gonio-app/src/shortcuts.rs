@@ -37,7 +37,7 @@ const SHIFTED: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
 const PICTURE: &str = "In the picture";
 const WINDOW: &str = "The window";
 const FILES: &str = "Files";
-const EXERCISE: &str = "In an exercise";
+const EXERCISE: &str = "In an exercise, or with your own shaders";
 
 /// All shortcuts. The longer combination of a key comes first, because the shorter one would consume
 /// its events.
@@ -80,7 +80,7 @@ const TABLE: &[Shortcut] = &[
         .on(Modifiers::COMMAND, Key::O, || Action::ChooseFiles),
     row(FILES, "Ctrl + Shift + S", "save the scene").on(SHIFTED, Key::S, || Action::Save(Product::Scene)),
     row(FILES, "Ctrl + S", "save the picture").on(Modifiers::COMMAND, Key::S, || Action::Save(Product::Picture)),
-    row(EXERCISE, "Ctrl + Enter", "check the shaders"),
+    row(EXERCISE, "Ctrl + Enter", "check the shaders of an exercise"),
     row(EXERCISE, "Click on the picture, F9", "show each line's values at that pixel, or at the picture's middle"),
     row(EXERCISE, "F10, Shift + F10", "next or previous step, over calls; also Alt + Down, Alt + Up"),
     row(EXERCISE, "F11, Shift + F11", "next or previous step, into calls; also Alt + Right, Alt + Left"),
@@ -132,6 +132,9 @@ pub fn handle(ui: &Ui, document: &mut Document, session: &mut Session, actions: 
     if pressed(Key::Escape) {
         session.help = false;
         session.probing.pinned = None;
+        if let Some(shaders) = &mut session.shaders {
+            shaders.stepper.unpin();
+        }
     }
     const DIGITS: [Key; 10] =
         [Key::Num0, Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6, Key::Num7, Key::Num8, Key::Num9];

@@ -6,9 +6,11 @@ mod support;
 use egui::{Key, Modifiers, Vec2, pos2, vec2};
 use gonio_app::exercise::Start;
 use gonio_app::exported;
-use gonio_app::files::ExerciseFile;
+use gonio_app::files::{ExerciseFile, GatheredInputs, MemoryFiles, gather};
+use gonio_app::platform::{Event as PlatformEvent, SceneInput};
 use gonio_exercises::exercise;
 use serde_json::Value;
+use std::sync::Arc;
 use std::time::Duration;
 use support::Window;
 
@@ -239,4 +241,141 @@ fn click_page(window: &mut Window) {
     let at = window.center("page-files");
     window.click_at(at);
     window.steps(30);
+}
+
+/// A cube that the user's own shaders draw, opened as files are dropped on a page.
+fn with_shaders(size: Vec2, files: &[(&str, &str)]) -> Window {
+    let mut window = Window::with("builtin:cube", size);
+    window.steps(4);
+    drop_files(&mut window, files);
+    window
+}
+
+fn drop_files(window: &mut Window, files: &[(&str, &str)]) {
+    let mut memory = MemoryFiles::default();
+    files.iter().for_each(|(name, text)| memory.insert(name, text.as_bytes().to_vec()));
+    let GatheredInputs { inputs, environment, shaders } = gather(&memory.names(), &memory).unwrap();
+    let input = SceneInput { inputs, environment, shaders, files: Arc::new(memory) };
+    window.here.coming.borrow_mut().push(PlatformEvent::Open(input));
+    window.steps(3);
+}
+
+/// Waits until the state of the user's own shaders is as expected.
+#[track_caller]
+fn wait_own(window: &mut Window, what: &str, expected: impl Fn(&Value) -> bool) -> Value {
+    for _ in 0..600 {
+        window.steps(1);
+        let state = window.app().state(&window.harness.ctx)["shaders"].clone();
+        if expected(&state) {
+            return state;
+        }
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    panic!("timed out waiting for {what}: {:#}", window.app().state(&window.harness.ctx)["shaders"]);
+}
+
+fn listed(state: &Value) -> bool {
+    state["step"]["busy"] == false && (state["step"]["values"].is_array() || state["step"]["message"].is_string())
+}
+
+const OWN: &str = "#version 330 core\nin vec3 normal;\nuniform float gain;\nout vec4 c;\nvoid main() {\n    vec3 n = \
+                   normalize(normal);\n    c = vec4(gain * n, 1.0);\n}\n";
+
+#[test]
+fn dropped_shaders_draw_the_scene_and_are_stepped_through() {
+    for size in [DESK, PHONE] {
+        let mut window = with_shaders(size, &[("own.frag", OWN), ("names.toml", "[names]\ngain = 0.25\n")]);
+        let state = wait_own(&mut window, "the program", |s| s["compiled"] == true);
+        assert_eq!((&state["failed"], &state["uniforms"][0]["origin"]), (&false.into(), &"names.toml".into()));
+        window.press(Modifiers::NONE, Key::F9);
+        let state = wait_own(&mut window, "the values", listed);
+        assert_eq!((&state["text"], &state["step"]["message"]), (&"own.frag".into(), &Value::Null));
+        let values = state["step"]["values"].as_array().unwrap();
+        let of = |line: u64| {
+            let found = values.iter().find(|value| value["line"] == line);
+            numbers(found.unwrap_or_else(|| panic!("{values:?}"))["text"].as_str().unwrap())
+        };
+        let (n, colour) = (of(6), of(7));
+        assert!((0..3).all(|at| (colour[at] - 0.25 * n[at]).abs() < 1e-3), "{n:?} {colour:?}");
+        let back = window.center("step-back-over");
+        window.click_at(back);
+        assert_eq!(wait_own(&mut window, "a step back", listed)["step"]["line"], 6);
+        for widget in exported::widgets(&window.harness.ctx) {
+            let [left, _, width, _] = widget.rect;
+            let is_scrolled = widget.id == "editor" || widget.id.starts_with("variable-");
+            assert!(is_scrolled || (left >= -1.0 && left + width <= size.x + 1.0), "{size} {widget:?}");
+        }
+        // An error is marked at its line, and the last good program stays.
+        drop_files(&mut window, &[("own.frag", &OWN.replace("gain * n", "gian * n"))]);
+        let state = wait_own(&mut window, "the error", |s| s["failed"] == true);
+        assert_eq!(state["compiled"], true);
+        window.steps(2);
+        assert_eq!(window.widget("note-0").value, "7");
+        // On a phone the message is over the texts.
+        let message = window.app().state(&window.harness.ctx)["messages"][0]["id"].clone();
+        let dismiss = window.center(&format!("dismiss-{message}"));
+        window.click_at(dismiss);
+        let close = window.center("close-texts");
+        window.click_at(close);
+        window.steps(2);
+        let close = window.center("close-shaders");
+        window.click_at(close);
+        window.steps(2);
+        assert!(window.app().session().shaders.is_none());
+        let state = window.app().state(&window.harness.ctx);
+        assert!(state["messages"].as_array().unwrap().is_empty(), "{}", state["messages"]);
+    }
+}
+
+#[test]
+fn a_pinned_place_stays_when_its_values_take_room_from_the_picture() {
+    let place = "#version 330 core\nuniform vec2 resolution;\nout vec4 c;\nvoid main() {\n    vec2 from_middle = \
+                 (gl_FragCoord.xy - 0.5 * resolution) / resolution.y;\n    c = vec4(from_middle, 0.0, 1.0);\n}\n";
+    let mut window = with_shaders(DESK, &[("own.frag", place)]);
+    wait_own(&mut window, "the program", |s| s["compiled"] == true);
+    let [left, top, width, height] = window.widget("pane-0").rect;
+    let at = pos2(left + 0.5 * width - 60.0, top + 0.5 * height - 30.0);
+    window.click_at(at);
+    window.steps(4);
+    let state = wait_own(&mut window, "the values", listed);
+    assert!(window.widget("pane-0").rect[2] < 0.7 * width, "the texts take room");
+    let values = state["step"]["values"].as_array().unwrap();
+    let found = values.iter().find(|value| value["line"] == 5).unwrap_or_else(|| panic!("{state:#}"));
+    let seen = numbers(found["text"].as_str().unwrap());
+    assert!((seen[0] + 60.0 / height).abs() < 0.01 && (seen[1] - 30.0 / height).abs() < 0.01, "{seen:?} {height}");
+}
+
+#[test]
+fn dropped_shaders_whose_loop_never_ends_are_not_drawn() {
+    let endless = OWN.replace("    c = vec4(", "    while (n.x > -2.0) n.y += 0.1;\n    c = vec4(");
+    let mut window = with_shaders(DESK, &[("own.frag", &endless)]);
+    let state = wait_own(&mut window, "a refusal", |s| s["failed"] == true);
+    let remark = state["remarks"][0].as_str().unwrap();
+    assert!(state["compiled"] == false && remark.starts_with("own.frag:7: the shader does not end"), "{remark}");
+    // One that ends takes its place.
+    let ending = OWN.replace("    c = vec4(", "    for (int i = 0; i < 50; i++) n.y += 0.1;\n    c = vec4(");
+    drop_files(&mut window, &[("own.frag", &ending)]);
+    wait_own(&mut window, "a program", |s| s["failed"] == false && s["compiled"] == true);
+}
+
+#[test]
+fn no_pixel_and_no_size_of_the_window_makes_own_shaders_fail() {
+    let odd = "#version 330 core\nin vec3 normal;\nout vec4 c;\nfloat a[3];\nvoid main() {\n    if (normal.x > 0.5) \
+               discard;\n    c = vec4(a[int(normal.y * 9.0)], sqrt(-1.0), 1.0 / 0.0, dFdx(normal.z));\n}\n";
+    let mut window = with_shaders(DESK, &[("odd.frag", odd)]);
+    wait_own(&mut window, "the program", |s| s["compiled"] == true);
+    for size in [DESK, vec2(320.0, 420.0), PHONE, vec2(900.0, 430.0)] {
+        window.harness.set_size(size);
+        window.steps(3);
+        let [left, top, width, height] = window.widget("pane-0").rect;
+        for (x, y) in [(0.5, 0.5), (0.01, 0.01), (0.99, 0.99), (0.4, 0.6)] {
+            window.click_at(pos2(left + x * width, top + y * height));
+            wait_own(&mut window, "an answer", |s| s["step"].is_null() || listed(s));
+        }
+        for key in [Key::F10, Key::F11, Key::F9, Key::F9] {
+            window.press(Modifiers::SHIFT, key);
+        }
+        window.press(Modifiers { shift: true, ..Modifiers::ALT }, Key::ArrowLeft);
+        wait_own(&mut window, "an answer", |s| s["step"].is_null() || listed(s));
+    }
 }

@@ -93,6 +93,13 @@ impl App {
                 self.platform.keep(&self.session.settings);
             }
             Action::RecordFrame => self.record_frame(ctx),
+            Action::CloseShaders => {
+                if let Some(shaders) = self.session.shaders.take() {
+                    shaders.close(&mut self.session.messages);
+                    self.session.tab = Tab::default();
+                    self.watch(ctx);
+                }
+            }
             Action::Dismiss(id) => self.session.messages.dismiss(id),
             Action::ShowExercise => self.exercise.is_open = true,
             Action::ListExercises => self.exercise.list(),

@@ -1,13 +1,16 @@
-//! The exercise within the application.
+//! The exercise and the user's own shaders within the application.
 
 use super::App;
 use crate::exercise::{ExerciseView, Start};
-use crate::files::ExerciseFile;
+use crate::files::{ExerciseFile, ShaderFiles, short};
 use crate::panels;
 use crate::platform::Purpose;
-use crate::session::MessageSeverity;
+use crate::session::{MessageSeverity, OwnShaders, Tab};
+use crate::step;
 use egui::Ui;
+use gonio_scene::files::FileSource;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 impl App {
     /// The exercise view.
@@ -111,5 +114,54 @@ impl App {
             shaders.changed(&paths);
         }
         self.changed.extend(paths.into_iter().filter(|path| self.read.contains(path)));
+    }
+
+    /// Draws with the user's shaders; they replace open ones for the same stage.
+    pub(super) fn open_shaders(&mut self, ctx: &egui::Context, files: ShaderFiles, from: Arc<dyn FileSource>) {
+        let named = files.fragment.iter().chain(&files.vertex).chain(&files.names).cloned().collect::<Vec<_>>();
+        match &mut self.session.shaders {
+            Some(shaders) => shaders.open(files, from, self.platform.as_ref()),
+            None if !files.any() => {
+                let error = format!("`{}` belongs to shaders: open it together with them", short(&named));
+                return self.session.messages.report(MessageSeverity::Error, error);
+            }
+            None => self.session.shaders = Some(OwnShaders::new(files, Some(from))),
+        }
+        self.session.tab = Tab::Shaders;
+        self.session.announcement = format!("opened {}", short(&named));
+        self.watch(ctx);
+        ctx.request_repaint();
+    }
+
+    /// Reads and compiles the user's shaders if they have changed.
+    pub(super) fn follow_shaders(&mut self, ctx: &egui::Context) {
+        let (Some(shaders), Some(renderer)) = (&mut self.session.shaders, &self.pane_renderer) else { return };
+        let scene = self.session.loaded.as_deref();
+        shaders.follow(renderer.gl(), scene, self.platform.as_mut(), &mut self.session.messages, ctx);
+    }
+
+    /// Steps through the user's shaders by the keys of this frame.
+    pub(super) fn step_by_keys(&mut self, ui: &Ui) {
+        if let Some(shaders) = self.session.shaders.as_mut().filter(|_| self.session.asking.is_none()) {
+            let was_pinned = shaders.stepper.is_pinned();
+            step::bar::keys(ui, &mut shaders.stepper);
+            if !was_pinned {
+                shaders.pane = self.document.panes.current;
+            }
+        }
+    }
+
+    /// Computes the values of the user's shaders at the pinned pixel, for the pane as it was just drawn.
+    pub(super) fn step(&mut self, ctx: &egui::Context) {
+        let Some(shaders) = &mut self.session.shaders else { return };
+        if shaders.stepper.is_new() {
+            // The values are those of one moment.
+            (self.session.clock.playing, self.session.tab) = (false, Tab::Shaders);
+        }
+        let (seen, renderer) = (self.document.panes.seen(), self.pane_renderer.as_ref());
+        shaders.step(ctx, self.platform.as_mut(), |pane| {
+            let renderer = renderer.filter(|renderer| seen.contains(&pane) && renderer.is_users(pane))?;
+            Some((renderer.loaded(pane)?.clone(), renderer.frame(pane)?.clone()))
+        });
     }
 }

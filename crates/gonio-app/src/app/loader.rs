@@ -1,7 +1,6 @@
 //! Loading scenes without blocking the window: in a thread, or on the web between two frames.
 
-use crate::files::ReadRecorder;
-use crate::session::ShaderFiles;
+use crate::files::{ReadRecorder, ShaderFiles, short};
 use gonio_mesh::{Limits, ReadError};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::{Budgeted, FileSource};
@@ -191,19 +190,6 @@ fn read(requested: &LoadRequest, files: &dyn FileSource, limits: &Limits) -> Res
 /// File names without folders, for a message.
 pub(super) fn names(paths: &[PathBuf]) -> String {
     short(&paths.iter().map(|path| path.to_string_lossy().into_owned()).collect::<Vec<_>>())
-}
-
-/// The title of what was opened: the file's name without its folder.
-pub(super) fn short(inputs: &[String]) -> String {
-    let name = |input: &String| {
-        let input = input.strip_prefix(gonio_scene::files::BUILTIN).unwrap_or(input);
-        input.rsplit(['/', '\\']).next().unwrap_or(input).to_owned()
-    };
-    match inputs {
-        [] => String::new(),
-        [one] => name(one),
-        [first, rest @ ..] => format!("{} and {} more", name(first), rest.len()),
-    }
 }
 
 #[cfg(test)]

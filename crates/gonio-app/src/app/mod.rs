@@ -5,10 +5,10 @@ mod exercise;
 pub mod loader;
 
 use crate::action::Action;
-use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names, short};
+use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names};
 use crate::document::{Document, History};
 use crate::exercise::ExerciseView;
-use crate::files::Layered;
+use crate::files::{Layered, short};
 use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::session::{MessageSeverity, OwnShaders, Session, Tab};
@@ -84,7 +84,7 @@ impl App {
         if let Some(pane_renderer) = &pane_renderer {
             session.facts.renderer = pane_renderer.driver().to_owned();
         }
-        session.shaders = opening.shaders.take().map(OwnShaders::new);
+        session.shaders = opening.shaders.take().map(|files| OwnShaders::new(files, None));
         if session.shaders.is_some() {
             session.tab = Tab::Shaders;
         }
@@ -217,16 +217,10 @@ impl App {
         }
     }
 
-    /// Reads and compiles the user's shaders if they have changed.
-    fn follow_shaders(&mut self, ctx: &egui::Context) {
-        let (Some(shaders), Some(renderer)) = (&mut self.session.shaders, &self.pane_renderer) else { return };
-        let files = self.platform.files();
-        shaders.follow(renderer.gl(), &*files, self.platform.as_mut(), &mut self.session.messages, ctx);
-    }
-
     /// Shows everything but the pictures. Returns the actions of keys and widgets.
     fn show_panels(&mut self, ui: &mut Ui) -> Vec<Action> {
         let mut actions = Vec::new();
+        self.step_by_keys(ui);
         shortcuts::handle(ui, &mut self.document, &mut self.session, &mut actions);
         panels::show(ui, &mut self.document, &mut self.session, &self.history, &mut actions);
         actions
@@ -247,6 +241,7 @@ impl App {
             }
         });
         self.trace(&ctx);
+        self.step(&ctx);
         if self.session.sketching && self.sketched.is_none() && self.session.facts.pictures > pictures {
             self.sketched = Some(self.platform.shown(&ctx));
         }
@@ -302,7 +297,11 @@ impl App {
     /// Handles an event of the platform.
     fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
-            Event::Open(SceneInput { inputs, environment, files }) if !inputs.is_empty() => {
+            Event::Open(SceneInput { shaders: Some(shaders), inputs, environment, files }) => {
+                self.open_shaders(ctx, shaders, files.clone());
+                self.handle(ctx, Event::Open(SceneInput { shaders: None, inputs, environment, files }));
+            }
+            Event::Open(SceneInput { inputs, environment, files, .. }) if !inputs.is_empty() => {
                 let limits = self.opened.limits;
                 self.start(ctx, SceneOpening { inputs, environment, limits, ..SceneOpening::default() }, files);
             }

@@ -8,7 +8,6 @@
 //! | `command` | commands of widgets and keys, and the exercise to start |
 //! | `check` | checks, and trials of shaders outside of the window |
 //! | `compiler`, `preview` | shaders compiled as they are typed; their pictures |
-//! | `step` | the values of the shaders at a pixel, step by step |
 //! | `drafts` | unsaved text, kept for the next window |
 //! | `fix` | the proposed fix of a verdict |
 //! | `editor` | the files' texts, with colours and marked lines |
@@ -33,21 +32,22 @@ mod pictures;
 mod preview;
 mod saving;
 mod state_json;
-mod step;
 mod toolbar;
 mod work;
 
+pub use crate::step::code::{Mark, MarkKind};
 pub use command::{ExerciseCommand, Start};
 pub use drafts::MOST_AGE as MOST_AGE_OF_DRAFTS;
 pub use file_sets::{OpenFileSet, ReplaceOutcome};
 pub use preview::PreviewPicture;
-pub use work::{ExercisePage, Judged, Mark, MarkKind, OpenFile, PictureMode, ProgramFacts, Work};
+pub use work::{ExercisePage, Judged, OpenFile, PictureMode, ProgramFacts, Work};
 
 use crate::action::Action;
 use crate::exported::{self, WidgetRole};
 use crate::files::ExerciseFile;
 use crate::platform::Platform;
 use crate::scene_view::drawing::PaneRenderer;
+use crate::step::{self, Stepper};
 use crate::theme::colors;
 use check::Check;
 use compiler::Compiler;
@@ -55,7 +55,6 @@ use drafts::Drafts;
 use egui::{Context, Frame, Margin, Panel, ScrollArea, Ui};
 use gonio_exercises::exercise::ExerciseKind;
 use std::path::PathBuf;
-use step::Stepper;
 
 /// Below this width (points) everything is stacked: a phone in portrait orientation.
 const NARROW: f32 = 720.0;

@@ -1,16 +1,18 @@
 //! The pictures beside the editor, with their settings.
 
 use super::preview::{Preview, PreviewPicture, situations};
-use super::step::{self, Stepper};
 use super::work::{PictureMode, Work};
 use crate::exported::{self, WidgetRole};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::scene_view::{navigation, picture_size, present};
+use crate::step::source::{DrawnProgram, SteppedPicture};
+use crate::step::{self, Stepper};
 use crate::theme::{colors, icons};
 use crate::widgets;
 use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, pos2, vec2};
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_gl::GlError;
+use std::sync::Arc;
 
 /// Background of captions.
 const GROUND: Color32 = Color32::from_black_alpha(150);
@@ -61,7 +63,12 @@ pub fn show(
         }
         if index == 0 {
             let seen = situations(work, size);
-            stepper.note_picture(preview.program(), size, &seen);
+            let stepped = |program: &Arc<DrawnProgram>| SteppedPicture::Exercise {
+                program: program.clone(),
+                size,
+                objects: seen.clone(),
+            };
+            stepper.note_picture(|| preview.program().map(stepped));
             if picture == PreviewPicture::Yours
                 && let (Some(pair), Some((_, first))) = (preview.pair(), seen.first())
             {

@@ -2,7 +2,7 @@
 
 use super::work::{PictureMode, Work};
 use crate::scene_view::drawing::PaneRenderer;
-use gonio_check::roles::Bindings;
+use crate::step::source::DrawnProgram;
 use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TestScene;
 use gonio_exercises::exercise::Exercise;
@@ -25,18 +25,6 @@ pub enum PreviewPicture {
     Reference = 1,
     /// The difference of both.
     Difference = 2,
-}
-
-/// The student's program that is drawn.
-pub struct DrawnProgram {
-    /// The exercise that it answers.
-    pub exercise: &'static Exercise,
-    /// The files that it was made of.
-    pub content: Vec<SourceFile>,
-    /// The pair among them.
-    pub source: SubmittedPair,
-    /// The roles of its variables.
-    pub bindings: Bindings,
 }
 
 /// Everything that a picture depends on.

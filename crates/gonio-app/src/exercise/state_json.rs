@@ -1,7 +1,8 @@
 //! The view's part of the exported state.
 
-use super::work::{ExercisePage, MarkKind, Work};
+use super::work::{ExercisePage, Work};
 use super::{ExerciseView, pictures};
+use crate::step::code::MarkKind;
 use serde_json::{Value, json};
 
 /// One JSON object:

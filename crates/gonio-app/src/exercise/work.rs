@@ -3,6 +3,7 @@
 use super::file_sets::OpenFileSet;
 use crate::files::ExerciseFile;
 use crate::session::Clock;
+use crate::step::code::{Mark, MarkKind};
 use egui::Id;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
@@ -359,28 +360,6 @@ impl Work {
         marks.sort_by_key(|mark| mark.line);
         marks
     }
-}
-
-/// Kind of a marked line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum MarkKind {
-    /// Other compilers may refuse it.
-    Warning,
-    /// The checker found a mistake.
-    Mistake,
-    /// It does not compile.
-    Error,
-}
-
-/// A marked line.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mark {
-    /// Line number, from 1.
-    pub line: u32,
-    /// Its kind.
-    pub kind: MarkKind,
-    /// The message.
-    pub text: String,
 }
 
 #[cfg(test)]

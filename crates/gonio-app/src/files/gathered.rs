@@ -6,25 +6,34 @@
 //! 2. Otherwise all models are opened, in one scene. Pictures are their textures, except formats that models do not use
 //!    (Radiance, OpenEXR, KTX2, DDS): one of these is the environment.
 //! 3. Otherwise pictures are the environment of the open scene: one picture, or the six faces of a cubemap.
-//! 4. Otherwise there is nothing to open, which is an error.
+//! 4. Shaders and a `names.toml` draw the scene, whether another input is among the files or not.
+//! 5. Otherwise there is nothing to open, which is an error.
 
+use super::{MOST_SHADER_BYTES, ShaderFiles};
+use gonio_check::submission::stage_of;
 use gonio_environment::names;
+use gonio_glsl::Stage;
 use gonio_image::decode::FileFormat;
 use gonio_mesh::{Format, compression};
 use gonio_scene::files::FileSource;
 use std::path::Path;
 
 /// The inputs among several files.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct GatheredInputs {
     /// Models or scene files to open; empty if there is only an environment.
     pub inputs: Vec<String>,
     /// The environment.
     pub environment: Option<String>,
+    /// The user's own shaders.
+    pub shaders: Option<ShaderFiles>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
+    Shader,
+    /// The names of the variables of shaders.
+    Names,
     Scene,
     Model,
     /// May be a texture or an environment.
@@ -42,9 +51,45 @@ pub fn gather(names: &[String], source: &dyn FileSource) -> Result<GatheredInput
     let of = |requested: Kind| -> Vec<String> {
         kinds.iter().filter(|(_, kind)| *kind == requested).map(|(name, _)| (*name).clone()).collect()
     };
+    let shaders = shaders(&of(Kind::Shader), of(Kind::Names), source);
+    let rest: Vec<(&String, Kind)> =
+        kinds.iter().copied().filter(|(_, kind)| !matches!(kind, Kind::Shader | Kind::Names)).collect();
+    match (scene(&rest), shaders) {
+        (Ok(scene), shaders) => Ok(GatheredInputs { shaders: shaders.ok().flatten(), ..scene }),
+        (Err(_), Ok(Some(shaders))) => Ok(GatheredInputs { shaders: Some(shaders), ..GatheredInputs::default() }),
+        (Err(_), Err(error)) | (Err(error), Ok(None)) => Err(error),
+    }
+}
+
+/// One shader for each stage, and their names. An error is one sentence.
+fn shaders(files: &[String], names: Vec<String>, source: &dyn FileSource) -> Result<Option<ShaderFiles>, String> {
+    let mut found = ShaderFiles { names: names.into_iter().next(), ..ShaderFiles::default() };
+    for name in files {
+        let bytes = source.read_within(Path::new(name), MOST_SHADER_BYTES);
+        let bytes = bytes.map_err(|error| format!("cannot read the shader {name}: {error}"))?;
+        let stage = stage_of(name, &String::from_utf8_lossy(&bytes));
+        let (place, stage) = match stage {
+            Some(Stage::Vertex) => (&mut found.vertex, "vertex"),
+            Some(_) => (&mut found.fragment, "fragment"),
+            None => {
+                return Err(format!("`{name}` may be a vertex or a fragment shader: name it .vert or .frag"));
+            }
+        };
+        if let Some(other) = place.replace(name.clone()) {
+            return Err(format!("`{other}` and `{name}` are both {stage} shaders: open one of them"));
+        }
+    }
+    Ok((found.any() || found.names.is_some()).then_some(found))
+}
+
+/// The models, scenes or pictures among files.
+fn scene(kinds: &[(&String, Kind)]) -> Result<GatheredInputs, String> {
+    let of = |requested: Kind| -> Vec<String> {
+        kinds.iter().filter(|(_, kind)| *kind == requested).map(|(name, _)| (*name).clone()).collect()
+    };
     let scenes = of(Kind::Scene);
     if !scenes.is_empty() {
-        return Ok(GatheredInputs { inputs: scenes, environment: None });
+        return Ok(GatheredInputs { inputs: scenes, ..GatheredInputs::default() });
     }
     let models = of(Kind::Model);
     let environments = of(Kind::Environment);
@@ -53,31 +98,30 @@ pub fn gather(names: &[String], source: &dyn FileSource) -> Result<GatheredInput
             [] => None,
             several => Some(one_environment(several)?),
         };
-        return Ok(GatheredInputs { inputs: models, environment });
+        return Ok(GatheredInputs { inputs: models, environment, shaders: None });
     }
     let pictures: Vec<String> = environments.into_iter().chain(of(Kind::Picture)).collect();
     if !pictures.is_empty() {
-        return Ok(GatheredInputs { inputs: Vec::new(), environment: Some(one_environment(&pictures)?) });
+        let environment = Some(one_environment(&pictures)?);
+        return Ok(GatheredInputs { environment, ..GatheredInputs::default() });
     }
-    let kinds = "a model (.obj .gltf .glb .dae .ply .stl .mesh .meshb), a scene (.toml), a zip of these, or a picture as \
-                 the environment";
-    Err(match names {
+    let expected = "a model (.obj .gltf .glb .dae .ply .stl .mesh .meshb), a scene (.toml), shaders \
+                    (.vert .frag .glsl), a zip of these, or a picture as the environment";
+    Err(match kinds {
         [] => "no files to open".to_owned(),
-        [one] if kinds_sidecar(one) => {
+        [(one, Kind::Sidecar)] => {
             format!("`{one}` belongs to a model: open it together with the model")
         }
-        [one] => format!("`{one}` cannot be opened: expected {kinds}"),
-        several => format!("none of these {} files can be opened: expected {kinds}", several.len()),
+        [(one, _)] => format!("`{one}` cannot be opened: expected {expected}"),
+        several => format!("none of these {} files can be opened: expected {expected}", several.len()),
     })
-}
-
-fn kinds_sidecar(name: &str) -> bool {
-    matches!(extension(name).as_str(), "mtl" | "bin")
 }
 
 fn kind(name: &str, source: &dyn FileSource) -> Kind {
     match extension(name).as_str() {
+        "toml" if base_name(name).eq_ignore_ascii_case("names.toml") => return Kind::Names,
         "toml" => return Kind::Scene,
+        "vert" | "vs" | "vsh" | "vertex" | "frag" | "fs" | "fsh" | "fragment" | "glsl" => return Kind::Shader,
         "mtl" | "bin" => return Kind::Sidecar,
         "hdr" | "exr" | "ktx2" | "dds" => return Kind::Environment,
         "png" | "jpg" | "jpeg" | "bmp" | "tga" | "gif" => return Kind::Picture,
@@ -96,6 +140,10 @@ fn kind(name: &str, source: &dyn FileSource) -> Kind {
     }
 }
 
+fn base_name(name: &str) -> &str {
+    name.rsplit(['/', '\\']).next().unwrap_or(name)
+}
+
 fn extension(name: &str) -> String {
     Path::new(name).extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
 }
@@ -105,7 +153,7 @@ fn one_environment(pictures: &[String]) -> Result<String, String> {
     if let [one] = pictures {
         return Ok(one.clone());
     }
-    let bare: Vec<&str> = pictures.iter().map(|name| name.rsplit(['/', '\\']).next().unwrap_or(name)).collect();
+    let bare: Vec<&str> = pictures.iter().map(|name| base_name(name)).collect();
     match names::assign(&bare) {
         Ok(assignment) => assignment
             .files
@@ -133,11 +181,11 @@ mod tests {
     }
 
     fn inputs(names: &[&str]) -> GatheredInputs {
-        GatheredInputs { inputs: names.iter().map(|n| (*n).to_owned()).collect(), environment: None }
+        GatheredInputs { inputs: names.iter().map(|n| (*n).to_owned()).collect(), ..GatheredInputs::default() }
     }
 
     fn environment(name: &str) -> GatheredInputs {
-        GatheredInputs { inputs: Vec::new(), environment: Some(name.to_owned()) }
+        GatheredInputs { environment: Some(name.to_owned()), ..GatheredInputs::default() }
     }
 
     #[test]
@@ -176,6 +224,28 @@ mod tests {
     fn pictures_that_no_model_uses_are_the_environment() {
         let files = of(&[("a.obj", OBJ), ("wood.png", b""), ("sky.hdr", b"")]);
         assert_eq!(files, Ok(GatheredInputs { environment: Some("sky.hdr".into()), ..inputs(&["a.obj"]) }));
+    }
+
+    #[test]
+    fn shaders_are_found_by_name_or_content_also_beside_a_model() {
+        let vertex = b"in vec3 p; void main() { gl_Position = vec4(p, 1.0); }";
+        let shaders = |vertex: Option<&str>, fragment: Option<&str>, names: Option<&str>| {
+            let [vertex, fragment, names] = [vertex, fragment, names].map(|name| name.map(str::to_owned));
+            Some(ShaderFiles { vertex, fragment, names, ..ShaderFiles::default() })
+        };
+        let both = of(&[("a.frag", b"void main() {}"), ("light.glsl", vertex), ("names.toml", b"[names]")]);
+        let expected = shaders(Some("light.glsl"), Some("a.frag"), Some("names.toml"));
+        assert_eq!(both, Ok(GatheredInputs { shaders: expected, ..GatheredInputs::default() }));
+        let with_model = of(&[("a.frag", b"void main() {}"), ("a.obj", OBJ)]);
+        assert_eq!(
+            with_model,
+            Ok(GatheredInputs { shaders: shaders(None, Some("a.frag"), None), ..inputs(&["a.obj"]) })
+        );
+        let two = of(&[("a.frag", b""), ("b.frag", b"")]);
+        assert!(two.is_err_and(|error| error == "`a.frag` and `b.frag` are both fragment shaders: open one of them"));
+        // A project's folder has many; the model is opened without them.
+        assert_eq!(of(&[("a.frag", b""), ("b.frag", b""), ("a.obj", OBJ)]), Ok(inputs(&["a.obj"])));
+        assert!(of(&[("a.glsl", b"float f();")]).is_err_and(|error| error.starts_with("`a.glsl` may be a vertex or")));
     }
 
     #[test]

@@ -106,7 +106,11 @@ pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mu
             ("Open", "Path of a file, folder or zip file; you can also drop files on the window", "Open")
         }
         Some(_) => ("Save as", "Path of the file", "Save"),
-        None => ("Open", "Path of a model, scene, zip file or picture; you can also drop files on the window", "Open"),
+        None => (
+            "Open",
+            "Path of a model, scene, shader, zip file or picture; you can also drop files on the window",
+            "Open",
+        ),
     };
     let (mut open, mut done) = (true, false);
     let width = 460_f32.min(ui.ctx().content_rect().width() - 48.0);

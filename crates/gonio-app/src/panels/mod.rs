@@ -61,6 +61,11 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
     } else {
         let panel = Panel::right("side").frame(inside).default_size(SIDE_WIDTH).size_range(280.0..=560.0);
         panel.show(ui, |ui| side(ui, document, session, actions));
+        if let Some(shaders) = session.shaders.as_mut().filter(|shaders| shaders.is_reading()) {
+            let width = (0.52 * ui.available_width()).max(260.0);
+            let panel = Panel::left("shader texts").frame(inside).default_size(width).size_range(240.0..=1200.0);
+            panel.show(ui, |ui| shaders::texts(ui, shaders));
+        }
     }
     messages(ui, session, actions);
     dialogs::help(ui, session);
@@ -71,6 +76,11 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
 fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
     tabs(ui, session, actions);
     ui.separator();
+    let is_narrow = ui.ctx().content_rect().width() < NARROW;
+    let reading = session.shaders.as_mut().filter(|shaders| is_narrow && shaders.is_reading());
+    if let Some(shaders) = reading.filter(|_| session.tab == Tab::Shaders) {
+        return shaders::texts(ui, shaders);
+    }
     ScrollArea::vertical().id_salt(session.tab.title()).auto_shrink([false, false]).show(ui, |ui| match session.tab {
         Tab::Lights => lights::show(ui, document, session, actions),
         Tab::Objects => objects::show(ui, document, session, actions),
@@ -79,7 +89,7 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         Tab::Probe => probe::show(ui, document, session, actions),
         Tab::Compare => compare::show(ui, document, session, actions),
         Tab::Frame => frame::show(ui, document, session, actions),
-        Tab::Shaders => shaders::show(ui, session),
+        Tab::Shaders => shaders::show(ui, session, document.panes.current, actions),
     });
 }
 

@@ -1,20 +1,25 @@
-//! The user's own shaders: their files, errors, and a widget for each uniform.
+//! The user's own shaders: their files, texts and errors, and a widget for each uniform.
 
+use crate::action::Action;
 use crate::exported::{self, WidgetRole};
+use crate::files::short;
 use crate::session::{OwnShaders, Session};
+use crate::step::code::{self, Code, Mark, MarkKind};
 use crate::theme::{colors, icons};
-use crate::widgets::{NumberField, color, compact, heading, icon_button, row, slug, toggle};
-use egui::{Label, RichText, Ui};
+use crate::widgets::{NumberField, color, compact, heading, icon_button, row, slug, toggle, tool_button};
+use egui::{Align, Id, Label, Layout, RichText, Sense, Ui};
 use gonio_check::user_shaders::{UniformSource, UserUniform};
+use gonio_check::verdict::CompilerMessage;
 use gonio_light::color::{srgb_decode, srgb_encode};
 use gonio_scene::color_value::Color;
 use gonio_scene::{Frame, Scene};
 
-pub fn show(ui: &mut Ui, session: &mut Session) {
+pub fn show(ui: &mut Ui, session: &mut Session, pane: usize, actions: &mut Vec<Action>) {
     let scene = session.loaded.clone();
     let seen = scene.as_deref().map(|scene| (scene, scene.frame(session.clock.time)));
     let Some(shaders) = &mut session.shaders else { return };
     heading(ui, "Your shaders");
+    buttons(ui, shaders, pane, actions);
     files(ui, shaders);
     heading(ui, "Uniforms");
     let Some(program) = shaders.program_mut() else {
@@ -39,8 +44,96 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
     }
 }
 
+/// Buttons for the texts, for the values at a pixel, and to close the shaders.
+fn buttons(ui: &mut Ui, shaders: &mut OwnShaders, pane: usize, actions: &mut Vec<Action>) {
+    ui.horizontal(|ui| {
+        let on = |ui: &Ui, is_on: bool| is_on.then(|| colors::ACCENT.of(ui));
+        let (texts, pinned) = (shaders.shows_texts, shaders.stepper.is_pinned());
+        if tool_button(ui, "shader-texts", icons::EYE, "Show the texts", on(ui, texts), true).clicked() {
+            shaders.shows_texts = !texts;
+        }
+        let tip = "Show each line's values at a pixel: click on the picture, or press this for its middle (F9)";
+        if tool_button(ui, "step-pin", icons::CROSSHAIR, tip, on(ui, pinned), true).clicked() {
+            match pinned {
+                true => shaders.stepper.unpin(),
+                false => shaders.stepper.pin_middle(),
+            }
+            shaders.pane = pane;
+        }
+        if icon_button(ui, "close-shaders", icons::X, "Close your shaders: gonio's own draw the picture").clicked() {
+            actions.push(Action::CloseShaders);
+        }
+    });
+    if !shaders.stepper.is_pinned() {
+        ui.add(Label::new(RichText::new("A click on the picture shows each line's values at that pixel.").weak()).wrap());
+    }
+}
+
+/// The texts, with the values at the pinned pixel.
+pub fn texts(ui: &mut Ui, shaders: &mut OwnShaders) {
+    if let Some(stepped) = shaders.stepper.follow_file(&shaders.shown) {
+        shaders.shown = stepped;
+    }
+    let all = shaders.texts();
+    let own = shaders.files().fragment.as_ref().or(shaders.files().vertex.as_ref());
+    if !all.iter().any(|file| file.name == shaders.shown) {
+        shaders.shown = own.cloned().unwrap_or_default();
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (index, file) in all.iter().enumerate() {
+            let chosen = file.name == shaders.shown;
+            let name = short(std::slice::from_ref(&file.name));
+            let mut label = RichText::new(&name);
+            if !marks(shaders, &file.name).is_empty() {
+                label = label.color(marks_color(shaders).of(ui));
+            } else if chosen {
+                label = label.color(ui.visuals().strong_text_color());
+            }
+            let button = ui.add(egui::Button::new(label).selected(chosen).frame_when_inactive(chosen));
+            exported::note(ui, &button, &format!("file-{index}"), WidgetRole::Tab, &name, chosen);
+            if button.on_hover_text(&file.name).clicked() {
+                shaders.shown.clone_from(&file.name);
+            }
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if icon_button(ui, "close-texts", icons::X, "Close the texts").clicked() {
+                shaders.shows_texts = false;
+                shaders.stepper.unpin();
+            }
+        });
+    });
+    let Some(file) = all.iter().find(|file| file.name == shaders.shown) else { return };
+    let marks = marks(shaders, &file.name);
+    let text = String::from_utf8_lossy(&file.bytes);
+    let id = Id::unique("shader text").with(&file.name);
+    let of = Code { id, name: &file.name, marks: &marks, jump: shaders.jump.take(), is_fixed: false };
+    let without_place = shaders.remarks().iter().find(|remark| shaders.has_failed() && remark.message.is_none());
+    let error = without_place.map(|remark| remark.text.clone());
+    // The files are edited elsewhere; here the text can be selected.
+    shaders.jump = code::show(ui, &of, &mut &*text, error.as_deref(), &mut shaders.stepper);
+}
+
+/// The marked lines of a file.
+fn marks(shaders: &OwnShaders, file: &str) -> Vec<Mark> {
+    let kind = if shaders.has_failed() { MarkKind::Error } else { MarkKind::Warning };
+    let messages = shaders.remarks().iter().filter_map(|remark| remark.message.as_ref());
+    let of_file = messages.filter(|message| message.file == file);
+    let mark = |message: &CompilerMessage| {
+        let help = message.explanation.as_ref().map_or(String::new(), |help| format!("\n{help}"));
+        Mark { line: message.line.unwrap_or(1), kind, text: format!("{}{help}", message.text) }
+    };
+    let mut marks: Vec<Mark> = of_file.map(mark).collect();
+    marks.sort_by_key(|mark| mark.line);
+    marks
+}
+
+fn marks_color(shaders: &OwnShaders) -> colors::Tint {
+    if shaders.has_failed() { colors::ERROR } else { colors::WARNING }
+}
+
 /// The files, and whether the picture is theirs.
-fn files(ui: &mut Ui, shaders: &OwnShaders) {
+fn files(ui: &mut Ui, shaders: &mut OwnShaders) {
     let files = shaders.files();
     for (stage, file) in [("Vertex", &files.vertex), ("Fragment", &files.fragment)] {
         row(ui, stage, "The window reads the file again when it changes", |ui| {
@@ -60,8 +153,19 @@ fn files(ui: &mut Ui, shaders: &OwnShaders) {
     };
     let label = ui.label(text);
     exported::note(ui, &label, "shaders-state", WidgetRole::Text, "state of your shaders", label_of(shaders));
-    for remark in shaders.remarks() {
-        ui.add(Label::new(RichText::new(remark).monospace().small()).wrap());
+    let mut requested = None;
+    for (index, remark) in shaders.remarks().iter().enumerate() {
+        let text = Label::new(RichText::new(&remark.text).monospace().small()).wrap().sense(Sense::click());
+        let label = ui.add(text);
+        exported::note(ui, &label, &format!("remark-{index}"), WidgetRole::Text, &remark.text, "");
+        if let Some(message) = &remark.message
+            && label.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text("Show the line").clicked()
+        {
+            requested = Some((message.file.clone(), message.line));
+        }
+    }
+    if let Some((file, line)) = requested {
+        (shaders.shown, shaders.jump, shaders.shows_texts) = (file, line, true);
     }
 }
 

@@ -5,9 +5,9 @@ pub mod desktop;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
-use crate::files::ExerciseFile;
+use crate::files::{ExerciseFile, ShaderFiles};
 use crate::saving::Product;
-use crate::session::{Settings, ShaderFiles};
+use crate::session::Settings;
 use crate::truth::Tracer;
 use gonio_check::verdict::{Outcome, Verdict};
 use gonio_scene::files::FileSource;
@@ -24,6 +24,8 @@ pub struct SceneInput {
     pub inputs: Vec<String>,
     /// The environment.
     pub environment: Option<String>,
+    /// The user's own shaders.
+    pub shaders: Option<ShaderFiles>,
     /// The source of these files and of those beside them.
     pub files: Arc<dyn FileSource>,
 }
@@ -148,7 +150,7 @@ pub trait Platform {
     /// Starts a trial of the user's own shaders, isolated from the window.
     fn shader_trial(&mut self, files: &ShaderFiles, ctx: &egui::Context) -> Box<dyn Pending<TrialOutcome>> {
         let _ = (files, ctx);
-        Box::new(Ready::new(TrialOutcome::Harmless))
+        Box::new(Ready::new(TrialOutcome::Unavailable("there are no processes here".into())))
     }
     /// Runs work beside the interface, in a thread; here at once, because the page has one. The work is short then.
     fn run(&mut self, work: Box<dyn FnOnce() + Send>) {

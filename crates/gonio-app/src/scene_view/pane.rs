@@ -6,6 +6,7 @@ use super::{Projection, axes, gizmos, navigation, observer, paint, toolbar, vect
 use crate::document::{Document, PaneArrangement, Panes};
 use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session, Tab};
+use crate::step;
 use egui::{Color32, Pos2, Rect, Response, Sense, Ui, vec2};
 use gonio_gl::GlError;
 use gonio_render::Presentation;
@@ -81,12 +82,16 @@ pub fn over(
     };
     let projection = Projection::new(&frame.camera, rect);
     let pointed = response.hover_pos().or(response.interact_pointer_pos());
-    point(under(&document.panes, index, pointed, rect), response, session);
+    let below = under(&document.panes, index, pointed, rect);
+    point(below, response, session, pane_renderer.is_users(below));
     let probed = session.probing.pane;
-    let is_wiped =
-        matches!(document.panes.arrangement, PaneArrangement::Wipe(_)) && document.panes.pair.contains(&probed);
+    let is_wipe = matches!(document.panes.arrangement, PaneArrangement::Wipe(_));
+    let is_here = |pane: usize| pane == index || (is_wipe && document.panes.pair.contains(&pane));
+    if let Some(shaders) = session.shaders.as_ref().filter(|shaders| is_here(shaders.pane)) {
+        step::margin::marker(ui, rect, &shaders.stepper);
+    }
     if let (Some(loaded), Some(frame)) = (pane_renderer.loaded(probed).cloned(), pane_renderer.frame(probed).cloned())
-        && (probed == index || is_wiped)
+        && is_here(probed)
     {
         session.probing.update(ui.ctx(), &loaded, &frame, |x, y| pane_renderer.pixel(probed, x, y));
         vectors::show(ui, &projection, &session.probing, session.selection);
@@ -113,8 +118,9 @@ fn under(panes: &Panes, index: usize, place: Option<Pos2>, rect: Rect) -> usize 
     }
 }
 
-/// Updates the probed place: it follows the pointer while its tab is shown, and a click pins it.
-fn point(index: usize, response: &Response, session: &mut Session) {
+/// Updates the probed place: it follows the pointer while its tab is shown, and a click pins it. In a picture of the user's
+/// shaders, a click pins the pixel whose values they show, unless the probe is shown.
+fn point(index: usize, response: &Response, session: &mut Session, is_users: bool) {
     let share = |place: Pos2| {
         let local = (place - response.rect.min) / response.rect.size();
         [f64::from(local.x), f64::from(local.y)]
@@ -134,6 +140,11 @@ fn point(index: usize, response: &Response, session: &mut Session) {
     if response.clicked()
         && let Some(place) = response.interact_pointer_pos()
     {
+        if let Some(shaders) = session.shaders.as_mut().filter(|_| is_users && !probing.follows) {
+            shaders.stepper.pin(share(place).map(|share| share as f32));
+            shaders.pane = index;
+            return;
+        }
         probing.pinned = Some(share(place));
         probing.pane = index;
         session.tab = Tab::Probe;

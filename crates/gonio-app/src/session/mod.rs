@@ -10,7 +10,7 @@ mod settings;
 pub use comparison::PaneComparison;
 pub use equation::{BeforeAlone, EquationView, Term};
 pub use messages::{MessageSeverity, Messages, UserMessage};
-pub use own_shaders::{OwnShaders, ShaderFiles};
+pub use own_shaders::OwnShaders;
 pub use probing::Probing;
 pub use settings::Settings;
 
@@ -92,7 +92,7 @@ pub struct Session {
     pub comparison: PaneComparison,
     /// The traced picture of each pane.
     pub traced: Vec<TracedPane>,
-    /// The user's own shaders, if the window was opened with any.
+    /// The user's own shaders, if there are any.
     pub shaders: Option<OwnShaders>,
     /// Whether slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,

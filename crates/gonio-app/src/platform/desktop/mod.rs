@@ -13,8 +13,9 @@ pub mod worker;
 
 use super::{CheckRequest, CheckResult, Event, FileDialog, Pending, Platform, Purpose, Ready, TrialOutcome};
 use crate::exercise::Start;
+use crate::files::ShaderFiles;
 use crate::saving::Product;
-use crate::session::{Settings, ShaderFiles};
+use crate::session::Settings;
 use crate::{Adjust, App, SceneOpening};
 use drafts::DraftFolder;
 use gonio_gl::Gl;

@@ -1,7 +1,7 @@
 //! Opens files on disk in a thread: the model among several files, or a student's files; both in folders and zip files.
 
 use super::Access;
-use crate::files::{ExerciseFile, Layered, MemoryFiles, gather, zip};
+use crate::files::{ExerciseFile, GatheredInputs, Layered, MemoryFiles, gather, zip};
 use crate::platform::{Event, Purpose, SceneInput};
 use gonio_scene::files::{Disk, FileSource, Sandbox};
 use std::path::Path;
@@ -46,8 +46,8 @@ fn scene_input(paths: Vec<String>, access: Access) -> Result<SceneInput, String>
     }
     names.extend(memory.names());
     let files = if memory.is_empty() { disk } else { Arc::new(Layered { first: Arc::new(memory), then: disk }) };
-    let gathered = gather(&names, &*files)?;
-    Ok(SceneInput { inputs: gathered.inputs, environment: gathered.environment, files })
+    let GatheredInputs { inputs, environment, shaders } = gather(&names, &*files)?;
+    Ok(SceneInput { inputs, environment, shaders, files })
 }
 
 fn files_in(folder: &str) -> Vec<String> {

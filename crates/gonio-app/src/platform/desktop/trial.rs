@@ -6,8 +6,8 @@
 use super::check::BackgroundTask;
 use super::child::{self, Ended};
 use super::worker::{self, WorkerRequest};
+use crate::files::ShaderFiles;
 use crate::platform::{CheckRequest, TrialOutcome};
-use crate::session::ShaderFiles;
 use gonio_check::submission::SourceFile;
 use serde::{Deserialize, Serialize};
 use std::io::{Error, Read, Write};

@@ -8,7 +8,7 @@ pub use trace::PageTraces;
 use super::{
     CheckRequest, CheckResult, Event, FileDialog, FrameShown, MOMENT, Pending, Platform, Purpose, Ready, SceneInput,
 };
-use crate::files::{ExerciseFile, Layered, MemoryFiles, gather, link, zip};
+use crate::files::{ExerciseFile, GatheredInputs, Layered, MemoryFiles, gather, link, zip};
 use crate::saving::Product;
 use crate::session::Settings;
 use crate::truth::Tracer;
@@ -137,10 +137,10 @@ fn exercise_files(memory: &MemoryFiles) -> Result<Vec<ExerciseFile>, String> {
 }
 
 fn scene_input(memory: MemoryFiles, page: PageFiles) -> Result<SceneInput, String> {
-    let gathered = gather(&memory.names(), &memory)?;
+    let GatheredInputs { inputs, environment, shaders } = gather(&memory.names(), &memory)?;
     // Scenes may also name built-in models, which the page fetches.
     let files = Arc::new(Layered { first: Arc::new(memory), then: Arc::new(page) });
-    Ok(SceneInput { inputs: gathered.inputs, environment: gathered.environment, files })
+    Ok(SceneInput { inputs, environment, shaders, files })
 }
 
 impl Platform for Web {

@@ -85,6 +85,11 @@ impl PaneRenderer {
         self.panes.get(pane)?.drawn.as_ref().map(|(frame, _)| frame)
     }
 
+    /// Whether the user's own shaders have drawn a pane.
+    pub fn is_users(&self, pane: usize) -> bool {
+        self.panes.get(pane).is_some_and(PaneDrawing::is_users)
+    }
+
     /// Whether a pane's picture, as last drawn, hides everything below it.
     pub fn is_opaque(&self, pane: usize) -> bool {
         self.panes.get(pane).is_some_and(PaneDrawing::is_opaque)

@@ -6,9 +6,8 @@ use crate::session::comparison::PaneFacts;
 use crate::session::{FrameFacts, OwnShaders};
 use gonio_gl::{Gl, GlError, GpuStatistics};
 use gonio_mesh::Mesh;
-use gonio_render::{DisplayOptions, DisplayTexture, GpuScene, Painted, Renderer, View};
+use gonio_render::{DisplayOptions, DisplayTexture, GpuScene, Painted, Renderer, View, wants_unshared};
 use gonio_scene::edit::{self, Edited};
-use gonio_scene::scene_file::Shading;
 use gonio_scene::{Frame, Picture, Scene, detail};
 use std::sync::Arc;
 
@@ -114,6 +113,11 @@ impl PaneDrawing {
         let is_whole =
             |(frame, show): &(Frame, DisplayOptions)| !frame.background.transparent && show.view == View::Picture;
         self.drawn.as_ref().is_some_and(is_whole)
+    }
+
+    /// Whether the user's own shaders have drawn it.
+    pub fn is_users(&self) -> bool {
+        self.shaders.is_some() && self.traced.is_none()
     }
 
     /// Shows the traced picture with the frame's exposure and tone mapping, if anything changed.
@@ -281,8 +285,7 @@ fn count(facts: &mut PaneFacts, statistics: Option<GpuStatistics>, loaded: &Scen
 fn vertices(loaded: &Scene) -> u64 {
     let of = |object: &gonio_scene::Object| {
         let mesh = loaded.meshes.get(object.mesh)?;
-        let unshared = matches!(object.shading, Shading::Flat | Shading::FlatPerFace);
-        Some(if unshared { mesh.indices.len() } else { mesh.positions.len() } as u64)
+        Some(if wants_unshared(object.shading) { mesh.indices.len() } else { mesh.positions.len() } as u64)
     };
     loaded.objects.iter().filter_map(of).sum()
 }

@@ -2,8 +2,8 @@
 
 use super::ProbeArgs;
 use crate::commands::lab::step::{StepPlace, step, text};
+use crate::commands::render::shaders::SteppedShaders;
 use crate::error::{CliError, CommandOutcome};
-use crate::loading;
 use crate::options::BackendChoice;
 use crate::report::Reporter;
 use gonio_exercises::step::StepWork;
@@ -26,15 +26,8 @@ pub fn run(args: &ProbeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     if args.backend.backend == BackendChoice::Gl {
         return Err(CliError::new("gonio's interpreter runs your shaders on the CPU; leave out --backend gl"));
     }
-    let shaders = args.shaders.read(&args.scene.limits, reporter)?;
-    let mut scene = loading::load_scene(&args.inputs, &args.scene, reporter)?.at(args.time);
-    reporter.diagnostics(&scene.diagnostics);
-    let pair = shaders.interpreted(&args.shaders, &mut scene, reporter)?;
-    let frame = scene.frame(args.time);
-    let stepped = {
-        let _busy = reporter.busy("running your shaders");
-        pair.in_scene(&scene, &frame, StepWork::PATIENT)
-    };
+    let SteppedShaders { pair, scene, stepped } =
+        args.shaders.in_scene(&args.inputs, &args.scene, args.time, StepWork::PATIENT, reporter)?;
     let (at, vertex, corners) = (args.at, args.at_vertex, args.corners);
     let listed = step(&stepped, None, StepPlace { at, vertex, corners, vertex_option: "--at-vertex" })?;
     if reporter.json() {

@@ -147,6 +147,19 @@ impl RenderArgs {
         !self.overlay.is_empty() || matches!(self.debug, Some(DebugView::Special(_)))
     }
 
+    /// The files to write.
+    fn plans(&self, reporter: &Reporter) -> Result<Vec<PicturePlan>, CliError> {
+        let request = PicturePlanRequest {
+            outputs: &self.output,
+            format: self.format,
+            frames: self.frames,
+            animated: self.animated,
+            views: &self.views,
+            bits: self.bits,
+        };
+        request.plan(reporter)
+    }
+
     /// The picture and its views, each with the overlays.
     fn shows(&self, views: &[Option<ViewSpec>]) -> Vec<DisplayOptions> {
         let overlays: Overlays = self.overlay.iter().copied().collect();
@@ -201,15 +214,7 @@ fn draw(args: &RenderArgs, reporter: &Reporter) -> Result<CommandOutcome, CliErr
     }
     let start = Instant::now();
     let times = Times::default();
-    let plans = PicturePlanRequest {
-        outputs: &args.output,
-        format: args.format,
-        frames: args.frames,
-        animated: args.animated,
-        views: &args.views,
-        bits: args.bits,
-    }
-    .plan(reporter)?;
+    let plans = args.plans(reporter)?;
     if args.is_shown() && plans.iter().any(|p| p.format == PictureFormat::Exr || p.bits != 8) {
         return Err(CliError::new(
             "--overlay and the views uv-checker, overdraw and nothing have 8 bits per channel; write .png of 8 bits, \

@@ -4,15 +4,16 @@ use super::RenderArgs;
 use crate::backend::Opened;
 use crate::commands::lab::child_process;
 use crate::error::{CliError, CommandOutcome};
-use crate::options::LimitOptions;
+use crate::loading;
+use crate::options::{LimitOptions, SceneOptions};
 use crate::report::Reporter;
 use crate::user_drawing::UserDrawing;
 use clap::{ArgAction, Args};
-use gonio_app::session::ShaderFiles;
+use gonio_app::files::{MOST_SHADER_BYTES, ShaderFiles};
 use gonio_check::submission::SourceFile;
 use gonio_check::user_shaders::{UserInputs, UserShaders, message_text, parse_setting};
 use gonio_check::verdict::CompilerMessage;
-use gonio_exercises::step::UserPair;
+use gonio_exercises::step::{StepWork, SteppedScene, UserPair};
 use gonio_render::VertexData;
 use gonio_scene::files::STANDARD_INPUT;
 use gonio_scene::{Scene, Texture};
@@ -60,8 +61,13 @@ pub struct OwnShaderFiles {
     textures: Vec<(String, Arc<Texture>)>,
 }
 
-/// The largest shader that is read, in bytes.
-const MOST_BYTES: u64 = 10 << 20;
+/// The user's shaders in a scene, on the CPU.
+pub struct SteppedShaders {
+    pub pair: UserPair,
+    pub scene: Scene,
+    pub stepped: SteppedScene,
+}
+
 /// Seconds that a picture may take, and each further frame.
 const PATIENCE_S: [u64; 2] = [60, 10];
 /// Memory of the process that draws, in kilobytes.
@@ -82,6 +88,7 @@ impl ShaderOptions {
             fragment: self.fragment.clone(),
             uniforms: self.uniform.clone(),
             textures: self.texture.clone(),
+            ..ShaderFiles::default()
         })
     }
 
@@ -95,6 +102,25 @@ impl ShaderOptions {
         Ok(())
     }
 
+    /// Reads shaders and scene, and runs the vertex shader on the CPU.
+    pub fn in_scene(
+        &self,
+        inputs: &[String],
+        options: &SceneOptions,
+        time: f64,
+        work: StepWork,
+        reporter: &Reporter,
+    ) -> Result<SteppedShaders, CliError> {
+        let shaders = self.read(&options.limits, reporter)?;
+        let mut scene = loading::load_scene(inputs, options, reporter)?.at(time);
+        reporter.diagnostics(&scene.diagnostics);
+        let pair = shaders.interpreted(self, &mut scene, reporter)?;
+        let frame = scene.frame(time);
+        let _busy = reporter.busy("running your shaders");
+        let stepped = pair.in_scene(&scene, &frame, work);
+        Ok(SteppedShaders { pair, scene, stepped })
+    }
+
     /// Reads the files.
     pub fn read(&self, limits: &LimitOptions, reporter: &Reporter) -> Result<OwnShaderFiles, CliError> {
         let named = self.vertex.iter().chain(&self.fragment).chain(self.texture.iter().map(|(_, file)| file));
@@ -104,8 +130,9 @@ impl ShaderOptions {
             bytes.map_err(|error| CliError::io(format!("cannot read the {what} `{name}`"), &error))
         };
         let shader = |what: &str, name: &Option<String>| {
-            let source =
-                |name: &String| Ok::<_, CliError>(SourceFile::new(name, read(what, name, MOST_BYTES)?.into_vec()));
+            let source = |name: &String| {
+                Ok::<_, CliError>(SourceFile::new(name, read(what, name, MOST_SHADER_BYTES)?.into_vec()))
+            };
             name.as_ref().map(source).transpose()
         };
         let (vertex, fragment) = (shader("vertex shader", &self.vertex)?, shader("fragment shader", &self.fragment)?);

@@ -1,10 +1,10 @@
 //! The picture of one expression of the user's own shaders.
 
 use super::RenderArgs;
-use super::plan::{PictureFormat, PicturePlanRequest};
+use super::plan::PictureFormat;
+use super::shaders::SteppedShaders;
 use crate::commands::lab::draw::show::{ShownStage, TOO_LONG, background, note, shown_to_json};
 use crate::error::{CliError, CommandOutcome};
-use crate::loading;
 use crate::output::OutputFiles;
 use crate::report::Reporter;
 use gonio_exercises::step::{PictureBeside, StepWork};
@@ -16,15 +16,7 @@ use serde_json::json;
 const WORK: StepWork = StepWork { picture: 200_000_000, ..StepWork::PATIENT };
 
 pub fn run(args: &RenderArgs, place: [u32; 2], reporter: &Reporter) -> Result<CommandOutcome, CliError> {
-    let request = PicturePlanRequest {
-        outputs: &args.output,
-        format: args.format,
-        frames: args.frames,
-        animated: args.animated,
-        views: &args.views,
-        bits: args.bits,
-    };
-    let plans = request.plan(reporter)?;
+    let plans = args.plans(reporter)?;
     if args.frames.is_some() || plans.iter().any(|plan| plan.format != PictureFormat::Png || plan.bits != 8) {
         return Err(CliError::new("--show draws one picture of 8 bits per channel; write .png, without --frames"));
     }
@@ -36,15 +28,8 @@ pub fn run(args: &RenderArgs, place: [u32; 2], reporter: &Reporter) -> Result<Co
         let option = if stage == ShownStage::Vertex { "--vertex" } else { "--fragment" };
         return Err(CliError::new(format!("--show points into gonio's own shader; add {option}, or change --file")));
     }
-    let shaders = args.shaders.read(&args.scene.limits, reporter)?;
-    let mut scene = loading::load_scene(&args.inputs, &args.scene, reporter)?.at(args.time);
-    reporter.diagnostics(&scene.diagnostics);
-    let pair = shaders.interpreted(&args.shaders, &mut scene, reporter)?;
-    let frame = scene.frame(args.time);
-    let stepped = {
-        let _busy = reporter.busy("running your shaders");
-        pair.in_scene(&scene, &frame, WORK)
-    };
+    let SteppedShaders { scene, stepped, .. } =
+        args.shaders.in_scene(&args.inputs, &args.scene, args.time, WORK, reporter)?;
     let PictureBeside { own: picture, .. } =
         stepped.picture(stage.stage(), place, background(), None).map_err(CliError::new)?;
     if picture.is_truncated {

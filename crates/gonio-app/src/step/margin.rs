@@ -2,8 +2,8 @@
 //! that computes them, beside the interface.
 
 use super::Stepper;
+use super::source::{RunnablePair, SteppedPicture};
 use super::values::{LineValues, ShaderSteps, ValueKind, short};
-use crate::exercise::preview::DrawnProgram;
 use crate::exported::{self, WidgetRole};
 use crate::scene_view::line;
 use crate::theme::colors;
@@ -11,26 +11,15 @@ use egui::text_edit::TextEditOutput;
 use egui::{
     Color32, ColorImage, FontId, Id, Image, Label, Rect, RichText, Sense, TextureOptions, Tooltip, Ui, pos2, vec2,
 };
-use gonio_check::testbench::TestScene;
-use gonio_exercises::preview::{Note, PreviewShape};
 use gonio_exercises::step::{
-    ExpressionPicture, ExpressionValue, PictureBeside, PixelSurface, RightAnswer, StepListing, StepOptions, StepWork,
-    SteppedPair, SteppedPlace, SteppedScene,
+    ExpressionPicture, ExpressionValue, PictureBeside, PixelSurface, RightAnswer, StepListing, SteppedPlace,
+    SteppedScene,
 };
 use gonio_glsl::Stage;
 use std::sync::Arc;
 
 /// Steps that are shown; an endless loop has more.
 const MOST_STEPS: usize = 10_000;
-/// The bounds on the work: the page has one thread.
-const WORK: StepWork = if cfg!(target_arch = "wasm32") {
-    StepWork::BRIEF
-} else {
-    StepWork { point: StepWork::BRIEF.point, ..StepWork::PATIENT }
-};
-
-/// Pixels along the longer side of the picture.
-const SIDE: u32 = 200;
 /// The background of pictures.
 const BACKGROUND: [u8; 3] = [33, 36, 41];
 
@@ -41,53 +30,6 @@ pub struct Pin {
     pub share: [f32; 2],
     /// Whether the nearest pixel where something is drawn is meant.
     pub is_nearest: bool,
-}
-
-/// The student's picture as it is drawn.
-#[derive(Clone)]
-pub struct SteppedPicture {
-    /// The program.
-    pub program: Arc<DrawnProgram>,
-    /// Width and height, pixels.
-    pub size: [u32; 2],
-    /// The objects with their inputs.
-    pub objects: Vec<(PreviewShape, TestScene)>,
-}
-
-impl PartialEq for SteppedPicture {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.program, &other.program) && self.size == other.size && self.objects == other.objects
-    }
-}
-
-impl SteppedPicture {
-    fn options(&self) -> StepOptions {
-        let size = self.size[0].max(self.size[1]);
-        // The picture is the middle of a square.
-        StepOptions { size: [size; 2], origin: self.size.map(|side| (size - side) / 2), work: WORK }
-    }
-
-    /// A pixel of the picture, both counted from the top left, in the square.
-    pub fn in_square(&self, [x, y]: [u32; 2]) -> [u32; 2] {
-        let StepOptions { size: [size, _], origin: [left, bottom], .. } = self.options();
-        let from_bottom = (self.size[1].saturating_sub(1)).saturating_sub(y) + bottom;
-        [x + left, size.saturating_sub(1).saturating_sub(from_bottom)]
-    }
-
-    /// The inverse of [`SteppedPicture::in_square`]; `None` outside of the picture.
-    fn in_picture(&self, [x, y]: [u32; 2]) -> Option<[u32; 2]> {
-        let [left, top] = self.in_square([0, 0]);
-        let pixel = [x.checked_sub(left)?, y.checked_sub(top)?];
-        (pixel[0] < self.size[0] && pixel[1] < self.size[1]).then_some(pixel)
-    }
-
-    /// The pixel at these shares.
-    pub fn pixel(&self, share: [f32; 2]) -> [u32; 2] {
-        [0, 1].map(|axis| {
-            let side = self.size[axis];
-            ((share[axis] * side as f32) as u32).min(side.saturating_sub(1))
-        })
-    }
 }
 
 /// A picture and the pixel to list.
@@ -103,7 +45,7 @@ pub struct Request {
 #[derive(Clone)]
 pub struct Listed {
     /// The pair.
-    pub pair: Arc<SteppedPair>,
+    pub pair: RunnablePair,
     /// The pair in the scene.
     pub scene: Arc<SteppedScene>,
     /// Column and row from the top left of the picture.
@@ -117,28 +59,24 @@ pub struct Listed {
 }
 
 /// A pair, and the same in its scene.
-pub type Stepped = (Arc<SteppedPair>, Arc<SteppedScene>);
+pub type Stepped = (RunnablePair, Arc<SteppedScene>);
 
 /// Lists the shaders at the pixel. `before`: what can be used again.
 pub fn list(request: &Request, before: Option<(Stepped, Request)>) -> Result<Listed, String> {
     let Request { picture, pin } = request;
-    let is_same_program = |before: &Request| Arc::ptr_eq(&before.picture.program, &picture.program);
-    let known = before.filter(|(_, before)| is_same_program(before));
+    let known = before.filter(|(_, before)| before.picture.has_same_program(picture));
     let pair = match &known {
         Some(((pair, _), _)) => pair.clone(),
-        None => {
-            let pair = SteppedPair::new(&picture.program.source, &picture.program.bindings);
-            Arc::new(pair.map_err(|note| sentence(&note))?)
-        }
+        None => picture.compile()?,
     };
     let scene = match known.filter(|(_, before)| before.picture == *picture) {
         Some(((_, scene), _)) => scene,
-        None => Arc::new(SteppedScene::new(pair.clone(), &picture.objects, picture.options())),
+        None => Arc::new(picture.scene(&pair).ok_or("There is no picture.")?),
     };
-    let asked = picture.in_square(picture.pixel(pin.share));
-    let square = if pin.is_nearest { scene.nearest_drawn(asked) } else { Some(asked) };
-    let found = square
-        .and_then(|square| Some((picture.in_picture(square)?, scene.surface(square)?, scene.step_pixel(square)?)));
+    let asked = picture.in_scene(picture.pixel(pin.share));
+    let seen = if pin.is_nearest { scene.nearest_drawn(asked) } else { Some(asked) };
+    let found =
+        seen.and_then(|pixel| Some((picture.in_picture(pixel)?, scene.surface(pixel)?, scene.step_pixel(pixel)?)));
     let Some((pixel, surface, fragment)) = found else {
         return Err(match scene.endless_vertex() {
             Some(vertex) => format!("The vertex shader does not end at vertex {vertex}, so nothing is drawn."),
@@ -153,14 +91,6 @@ fn steps(mut listing: StepListing) -> Arc<ShaderSteps> {
     listing.is_truncated |= listing.steps.len() > MOST_STEPS;
     listing.steps.truncate(MOST_STEPS);
     Arc::new(ShaderSteps::new(listing))
-}
-
-/// The reason why a pair cannot be stepped through.
-fn sentence(note: &Note) -> String {
-    let message = &note.message;
-    let place = message.line.map_or(String::new(), |line| format!("{}:{line}: ", message.file));
-    let help = message.explanation.as_ref().map_or(String::new(), |help| format!("; {help}"));
-    format!("{place}{}{help}.", message.text)
 }
 
 /// A line and column of the current shader's file, both from 1.
@@ -179,7 +109,7 @@ pub struct Hovered {
 
 /// The expression at a line and column, with its value at the place, its picture, and that of its right values.
 pub fn evaluate(
-    pair: &Arc<SteppedPair>,
+    pair: &RunnablePair,
     scene: &SteppedScene,
     picture: &SteppedPicture,
     place: SteppedPlace,
@@ -187,28 +117,21 @@ pub fn evaluate(
     right: Option<&RightAnswer>,
 ) -> Option<Hovered> {
     let value = scene.expression_value(place, target)?;
-    let options = StepOptions { work: WORK, ..StepOptions::square(SIDE) };
-    let small = SteppedScene::new(pair.clone(), &picture.objects, options);
+    let (small, size) = picture.small_scene(pair)?;
     let mut pictures = small.picture_of(place.stage(), &value, BACKGROUND, right);
-    let size = cropped_size(picture.size);
     if let Ok(PictureBeside { own, right, .. }) = &mut pictures {
         for drawn in std::iter::once(own).chain(right) {
-            drawn.rgba = cropped(&drawn.rgba, size);
+            drawn.rgba = cropped(&drawn.rgba, small.size(), size);
         }
     }
     Some(Hovered { value, pictures, size })
 }
 
-/// The visible part of the square.
-fn cropped_size(size: [u32; 2]) -> [u32; 2] {
-    let longer = size[0].max(size[1]).max(1);
-    size.map(|side| (SIDE * side).div_ceil(longer).clamp(1, SIDE))
-}
-
-fn cropped(rgba: &[u8], [width, height]: [u32; 2]) -> Vec<u8> {
-    let (left, top) = ((SIDE - width) / 2, (SIDE - height) / 2);
+/// The visible part of a picture, in its middle.
+fn cropped(rgba: &[u8], whole: [u32; 2], [width, height]: [u32; 2]) -> Vec<u8> {
+    let [left, top] = [whole[0].saturating_sub(width) / 2, whole[1].saturating_sub(height) / 2];
     let row = |y: u32| {
-        let start = ((top + y) * SIDE + left) as usize * 4;
+        let start = ((top + y) * whole[0] + left) as usize * 4;
         rgba.get(start..start + width as usize * 4).unwrap_or_default()
     };
     (0..height).flat_map(row).copied().collect()
@@ -441,11 +364,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_visible_part_is_the_middle_of_the_square() {
-        assert_eq!(cropped_size([800, 400]), [SIDE, SIDE / 2]);
-        assert_eq!(cropped_size([3, 900]), [1, SIDE]);
-        let rows: Vec<u8> = (0..SIDE).flat_map(|y| vec![y as u8; SIDE as usize * 4]).collect();
-        let cropped = cropped(&rows, [SIDE, SIDE / 2]);
-        assert_eq!((cropped.len() as u32, cropped[0] as u32), (SIDE * SIDE / 2 * 4, SIDE / 4));
+    fn the_visible_part_is_the_middle_of_the_picture() {
+        let rows: Vec<u8> = (0..100).flat_map(|y| vec![y; 100 * 4]).collect();
+        let cropped = cropped(&rows, [100; 2], [100, 50]);
+        assert_eq!((cropped.len(), cropped[0]), (100 * 50 * 4, 25));
     }
 }

@@ -1,29 +1,30 @@
-//! Steps through the student's shaders at a pixel of the picture: the values beside the lines, the variables at each step, and the
+//! Steps through the shaders of a picture at one of its pixels, in an exercise or the user's own on a scene: the values beside the lines, the variables at each step, and the
 //! value and the picture of the expression under the pointer.
 //!
 //! | file | contents |
 //! |---|---|
+//! | `source` | the pictures and their programs |
 //! | `values` | a shader's steps: values by line, variables, movements |
 //! | `bar` | the buttons and keys, and the table of variables |
+//! | `code` | the text of a file with line numbers, marks and colours |
 //! | `margin` | the values beside the lines, the expression under the pointer, and the work beside the interface |
 //!
 //! The interpreter runs beside the interface ([`Platform::run`]). Requests are made from what is drawn; an answer is shown until
 //! the next one, so that values stay visible while the camera moves.
 
 pub mod bar;
+pub mod code;
 pub mod margin;
+pub mod source;
 pub mod values;
 
-use super::preview::DrawnProgram;
-use super::work::OpenFile;
 use crate::platform::Platform;
 use egui::{Context, Rect, TextureHandle};
-use gonio_check::testbench::TestScene;
-use gonio_exercises::preview::PreviewShape;
 use gonio_exercises::step::{RightAnswer, SteppedPlace};
 use gonio_glsl::Stage;
-use margin::{Hovered, Listed, Pin, Request, SteppedPicture, Target};
+use margin::{Hovered, Listed, Pin, Request, Target};
 use serde_json::{Value, json};
+use source::{DrawnProgram, SteppedPicture};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::time::Duration;
@@ -132,6 +133,8 @@ pub struct Stepper {
 impl Stepper {
     /// Pins a pixel: shares of the picture's width and height from the top left.
     pub fn pin(&mut self, share: [f32; 2]) {
+        // A picture without any height has no shares.
+        let share = share.map(|share| if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.5 });
         self.pin_at(Pin { share, is_nearest: false });
     }
 
@@ -167,24 +170,21 @@ impl Stepper {
     /// Moves the pinned pixel by whole pixels.
     fn move_pin(&mut self, by: [i32; 2]) {
         let Some((pin, drawn)) = self.pin.as_mut().zip(self.drawn.as_ref()) else { return };
-        let pixel = drawn.pixel(pin.share);
+        let (pixel, size) = (drawn.pixel(pin.share), drawn.size());
         for axis in 0..2 {
-            let moved = (pixel[axis].saturating_add_signed(by[axis])).min(drawn.size[axis].saturating_sub(1));
-            pin.share[axis] = (moved as f32 + 0.5) / drawn.size[axis].max(1) as f32;
+            let moved = (pixel[axis].saturating_add_signed(by[axis])).min(size[axis].saturating_sub(1));
+            pin.share[axis] = (moved as f32 + 0.5) / size[axis].max(1) as f32;
         }
         self.corner = None;
     }
 
-    /// Notes the picture of this frame.
-    pub fn note_picture(
-        &mut self,
-        program: Option<&Arc<DrawnProgram>>,
-        size: [u32; 2],
-        objects: &[(PreviewShape, TestScene)],
-    ) {
-        let of =
-            |program: &Arc<DrawnProgram>| SteppedPicture { program: program.clone(), size, objects: objects.to_vec() };
-        self.drawn = program.filter(|_| !size.contains(&0) && self.is_pinned()).map(of);
+    /// Notes the picture of this frame, if it is stepped through.
+    pub fn note_picture(&mut self, picture: impl FnOnce() -> Option<SteppedPicture>) {
+        let drawn = if self.is_pinned() { picture().filter(|picture| !picture.size().contains(&0)) } else { None };
+        if let (Some(before), Some(now), Some(pin)) = (&self.drawn, &drawn, &mut self.pin) {
+            pin.share = now.same_place(pin.share, before);
+        }
+        self.drawn = drawn;
     }
 
     fn listing(&self) -> Option<&Listed> {
@@ -260,18 +260,18 @@ impl Stepper {
         }
     }
 
-    /// The steps of the shader in a file, if its text is the one that was run.
-    pub fn steps_in(&self, file: &OpenFile) -> Option<Arc<ShaderSteps>> {
+    /// The steps of the shader in a file with this name and text, if the text is the one that was run.
+    pub fn steps_in(&self, name: &str, text: &str) -> Option<Arc<ShaderSteps>> {
         let (request, listed) = self.listed.as_ref()?;
         let listed = listed.as_deref().ok()?;
-        let of = |name: &str| request.picture.program.content.iter().find(|file| file.name == name);
-        if of(&file.name)?.bytes != file.text.as_bytes() {
+        let content = request.picture.content().iter().find(|file| file.name == name)?;
+        if content.bytes != text.as_bytes() {
             return None;
         }
         let vertex = listed.corners.get(self.corner())?;
         let both = [&listed.fragment, vertex];
         let current = both[usize::from(self.stage() == Stage::Vertex)];
-        [current].into_iter().chain(both).find(|steps| steps.listing.file == file.name).cloned()
+        [current].into_iter().chain(both).find(|steps| steps.listing.file == name).cloned()
     }
 
     /// Follows the file in the editor: another file shows another shader. Returns the file to show after a step.
@@ -394,13 +394,13 @@ impl Stepper {
                 if right.is_some() {
                     self.hover.forget();
                 }
-                self.compared = Some((request.picture.program, right));
+                self.compared = request.picture.of_exercise().cloned().map(|program| (program, right));
             }
             Answer::Listed(mut listed) => {
                 if let Ok(listed) = &mut listed {
                     if request.pin.is_nearest {
-                        let share = [0, 1]
-                            .map(|axis| (listed.pixel[axis] as f32 + 0.5) / request.picture.size[axis].max(1) as f32);
+                        let size = request.picture.size();
+                        let share = [0, 1].map(|axis| (listed.pixel[axis] as f32 + 0.5) / size[axis].max(1) as f32);
                         let found = Pin { share, is_nearest: false };
                         if self.pin == Some(request.pin) {
                             self.pin = Some(found);
@@ -436,16 +436,19 @@ impl Stepper {
         let listed = listed.as_deref().ok()?;
         Some(match self.stage() {
             Stage::Vertex => SteppedPlace::Vertex(listed.surface.vertices[self.corner()]),
-            Stage::Fragment => SteppedPlace::Pixel(request.picture.in_square(listed.pixel)),
+            Stage::Fragment => SteppedPlace::Pixel(request.picture.in_scene(listed.pixel)),
         })
     }
 
     fn follow_hover(&mut self, ctx: &Context, platform: &mut dyn Platform, request: &Request) {
         let (Some(place), Some(listed)) = (self.place(), self.listing()) else { return };
         let (pair, scene) = (listed.pair.clone(), listed.scene.clone());
-        let program = &request.picture.program;
-        let compared = self.compared.as_ref().filter(|(compared, _)| Arc::ptr_eq(compared, program));
-        let (is_compared, right) = (compared.is_some(), compared.and_then(|(_, right)| right.clone()));
+        // The user's own shaders have no right answer.
+        let program = request.picture.of_exercise();
+        let is_same = |compared: &Arc<DrawnProgram>| program.is_some_and(|program| Arc::ptr_eq(compared, program));
+        let compared = self.compared.as_ref().filter(|(compared, _)| is_same(compared));
+        let right = compared.and_then(|(_, right)| right.clone());
+        let uncompared = program.filter(|_| compared.is_none()).cloned();
         if let Some(target) = self.hover.due(ctx) {
             let picture = request.picture.clone();
             let work = move || {
@@ -453,9 +456,8 @@ impl Stepper {
                 Answer::Hovered(hovered.map(Box::new))
             };
             self.start(ctx, platform, request.clone(), work);
-        } else if !is_compared && self.hover.shown().is_some() {
+        } else if let Some(program) = uncompared.filter(|_| self.hover.shown().is_some()) {
             // The own value is shown before.
-            let program = program.clone();
             let work = move || Answer::Compared(RightAnswer::new(program.exercise, &program.source).map(Arc::new));
             self.start(ctx, platform, request.clone(), work);
         }
