@@ -26,6 +26,8 @@ use egui::{Color32, FontId, Frame, Margin, Panel, Rect, ScrollArea, Sense, Ui, V
 /// Below this width (points) the side panel is below the picture: a phone in portrait orientation.
 const NARROW: f32 = 720.0;
 const SIDE_WIDTH: f32 = 352.0;
+/// Least height of the texts of shaders with their values.
+const TEXTS_HEIGHT: f32 = 400.0;
 /// Font size of the tabs' names, and the range of gaps between them.
 const TAB_SIZE: f32 = 12.5;
 const TAB_GAP: std::ops::RangeInclusive<f32> = 3.0..=14.0;
@@ -79,7 +81,13 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
     let is_narrow = ui.ctx().content_rect().width() < NARROW;
     let reading = session.shaders.as_mut().filter(|shaders| is_narrow && shaders.is_reading());
     if let Some(shaders) = reading.filter(|_| session.tab == Tab::Shaders) {
-        return shaders::texts(ui, shaders);
+        // Steps, text, variables and messages need more room than the panel of a phone has.
+        let height = ui.available_height().max(TEXTS_HEIGHT);
+        ScrollArea::vertical().id_salt("shader texts").auto_shrink([false, false]).show(ui, |ui| {
+            ui.set_max_height(height);
+            shaders::texts(ui, shaders);
+        });
+        return;
     }
     ScrollArea::vertical().id_salt(session.tab.title()).auto_shrink([false, false]).show(ui, |ui| match session.tab {
         Tab::Lights => lights::show(ui, document, session, actions),

@@ -65,7 +65,9 @@ fn buttons(ui: &mut Ui, shaders: &mut OwnShaders, pane: usize, actions: &mut Vec
         }
     });
     if !shaders.stepper.is_pinned() {
-        ui.add(Label::new(RichText::new("A click on the picture shows each line's values at that pixel.").weak()).wrap());
+        ui.add(
+            Label::new(RichText::new("A click on the picture shows each line's values at that pixel.").weak()).wrap(),
+        );
     }
 }
 

@@ -196,7 +196,7 @@ impl OwnShaders {
             let (_, inputs) =
                 inputs.insert(known.unwrap_or_else(|| (serial, Arc::new(compiled.program.inputs.clone()))));
             // The number of samples changes while something moves.
-            let frame = Frame { samples: 1, ..frame };
+            let frame = Box::new(Frame { samples: 1, ..frame });
             Some(SteppedPicture::Own { program: compiled.source.clone(), inputs: inputs.clone(), scene, frame })
         });
         self.stepper.follow(ctx, platform);

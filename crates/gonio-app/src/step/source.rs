@@ -61,7 +61,7 @@ pub enum SteppedPicture {
         /// The scene.
         scene: Arc<Scene>,
         /// Camera, lights, time and size.
-        frame: Frame,
+        frame: Box<Frame>,
     },
 }
 
@@ -156,7 +156,7 @@ impl SteppedPicture {
                 SteppedScene::new(pair.clone(), objects, StepOptions { work: WORK, ..StepOptions::square(SIDE) })
             }
             (Self::Own { inputs, scene, frame, .. }, RunnablePair::Own(pair)) => {
-                own_scene(pair, inputs, scene, &Frame { width, height, ..frame.clone() })
+                own_scene(pair, inputs, scene, &Frame { width, height, ..Frame::clone(frame) })
             }
             _ => return None,
         };
