@@ -95,7 +95,11 @@ pub(super) fn correct(
 /// The causes that together make every scene right, by name where they have one; `None` if there are none, or if they
 /// are not at the mistakes that the source shows.
 fn proven(groups: &[Vec<ProvenCause>], submission: &Submission, known: &[FoundMistake]) -> Option<Vec<FoundMistake>> {
-    let causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
+    // Of the values that make every scene right, one whose mistake the source shows too.
+    let is_known =
+        |cause: &&ProvenCause| cause.mistakes.first().is_some_and(|m| known.iter().any(|old| old.id == m.id));
+    let causes: Vec<&ProvenCause> =
+        groups.iter().filter_map(|group| group.iter().find(is_known).or(group.first())).collect();
     let is_sound = !causes.is_empty() && causes.iter().all(|cause| cause.is_sound());
     // A single wrong value that no mistake computes may follow from those that the source shows.
     if causes.len() == 1 && !is_sound && !known.is_empty() {
@@ -137,15 +141,17 @@ fn explained(
         let alternatives: Vec<&'static Mistake> =
             diagnosis.explanations.iter().filter_map(|explanation| explanation.mistakes.get(at).copied()).collect();
         let is_one = |mistake: &Mistake| alternatives.iter().any(|other| other.id == mistake.id);
-        // Pictures do not tell some mistakes apart, but the source does.
-        let by_source = alternatives.iter().copied().find(|m| known.iter().any(|old| old.id == m.id));
+        // Pictures do not tell some mistakes apart, but the source may.
+        let is_of = |old: &&FoundMistake| alternatives.iter().any(|m| m.id == old.id || old.or.contains(&m.id));
+        let of_source = known.iter().find(is_of);
         let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
         let cause = cause.map(|at| causes.remove(at));
         let shown: Vec<&'static Mistake> = match cause {
             Some(cause) => cause.mistakes.iter().take(1 + cause.equals).copied().filter(|m| is_one(m)).collect(),
             None => alternatives,
         };
-        let shown: Vec<&'static Mistake> = by_source.into_iter().chain(shown).collect();
+        let by_source = of_source.into_iter().flat_map(|old| std::iter::once(&old.id).chain(&old.or));
+        let shown: Vec<&'static Mistake> = by_source.filter_map(|id| crate::mistakes::find(id)).chain(shown).collect();
         let Some((mistake, others)) = shown.split_first() else { continue };
         let mut or: Vec<String> = Vec::new();
         for other in others.iter().filter(|other| other.id != mistake.id) {
