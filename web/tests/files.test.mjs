@@ -150,3 +150,57 @@ test("a model and a panorama are dropped together", async (lab) => {
   const [green, magenta] = painted(await lab.saved());
   assert.ok(green > 0.05 && magenta > 0.05);
 }, options);
+
+const OWN = `#version 300 es
+precision highp float;
+in vec3 normal;
+uniform float gain;
+out vec4 c;
+void main() {
+    vec3 n = normalize(normal);
+    c = vec4(gain * abs(n.y), 0.0, 0.0, 1.0);
+}
+`;
+
+test("shaders that are dropped draw the scene and are stepped through, and an error keeps the last good ones", async (lab) => {
+  await lab.until(settled);
+  await lab.park();
+  const before = await lab.saved();
+  await lab.drop({ name: "own.frag", text: OWN }, { name: "names.toml", text: "[names]\ngain = 1.0\n" });
+  const drawn = await lab.until((state) => settled(state) && state.shaders?.compiled);
+  assert.deepEqual([drawn.shaders.failed, drawn.error, drawn.tab, drawn.title], [false, null, "Shaders", "still-life"]);
+  assert.equal(drawn.shaders.uniforms[0].origin, "names.toml");
+  await lab.rest();
+  const red = await lab.saved();
+  assert.ok(differing(before, red) > 0.2, "the picture is gonio's");
+  await lab.click("pane-0");
+  const stepped = await lab.until(({ shaders }) => shaders.step?.busy === false && shaders.step.values);
+  assert.deepEqual([stepped.shaders.text, stepped.shaders.step.message, stepped.shaders.step.line], ["own.frag", null, 8]);
+  const beside = (line) => stepped.shaders.step.values.find((value) => value.line === line).text.replace(/[()]/g, "").split(", ").map(Number);
+  assert.ok(Math.abs(Math.hypot(...beside(7)) - 1) < 1e-3, JSON.stringify(stepped.shaders.step.values));
+  assert.ok(Math.abs(beside(8)[0] - Math.abs(beside(7)[1])) < 1e-3);
+  await lab.key("Shift+F10");
+  await lab.until(({ shaders }) => shaders.step.line === 7);
+  // An error has its line, and the picture stays.
+  await lab.click("step-unpin");
+  await lab.drop({ name: "own.frag", text: OWN.replace("gain * abs", "gian * abs") });
+  const failed = await lab.until(({ shaders }) => shaders.failed);
+  assert.match(failed.error, /^own\.frag:8:.*gian/);
+  assert.equal(failed.shaders.compiled, true);
+  for (const { id } of failed.messages) await lab.click(`dismiss-${id}`);
+  await lab.rest();
+  assert.equal(differing(red, await lab.saved(), 0), 0, "the picture is another one");
+  await lab.click("shader-texts");
+  assert.equal((await lab.widget("note-0")).value, "8");
+  // A loop that never ends is not drawn, and closing the shaders brings gonio's picture back.
+  await lab.drop({ name: "own.frag", text: OWN.replace("    c =", "    while (n.x > -2.0) n.y += 0.1;\n    c =") });
+  const endless = await lab.until(({ shaders }) => shaders.remarks.some((remark) => remark.includes("does not end")));
+  assert.equal(endless.shaders.failed, true);
+  for (const { id } of endless.messages) await lab.click(`dismiss-${id}`);
+  await lab.click("close-texts");
+  await lab.click("close-shaders");
+  const closed = await lab.until((state) => settled(state) && state.shaders === null);
+  assert.deepEqual(closed.messages, []);
+  await lab.rest();
+  assert.equal(differing(before, await lab.saved(), 0), 0, "the picture is not gonio's");
+});

@@ -153,34 +153,13 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
     others.sort_by_key(order);
     program.bindings.bound.clone_from(&bound);
     if (1..=MOST_MATRICES).contains(&matrices.len()) {
-        // The roles that the source shows, unless others fit better.
-        let mut best = match is_in_place(program, samples) {
-            true => (1 + score(program, samples, models), matrices.iter().map(|_| MATRICES.len()).collect()),
-            false => (0, Vec::new()),
-        };
-        let mut chosen = vec![0_usize; matrices.len()];
-        loop {
-            let is_distinct = (1..chosen.len()).all(|at| !chosen[..at].contains(&chosen[at]));
-            if is_distinct {
-                for (index, role) in matrices.iter().zip(&chosen) {
-                    program.bindings.bound[*index].role = MATRICES[*role];
-                }
-                if is_in_place(program, samples) {
-                    let score = 1 + score(program, samples, models);
-                    if score > best.0 {
-                        best = (score, chosen.clone());
-                    }
-                }
-            }
-            let Some(at) = chosen.iter().rposition(|role| *role + 1 < MATRICES.len()) else { break };
-            chosen[at] += 1;
-            chosen[at + 1..].fill(0);
-        }
-        for (place, index) in matrices.iter().enumerate() {
-            let chosen = best.1.get(place).and_then(|role: &usize| MATRICES.get(*role));
-            let role = chosen.map_or(bound[*index].role, |role| *role);
-            program.bindings.bound[*index].role = role;
-        }
+        // A light in view space shows only beside the matrices that lead there.
+        let all = lights::in_spaces(&program.bindings.bound).into_iter().map(|bound| {
+            program.bindings.bound = bound;
+            (choose_matrices(program, samples, models, &matrices), program.bindings.bound.clone())
+        });
+        let best = all.reduce(|best, other| if other.0 > best.0 { other } else { best });
+        program.bindings.bound = best.map_or(bound.clone(), |(_, bound)| bound);
     }
     lights::choose_space(program, samples, models);
     if let Some(found) = attenuation(program, samples, models, &bound, &others) {
@@ -231,8 +210,16 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
         }
     }
     if (is_in_place(program, samples), score(program, samples, models)) <= before {
+        // An exponent is one by its use, even if no value becomes right with it.
+        let is_shown = |bound: &&Bound| {
+            bound.role == Role::Shininess && known.iter().all(|other| other.declared != bound.declared)
+        };
+        let shown: Vec<Bound> = program.bindings.bound.iter().filter(is_shown).cloned().collect();
+        let shown = shown.into_iter().filter(|bound| is_exponent(program, &bound.declared.name));
+        let has_one = known.iter().any(|bound| bound.role == Role::Shininess);
+        let shown: Vec<Bound> = shown.take(usize::from(!has_one)).collect();
         program.bindings.bound = known;
-        return;
+        program.bindings.bound.extend(shown);
     }
     for found in &program.bindings.bound {
         let declared = &mut program.declared;
@@ -244,6 +231,37 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
     }
     let bound = &program.bindings.bound;
     program.bindings.unknown.retain(|unknown| bound.iter().all(|bound| bound.declared != *unknown));
+}
+
+/// Assigns roles to matrices, so that every vertex is in place and most values are right. Returns 0 if that is not
+/// possible.
+fn choose_matrices(program: &mut Program, samples: &[SceneSamples], models: &[Model], matrices: &[usize]) -> usize {
+    // The roles that the source shows, unless others fit better.
+    let usual = program.bindings.bound.clone();
+    let mut best = match is_in_place(program, samples) {
+        true => (1 + score(program, samples, models), usual.clone()),
+        false => (0, usual.clone()),
+    };
+    let mut chosen = vec![0_usize; matrices.len()];
+    loop {
+        let is_distinct = (1..chosen.len()).all(|at| !chosen[..at].contains(&chosen[at]));
+        if is_distinct {
+            for (index, role) in matrices.iter().zip(&chosen) {
+                program.bindings.bound[*index].role = MATRICES[*role];
+            }
+            if is_in_place(program, samples) {
+                let score = 1 + score(program, samples, models);
+                if score > best.0 {
+                    best = (score, program.bindings.bound.clone());
+                }
+            }
+        }
+        let Some(at) = chosen.iter().rposition(|role| *role + 1 < MATRICES.len()) else { break };
+        chosen[at] += 1;
+        chosen[at + 1..].fill(0);
+    }
+    program.bindings.bound = best.1;
+    best.0
 }
 
 /// Whether an input is the second argument of `pow`.

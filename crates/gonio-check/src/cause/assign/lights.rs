@@ -29,16 +29,26 @@ pub(super) fn may_be_directions(program: &Program) -> bool {
     program.bindings.bound.iter().any(|bound| is_fixed_function(bound) && has_space(bound))
 }
 
+/// The roles of inputs as they are, and with all lights in the other space if the names leave that open.
+pub(super) fn in_spaces(bound: &[Bound]) -> Vec<Vec<Bound>> {
+    let mut all = vec![bound.to_vec()];
+    for is_in_view in [false, true] {
+        let mut other = bound.to_vec();
+        for bound in other.iter_mut().filter(|bound| is_open(bound)) {
+            bound.role = bound.role.in_space(is_in_view).unwrap_or(bound.role);
+        }
+        if !all.contains(&other) {
+            all.push(other);
+        }
+    }
+    all
+}
+
 /// Chooses one space for all lights: another one than that of the names only if it makes more values right.
 pub(super) fn choose_space(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
     let mut best = (score(program, samples, models), program.bindings.bound.clone());
-    for is_in_view in [false, true] {
-        for bound in program.bindings.bound.iter_mut().filter(|bound| is_open(bound)) {
-            bound.role = bound.role.in_space(is_in_view).unwrap_or(bound.role);
-        }
-        if program.bindings.bound == best.1 {
-            continue;
-        }
+    for bound in in_spaces(&best.1).into_iter().skip(1) {
+        program.bindings.bound = bound;
         let score = score(program, samples, models);
         if score > best.0 {
             best = (score, program.bindings.bound.clone());
