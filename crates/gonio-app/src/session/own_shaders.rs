@@ -199,6 +199,7 @@ impl OwnShaders {
             let frame = Box::new(Frame { samples: 1, ..frame });
             Some(SteppedPicture::Own { program: compiled.source.clone(), inputs: inputs.clone(), scene, frame })
         });
+        self.stepper.note_compiled();
         self.stepper.follow(ctx, platform);
     }
 

@@ -128,6 +128,8 @@ pub struct Stepper {
     /// The right answer for a program; nothing if its values cannot be judged.
     compared: Option<(Arc<DrawnProgram>, Option<Arc<RightAnswer>>)>,
     is_new: bool,
+    /// Whether the program compiled, but its picture is not drawn yet.
+    is_awaited: bool,
 }
 
 impl Stepper {
@@ -145,6 +147,7 @@ impl Stepper {
 
     fn pin_at(&mut self, pin: Pin) {
         (self.pin, self.corner, self.is_new) = (Some(pin), None, true);
+        self.is_awaited = self.drawn.is_none();
     }
 
     /// Whether a pixel was pinned since the last call.
@@ -185,6 +188,12 @@ impl Stepper {
             pin.share = now.same_place(pin.share, before);
         }
         self.drawn = drawn;
+        self.is_awaited = false;
+    }
+
+    /// Notes that the program compiled; without its picture, the values are awaited.
+    pub fn note_compiled(&mut self) {
+        self.is_awaited = self.drawn.is_none();
     }
 
     fn listing(&self) -> Option<&Listed> {
@@ -229,13 +238,15 @@ impl Stepper {
         let listed = self.listed.as_ref().map(|(_, listed)| listed);
         match listed {
             Some(listed) => listed.as_ref().err().map(String::as_str),
-            None => self.drawn.is_none().then_some("The values are shown once your program compiles."),
+            None => {
+                (self.drawn.is_none() && !self.is_awaited).then_some("The values are shown once your program compiles.")
+            }
         }
     }
 
     /// Whether values are being computed.
     pub fn is_running(&self) -> bool {
-        self.running.is_some() || self.is_outdated()
+        self.running.is_some() || self.is_outdated() || self.is_pinned() && self.is_awaited
     }
 
     fn is_outdated(&self) -> bool {

@@ -20,7 +20,7 @@ Examples:
   gonio view model.obj --environment sky.hdr --light \"point position=2,3,4 intensity=5\"
       The scene with options of render; --size is the size of the window.
   gonio view model.obj --fragment toon.frag
-      Your own shaders. The tab Shaders has their uniforms; a text that does not compile leaves the last program on. A click on
+      Your own shaders. The tab Shaders has their uniforms; a text that does not compile leaves the last program on. A click on \
       the picture shows each line's values at that pixel.
 
 The window reads files again when they change. Drop files on it to open them, shaders too; press ? for its keys.
