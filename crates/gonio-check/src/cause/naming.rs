@@ -137,8 +137,26 @@ impl Observer<'_> {
                     && other.values.is_same(&seen.values)
             })
         };
+        // A vector that should have length 1 may have any length until the last variable is set to it.
+        let set_last = |seen: &Observed, repair: &Repair| {
+            let is_of_length = match repair.make {
+                Make::Unit => true,
+                Make::Quantity(q) => seen.values.is_parallel(&self.model.quantities[q].values, 1.0),
+                _ => false,
+            };
+            let is_it = |other: &&Observed| {
+                other.stage == seen.stage
+                    && self.runner.program.is_whole_value(other.stage, other.expr)
+                    && other.values.is_same(&seen.values)
+            };
+            let all = proven.iter().map(|repair| &observed[repair.of]).filter(is_it);
+            all.max_by_key(|other| self.tokens(other)).filter(|_| is_of_length).map(|last| last.expr)
+        };
         // A wrong name is wrong where its value is computed; a right value of another kind where it is used.
         let is_elsewhere = |seen: &Observed, repair: &Repair| {
+            if let Some(last) = set_last(seen, repair) {
+                return seen.expr != last;
+            }
             let is_name = is_name(self.text(seen));
             let is_of_kind = repair.quantity().is_none_or(|q| {
                 let right = &self.model.quantities[q].values;

@@ -100,6 +100,18 @@ impl Program {
         text.unwrap_or_default()
     }
 
+    /// Whether an expression is all that a variable is set to.
+    #[must_use]
+    pub fn is_whole_value(&self, stage: Stage, expr: ExprId) -> bool {
+        let Some(span) = self.stage(stage).source.expression(expr).map(|expr| expr.span) else { return false };
+        let text = &self.texts[stage as usize];
+        let (before, after) = (text.get(..span.start as usize), text.get(span.end as usize..));
+        let is_set = before
+            .and_then(|text| text.trim_end().strip_suffix('='))
+            .is_some_and(|rest| !rest.ends_with(['=', '<', '>', '!', '+', '-', '*', '/', '%', '&', '|', '^']));
+        is_set && after.is_some_and(|text| text.trim_start().starts_with([';', ',']))
+    }
+
     /// The output of the fragment shader that is the colour.
     #[must_use]
     pub fn colour_output(&self) -> Option<usize> {
