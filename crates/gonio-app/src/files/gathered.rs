@@ -9,7 +9,7 @@
 //! 4. Shaders and a `names.toml` draw the scene, whether another input is among the files or not.
 //! 5. Otherwise there is nothing to open, which is an error.
 
-use super::{MOST_SHADER_BYTES, ShaderFiles};
+use super::{MOST_SHADER_BYTES, ShaderFiles, base_name};
 use gonio_check::submission::stage_of;
 use gonio_environment::names;
 use gonio_glsl::Stage;
@@ -138,10 +138,6 @@ fn kind(name: &str, source: &dyn FileSource) -> Kind {
         None if Format::ALL.iter().any(|format| format.extension() == extension(name)) => Kind::Model,
         None => Kind::Other,
     }
-}
-
-fn base_name(name: &str) -> &str {
-    name.rsplit(['/', '\\']).next().unwrap_or(name)
 }
 
 fn extension(name: &str) -> String {

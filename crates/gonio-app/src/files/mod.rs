@@ -101,11 +101,16 @@ impl ShaderFiles {
     }
 }
 
+/// The last part of a path with either separator.
+pub fn base_name(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or(path)
+}
+
 /// The title of what was opened: the file's name without its folder.
 pub fn short(inputs: &[String]) -> String {
     let name = |input: &String| {
         let input = input.strip_prefix(gonio_scene::files::BUILTIN).unwrap_or(input);
-        input.rsplit(['/', '\\']).next().unwrap_or(input).to_owned()
+        base_name(input).to_owned()
     };
     match inputs {
         [] => String::new(),

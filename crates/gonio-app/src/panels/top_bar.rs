@@ -129,7 +129,7 @@ fn samples_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
 
 fn recent_entries(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     for (index, path) in session.settings.recent.iter().enumerate() {
-        let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+        let name = crate::files::base_name(path);
         entry(ui, &format!("recent-{index}"), name, path, Action::OpenPaths(vec![path.clone()]), actions);
     }
 }

@@ -211,13 +211,12 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
     }
     if (is_in_place(program, samples), score(program, samples, models)) <= before {
         // An exponent is one by its use, even if no value becomes right with it.
+        let is_new = |bound: &Bound| known.iter().all(|other| other.declared != bound.declared);
         let is_shown = |bound: &&Bound| {
-            bound.role == Role::Shininess && known.iter().all(|other| other.declared != bound.declared)
+            bound.role == Role::Shininess && is_new(bound) && is_exponent(program, &bound.declared.name)
         };
-        let shown: Vec<Bound> = program.bindings.bound.iter().filter(is_shown).cloned().collect();
-        let shown = shown.into_iter().filter(|bound| is_exponent(program, &bound.declared.name));
         let has_one = known.iter().any(|bound| bound.role == Role::Shininess);
-        let shown: Vec<Bound> = shown.take(usize::from(!has_one)).collect();
+        let shown = if has_one { None } else { program.bindings.bound.iter().find(is_shown).cloned() };
         program.bindings.bound = known;
         program.bindings.bound.extend(shown);
     }

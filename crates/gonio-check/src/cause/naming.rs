@@ -144,13 +144,16 @@ impl Observer<'_> {
                 Make::Quantity(q) => seen.values.is_parallel(&self.model.quantities[q].values, 1.0),
                 _ => false,
             };
+            if !is_of_length {
+                return None;
+            }
             let is_it = |other: &&Observed| {
                 other.stage == seen.stage
                     && self.runner.program.is_whole_value(other.stage, other.expr)
                     && other.values.is_same(&seen.values)
             };
             let all = proven.iter().map(|repair| &observed[repair.of]).filter(is_it);
-            all.max_by_key(|other| self.tokens(other)).filter(|_| is_of_length).map(|last| last.expr)
+            all.max_by_key(|other| self.tokens(other)).map(|last| last.expr)
         };
         // A wrong name is wrong where its value is computed; a right value of another kind where it is used.
         let is_elsewhere = |seen: &Observed, repair: &Repair| {
