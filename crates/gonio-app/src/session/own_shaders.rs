@@ -1,7 +1,7 @@
 //! The user's own shaders: their files, the last program that compiled, why the present texts do not, and the pinned pixel.
 
 use crate::files::{Layered, MOST_SHADER_BYTES, ShaderFiles};
-use crate::platform::{Pending, Platform, TrialOutcome};
+use crate::platform::{Pending, Platform, Ready, TrialOutcome};
 use crate::session::{MessageSeverity, Messages};
 use crate::step::Stepper;
 use crate::step::source::{OwnProgram, SteppedPicture};
@@ -231,6 +231,11 @@ impl OwnShaders {
         }
         let Some(Trial { shaders, outcome }) = &mut self.tried else { return };
         let Some(outcome) = outcome.poll() else { return };
+        if scene.is_none() && shaders.has_loops() && matches!(outcome, TrialOutcome::Unavailable(_)) {
+            // They are tried on the CPU as soon as there is a scene.
+            self.tried = Some(Trial { shaders: shaders.clone(), outcome: Box::new(Ready::new(outcome)) });
+            return;
+        }
         let shaders = shaders.clone();
         self.tried = None;
         let refused = match outcome {
