@@ -17,7 +17,7 @@ pub struct ParsedStage<'a> {
     pub checked: Checked,
     /// The text that the driver compiles.
     pub translated: Translated,
-    target: OutputVersion,
+    pub(crate) target: OutputVersion,
 }
 
 impl<'a> ParsedStage<'a> {

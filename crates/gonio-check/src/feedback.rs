@@ -1,7 +1,7 @@
 //! How much of a verdict is shown: from right or wrong alone up to the change that makes a program right.
 
 use crate::check::WRONG_VALUE;
-use crate::search::Evidence;
+use crate::comparison::Evidence;
 use crate::verdict::{Outcome, Verdict};
 use serde::{Deserialize, Serialize};
 
@@ -80,7 +80,6 @@ fn hide_names(verdict: &mut Verdict) {
     // The summary of another outcome says what the checker lacks, what it assumes, or repeats the compiler.
     let is_about_mistakes = verdict.verdict == Outcome::Wrong || !verdict.mistakes.is_empty();
     verdict.mistakes.clear();
-    verdict.runner_up = None;
     verdict.peculiarities.clear();
     verdict.terms.clear();
     verdict.properties.clear();

@@ -4,17 +4,16 @@
 
 pub mod cause;
 mod check;
+pub mod comparison;
 pub mod compile;
 pub mod dataflow;
 pub mod driver_log;
 pub mod feedback;
-pub mod interpreter;
 pub mod mistakes;
 pub mod panorama;
 pub mod proposed_fix;
 pub mod roles;
 pub mod rules;
-pub mod search;
 pub mod submission;
 pub mod testbench;
 pub mod user_shaders;
@@ -22,4 +21,4 @@ pub mod verdict;
 pub mod words;
 
 pub use check::{CheckOptions, ShaderExercise, WRONG_VALUE, check, check_without_fix, with_edits};
-pub use search::ShaderChecker;
+pub use comparison::ShaderChecker;

@@ -187,9 +187,6 @@ pub struct Verdict {
     pub summary: String,
     /// The mistakes, the most significant first.
     pub mistakes: Vec<FoundMistake>,
-    /// The next best explanation, if the verdict names a mistake or nearly does.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub runner_up: Option<RunnerUp>,
     /// Peculiarities that are right but worth knowing.
     pub peculiarities: Vec<Peculiarity>,
     /// Problems that may occur on other drivers.
@@ -239,16 +236,6 @@ pub struct PropertyVerdict {
     pub scenes: Vec<String>,
 }
 
-/// The next best explanation.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct RunnerUp {
-    /// The mistakes' ids in the catalogue.
-    pub ids: Vec<String>,
-    /// The share of the difference that it explains.
-    #[serde(deserialize_with = "or_infinite")]
-    pub share_explained: f64,
-}
-
 /// Something right that is done by another method.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Peculiarity {
@@ -276,7 +263,6 @@ impl Verdict {
             verdict,
             summary: summary.into(),
             mistakes: Vec::new(),
-            runner_up: None,
             peculiarities: Vec::new(),
             warnings: Vec::new(),
             proposed_fix: Vec::new(),

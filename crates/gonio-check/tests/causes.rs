@@ -9,12 +9,12 @@ mod submissions;
 use gonio_check::cause::naming::ProvenCause;
 use gonio_check::cause::search::Found;
 use gonio_check::cause::{Diagnosis, ModelSolutions, NotJudged, diagnose};
+use gonio_check::comparison::Task;
 use gonio_check::compile::ParsedStage;
 use gonio_check::dataflow::Shader;
 use gonio_check::mistakes::{Hypotheses, ModelSolution};
 use gonio_check::roles::{NamesFile, Role};
 use gonio_check::rules::Analysis;
-use gonio_check::search::Task;
 use gonio_check::submission::{StageText, Submission};
 use gonio_glsl::{OutputVersion, Stage};
 

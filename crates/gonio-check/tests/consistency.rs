@@ -4,8 +4,8 @@
 
 mod submissions;
 
+use gonio_check::comparison::TASKS;
 use gonio_check::mistakes::{Hypotheses, TERMS, term_of};
-use gonio_check::search::TASKS;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{Outcome, PropertyState, TermState, Verdict};
 use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise};

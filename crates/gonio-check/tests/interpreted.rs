@@ -7,9 +7,9 @@
 mod own;
 mod submissions;
 
+use gonio_check::comparison::{Task, declared};
 use gonio_check::compile::{ParsedStage, compile};
 use gonio_check::roles::{self, NamesFile, VariableKind};
-use gonio_check::search::{Task, declared};
 use gonio_check::submission::{StageText, Submission};
 use gonio_check::testbench::{
     CUBEMAP_UNIT, SKY_SIDE, TILE, TestMesh, TestScene, WHITE_UNIT, numbers_of_array, sky_faces, stream_of, unit,

@@ -6,9 +6,9 @@
 
 use crate::exercise::Exercise;
 use gonio_check::ShaderChecker;
+use gonio_check::comparison::{Evidence, SourceSupport};
 use gonio_check::mistakes::{Hypothesis, ModelSolution};
 use gonio_check::panorama::{Explanation, FaceBench, FaceTask, Tiles, Tolerance, blur, verdict};
-use gonio_check::search::{Evidence, SourceSupport};
 use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TILE;
 use gonio_check::verdict::{Outcome, Verdict};

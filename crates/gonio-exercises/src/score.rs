@@ -4,9 +4,9 @@
 use crate::check::{Checker, check};
 use crate::exercise::Exercise;
 use gonio_check::CheckOptions;
+use gonio_check::comparison::{Comparison, Evidence, Task};
 use gonio_check::feedback::Feedback;
 use gonio_check::mistakes::{Hypotheses, Hypothesis};
-use gonio_check::search::{Comparison, Evidence, Task};
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{FoundMistake, Outcome, Verdict};
 use gonio_gl::GlError;

@@ -2,17 +2,17 @@
 #![allow(clippy::unwrap_used)]
 
 use gonio_check::WRONG_VALUE;
+use gonio_check::comparison::Evidence;
 use gonio_check::feedback::Feedback;
-use gonio_check::search::Evidence;
 use gonio_check::testbench::Atlas;
 use gonio_check::verdict::{
-    CompilerMessage, FoundMistake, Outcome, Peculiarity, PropertyState, PropertyVerdict, ProposedEdit, RunnerUp,
-    SceneVerdict, TermState, TermVerdict, Verdict,
+    CompilerMessage, FoundMistake, Outcome, Peculiarity, PropertyState, PropertyVerdict, ProposedEdit, SceneVerdict,
+    TermState, TermVerdict, Verdict,
 };
 use gonio_exercises::report::{self, Row};
 
 /// Words that only one part of [`verdict`] has, with the first level that shows the part.
-const PARTS: [(&str, Feedback); 15] = [
+const PARTS: [(&str, Feedback); 14] = [
     ("hillside", Feedback::Verdict),
     ("undeclared", Feedback::Verdict),
     ("skylark", Feedback::Name),
@@ -21,7 +21,6 @@ const PARTS: [(&str, Feedback); 15] = [
     ("sepia", Feedback::Name),
     ("rotunda", Feedback::Name),
     ("halfway", Feedback::Name),
-    ("specular-missing", Feedback::Name),
     ("student.frag", Feedback::Line),
     ("quotation", Feedback::Line),
     ("remedy", Feedback::Line),
@@ -35,7 +34,6 @@ fn verdict() -> Verdict {
     let mut verdict = Verdict::new("ex04", Outcome::Wrong, "line 14: skylark");
     let found = FoundMistake::new("skylark-id", "skylark", 1.0).taught("murky", "remedy", "chapter");
     verdict.mistakes = vec![found.at("student.frag", Some(14), "quotation")];
-    verdict.runner_up = Some(RunnerUp { ids: vec!["specular-missing".to_owned()], share_explained: 0.5 });
     verdict.peculiarities = vec![Peculiarity { id: "halfway".to_owned(), name: "halfway".to_owned() }];
     verdict.warnings = vec!["student.frag:3: not portable".to_owned(), "ignored: notes.pdf".to_owned()];
     let edit = |line, before: &str, after: &str| ProposedEdit {
@@ -100,9 +98,8 @@ fn no_report_shows_more_than_its_level() {
         let (_, json) = &reduced[0];
         let of_level = PARTS.iter().filter(|(_, first)| level >= *first);
         assert!(of_level.clone().all(|(word, _)| json.contains(word)), "{level:?}: {json}");
-        // A page names mistakes in words, without the ids of other explanations.
         let (_, page) = &reduced[1];
-        for (word, _) in of_level.filter(|(word, _)| *word != "specular-missing") {
+        for (word, _) in of_level {
             assert!(page.contains(word), "{word} at {level:?}");
         }
     }

@@ -70,14 +70,6 @@ fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict, commands: &mut Vec<Exe
         self::mistake(ui, work, index, mistake);
     }
     fix::show(ui, work, &verdict.proposed_fix, commands);
-    if let Some(other) = &verdict.runner_up {
-        let names: Vec<String> = other.ids.iter().map(|id| name_of(id)).collect();
-        let share = 100.0 * other.share_explained;
-        weak(
-            ui,
-            &format!("The next best explanation, {}, explains {share:.1} % of the difference.", names.join(", with ")),
-        );
-    }
     terms(ui, verdict);
     scenes(ui, verdict);
     if !verdict.peculiarities.is_empty() {

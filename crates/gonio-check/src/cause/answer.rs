@@ -42,10 +42,15 @@ impl AnswerMethod {
     pub fn new(model: ModelSolution) -> Self {
         AnswerMethod { model, normal_kept: false, half_vector: false, highlight: Highlight::default() }
     }
+
+    /// Its choices as lines of the model solution; `None` if they exclude each other.
+    pub(crate) fn choices(self, all: &Hypotheses) -> Option<Hypothesis> {
+        hypothesis_of(all, &peculiarities(self, self.highlight))
+    }
 }
 
 /// The harmless peculiarities of a method of a right answer.
-pub(super) fn peculiarities(method: AnswerMethod, highlight: Highlight) -> [(&'static str, bool); 5] {
+pub(crate) fn peculiarities(method: AnswerMethod, highlight: Highlight) -> [(&'static str, bool); 5] {
     [
         ("normal-kept-unnormalised", method.normal_kept),
         ("specular-half-vector", method.half_vector),

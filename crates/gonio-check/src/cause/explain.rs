@@ -4,10 +4,11 @@
 use super::model::{AnswerMethod, Space};
 use super::prediction::{AllHypotheses, ModelSolutions, Planes, Predicted, Predictor, Sum};
 use super::samples::SceneSamples;
+use super::shown::Shown;
 use super::target::{Fit, Highlight, Seen, is_in_place, planes};
 use super::values::Values;
+use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::{Hypothesis, Mistake, ModelSolution, TERMS, term_of};
-use crate::search::{Lights, Parameterisation};
 use crate::testbench::TestScene;
 use glam::Vec3;
 use std::cell::Cell;
@@ -75,8 +76,8 @@ pub(crate) struct Explainer<'a> {
     pub solutions: &'a ModelSolutions,
     /// The methods, the likeliest first.
     pub methods: &'a [LightingMethod],
-    /// For each method, the mistakes whose own wrong values the program has.
-    pub suspects: &'a dyn Fn(LightingMethod) -> Vec<&'static str>,
+    /// The quantities that the program computes, compared with a method.
+    pub shown: &'a dyn Fn(LightingMethod) -> Result<Rc<Shown>, String>,
     /// Whether a peculiarity of right answers may be that of the program.
     pub is_likely: &'a dyn Fn(&str) -> bool,
     /// The parameterisation of the program.
@@ -142,6 +143,9 @@ const MOST_ALTERNATIVES: usize = 4;
 /// Most sets of peculiarities with which pairs are tried.
 const MOST_SETS_OF_PAIRS: usize = 8;
 
+/// The peculiarity of a highlight by the half vector.
+const HALF_VECTOR: &str = "specular-half-vector";
+
 /// The result of single mistakes.
 pub(crate) enum Singly {
     /// The mistakes, alternatives of each other; none if too many explain the picture.
@@ -161,9 +165,30 @@ fn simplest(mut found: Vec<Explanation>) -> Vec<Explanation> {
     if distinct.len() > MOST_ALTERNATIVES { Vec::new() } else { found }
 }
 
+/// Single mistakes that are tried one after the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Which {
+    /// Those whose own wrong values the program has, and no right values instead.
+    Suspects,
+    /// Others that no right value contradicts.
+    Allowed,
+    /// All others: the right value may be computed and not used.
+    Others,
+}
+
+/// A mistake that may be one of two.
+struct WrongOfPair<'a> {
+    hypothesis: &'a Hypothesis,
+    /// Whether it changes positions on the screen.
+    moves: bool,
+    /// Whether the program has its own wrong value.
+    is_suspect: bool,
+}
+
 /// A model solution with predictions at few and at all places.
 pub(crate) struct Candidate {
     method: LightingMethod,
+    shown: Rc<Shown>,
     coarse: AtFew,
     fine: Predictor,
 }
@@ -226,6 +251,7 @@ impl Candidate {
         Ok(Candidate {
             coarse: AtFew::new(of, &all, (space, lights), seen, coarse(model))?,
             fine: Predictor::new(all, lights, of.parameterisation, space, fine),
+            shown: (of.shown)(method)?,
             method,
         })
     }
@@ -265,13 +291,19 @@ impl Candidate {
         let is_peculiar = |single: &&Hypothesis| {
             single.mistakes.iter().all(|mistake| {
                 let mistake = all.mistakes[*mistake];
-                mistake.harmless && is_likely(&mistake.id)
+                mistake.harmless
+                    && is_likely(&mistake.id)
+                    && (mistake.id != HALF_VECTOR || self.shown.half_vector() != Some(false))
             })
         };
         let mut sets = vec![Hypothesis::default()];
         for single in all.singles.iter().filter(is_peculiar) {
             let more: Vec<Hypothesis> = sets.iter().filter_map(|set| set.and(single)).collect();
             sets.extend(more);
+        }
+        if self.shown.half_vector() == Some(true) {
+            let has_it = |set: &Hypothesis| set.mistakes.iter().any(|mistake| all.mistakes[*mistake].id == HALF_VECTOR);
+            sets.retain(has_it);
         }
         sets.sort_by_key(|set| set.mistakes.len());
         sets
@@ -322,11 +354,20 @@ impl Explainer<'_> {
         let mut unexplained = Vec::new();
         for method in self.methods {
             for lights in self.parameterisation.right_lights() {
-                let candidate = Candidate::new(self, *method, *lights, seen)?;
-                let sets = self.singles(&candidate, seen, &mut found);
-                unexplained.push((candidate, sets));
+                unexplained.push(Candidate::new(self, *method, *lights, seen)?);
             }
         }
+        // Right values exclude most mistakes, unless they are computed and not used.
+        let mut sets_of: Vec<Vec<Hypothesis>> = Vec::new();
+        for which in [Which::Suspects, Which::Allowed, Which::Others] {
+            if found.is_empty() {
+                let sets = unexplained.iter().map(|one| self.singles(one, which, seen, &mut found)).collect();
+                if which == Which::Allowed {
+                    sets_of = sets;
+                }
+            }
+        }
+        let unexplained: Vec<(Candidate, Vec<Hypothesis>)> = unexplained.into_iter().zip(sets_of).collect();
         for method in self.methods {
             if !found.is_empty() {
                 break;
@@ -339,7 +380,13 @@ impl Explainer<'_> {
                         let sets = candidate.peculiarities(self.is_likely);
                         found.extend(sets.iter().find_map(|set| candidate.explanation(seen, set, self.required)));
                     }
-                    false => drop(self.singles(&candidate, seen, &mut found)),
+                    false => {
+                        for which in [Which::Suspects, Which::Allowed, Which::Others] {
+                            if found.is_empty() {
+                                self.singles(&candidate, which, seen, &mut found);
+                            }
+                        }
+                    }
                 }
             }
         }
@@ -360,32 +407,37 @@ impl Explainer<'_> {
     ) -> Result<Vec<Explanation>, String> {
         let mut found = Vec::new();
         // One of two mistakes shows its own wrong value, unless it is computed from the other's.
-        for (candidate, sets) in unexplained {
-            let suspects = (self.suspects)(candidate.method);
-            let is_suspect = |mistake: &Mistake| suspects.contains(&mistake.id.as_str());
-            let quick = candidate.at_fewest(self, seen)?;
-            for set in sets.iter().take(MOST_SETS_OF_PAIRS) {
-                self.pairs((candidate, &quick), set, seen, &is_suspect, &mut found);
+        for must_be_suspect in [true, false] {
+            for (candidate, sets) in unexplained.iter().take(if must_be_suspect { usize::MAX } else { 1 }) {
+                let quick = candidate.at_fewest(self, seen)?;
+                let wrong = candidate.wrong_of_pairs();
+                for set in sets.iter().take(if must_be_suspect { MOST_SETS_OF_PAIRS } else { 1 }) {
+                    self.pairs((candidate, &quick, &wrong), set, seen, must_be_suspect, &mut found);
+                }
             }
-        }
-        if found.is_empty()
-            && let Some((candidate, sets)) = unexplained.first()
-            && let Some(set) = sets.first()
-        {
-            self.pairs((candidate, &candidate.at_fewest(self, seen)?), set, seen, &|_| true, &mut found);
+            if !found.is_empty() {
+                break;
+            }
         }
         Ok(simplest(found))
     }
 
     /// Adds the single mistakes that explain a picture. Returns the sets of peculiarities, those first that some mistake
     /// brings nearest to the picture.
-    fn singles(&self, candidate: &Candidate, seen: &Seen, found: &mut Vec<Explanation>) -> Vec<Hypothesis> {
+    fn singles(
+        &self,
+        candidate: &Candidate,
+        which: Which,
+        seen: &Seen,
+        found: &mut Vec<Explanation>,
+    ) -> Vec<Hypothesis> {
         let mut sets = Vec::new();
         for set in candidate.peculiarities(self.is_likely) {
             if found.iter().any(|known| known.peculiarities < set.mistakes.len()) {
                 break;
             }
-            let both: Vec<Hypothesis> = candidate.wrong().filter_map(|single| set.and(single)).collect();
+            let here = candidate.wrong().filter(|single| candidate.which(single) == which);
+            let both: Vec<Hypothesis> = here.filter_map(|single| set.and(single)).collect();
             let all: Vec<&Hypothesis> = both.iter().collect();
             let mut least = 1.0_f32;
             let resemblance = candidate.coarse.resemble(&all);
@@ -406,28 +458,24 @@ impl Explainer<'_> {
     /// Adds the pairs of mistakes that explain a picture.
     fn pairs(
         &self,
-        (candidate, quick): (&Candidate, &AtFew),
+        (candidate, quick, wrong): (&Candidate, &AtFew, &[WrongOfPair<'_>]),
         set: &Hypothesis,
         seen: &Seen,
-        is_suspect: &dyn Fn(&Mistake) -> bool,
+        must_be_suspect: bool,
         found: &mut Vec<Explanation>,
     ) {
-        let all = &candidate.fine.all.hypotheses;
-        let is_suspect = |single: &Hypothesis| single.mistakes.iter().any(|mistake| is_suspect(all.mistakes[*mistake]));
         let right = candidate.coarse.predictor.predict(0, set, Sum::Terms);
         let is_moved = !is_in_place(&candidate.coarse.clip, &[&right]);
-        let moves = |single: &Hypothesis| {
-            let clip = candidate.coarse.predictor.predict(0, single, Sum::Terms).clip;
-            !is_in_place(&Values::new(4, clip.into_iter().flatten().collect()), &[&right])
-        };
-        let wrong: Vec<(&Hypothesis, bool)> = candidate.wrong().map(|single| (single, moves(single))).collect();
         let mut pairs = Vec::new();
-        for (at, (first, moves)) in wrong.iter().enumerate() {
-            let Some(one) = set.and(first) else { continue };
-            let seconds = wrong[at + 1..].iter().filter(|(_, also_moves)| (*moves || *also_moves) == is_moved);
-            let is_first = is_suspect(first);
-            let seconds = seconds.filter(|(second, _)| is_first || is_suspect(second));
-            pairs.extend(seconds.filter_map(|(second, _)| one.and(second)));
+        for (at, first) in wrong.iter().enumerate() {
+            let Some(one) = set.and(first.hypothesis) else { continue };
+            for second in &wrong[at + 1..] {
+                let may_be = (first.moves || second.moves) == is_moved
+                    && (!must_be_suspect || first.is_suspect || second.is_suspect);
+                if may_be {
+                    pairs.extend(one.and(second.hypothesis));
+                }
+            }
         }
         // Each open strength is one more run.
         let runs = 1 + self.parameterisation.to_find.iter().filter(|is_open| **is_open).count();
@@ -447,7 +495,7 @@ impl Explainer<'_> {
             // One of them alone may have the same picture, because it takes away a whole term.
             let is_part =
                 |one: &Hypothesis| one.choices.iter().all(|(line, way)| hypothesis.choices.get(line) == Some(way));
-            let alone = wrong.iter().filter_map(|(single, _)| set.and(single)).filter(is_part);
+            let alone = wrong.iter().filter_map(|single| set.and(single.hypothesis)).filter(is_part);
             let alone: Vec<Explanation> =
                 alone.filter_map(|single| candidate.explanation(seen, &single, [false; 3])).collect();
             if !alone.is_empty() {
@@ -464,6 +512,42 @@ impl Candidate {
     fn at_fewest(&self, of: &Explainer<'_>, seen: &Seen) -> Result<AtFew, String> {
         let LightingMethod { model, space } = self.method;
         AtFew::new(of, &self.fine.all, (space, self.fine.lights), seen, quick(model))
+    }
+
+    /// The mistakes that may be one of two.
+    fn wrong_of_pairs(&self) -> Vec<WrongOfPair<'_>> {
+        let all = &self.fine.all.hypotheses;
+        let right = self.coarse.predictor.predict(0, &Hypothesis::default(), Sum::Terms);
+        let moves = |predicted: &Predicted| {
+            !is_in_place(&Values::new(4, predicted.clip.iter().flatten().copied().collect()), &[&right])
+        };
+        let is_suspect =
+            |single: &Hypothesis| single.mistakes.iter().any(|mistake| self.shown.is_suspect(all.mistakes[*mistake]));
+        let here: Vec<&Hypothesis> = self.wrong().collect();
+        let predicted = self.coarse.predictor.predict_each(0, &here, Sum::Terms);
+        let all = here.into_iter().zip(&predicted);
+        all.map(|(hypothesis, predicted)| WrongOfPair {
+            hypothesis,
+            moves: moves(predicted),
+            is_suspect: is_suspect(hypothesis),
+        })
+        .collect()
+    }
+
+    /// How likely a single mistake is.
+    fn which(&self, single: &Hypothesis) -> Which {
+        let all = &self.fine.all.hypotheses;
+        let is_suspect = || single.mistakes.iter().any(|m| self.shown.is_suspect(all.mistakes[*m]));
+        match self.allows(single) {
+            false => Which::Others,
+            true if is_suspect() => Which::Suspects,
+            true => Which::Allowed,
+        }
+    }
+
+    /// Whether no right value of the program contradicts a mistake.
+    fn allows(&self, single: &Hypothesis) -> bool {
+        self.shown.allows(&self.fine.all.hypotheses, single)
     }
 
     /// The single mistakes.

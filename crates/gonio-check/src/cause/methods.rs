@@ -1,14 +1,11 @@
 //! The ways to solve a task, and which of them a program takes.
 
+use super::answer::{AnswerMethod, Highlight, Space};
 use super::explain::LightingMethod;
-use super::model::{AnswerMethod, Mistakes, Model, Recorded, STAGES, Space, observe};
-use super::observed::SCALED;
-use super::program::{Program, Runner};
-use super::samples::SceneSamples;
+use super::program::Program;
+use crate::comparison::Task;
 use crate::mistakes::ModelSolution;
 use crate::roles::Role;
-use crate::search::Task;
-use crate::testbench::TestScene;
 use gonio_glsl::Checked;
 
 /// The methods of right answers to a task, the usual one first.
@@ -26,6 +23,18 @@ pub(super) fn methods(task: &Task) -> Vec<AnswerMethod> {
         }
     }
     all
+}
+
+/// The methods of right answers with all choices of the highlight.
+pub(crate) fn answer_methods(task: &Task) -> Vec<AnswerMethod> {
+    let choices = [(false, false), (true, false), (false, true)];
+    let with_highlights = |method: AnswerMethod| {
+        let all = choices.into_iter().flat_map(move |(gated, weighted)| {
+            [false, true].map(|white| AnswerMethod { highlight: Highlight { gated, weighted, white }, ..method })
+        });
+        all.take(if method.model.is_lit() { usize::MAX } else { 1 })
+    };
+    methods(task).into_iter().flat_map(with_highlights).collect()
 }
 
 /// The functions that a program uses, which tell the methods that it may take.
@@ -82,40 +91,4 @@ impl<'a> Hints<'a> {
             if in_view && self.task.model.is_lit() { &[Space::World, Space::View][..] } else { &[Space::World] };
         spaces.iter().map(|space| LightingMethod { model, space: *space }).collect()
     }
-}
-
-/// The mistakes whose own wrong values the program has.
-pub(super) fn suspects(
-    program: &Program,
-    scenes: &[(TestScene, SceneSamples)],
-    method: LightingMethod,
-    written_exponent: f32,
-) -> Vec<&'static str> {
-    const PLACES: usize = 48;
-    let of_program: Vec<SceneSamples> = scenes.iter().take(1).map(|(_, samples)| samples.few(PLACES)).collect();
-    let runner = Runner::new(program, &of_program);
-    let exprs = STAGES.map(|stage| program.numbers(stage));
-    let observed = observe(&runner, &[], 0..of_program.len(), [&exprs[0], &exprs[1]]);
-    let mut found = Vec::new();
-    for half_vector in [false, true] {
-        let of_answer = AnswerMethod { half_vector, ..AnswerMethod::new(method.model) };
-        let Ok(model) = Model::new(of_answer, method.space, &of_program, written_exponent, Mistakes::All) else {
-            continue;
-        };
-        for q in model.quantities.iter().filter(|q| q.is_direct) {
-            let Some(mistake) = q.mistake else { continue };
-            let is_scaled = SCALED.contains(&q.name.as_str());
-            let is_it = |seen: &Recorded| {
-                seen.stage == q.stage
-                    && (seen.values.is_same(&q.values) || is_scaled && seen.values.factor_of(&q.values).is_some())
-            };
-            if !found.contains(&mistake.id.as_str()) && observed.iter().any(is_it) {
-                found.push(mistake.id.as_str());
-            }
-        }
-        if !method.model.is_lit() {
-            break;
-        }
-    }
-    found
 }

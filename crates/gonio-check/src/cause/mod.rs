@@ -25,20 +25,25 @@ pub mod right_change;
 pub(crate) mod samples;
 pub(crate) mod scope;
 pub mod search;
+mod shown;
 pub(crate) mod target;
+mod unused;
 pub(crate) mod values;
 pub(crate) mod words;
 
+pub(crate) use answer::{Space, peculiarities};
+pub(crate) use methods::answer_methods;
+
+use crate::comparison::{Lights, Parameterisation, Second, Task};
 use crate::mistakes::ModelSolution;
 use crate::roles::{Bindings, NamesFile};
 use crate::rules::SourceConstants;
-use crate::search::{Lights, Parameterisation, Second, Task};
 use crate::testbench::TestScene;
 use edit::{Editor, TextFix, Trial};
-use explain::{Explainer, Explanation, LightingMethod, Singly};
+use explain::{Explainer, Explanation, LightingMethod, Singly, Strengths};
 use gonio_glsl::{Checked, Parsed, Stage};
-use methods::{Hints, methods, suspects};
-use model::{AnswerMethod, Mistakes, Model, Space};
+use methods::{Hints, methods};
+use model::{AnswerMethod, Mistakes, Model};
 use observed::Observer;
 pub use prediction::ModelSolutions;
 use prediction::Predictor;
@@ -46,7 +51,9 @@ use program::{Program, Runner};
 pub use samples::SceneSamples;
 use scope::Scopes;
 use search::{Found, Search, Tried, see};
-use std::cell::Cell;
+use shown::Shown;
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
 use target::{Highlight, RightPicture, Seen};
 
 /// Why values cannot be judged.
@@ -67,18 +74,32 @@ pub struct Diagnosis {
     pub method: AnswerMethod,
     /// The roles of its inputs, found by their values where the names do not determine them.
     pub bindings: Bindings,
+    /// Which quantities are inputs, with these roles.
+    pub parameterisation: Parameterisation,
+    /// The lights of the right answer.
+    pub lights: Lights,
+    /// The strengths of ambient, diffuse and specular light, where they are constants of the program and shown.
+    pub strengths: Strengths,
     /// Single runs of scenes.
     pub runs: usize,
     /// Mistakes that explain the picture.
     pub explanations: Vec<Explanation>,
     /// Edits with which every scene is right, the most promising first; empty if none were found.
     pub fixes: Vec<TextFix>,
+    /// For ambient, diffuse and specular: whether a right program computes the term and never uses it.
+    pub unused_terms: [bool; 3],
 }
 
 /// Most methods that are searched for causes by all repairs.
 const MOST_METHODS: usize = 2;
 /// Most methods that are searched for a known mistake.
 const MOST_VARIANTS: usize = 6;
+
+/// Places in each scene at which causes are searched.
+const SEARCHED_PLACES: usize = 128;
+
+/// Places in the first scene by which roles are assigned.
+const ASSIGNING_PLACES: usize = 96;
 
 /// Most proven fixes that are kept for the driver.
 const MOST_FIXES: usize = 2;
@@ -126,7 +147,7 @@ pub fn diagnose(
             .map(|mut scene| {
                 parameterisation.apply(&mut scene);
                 scene.light.position = constants.light_position.unwrap_or(scene.light.position);
-                SceneSamples::new(scene)
+                SceneSamples::new(scene).few(ASSIGNING_PLACES)
             })
             .collect();
         let plain =
@@ -152,7 +173,19 @@ pub fn diagnose(
             SceneSamples::new(scene)
         };
         let scenes = scenes.iter().take(count).map(|scene| (scene.clone(), applied(scene.clone()))).collect();
-        Diagnosing { task, solutions, program, stages, texts, names, parameterisation, scenes, of_one, hints: &hints }
+        Diagnosing {
+            task,
+            solutions,
+            program,
+            stages,
+            texts,
+            names,
+            parameterisation,
+            scenes,
+            of_one,
+            hints: &hints,
+            shown: RefCell::default(),
+        }
     };
     first_conclusion(programs.into_iter().map(diagnosing), may_be_wrong).map_err(NotJudged::Unsupported)
 }
@@ -160,25 +193,33 @@ pub fn diagnose(
 /// The diagnosis with the first roles with which the program is right, or else with the first of some by which it is
 /// explained.
 fn first_conclusion<'a>(all: impl Iterator<Item = Diagnosing<'a>>, may_be_wrong: usize) -> Result<Diagnosis, String> {
-    let mut wrong = Vec::new();
+    let (mut wrong, mut others) = (Vec::new(), Vec::new());
     for (number, one) in all.enumerate() {
+        let may_be_right = one.may_be_right()?;
         let Some(seen) = one.picture() else { return Ok(one.diagnosis(Found::Endless, methods(one.task)[0])) };
-        if let Some(right) = one.right(&seen)? {
+        if may_be_right && let Some(right) = one.right(&seen)? {
             return Ok(right);
         }
-        if number < may_be_wrong {
-            wrong.push((one, seen));
-        }
+        let of_these = if number < may_be_wrong { &mut wrong } else { &mut others };
+        of_these.push((one, seen));
     }
     let mut unexplained = Vec::new();
     for (one, seen) in &wrong {
-        match one.explaining(|explainer| explainer.singly(seen))? {
+        match one.explaining(&one.scenes, |explainer| explainer.singly(seen))? {
             Singly::Explained(explanations) => return one.wrong(explanations),
             Singly::Unexplained(tried) => unexplained.push(tried),
         }
     }
+    // A mistake may hide the space of the normals and of the light.
+    for (one, seen) in &others {
+        if let Singly::Explained(found) = one.explaining(&one.scenes, |explainer| explainer.singly(seen))?
+            && !found.is_empty()
+        {
+            return one.wrong(found);
+        }
+    }
     for ((one, seen), tried) in wrong.iter().zip(&unexplained) {
-        let explanations = one.explaining(|explainer| explainer.by_pairs(tried, seen))?;
+        let explanations = one.explaining(&one.scenes, |explainer| explainer.by_pairs(tried, seen))?;
         if !explanations.is_empty() {
             return one.wrong(explanations);
         }
@@ -201,6 +242,8 @@ struct Diagnosing<'a> {
     /// The number of scenes with one light, which come first.
     of_one: usize,
     hints: &'a Hints<'a>,
+    /// The quantities that the program computes, by the method that they are compared with.
+    shown: RefCell<Vec<(LightingMethod, Rc<Shown>)>>,
 }
 
 impl Diagnosing<'_> {
@@ -227,8 +270,38 @@ impl Diagnosing<'_> {
     }
 
     fn diagnosis(&self, found: Found, method: AnswerMethod) -> Diagnosis {
-        let bindings = self.program.bindings.clone();
-        Diagnosis { found, method, bindings, runs: 0, explanations: Vec::new(), fixes: Vec::new() }
+        let lights = self.parameterisation.right_lights().first().copied().unwrap_or(Lights::One);
+        Diagnosis {
+            found,
+            method,
+            bindings: self.program.bindings.clone(),
+            parameterisation: self.parameterisation.clone(),
+            lights,
+            strengths: [None; 3],
+            runs: 0,
+            explanations: Vec::new(),
+            fixes: Vec::new(),
+            unused_terms: [false; 3],
+        }
+    }
+
+    /// Whether the program is right at a few places of the first scenes, for some method.
+    fn may_be_right(&self) -> Result<bool, String> {
+        const PLACES: usize = 16;
+        let first = self.scenes.iter().take(2);
+        let of_two = self.scenes.get(self.of_one..).into_iter().flatten().take(1);
+        let few: Vec<(TestScene, SceneSamples)> =
+            first.chain(of_two).map(|(scene, samples)| (scene.clone(), samples.few(PLACES))).collect();
+        let samples: Vec<SceneSamples> = few.iter().map(|(_, samples)| samples.clone()).collect();
+        let Some(seen) = see(&Runner::new(self.program, &samples), &[], 0..samples.len()) else { return Ok(true) };
+        for method in methods(self.task) {
+            for lights in self.parameterisation.right_lights() {
+                if self.right_picture(method, *lights, &few)?.may_agree(&seen) {
+                    return Ok(true);
+                }
+            }
+        }
+        Ok(false)
     }
 
     /// The diagnosis of a right program.
@@ -236,7 +309,11 @@ impl Diagnosing<'_> {
         for method in methods(self.task) {
             for lights in self.parameterisation.right_lights() {
                 if let Some(agreement) = self.right_picture(method, *lights, &self.scenes)?.agrees(seen) {
-                    return Ok(Some(self.diagnosis(Found::Right(agreement), method)));
+                    let method = AnswerMethod { highlight: agreement.highlight.unwrap_or_default(), ..method };
+                    let strengths = agreement.strengths;
+                    let found = self.diagnosis(Found::Right(agreement), method);
+                    let unused_terms = self.unused_terms(method, strengths)?;
+                    return Ok(Some(Diagnosis { lights: *lights, strengths, unused_terms, ..found }));
                 }
             }
         }
@@ -250,8 +327,15 @@ impl Diagnosing<'_> {
             Second::None => (&self.scenes[..], Lights::One),
             // A light that is off is in no picture, so causes are searched in the scenes of the other one.
             Second::Switched => (&self.scenes[..self.of_one], Lights::First),
-            Second::Always => return Ok(Diagnosis { explanations, ..self.diagnosis(Found::Nothing, usual) }),
+            Second::Always => {
+                let of_first = explanations.first().map(|first| (first.method, first.strengths));
+                let (method, strengths) = of_first.unwrap_or((usual, [None; 3]));
+                return Ok(Diagnosis { explanations, strengths, ..self.diagnosis(Found::Nothing, method) });
+            }
         };
+        let few = |(scene, samples): &(TestScene, SceneSamples)| (scene.clone(), samples.few(SEARCHED_PLACES));
+        let scenes: Vec<(TestScene, SceneSamples)> = scenes.iter().map(few).collect();
+        let scenes = scenes.as_slice();
         let samples: Vec<SceneSamples> = scenes.iter().map(|(_, samples)| samples.clone()).collect();
         let runner = Runner::new(self.program, &samples);
         // Strengths that are constants of the program are those of the explanation.
@@ -275,7 +359,7 @@ impl Diagnosing<'_> {
                 let (method, space) = all[at];
                 let lighting = LightingMethod { model: method.model, space };
                 let wrong = match explanations.is_empty() {
-                    true => suspects(self.program, &self.scenes, lighting, exponent),
+                    true => self.shown(lighting)?.suspects().iter().copied().collect(),
                     false => explaining.clone(),
                 };
                 let model = Model::new(method, space, &of_model, exponent, Mistakes::These(&wrong))?;
@@ -305,7 +389,7 @@ impl Diagnosing<'_> {
             && let Some((model, target)) = of_methods.first()
         {
             let explain = |seen: &Seen| {
-                Ok(match self.explaining(|explainer| explainer.singly(seen))? {
+                Ok(match self.explaining(scenes, |explainer| explainer.singly(seen))? {
                     Singly::Explained(explanations) => explanations,
                     Singly::Unexplained(_) => Vec::new(),
                 })
@@ -323,7 +407,9 @@ impl Diagnosing<'_> {
             }
         }
         let Some((found, at)) = best else {
-            return Ok(Diagnosis { runs, explanations, ..self.diagnosis(Found::Nothing, usual) });
+            let of_first = explanations.first().map(|first| (first.method, first.strengths));
+            let (method, strengths) = of_first.unwrap_or((usual, [None; 3]));
+            return Ok(Diagnosis { runs, explanations, strengths, ..self.diagnosis(Found::Nothing, method) });
         };
         let (model, target) = &of_methods[at];
         let mut fixes = Vec::new();
@@ -334,20 +420,35 @@ impl Diagnosing<'_> {
             let tried = Editor::new(at, scopes, self.texts).fixes(groups);
             fixes = tried.into_iter().filter(|fix| trial.is_right(fix)).take(MOST_FIXES).collect();
         }
-        Ok(Diagnosis { runs, explanations, fixes, ..self.diagnosis(found, model.method) })
+        let strengths = match explanations.first() {
+            Some(explanation) => explanation.strengths,
+            None => repaired_strengths(&found, &runner, model, target),
+        };
+        Ok(Diagnosis { runs, explanations, fixes, strengths, ..self.diagnosis(found, model.method) })
     }
 
-    fn explaining<T>(&self, explain: impl FnOnce(&Explainer<'_>) -> T) -> T {
+    /// The quantities that the program computes, compared with a method.
+    fn shown(&self, method: LightingMethod) -> Result<Rc<Shown>, String> {
+        if let Some((_, known)) = self.shown.borrow().iter().find(|(known, _)| *known == method) {
+            return Ok(Rc::clone(known));
+        }
+        let all = self.solutions.get(method.model)?;
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
-        let suspects = |method: LightingMethod| suspects(self.program, &self.scenes, method, exponent);
+        let new = Shown::new(self.program, &self.scenes[..self.of_one], method, exponent, &all.hypotheses)?;
+        let new = Rc::new(new);
+        self.shown.borrow_mut().push((method, Rc::clone(&new)));
+        Ok(new)
+    }
+
+    fn explaining<T>(&self, scenes: &[(TestScene, SceneSamples)], explain: impl FnOnce(&Explainer<'_>) -> T) -> T {
         explain(&Explainer {
+            shown: &|method| self.shown(method),
             solutions: self.solutions,
             methods: &self.hints.methods(self.program),
-            suspects: &suspects,
             is_likely: &|id| self.hints.is_likely(id),
             parameterisation: &self.parameterisation,
             required: self.task.required,
-            scenes: &self.scenes,
+            scenes,
             pairs_left: Cell::new(explain::MOST_PAIRS),
             whole_left: Cell::new(explain::MOST_WHOLE),
         })
@@ -396,4 +497,15 @@ impl Diagnosing<'_> {
         found.truncate(MOST_VARIANTS);
         Ok(found)
     }
+}
+
+/// The strengths with which the picture is right once the causes are repaired.
+fn repaired_strengths(found: &Found, runner: &Runner<'_>, model: &Model, target: &RightPicture) -> Strengths {
+    let Found::Causes(groups) = found else { return [None; 3] };
+    let mut changes = Vec::new();
+    for right in groups.iter().filter_map(|group| group.first()).flat_map(|cause| &cause.right) {
+        changes.extend(right.change(runner, model, &changes));
+    }
+    let seen = see(runner, &changes, 0..runner.samples.len());
+    seen.and_then(|seen| target.agrees(&seen)).map_or([None; 3], |agreement| agreement.strengths)
 }

@@ -69,10 +69,10 @@ struct Assigned {
 /// The mistakes whose values a model has.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Mistakes<'a> {
-    /// All of the catalogue.
-    All,
     /// Those with these ids.
     These(&'a [&'a str]),
+    /// All of the catalogue, but only the variables that they assign to.
+    OwnValues,
 }
 
 /// A way to make a mistake: the variables and the values assigned instead.
@@ -84,7 +84,7 @@ impl AnswerMethod {
         let all = Hypotheses::for_model(self.model);
         let chosen = hypothesis_of(&all, &peculiarities(self, self.highlight)).unwrap_or_default();
         let is_wanted = |mistake: &&&'static Mistake| match wanted {
-            Mistakes::All => !mistake.harmless,
+            Mistakes::OwnValues => !mistake.harmless,
             Mistakes::These(ids) => ids.contains(&mistake.id.as_str()),
         };
         let changes = all.mistakes.iter().filter(is_wanted).flat_map(|mistake| {
@@ -119,7 +119,7 @@ impl ModelProgram {
             (parsed, checked)
         };
         let [vertex, fragment] = STAGES.map(parsed);
-        let mut names = crate::search::model_names();
+        let mut names = crate::comparison::model_names();
         names.names.insert("written_exponent".to_owned(), Meaning::Value(vec![written_exponent]));
         let texts = texts.each_ref().map(String::as_str);
         let program = Program::new((&vertex.0, &vertex.1), (&fragment.0, &fragment.1), texts, &names)
@@ -336,6 +336,29 @@ impl Model {
             let few = 0..samples.len().min(TELLING);
             let changes = wrong_values(&sources, &ways, written_exponent, samples, &plain)?;
             for ((mistake, _), changes) in ways.iter().zip(changes).filter(|(_, changes)| !changes.is_empty()) {
+                if matches!(mistakes, Mistakes::OwnValues) {
+                    quantities.extend(
+                        changes
+                            .into_iter()
+                            .filter_map(|Change { stage, exprs, values, .. }| {
+                                let name = plain.assigned(stage, exprs[0])?.variable.clone();
+                                let is_it = |q: &&Quantity| q.stage == stage && q.name == name;
+                                let is_wrong =
+                                    quantities[..right].iter().find(is_it).is_some_and(|q| !q.values.is_same(&values));
+                                let own = Quantity {
+                                    name,
+                                    stage,
+                                    mistake: Some(mistake),
+                                    is_direct: true,
+                                    values,
+                                    ..Quantity::default()
+                                };
+                                is_wrong.then_some(own)
+                            })
+                            .collect::<Vec<_>>(),
+                    );
+                    continue;
+                }
                 for seen in observe(&runner, &changes, few.clone(), [&exprs[0], &exprs[1]]) {
                     let Some(of) = plain.assigned(seen.stage, seen.expr) else { continue };
                     let is_it = |q: &&Quantity| q.stage == seen.stage && q.name == of.variable;
@@ -376,6 +399,22 @@ impl Model {
             model.quantities.extend(inputs(stage, given));
         }
         Ok(model)
+    }
+
+    /// The right quantities at the points of the first scene.
+    #[must_use]
+    pub fn in_first_scene(&self, samples: &[SceneSamples]) -> Self {
+        let Some(first) = samples.first() else {
+            return Model { method: self.method, space: self.space, quantities: Vec::new() };
+        };
+        let points = |stage| if stage == Stage::Vertex { first.vertices() } else { first.places.len() };
+        let right = self.quantities.iter().filter(|quantity| quantity.mistake.is_none());
+        let quantities = right.map(|quantity| Quantity {
+            name: quantity.name.clone(),
+            values: quantity.values.first(points(quantity.stage)),
+            ..*quantity
+        });
+        Model { method: self.method, space: self.space, quantities: quantities.collect() }
     }
 
     /// Adds values that the model solutions compute within a line.

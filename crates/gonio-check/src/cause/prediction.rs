@@ -3,8 +3,8 @@
 use super::answer::Space;
 use super::program::{Program, SceneTextures};
 use super::samples::SceneSamples;
+use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
-use crate::search::{Lights, Parameterisation};
 use crate::testbench::TestScene;
 use gonio_glsl::Stage;
 use gonio_interpreter::{CompiledStage, Fragment, InputRate, PointValues, RunOptions, StageInputs, interpolate, run};
@@ -54,7 +54,7 @@ impl AllHypotheses {
             (parsed, checked)
         });
         let [vertex, fragment] = &parsed;
-        let names = crate::search::model_names();
+        let names = crate::comparison::model_names();
         let texts = texts.each_ref().map(String::as_str);
         let program = Program::new((&vertex.0, &vertex.1), (&fragment.0, &fragment.1), texts, &names)
             .map_err(|(stage, error)| format!("{stage}: {error}"))?;

@@ -266,7 +266,11 @@ impl<'a> Search<'a> {
 
     /// Repairs of values that are computed from right ones, those first with which most other values become right.
     fn gainful(&mut self, observed: &[Observed]) -> Vec<Repair> {
-        let before = self.at.recognised(&[]);
+        // The first scene tells enough.
+        let first = &self.at.runner.samples[..1];
+        let model = self.at.model.in_first_scene(first);
+        let at_first = Observer { runner: &Runner::new(self.at.runner.program, first), model: &model };
+        let before = at_first.recognised(&[]);
         let repairs = self.at.repairs(observed);
         // A product or a sum with another value is rarely one that others are computed from.
         let is_other_value = |repair: &Repair| matches!(repair.make, Make::Quantity(_) | Make::Negative | Make::Unit);
@@ -275,7 +279,7 @@ impl<'a> Search<'a> {
         for repair in firsts.take(MOST_MEASURED) {
             let Some(change) = repair.change(observed, self.at.model) else { continue };
             self.runs += 1;
-            let gain = self.at.recognised(&[change]).saturating_sub(before);
+            let gain = at_first.recognised(&[change]).saturating_sub(before);
             if gain > 0 {
                 gains.push((gain, repair));
             }

@@ -5,8 +5,8 @@ pub use super::answer::Highlight;
 use super::answer::{AnswerMethod, hypothesis_of, peculiarities};
 use super::prediction::{Planes, Predicted, Predictor, Sum};
 use super::values::Values;
+use crate::comparison::weighted_strengths;
 use crate::mistakes::Hypothesis;
-use crate::search::weighted_strengths;
 use std::cell::OnceCell;
 
 /// The difference of colours that no eye and no 8-bit picture shows.
@@ -31,6 +31,7 @@ struct Variant {
 pub(crate) struct RightPicture {
     predictor: Predictor,
     required: [bool; 3],
+    is_lit: bool,
     variants: Vec<Variant>,
 }
 
@@ -64,21 +65,34 @@ impl RightPicture {
     /// Creates the right picture of a method.
     #[must_use]
     pub fn new(predictor: Predictor, method: AnswerMethod, required: [bool; 3]) -> Self {
-        let mut variants = Vec::new();
+        let mut chosen: Vec<(Highlight, Hypothesis)> = Vec::new();
+        let all = &predictor.all.hypotheses;
         for white in [false, true] {
             for (gated, weighted) in [(false, false), (true, false), (false, true)] {
                 let highlight = Highlight { gated, weighted, white };
                 let is_plain = highlight == Highlight::default();
-                let Some(hypothesis) = hypothesis_of(&predictor.all.hypotheses, &peculiarities(method, highlight))
-                    .filter(|_| is_plain || method.model.is_lit())
-                else {
-                    continue;
-                };
-                let scenes = (0..predictor.scenes()).map(|_| OnceCell::new()).collect();
-                variants.push(Variant { highlight, hypothesis, scenes });
+                if (is_plain || method.model.is_lit())
+                    && let Some(hypothesis) = hypothesis_of(all, &peculiarities(method, highlight))
+                {
+                    chosen.push((highlight, hypothesis));
+                }
             }
         }
-        RightPicture { predictor, required, variants }
+        if !method.model.is_lit() {
+            // Peculiarities of lookups are no choices of a method.
+            let plain = chosen.clone();
+            let is_harmless = |single: &&Hypothesis| single.mistakes.iter().all(|m| all.mistakes[*m].harmless);
+            for single in all.singles.iter().filter(is_harmless) {
+                chosen.extend(plain.iter().filter_map(|(highlight, set)| Some((*highlight, set.and(single)?))));
+            }
+        }
+        let variants = chosen.into_iter().map(|(highlight, hypothesis)| {
+            let scenes = (0..predictor.scenes()).map(|_| OnceCell::new()).collect();
+            Variant { highlight, hypothesis, scenes }
+        });
+        let variants = variants.collect();
+        let is_lit = method.model.is_lit();
+        RightPicture { predictor, required, is_lit, variants }
     }
 
     /// The predictions of a variant in the first scenes.
@@ -87,6 +101,18 @@ impl RightPicture {
             variant.scenes[scene].get_or_init(|| self.predictor.predict(scene, &variant.hypothesis, Sum::Terms))
         };
         (0..count).map(scene).collect()
+    }
+
+    /// Whether a picture of all scenes, at few places, may be right.
+    #[must_use]
+    pub fn may_agree(&self, seen: &Seen) -> bool {
+        let count = self.predictor.scenes();
+        let places = (0..count).map(|scene| self.predictor.places(scene)).sum();
+        let seen_planes = planes(&seen.colour);
+        self.variants.iter().any(|variant| {
+            let scenes = self.scenes(variant, count);
+            is_in_place(&seen.clip, &scenes) && Fit::new(&seen_planes, places, &scenes).is_right_at_few()
+        })
     }
 
     /// Whether a picture is right, at the points that it has. The first variant that fits counts.
@@ -107,9 +133,8 @@ impl RightPicture {
         self.variants.iter().find_map(|variant| {
             let scenes = self.scenes(variant, count);
             let fit = Fit::new(&seen_planes, sum, &scenes);
-            let is_lit = self.variants.len() > 1;
             fit.is_right(self.required)
-                .then(|| Agreement { highlight: is_lit.then_some(variant.highlight), strengths: fit.strengths })
+                .then(|| Agreement { highlight: self.is_lit.then_some(variant.highlight), strengths: fit.strengths })
         })
     }
 }
@@ -118,17 +143,21 @@ impl RightPicture {
 pub(super) fn is_in_place(clip: &Values, scenes: &[&Predicted]) -> bool {
     let right = scenes.iter().flat_map(|scene| &scene.clip);
     let (mut all, mut different) = (0_usize, 0_usize);
-    for (point, right) in right.enumerate().filter(|(point, right)| clip.present[*point] && right[3] > 1e-3) {
+    for (point, right) in right.enumerate().filter(|(point, _)| clip.present[*point]) {
         all += 1;
         different += usize::from(!on_screen(clip.at(point), right));
     }
     different as f32 <= MOST_DIFFERENT * all as f32
 }
 
-/// Whether a position appears at the same place on the screen as another one before the camera.
+/// Whether a position appears at the same place on the screen as another one, or is behind the camera too.
 pub(super) fn on_screen(seen: &[f32], right: &[f32]) -> bool {
+    const NEAREST: f32 = 1e-3;
     let is_near = |axis: usize| (seen[axis] / seen[3] - right[axis] / right[3]).abs() < 2e-3;
-    right[3] <= 1e-3 || seen[3] > 0.0 && is_near(0) && is_near(1)
+    match right[3] > NEAREST {
+        true => seen[3] > 0.0 && is_near(0) && is_near(1),
+        false => seen[3] <= 10.0 * NEAREST,
+    }
 }
 
 /// Colours with the open strengths that bring them nearest to the seen ones.

@@ -49,6 +49,19 @@ impl Values {
         }
     }
 
+    /// The values of the first points.
+    #[must_use]
+    pub fn first(&self, points: usize) -> Self {
+        let points = points.min(self.points());
+        Values {
+            size: self.size,
+            numbers: self.numbers[..points * self.size].to_vec(),
+            present: self.present[..points].to_vec(),
+            root_mean_square: OnceCell::new(),
+            is_constant: OnceCell::new(),
+        }
+    }
+
     /// The number of points.
     #[must_use]
     pub fn points(&self) -> usize {

@@ -1,208 +1,352 @@
 //! Corrects a verdict by the values that a program computes: a right program is never wrong, a mistake is named only
 //! where another value repairs every test scene, and an unlisted one gets its line and both quantities in words.
 
+use super::corrections::without_model;
 use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
 use crate::cause::search::Found;
-use crate::cause::{Diagnosis, ModelSolutions, diagnose};
-use crate::compile::ParsedStage;
-use crate::mistakes::{Mistake, TERMS};
-use crate::roles::NamesFile;
-use crate::rules::SourceConstants;
-use crate::search::Task;
+use crate::cause::{Diagnosis, Space, answer_methods, diagnose, peculiarities};
+use crate::comparison::{
+    Evidence, MOST_FOR_WRONG, PLACES, PossibleAnswer, Prepared, RightAnswer, ShaderChecker, Task, bound, declared,
+    endless_verdict, named as mistake_named, peculiarities_of, report_violations,
+};
+use crate::compile::{ParsedStage, compile};
+use crate::mistakes::{Mistake, ModelSolution, TERMS};
+use crate::roles::{Bindings, Bound, Role, VariableKind};
+use crate::rules::Analysis;
 use crate::submission::{StageText, Submission};
-use crate::verdict::{FoundMistake, Outcome, Verdict};
+use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
+use gonio_gl::GlError;
 use gonio_glsl::Stage;
+use gonio_render::user_program::UserProgram;
 
 /// The id of a wrong value that no mistake of the catalogue explains.
 pub const WRONG_VALUE: &str = "wrong-value";
 
-/// Mistakes that another value of an expression does not show: which stage computes the light, terms that are computed
-/// and not added where the exercise does not require them, a power that the driver defines by chance.
-const BEYOND_VALUES: [&str; 7] = [
-    "phong-instead-of-gouraud",
-    "gouraud-instead-of-phong",
-    "ambient-missing",
-    "diffuse-missing",
-    "specular-missing",
-    "terms-not-put-out",
-    "specular-power-of-negative",
-];
+/// Most lookups of a program that are judged alone; a mirror and glass together have two.
+const MOST_LOOKUPS: usize = 4;
 
-/// What the values of a program add to its verdict.
-pub(super) struct ByValues {
-    /// Whether the pictures still belong to the verdict.
-    pub has_its_pictures: bool,
+/// A program that is judged.
+#[derive(Clone, Copy)]
+pub(super) struct Judging<'a> {
+    pub task: &'static Task,
+    pub submission: &'a Submission,
+    pub stages: [&'a ParsedStage<'a>; 2],
+    pub program: &'a UserProgram,
+    pub prepared: &'a Prepared,
+    pub source: &'a Analysis,
+}
+
+/// A verdict by values.
+pub(super) struct Judged {
+    pub verdict: Verdict,
+    pub evidence: Option<Evidence>,
     /// Edits with which the interpreter finds every scene right.
     pub fixes: Vec<TextFix>,
 }
 
-/// Corrects a wrong verdict.
-pub(super) fn correct(
-    verdict: &mut Verdict,
-    task: &Task,
-    submission: &Submission,
-    [vertex, fragment]: [&ParsedStage<'_>; 2],
-    names: &NamesFile,
-    constants: &SourceConstants,
-    solutions: &ModelSolutions,
-) -> ByValues {
-    let unchanged = ByValues { has_its_pictures: true, fixes: Vec::new() };
-    let is_judged = task.model.is_lit() || task.model.is_looked_up();
-    // A term that the exercise requires is in every right picture.
-    let is_required = |id: &str| (0..3).any(|term| task.required[term] && id == format!("{}-missing", TERMS[term]));
-    let is_beyond = |id: &str| BEYOND_VALUES.contains(&id) && !is_required(id);
-    let is_beyond = verdict.mistakes.iter().any(|found| is_beyond(&found.id));
-    if verdict.verdict != Outcome::Wrong || !is_judged {
-        return unchanged;
-    }
-    let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);
-    let stages = [vertex, fragment].map(|stage| (&stage.parsed, &stage.checked));
-    let Ok(diagnosis) = diagnose(task, stages[0], stages[1], texts, names, constants, solutions) else {
-        return unchanged;
-    };
-    let fixes = diagnosis.fixes.clone();
-    if matches!(diagnosis.found, Found::Right(_)) {
-        if !is_beyond {
-            acquit(verdict, &diagnosis);
+impl Judging<'_> {
+    /// Judges a program by its values, and draws it. `None` if values do not tell what is wrong.
+    ///
+    /// # Errors
+    /// Errors of the driver.
+    pub fn judge(&self, checker: &mut ShaderChecker) -> Result<Option<Judged>, GlError> {
+        let Some(diagnosis) = self.diagnosis(checker) else { return Ok(None) };
+        let is_concluded = matches!(diagnosis.found, Found::Right(_) | Found::Endless);
+        if is_concluded || !diagnosis.explanations.is_empty() {
+            return self.judged(checker, &diagnosis);
         }
-        return ByValues { has_its_pictures: is_beyond, fixes };
-    }
-    let groups = match &diagnosis.found {
-        Found::Causes(groups) => groups.as_slice(),
-        _ => &[],
-    };
-    let known = verdict.mistakes.clone();
-    // Mistakes that are no change of a value, found by the rules about the source.
-    let structural = crate::mistakes::structural();
-    let is_structural = |found: &FoundMistake| structural.iter().any(|mistake| mistake.id == found.id);
-    if !known.is_empty() && known.iter().all(is_structural) {
-        return ByValues { fixes, ..unchanged };
-    }
-    let found = if !diagnosis.explanations.is_empty() {
-        explained(task, &diagnosis, groups, submission, &known)
-    } else if let Some(proven) = proven(groups, submission, &known) {
-        proven
-    } else {
-        return ByValues { fixes, ..unchanged };
-    };
-    verdict.mistakes = found.into_iter().map(|new| with_line_of(new, &known)).collect();
-    verdict.summary = verdict.mistake_names();
-    verdict.runner_up = None;
-    ByValues { fixes, ..unchanged }
-}
-
-/// The causes that together make every scene right, by name where they have one; `None` if there are none, or if they
-/// are not at the mistakes that the source shows.
-fn proven(groups: &[Vec<ProvenCause>], submission: &Submission, known: &[FoundMistake]) -> Option<Vec<FoundMistake>> {
-    // Of the values that make every scene right, one whose mistake the source shows too.
-    let is_known =
-        |cause: &&ProvenCause| cause.mistakes.first().is_some_and(|m| known.iter().any(|old| old.id == m.id));
-    let causes: Vec<&ProvenCause> =
-        groups.iter().filter_map(|group| group.iter().find(is_known).or(group.first())).collect();
-    let is_sound = !causes.is_empty() && causes.iter().all(|cause| cause.is_sound());
-    // A single wrong value that no mistake computes may follow from those that the source shows.
-    if causes.len() == 1 && !is_sound && !known.is_empty() {
-        return None;
-    }
-    let is_there =
-        |new: &FoundMistake, old: &FoundMistake| new.line.is_some() && new.line == old.line && new.file == old.file;
-    let mut found = Vec::new();
-    for cause in causes {
-        match named(cause, submission) {
-            Some(named) => found.extend(named),
-            None => {
-                let new = unlisted(cause, submission);
-                found.push(known.iter().find(|old| is_there(&new, old)).cloned().unwrap_or(new));
-            }
-        }
-    }
-    let is_found = |old: &FoundMistake| found.iter().any(|new| new.id == old.id || is_there(new, old));
-    (is_sound || !found.is_empty() && known.iter().all(is_found)).then_some(found)
-}
-
-/// The mistakes that explain the picture, at the lines of their causes.
-fn explained(
-    task: &Task,
-    diagnosis: &Diagnosis,
-    groups: &[Vec<ProvenCause>],
-    submission: &Submission,
-    known: &[FoundMistake],
-) -> Vec<FoundMistake> {
-    let Some(first) = diagnosis.explanations.first() else { return Vec::new() };
-    let word = task.other.filter(|(model, _)| *model == first.method.model).and_then(|(_, word)| word);
-    let structural = crate::mistakes::structural();
-    let structural = word.and_then(|word| structural.into_iter().find(|mistake| mistake.id == word));
-    let mut found: Vec<FoundMistake> =
-        structural.iter().map(|mistake| FoundMistake::from_catalogue(mistake, 1.0)).collect();
-    let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
-    for at in 0..first.mistakes.len() {
-        // The alternative that the program itself shows, if it shows one.
-        let alternatives: Vec<&'static Mistake> =
-            diagnosis.explanations.iter().filter_map(|explanation| explanation.mistakes.get(at).copied()).collect();
-        let is_one = |mistake: &Mistake| alternatives.iter().any(|other| other.id == mistake.id);
-        // Pictures do not tell some mistakes apart, but the source may.
-        let is_of = |old: &&FoundMistake| alternatives.iter().any(|m| m.id == old.id || old.or.contains(&m.id));
-        let of_source = known.iter().find(is_of);
-        let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
-        let cause = cause.map(|at| causes.remove(at));
-        let shown: Vec<&'static Mistake> = match cause {
-            Some(cause) => cause.mistakes.iter().take(1 + cause.equals).copied().filter(|m| is_one(m)).collect(),
-            None => alternatives,
+        let of_part = match self.task.model {
+            ModelSolution::Camera => self.positions_alone(checker)?,
+            model if model.is_looked_up() => self.lookups_alone(checker)?,
+            _ => None,
         };
-        let by_source = of_source.into_iter().flat_map(|old| std::iter::once(&old.id).chain(&old.or));
-        let shown: Vec<&'static Mistake> = by_source.filter_map(|id| crate::mistakes::find(id)).chain(shown).collect();
-        let Some((mistake, others)) = shown.split_first() else { continue };
-        let mut or: Vec<String> = Vec::new();
-        for other in others.iter().filter(|other| other.id != mistake.id) {
-            if !or.contains(&other.id) {
-                or.push(other.id.clone());
+        if of_part.is_some() { Ok(of_part) } else { self.judged(checker, &diagnosis) }
+    }
+
+    /// Compares the picture alone with those of right answers, where values tell nothing. No mistake is named.
+    ///
+    /// # Errors
+    /// Errors of the driver.
+    pub fn by_pictures(&self, checker: &mut ShaderChecker) -> Result<(Verdict, Option<Evidence>), GlError> {
+        let declared = declared(self.program);
+        let bindings = crate::roles::bind(&declared, &self.prepared.names);
+        let is_position = |b: &Bound| b.declared.kind == VariableKind::Attribute && b.role == Role::Position;
+        if !bindings.bound.iter().any(is_position) {
+            let sentence = "no attribute looks like the position: name it `position`, or assign its role in names.toml";
+            let mut verdict = Verdict::new(self.task.exercise, Outcome::Unsure, sentence);
+            verdict.bound = bound(&bindings);
+            return Ok((verdict, None));
+        }
+        let mut answers = Vec::new();
+        let mut methods = Vec::new();
+        for method in answer_methods(self.task) {
+            let all = checker.solutions.get(method.model).map_err(GlError::new)?;
+            if let Some(choices) = method.choices(&all.hypotheses) {
+                answers.push(PossibleAnswer { model: method.model, choices });
+                methods.push(method);
             }
         }
-        let new = FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
-        found.push(match cause {
-            Some(cause) => placed(new, cause, submission),
-            None => new,
-        });
+        let found = checker.resembling(self.task, self.program, self.prepared, &answers)?;
+        let Some((right, mut verdict, evidence)) = found else {
+            return Ok((endless_verdict(self.task.exercise), None));
+        };
+        let right = right.map(|index| methods[index]);
+        let word = self.task.other.filter(|(model, _)| right.is_some_and(|right| *model == right.model));
+        if let Some(mistake) = word.and_then(|(_, word)| mistake_named(word?, 1.0)) {
+            return Ok((wrong(verdict, vec![mistake]), Some(evidence)));
+        }
+        if right.is_some() {
+            verdict.verdict = Outcome::Correct;
+            verdict.score = 1.0;
+            verdict.summary = "right in every scene".to_owned();
+            return Ok((verdict, Some(evidence)));
+        }
+        Ok((unexplained(verdict, &bindings), Some(evidence)))
     }
-    found
+
+    fn diagnosis(&self, checker: &ShaderChecker) -> Option<Diagnosis> {
+        let texts = self.stages.map(|stage| stage.text.text.as_str());
+        let [vertex, fragment] = self.stages.map(|stage| (&stage.parsed, &stage.checked));
+        let Prepared { names, constants, .. } = self.prepared;
+        diagnose(self.task, vertex, fragment, texts, names, constants, &checker.solutions).ok()
+    }
+
+    /// Judges a camera by the distances of what is drawn, for programs whose colours are not those of the vertices. `None`
+    /// if that explains no more.
+    fn positions_alone(&self, checker: &mut ShaderChecker) -> Result<Option<Judged>, GlError> {
+        let mut text = self.submission.fragment.clone();
+        text.text = checker.places_fragment();
+        let fragment = ParsedStage::new(&text, Stage::Fragment, self.stages[1].target);
+        let Some(mut judged) = self.with_fragment(checker, PLACES, &fragment)? else { return Ok(None) };
+        judged.verdict.warnings.push(
+            "the output is not the vertex colour (`color`), so only positions were compared, which is what this exercise \
+             is about; the pictures show distances"
+                .to_owned(),
+        );
+        Ok(Some(judged))
+    }
+
+    /// Judges the cubemap lookups of a program alone: a tint, a texture or fog over a mirror is a choice, not a mistake
+    /// with the direction. `None` if that explains no more, or if no lookup flows into the colour.
+    fn lookups_alone(&self, checker: &mut ShaderChecker) -> Result<Option<Judged>, GlError> {
+        let mut best: Option<Judged> = None;
+        let fragment = self.stages[1];
+        let lookups = fragment.lookups().into_iter().filter(|lookup| self.source.puts_out_lookup(lookup.span));
+        for lookup in lookups.take(MOST_LOOKUPS) {
+            let mut text = self.submission.fragment.clone();
+            text.text = fragment.showing(lookup);
+            let fragment = ParsedStage::new(&text, Stage::Fragment, fragment.target);
+            let Some(mut judged) = self.with_fragment(checker, self.task, &fragment)? else { continue };
+            if judged.verdict.verdict == Outcome::Correct {
+                judged.verdict.summary =
+                    "the lookup is right in every scene; its colour is changed afterwards".to_owned();
+                judged.verdict.peculiarities.push(Peculiarity {
+                    id: "lookup-mixed".to_owned(),
+                    name: "The colour of the cubemap is mixed with other colours; the pictures show the lookup alone"
+                        .to_owned(),
+                });
+                return Ok(Some(judged));
+            }
+            let count = |judged: &Judged| judged.verdict.mistakes.len();
+            if best.as_ref().is_none_or(|best| count(&judged) < count(best)) {
+                judged.verdict.warnings.push(
+                    "the colour of the cubemap is mixed with other colours; only the lookup was judged, and the \
+                     pictures show it"
+                        .to_owned(),
+                );
+                best = Some(judged);
+            }
+        }
+        Ok(best)
+    }
+
+    /// Judges the program with another fragment shader; `None` unless it is right or explained.
+    fn with_fragment(
+        &self,
+        checker: &mut ShaderChecker,
+        task: &'static Task,
+        fragment: &ParsedStage<'_>,
+    ) -> Result<Option<Judged>, GlError> {
+        let Ok(program) = compile(checker.gl(), self.stages[0], fragment) else { return Ok(None) };
+        let judging = Judging { task, stages: [self.stages[0], fragment], program: &program, ..*self };
+        let Some(diagnosis) = judging.diagnosis(checker) else { return Ok(None) };
+        if !matches!(diagnosis.found, Found::Right(_)) && diagnosis.explanations.is_empty() {
+            return Ok(None);
+        }
+        judging.judged(checker, &Diagnosis { fixes: Vec::new(), ..diagnosis })
+    }
+
+    /// The verdict on a program with this diagnosis.
+    fn judged(&self, checker: &mut ShaderChecker, diagnosis: &Diagnosis) -> Result<Option<Judged>, GlError> {
+        let endless = || Judged { verdict: endless_verdict(self.task.exercise), evidence: None, fixes: Vec::new() };
+        let groups = if let Found::Causes(groups) = &diagnosis.found { groups.as_slice() } else { &[] };
+        let mistakes = match &diagnosis.found {
+            Found::Endless => return Ok(Some(endless())),
+            Found::Right(_) => self.beside_right_values(diagnosis),
+            _ if diagnosis.explanations.is_empty() => {
+                let proven = proven(groups, self.submission);
+                // Formulas of one's own are known by the source alone.
+                let is_unlisted = proven.iter().all(|mistake| mistake.id == WRONG_VALUE);
+                let own: Vec<FoundMistake> =
+                    if is_unlisted { without_model(self.source, self.task).collect() } else { Vec::new() };
+                if own.is_empty() { proven } else { own }
+            }
+            _ => self.explained(diagnosis, groups),
+        };
+        let Some((verdict, evidence)) = self.pictures(checker, diagnosis)? else { return Ok(Some(endless())) };
+        let fixes = diagnosis.fixes.clone();
+        if mistakes.is_empty() && !matches!(diagnosis.found, Found::Right(_)) {
+            let verdict = unexplained(verdict, &diagnosis.bindings);
+            return Ok(Some(Judged { verdict, evidence: Some(evidence), fixes }));
+        }
+        Ok(Some(match mistakes.is_empty() {
+            true => self.correct(verdict, evidence, diagnosis),
+            false => Judged { verdict: wrong(verdict, mistakes), evidence: Some(evidence), fixes },
+        }))
+    }
+
+    fn pictures(
+        &self,
+        checker: &mut ShaderChecker,
+        diagnosis: &Diagnosis,
+    ) -> Result<Option<(Verdict, Evidence)>, GlError> {
+        let method = diagnosis.method;
+        let hypotheses = checker.solutions.get(method.model).map_err(GlError::new)?;
+        let explanation = diagnosis.explanations.first().filter(|explanation| explanation.space == Space::World);
+        let right = RightAnswer {
+            bindings: &diagnosis.bindings,
+            parameterisation: &diagnosis.parameterisation,
+            model: method.model,
+            choices: &method.choices(&hypotheses.hypotheses).unwrap_or_default(),
+            lights: diagnosis.lights,
+            strengths: diagnosis.strengths,
+            wrong: explanation.map(|explanation| &explanation.hypothesis),
+        };
+        checker.pictures(self.task, self.program, self.prepared, &right)
+    }
+
+    /// Makes the verdict right, and states the roles that this assumes where the names do not tell them.
+    fn correct(&self, mut verdict: Verdict, evidence: Evidence, diagnosis: &Diagnosis) -> Judged {
+        let is_seen = verdict.scenes.iter().all(|scene| scene.right);
+        verdict.verdict = Outcome::Correct;
+        verdict.score = 1.0;
+        verdict.scenes.iter_mut().for_each(|scene| scene.right = true);
+        let method = diagnosis.method;
+        let chosen = peculiarities(method, method.highlight).into_iter().filter(|(_, is_chosen)| *is_chosen);
+        let chosen: Vec<&Mistake> = chosen.filter_map(|(id, _)| crate::mistakes::find(id)).collect();
+        let is_other = method.model != self.task.model;
+        verdict.peculiarities = peculiarities_of(self.task, &chosen, diagnosis.strengths, is_other);
+        let named = crate::roles::bind(&self.prepared.declared, &self.prepared.names);
+        let is_named = |bound: &Bound| {
+            named.bound.iter().any(|known| known.declared == bound.declared && known.role == bound.role)
+        };
+        let is_open = |bound: &&Bound| bound.declared.kind == VariableKind::Uniform && !is_named(bound);
+        let assumed = diagnosis.bindings.bound.iter().filter(is_open);
+        let assumed: Vec<String> =
+            assumed.map(|bound| format!("`{}` is `{}`", bound.declared.name, bound.role)).collect();
+        verdict.summary = match (assumed.is_empty(), verdict.peculiarities.is_empty()) {
+            (false, _) => format!("right in every test scene, provided that {}", assumed.join(", ")),
+            (true, true) => "right in every scene".to_owned(),
+            (true, false) => "right in every scene, by another method".to_owned(),
+        };
+        Judged { verdict, evidence: is_seen.then_some(evidence), fixes: Vec::new() }
+    }
+
+    /// Mistakes that do not show in the colours: light computed in the wrong stage, and optional terms that are computed
+    /// and not added.
+    fn beside_right_values(&self, diagnosis: &Diagnosis) -> Vec<FoundMistake> {
+        let word = self.task.other.filter(|(model, _)| *model == diagnosis.method.model).and_then(|(_, word)| word);
+        let structural = crate::mistakes::structural();
+        let structural = word.and_then(|word| structural.into_iter().find(|mistake| mistake.id == word));
+        let mut found: Vec<FoundMistake> =
+            structural.iter().map(|mistake| FoundMistake::from_catalogue(mistake, 1.0)).collect();
+        let is_absent = |strength: Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
+        let is_due = |term: &usize| {
+            self.task.required[*term] || self.prepared.unused_terms[*term] || diagnosis.unused_terms[*term]
+        };
+        for term in (0..3).filter(|term| is_due(term) && is_absent(diagnosis.strengths[*term])) {
+            let missing = crate::mistakes::find(&format!("{}-missing", TERMS[term]));
+            found.extend(missing.map(|mistake| FoundMistake::from_catalogue(mistake, 1.0)));
+        }
+        found
+    }
+
+    /// The mistakes that explain the picture, at the lines of their causes.
+    fn explained(&self, diagnosis: &Diagnosis, groups: &[Vec<ProvenCause>]) -> Vec<FoundMistake> {
+        let Some(first) = diagnosis.explanations.first() else { return Vec::new() };
+        let mut found = self.beside_right_values(diagnosis);
+        let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
+        for at in 0..first.mistakes.len() {
+            // The alternative that the program itself shows, if it shows one.
+            let alternatives: Vec<&'static Mistake> =
+                diagnosis.explanations.iter().filter_map(|explanation| explanation.mistakes.get(at).copied()).collect();
+            let is_one = |mistake: &Mistake| alternatives.iter().any(|other| other.id == mistake.id);
+            let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
+            let cause = cause.map(|at| causes.remove(at));
+            let mut shown: Vec<&'static Mistake> = match cause {
+                Some(cause) => cause.mistakes.iter().take(1 + cause.equals).copied().filter(|m| is_one(m)).collect(),
+                None => alternatives,
+            };
+            // Pictures do not tell some mistakes apart, but the source may.
+            let support = |mistake: &&Mistake| self.source.support(&mistake.id, self.task.model);
+            shown.sort_by(|a, b| support(b).total_cmp(&support(a)));
+            let Some((mistake, others)) = shown.split_first() else { continue };
+            let mut or: Vec<String> = Vec::new();
+            for other in others.iter().filter(|other| other.id != mistake.id) {
+                if !or.contains(&other.id) {
+                    or.push(other.id.clone());
+                }
+            }
+            let new =
+                FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
+            found.push(match cause {
+                Some(cause) => placed(new, cause, self.submission),
+                None => new,
+            });
+        }
+        found
+    }
 }
 
-/// The same mistake with the line that the rules about the source found, if they found one.
-fn with_line_of(new: FoundMistake, known: &[FoundMistake]) -> FoundMistake {
-    let is_it = |old: &&FoundMistake| old.id == new.id && old.line.is_some();
-    match known.iter().find(is_it) {
-        Some(old) => FoundMistake { file: old.file.clone(), line: old.line, quoted: old.quoted.clone(), ..new },
-        _ => new,
+/// The verdict on a wrong program without a named mistake: unsure while the meaning of an input is unknown.
+fn unexplained(mut verdict: Verdict, bindings: &Bindings) -> Verdict {
+    let unknown = bindings.unknown.iter().filter(|declared| declared.kind == VariableKind::Uniform);
+    let unknown: Vec<String> = unknown.map(|declared| format!("`{}`", declared.name)).collect();
+    if !unknown.is_empty() {
+        verdict.verdict = Outcome::Unsure;
+        verdict.summary = format!(
+            "the picture differs from the reference, but the meaning of {} is unknown: state it in names.toml",
+            unknown.join(", ")
+        );
+        return verdict;
     }
+    let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
+    verdict.summary = format!("no known mistake explains the difference from the reference in: {}", wrong.join(", "));
+    let right = verdict.scenes.iter().filter(|scene| scene.right).count();
+    verdict.score = (right as f64 / verdict.scenes.len().max(1) as f64).min(MOST_FOR_WRONG);
+    report_violations(&mut verdict);
+    verdict
+}
+
+/// Makes the verdict wrong.
+fn wrong(mut verdict: Verdict, mistakes: Vec<FoundMistake>) -> Verdict {
+    let right = verdict.scenes.iter().filter(|scene| scene.right).count();
+    verdict.score = (right as f64 / verdict.scenes.len().max(1) as f64).min(MOST_FOR_WRONG);
+    verdict.mistakes = mistakes;
+    verdict.summary = verdict.mistake_names();
+    verdict
+}
+
+/// The causes that together make every scene right, by name where they have one.
+fn proven(groups: &[Vec<ProvenCause>], submission: &Submission) -> Vec<FoundMistake> {
+    let causes = groups.iter().filter_map(|group| group.first());
+    causes.flat_map(|cause| named(cause, submission).unwrap_or_else(|| vec![unlisted(cause, submission)])).collect()
 }
 
 fn unlisted(cause: &ProvenCause, submission: &Submission) -> FoundMistake {
     let found = FoundMistake::new(WRONG_VALUE, format!("`{}` {}", one_line(&cause.text), cause.should), 1.0);
     placed(found.taught(cause.is_in_words(), "With this value every test scene is right.", ""), cause, submission)
-}
-
-/// Makes the verdict right, and states the roles that this assumes where the names do not tell them.
-fn acquit(verdict: &mut Verdict, diagnosis: &Diagnosis) {
-    verdict.verdict = Outcome::Correct;
-    verdict.score = 1.0;
-    verdict.mistakes.clear();
-    verdict.runner_up = None;
-    verdict.scenes.iter_mut().for_each(|scene| scene.right = true);
-    verdict.properties.clear();
-    let mut assumed = Vec::new();
-    for bound in &diagnosis.bindings.bound {
-        let (name, role) = (&bound.declared.name, bound.role.to_string());
-        let Some(known) = verdict.bound.iter_mut().find(|known| known.name == *name) else { continue };
-        if known.role.as_deref() != Some(&role) {
-            assumed.push(format!("`{name}` is `{role}`"));
-            known.role = Some(role);
-        }
-    }
-    verdict.summary = match assumed.is_empty() {
-        true => "right in every test scene: each value is that of the light equation".to_owned(),
-        false => format!("right in every test scene, provided that {}", assumed.join(", ")),
-    };
 }
 
 /// The mistakes that a cause has by name.

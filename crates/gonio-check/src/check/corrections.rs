@@ -2,16 +2,13 @@
 //! that the shaders were written for, and the terms that a mistake concerns.
 
 use super::SURE;
-use crate::compile::ParsedStage;
+use crate::comparison::{Evidence, PIXEL_TOLERANCE, Task, named};
 use crate::mistakes;
 use crate::mistakes::term_of;
 use crate::roles::Role;
 use crate::rules::Analysis;
-use crate::search::{Evidence, PIXEL_TOLERANCE, Prepared, ShaderChecker, Task, named};
 use crate::testbench::Atlas;
-use crate::verdict::{FoundMistake, Outcome, Peculiarity, TermState, Verdict};
-use gonio_gl::GlError;
-use gonio_render::user_program::UserProgram;
+use crate::verdict::{FoundMistake, Outcome, TermState, Verdict};
 
 /// A student cannot use more names at once.
 const MOST_NAMES: usize = 4;
@@ -118,7 +115,6 @@ pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence
             verdict.mistakes.clear();
             verdict.peculiarities.clear();
             verdict.summary = blank.sentence().to_owned();
-            verdict.runner_up = None;
         }
     }
     if !verdict.mistakes.is_empty() {
@@ -139,57 +135,10 @@ pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence
 }
 
 /// Returns the mistakes that no model solution can express, in programs that do more than the exercise asks.
-fn without_model<'a>(source: &'a Analysis, task: &'a Task) -> impl Iterator<Item = FoundMistake> + 'a {
+pub(super) fn without_model<'a>(source: &'a Analysis, task: &'a Task) -> impl Iterator<Item = FoundMistake> + 'a {
     let is_asked = |id: &str| task.model.is_lit() && (task.attenuated || !id.starts_with("attenuation"));
     let is_shown = |id: &str| source.support(id, task.model) >= SURE && source.line(id, task.model).is_some();
     WITHOUT_MODEL.iter().filter(move |id| is_asked(id) && is_shown(id)).filter_map(|id| named(id, 0.0))
-}
-
-/// Most lookups of a program that are tested; a mirror and glass together have two.
-const MOST_LOOKUPS: usize = 4;
-
-/// Judges the cubemap lookups of a program alone, if it is wrong without a named mistake: a tint, a texture or fog
-/// over a mirror is a choice, not a mistake with the direction. Returns `None` if that explains no more, or if no
-/// lookup flows into the colour.
-pub(super) fn judge_lookups(
-    checker: &mut ShaderChecker,
-    task: &'static Task,
-    [vertex, fragment]: [&ParsedStage<'_>; 2],
-    prepared: &Prepared,
-    source: &Analysis,
-    verdict: &Verdict,
-) -> Result<Option<(Verdict, Option<Evidence>)>, GlError> {
-    if verdict.verdict != Outcome::Wrong || !verdict.mistakes.is_empty() || !task.model.is_looked_up() {
-        return Ok(None);
-    }
-    let mut best: Option<(Verdict, Option<Evidence>)> = None;
-    let lookups = fragment.lookups().into_iter().filter(|lookup| source.puts_out_lookup(lookup.span));
-    for lookup in lookups.take(MOST_LOOKUPS) {
-        let text = fragment.showing(lookup);
-        let Ok(program) = UserProgram::new(checker.gl(), &vertex.translated.text, &text) else { continue };
-        let (mut of_lookup, evidence) = checker.check(task, &program, prepared)?;
-        of_lookup.bound.clone_from(&verdict.bound);
-        let is_named = |verdict: &Verdict| verdict.verdict == Outcome::Wrong && !verdict.mistakes.is_empty();
-        if of_lookup.verdict == Outcome::Correct {
-            of_lookup.summary = "the lookup is right in every scene; its colour is changed afterwards".to_owned();
-            of_lookup.peculiarities.push(Peculiarity {
-                id: "lookup-mixed".to_owned(),
-                name: "The colour of the cubemap is mixed with other colours; the pictures show the lookup alone"
-                    .to_owned(),
-            });
-            return Ok(Some((of_lookup, evidence)));
-        }
-        let is_better = |best: &(Verdict, Option<Evidence>)| of_lookup.mistakes.len() < best.0.mistakes.len();
-        if is_named(&of_lookup) && best.as_ref().is_none_or(is_better) {
-            of_lookup.warnings.push(
-                "the colour of the cubemap is mixed with other colours; only the lookup was judged, and the pictures \
-                 show it"
-                    .to_owned(),
-            );
-            best = Some((of_lookup, evidence));
-        }
-    }
-    Ok(best)
 }
 
 /// The interface of exercise 08, where V includes the translation of the camera.
@@ -219,7 +168,6 @@ pub(super) fn trust_other_programs(verdict: &mut Verdict, source: &Analysis) {
         verdict.verdict = Outcome::Correct;
         verdict.score = 1.0;
         verdict.summary = format!("right, provided that the program sends `{view}` without its translation");
-        verdict.runner_up = None;
     } else {
         verdict.summary = verdict.mistake_names();
     }

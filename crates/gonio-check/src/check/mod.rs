@@ -7,18 +7,17 @@ mod proposed;
 pub use by_values::WRONG_VALUE;
 pub use proposed::with_edits;
 
+use crate::comparison::{Evidence, Prepared, ShaderChecker, Task};
 use crate::compile::{ParsedStage, compile, compiler_messages, does_not_link, first_message, strictness};
 use crate::dataflow::Shader;
 use crate::mistakes::{self, ModelSolution};
 use crate::panorama;
 use crate::roles::{Declared, NamesFile};
 use crate::rules::{Analysis, Place};
-use crate::search::{Evidence, PLACES, Prepared, ShaderChecker, Task};
 use crate::submission::{SourceFile, Submission};
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
 use gonio_glsl::{OutputVersion, Stage};
-use gonio_render::user_program::UserProgram;
 use std::rc::Rc;
 
 /// Options of a check.
@@ -140,20 +139,25 @@ fn check_files(
         unused_terms: unused_terms(&fragment),
         source_support: Box::new(move |id, model| asked.support(id, model)),
     };
-    let (mut verdict, mut evidence) = match task.model {
-        ModelSolution::Panorama => panorama::check(checker, task.exercise, &program, &prepared)?,
-        _ => checker.check(task, &program, &prepared)?,
+    let judging = by_values::Judging {
+        task,
+        submission: &submission,
+        stages: [&vertex, &fragment],
+        program: &program,
+        prepared: &prepared,
+        source: &source,
     };
-    if task.model == ModelSolution::Camera
-        && let Some((by_places, seen)) = by_places(checker, &verdict, &vertex, &prepared)?
-    {
-        (verdict, evidence) = (by_places, seen);
-    }
-    if let Some((of_lookup, seen)) =
-        corrections::judge_lookups(checker, task, [&vertex, &fragment], &prepared, &source, &verdict)?
-    {
-        (verdict, evidence) = (of_lookup, seen);
-    }
+    let judged = if task.model == ModelSolution::Panorama { None } else { judging.judge(checker)? };
+    let (mut verdict, evidence, fixes) = match judged {
+        Some(by_values::Judged { verdict, evidence, fixes }) => (verdict, evidence, fixes),
+        None => {
+            let (verdict, evidence) = match task.model {
+                ModelSolution::Panorama => panorama::check(checker, task.exercise, &program, &prepared)?,
+                _ => judging.by_pictures(checker)?,
+            };
+            (verdict, evidence, Vec::new())
+        }
+    };
     let place = |found: &mut FoundMistake, place: Place| {
         let text = if place.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
         let (file, line, _) = text.place(place.span.line, place.span.column);
@@ -165,8 +169,11 @@ fn check_files(
         corrections::trust_other_programs(&mut verdict, &source);
     }
     by_the_source(&mut verdict, &source, task.model);
-    corrections::name_from_source(&mut verdict, evidence.as_ref(), &source, task);
-    for found in &mut verdict.mistakes {
+    // Pictures that nothing explains may be blank, or the source may show a mistake beyond doubt.
+    if verdict.verdict == Outcome::Wrong && verdict.mistakes.is_empty() {
+        corrections::name_from_source(&mut verdict, evidence.as_ref(), &source, task);
+    }
+    for found in verdict.mistakes.iter_mut().filter(|found| found.line.is_none()) {
         if let Some(at) = source.line(&found.id, task.model) {
             place(found, at);
         }
@@ -188,20 +195,8 @@ fn check_files(
         let (file, line, _) = text.place(at.span.line, at.span.column);
         verdict.warnings.push(format!("{file}:{line}: {sentence}"));
     }
-    let by_values = by_values::correct(
-        &mut verdict,
-        task,
-        &submission,
-        [&vertex, &fragment],
-        &prepared.names,
-        &source.constants(),
-        &checker.solutions,
-    );
-    if !by_values.has_its_pictures {
-        evidence = None;
-    }
     if has_fix && verdict.verdict == Outcome::Wrong && !is_unchanged(exercise, &submission) {
-        verdict.proposed_fix = proposed::propose(checker, exercise, &given, options, &submission, &by_values.fixes);
+        verdict.proposed_fix = proposed::propose(checker, exercise, &given, options, &submission, &fixes);
     }
     if options.as_the_lab {
         pass_as_the_lab(&mut verdict);
@@ -232,35 +227,7 @@ fn report_unchanged(verdict: &mut Verdict) {
         }
         None => "these are the unchanged start files".to_owned(),
     };
-    verdict.runner_up = None;
     verdict.peculiarities.clear();
-}
-
-/// Judges a camera by the distances of what is drawn, if the colours are not those of the vertices. Returns `None` if
-/// the colours suffice or the distances explain no more.
-fn by_places(
-    checker: &mut ShaderChecker,
-    verdict: &Verdict,
-    vertex: &ParsedStage<'_>,
-    prepared: &Prepared,
-) -> Result<Option<(Verdict, Option<Evidence>)>, GlError> {
-    let unexplained = verdict.verdict == Outcome::Wrong && verdict.mistakes.is_empty();
-    if !unexplained {
-        return Ok(None);
-    }
-    let fragment = checker.places_fragment();
-    let Ok(program) = UserProgram::new(checker.gl(), &vertex.translated.text, &fragment) else { return Ok(None) };
-    let (mut by_places, evidence) = checker.check(PLACES, &program, prepared)?;
-    if by_places.verdict == Outcome::Wrong && by_places.mistakes.is_empty() {
-        return Ok(None);
-    }
-    by_places.bound.clone_from(&verdict.bound);
-    by_places.warnings.push(
-        "the output is not the vertex colour (`color`), so only positions were compared, which is what this exercise \
-         is about; the pictures show distances"
-            .to_owned(),
-    );
-    Ok(Some((by_places, evidence)))
 }
 
 /// Least support by the source for a mistake that the picture does not decide.

@@ -2,8 +2,8 @@
 
 use super::{CheckOptions, ShaderExercise, check_files};
 use crate::cause::edit::{TextEdit, TextFix};
+use crate::comparison::ShaderChecker;
 use crate::proposed_fix::applied;
-use crate::search::ShaderChecker;
 use crate::submission::{SourceFile, StageText, Submission, decoded};
 use crate::verdict::{Outcome, ProposedEdit};
 use gonio_glsl::Stage;

@@ -100,14 +100,6 @@ impl Hypotheses {
         format!("way_{}", self.variables[line])
     }
 
-    /// Whether the changes of a hypothesis contain a word.
-    pub fn mentions(&self, hypothesis: &Hypothesis, word: &str) -> bool {
-        hypothesis.choices.iter().any(|(line, way)| {
-            let ways = self.alternatives.get(*line);
-            ways.and_then(|ways| ways.get(way.checked_sub(1)?)).is_some_and(|text| text.contains(word))
-        })
-    }
-
     /// Returns the value that a hypothesis assigns to a variable; `None` if no line assigns one.
     pub fn text_of(&self, variable: &str, hypothesis: &Hypothesis) -> Option<&str> {
         let chosen = self.variables.iter().position(|known| known == variable).and_then(|line| {

@@ -1,9 +1,9 @@
 //! Draws the faces of a cubemap with a program, from a panorama.
 
 use super::tiles::Tiles;
+use crate::comparison::CompiledModel;
 use crate::mistakes::Hypothesis;
 use crate::roles::{Bindings, Role, VariableKind};
-use crate::search::CompiledModel;
 use crate::testbench::{TestShape, numbers, scene};
 use glam::{DVec3, Vec3};
 use gonio_environment::{Conversion, Panorama, convert};

@@ -2,9 +2,9 @@
 //! their orientation.
 
 use super::tiles::{Fit, Tiles, Tolerance, WAYS};
+use crate::comparison::SourceSupport;
 use crate::mistakes::faces::{FACES, swapped_id, turned_id};
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
-use crate::search::SourceSupport;
 use gonio_gl::GlError;
 
 /// The parameters of the search.

@@ -12,13 +12,13 @@ pub use bench::FaceBench;
 pub use explain::{Explanation, FaceTask};
 pub use tiles::{Tiles, Tolerance};
 
+use crate::comparison::{Evidence, Prepared, ShaderChecker};
 use crate::mistakes::{
     self,
     faces::{FACES, LECTURE_SECTION},
 };
 use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::roles::{self, Role, VariableKind};
-use crate::search::{Evidence, Prepared, ShaderChecker};
 use crate::testbench::TILE;
 use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict, join_names};
 use gonio_gl::GlError;
@@ -31,8 +31,8 @@ pub(crate) fn check(
     program: &UserProgram,
     prepared: &Prepared,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
-    let bindings = roles::bind(&crate::search::declared(program), &prepared.names);
-    let bound = crate::search::bound(&bindings);
+    let bindings = roles::bind(&crate::comparison::declared(program), &prepared.names);
+    let bound = crate::comparison::bound(&bindings);
     let unsure = |sentence: &str| {
         let mut verdict = Verdict::new(exercise, Outcome::Unsure, sentence);
         verdict.bound.clone_from(&bound);
@@ -48,12 +48,12 @@ pub(crate) fn check(
     let bench = FaceBench::smooth(checker.gl(), TILE)?;
     // A program with a face number draws a square, one with a view matrix a cube around the camera.
     let is_cube = !has(Role::Face) && (has(Role::View) || has(Role::ViewProjection) || has(Role::ModelViewProjection));
-    let fixed = crate::search::fixed(&bindings);
-    let drawn = crate::search::drawn_unless_endless(program, &fixed, &[1, 6], |fixed, faces| {
+    let fixed = crate::comparison::fixed(&bindings);
+    let drawn = crate::comparison::drawn_unless_endless(program, &fixed, &[1, 6], |fixed, faces| {
         bench.draw_student(program, &bindings, fixed, is_cube, faces)
     })?;
     let Some(seen) = drawn else {
-        let mut verdict = crate::search::endless_verdict(exercise);
+        let mut verdict = crate::comparison::endless_verdict(exercise);
         verdict.bound = bound;
         return Ok((verdict, None));
     };

@@ -1,6 +1,6 @@
 //! Six small square pictures, and their comparison in all orientations.
 
-use crate::search::{PIXEL_TOLERANCE, PIXELS_TOLERANCE};
+use crate::comparison::{PIXEL_TOLERANCE, PIXELS_TOLERANCE};
 use crate::testbench::Atlas;
 use gonio_environment::Face;
 use gonio_light::color::{srgb_decode, srgb_encode};

@@ -6,7 +6,7 @@ pub mod mesh;
 pub mod scene;
 mod sky;
 
-pub use draw::{Atlas, CoverageMap, ProgramInputs, TILE, Testbench, stream_of};
+pub use draw::{Atlas, ProgramInputs, TILE, Testbench, stream_of};
 pub use inputs::{CUBEMAP_UNIT, WHITE_UNIT, numbers, numbers_of_array, samplers, uniform_bits, unit};
 pub use mesh::{TestMesh, TestShape};
 pub use scene::{TestLight, TestScene};

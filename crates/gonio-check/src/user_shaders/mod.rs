@@ -14,8 +14,8 @@ pub use pair::PairTexts;
 pub use uniforms::{UniformSource, UserUniform, parse_setting};
 pub use user_inputs::UserInputs;
 
+use crate::comparison::declared;
 use crate::compile::{self, ParsedStage};
-use crate::search::declared;
 use crate::submission::{SourceFile, StageText, read_shader};
 use crate::verdict::CompilerMessage;
 use gonio_gl::Gl;

@@ -1,9 +1,9 @@
 //! Reads and compiles a pair of shaders while it is being written.
 
 use crate::exercise::Exercise;
+use gonio_check::comparison::declared;
 use gonio_check::compile::{self, ParsedStage};
 use gonio_check::roles::{self, Bindings, NamesError, NamesFile};
-use gonio_check::search::declared;
 use gonio_check::submission::{SourceFile, Submission};
 use gonio_check::verdict::CompilerMessage;
 use gonio_gl::Gl;

@@ -2,7 +2,7 @@
 
 use crate::exercise::Exercise;
 use glam::{Mat4, Quat, Vec3};
-use gonio_check::search::Task;
+use gonio_check::comparison::Task;
 use gonio_check::testbench::{TestLight, TestMesh, TestScene, TestShape, mesh, scene::LAB_LIGHT};
 
 /// The shape of an object.

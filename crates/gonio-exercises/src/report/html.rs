@@ -4,7 +4,7 @@ use super::text::{count, escaped, escaped_line, line, percent, word, words};
 use crate::content_hash;
 use gonio_check::proposed_fix::{self, DiffLine};
 use gonio_check::verdict::{
-    CompilerMessage, FoundMistake, Outcome, PropertyState, PropertyVerdict, ProposedEdit, Verdict, join_names,
+    CompilerMessage, FoundMistake, Outcome, PropertyState, PropertyVerdict, ProposedEdit, Verdict,
 };
 use std::fmt::Write as _;
 
@@ -13,9 +13,6 @@ const MOST_SHOWN: usize = 40;
 
 /// Maximum number of characters of a compiler's message that are shown without unfolding.
 const LONGEST_MESSAGE: usize = 200;
-
-/// Minimum share that the next best explanation must explain to be shown.
-const WORTH_A_WORD: f64 = 0.25;
 
 /// A whole page. `title` is plain text, `body` HTML. The page loads and runs nothing; its content security policy forbids it.
 pub fn document(title: &str, body: &str) -> String {
@@ -203,9 +200,8 @@ fn sentence(text: &str) -> String {
 
 /// The section about the mistakes: name, evidence and fix of each.
 pub fn mistakes_html(verdict: &Verdict) -> String {
-    let nearest = nearest_html(verdict);
     if verdict.mistakes.is_empty() {
-        return nearest;
+        return String::new();
     }
     let heading = match verdict.mistakes.len() {
         1 => "What is wrong".to_owned(),
@@ -214,7 +210,7 @@ pub fn mistakes_html(verdict: &Verdict) -> String {
     let together = verdict.mistakes.len() > 1;
     let each = |mistake: &FoundMistake| mistake_html(mistake, together);
     let mistakes: String = shown(&verdict.mistakes, each, |more| format!("<p>And {more} more.</p>\n"));
-    format!("<section class=\"mistakes\">\n<h2>{heading}</h2>\n{mistakes}{nearest}</section>\n")
+    format!("<section class=\"mistakes\">\n<h2>{heading}</h2>\n{mistakes}</section>\n")
 }
 
 fn mistake_html(mistake: &FoundMistake, together: bool) -> String {
@@ -252,24 +248,6 @@ fn mistake_html(mistake: &FoundMistake, together: bool) -> String {
         escaped_line(&mistake.id),
     );
     html
-}
-
-/// The next best explanation, or the best one if none was good enough.
-fn nearest_html(verdict: &Verdict) -> String {
-    let Some(next) = verdict.runner_up.as_ref().filter(|next| next.share_explained >= WORTH_A_WORD) else {
-        return String::new();
-    };
-    let name =
-        |id: &String| gonio_check::mistakes::find(id).map_or_else(|| escaped_line(id), |known| prose(&known.name));
-    let names: Vec<String> = next.ids.iter().take(MOST_SHOWN).map(name).collect();
-    let (names, share) = (join_names(names.iter().map(String::as_str)), percent(next.share_explained));
-    match verdict.mistakes.is_empty() {
-        false => format!("<p class=\"next\">The next best explanation, with {share} of the difference: {names}.</p>\n"),
-        true => format!(
-            "<p class=\"next\">The closest known mistake explains only {share} of the difference, so this is only a \
-             hint: {names}.</p>\n"
-        ),
-    }
 }
 
 /// The proposed fix as a diff, in which signs and colours mark the lines.

@@ -3,7 +3,7 @@
 use super::html::{Icon, document, messages_html, mistakes_html, notes_html, proposed_fix_html, shown, verdict_html};
 use super::picture::{PictureKind, Pictures, heat};
 use super::text::{count, escaped_line, percent};
-use gonio_check::search::Evidence;
+use gonio_check::comparison::Evidence;
 use gonio_check::testbench::TILE;
 use gonio_check::verdict::{BoundVariable, Outcome, SceneVerdict, TermState, TermVerdict, Verdict};
 use std::fmt::Write as _;

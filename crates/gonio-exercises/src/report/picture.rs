@@ -1,6 +1,6 @@
 //! Pictures of test scenes in 8 bits per channel, as PNG, and as contact sheets.
 
-use gonio_check::search::{Evidence, PIXEL_TOLERANCE, pixel_difference};
+use gonio_check::comparison::{Evidence, PIXEL_TOLERANCE, pixel_difference};
 use gonio_check::testbench::{Atlas, TILE};
 use gonio_check::verdict::{Outcome, Verdict};
 

@@ -2,11 +2,11 @@
 #![allow(clippy::unwrap_used)]
 
 use super::*;
-use gonio_check::search::Evidence;
+use gonio_check::comparison::Evidence;
 use gonio_check::testbench::{Atlas, TILE};
 use gonio_check::verdict::{
-    BoundVariable, CompilerMessage, FoundMistake, Outcome, Peculiarity, ProposedEdit, RunnerUp, SceneVerdict,
-    TermState, TermVerdict, Verdict,
+    BoundVariable, CompilerMessage, FoundMistake, Outcome, Peculiarity, ProposedEdit, SceneVerdict, TermState,
+    TermVerdict, Verdict,
 };
 use gonio_render::user_program::NOT_DRAWN;
 use serde_json::Value;
@@ -24,7 +24,6 @@ fn evil(outcome: Outcome) -> Verdict {
         lab_does_it: true,
         ..found.at(EVIL, Some(14), EVIL)
     }];
-    verdict.runner_up = Some(RunnerUp { ids: vec![evil()], share_explained: 0.5 });
     verdict.peculiarities = vec![Peculiarity { id: evil(), name: evil() }];
     verdict.warnings = vec![evil()];
     verdict.proposed_fix = vec![ProposedEdit { file: evil(), line: 14, before: evil(), after: format!("{EVIL}x") }];

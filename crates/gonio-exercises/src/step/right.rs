@@ -9,8 +9,8 @@ use crate::exercise::Exercise;
 use crate::preview::SubmittedPair;
 use gonio_check::cause::SceneSamples;
 use gonio_check::cause::quantity_of::{ExpressionQuantity, PlacedCause, RightQuantities};
+use gonio_check::comparison::Task;
 use gonio_check::feedback::Feedback;
-use gonio_check::search::Task;
 use gonio_glsl::Stage;
 use gonio_interpreter::{ExprId, Fragment};
 

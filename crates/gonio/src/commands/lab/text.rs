@@ -40,12 +40,6 @@ pub fn verdict(verdict: &Verdict) -> TerminalPage {
         mistake(&mut page, found);
     }
     proposed_fix(&mut page, &verdict.proposed_fix);
-    if let Some(next) = &verdict.runner_up {
-        let share = 100.0 * next.share_explained;
-        page.blank();
-        let ids = next.ids.join(" and ");
-        page.line(format_args!("  {DIM}Next best: {ids}, explains {share:.1} % of the difference{DIM:#}"));
-    }
     if verdict.terms.iter().any(|term| term.state != TermState::NotSeparable) {
         let words = verdict.terms.iter().map(|term| match term.state {
             TermState::Right => format!("{} {GREEN}right{GREEN:#}", term.term),

@@ -262,19 +262,9 @@ impl Parameterisation {
         self.second == Second::Switched && (self.coloured || self.own[1])
     }
 
-    /// Whether a program has another light than the one that lights it.
-    pub fn knows_another(&self) -> bool {
-        self.second != Second::None || self.other_light.is_some()
-    }
-
     /// Whether the position of the light is a constant in the source.
     pub fn has_written_light(&self) -> bool {
         self.light_position.is_some() || self.other_light.is_some()
-    }
-
-    /// Whether some strengths must be fitted.
-    pub fn must_find(&self) -> bool {
-        self.to_find.iter().any(|find| *find)
     }
 
     /// Changes a test scene for the model, lit by one of the lights: among the terms whose strengths are fitted, all

@@ -1,4 +1,4 @@
-//! Compares pictures: whether they are the same, and how much of a difference a prediction explains.
+//! Compares pictures: whether they are the same.
 
 use crate::testbench::Atlas;
 
@@ -35,7 +35,6 @@ pub fn channel_difference(a: f32, b: f32) -> f32 {
 pub struct SceneDifference {
     drawn: usize,
     beyond: usize,
-    squares: f64,
     worst: f32,
 }
 
@@ -44,26 +43,16 @@ impl SceneDifference {
     pub fn add(&mut self, difference: f32) {
         self.drawn += 1;
         self.beyond += usize::from(difference > PIXEL_TOLERANCE);
-        self.squares += f64::from(difference * difference);
         self.worst = self.worst.max(difference);
-    }
-
-    /// Adds pixels that only one of the two pictures has.
-    pub fn add_lost(&mut self, count: usize) {
-        self.drawn += count;
-        self.beyond += count;
-        self.squares += count as f64;
-        self.worst = if count > 0 { 1.0 } else { self.worst };
     }
 }
 
 impl FromIterator<SceneDifference> for Comparison {
     fn from_iter<T: IntoIterator<Item = SceneDifference>>(tallies: T) -> Self {
-        let mut comparison = Comparison { beyond: Vec::new(), squares: Vec::new(), worst: Vec::new() };
+        let mut comparison = Comparison { beyond: Vec::new(), worst: Vec::new() };
         for tally in tallies {
             let drawn = tally.drawn.max(1) as f64;
             comparison.beyond.push(tally.beyond as f64 / drawn);
-            comparison.squares.push(tally.squares / drawn);
             comparison.worst.push(tally.worst);
         }
         comparison
@@ -75,8 +64,6 @@ impl FromIterator<SceneDifference> for Comparison {
 pub struct Comparison {
     /// For each test scene, the share of pixels beyond [`PIXEL_TOLERANCE`], of those drawn in either picture.
     pub beyond: Vec<f64>,
-    /// For each test scene, the mean of the squared differences.
-    pub squares: Vec<f64>,
     /// For each test scene, the largest difference.
     pub worst: Vec<f32>,
 }
@@ -96,16 +83,6 @@ impl Comparison {
         (0..test_scenes).map(tally).collect()
     }
 
-    /// Returns the comparison of the first test scenes alone.
-    pub fn first(&self, test_scenes: usize) -> Comparison {
-        let count = test_scenes.min(self.beyond.len());
-        Comparison {
-            beyond: self.beyond[..count].to_vec(),
-            squares: self.squares[..count].to_vec(),
-            worst: self.worst[..count].to_vec(),
-        }
-    }
-
     /// Whether the pictures of a test scene are the same.
     pub fn agrees(&self, test_scene: usize) -> bool {
         self.beyond.get(test_scene).is_some_and(|&share| share <= PIXELS_TOLERANCE)
@@ -114,19 +91,5 @@ impl Comparison {
     /// Whether the pictures of all test scenes are the same.
     pub fn is_same(&self) -> bool {
         self.beyond.iter().all(|&share| share <= PIXELS_TOLERANCE)
-    }
-
-    /// Returns the share of this difference that a prediction with this residual explains: 1 without a residual, 0 if
-    /// it is as large as the difference or larger. A test scene is weighted by its difference, but at most ten times
-    /// as much as another.
-    pub fn explained_by(&self, residual: &Comparison) -> f64 {
-        let floor = 0.1 * self.squares.iter().copied().fold(0.0, f64::max);
-        let (mut all, mut left) = (0.0, 0.0);
-        for (squares, residual) in self.squares.iter().zip(&residual.squares) {
-            let weight = 1.0 / squares.max(floor).max(1e-12);
-            all += weight * squares;
-            left += weight * residual;
-        }
-        if all <= 0.0 { 0.0 } else { (1.0 - left / all).max(0.0) }
     }
 }

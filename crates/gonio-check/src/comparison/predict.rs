@@ -2,7 +2,6 @@
 
 use super::fit::{Fit, fit};
 use super::parameterisation::{Lights, Parameterisation};
-use crate::interpreter::EvaluationPlan;
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use crate::roles::{self, Bindings, Declared, NamesFile, VariableKind};
 use crate::testbench::{Atlas, TestScene, Testbench, for_context};
@@ -16,11 +15,8 @@ use std::rc::Rc;
 pub struct CompiledModel {
     /// Its hypotheses.
     pub hypotheses: Hypotheses,
-    /// Its plan for the CPU, if the interpreter supports it.
-    pub plan: Option<Rc<EvaluationPlan>>,
     gl: Gl,
-    /// With a plan, one program for each hypothesis that was drawn; otherwise one program for all hypotheses, with an
-    /// empty key.
+    /// One program for each hypothesis that was drawn, or for many hypotheses one program for all, with an empty key.
     programs: RefCell<HashMap<BTreeMap<usize, usize>, Rc<ModelProgram>>>,
 }
 
@@ -49,15 +45,17 @@ impl CompiledModel {
     /// Prepares a model solution; the driver compiles it when it is drawn.
     pub fn new(gl: &Gl, model: ModelSolution) -> Self {
         let hypotheses = Hypotheses::for_model(model);
-        // The interpreter evaluates lighting, but not other positions on the screen.
-        let is_lit_surface = !model.is_of_places() && model != ModelSolution::Panorama;
-        let plan = is_lit_surface.then(|| EvaluationPlan::new(&hypotheses)).flatten().map(Rc::new);
-        CompiledModel { hypotheses, plan, gl: gl.clone(), programs: RefCell::default() }
+        CompiledModel { hypotheses, gl: gl.clone(), programs: RefCell::default() }
+    }
+
+    /// Whether each hypothesis is a program of its own. Of a panorama, many hypotheses are drawn.
+    fn has_own_programs(&self) -> bool {
+        self.hypotheses.model != ModelSolution::Panorama
     }
 
     /// Returns the program for a hypothesis, in version 330 core or 300 es as the context needs.
     pub fn program(&self, hypothesis: &Hypothesis) -> Result<Rc<ModelProgram>, GlError> {
-        let is_own = self.plan.is_some();
+        let is_own = self.has_own_programs();
         let choices = if is_own { hypothesis.choices.clone() } else { BTreeMap::new() };
         if let Some(known) = self.programs.borrow().get(&choices) {
             return Ok(Rc::clone(known));
@@ -181,7 +179,7 @@ impl CompiledModel {
     /// Returns the uniforms that select a hypothesis, for callers that draw it alone.
     pub fn ways_of(&self, hypothesis: &Hypothesis) -> Vec<(String, Vec<f32>)> {
         let way = |line: usize| hypothesis.choices.get(&line).copied().unwrap_or(0);
-        let lines = if self.plan.is_some() { 0..0 } else { 0..self.hypotheses.variables.len() };
+        let lines = if self.has_own_programs() { 0..0 } else { 0..self.hypotheses.variables.len() };
         lines.map(|line| (self.hypotheses.uniform(line), vec![way(line) as f32])).collect()
     }
 

@@ -1,0 +1,157 @@
+//! The quantities that a program computes, right or as a known mistake makes them: where a quantity is right, no mistake
+//! is made with it or with what it is computed from.
+
+use super::explain::LightingMethod;
+use super::model::{AnswerMethod, Mistakes, Model, Quantity, Recorded, STAGES, Space, TELLING, observe};
+use super::observed::SCALED;
+use super::program::{Program, Runner};
+use super::samples::SceneSamples;
+use crate::mistakes::{Hypotheses, Hypothesis, Mistake};
+use crate::testbench::TestScene;
+use std::cell::OnceCell;
+use std::collections::BTreeSet;
+
+/// Places in each scene at which values are compared.
+const PLACES: usize = 20;
+
+/// The quantities that a program computes, compared with one model solution.
+pub(crate) struct Shown {
+    program: Program,
+    samples: Vec<SceneSamples>,
+    method: LightingMethod,
+    written_exponent: f32,
+    /// Names of quantities with right values.
+    right: BTreeSet<String>,
+    /// Variables with right values, and those that they are computed from.
+    variables: BTreeSet<String>,
+    suspects: OnceCell<BTreeSet<&'static str>>,
+}
+
+impl Shown {
+    /// Observes a program in the first scenes.
+    ///
+    /// # Errors
+    /// The model solution cannot be compiled; a test ensures that all can.
+    pub fn new(
+        program: &Program,
+        scenes: &[(TestScene, SceneSamples)],
+        method: LightingMethod,
+        written_exponent: f32,
+        hypotheses: &Hypotheses,
+    ) -> Result<Self, String> {
+        let samples: Vec<SceneSamples> = scenes.iter().take(TELLING).map(|(_, samples)| samples.few(PLACES)).collect();
+        let observed = observed(program, &samples);
+        let mut right: BTreeSet<String> = BTreeSet::new();
+        for answer in answers(method) {
+            let model = Model::new(answer, Space::World, &samples, written_exponent, Mistakes::These(&[]))?;
+            let shown = model.quantities.iter().filter(|quantity| is_observed(&observed, quantity, false));
+            right.extend(first_of_same(&shown.collect::<Vec<_>>(), hypotheses));
+        }
+        let variables = with_parts(&right, hypotheses);
+        let program = program.clone();
+        Ok(Shown { program, samples, method, written_exponent, right, variables, suspects: OnceCell::new() })
+    }
+
+    /// Whether the program uses the half vector; `None` if its values do not tell.
+    pub fn half_vector(&self) -> Option<bool> {
+        let has = |names: &[&str]| names.iter().any(|name| self.right.contains(*name));
+        match (has(&["H", "dot(N, H)", "L + V"]), has(&["R", "dot(R, V)"])) {
+            (true, false) => Some(true),
+            (false, true) => Some(false),
+            _ => None,
+        }
+    }
+
+    /// Whether no right value contradicts the changes of a hypothesis.
+    pub fn allows(&self, hypotheses: &Hypotheses, hypothesis: &Hypothesis) -> bool {
+        is_free(&self.variables, hypotheses, hypothesis)
+    }
+
+    /// Whether the program has the own wrong value of a mistake.
+    pub fn is_suspect(&self, mistake: &Mistake) -> bool {
+        self.suspects().contains(mistake.id.as_str())
+    }
+
+    /// The ids of the mistakes whose own wrong values the program has.
+    pub fn suspects(&self) -> &BTreeSet<&'static str> {
+        self.suspects.get_or_init(|| {
+            let observed = observed(&self.program, &self.samples);
+            let mut found = BTreeSet::new();
+            for model in self.models(Mistakes::OwnValues) {
+                let shown = model.quantities.iter().filter(|quantity| is_observed(&observed, quantity, true));
+                found.extend(shown.filter_map(|quantity| quantity.mistake).map(|mistake| mistake.id.as_str()));
+            }
+            found
+        })
+    }
+
+    fn models(&self, mistakes: Mistakes<'_>) -> Vec<Model> {
+        let Shown { method, samples, written_exponent, .. } = self;
+        let model = |answer| Model::new(answer, method.space, samples, *written_exponent, mistakes);
+        // A test ensures that all model solutions can be compiled.
+        answers(*method).filter_map(|answer| model(answer).ok()).collect()
+    }
+}
+
+fn answers(method: LightingMethod) -> impl Iterator<Item = AnswerMethod> {
+    let highlights = if method.model.is_lit() { &[false, true][..] } else { &[false] };
+    highlights
+        .iter()
+        .map(move |half_vector| AnswerMethod { half_vector: *half_vector, ..AnswerMethod::new(method.model) })
+}
+
+fn observed(program: &Program, samples: &[SceneSamples]) -> Vec<Recorded> {
+    let exprs = STAGES.map(|stage| program.numbers(stage));
+    observe(&Runner::new(program, samples), &[], 0..samples.len(), [&exprs[0], &exprs[1]])
+}
+
+/// Whether a program has the values of a quantity, or multiples of a term. Constants are no evidence.
+fn is_observed(observed: &[Recorded], quantity: &Quantity, is_scaled: bool) -> bool {
+    let is_scaled = is_scaled && SCALED.contains(&quantity.name.as_str());
+    let is_it = |seen: &Recorded| {
+        seen.stage == quantity.stage
+            && (seen.values.is_same(&quantity.values) || is_scaled && seen.values.factor_of(&quantity.values).is_some())
+    };
+    !quantity.values.is_constant() && observed.iter().any(is_it)
+}
+
+/// The names of quantities, without those that are computed from another one and have its values: a strength of 1 or a
+/// plain copy is no evidence.
+fn first_of_same(shown: &[&Quantity], hypotheses: &Hypotheses) -> BTreeSet<String> {
+    let is_copy = |quantity: &&&Quantity| {
+        let parts = with_parts(&BTreeSet::from([quantity.name.clone()]), hypotheses);
+        let is_original = |other: &&Quantity| {
+            other.name != quantity.name
+                && parts.contains(&other.name)
+                && other.stage == quantity.stage
+                && other.values.is_same(&quantity.values)
+        };
+        shown.iter().any(is_original)
+    };
+    shown.iter().filter(|quantity| !is_copy(quantity)).map(|quantity| quantity.name.clone()).collect()
+}
+
+/// The variables in these names, and all that they are computed from.
+fn with_parts(names: &BTreeSet<String>, hypotheses: &Hypotheses) -> BTreeSet<String> {
+    let mut variables = BTreeSet::new();
+    let mut open: Vec<String> = names.iter().flat_map(|name| identifiers(name)).map(str::to_owned).collect();
+    while let Some(variable) = open.pop() {
+        if let Some(text) = hypotheses.text_of(&variable, &Hypothesis::default())
+            && variables.insert(variable.clone())
+        {
+            // Beside `P`, `V` is the view matrix and not the direction to the eye.
+            let is_product = text.contains("P * V");
+            open.extend(identifiers(text).filter(|part| !is_product || *part != "V").map(str::to_owned));
+        }
+    }
+    variables
+}
+
+/// Whether a hypothesis changes none of these variables.
+fn is_free(variables: &BTreeSet<String>, hypotheses: &Hypotheses, hypothesis: &Hypothesis) -> bool {
+    hypothesis.choices.keys().all(|line| !variables.contains(&hypotheses.variables[*line]))
+}
+
+fn identifiers(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
+}
