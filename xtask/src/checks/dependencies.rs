@@ -42,6 +42,8 @@ pub const RULES: &[Rule] = &[
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-interpreter", may_know: &["gonio-glsl"], tests_may_know: &[] },
+    // Functions of two directions, some of them written in GLSL.
+    Rule { krate: "gonio-bsdf", may_know: &["gonio-light", "gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
     // It measures the checker, so neither knows the other.
     Rule { krate: "gonio-submissions", may_know: &["gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
