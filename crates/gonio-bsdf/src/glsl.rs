@@ -130,7 +130,7 @@ impl GlslBrdf {
             return Err(GlslBrdfError {
                 line: line.saturating_sub(LINES_BEFORE).max(1) + self.body_line - 1,
                 column,
-                message: "this loop does not end".to_owned(),
+                message: "the function does not end: it was stopped here".to_owned(),
             });
         }
         let Some(output) = result.output(&self.stage, "gonio_f") else { return Ok(vec![DVec3::ZERO; pairs.len()]) };

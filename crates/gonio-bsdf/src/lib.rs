@@ -11,6 +11,9 @@
 //! | [`model_spec`] | `name:key=value,...`, the notation of a model with parameters |
 //! | [`integrate`], [`check`] | albedos; reciprocity, energy, positivity, normalisation, chi-square |
 //! | [`glsl`] | BRDFs written as GLSL functions, run on the CPU |
+//! | [`merl`], [`half_angles`] | the tables of the MERL database |
+//! | [`explorer`] | the `.brdf` files of BRDF Explorer |
+//! | [`named_bsdf`] | any of them with its name; exports |
 //! | [`sampling`] | directions from random numbers, with their densities |
 //!
 //! Nothing here opens a file or prints.
@@ -18,10 +21,14 @@
 
 pub mod bsdf;
 pub mod check;
+pub mod explorer;
 pub mod glsl;
+pub mod half_angles;
 pub mod integrate;
+pub mod merl;
 pub mod model_spec;
 pub mod models;
+pub mod named_bsdf;
 pub mod parameter;
 pub mod sampling;
 
@@ -29,6 +36,8 @@ pub use bsdf::{Bsdf, BsdfSample};
 pub use check::{CheckedProperty, check};
 pub use glsl::{GlslBrdf, GlslBrdfError};
 pub use gonio_light::DVec3;
+pub use merl::{MerlError, MerlTable};
 pub use model_spec::{ModelSpec, ModelSpecError};
 pub use models::{BsdfModel, MODELS};
+pub use named_bsdf::{NamedBsdf, NamedBsdfError};
 pub use parameter::{BsdfParameter, ParameterError, ParameterKind, ParameterValues};
