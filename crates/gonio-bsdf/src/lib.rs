@@ -14,6 +14,7 @@
 //! | [`merl`], [`half_angles`] | the tables of the MERL database |
 //! | [`explorer`] | the `.brdf` files of BRDF Explorer |
 //! | [`named_bsdf`] | any of them with its name; exports |
+//! | [`mod@fit`], [`fit_file`] | fits of models to tables, and their files |
 //! | [`sampling`] | directions from random numbers, with their densities |
 //!
 //! Nothing here opens a file or prints.
@@ -22,6 +23,8 @@
 pub mod bsdf;
 pub mod check;
 pub mod explorer;
+pub mod fit;
+pub mod fit_file;
 pub mod glsl;
 pub mod half_angles;
 pub mod integrate;
@@ -34,6 +37,7 @@ pub mod sampling;
 
 pub use bsdf::{Bsdf, BsdfSample};
 pub use check::{CheckedProperty, check};
+pub use fit::{BsdfFit, FitError, FitResidual, fit};
 pub use glsl::{GlslBrdf, GlslBrdfError};
 pub use gonio_light::DVec3;
 pub use merl::{MerlError, MerlTable};

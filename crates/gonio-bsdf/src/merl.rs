@@ -269,8 +269,9 @@ fn is_isotropic(bsdf: &dyn Bsdf) -> bool {
     [0.7, 1.6, 4.0].into_iter().all(|angle| {
         first.iter().zip(turned(angle)).all(|(a, b)| {
             let largest = a.abs().max_element().max(b.abs().max_element());
+            let difference = (*a - b).abs().max_element();
             // NaN is no difference: it says nothing about the azimuth.
-            !((*a - b).abs().max_element() > 1e-3 * largest)
+            difference <= 1e-3 * largest || difference.is_nan()
         })
     })
 }

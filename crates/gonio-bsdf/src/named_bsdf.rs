@@ -1,7 +1,8 @@
-//! A BSDF with its name: a model, a `.brdf` file or a MERL table.
+//! A BSDF with its name: a model, a `.brdf` file, a MERL table, or a file of fits.
 
 use crate::bsdf::Bsdf;
 use crate::explorer::{self, BrdfFile};
+use crate::fit_file::{self, FitFileError};
 use crate::glsl::GlslBrdfError;
 use crate::merl::{MerlError, MerlTable};
 use crate::model_spec::{ModelSpec, ModelSpecError, set_all};
@@ -37,6 +38,8 @@ pub enum NamedBsdfError {
     Brdf(GlslBrdfError),
     /// A MERL file with an error.
     Merl(MerlError),
+    /// A file of fits with an error.
+    Fit(FitFileError),
     /// Settings that the file does not have.
     Settings(ModelSpecError),
     /// Bytes of neither format.
@@ -48,9 +51,10 @@ impl fmt::Display for NamedBsdfError {
         match self {
             Self::Brdf(error) => error.fmt(f),
             Self::Merl(error) => error.fmt(f),
+            Self::Fit(error) => error.fmt(f),
             Self::Settings(error) => error.fmt(f),
             Self::UnknownFormat => {
-                write!(f, "unknown format: expected a MERL .binary or a .brdf file of BRDF Explorer")
+                write!(f, "unknown format: expected a MERL .binary, a .brdf file of BRDF Explorer, or a .toml of fits")
             }
         }
     }
@@ -110,6 +114,12 @@ impl NamedBsdf {
             let table = MerlTable::read(bytes).map_err(NamedBsdfError::Merl)?;
             set_all(&mut ParameterValues::defaults(Vec::new()), settings).map_err(NamedBsdfError::Settings)?;
             return Ok(Self::of_table(name, table));
+        }
+        if let Some(text) = text.filter(|_| ends_with(".toml")) {
+            let mut fits = fit_file::read(text).map_err(NamedBsdfError::Fit)?;
+            let mut best = fits.swap_remove(0);
+            set_all(&mut best.values, settings).map_err(NamedBsdfError::Settings)?;
+            return Ok(Self { name: format!("{name}: {}", best.model.name), ..Self::of_model(&best) });
         }
         Err(NamedBsdfError::UnknownFormat)
     }

@@ -79,7 +79,7 @@ fn damaged_files_are_refused_with_a_sentence() {
     assert_eq!(refused(&empty), "all values are negative, which means missing");
     assert_eq!(
         NamedBsdf::of_file("a.png", b"\x89PNG", "").unwrap_err().to_string(),
-        "unknown format: expected a MERL .binary or a .brdf file of BRDF Explorer"
+        "unknown format: expected a MERL .binary, a .brdf file of BRDF Explorer, or a .toml of fits"
     );
     let settings = NamedBsdf::of_file("a.binary", &good, "c=1").unwrap_err().to_string();
     assert_eq!(settings, "unknown parameter `c`: there are no parameters");
