@@ -4,43 +4,48 @@ use crate::bsdf::Bsdf;
 use crate::sampling::{direction, direction_of_cosine};
 use gonio_light::DVec3;
 use gonio_light::microfacet::hammersley;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Steps of the polar angle in the quadrature of [`directional_albedo`]: half a degree each.
 const POLAR_STEPS: u32 = 180;
-/// Samples of [`directional_albedo`] for functions whose samples follow their lobes.
-const SAMPLES: u32 = 1 << 15;
 
 /// The share of light from `w` that a surface scatters, per channel: the integral of `f(w, x) |cos theta_x|` over all `x`.
 ///
 /// By importance sampling where the samples follow the function, with a relative error of about 0.2 %; otherwise by steps of
 /// half a degree, which resolve lobes of a degree. NaN if the function is not finite.
 pub fn directional_albedo(bsdf: &dyn Bsdf, w: DVec3) -> DVec3 {
-    if bsdf.samples_follow_function() { sampled_albedo(bsdf, w) } else { stepped_albedo(bsdf, w) }
+    albedo_with_steps(bsdf, w, POLAR_STEPS)
 }
 
-fn sampled_albedo(bsdf: &dyn Bsdf, w: DVec3) -> DVec3 {
+/// [`directional_albedo`] by this number of steps of the polar angle, or its square of samples. Fewer are quicker and less
+/// exact.
+pub fn albedo_with_steps(bsdf: &dyn Bsdf, w: DVec3, steps: u32) -> DVec3 {
+    let steps = steps.clamp(2, 1000);
+    if bsdf.samples_follow_function() { sampled_albedo(bsdf, w, steps * steps) } else { stepped_albedo(bsdf, w, steps) }
+}
+
+fn sampled_albedo(bsdf: &dyn Bsdf, w: DVec3, samples: u32) -> DVec3 {
     // The samples are those of light for a viewer at `w`; reversed, radiance changes with the squares of the indices.
     let index = bsdf.index(w);
     let mut sum = DVec3::ZERO;
-    for i in 0..SAMPLES {
-        let (u, v) = hammersley(i, SAMPLES);
+    for i in 0..samples {
+        let (u, v) = hammersley(i, samples);
         // A third number that is independent of both: the golden ratio's sequence.
         let third = (f64::from(i) * 0.618_033_988_749_894_9).fract();
         if let Some(sample) = bsdf.sample(w, [u, v, third]) {
             sum += sample.weight * (bsdf.index(sample.wi) / index).powi(2);
         }
     }
-    sum / f64::from(SAMPLES)
+    sum / f64::from(samples)
 }
 
-fn stepped_albedo(bsdf: &dyn Bsdf, w: DVec3) -> DVec3 {
-    let azimuths = 2 * POLAR_STEPS;
-    let (step, azimuth_step) = (FRAC_PI_2 / f64::from(POLAR_STEPS), TAU / f64::from(azimuths));
+fn stepped_albedo(bsdf: &dyn Bsdf, w: DVec3, steps: u32) -> DVec3 {
+    let azimuths = 2 * steps;
+    let (step, azimuth_step) = (FRAC_PI_2 / f64::from(steps), TAU / f64::from(azimuths));
     let sides: &[f64] = if bsdf.transmits() { &[1.0, -1.0] } else { &[1.0] };
     let mut sum = DVec3::ZERO;
     for side in sides {
-        for i in 0..POLAR_STEPS {
+        for i in 0..steps {
             let theta = (f64::from(i) + 0.5) * step;
             let ring: Vec<(DVec3, DVec3)> = (0..azimuths)
                 .map(|j| {
@@ -99,9 +104,4 @@ fn gauss(f: &dyn Fn(DVec3) -> f64, cos: [f64; 2], phi: [f64; 2]) -> f64 {
         }
     }
     sum * area
-}
-
-/// Polar angles in radians from the normal to just above the horizon, `count` of them.
-pub fn polar_angles(count: u32) -> impl Iterator<Item = f64> {
-    (0..count).map(move |i| f64::from(i) / f64::from(count.max(2) - 1) * (0.5 * PI - 0.01))
 }

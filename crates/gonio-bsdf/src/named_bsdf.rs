@@ -1,9 +1,9 @@
-//! A BSDF with its name: a model, a `.brdf` file, a MERL table, or a file of fits.
+//! A BSDF with its name: a model, a `.brdf` or `.glsl` file, a MERL table, or a file of fits.
 
-use crate::bsdf::Bsdf;
+use crate::bsdf::{Bsdf, mean};
 use crate::explorer::{self, BrdfFile};
 use crate::fit_file::{self, FitFileError};
-use crate::glsl::GlslBrdfError;
+use crate::glsl::{GlslBrdf, GlslBrdfError};
 use crate::merl::{MerlError, MerlTable};
 use crate::model_spec::{ModelSpec, ModelSpecError, set_all};
 use crate::parameter::ParameterValues;
@@ -19,8 +19,10 @@ pub struct NamedBsdf {
     pub title: String,
     /// The function.
     pub bsdf: Box<dyn Bsdf>,
-    /// The text of its GLSL function with the values of its parameters, if it has one.
-    pub glsl: Option<(String, ParameterValues)>,
+    /// The text of its GLSL function, if it has one.
+    pub glsl: Option<String>,
+    /// Its parameters; a table has none.
+    pub values: ParameterValues,
     /// Oddities of its file.
     pub warnings: Vec<String>,
 }
@@ -54,7 +56,10 @@ impl fmt::Display for NamedBsdfError {
             Self::Fit(error) => error.fmt(f),
             Self::Settings(error) => error.fmt(f),
             Self::UnknownFormat => {
-                write!(f, "unknown format: expected a MERL .binary, a .brdf file of BRDF Explorer, or a .toml of fits")
+                write!(
+                    f,
+                    "unknown format: expected a MERL .binary, a .brdf file of BRDF Explorer, a .glsl function, or a .toml of fits"
+                )
             }
         }
     }
@@ -69,7 +74,8 @@ impl NamedBsdf {
             name: spec.text(),
             title: spec.model.title.to_owned(),
             bsdf: spec.build(),
-            glsl: spec.model.glsl.map(|glsl| (glsl.to_owned(), spec.values.clone())),
+            glsl: spec.model.glsl.map(str::to_owned),
+            values: spec.values.clone(),
             warnings: Vec::new(),
         }
     }
@@ -82,8 +88,30 @@ impl NamedBsdf {
             title: format!("measured BRDF, {:.1} % of the values are missing", missing_percent(&table)),
             bsdf: Box::new(table),
             glsl: None,
+            values: ParameterValues::defaults(Vec::new()),
             warnings,
         }
+    }
+
+    fn of_glsl(name: &str, title: &str, text: String, bsdf: GlslBrdf) -> Self {
+        Self {
+            name: name.to_owned(),
+            title: title.to_owned(),
+            values: bsdf.values().clone(),
+            bsdf: Box::new(bsdf),
+            glsl: Some(text),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// The index of refraction that its parameters `ior` or `f0` state; `f0` of a dielectric is `((n - 1) / (n + 1))^2`.
+    pub fn refraction_index(&self) -> Option<f64> {
+        let has = |name: &str| self.values.parameters().iter().any(|parameter| parameter.name == name);
+        if has("ior") {
+            return Some(self.values.number("ior"));
+        }
+        let root = mean(self.values.color("f0")).max(0.0).sqrt();
+        (has("f0") && root < 1.0).then(|| (1.0 + root) / (1.0 - root))
     }
 
     /// A file, with `key=value,...` for its parameters. The format is recognised by the content; `name` may say that a
@@ -104,16 +132,20 @@ impl NamedBsdf {
             let file = BrdfFile::parse(text).map_err(NamedBsdfError::Brdf)?;
             let mut values = file.defaults();
             set_all(&mut values, settings).map_err(NamedBsdfError::Settings)?;
-            let bsdf = file.compile(values.clone()).map_err(NamedBsdfError::Brdf)?;
-            let title = "GLSL function of a .brdf file".to_owned();
-            let glsl = Some((file.shader, values));
-            return Ok(Self { name: name.to_owned(), title, bsdf: Box::new(bsdf), glsl, warnings: Vec::new() });
+            let bsdf = file.compile(values).map_err(NamedBsdfError::Brdf)?;
+            return Ok(Self::of_glsl(name, "GLSL function of a .brdf file", file.shader, bsdf));
         }
         let header = [90_i32, 90, 180].map(i32::to_le_bytes).concat();
         if ends_with(".binary") || bytes.starts_with(&header) {
             let table = MerlTable::read(bytes).map_err(NamedBsdfError::Merl)?;
             set_all(&mut ParameterValues::defaults(Vec::new()), settings).map_err(NamedBsdfError::Settings)?;
             return Ok(Self::of_table(name, table));
+        }
+        if let Some(text) = text.filter(|_| ends_with(".glsl")) {
+            let mut values = ParameterValues::defaults(Vec::new());
+            set_all(&mut values, settings).map_err(NamedBsdfError::Settings)?;
+            let bsdf = GlslBrdf::new(text, 1, values).map_err(NamedBsdfError::Brdf)?;
+            return Ok(Self::of_glsl(name, "GLSL function", text.to_owned(), bsdf));
         }
         if let Some(text) = text.filter(|_| ends_with(".toml")) {
             let mut fits = fit_file::read(text).map_err(NamedBsdfError::Fit)?;
@@ -126,12 +158,12 @@ impl NamedBsdf {
 
     /// The text of a `.brdf` file, if there is a GLSL function.
     pub fn to_brdf(&self) -> Option<String> {
-        self.glsl.as_ref().map(|(shader, values)| explorer::write(&self.title, shader, values))
+        self.glsl.as_ref().map(|shader| explorer::write(&self.title, shader, &self.values))
     }
 
     /// The text of a GLSL function with the parameters as constants, if there is one.
     pub fn to_glsl(&self) -> Option<String> {
-        self.glsl.as_ref().map(|(shader, values)| explorer::write_glsl(&self.name, shader, values))
+        self.glsl.as_ref().map(|shader| explorer::write_glsl(&self.name, shader, &self.values))
     }
 
     /// A table as comma-separated values: polar angles every 5 degrees, differences of azimuth every 15.

@@ -79,7 +79,7 @@ fn damaged_files_are_refused_with_a_sentence() {
     assert_eq!(refused(&empty), "all values are negative, which means missing");
     assert_eq!(
         NamedBsdf::of_file("a.png", b"\x89PNG", "").unwrap_err().to_string(),
-        "unknown format: expected a MERL .binary, a .brdf file of BRDF Explorer, or a .toml of fits"
+        "unknown format: expected a MERL .binary, a .brdf file of BRDF Explorer, a .glsl function, or a .toml of fits"
     );
     let settings = NamedBsdf::of_file("a.binary", &good, "c=1").unwrap_err().to_string();
     assert_eq!(settings, "unknown parameter `c`: there are no parameters");
@@ -221,8 +221,7 @@ fn exports_are_the_same_function() {
     let text = named.to_brdf().unwrap();
     let again = NamedBsdf::of_file("disney.brdf", text.as_bytes(), "").unwrap();
     let glsl = named.to_glsl().unwrap();
-    let alone = format!("analytic\n::begin shader\n{glsl}::end shader\n");
-    let constants = NamedBsdf::of_file("alone.brdf", alone.as_bytes(), "").unwrap_or_else(|e| panic!("{e}\n{glsl}"));
+    let constants = NamedBsdf::of_file("alone.glsl", glsl.as_bytes(), "").unwrap_or_else(|e| panic!("{e}\n{glsl}"));
     let csv = named.to_csv();
     let row = csv.lines().find(|line| line.starts_with("30,30,180,")).unwrap();
     let in_csv: f64 = row.split(',').nth(3).unwrap().parse().unwrap();
