@@ -148,6 +148,7 @@ mod tests {
     fn the_colon_of_a_drive_belongs_to_the_path() {
         assert_eq!(split(r"C:\brdfs\ward.brdf"), (r"C:\brdfs\ward.brdf", ""));
         assert_eq!(split(r"C:\ward.brdf:c=1"), (r"C:\ward.brdf", "c=1"));
+        assert_eq!(split(r"C:\a=b\ward.brdf"), (r"C:\a=b\ward.brdf", ""));
         assert_eq!(split("ward:"), ("ward", ""));
     }
 }

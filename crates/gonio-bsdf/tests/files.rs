@@ -3,9 +3,13 @@
 
 use gonio_bsdf::explorer::BrdfFile;
 use gonio_bsdf::integrate::directional_albedo;
-use gonio_bsdf::merl::{CELLS, FILE_BYTES, SCALES, cell_middle};
+use gonio_bsdf::merl::{CELLS, FILE_BYTES, cell_middle};
 use gonio_bsdf::sampling::direction;
 use gonio_bsdf::{Bsdf, DVec3, MerlError, MerlTable, ModelSpec, NamedBsdf, check};
+use gonio_fixtures::FixtureTable;
+
+/// The factors of the database's channels.
+const SCALES: [f64; 3] = [1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0];
 
 fn table(spec: &str) -> MerlTable {
     MerlTable::tabulate(ModelSpec::parse(spec).unwrap().build().as_ref()).unwrap()
@@ -118,52 +122,54 @@ fn only_isotropic_reflection_fits_into_a_table() {
     assert!(MerlTable::tabulate(ModelSpec::parse("ward-anisotropic:cx=0.2,cy=0.2").unwrap().build().as_ref()).is_ok());
 }
 
-/// A file in the notation of BRDF Explorer, of our own.
-const TWO_LOBES: &str = "analytic
-
-# Two cosine lobes about the half vector.
-::begin parameters
-float sharp 1 500 80
-float share 0 1 .25
-bool doubled 0
-color tint 1 .5 .25
-::end parameters
-
-::begin shader
-# a comment, also here
-vec3 BRDF( vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y )
-{
-    float lobe = pow(max(0, dot(N, normalize(L + V))), sharp);
-    return tint * share * (doubled ? 2 : 1) * lobe;
+/// A function of the table.
+fn function(name: &str) -> String {
+    let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/functions.txt")).unwrap();
+    String::from_utf8(table.get(name).unwrap().to_vec()).unwrap()
 }
-::end shader
-";
+
+#[test]
+fn every_function_of_the_table_loads() {
+    let table = FixtureTable::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/functions.txt")).unwrap();
+    assert_eq!(table.files().len(), 5);
+    let (wi, wo) = (direction(0.5, 0.0), direction(0.5, std::f64::consts::PI));
+    let mut values = Vec::new();
+    for file in table.files() {
+        let named = NamedBsdf::of_file(&file.path, &file.bytes, "").unwrap_or_else(|e| panic!("{}: {e}", file.path));
+        values.push(named.bsdf.evaluate(wi, wo).x);
+    }
+    // The mirror direction: tint share, 0.25 cos 0.5, (R.V)^2, 0.5 / pi.
+    let expected = [0.25, 0.25 * 0.5_f64.cos(), 1.0, 0.5 / std::f64::consts::PI];
+    assert!(expected.iter().zip(&values).all(|(a, b)| (a - b).abs() < 1e-6), "{values:?}");
+}
 
 #[test]
 fn a_brdf_file_runs_with_its_parameters() {
-    let file = BrdfFile::parse(TWO_LOBES).unwrap();
+    let text = function("two-lobes.brdf");
+    let file = BrdfFile::parse(&text).unwrap();
     assert_eq!(file.shader_line, 12);
     let value = |settings: &str| {
-        let named = NamedBsdf::of_file("two.brdf", TWO_LOBES.as_bytes(), settings).unwrap();
+        let named = NamedBsdf::of_file("two.brdf", text.as_bytes(), settings).unwrap();
         named.bsdf.evaluate(direction(0.5, 0.0), direction(0.5, std::f64::consts::PI))
     };
     let near = |found: DVec3, expected: DVec3| assert!((found - expected).length() < 1e-6, "{found} {expected}");
     near(value(""), 0.25 * DVec3::new(1.0, 0.5, 0.25));
     near(value("share=0.5,doubled=on"), DVec3::new(1.0, 0.5, 0.25));
     near(value("tint=0/0/1"), DVec3::new(0.0, 0.0, 0.25));
-    let error = NamedBsdf::of_file("two.brdf", TWO_LOBES.as_bytes(), "share=2").unwrap_err().to_string();
+    let error = NamedBsdf::of_file("two.brdf", text.as_bytes(), "share=2").unwrap_err().to_string();
     assert_eq!(error, "invalid value `2` of parameter `share`: expected a number from 0 to 1");
 }
 
 #[test]
 fn errors_of_brdf_files_have_their_places() {
+    let text = function("two-lobes.brdf");
     let error = |text: &str| match BrdfFile::parse(text).and_then(|file| file.compile(file.defaults())) {
         Ok(_) => panic!("accepted: {text}"),
         Err(error) => error.to_string(),
     };
     let edited = |from: &str, to: &str| {
-        assert!(TWO_LOBES.contains(from), "{from}");
-        error(&TWO_LOBES.replacen(from, to, 1))
+        assert!(text.contains(from), "{from}");
+        error(&text.replacen(from, to, 1))
     };
     assert_eq!(edited("analytic", "bparam"), "1:1: unknown type `bparam`: expected a file that begins with `analytic`");
     assert_eq!(
@@ -206,8 +212,9 @@ fn errors_of_brdf_files_have_their_places() {
 
 #[test]
 fn no_damaged_brdf_file_panics() {
-    for end in 0..TWO_LOBES.len() {
-        if let Ok(file) = BrdfFile::parse(&TWO_LOBES[..end]) {
+    let text = function("two-lobes.brdf");
+    for end in 0..text.len() {
+        if let Ok(file) = BrdfFile::parse(&text[..end]) {
             let _ = file.compile(file.defaults());
         }
     }
