@@ -9,7 +9,7 @@
 //! | [`parameter`] | parameters with ranges, and their values |
 //! | [`models`] | the models, one file each, and their list |
 //! | [`model_spec`] | `name:key=value,...`, the notation of a model with parameters |
-//! | [`integrate`], [`check`] | albedos; reciprocity, energy, positivity, normalisation, chi-square |
+//! | [`integrate`], [`mod@check`] | albedos; reciprocity, energy, positivity, normalisation, chi-square |
 //! | [`glsl`] | BRDFs written as GLSL functions, run on the CPU |
 //! | [`merl`], [`half_angles`] | the tables of the MERL database |
 //! | [`explorer`] | the `.brdf` files of BRDF Explorer |
