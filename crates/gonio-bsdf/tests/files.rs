@@ -61,6 +61,30 @@ fn a_table_reflects_as_much_as_its_model() {
 }
 
 #[test]
+fn a_sphere_of_a_table_looks_like_its_model() {
+    let light = direction(45_f64.to_radians(), 2.4);
+    for spec in ["ggx:alpha=0.2,f0=0.9,a=0.1", "ward:a=0.3,c=0.15", "blinn-normalised:c=100,a=0.2"] {
+        let (model, table) = (ModelSpec::parse(spec).unwrap().build(), table(spec));
+        let (mut error, mut signal, mut count) = (0.0, 0.0, 0);
+        for (x, y) in
+            (0..80).flat_map(|y| (0..80).map(move |x| (f64::from(x) / 40.0 - 0.99, f64::from(y) / 40.0 - 0.99)))
+        {
+            let normal = DVec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt());
+            if x * x + y * y > 0.999 || normal.dot(light) <= 0.0 {
+                continue;
+            }
+            let tangent = DVec3::Y.cross(normal).normalize();
+            let local = |w: DVec3| DVec3::new(tangent.dot(w), normal.cross(tangent).dot(w), normal.dot(w));
+            let (wi, wo) = (local(light), local(DVec3::Z));
+            let [a, b] = [model.evaluate(wi, wo), table.evaluate(wi, wo)].map(|f| (f.x * wi.z).min(1.0));
+            (error, signal, count) = (error + (a - b).powi(2), signal + a * a, count + 1);
+        }
+        // Issue 19 set 1 % RMS, of a picture.
+        assert!(count > 3000 && (error / signal).sqrt() < 0.01, "{spec}: {}", (error / signal).sqrt());
+    }
+}
+
+#[test]
 fn damaged_files_are_refused_with_a_sentence() {
     let good = table("lambert").write();
     let refused = |bytes: &[u8]| NamedBsdf::of_file("a.binary", bytes, "").unwrap_err().to_string();

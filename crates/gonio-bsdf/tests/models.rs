@@ -173,6 +173,43 @@ fn pairs(transmits: bool, count: usize) -> Vec<(DVec3, DVec3)> {
     (0..count).map(|_| (one(), one())).collect()
 }
 
+/// At the ends of every range, also where light and viewer graze the surface, all numbers are finite.
+#[test]
+fn no_parameter_makes_a_value_infinite() {
+    let mut tried = 0;
+    for model in MODELS {
+        let spec = ModelSpec::new(model);
+        let ends = model.parameters.iter().flat_map(|parameter| {
+            parameter.range().map(|value| {
+                let mut spec = spec.clone();
+                spec.values.set_value(&parameter.name, DVec3::splat(value));
+                spec
+            })
+        });
+        for spec in ends.chain([spec.clone()]) {
+            let bsdf = spec.build();
+            let mut random = SplitMix::new(11);
+            let mut all = pairs(bsdf.transmits(), 200);
+            let grazing = [1e-9, 0.3, 1.0].map(|cos| gonio_bsdf::sampling::direction_of_cosine(cos, 2.0));
+            all.extend(grazing.iter().flat_map(|wi| grazing.iter().map(|wo| (*wi, *wo))));
+            for (wi, wo) in all {
+                tried += 1;
+                let (f, density) = (bsdf.evaluate(wi, wo), bsdf.density(wi, wo));
+                let may_be_negative = model.name == "lafortune-printed";
+                let is_right = f.is_finite() && density.is_finite() && density >= 0.0;
+                let text = || format!("{}: f({wi}, {wo}) = {f}, density {density}", spec.text());
+                assert!(is_right && (may_be_negative || f.min_element() >= 0.0), "{}", text());
+                if let Some(sample) = bsdf.sample(wo, random.next_three()) {
+                    // The viewer's direction has the components of f32.
+                    let is_unit = (sample.wi.length() - 1.0).abs() < 1e-6;
+                    assert!(is_unit && sample.weight.is_finite(), "{}: {sample:?} for {wo}", spec.text());
+                }
+            }
+        }
+    }
+    assert!(tried > 30_000, "{tried}");
+}
+
 #[test]
 fn glsl_functions_agree_with_rust() {
     let specs = [
