@@ -39,6 +39,12 @@ const FITTABLE: &[Fittable] = &[
     Fittable { model: "blinn-normalised", colors: &["a", "b"], numbers: &[&["c"]] },
     // The scale of the matrix and b are the same for one lobe, so the matrix gives the shape only.
     Fittable { model: "lafortune-normalised", colors: &["a", "b"], numbers: &[&["k"], &["az"]] },
+    Fittable { model: "lafortune-2", colors: &["a", "b1", "b2"], numbers: &[&["k1"], &["z1"], &["k2"], &["z2"]] },
+    Fittable {
+        model: "lafortune-3",
+        colors: &["a", "b1", "b2", "b3"],
+        numbers: &[&["k1"], &["z1"], &["k2"], &["z2"], &["k3"], &["z3"]],
+    },
     Fittable { model: "ward", colors: &["a", "b"], numbers: &[&["c"]] },
     Fittable { model: "ward-normalised", colors: &["a", "b"], numbers: &[&["c"]] },
     Fittable { model: "cook-torrance", colors: &["a", "f0"], numbers: &[&["m"]] },
@@ -344,7 +350,7 @@ fn free(entry: &Fittable, model: &BsdfModel, is_grey: bool) -> Vec<Free> {
     colors.chain(numbers).collect()
 }
 
-/// The starting points of the grey fit: the diffuse part from the darkest values, and each number at three places of its
+/// The starting points of the grey fit: the diffuse part from the darkest values, and each number at several places of its
 /// range.
 fn starting_points(entry: &Fittable, model: &BsdfModel, points: &[Point]) -> Vec<Vec<f64>> {
     let mut dark: Vec<f64> =
@@ -353,14 +359,23 @@ fn starting_points(entry: &Fittable, model: &BsdfModel, points: &[Point]) -> Vec
     let diffuse = dark[dark.len() / 4].clamp(0.0, 0.95);
     let free = free(entry, model, true);
     let colors: Vec<f64> = (0..entry.colors.len()).map(|index| if index == 0 { diffuse } else { 0.3 }).collect();
+    let numbers = &free[entry.colors.len()..];
+    let at = |number: &Free, share: f64| number.range[0] + share * (number.range[1] - number.range[0]);
+    // Several lobes: each start gives their exponents, every second number, different places.
+    const SHARES: [f64; 3] = [0.2, 0.5, 0.8];
+    if numbers.len() > 3 {
+        let start = |turn: usize| {
+            let numbers = numbers.iter().enumerate().map(|(index, number)| at(number, SHARES[(index + turn) % 3]));
+            colors.iter().copied().chain(numbers).collect()
+        };
+        return (0..3).map(start).collect();
+    }
+    let shares: &[f64] = if numbers.len() > 2 { &[0.25, 0.75] } else { &SHARES };
     let mut starts = vec![colors];
-    for number in &free[entry.colors.len()..] {
-        let [min, max] = number.range;
-        let shares: &[f64] = if entry.numbers.len() > 2 { &[0.25, 0.75] } else { &[0.2, 0.5, 0.8] };
-        starts = starts
-            .iter()
-            .flat_map(|start| shares.iter().map(|share| [&start[..], &[min + share * (max - min)]].concat()))
-            .collect();
+    for number in numbers {
+        let extended =
+            starts.iter().flat_map(|start| shares.iter().map(|share| [&start[..], &[at(number, *share)]].concat()));
+        starts = extended.collect();
     }
     starts
 }

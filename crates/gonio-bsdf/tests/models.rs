@@ -29,6 +29,7 @@ fn values_at_the_mirror_direction() {
     is(value("blinn:b=0.4,c=20", FRAC_PI_4, FRAC_PI_4), 0.4);
     is(value("blinn-normalised:b=1,c=2", FRAC_PI_4, FRAC_PI_4), 4.0 * 6.0 / (8.0 * PI * 2.5));
     is(value("lafortune:b=0.4,k=20", FRAC_PI_4, FRAC_PI_4), 0.4);
+    is(value("lafortune-2:a=0,b1=0.4,k1=6,b2=0.1,k2=20", FRAC_PI_4, FRAC_PI_4), (0.4 * 8.0 + 0.1 * 22.0) / (2.0 * PI));
     is(value("ward:b=0.4,c=0.2", FRAC_PI_4, FRAC_PI_4), 0.4 / (4.0 * PI * 0.04 * cos));
     // |L + V|^2 / (N.(L + V))^4 = 4 cos^2 / (2 cos)^4.
     is(value("ward-normalised:b=0.4,c=0.2", FRAC_PI_4, FRAC_PI_4), 0.4 / (PI * 0.04) / (4.0 * cos * cos));
@@ -141,6 +142,7 @@ fn models_pass_their_checks() {
         "beckmann:f0=1,alpha=0.2,correlated=off",
         "beckmann:f0=1,alpha=1",
         "oren-nayar:a=1,sigma=40",
+        "lafortune-3:a=0.2,b1=0.4,b2=0.3,b3=0.1,k1=4,z1=-0.5,z2=-1.2",
         "ashikhmin-shirley:nu=10,nv=100,rd=1,rs=0.5",
         "ggx:f0=0.04,a=0.5",
         "disney:metallic=1,anisotropic=0.8,roughness=0.4",

@@ -30,7 +30,7 @@ fn models_are_listed_and_shown() {
     let lab = Lab::new();
     let json = lab.brdf(&["list", "--json"]).good().json();
     let models = json["models"].as_array().unwrap();
-    assert_eq!(models.len(), 22);
+    assert_eq!(models.len(), 24);
     let text = lab.brdf(&["list"]).good();
     for model in models {
         let name = model["name"].as_str().unwrap();

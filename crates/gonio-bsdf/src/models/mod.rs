@@ -13,6 +13,7 @@ pub mod disney;
 mod facets;
 pub mod ggx;
 pub mod lafortune;
+pub mod lafortune_lobes;
 pub mod lambert;
 pub mod oren_nayar;
 pub mod phong;
@@ -59,6 +60,8 @@ pub static MODELS: &[&BsdfModel] = &[
     &lafortune::LAFORTUNE,
     &lafortune::LAFORTUNE_NORMALISED,
     &lafortune::LAFORTUNE_PRINTED,
+    &lafortune_lobes::LAFORTUNE_2,
+    &lafortune_lobes::LAFORTUNE_3,
     &ward::WARD,
     &ward::WARD_NORMALISED,
     &ward::WARD_PRINTED,

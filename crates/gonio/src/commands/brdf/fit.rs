@@ -28,7 +28,7 @@ The error is the root mean square of the difference of (f cos)^(1/3), over all d
 horizon; the percentage compares it with (f cos)^(1/3) itself. The method is Levenberg and Marquardt's, from several starting \
 points.
 
-Models: lambert, phong, phong-normalised, blinn, blinn-normalised, lafortune-normalised, ward, ward-normalised, cook-torrance, \
+Models: lambert, phong, phong-normalised, blinn, blinn-normalised, lafortune-normalised, lafortune-2, lafortune-3, ward, ward-normalised, cook-torrance, \
 beckmann, ggx, oren-nayar, ashikhmin-shirley, disney.")]
 pub struct FitArgs {
     /// A measured BRDF: MERL .binary.
