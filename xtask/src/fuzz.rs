@@ -29,6 +29,7 @@ const TARGETS: &[(&str, &[&str])] = &[
     ("face_names", &["crates/gonio-environment/tests/names.txt"]),
     ("glsl", &["crates/gonio-glsl/tests/pairs.txt", "exercises/models"]),
     ("interpret", &["crates/gonio-glsl/tests/pairs.txt", "exercises"]),
+    ("brdf", &["crates/gonio-bsdf/tests/functions.txt"]),
     ("submission", &["crates/gonio-glsl/tests/pairs.txt", "exercises", TABLES]),
     ("buffer", &["crates/gonio-exercises/tests/buffers.txt"]),
     ("host", &["exercises/ex11-texture-unit/host"]),
@@ -112,6 +113,7 @@ fn found_in(name: &str) -> &'static str {
         "glsl" => "crates/gonio-glsl/tests/found",
         "interpret" => "crates/gonio-interpreter/tests/found",
         "submission" => "crates/gonio-check/tests/found",
+        "brdf" => "crates/gonio-bsdf/tests/found",
         "buffer" | "host" | BATCH => "crates/gonio-exercises/tests/found",
         _ => "crates/gonio-mesh/tests/found",
     }

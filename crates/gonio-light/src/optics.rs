@@ -318,8 +318,15 @@ pub const WEIGHT_THAT_COUNTS: f64 = 1e-3;
 /// `eta > 0`. 1 where reflection is total, and for an `eta` that is not a positive number; 0 for
 /// `eta = 1` (no boundary). Source: M. Born and E. Wolf, *Principles of Optics*, section 1.5.2, (21).
 pub fn dielectric(cos_i: f64, eta: f64) -> f64 {
+    let [s, p] = polarised_dielectric(cos_i, eta);
+    unit_interval(0.5 * (s + p))
+}
+
+/// The shares `r_s^2` and `r_p^2` of light that is polarised across the plane of incidence and in it; see [`dielectric`].
+/// At [`brewster_angle_rad`] the second one is 0.
+pub fn polarised_dielectric(cos_i: f64, eta: f64) -> [f64; 2] {
     if eta == 1.0 {
-        return 0.0;
+        return [0.0; 2];
     }
     let cos_i = unit_interval(cos_i);
     let cos2_t = 1.0 - eta * eta * (1.0 - cos_i * cos_i);
@@ -330,10 +337,16 @@ pub fn dielectric(cos_i: f64, eta: f64) -> f64 {
         if s_sum > 0.0 && p_sum > 0.0 && s_sum.is_finite() && p_sum.is_finite() {
             let r_s = (eta * cos_i - cos_t) / s_sum;
             let r_p = (cos_i - eta * cos_t) / p_sum;
-            return unit_interval(0.5 * (r_s * r_s + r_p * r_p));
+            return [r_s * r_s, r_p * r_p];
         }
     }
-    1.0
+    [1.0; 2]
+}
+
+/// The angle of incidence in radians at which light polarised in the plane of incidence is not reflected, `atan(1 / eta)`.
+/// Source: D. Brewster 1815; M. Born and E. Wolf, *Principles of Optics*, section 1.5.3.
+pub fn brewster_angle_rad(eta: f64) -> f64 {
+    (1.0 / eta).atan()
 }
 
 /// Schlick's approximation `f0 + (1 - f0)(1 - cos)^5`, `cos` held in `[0, 1]`.

@@ -28,6 +28,9 @@ Models:
 Environments:
   environment  Convert between panoramas and cubemaps; check their orientation
 
+Materials:
+  brdf         Models of reflection: plots, checks, exports, fits to measured materials
+
 Exercises:
   lab          Exercises, students' shaders, and a checker that names the mistake
 
@@ -84,6 +87,9 @@ pub enum Command {
     /// Convert between panoramas and cubemaps; check their orientation.
     #[command(subcommand)]
     Environment(commands::environment::EnvironmentCommand),
+    /// Models of reflection: plots, checks, exports, fits to measured materials.
+    #[command(subcommand)]
+    Brdf(commands::brdf::BrdfCommand),
     Diff(commands::diff::DiffArgs),
     Inspect(commands::inspect::InspectArgs),
     /// Exercises, students' shaders, and a checker that names the mistake.
@@ -109,6 +115,7 @@ impl Command {
             Command::Frame(_) => "frame",
             Command::Convert(_) => "convert",
             Command::Environment(_) => "environment",
+            Command::Brdf(_) => "brdf",
             Command::Diff(_) => "diff",
             Command::Inspect(_) => "inspect",
             Command::Lab(_) => "lab",
@@ -132,6 +139,7 @@ impl Command {
             Command::Frame(args) => &args.general,
             Command::Convert(args) => &args.general,
             Command::Environment(command) => command.general(),
+            Command::Brdf(command) => command.general(),
             Command::Diff(args) => &args.general,
             Command::Inspect(args) => &args.general,
             Command::Lab(command) => command.general(),
@@ -154,6 +162,7 @@ impl Command {
             Command::Frame(args) => commands::frame::run(args, reporter),
             Command::Convert(args) => commands::convert::run(args, reporter),
             Command::Environment(command) => commands::environment::run(command, reporter),
+            Command::Brdf(command) => commands::brdf::run(command, reporter),
             Command::Diff(args) => commands::diff::run(args, reporter),
             Command::Inspect(args) => commands::inspect::run(args, reporter),
             Command::Lab(command) => commands::lab::run(command, reporter),

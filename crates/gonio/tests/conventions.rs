@@ -105,6 +105,7 @@ fn a_hyphen_is_stdout_for_every_output() {
         image::GrayImage::from_pixel(128, 8, image::Luma([shade])).save(lab.path(name)).unwrap();
     }
     lab.run(&["lab", "reference", "ex04", "-o", "mine"]).good();
+    lab.run(&["brdf", "export", "lambert", "-o", "lambert.binary"]).good();
     let check = ["lab", "check", "ex04", "mine"];
     for (args, file) in [
         (vec!["render", &cube, "--size", "16x16", "--samples", "1", "--backend", "cpu", "-q", "-o"], "o.png"),
@@ -120,6 +121,10 @@ fn a_hyphen_is_stdout_for_every_output() {
         (vec!["diff", "a.png", "b.png", "--wipe"], "o.png"),
         (vec!["diff", "a.png", "b.png", "--side-by-side"], "o.png"),
         (vec!["lab", "draw", "ex04", "--size", "32", "-o"], "o.png"),
+        (vec!["brdf", "plot", "ward", "--format", "svg", "-o"], "o.svg"),
+        (vec!["brdf", "plot", "ward", "--format", "png", "--size", "200x200", "-o"], "o.png"),
+        (vec!["brdf", "export", "ward", "--format", "glsl", "-o"], "o.glsl"),
+        (vec!["brdf", "fit", "lambert.binary", "--model", "lambert", "-o"], "o.toml"),
         ([&check[..], &["--junit"]].concat(), "o.xml"),
         ([&check[..], &["--gradescope"]].concat(), "o.json"),
         ([&check[..], &["--code-runner"]].concat(), "o.json"),
@@ -134,7 +139,7 @@ fn a_hyphen_is_stdout_for_every_output() {
     // The numbers go to stderr.
     let run = lab.run(&["diff", "a.png", "b.png", "-o", "-"]).good();
     assert!(run.stderr.contains("SSIM"), "{}", run.stderr);
-    assert_eq!(lab.names(), ["a.png", "b.png", "mine"]);
+    assert_eq!(lab.names(), ["a.png", "b.png", "lambert.binary", "mine"]);
 }
 
 #[test]

@@ -91,6 +91,13 @@ fn models_are_converted_completely() {
 }
 
 #[test]
+fn fits_are_written_with_their_residuals() {
+    let prepare = |lab: &Lab| drop(lab.run(&["brdf", "export", "lambert", "-o", "a.binary"]).good());
+    let args = ["brdf", "fit", "a.binary", "--model", "lambert", "-o", "fit.toml", "--residuals", "residuals.svg"];
+    all_or_none(prepare, &args);
+}
+
+#[test]
 fn environments_are_converted_completely() {
     all_or_none(|_| {}, &["environment", "convert", "debug", "faces", "--size", "128"]);
 }

@@ -82,6 +82,13 @@ fn arguments() {
         vec!["render", "builtin:cube", "-o", "x.png", "--fragment", "x", "--show", EVIL],
         vec!["environment", "check", EVIL],
         vec!["diff", EVIL, EVIL],
+        vec!["brdf", "show", EVIL],
+        vec!["brdf", "check", EVIL],
+        vec!["brdf", "plot", EVIL, "-o", "x.svg"],
+        vec!["brdf", "plot", "ward", "-o", EVIL],
+        vec!["brdf", "export", EVIL, "-o", "x.csv"],
+        vec!["brdf", "fit", EVIL, "-o", "x.toml"],
+        vec!["brdf", "fit", "x", "-o", "x.toml", "--model", EVIL],
     ] {
         harmless(&lab, &args);
     }
@@ -115,6 +122,13 @@ fn names_of_missing_and_unusual_files() {
     harmless_unquoted(&lab, &["lab", "check", "ex07", &folder]);
     harmless(&lab, &["lab", "step", "ex07", &missing]);
     harmless(&lab, &["diff", &missing, "x.png"]);
+    harmless(&lab, &["brdf", "check", &missing]);
+    harmless(&lab, &["brdf", "show", &folder]);
+    for ending in ["brdf", "binary", "glsl", "fit.toml"] {
+        let broken = format!("broken{EVIL}.{ending}");
+        lab.write(&broken, "\u{1b}[2K \u{202e}");
+        harmless(&lab, &["brdf", "check", &broken]);
+    }
     harmless(&lab, &["tour", "-o", &format!("broken{EVIL}.obj")]);
     harmless(&lab, &["simplify", "builtin:cube", "-o", &format!("broken{EVIL}.obj")]);
 }

@@ -42,6 +42,9 @@ pub const RULES: &[Rule] = &[
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-interpreter", may_know: &["gonio-glsl"], tests_may_know: &[] },
+    // Functions of two directions, some of them written in GLSL.
+    Rule { krate: "gonio-bsdf", may_know: &["gonio-light", "gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
+    Rule { krate: "gonio-plot", may_know: BELOW_PLOTS, tests_may_know: &[] },
     // It measures the checker, so neither knows the other.
     Rule { krate: "gonio-submissions", may_know: &["gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
@@ -88,6 +91,8 @@ const BELOW_GALLERY: &[&str] = &[
 ];
 const BELOW_SIMPLIFY: &[&str] =
     &["gonio-light", "gonio-image", "gonio-scene", "gonio-reference", "gonio-trace", "gonio-gallery"];
+/// It sets text as the window does.
+const BELOW_PLOTS: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "vello_cpu"];
 const BELOW_CHECK: &[&str] = &[
     "gonio-light",
     "gonio-mesh",
@@ -144,6 +149,8 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-simplify",
     "gonio-glsl",
     "gonio-interpreter",
+    "gonio-bsdf",
+    "gonio-plot",
     "gonio-check",
     "gonio-submissions",
     "gonio-exercises",

@@ -138,6 +138,8 @@ pub(super) const MOST_PAIRS: usize = 120_000;
 pub(super) const MOST_WHOLE: usize = 240;
 /// Most single mistakes that resemble a picture at few places.
 const MOST_LIKE_ONE: usize = 40;
+/// Brightness that no 8-bit picture shows.
+const DARKEST: f32 = 0.002;
 /// With more mistakes that explain a picture equally well, none is named.
 const MOST_ALTERNATIVES: usize = 4;
 /// Most sets of peculiarities with which pairs are tried.
@@ -152,6 +154,11 @@ pub(crate) enum Singly {
     Explained(Vec<Explanation>),
     /// The model solutions that were tried, each with its sets of peculiarities, the likeliest first.
     Unexplained(Vec<(Candidate, Vec<Hypothesis>)>),
+}
+
+/// Whether no place has a brightness that an eye would see.
+fn is_black(seen: &Seen) -> bool {
+    seen.colour.numbers.iter().all(|x| x.is_nan() || x.abs() < DARKEST)
 }
 
 /// The explanations of the fewest mistakes and peculiarities; none if there are too many.
@@ -350,6 +357,10 @@ impl Explainer<'_> {
     /// # Errors
     /// The interpreter cannot run gonio's own shaders; a test ensures that it can.
     pub fn singly(&self, seen: &Seen) -> Result<Singly, String> {
+        // Too many mistakes explain a black picture.
+        if is_black(seen) {
+            return Ok(Singly::Unexplained(Vec::new()));
+        }
         let mut found: Vec<Explanation> = Vec::new();
         let mut unexplained = Vec::new();
         for method in self.methods {

@@ -98,9 +98,6 @@ const MOST_VARIANTS: usize = 6;
 /// Places in each scene at which causes are searched.
 const SEARCHED_PLACES: usize = 128;
 
-/// Places in the first scene by which roles are assigned.
-const ASSIGNING_PLACES: usize = 96;
-
 /// Most proven fixes that are kept for the driver.
 const MOST_FIXES: usize = 2;
 
@@ -147,7 +144,7 @@ pub fn diagnose(
             .map(|mut scene| {
                 parameterisation.apply(&mut scene);
                 scene.light.position = constants.light_position.unwrap_or(scene.light.position);
-                SceneSamples::new(scene).few(ASSIGNING_PLACES)
+                SceneSamples::new(scene)
             })
             .collect();
         let plain =

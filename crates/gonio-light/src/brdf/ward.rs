@@ -49,6 +49,11 @@ pub fn f(point: &ShadingPoint, surface: &Surface, l: DVec3, normalised: bool) ->
 
 /// The specular lobe in 1/sr for `b = 1`.
 pub fn lobe(point: &ShadingPoint, l: DVec3, shininess: f64, normalised: bool) -> f64 {
+    lobe_of_roughness(point, l, roughness(shininess), normalised)
+}
+
+/// The specular lobe in 1/sr for `b = 1` and the roughness `c > 0` itself.
+pub fn lobe_of_roughness(point: &ShadingPoint, l: DVec3, c: f64, normalised: bool) -> f64 {
     let (n, v) = (point.normal, point.view);
     if !above_horizon(n, v, l) {
         return 0.0;
@@ -60,7 +65,6 @@ pub fn lobe(point: &ShadingPoint, l: DVec3, shininess: f64, normalised: bool) ->
     let sum = l + v;
     let along = n_dot_l + n_dot_v;
     let across = sum - sum.dot(n) * n;
-    let c = roughness(shininess);
     let gauss = (-across.length_squared() / (along * along * c * c)).exp();
     let value = if normalised {
         gauss * sum.length_squared() / (PI * c * c * along.powi(4))

@@ -1,0 +1,179 @@
+//! `gonio brdf`: what its commands print and write, and what they refuse.
+#![allow(clippy::unwrap_used)]
+
+mod common;
+use common::{Lab, Run};
+use serde_json::Value;
+
+impl Lab {
+    fn brdf(&self, args: &[&str]) -> Run {
+        self.run(&[&["brdf"], args].concat())
+    }
+}
+
+/// The names of the properties that a function of a report does not have.
+fn failed(function: &Value) -> Vec<&str> {
+    let properties = function["properties"].as_array().unwrap();
+    properties.iter().filter(|p| p["passed"] == false).map(|p| p["property"].as_str().unwrap()).collect()
+}
+
+const HALF_LAMBERT: &str = "\
+// Half of the light, whatever the directions.
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
+{
+    return vec3(0.5 / 3.14159265);
+}
+";
+
+#[test]
+fn models_are_listed_and_shown() {
+    let lab = Lab::new();
+    let json = lab.brdf(&["list", "--json"]).good().json();
+    let models = json["models"].as_array().unwrap();
+    assert_eq!(models.len(), 24);
+    let text = lab.brdf(&["list"]).good();
+    for model in models {
+        let name = model["name"].as_str().unwrap();
+        assert!(text.text().contains(&format!("{name}  ")), "{name}");
+        let shown = lab.brdf(&["show", name]).good();
+        for key in ["formula", "source", "remark"] {
+            assert!(shown.text().contains(model[key].as_str().unwrap()), "{name} {key}");
+        }
+    }
+    let shown = lab.brdf(&["show", "ward:c=0.25", "--glsl"]).good();
+    assert!(shown.text().contains("const float c = 0.25;") && shown.text().contains("vec3 BRDF("), "{}", shown.text());
+    let json = lab.brdf(&["show", "oren-nayar:sigma=30", "--json"]).good().json();
+    assert_eq!((&json["parameters"][1]["value"], &json["parameters"][1]["unit"]), (&30.0.into(), &"degrees".into()));
+    lab.brdf(&["show", "dielectric", "--glsl"]).refused(&["`dielectric` has no GLSL function"]);
+}
+
+#[test]
+fn checks_end_with_the_exit_code_of_their_verdict() {
+    let lab = Lab::new();
+    lab.write("own.glsl", HALF_LAMBERT);
+    lab.write("bright.glsl", HALF_LAMBERT.replace("0.5", "1.5"));
+    lab.write("one-way.glsl", HALF_LAMBERT.replace("0.5 /", "dot(N, V) /"));
+    let good = lab.brdf(&["check", "ggx", "own.glsl", "--json"]).good().json();
+    assert_eq!(good["passed"], true);
+    // An albedo of 1/2 in every direction.
+    let energy = &good["functions"][1]["properties"][1];
+    assert!((energy["value"].as_f64().unwrap() - 0.5).abs() < 1e-3, "{energy}");
+    let bad = lab.brdf(&["check", "bright.glsl", "one-way.glsl", "lafortune-printed:k=3", "--json"]);
+    assert_eq!(bad.code, 1, "{}", bad.stderr);
+    let json = bad.json();
+    let all: Vec<Vec<&str>> = json["functions"].as_array().unwrap().iter().map(failed).collect();
+    assert_eq!(all, [vec!["energy"], vec!["reciprocity"], vec!["positivity"]]);
+    // Where it happens: the light grazes the surface.
+    let grazing = lab.brdf(&["check", "ward:b=1,c=0.5", "--json"]);
+    let json = grazing.json();
+    assert_eq!((grazing.code, failed(&json["functions"][0])), (1, vec!["energy"]));
+    let energy = &json["functions"][0]["properties"][1];
+    assert!(
+        energy["value"].as_f64().unwrap() > 1.4 && energy["light"]["theta_deg"].as_f64().unwrap() > 89.0,
+        "{energy}"
+    );
+    let text = lab.brdf(&["check", "bright.glsl"]);
+    assert!(text.text().contains("FAIL  energy") && text.text().contains("pass  reciprocity"), "{}", text.text());
+}
+
+#[test]
+fn exports_are_read_again_and_fitted() {
+    let lab = Lab::new();
+    let truth = "ward:a=0.2/0.1/0.05,b=0.3,c=0.2";
+    for name in ["ward.binary", "ward.brdf", "ward.glsl", "ward.csv"] {
+        lab.brdf(&["export", truth, "-o", name]).good();
+    }
+    assert_eq!(lab.names(), ["ward.binary", "ward.brdf", "ward.csv", "ward.glsl"]);
+    assert_eq!(lab.read("ward.binary").len(), 34_992_012);
+    let shown = lab.brdf(&["show", "ward.brdf:c=0.4"]).good();
+    assert!(shown.text().contains("c  0.4"), "{}", shown.text());
+    lab.brdf(&["export", "ward.glsl", "-o", "again.csv"]).good();
+    let values = |name: &str| {
+        let text = String::from_utf8(lab.read(name)).unwrap();
+        text.lines()
+            .skip(1)
+            .map(|line| line.split(',').next_back().unwrap().parse::<f64>().unwrap())
+            .collect::<Vec<_>>()
+    };
+    let (first, again) = (values("ward.csv"), values("again.csv"));
+    assert!(first.len() > 4000 && first.iter().any(|value| *value > 0.3));
+    // f32 in GLSL.
+    assert!(first.iter().zip(&again).all(|(a, b)| (a - b).abs() <= 1e-5 * a.abs().max(1e-3)));
+    let fit =
+        ["fit", "ward.binary", "--model", "lambert,ward", "-o", "fit.toml", "--residuals", "residuals.png", "--json"];
+    let fitted = lab.brdf(&fit).good().json();
+    assert_eq!(lab.picture("residuals.png").width(), 900);
+    assert_eq!((&fitted["fits"][0]["model"], &fitted["fits"][1]["model"]), (&"ward".into(), &"lambert".into()));
+    let c = fitted["fits"][0]["parameters"][2]["value"].as_f64().unwrap();
+    assert!((c / 0.2 - 1.0).abs() < 0.02, "{c}");
+    let shown = lab.brdf(&["show", "fit.toml", "--json"]).good().json();
+    assert!((shown["parameters"][2]["value"].as_f64().unwrap() - c).abs() < 1e-9);
+    let silent = lab.brdf(&["plot", "ward.binary", "fit.toml", "-o", "slice.png", "--kind", "slice"]).good();
+    assert_eq!((silent.text(), silent.stderr.as_str()), ("", ""));
+    let text = lab.brdf(&["fit", "ward.binary", "--model", "ward", "-o", "fit.toml"]).good();
+    assert!(text.text().starts_with("  0.00 %  ward:a=0.2/0.1/0.05,b=0.3,c=0.2"), "{}", text.text());
+    let quiet = lab.brdf(&["fit", "ward.binary", "--model", "lambert", "-o", "fit.toml", "--quiet"]).good();
+    assert_eq!((quiet.text(), quiet.stderr.as_str()), ("", ""));
+    assert_eq!(lab.picture("slice.png").width(), 900);
+}
+
+#[test]
+fn every_kind_is_plotted_in_both_formats() {
+    let lab = Lab::new();
+    let kinds = ["polar", "cartesian", "lobe", "slice", "sphere", "albedo", "reciprocity", "fresnel", "samples"];
+    for kind in kinds {
+        for theme in ["light", "dark"] {
+            let args =
+                ["plot", "ggx:alpha=0.4", "-o", "plot.svg", "--kind", kind, "--theme", theme, "--scale", "cube-root"];
+            lab.brdf(&args).good();
+            let svg = String::from_utf8(lab.read("plot.svg")).unwrap();
+            assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"), "{kind}");
+        }
+        lab.brdf(&["plot", "ggx", "-o", "plot.png", "--kind", kind, "--size", "300x260", "--theta", "60"]).good();
+        let picture = lab.picture("plot.png").to_rgb8();
+        assert_eq!(picture.dimensions(), (300, 260));
+        let ink = picture.pixels().filter(|pixel| pixel.0 != [255; 3]).count();
+        assert!(ink > 1000, "{kind}: {ink}");
+    }
+    lab.write("a<b>&.glsl", HALF_LAMBERT);
+    lab.brdf(&["plot", "a<b>&.glsl", "-o", "escaped.svg"]).good();
+    let svg = String::from_utf8(lab.read("escaped.svg")).unwrap();
+    assert!(svg.contains("a&lt;b&gt;&amp;.glsl"));
+}
+
+#[test]
+fn bad_input_is_refused_in_one_sentence() {
+    let lab = Lab::new();
+    let refused = |args: &[&str], pieces: &[&str]| {
+        lab.brdf(args).refused(pieces);
+    };
+    refused(&["plot", "wart", "-o", "x.svg"], &["unknown model `wart`: expected one of lambert, "]);
+    refused(
+        &["plot", "ward:c=5", "-o", "x.svg"],
+        &["invalid value `5` of parameter `c`: expected a number from 0.01 to 1"],
+    );
+    refused(&["plot", "ward", "-o", "x.gif"], &["expected a file that ends with .svg or .png"]);
+    refused(&["plot", "ward", "-o", "x.svg", "--theta", "90"], &["90 degrees: expected 0 to less than 90"]);
+    refused(&["plot", "ward", "-o", "x.svg", "--kind", "fresnel"], &["it has no index of refraction above 1"]);
+    refused(&["plot", "missing.brdf", "-o", "x.svg"], &["cannot read `missing.brdf`: no such file"]);
+    refused(&["export", "rough-dielectric", "-o", "x.binary"], &["cannot hold a function that transmits light"]);
+    refused(&["export", "ward-anisotropic", "-o", "x.binary"], &["cannot hold a function that is anisotropic"]);
+    refused(&["export", "ward", "-o", "x.txt"], &["ends with .binary, .glsl, .brdf or .csv"]);
+    refused(&["fit", "missing.binary", "-o", "x.toml"], &["cannot read `missing.binary`"]);
+    refused(&["fit", "missing.binary", "-o", "x.toml", "--residuals", "x.gif"], &["unknown format of `x.gif`"]);
+    refused(&["fit", "missing.binary", "-o", "-", "--residuals", "x.svg", "--json"], &["both write to stdout"]);
+    refused(&["fit", "missing.binary", "-o", "x.toml", "--model", "wart"], &["unknown model `wart`"]);
+    lab.write("cut.binary", [90_i32, 90, 180].map(i32::to_le_bytes).concat());
+    refused(
+        &["fit", "cut.binary", "-o", "x.toml"],
+        &["cut.binary: the file is truncated: it has 12 of 34992012 bytes"],
+    );
+    refused(&["check", "cut.binary"], &["cut.binary: the file is truncated"]);
+    lab.write("typo.glsl", HALF_LAMBERT.replace("vec3(0.5", "vec4(0.5"));
+    refused(&["check", "typo.glsl"], &["typo.glsl:4:"]);
+    lab.write("endless.glsl", HALF_LAMBERT.replace("return", "while (true) {} return"));
+    refused(&["check", "endless.glsl"], &["endless.glsl:4:5: the function does not end"]);
+    lab.write("noise.dat", [0x80, 0xff, 0x00]);
+    refused(&["check", "noise.dat"], &["noise.dat: unknown format: expected a MERL .binary"]);
+    assert!(!lab.names().iter().any(|name| name.starts_with("x.")), "{:?}", lab.names());
+}
