@@ -102,21 +102,26 @@ fn coarse(model: ModelSolution) -> usize {
     if model == ModelSolution::Gouraud { 12 } else { 32 }
 }
 
-/// The test scene whose seen colours differ most, and places there: half of them evenly spread, half the brightest.
-fn telling(scenes: &[(TestScene, SceneSamples)], seen: &Planes, count: usize) -> Option<(usize, Vec<usize>)> {
+/// Of the test scenes that may tell, the one whose seen colours differ most, and places there: half of them evenly spread, half the brightest.
+fn telling(
+    scenes: &[(TestScene, SceneSamples)],
+    is_told: impl Fn(&TestScene) -> bool,
+    seen: &Planes,
+    count: usize,
+) -> Option<(usize, Vec<usize>)> {
     let brightness = |point: usize| -> f32 {
         let sum: f32 = seen.iter().map(|plane| plane[point]).sum();
         if sum.is_finite() { sum } else { 0.0 }
     };
     let mut first = 0;
     let mut best: Option<(f32, usize, usize)> = None;
-    for (scene, (_, samples)) in scenes.iter().enumerate() {
+    for (scene, (raw, samples)) in scenes.iter().enumerate() {
         let all = || first..first + samples.places.len();
         let mean = all().map(brightness).sum::<f32>() / samples.places.len().max(1) as f32;
         let lit = all().filter(|point| brightness(*point) > 0.02).count();
         let spread = all().map(|point| (brightness(point) - mean).abs().min(1.0)).sum::<f32>();
         let score = spread * (lit as f32).sqrt();
-        if best.is_none_or(|(known, ..)| score > known * 1.05) {
+        if is_told(raw) && best.is_none_or(|(known, ..)| score > known * 1.05) {
             best = Some((score, scene, first));
         }
         first += samples.places.len();
@@ -216,7 +221,9 @@ impl AtFew {
         count: usize,
     ) -> Result<Self, String> {
         let whole = planes(&seen.colour);
-        let (scene, places) = telling(of.scenes, &whole, count).ok_or("no test scene")?;
+        // A mistake with the second light shows where it shines.
+        let is_told = |scene: &TestScene| lights != Lights::WrongInSecond || scene.other.is_some();
+        let (scene, places) = telling(of.scenes, is_told, &whole, count).ok_or("no test scene")?;
         let first: usize = of.scenes[..scene].iter().map(|(_, samples)| samples.places.len()).sum();
         let first_vertex: usize = of.scenes[..scene].iter().map(|(_, samples)| samples.vertices()).sum();
         let (raw, samples) = &of.scenes[scene];
@@ -548,7 +555,9 @@ impl Candidate {
     /// How likely a single mistake is.
     fn which(&self, single: &Hypothesis) -> Which {
         let all = &self.fine.all.hypotheses;
-        let is_suspect = || single.mistakes.iter().any(|m| self.shown.is_suspect(all.mistakes[*m]));
+        // What is missing has no value of its own.
+        let is_shown = |mistake: &Mistake| mistake.id.ends_with("-missing") || self.shown.is_suspect(mistake);
+        let is_suspect = || single.mistakes.iter().any(|mistake| is_shown(all.mistakes[*mistake]));
         match self.allows(single) {
             false => Which::Others,
             true if is_suspect() => Which::Suspects,

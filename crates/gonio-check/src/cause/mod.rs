@@ -31,7 +31,7 @@ mod unused;
 pub(crate) mod values;
 pub(crate) mod words;
 
-pub(crate) use answer::{Space, peculiarities};
+pub(crate) use answer::{AnswerMethod, Space, peculiarities};
 pub(crate) use methods::answer_methods;
 
 use crate::comparison::{Lights, Parameterisation, Second, Task};
@@ -43,7 +43,7 @@ use edit::{Editor, TextFix, Trial};
 use explain::{Explainer, Explanation, LightingMethod, Singly, Strengths};
 use gonio_glsl::{Checked, Parsed, Stage};
 use methods::{Hints, methods};
-use model::{AnswerMethod, Mistakes, Model};
+use model::{Mistakes, Model};
 use observed::Observer;
 pub use prediction::ModelSolutions;
 use prediction::Predictor;

@@ -65,7 +65,7 @@ impl Program {
                 if !is_indexed(&input.name, texts) {
                     continue;
                 }
-                if used(checked, &input.name) && !active.contains(&declared) {
+                if used(checked, &input.name) && is_read(&input.name, texts) && !active.contains(&declared) {
                     active.push(declared.clone());
                 }
                 if !all.contains(&declared) {
@@ -159,6 +159,16 @@ impl Program {
         }
         inputs
     }
+}
+
+/// Whether a program may read this member of a struct: other members of the same struct do not count.
+fn is_read(name: &str, texts: [&str; 2]) -> bool {
+    let Some((_, member)) = name.rsplit_once('.') else { return true };
+    let member = member.split('[').next().unwrap_or(member);
+    texts.iter().flat_map(|text| text.split('.').skip(1)).any(|after| {
+        let rest = after.trim_start().strip_prefix(member);
+        rest.is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_'))
+    })
 }
 
 /// Whether a program may read this element of an array of OpenGL's own, such as `gl_LightSource[3].position`. These

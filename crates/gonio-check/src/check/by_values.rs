@@ -5,7 +5,7 @@ use super::corrections::without_model;
 use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
 use crate::cause::search::Found;
-use crate::cause::{Diagnosis, Space, answer_methods, diagnose, peculiarities};
+use crate::cause::{AnswerMethod, Diagnosis, Space, answer_methods, diagnose, peculiarities};
 use crate::comparison::{
     Evidence, MOST_FOR_WRONG, PLACES, PossibleAnswer, Prepared, RightAnswer, ShaderChecker, Task, bound, declared,
     endless_verdict, named as mistake_named, peculiarities_of, report_violations,
@@ -211,16 +211,21 @@ impl Judging<'_> {
         checker: &mut ShaderChecker,
         diagnosis: &Diagnosis,
     ) -> Result<Option<(Verdict, Evidence)>, GlError> {
-        let method = diagnosis.method;
-        let hypotheses = checker.solutions.get(method.model).map_err(GlError::new)?;
-        let explanation = diagnosis.explanations.first().filter(|explanation| explanation.space == Space::World);
+        // Light in the wrong stage is compared with light in the right one.
+        let is_wrong_stage = self.wrong_stage(diagnosis).is_some();
+        let model = if is_wrong_stage { self.task.model } else { diagnosis.method.model };
+        let method = AnswerMethod { model, ..diagnosis.method };
+        let hypotheses = checker.solutions.get(model).map_err(GlError::new)?;
+        let explanation = diagnosis.explanations.first();
+        let explanation = explanation.filter(|found| found.space == Space::World && !is_wrong_stage);
         let right = RightAnswer {
             bindings: &diagnosis.bindings,
             parameterisation: &diagnosis.parameterisation,
-            model: method.model,
+            model,
             choices: &method.choices(&hypotheses.hypotheses).unwrap_or_default(),
             lights: diagnosis.lights,
             strengths: diagnosis.strengths,
+            due_terms: [0, 1, 2].map(|term| self.is_due(diagnosis, term)),
             wrong: explanation.map(|explanation| &explanation.hypothesis),
         };
         checker.pictures(self.task, self.program, self.prepared, &right)
@@ -253,21 +258,28 @@ impl Judging<'_> {
         Judged { verdict, evidence: is_seen.then_some(evidence), fixes: Vec::new() }
     }
 
+    /// The mistake of computing the light in the wrong stage, if it is made.
+    fn wrong_stage(&self, diagnosis: &Diagnosis) -> Option<&'static str> {
+        self.task.other.filter(|(model, _)| *model == diagnosis.method.model).and_then(|(_, word)| word)
+    }
+
+    /// Whether a right program shows a term: the exercise requires it, or the program computes it and never uses it.
+    fn is_due(&self, diagnosis: &Diagnosis, term: usize) -> bool {
+        self.task.required[term] || self.prepared.unused_terms[term] || diagnosis.unused_terms[term]
+    }
+
     /// Mistakes that do not show in the colours: light computed in the wrong stage, and optional terms that are computed
     /// and not added.
     fn beside_right_values(&self, diagnosis: &Diagnosis) -> Vec<FoundMistake> {
-        let word = self.task.other.filter(|(model, _)| *model == diagnosis.method.model).and_then(|(_, word)| word);
-        let structural = crate::mistakes::structural();
-        let structural = word.and_then(|word| structural.into_iter().find(|mistake| mistake.id == word));
-        let mut found: Vec<FoundMistake> =
-            structural.iter().map(|mistake| FoundMistake::from_catalogue(mistake, 1.0)).collect();
+        let word = self.wrong_stage(diagnosis);
+        let mut found: Vec<FoundMistake> = word.and_then(|word| mistake_named(word, 1.0)).into_iter().collect();
         let is_absent = |strength: Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
-        let is_due = |term: &usize| {
-            self.task.required[*term] || self.prepared.unused_terms[*term] || diagnosis.unused_terms[*term]
-        };
-        for term in (0..3).filter(|term| is_due(term) && is_absent(diagnosis.strengths[*term])) {
+        for term in (0..3).filter(|term| self.is_due(diagnosis, *term) && is_absent(diagnosis.strengths[*term])) {
             let missing = crate::mistakes::find(&format!("{}-missing", TERMS[term]));
-            found.extend(missing.map(|mistake| FoundMistake::from_catalogue(mistake, 1.0)));
+            found.extend(missing.map(|mistake| FoundMistake {
+                or: vec!["terms-not-put-out".to_owned()],
+                ..FoundMistake::from_catalogue(mistake, 1.0)
+            }));
         }
         found
     }
@@ -284,13 +296,15 @@ impl Judging<'_> {
             let is_one = |mistake: &Mistake| alternatives.iter().any(|other| other.id == mistake.id);
             let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
             let cause = cause.map(|at| causes.remove(at));
-            let mut shown: Vec<&'static Mistake> = match cause {
-                Some(cause) => cause.mistakes.iter().take(1 + cause.equals).copied().filter(|m| is_one(m)).collect(),
-                None => alternatives,
-            };
             // Pictures do not tell some mistakes apart, but the source may.
             let support = |mistake: &&Mistake| self.source.support(&mistake.id, self.task.model);
-            shown.sort_by(|a, b| support(b).total_cmp(&support(a)));
+            let by_support = |mut all: Vec<&'static Mistake>| {
+                all.sort_by(|a, b| support(b).total_cmp(&support(a)));
+                all
+            };
+            let of_cause = cause.iter().flat_map(|cause| cause.mistakes.iter().take(1 + cause.equals).copied());
+            let mut shown = by_support(of_cause.filter(|mistake| is_one(mistake)).collect());
+            shown.extend(by_support(alternatives.clone()));
             let Some((mistake, others)) = shown.split_first() else { continue };
             let mut or: Vec<String> = Vec::new();
             for other in others.iter().filter(|other| other.id != mistake.id) {

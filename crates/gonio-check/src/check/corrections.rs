@@ -4,7 +4,7 @@
 use super::SURE;
 use crate::comparison::{Evidence, PIXEL_TOLERANCE, Task, named};
 use crate::mistakes;
-use crate::mistakes::term_of;
+use crate::mistakes::{TERMS, term_of};
 use crate::roles::Role;
 use crate::rules::Analysis;
 use crate::testbench::Atlas;
@@ -49,6 +49,9 @@ const BEYOND_DOUBT: &[&str] = &[
     "view-position-at-origin",
     "output-normal",
 ];
+
+/// A term that is computed and not put out is missing in the picture.
+const NOT_PUT_OUT: &str = "terms-not-put-out";
 
 /// Mistakes that no model solution can express but the source shows.
 const WITHOUT_MODEL: &[&str] = &["ambient-in-cone", "attenuation-other-formula"];
@@ -123,7 +126,11 @@ pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence
     let is_shown = |id: &str| BEYOND_DOUBT.contains(&id) && source.support(id, model) >= SURE;
     let shown: Vec<_> = mistakes::for_model(model)
         .filter(|mistake| is_shown(&mistake.id) && source.line(&mistake.id, model).is_some())
-        .map(|mistake| FoundMistake::from_catalogue(mistake, 0.0))
+        .map(|mistake| {
+            let required = (0..3).filter(|term| task.required[*term] && mistake.id == NOT_PUT_OUT);
+            let or = required.map(|term| format!("{}-missing", TERMS[term])).collect();
+            FoundMistake { or, ..FoundMistake::from_catalogue(mistake, 0.0) }
+        })
         .chain(without_model(source, task))
         .take(MOST_NAMES)
         .collect();

@@ -27,6 +27,8 @@ pub(crate) struct RightAnswer<'a> {
     pub lights: Lights,
     /// The strengths of ambient, diffuse and specular light, where they are constants of the program and shown.
     pub strengths: Strengths,
+    /// For the same terms: whether a right program shows it.
+    pub due_terms: [bool; 3],
     /// The named mistakes as lines of the model solution, with the choices.
     pub wrong: Option<&'a Hypothesis>,
 }
@@ -123,7 +125,7 @@ impl ShaderChecker {
         // A missing term has its full strength in the right answer.
         let strength = |term: usize| match right.strengths[term] {
             Some(found) if found.iter().any(|strength| *strength > 1e-3) => found,
-            _ => [if task.required[term] || prepared.unused_terms[term] { 1.0 } else { 0.0 }; 3],
+            _ => [if right.due_terms[term] { 1.0 } else { 0.0 }; 3],
         };
         let predict = |choices: &Hypothesis, scenes: usize, strengths: [[f64; 3]; 3]| {
             model.predict_with(drawn.testbench, &of_model, choices, scenes, strengths)
