@@ -72,13 +72,15 @@ impl Shown {
         self.suspects().contains(mistake.id.as_str())
     }
 
-    /// The ids of the mistakes whose own wrong values the program has.
+    /// The ids of the mistakes whose own wrong values the program has, or are constants.
     pub fn suspects(&self) -> &BTreeSet<&'static str> {
         self.suspects.get_or_init(|| {
             let observed = observed(&self.program, &self.samples);
             let mut found = BTreeSet::new();
             for model in self.models(Mistakes::OwnValues) {
-                let shown = model.quantities.iter().filter(|quantity| is_observed(&observed, quantity, true));
+                // A constant is no evidence, neither for a mistake nor against it.
+                let is_shown = |q: &&Quantity| q.values.is_constant() || is_observed(&observed, q, true);
+                let shown = model.quantities.iter().filter(is_shown);
                 found.extend(shown.filter_map(|quantity| quantity.mistake).map(|mistake| mistake.id.as_str()));
             }
             found

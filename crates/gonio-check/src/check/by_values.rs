@@ -11,7 +11,7 @@ use crate::comparison::{
     endless_verdict, named as mistake_named, peculiarities_of, report_violations,
 };
 use crate::compile::{ParsedStage, compile};
-use crate::mistakes::{Mistake, ModelSolution, TERMS};
+use crate::mistakes::{Mistake, ModelSolution, TERMS, term_of};
 use crate::roles::{Bindings, Bound, Role, VariableKind};
 use crate::rules::Analysis;
 use crate::submission::{StageText, Submission};
@@ -287,7 +287,13 @@ impl Judging<'_> {
     /// The mistakes that explain the picture, at the lines of their causes.
     fn explained(&self, diagnosis: &Diagnosis, groups: &[Vec<ProvenCause>]) -> Vec<FoundMistake> {
         let Some(first) = diagnosis.explanations.first() else { return Vec::new() };
+        // A term that a mistake takes away is not missing besides.
+        let is_explained = |missing: &FoundMistake| {
+            let term = term_of(&missing.id);
+            term.is_some() && first.mistakes.iter().any(|mistake| mistake.whole || term_of(&mistake.id) == term)
+        };
         let mut found = self.beside_right_values(diagnosis);
+        found.retain(|missing| !is_explained(missing));
         let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
         for at in 0..first.mistakes.len() {
             // The alternative that the program itself shows, if it shows one.
