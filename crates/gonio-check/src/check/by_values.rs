@@ -54,14 +54,14 @@ impl Judging<'_> {
         let Some(diagnosis) = self.diagnosis(checker) else { return Ok(None) };
         let is_concluded = matches!(diagnosis.found, Found::Right(_) | Found::Endless);
         if is_concluded || !diagnosis.explanations.is_empty() {
-            return self.judged(checker, &diagnosis);
+            return self.judged(checker, &diagnosis).map(Some);
         }
         let of_part = match self.task.model {
             ModelSolution::Camera => self.positions_alone(checker)?,
             model if model.is_looked_up() => self.lookups_alone(checker)?,
             _ => None,
         };
-        if of_part.is_some() { Ok(of_part) } else { self.judged(checker, &diagnosis) }
+        if of_part.is_some() { Ok(of_part) } else { self.judged(checker, &diagnosis).map(Some) }
     }
 
     /// Compares the picture alone with those of right answers, where values tell nothing. No mistake is named.
@@ -174,15 +174,15 @@ impl Judging<'_> {
         if !matches!(diagnosis.found, Found::Right(_)) && diagnosis.explanations.is_empty() {
             return Ok(None);
         }
-        judging.judged(checker, &Diagnosis { fixes: Vec::new(), ..diagnosis })
+        judging.judged(checker, &Diagnosis { fixes: Vec::new(), ..diagnosis }).map(Some)
     }
 
     /// The verdict on a program with this diagnosis.
-    fn judged(&self, checker: &mut ShaderChecker, diagnosis: &Diagnosis) -> Result<Option<Judged>, GlError> {
+    fn judged(&self, checker: &mut ShaderChecker, diagnosis: &Diagnosis) -> Result<Judged, GlError> {
         let endless = || Judged { verdict: endless_verdict(self.task.exercise), evidence: None, fixes: Vec::new() };
         let groups = if let Found::Causes(groups) = &diagnosis.found { groups.as_slice() } else { &[] };
         let mistakes = match &diagnosis.found {
-            Found::Endless => return Ok(Some(endless())),
+            Found::Endless => return Ok(endless()),
             Found::Right(_) => self.beside_right_values(diagnosis),
             _ if diagnosis.explanations.is_empty() => {
                 let proven = proven(groups, self.submission);
@@ -194,16 +194,16 @@ impl Judging<'_> {
             }
             _ => self.explained(diagnosis, groups),
         };
-        let Some((verdict, evidence)) = self.pictures(checker, diagnosis)? else { return Ok(Some(endless())) };
+        let Some((verdict, evidence)) = self.pictures(checker, diagnosis)? else { return Ok(endless()) };
         let fixes = diagnosis.fixes.clone();
         if mistakes.is_empty() && !matches!(diagnosis.found, Found::Right(_)) {
             let verdict = unexplained(verdict, &diagnosis.bindings);
-            return Ok(Some(Judged { verdict, evidence: Some(evidence), fixes }));
+            return Ok(Judged { verdict, evidence: Some(evidence), fixes });
         }
-        Ok(Some(match mistakes.is_empty() {
+        Ok(match mistakes.is_empty() {
             true => self.correct(verdict, evidence, diagnosis),
             false => Judged { verdict: wrong(verdict, mistakes), evidence: Some(evidence), fixes },
-        }))
+        })
     }
 
     fn pictures(
@@ -343,16 +343,20 @@ fn unexplained(mut verdict: Verdict, bindings: &Bindings) -> Verdict {
     }
     let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
     verdict.summary = format!("no known mistake explains the difference from the reference in: {}", wrong.join(", "));
-    let right = verdict.scenes.iter().filter(|scene| scene.right).count();
-    verdict.score = (right as f64 / verdict.scenes.len().max(1) as f64).min(MOST_FOR_WRONG);
+    verdict.score = score_of_wrong(&verdict);
     report_violations(&mut verdict);
     verdict
 }
 
+/// The share of right scenes, at most that of a wrong answer.
+fn score_of_wrong(verdict: &Verdict) -> f64 {
+    let right = verdict.scenes.iter().filter(|scene| scene.right).count();
+    (right as f64 / verdict.scenes.len().max(1) as f64).min(MOST_FOR_WRONG)
+}
+
 /// Makes the verdict wrong.
 fn wrong(mut verdict: Verdict, mistakes: Vec<FoundMistake>) -> Verdict {
-    let right = verdict.scenes.iter().filter(|scene| scene.right).count();
-    verdict.score = (right as f64 / verdict.scenes.len().max(1) as f64).min(MOST_FOR_WRONG);
+    verdict.score = score_of_wrong(&verdict);
     verdict.mistakes = mistakes;
     verdict.summary = verdict.mistake_names();
     verdict
