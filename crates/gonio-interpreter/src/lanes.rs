@@ -31,6 +31,33 @@ impl LaneSet {
         Self(std::array::from_fn(|word| (0..64).fold(0, |bits, bit| bits | u64::from(holds(word * 64 + bit)) << bit)))
     }
 
+    /// Returns the lanes whose numbers are not 0.
+    #[must_use]
+    pub fn not_zero(row: &[u32; LANES]) -> Self {
+        // The product gathers one bit of each byte in the highest byte.
+        const GATHER: u64 = 0x0102_0408_1020_4080;
+        let mut bytes = [0_u8; LANES];
+        for (byte, bits) in bytes.iter_mut().zip(row) {
+            *byte = u8::from(*bits != 0);
+        }
+        let mut words = [0; WORDS];
+        for (at, eight) in bytes.as_chunks::<8>().0.iter().enumerate() {
+            words[at / 8] |= (u64::from_le_bytes(*eight).wrapping_mul(GATHER) >> 56) << (at % 8 * 8);
+        }
+        Self(words)
+    }
+
+    /// Writes all ones at the lanes of the set, and 0 at others.
+    pub fn spread(self, row: &mut [u32; LANES]) {
+        for (chunk, half) in
+            row.as_chunks_mut::<32>().0.iter_mut().zip(self.0.iter().flat_map(|w| [*w as u32, (w >> 32) as u32]))
+        {
+            for (at, bits) in chunk.iter_mut().enumerate() {
+                *bits = if half & 1 << at == 0 { 0 } else { u32::MAX };
+            }
+        }
+    }
+
     /// Returns the lanes in both sets.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
@@ -80,6 +107,13 @@ impl LaneSet {
         Some(word * 64 + self.0[word].trailing_zeros() as usize)
     }
 
+    /// Returns the last lane.
+    #[must_use]
+    pub fn highest(self) -> Option<usize> {
+        let word = self.0.iter().rposition(|word| *word != 0)?;
+        Some(word * 64 + 63 - self.0[word].leading_zeros() as usize)
+    }
+
     /// Returns the lanes in order.
     pub fn iter(self) -> impl Iterator<Item = usize> {
         (0..LANES).filter(move |lane| self.contains(*lane))
@@ -99,5 +133,13 @@ mod tests {
         assert!(a.contains(69) && !a.contains(70) && !a.contains(9999));
         assert!(LaneSet::FULL.covers(a) && !a.covers(b) && LaneSet::first(999) == LaneSet::FULL);
         assert_eq!(LaneSet::first(3).iter().collect::<Vec<_>>(), [0, 1, 2]);
+        assert_eq!((LaneSet::first(70).highest(), b.highest(), LaneSet::EMPTY.highest()), (Some(69), Some(255), None));
+        let row: [u32; LANES] =
+            std::array::from_fn(|lane| if lane % 7 == 3 || lane > 250 { 1 << (lane % 32) } else { 0 });
+        let set = LaneSet::filter(|lane| row[lane] != 0);
+        assert_eq!(LaneSet::not_zero(&row), set);
+        let mut ones = row;
+        set.spread(&mut ones);
+        assert_eq!(ones, row.map(|bits| if bits == 0 { 0 } else { u32::MAX }));
     }
 }

@@ -222,7 +222,7 @@ pub struct Evaluation {
     pub points: LaneSet,
     /// Those whose value is computed from written values alone.
     pub written: LaneSet,
-    /// The values, relative to the first point.
+    /// The values, relative to the first point; meaningless at points that do not evaluate it.
     pub values: PointValues,
 }
 

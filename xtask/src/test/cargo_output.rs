@@ -32,12 +32,40 @@ pub fn count(text: &str) -> Counts {
     counts
 }
 
+/// Programs named in the report of a run, see [`slowest`].
+const NAMED: usize = 8;
+
+/// The test programs that took longest, with their seconds: a run has to end in time, and this is where to look first.
+pub fn slowest(text: &str) -> Vec<(String, f64)> {
+    let mut all: Vec<(String, f64)> = Vec::new();
+    let mut program = String::new();
+    for line in text.lines() {
+        // `Running tests/lab.rs (target/debug/deps/lab-0123456789abcdef)`
+        if let Some((_, path)) = line.trim_start().strip_prefix("Running ").and_then(|rest| rest.split_once(" (")) {
+            let file = path.trim_end_matches(')').rsplit(['/', '\\']).next().unwrap_or_default();
+            file.rsplit_once('-').map_or(file, |(name, _)| name).clone_into(&mut program);
+        }
+        let seconds =
+            line.rsplit_once("finished in ").and_then(|(_, time)| time.trim().strip_suffix('s')?.parse().ok());
+        if let Some(seconds) = seconds.filter(|_| line.contains("test result: ")) {
+            all.push((program.clone(), seconds));
+        }
+    }
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all.truncate(NAMED);
+    all
+}
+
 /// The findings of a `cargo test` run. A run without any test is a failure.
 pub fn findings(success: bool, text: &str) -> Findings {
     let counts = count(text);
     let mut findings = Findings { passed: counts.passed, failed: counts.failed, ..Findings::default() };
     if counts.ignored > 0 {
         findings.remark = format!("{} ignored", counts.ignored);
+    }
+    let slow: Vec<String> = slowest(text).iter().map(|(name, seconds)| format!("{name} {seconds:.0} s")).collect();
+    if !slow.is_empty() {
+        findings.details = format!("slowest: {}\n", slow.join(", "));
     }
     if !success && counts.failed == 0 {
         // It did not build, or a test program ended before it printed its totals.
@@ -89,7 +117,17 @@ mod tests {
         assert_eq!(count(GOOD), Counts { programs: 2, passed: 5, failed: 0, ignored: 1 });
         let found = findings(true, GOOD);
         assert_eq!((found.passed, found.failed, found.remark.as_str()), (5, 0, "1 ignored"));
-        assert!(found.details.is_empty());
+        assert_eq!(found.details, "slowest:  0 s\n");
+    }
+
+    #[test]
+    fn slow_programs_are_named() {
+        let text = "     Running unittests src/lib.rs (target/debug/deps/gonio_light-01ab)\n\
+            test result: ok. 2 passed; 0 failed; finished in 1.50s\n\
+            \x20    Running tests/lab.rs (target/debug/deps/lab-89ef)\n\
+            test result: ok. 3 passed; 0 failed; finished in 20.04s\n";
+        assert_eq!(slowest(text), [("lab".to_owned(), 20.04), ("gonio_light".to_owned(), 1.5)]);
+        assert_eq!(findings(true, text).details, "slowest: lab 20 s, gonio_light 2 s\n");
     }
 
     #[test]

@@ -93,8 +93,7 @@ impl Compiler<'_> {
                 self.emit(Instr::Store { dst, src, n })?;
                 let other = self.code.len();
                 self.emit(Instr::Else { end: 0 })?;
-                let src = self.evaluate(otherwise)?;
-                self.emit(Instr::Store { dst, src, n })?;
+                self.otherwise(otherwise, dst, n)?;
                 self.end_branch(condition, at, other)
             }
             ExprKind::Assign { op, target, value } => self.assign(*op, target, value, dst, expr),
@@ -107,6 +106,16 @@ impl Compiler<'_> {
             }
             ExprKind::List(list) => self.list(list, dst, ty, expr.span),
         }
+    }
+
+    /// Evaluates the last operand of a ternary operator for the lanes that take it. Another ternary operator writes no
+    /// other lanes, so a chain of them needs no copies.
+    fn otherwise(&mut self, expr: &Expr, dst: Reg, n: u32) -> Result<()> {
+        if matches!(expr.kind, ExprKind::Ternary { .. }) && self.raw_type(expr)? == self.type_of(expr)? {
+            return self.evaluate_into(expr, dst);
+        }
+        let src = self.evaluate(expr)?;
+        self.emit(Instr::Store { dst, src, n })
     }
 
     /// Evaluates the right side only where the left side does not decide.

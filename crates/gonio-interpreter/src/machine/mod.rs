@@ -63,7 +63,7 @@ impl<'a> Machine<'a> {
         self.start = start;
         self.control = Control::new(self.valid);
         self.seen.start_block(start);
-        self.registers.start_block(count);
+        self.registers.confine(self.valid);
         let stage = self.stage;
         let mut at = 0_usize;
         while let Some(instr) = stage.code.get(at) {
@@ -114,11 +114,13 @@ impl<'a> Machine<'a> {
                     let visible = self.control.visible();
                     self.statements += visible.count() as u64;
                     self.seen.statement(id, visible, &self.control);
+                    continue;
                 }
                 Instr::Mark { expr, reg, n } => {
                     if self.seen.is_watching() {
                         self.mark(expr, reg, n);
                     }
+                    continue;
                 }
                 Instr::Wrote { variable } => {
                     if self.seen.is_tracing()
@@ -128,9 +130,14 @@ impl<'a> Machine<'a> {
                         let visible = self.control.visible();
                         self.seen.wrote(write, visible, &self.control, &self.registers);
                     }
+                    continue;
                 }
-                _ => self.data(instr, place),
+                _ => {
+                    self.data(instr, place);
+                    continue;
+                }
             }
+            self.registers.confine(self.control.active());
         }
         if self.work > self.options.most_work {
             return Err(EndedEarly { statement: self.statement, point: self.any_point() });
@@ -226,9 +233,7 @@ impl<'a> Machine<'a> {
 
     fn refresh_ones(&mut self, mask: LaneSet) {
         if self.ones_of != mask {
-            for (lane, one) in self.ones.iter_mut().enumerate() {
-                *one = if mask.contains(lane) { u32::MAX } else { 0 };
-            }
+            mask.spread(&mut self.ones);
             self.ones_of = mask;
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::code::Reg;
 use crate::lanes::{LANES, LaneSet};
+use std::ops::Range;
 
 /// A scalar of each lane, as bits.
 pub(crate) type Row = [u32; LANES];
@@ -53,11 +54,14 @@ pub(crate) struct Registers {
     slots: Vec<Slot>,
     /// Rows that are not used now.
     spare: Vec<Option<Box<Row>>>,
-    /// The lanes that instructions compute: those of the block's points, and a few more. Rows end with old numbers.
-    width: usize,
+    /// The lanes that instructions compute: the active ones, and those between and around them. Elsewhere rows have old
+    /// numbers.
+    from: usize,
+    to: usize,
 }
 
-/// [`Registers::width`] is a multiple of this, so that loops over lanes need no remainder.
+/// The lanes that instructions compute begin and end at multiples of this, so that loops over lanes need no remainder and
+/// quads are whole.
 const STEP: usize = 16;
 
 fn zeros() -> Box<Row> {
@@ -67,12 +71,21 @@ fn zeros() -> Box<Row> {
 impl Registers {
     pub fn new(count: u32) -> Self {
         let slot = Slot { is_uniform: true, ..Slot::default() };
-        Self { slots: vec![slot; count as usize], spare: Vec::new(), width: LANES }
+        Self { slots: vec![slot; count as usize], spare: Vec::new(), from: 0, to: LANES }
     }
 
-    /// Prepares for a block of `count` points.
-    pub fn start_block(&mut self, count: usize) {
-        self.width = count.next_multiple_of(STEP).min(LANES);
+    /// Lets instructions compute these lanes and no others, as far as [`STEP`] allows.
+    #[inline]
+    pub fn confine(&mut self, active: LaneSet) {
+        (self.from, self.to) = match (active.lowest(), active.highest()) {
+            (Some(first), Some(last)) => (first / STEP * STEP, (last + 1).next_multiple_of(STEP)),
+            _ => (0, 0),
+        };
+    }
+
+    #[inline(always)]
+    fn lanes(&self) -> Range<usize> {
+        self.from..self.to
     }
 
     fn take_row(&mut self) -> Box<Row> {
@@ -107,8 +120,8 @@ impl Registers {
     /// Sets each lane.
     pub fn set_each(&mut self, dst: Reg, written: LaneSet, value: impl Fn(usize) -> u32) {
         let mut row = self.take_row();
-        for (lane, bits) in row[..self.width].iter_mut().enumerate() {
-            *bits = value(lane);
+        for lane in self.lanes() {
+            row[lane] = value(lane);
         }
         self.put_row(dst, row, written);
     }
@@ -116,9 +129,9 @@ impl Registers {
     /// Sets the lanes from a slice; the last number is repeated.
     pub fn set_slice(&mut self, dst: Reg, written: LaneSet, values: &[u32]) {
         let mut row = self.take_row();
-        let count = values.len().min(self.width);
+        let count = values.len().min(LANES);
         row[..count].copy_from_slice(&values[..count]);
-        row[count..self.width].fill(values.last().copied().unwrap_or(0));
+        row[count..].fill(values.last().copied().unwrap_or(0));
         self.put_row(dst, row, written);
     }
 
@@ -139,7 +152,7 @@ impl Registers {
         match self.operand(reg) {
             Operand::Same(0) => LaneSet::EMPTY,
             Operand::Same(_) => LaneSet::FULL,
-            Operand::Each(row) => LaneSet::filter(|lane| row[lane] != 0),
+            Operand::Each(row) => LaneSet::not_zero(row),
         }
     }
 
@@ -151,7 +164,7 @@ impl Registers {
             Operand::Each(_) => {
                 let mut row = self.take_row();
                 if let Operand::Each(from) = self.operand(src) {
-                    row[..self.width].copy_from_slice(&from[..self.width]);
+                    row[self.lanes()].copy_from_slice(&from[self.lanes()]);
                 }
                 self.put_row(dst, row, written);
             }
@@ -170,27 +183,28 @@ impl Registers {
             self.slots[dst as usize].written = written;
             return;
         }
-        let mut row = self.take_row();
-        let width = self.width;
-        match (self.operand(dst), self.operand(src)) {
-            (Operand::Each(d), Operand::Each(s)) => {
-                for (((out, d), s), m) in row[..width].iter_mut().zip(d).zip(s).zip(ones) {
-                    *out = (d & !m) | (s & m);
+        let lanes = self.lanes();
+        let slot = &mut self.slots[dst as usize];
+        // Other lanes keep their numbers.
+        let mut row = match slot.row.take() {
+            Some(row) if !slot.is_uniform => row,
+            unused => {
+                let bits = slot.bits;
+                let mut row = unused.unwrap_or_else(|| self.take_row());
+                row.fill(bits);
+                row
+            }
+        };
+        let all = row[lanes.clone()].iter_mut().zip(&ones[lanes.clone()]);
+        match self.operand(src) {
+            Operand::Each(src) => {
+                for ((out, m), s) in all.zip(&src[lanes]) {
+                    *out = (*out & !m) | (s & m);
                 }
             }
-            (Operand::Each(d), Operand::Same(s)) => {
-                for ((out, d), m) in row[..width].iter_mut().zip(d).zip(ones) {
-                    *out = (d & !m) | (s & m);
-                }
-            }
-            (Operand::Same(d), Operand::Each(s)) => {
-                for ((out, s), m) in row[..width].iter_mut().zip(s).zip(ones) {
-                    *out = (d & !m) | (s & m);
-                }
-            }
-            (Operand::Same(d), Operand::Same(s)) => {
-                for (out, m) in row[..width].iter_mut().zip(ones) {
-                    *out = (d & !m) | (s & m);
+            Operand::Same(s) => {
+                for (out, m) in all {
+                    *out = (*out & !m) | (s & m);
                 }
             }
         }
@@ -204,9 +218,9 @@ impl Registers {
             return self.set(dst, f(bits), written);
         }
         let mut row = self.take_row();
-        let width = self.width;
+        let lanes = self.lanes();
         if let Operand::Each(a) = self.operand(a) {
-            for (out, a) in row[..width].iter_mut().zip(a) {
+            for (out, a) in row[lanes.clone()].iter_mut().zip(&a[lanes.clone()]) {
                 *out = f(*a);
             }
         }
@@ -220,20 +234,20 @@ impl Registers {
             return self.set(dst, f(a, b), written);
         }
         let mut row = self.take_row();
-        let width = self.width;
+        let lanes = self.lanes();
         match (self.operand(a), self.operand(b)) {
             (Operand::Each(a), Operand::Each(b)) => {
-                for ((out, a), b) in row[..width].iter_mut().zip(a).zip(b) {
+                for ((out, a), b) in row[lanes.clone()].iter_mut().zip(&a[lanes.clone()]).zip(&b[lanes.clone()]) {
                     *out = f(*a, *b);
                 }
             }
             (Operand::Each(a), Operand::Same(b)) => {
-                for (out, a) in row[..width].iter_mut().zip(a) {
+                for (out, a) in row[lanes.clone()].iter_mut().zip(&a[lanes.clone()]) {
                     *out = f(*a, b);
                 }
             }
             (Operand::Same(a), Operand::Each(b)) => {
-                for (out, b) in row[..width].iter_mut().zip(b) {
+                for (out, b) in row[lanes.clone()].iter_mut().zip(&b[lanes.clone()]) {
                     *out = f(a, *b);
                 }
             }
@@ -247,12 +261,12 @@ impl Registers {
     pub fn two_slow(&mut self, dst: Reg, a: Reg, b: Reg, f: impl Fn(u32, u32) -> u32 + Copy) {
         let written = self.written(a).and(self.written(b));
         let mut row = self.take_row();
-        let width = self.width;
+        let lanes = self.lanes();
         let same = match (self.operand(a), self.operand(b)) {
             (Operand::Same(a), Operand::Same(b)) => Some(f(a, b)),
             (a, b) => {
-                for (lane, out) in row[..width].iter_mut().enumerate() {
-                    *out = f(a.at(lane), b.at(lane));
+                for lane in lanes.clone() {
+                    row[lane] = f(a.at(lane), b.at(lane));
                 }
                 None
             }
@@ -265,18 +279,20 @@ impl Registers {
         let [a, b, c] = regs;
         let written = self.written(a).and(self.written(b)).and(self.written(c));
         let mut row = self.take_row();
-        let width = self.width;
+        let lanes = self.lanes();
         let same = match (self.operand(a), self.operand(b), self.operand(c)) {
             (Operand::Same(a), Operand::Same(b), Operand::Same(c)) => Some(f(a, b, c)),
             (Operand::Each(a), Operand::Each(b), Operand::Each(c)) => {
-                for (((out, a), b), c) in row[..width].iter_mut().zip(a).zip(b).zip(c) {
+                for (((out, a), b), c) in
+                    row[lanes.clone()].iter_mut().zip(&a[lanes.clone()]).zip(&b[lanes.clone()]).zip(&c[lanes.clone()])
+                {
                     *out = f(*a, *b, *c);
                 }
                 None
             }
             (a, b, c) => {
-                for (lane, out) in row[..width].iter_mut().enumerate() {
-                    *out = f(a.at(lane), b.at(lane), c.at(lane));
+                for lane in lanes.clone() {
+                    row[lane] = f(a.at(lane), b.at(lane), c.at(lane));
                 }
                 None
             }
@@ -305,7 +321,7 @@ impl Registers {
             return self.set(dst, sum.to_bits(), written);
         }
         let mut row = self.take_row();
-        let width = self.width;
+        let lanes = self.lanes();
         for i in 0..n {
             let (a, b) = regs(i);
             let add = |out: &mut u32, term: f32| {
@@ -313,18 +329,18 @@ impl Registers {
             };
             match (self.operand(a), self.operand(b)) {
                 (Operand::Each(a), Operand::Each(b)) => {
-                    for ((out, a), b) in row[..width].iter_mut().zip(a).zip(b) {
+                    for ((out, a), b) in row[lanes.clone()].iter_mut().zip(&a[lanes.clone()]).zip(&b[lanes.clone()]) {
                         add(out, product(*a, *b));
                     }
                 }
                 (Operand::Each(row_of), Operand::Same(factor)) | (Operand::Same(factor), Operand::Each(row_of)) => {
-                    for (out, a) in row[..width].iter_mut().zip(row_of) {
+                    for (out, a) in row[lanes.clone()].iter_mut().zip(&row_of[lanes.clone()]) {
                         add(out, product(*a, factor));
                     }
                 }
                 (Operand::Same(a), Operand::Same(b)) => {
                     let term = product(a, b);
-                    row[..width].iter_mut().for_each(|out| add(out, term));
+                    row[lanes.clone()].iter_mut().for_each(|out| add(out, term));
                 }
             }
         }
