@@ -147,6 +147,11 @@ impl ReferenceScene {
     /// Every number of the pixel in column `x` of row `y` (from the top left), seen through its centre: the value is
     /// that of the picture with one sample per pixel. `None` where no surface is seen, or outside of the picture.
     pub fn probe(&self, frame: &Frame, x: u32, y: u32) -> Option<Probe> {
-        probe::probe(self, frame, x, y)
+        self.probe_all(frame, [(x, y)]).pop().flatten()
+    }
+
+    /// [`Self::probe`] of several pixels (column, row), in order: what they share is computed once.
+    pub fn probe_all(&self, frame: &Frame, pixels: impl IntoIterator<Item = (u32, u32)>) -> Vec<Option<Probe>> {
+        probe::probe_all(self, frame, pixels)
     }
 }

@@ -104,19 +104,30 @@ pub(crate) fn behind(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) 
     FrameContext::of_camera(reference, frame).behind(direction, centre[1] / f64::from(frame.height))
 }
 
-pub(crate) fn probe(reference: &ReferenceScene, frame: &Frame, x: u32, y: u32) -> Option<Probe> {
-    if x >= frame.width || y >= frame.height {
-        return None;
-    }
+/// Probes pixels (column, row). What the pixels share is computed once.
+pub(crate) fn probe_all(
+    reference: &ReferenceScene,
+    frame: &Frame,
+    pixels: impl IntoIterator<Item = (u32, u32)>,
+) -> Vec<Option<Probe>> {
     let frame = &Frame { samples: 1, ..frame.clone() };
     let context = FrameContext::of_camera(reference, frame);
     let eye = EyeSpace::new(reference.world(), frame);
     let mut visible = Visible::default();
-    visible.trace(reference.world(), &eye, &[[0.5, 0.5]], Block { x0: x, y0: y, x1: x + 1, y1: y + 1 });
+    pixels.into_iter().map(|(x, y)| probe(&context, &eye, &mut visible, x, y)).collect()
+}
+
+fn probe(context: &FrameContext<'_>, eye: &EyeSpace, visible: &mut Visible, x: u32, y: u32) -> Option<Probe> {
+    let (reference, frame) = (context.reference, context.frame);
+    if x >= frame.width || y >= frame.height {
+        return None;
+    }
+    visible.trace(reference.world(), eye, &[[0.5, 0.5]], Block { x0: x, y0: y, x1: x + 1, y1: y + 1 });
+    let visible = &*visible;
 
     let mut cache = CornerCache::default();
     let sky = || context.behind(|| eye.direction(visible.rays[0]), (f64::from(y) + 0.5) / f64::from(frame.height));
-    let surfaces = || context.surfaces(&eye, &visible, 0, &visible.layers);
+    let surfaces = || context.surfaces(eye, visible, 0, &visible.layers);
     let (total, shaded) = context.radiance(surfaces(), sky, &mut cache);
     let nearest = surfaces().next()?;
 

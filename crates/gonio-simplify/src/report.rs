@@ -411,17 +411,16 @@ impl Observer<'_> {
         // Sums of FLIP, of both luminances, and the number of pixels.
         let mut sums = vec![DVec4::ZERO; self.scene.objects.len()];
         let mut material = vec![None; self.scene.objects.len()];
-        for y in (0..height).skip(step / 2).step_by(step) {
-            for x in (0..width).skip(step / 2).step_by(step) {
-                let Some(probe) = self.reference.probe(self.frame, x, y) else { continue };
-                if probe.optics.is_plain() || probe.object >= sums.len() {
-                    continue;
-                }
-                let i = (y * width + x) as usize;
-                let light = |p: &gonio_scene::Picture| luminance(crate::comparison::light(p.pixels[i]));
-                sums[probe.object] += DVec4::new(drawn.map[i].into(), light(truth), light(&drawn.picture), 1.0);
-                material[probe.object] = Some(probe.material);
+        let along = |length: u32| (0..length).skip(step / 2).step_by(step);
+        let pixels = along(height).flat_map(|y| along(width).map(move |x| (x, y)));
+        for probe in self.reference.probe_all(self.frame, pixels).into_iter().flatten() {
+            if probe.optics.is_plain() || probe.object >= sums.len() {
+                continue;
             }
+            let i = (probe.y * width + probe.x) as usize;
+            let light = |p: &gonio_scene::Picture| luminance(crate::comparison::light(p.pixels[i]));
+            sums[probe.object] += DVec4::new(drawn.map[i].into(), light(truth), light(&drawn.picture), 1.0);
+            material[probe.object] = Some(probe.material);
         }
         let seen = sums.iter().zip(&material).zip(&self.scene.objects);
         seen.filter(|((sum, _), _)| sum.w > 0.0)

@@ -57,10 +57,7 @@ impl Bench {
         let reference = ReferenceScene::new(scene);
         let cpu = reference.render(&frame, view, &|_| ()).picture;
         let cpu8 = cpu.encode8(&DisplayMap::for_view(view, &frame));
-        let probes: Vec<Option<Probe>> = (0..HEIGHT)
-            .flat_map(|y| (0..WIDTH).map(move |x| (x, y)))
-            .map(|(x, y)| reference.probe(&frame, x, y))
-            .collect();
+        let probes = reference.probe_all(&frame, (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y))));
         let mut comparison = Comparison { interior: 0, worst: (0.0, String::new()), close: 0.0 };
         let mut close = 0usize;
         for y in 0..HEIGHT {
