@@ -18,7 +18,8 @@ use std::process::ExitCode;
 
 const HELP: &str = "\
 cargo xtask test             run everything that CI runs; needs only rustup and a C compiler to start
-cargo xtask test --fast      the same without other platforms, and without installing anything
+cargo xtask test --all       also check other platforms and the licences of all dependencies
+cargo xtask test --fast      without the web page, and without installing anything
 cargo xtask test --web [--dev]
                              build the web page and test it in headless Chromium
 cargo xtask house            figures about the code base, and the rules that no compiler enforces; takes a second
@@ -47,7 +48,8 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words.as_slice() {
-        ["test"] => test::run(test::Extent::Everything),
+        ["test"] => test::run(test::Extent::Continuous),
+        ["test", "--all"] => test::run(test::Extent::All),
         ["test", "--fast"] => test::run(test::Extent::Fast),
         ["house"] => test::run(test::Extent::House),
         ["test", "--web"] => test::run(test::Extent::Web(web::Build::Shipped)),

@@ -24,10 +24,6 @@ pub fn cargo(root: &Path) -> Command {
         }
     }
     command.env("CARGO_TERM_COLOR", "never");
-    // Incremental compilation only helps a next build, which CI does not have, and fills its disk.
-    if std::env::var_os("CI").is_some() {
-        command.env("CARGO_INCREMENTAL", "0");
-    }
     command
 }
 

@@ -12,9 +12,11 @@ use std::process::ExitCode;
 /// The extent of a test run.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
+    /// Also what takes too long for CI: other platforms, and the dependencies against `deny.toml`.
+    All,
     /// Everything that CI runs.
-    Everything,
-    /// Without other platforms, installing nothing.
+    Continuous,
+    /// Without the page, installing nothing.
     Fast,
     /// Only the rules that no compiler enforces.
     House,
@@ -31,9 +33,9 @@ const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench", "gonio-web-bindgen", "gon
 pub fn run(extent: Extent) -> ExitCode {
     let root = root();
     let mut report = Report::default();
-    if extent == Extent::Everything {
+    if matches!(extent, Extent::All | Extent::Continuous) {
         report.step("system packages", setup::packages);
-        report.step("toolchain", || setup::toolchain(&root, setup::TARGETS));
+        report.step("toolchain", || setup::toolchain(&root, &[setup::WASM]));
     }
     match extent {
         Extent::Web(build) => page(&mut report, &root, build, false),
@@ -42,7 +44,7 @@ pub fn run(extent: Extent) -> ExitCode {
             house(&mut report, &root);
             cargo_steps(&mut report, &root, extent);
         }
-        Extent::Everything => {
+        Extent::All | Extent::Continuous => {
             house(&mut report, &root);
             let built = cargo_steps(&mut report, &root, extent);
             page(&mut report, &root, Build::Shipped, built);
@@ -74,7 +76,7 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
     let built = report.step("build of the tests", || {
         cargo_check(root, &["test", "--locked", "--workspace", "--all-targets", "--no-run"], &[])
     });
-    let page_build = (built && extent == Extent::Everything).then(browser::build_in_background);
+    let page_build = (built && extent != Extent::Fast).then(browser::build_in_background);
     if built {
         report.step("tests", || cargo_test(root));
         report.step("checker, score", || score::check(root));
@@ -82,7 +84,8 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
     } else {
         report.step("tests", || Findings::fail("not run, because the tests did not build"));
     }
-    if extent == Extent::Everything {
+    if extent == Extent::All {
+        report.step("toolchain, other platforms", || setup::toolchain(root, DESKTOPS));
         report.step("licences and duplicates", || check_dependencies(root));
         for target in DESKTOPS {
             report.step(target, || check_desktop(root, target));

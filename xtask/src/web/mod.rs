@@ -62,7 +62,7 @@ pub fn target_folder(root: &Path) -> PathBuf {
 /// Builds the page into `dist`. `say` receives each step before it begins.
 pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Result<Sizes, String> {
     let web = root.join("web");
-    let toolchain = setup::toolchain(root, &["wasm32-unknown-unknown"]);
+    let toolchain = setup::toolchain(root, &[setup::WASM]);
     if toolchain.failed > 0 {
         return Err(toolchain.details);
     }
@@ -72,7 +72,7 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
     install_packages(&web, say)?;
     say("building gonio-web for wasm32");
     let profile = if build == Build::Shipped { "web" } else { "web-dev" };
-    let target = "wasm32-unknown-unknown";
+    let target = setup::WASM;
     checked(process::cargo(root).args(["build", "--locked", "--package", "gonio-web"]).args([
         "--profile",
         profile,
