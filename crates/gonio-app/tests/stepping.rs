@@ -267,6 +267,8 @@ fn wait_own(window: &mut Window, what: &str, expected: impl Fn(&Value) -> bool) 
         window.steps(1);
         let state = window.app().state(&window.harness.ctx)["shaders"].clone();
         if expected(&state) {
+            // The result may have come after this frame's widgets.
+            window.steps(1);
             return state;
         }
         std::thread::sleep(Duration::from_millis(20));

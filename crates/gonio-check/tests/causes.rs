@@ -8,7 +8,7 @@ mod submissions;
 
 use gonio_check::cause::naming::ProvenCause;
 use gonio_check::cause::search::Found;
-use gonio_check::cause::{Diagnosis, ModelSolutions, NotJudged, diagnose};
+use gonio_check::cause::{Diagnosis, NotJudged, diagnose};
 use gonio_check::comparison::Task;
 use gonio_check::compile::ParsedStage;
 use gonio_check::dataflow::Shader;
@@ -39,7 +39,7 @@ fn diagnosed(
     }
     let constants = read(&names).constants();
     let [v, f] = stages.each_ref().map(|stage| (&stage.parsed, &stage.checked));
-    diagnose(task, v, f, [&vertex.text, &fragment.text], &names, &constants, &ModelSolutions::default())
+    diagnose(task, v, f, [&vertex.text, &fragment.text], &names, &constants, &std::rc::Rc::default())
 }
 
 /// A submission of the corpus with its diagnosis, if it is one that values judge.

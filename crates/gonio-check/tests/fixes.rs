@@ -3,7 +3,7 @@
 
 use gonio_check::cause::edit::edited;
 use gonio_check::cause::search::Found;
-use gonio_check::cause::{Diagnosis, ModelSolutions, NotJudged, diagnose};
+use gonio_check::cause::{Diagnosis, NotJudged, diagnose};
 use gonio_check::comparison::Task;
 use gonio_check::compile::ParsedStage;
 use gonio_check::dataflow::Shader;
@@ -68,7 +68,7 @@ fn diagnosed(exercise: &str, vertex: &str, fragment: &str) -> Result<Diagnosis, 
     let [v, f] = stages.each_ref().map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
     let constants = Analysis::new(&v, &f, &names).constants();
     let [v, f] = stages.each_ref().map(|stage| (&stage.parsed, &stage.checked));
-    diagnose(Task::find(exercise).unwrap(), v, f, [vertex, fragment], &names, &constants, &ModelSolutions::default())
+    diagnose(Task::find(exercise).unwrap(), v, f, [vertex, fragment], &names, &constants, &std::rc::Rc::default())
 }
 
 /// The lines that the first fix writes, of both stages.

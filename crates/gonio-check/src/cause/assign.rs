@@ -5,6 +5,7 @@ pub(super) mod lights;
 mod switches;
 
 use super::model::{Model, STAGES, observe};
+use super::prediction::ModelSolutions;
 use super::program::{Program, Runner};
 use super::samples::SceneSamples;
 use super::target::on_screen;
@@ -97,8 +98,9 @@ pub fn is_open(program: &Program) -> bool {
 }
 
 /// Assigns roles to the inputs of a program whose names do not determine them. `samples` are those of the test scenes.
-pub fn assign(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
-    let suns = lights::may_be_directions(program).then(|| lights::choose_suns(program, samples, models)).flatten();
+pub fn assign(solutions: &ModelSolutions, program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
+    let suns =
+        lights::may_be_directions(program).then(|| lights::choose_suns(solutions, program, samples, models)).flatten();
     let (samples, models) = match &suns {
         Some((samples, models)) => (samples.as_slice(), models.as_slice()),
         None => (samples, models),

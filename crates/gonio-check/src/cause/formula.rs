@@ -121,7 +121,8 @@ impl Definitions {
     #[must_use]
     pub fn new(method: AnswerMethod) -> Self {
         let mut all = Vec::new();
-        let sources = method.sources(super::model::Mistakes::These(&[])).0;
+        let hypotheses = crate::mistakes::Hypotheses::for_model(method.model);
+        let sources = method.sources(&hypotheses, super::model::Mistakes::These(&[])).0;
         for stage in STAGES {
             let mut parsed = gonio_glsl::parse(&sources[stage as usize]);
             gonio_glsl::check(&mut parsed, stage);

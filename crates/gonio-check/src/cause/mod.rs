@@ -129,7 +129,7 @@ pub fn diagnose(
     texts: [&str; 2],
     names: &NamesFile,
     constants: &SourceConstants,
-    solutions: &ModelSolutions,
+    solutions: &Rc<ModelSolutions>,
 ) -> Result<Diagnosis, NotJudged> {
     let named = Program::new(vertex, fragment, texts, names)
         .map_err(|(stage, why)| NotJudged::Unsupported(format!("{stage}: {why}")))?;
@@ -147,10 +147,11 @@ pub fn diagnose(
                 SceneSamples::new(scene)
             })
             .collect();
-        let plain =
-            methods(task).into_iter().map(|method| Model::new(method, Space::World, &first, 1.0, Mistakes::These(&[])));
+        let plain = methods(task)
+            .into_iter()
+            .map(|method| Model::new(solutions, method, Space::World, &first, 1.0, Mistakes::These(&[])));
         let plain = plain.collect::<Result<Vec<_>, _>>().map_err(NotJudged::Unsupported)?;
-        assign::assign(&mut assigned, &first, &plain);
+        assign::assign(solutions, &mut assigned, &first, &plain);
     }
     // A mistake may hide the roles: then those that the names tell explain more. Another convention makes no mistake.
     let others = conventions::other_conventions(&named);
@@ -228,7 +229,7 @@ fn first_conclusion<'a>(all: impl Iterator<Item = Diagnosing<'a>>, may_be_wrong:
 /// A program in its test scenes.
 struct Diagnosing<'a> {
     task: &'a Task,
-    solutions: &'a ModelSolutions,
+    solutions: &'a Rc<ModelSolutions>,
     program: &'a Program,
     stages: [(&'a Parsed, &'a Checked); 2],
     texts: [&'a str; 2],
@@ -359,7 +360,7 @@ impl Diagnosing<'_> {
                     true => self.shown(lighting)?.suspects().iter().copied().collect(),
                     false => explaining.clone(),
                 };
-                let model = Model::new(method, space, &of_model, exponent, Mistakes::These(&wrong))?;
+                let model = Model::new(self.solutions, method, space, &of_model, exponent, Mistakes::These(&wrong))?;
                 of_methods.push((model, self.right_picture(method, lights, scenes)?));
             }
             let (model, target) = &of_methods[at];
@@ -394,7 +395,7 @@ impl Diagnosing<'_> {
             let in_model = |explanations: &[Explanation]| {
                 let ids: Vec<&str> =
                     explanations.iter().filter_map(|e| Some(e.mistakes.first()?.id.as_str())).collect();
-                Model::new(model.method, model.space, &of_model, exponent, Mistakes::These(&ids))
+                Model::new(self.solutions, model.method, model.space, &of_model, exponent, Mistakes::These(&ids))
             };
             let mut search = Search::new(Observer { runner: &runner, model }, target, &[]);
             let found = search.beside_one(&explain, &in_model)?;
@@ -429,9 +430,8 @@ impl Diagnosing<'_> {
         if let Some((_, known)) = self.shown.borrow().iter().find(|(known, _)| *known == method) {
             return Ok(Rc::clone(known));
         }
-        let all = self.solutions.get(method.model)?;
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
-        let new = Shown::new(self.program, &self.scenes[..self.of_one], method, exponent, &all.hypotheses)?;
+        let new = Shown::new(self.solutions, self.program, &self.scenes[..self.of_one], method, exponent)?;
         let new = Rc::new(new);
         self.shown.borrow_mut().push((method, Rc::clone(&new)));
         Ok(new)
@@ -480,7 +480,7 @@ impl Diagnosing<'_> {
             let samples = runner.samples;
             let mut all = Vec::new();
             for method in methods(self.task) {
-                let model = Model::new(method, Space::World, samples, 1.0, Mistakes::These(&[]))?;
+                let model = Model::new(self.solutions, method, Space::World, samples, 1.0, Mistakes::These(&[]))?;
                 all.push((method, Observer { runner, model: &model }.likeness()));
             }
             let is_gouraud = self.hints.is_gouraud();

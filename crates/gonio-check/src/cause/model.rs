@@ -3,6 +3,7 @@
 
 pub use super::answer::{AnswerMethod, Space};
 use super::answer::{DIRECTIONS, POSITIONS, has_space, hypothesis_of, peculiarities};
+use super::prediction::ModelSolutions;
 use super::program::{Change, Program, Runner};
 pub(super) use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::{SceneSamples, interpolated};
@@ -80,9 +81,8 @@ pub(super) type Way = (&'static Mistake, Vec<(String, String)>);
 
 impl AnswerMethod {
     /// The model's shaders as this method writes them, and ways to make mistakes.
-    pub(super) fn sources(self, wanted: Mistakes<'_>) -> ([String; 2], Vec<Way>) {
-        let all = Hypotheses::for_model(self.model);
-        let chosen = hypothesis_of(&all, &peculiarities(self, self.highlight)).unwrap_or_default();
+    pub(super) fn sources(self, all: &Hypotheses, wanted: Mistakes<'_>) -> ([String; 2], Vec<Way>) {
+        let chosen = hypothesis_of(all, &peculiarities(self, self.highlight)).unwrap_or_default();
         let is_wanted = |mistake: &&&'static Mistake| match wanted {
             Mistakes::OwnValues => !mistake.harmless,
             Mistakes::These(ids) => ids.contains(&mistake.id.as_str()),
@@ -106,13 +106,13 @@ fn assignment(line: &str) -> Option<(&str, Option<&str>, usize)> {
 }
 
 /// The shaders of a model solution, compiled, with what they assign.
-struct ModelProgram {
+pub(super) struct ModelProgram {
     program: Program,
     assigned: [Vec<Assigned>; 2],
 }
 
 impl ModelProgram {
-    fn new(texts: &[String; 2], written_exponent: f32) -> Result<Self, String> {
+    pub(super) fn new(texts: &[String; 2], written_exponent: f32) -> Result<Self, String> {
         let parsed = |stage: Stage| {
             let mut parsed = gonio_glsl::parse(&texts[stage as usize]);
             let checked = gonio_glsl::check(&mut parsed, stage);
@@ -140,6 +140,7 @@ impl ModelProgram {
 
 /// What each mistake assigns, as changes of the plain program.
 fn wrong_values(
+    solutions: &ModelSolutions,
     sources: &[String; 2],
     ways: &[Way],
     written_exponent: f32,
@@ -147,7 +148,7 @@ fn wrong_values(
     plain: &ModelProgram,
 ) -> Result<Vec<Vec<Change>>, String> {
     let texts = sources.each_ref().map(|source| with_mistakes(source, ways));
-    let wrong = ModelProgram::new(&texts, written_exponent)?;
+    let wrong = solutions.program(&texts, written_exponent)?;
     let runner = Runner::new(&wrong.program, samples);
     let exprs = wrong.exprs();
     let mut changes: Vec<Vec<Change>> = vec![Vec::new(); ways.len()];
@@ -309,6 +310,7 @@ impl Model {
     /// # Errors
     /// The model solution cannot be compiled; a test ensures that all can.
     pub fn new(
+        solutions: &ModelSolutions,
         method: AnswerMethod,
         space: Space,
         given: &[SceneSamples],
@@ -321,8 +323,8 @@ impl Model {
         };
         let samples: Vec<SceneSamples> = given.iter().map(in_space).collect();
         let samples = samples.as_slice();
-        let (sources, ways) = method.sources(mistakes);
-        let plain = ModelProgram::new(&sources, written_exponent)?;
+        let (sources, ways) = method.sources(&solutions.hypotheses(method.model), mistakes);
+        let plain = solutions.program(&sources, written_exponent)?;
         let runner = Runner::new(&plain.program, samples);
         let exprs = plain.exprs();
         let mut quantities = Vec::new();
@@ -334,7 +336,7 @@ impl Model {
         if !ways.is_empty() {
             let right = quantities.len();
             let few = 0..samples.len().min(TELLING);
-            let changes = wrong_values(&sources, &ways, written_exponent, samples, &plain)?;
+            let changes = wrong_values(solutions, &sources, &ways, written_exponent, samples, &plain)?;
             for ((mistake, _), changes) in ways.iter().zip(changes).filter(|(_, changes)| !changes.is_empty()) {
                 if matches!(mistakes, Mistakes::OwnValues) {
                     quantities.extend(

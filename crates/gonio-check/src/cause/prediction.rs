@@ -1,6 +1,7 @@
 //! Predicts the colours and positions that a model solution computes with mistakes, at places of the test scenes.
 
 use super::answer::Space;
+use super::model::ModelProgram;
 use super::program::{Program, SceneTextures};
 use super::samples::SceneSamples;
 use crate::comparison::{Lights, Parameterisation};
@@ -15,7 +16,7 @@ use std::rc::Rc;
 /// One compiled program for all hypotheses of a model solution.
 pub(crate) struct AllHypotheses {
     /// The hypotheses.
-    pub hypotheses: Hypotheses,
+    pub hypotheses: Rc<Hypotheses>,
     program: Program,
     /// For each stage, the changeable lines and the inputs that select their variants.
     ways: [Vec<(usize, usize)>; 2],
@@ -23,13 +24,45 @@ pub(crate) struct AllHypotheses {
     exponent: [Option<usize>; 2],
 }
 
+/// The texts of a model solution, and the bits of the exponent that a student's program contains.
+type ProgramKey = ([String; 2], u32);
+
 /// Model solutions with their hypotheses, compiled on first use and kept for further programs.
 #[derive(Default)]
 pub struct ModelSolutions {
     known: RefCell<HashMap<ModelSolution, Rc<AllHypotheses>>>,
+    hypotheses: RefCell<HashMap<ModelSolution, Rc<Hypotheses>>>,
+    programs: RefCell<HashMap<ProgramKey, Rc<ModelProgram>>>,
 }
 
+/// Most model solutions, as some method writes them, that are kept.
+const MOST_PROGRAMS: usize = 64;
+
 impl ModelSolutions {
+    /// The hypotheses of a model solution.
+    pub(crate) fn hypotheses(&self, model: ModelSolution) -> Rc<Hypotheses> {
+        let mut known = self.hypotheses.borrow_mut();
+        Rc::clone(known.entry(model).or_insert_with(|| Rc::new(Hypotheses::for_model(model))))
+    }
+
+    /// A model solution in this text.
+    ///
+    /// # Errors
+    /// It cannot be compiled; a test ensures that all can.
+    pub(super) fn program(&self, texts: &[String; 2], written_exponent: f32) -> Result<Rc<ModelProgram>, String> {
+        let key = (texts.clone(), written_exponent.to_bits());
+        if let Some(known) = self.programs.borrow().get(&key) {
+            return Ok(Rc::clone(known));
+        }
+        let new = Rc::new(ModelProgram::new(texts, written_exponent)?);
+        let mut programs = self.programs.borrow_mut();
+        if programs.len() >= MOST_PROGRAMS {
+            programs.clear();
+        }
+        programs.insert(key, Rc::clone(&new));
+        Ok(new)
+    }
+
     /// A model solution.
     ///
     /// # Errors
@@ -38,15 +71,14 @@ impl ModelSolutions {
         if let Some(known) = self.known.borrow().get(&model) {
             return Ok(Rc::clone(known));
         }
-        let new = Rc::new(AllHypotheses::new(model)?);
+        let new = Rc::new(AllHypotheses::new(self.hypotheses(model))?);
         self.known.borrow_mut().insert(model, Rc::clone(&new));
         Ok(new)
     }
 }
 
 impl AllHypotheses {
-    fn new(model: ModelSolution) -> Result<Self, String> {
-        let hypotheses = Hypotheses::for_model(model);
+    fn new(hypotheses: Rc<Hypotheses>) -> Result<Self, String> {
         let texts = hypotheses.sources();
         let parsed = [Stage::Vertex, Stage::Fragment].map(|stage| {
             let mut parsed = gonio_glsl::parse(&texts[stage as usize]);

@@ -22,6 +22,7 @@ use crate::submission::Submission;
 use gonio_glsl::{OutputVersion, Span, Stage};
 use gonio_interpreter::ExprId;
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// What an expression is, or what it should be.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,7 +111,7 @@ impl RightQuantities {
         }
         let constants = source.constants();
         let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);
-        let diagnosis = diagnose(task, vertex, fragment, texts, &names, &constants, &ModelSolutions::default()).ok()?;
+        let diagnosis = diagnose(task, vertex, fragment, texts, &names, &constants, &Rc::default()).ok()?;
         let groups: &[Vec<ProvenCause>] = match &diagnosis.found {
             Found::Endless => return None,
             Found::Causes(groups) => groups,
@@ -196,6 +197,7 @@ impl RightQuantities {
 
     fn model(&self, samples: &[SceneSamples]) -> Option<Model> {
         Model::new(
+            &ModelSolutions::default(),
             self.method,
             Space::World,
             samples,

@@ -4,18 +4,21 @@
 use super::explain::LightingMethod;
 use super::model::{AnswerMethod, Mistakes, Model, Quantity, Recorded, STAGES, Space, TELLING, observe};
 use super::observed::SCALED;
+use super::prediction::ModelSolutions;
 use super::program::{Program, Runner};
 use super::samples::SceneSamples;
 use crate::mistakes::{Hypotheses, Hypothesis, Mistake};
 use crate::testbench::TestScene;
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// Places in each scene at which values are compared.
 const PLACES: usize = 20;
 
 /// The quantities that a program computes, compared with one model solution.
 pub(crate) struct Shown {
+    solutions: Rc<ModelSolutions>,
     program: Program,
     samples: Vec<SceneSamples>,
     method: LightingMethod,
@@ -33,23 +36,25 @@ impl Shown {
     /// # Errors
     /// The model solution cannot be compiled; a test ensures that all can.
     pub fn new(
+        solutions: &Rc<ModelSolutions>,
         program: &Program,
         scenes: &[(TestScene, SceneSamples)],
         method: LightingMethod,
         written_exponent: f32,
-        hypotheses: &Hypotheses,
     ) -> Result<Self, String> {
+        let hypotheses = &solutions.hypotheses(method.model);
         let samples: Vec<SceneSamples> = scenes.iter().take(TELLING).map(|(_, samples)| samples.few(PLACES)).collect();
         let observed = observed(program, &samples);
         let mut right: BTreeSet<String> = BTreeSet::new();
         for answer in answers(method) {
-            let model = Model::new(answer, Space::World, &samples, written_exponent, Mistakes::These(&[]))?;
+            let model = Model::new(solutions, answer, Space::World, &samples, written_exponent, Mistakes::These(&[]))?;
             let shown = model.quantities.iter().filter(|quantity| is_observed(&observed, quantity, false));
             right.extend(first_of_same(&shown.collect::<Vec<_>>(), hypotheses));
         }
         let variables = with_parts(&right, hypotheses);
         let program = program.clone();
-        Ok(Shown { program, samples, method, written_exponent, right, variables, suspects: OnceCell::new() })
+        let solutions = Rc::clone(solutions);
+        Ok(Shown { solutions, program, samples, method, written_exponent, right, variables, suspects: OnceCell::new() })
     }
 
     /// Whether the program uses the half vector; `None` if its values do not tell.
@@ -88,8 +93,8 @@ impl Shown {
     }
 
     fn models(&self, mistakes: Mistakes<'_>) -> Vec<Model> {
-        let Shown { method, samples, written_exponent, .. } = self;
-        let model = |answer| Model::new(answer, method.space, samples, *written_exponent, mistakes);
+        let Shown { solutions, method, samples, written_exponent, .. } = self;
+        let model = |answer| Model::new(solutions, answer, method.space, samples, *written_exponent, mistakes);
         // A test ensures that all model solutions can be compiled.
         answers(*method).filter_map(|answer| model(answer).ok()).collect()
     }

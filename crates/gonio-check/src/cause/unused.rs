@@ -24,7 +24,7 @@ impl Diagnosing<'_> {
         }
         let samples: Vec<SceneSamples> = self.scenes.iter().take(1).map(|(_, samples)| samples.few(PLACES)).collect();
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
-        let model = Model::new(method, Space::World, &samples, exponent, Mistakes::These(&[]))?;
+        let model = Model::new(self.solutions, method, Space::World, &samples, exponent, Mistakes::These(&[]))?;
         let runner = Runner::new(self.program, &samples);
         let exprs = STAGES.map(|stage| assigned(self.program, stage));
         let observed = observe(&runner, &[], 0..samples.len(), [&exprs[0], &exprs[1]]);

@@ -102,6 +102,7 @@ pub fn should_be(repair: &Repair, quantities: &[Quantity], added: &str) -> Strin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cause::ModelSolutions;
     use crate::cause::model::{AnswerMethod, Mistakes, Model};
     use crate::cause::samples::SceneSamples;
     use crate::mistakes::ModelSolution;
@@ -114,7 +115,9 @@ mod tests {
             [ModelSolution::Phong, ModelSolution::Gouraud, ModelSolution::Reflection, ModelSolution::Refraction]
         {
             let method = AnswerMethod::new(model);
-            let model = Model::new(method, Space::World, &samples, 1.0, Mistakes::These(&[])).unwrap();
+            let model =
+                Model::new(&ModelSolutions::default(), method, Space::World, &samples, 1.0, Mistakes::These(&[]))
+                    .unwrap();
             for q in model.quantities.iter().filter(|q| q.values.size <= 4) {
                 assert!(!product(&q.name).contains('`') || q.name == "v_col", "{}", q.name);
             }

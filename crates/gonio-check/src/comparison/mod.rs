@@ -31,6 +31,7 @@ use gonio_gl::{Gl, GlError};
 use gonio_glsl::DRAWN_ALL_THE_SAME;
 use gonio_render::user_program::UserProgram;
 use std::collections::HashMap;
+use std::rc::Rc;
 
 /// The information from the source of a pair of shaders that a check uses.
 pub struct Prepared {
@@ -69,18 +70,13 @@ pub struct ShaderChecker {
     models: HashMap<ModelSolution, CompiledModel>,
     testbenches: HashMap<&'static str, (Testbench, [usize; 2])>,
     /// The model solutions for the interpreter.
-    pub(crate) solutions: ModelSolutions,
+    pub(crate) solutions: Rc<ModelSolutions>,
 }
 
 impl ShaderChecker {
     /// Creates a checker for this OpenGL context.
     pub fn new(gl: &Gl) -> Self {
-        ShaderChecker {
-            gl: gl.clone(),
-            models: HashMap::new(),
-            testbenches: HashMap::new(),
-            solutions: ModelSolutions::default(),
-        }
+        ShaderChecker { gl: gl.clone(), models: HashMap::new(), testbenches: HashMap::new(), solutions: Rc::default() }
     }
 
     /// Returns the OpenGL context.

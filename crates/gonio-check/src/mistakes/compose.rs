@@ -41,6 +41,8 @@ pub struct Hypotheses {
     /// The variables of the changeable lines; the uniform `way_NAME` selects the variant of each.
     pub variables: Vec<String>,
     sources: [String; 2],
+    /// The value that each variable is assigned first.
+    values: BTreeMap<String, String>,
     alternatives: Vec<Vec<String>>,
 }
 
@@ -56,21 +58,24 @@ impl Hypotheses {
     /// left out; a test ensures that there is none.
     pub fn for_model(model: ModelSolution) -> Self {
         let sources = model.sources();
-        let written: Vec<&str> =
-            sources.iter().flat_map(|source| source.lines()).filter_map(|l| Some(assignment(l)?.0)).collect();
+        let mut values = BTreeMap::new();
+        for (variable, value) in sources.iter().flat_map(|source| source.lines()).filter_map(assignment) {
+            values.entry(variable.to_owned()).or_insert_with(|| value.to_owned());
+        }
         let mut all = Hypotheses {
             model,
             mistakes: Vec::new(),
             singles: Vec::new(),
             variables: Vec::new(),
             sources: sources.map(str::to_owned),
+            values,
             alternatives: Vec::new(),
         };
         for mistake in super::for_model(model) {
             let index = all.mistakes.len();
             all.mistakes.push(mistake);
             for change in &mistake.change {
-                if !change.keys().all(|variable| written.contains(&variable.as_str())) {
+                if !change.keys().all(|variable| all.values.contains_key(variable)) {
                     continue;
                 }
                 let choices = change.iter().map(|(variable, text)| all.choice(variable, text)).collect();
@@ -106,8 +111,7 @@ impl Hypotheses {
             let way = hypothesis.choices.get(&line)?.checked_sub(1)?;
             self.alternatives.get(line)?.get(way).map(String::as_str)
         });
-        let lines = || self.sources.iter().flat_map(|source| source.lines());
-        chosen.or_else(|| lines().filter_map(assignment).find(|(name, _)| *name == variable).map(|(_, text)| text))
+        chosen.or_else(|| self.values.get(variable).map(String::as_str))
     }
 
     /// Returns a vertex and a fragment shader for all hypotheses, `#version 330 core`. With all uniforms `way_...` at

@@ -1,6 +1,7 @@
 //! Finds out in which space a program expects its lights, and whether it uses their positions as directions.
 
 use super::{Program, score};
+use crate::cause::ModelSolutions;
 use crate::cause::model::{Mistakes, Model};
 use crate::cause::samples::SceneSamples;
 use crate::roles::{Bound, How, Role, VariableKind};
@@ -60,6 +61,7 @@ pub(super) fn choose_space(program: &mut Program, samples: &[SceneSamples], mode
 /// Treats the positions of the old pipeline's lights as directions if that makes more values right. Returns the scenes
 /// and models with a sun in that case.
 pub(super) fn choose_suns(
+    solutions: &ModelSolutions,
     program: &mut Program,
     samples: &[SceneSamples],
     models: &[Model],
@@ -72,7 +74,7 @@ pub(super) fn choose_suns(
     };
     let in_sun: Vec<SceneSamples> = samples.iter().map(in_sun).collect();
     let models_in_sun =
-        models.iter().map(|model| Model::new(model.method, model.space, &in_sun, 1.0, Mistakes::These(&[])));
+        models.iter().map(|model| Model::new(solutions, model.method, model.space, &in_sun, 1.0, Mistakes::These(&[])));
     let models_in_sun = models_in_sun.collect::<Result<Vec<_>, _>>().ok()?;
     let of_lamps = (score(program, samples, models), program.bindings.bound.clone());
     for bound in program.bindings.bound.iter_mut().filter(|bound| is_fixed_function(bound)) {
