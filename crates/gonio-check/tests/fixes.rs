@@ -68,7 +68,15 @@ fn diagnosed(exercise: &str, vertex: &str, fragment: &str) -> Result<Diagnosis, 
     let [v, f] = stages.each_ref().map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
     let constants = Analysis::new(&v, &f, &names).constants();
     let [v, f] = stages.each_ref().map(|stage| (&stage.parsed, &stage.checked));
-    diagnose(Task::find(exercise).unwrap(), v, f, [vertex, fragment], &names, &constants, &std::rc::Rc::default())
+    diagnose(
+        Task::find(exercise).unwrap(),
+        [v, f],
+        [vertex, fragment],
+        &names,
+        &constants,
+        &std::rc::Rc::default(),
+        gonio_check::cause::DiagnosisDepth::Causes,
+    )
 }
 
 /// The lines that the first fix writes, of both stages.

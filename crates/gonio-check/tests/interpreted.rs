@@ -396,7 +396,7 @@ fn uniforms(program: &UserProgram, pair: &Pair, scene: &TestScene) -> Vec<(Strin
         let fixed = bindings.fixed.iter().find(|f| f.declared.name == name).map(|f| f.values.clone());
         let role = bindings.bound.iter().find(|bound| bound.declared.name == name);
         let given = pair.given.iter().find(|(given, _)| *given == name).map(|(_, numbers)| numbers.to_vec());
-        let numbers = match unit(&ty) {
+        let numbers = match unit(&name, &ty) {
             _ if given.is_some() => given,
             Some(unit) => Some(vec![unit as f32; variable.array as usize]),
             None => fixed.or_else(|| numbers_of_array(role?.role, &ty, variable.array, scene)),

@@ -159,11 +159,20 @@ fn is_at(found: &FoundMistake, made: &LabelledMistake) -> bool {
     made.places.iter().any(|(known, at)| known == file && *at == line)
 }
 
-/// The part of a verdict that a rewrite must not change: the outcome and the names.
-fn gist(verdict: &Verdict) -> (Outcome, Vec<&str>) {
-    let mut ids: Vec<&str> = verdict.mistakes.iter().map(|found| found.id.as_str()).collect();
-    ids.sort_unstable();
-    (verdict.verdict, ids)
+/// The part of a verdict that a rewrite must not change: the outcome, and for each mistake its name and those that no
+/// picture tells apart from it. Which of these comes first depends on what the source shows.
+fn gist(verdict: &Verdict) -> (Outcome, Vec<Vec<&str>>) {
+    let mut all: Vec<Vec<&str>> = verdict
+        .mistakes
+        .iter()
+        .map(|found| {
+            let mut names: Vec<&str> = std::iter::once(&found.id).chain(&found.or).map(String::as_str).collect();
+            names.sort_unstable();
+            names
+        })
+        .collect();
+    all.sort_unstable();
+    (verdict.verdict, all)
 }
 
 impl ScoredPair {

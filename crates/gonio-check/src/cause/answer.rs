@@ -21,19 +21,43 @@ pub struct AnswerMethod {
     pub normal_kept: bool,
     /// Whether the highlight is that of the half vector.
     pub half_vector: bool,
-    /// The other choices of the highlight.
+    /// The other choices of the highlight and of the colours.
     pub highlight: Highlight,
 }
 
-/// What an answer may choose about its highlight.
+/// The terms that are not multiplied by the material's colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Uncoloured {
+    /// All terms have the material's colour.
+    #[default]
+    None,
+    /// The highlight has the light's colour.
+    Specular,
+    /// The ambient light has a colour of its own.
+    Ambient,
+    /// Only the diffuse term has the material's colour.
+    AmbientAndSpecular,
+}
+
+impl Uncoloured {
+    /// All of them, or those in which the ambient term has the material's colour.
+    pub const fn all(has_own_ambient: bool) -> &'static [Self] {
+        match has_own_ambient {
+            true => &[Self::None, Self::Specular, Self::Ambient, Self::AmbientAndSpecular],
+            false => &[Self::None, Self::Specular],
+        }
+    }
+}
+
+/// What an answer may choose about its highlight, and about the colours of its terms.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Highlight {
     /// 0 where the light is behind the surface, instead of everywhere where R.V is positive.
     pub gated: bool,
     /// Multiplied by the cosine, as in the rendering equation.
     pub weighted: bool,
-    /// In the light's colour instead of the material's.
-    pub white: bool,
+    /// The terms without the material's colour.
+    pub uncoloured: Uncoloured,
 }
 
 impl AnswerMethod {
@@ -49,14 +73,20 @@ impl AnswerMethod {
     }
 }
 
+/// The peculiarities of answers whose ambient light has a colour of its own: with a highlight in the material's colour, and
+/// with one in the light's.
+pub(super) const OWN_AMBIENT: [&str; 2] = ["ambient-own-colour", "only-diffuse-coloured"];
+
 /// The harmless peculiarities of a method of a right answer.
-pub(crate) fn peculiarities(method: AnswerMethod, highlight: Highlight) -> [(&'static str, bool); 5] {
+pub(crate) fn peculiarities(method: AnswerMethod, highlight: Highlight) -> [(&'static str, bool); 7] {
     [
         ("normal-kept-unnormalised", method.normal_kept),
         ("specular-half-vector", method.half_vector),
         ("specular-gated", highlight.gated),
         ("specular-cosine-weighted", highlight.weighted),
-        ("specular-not-coloured", highlight.white),
+        ("specular-not-coloured", highlight.uncoloured == Uncoloured::Specular),
+        (OWN_AMBIENT[0], highlight.uncoloured == Uncoloured::Ambient),
+        (OWN_AMBIENT[1], highlight.uncoloured == Uncoloured::AmbientAndSpecular),
     ]
 }
 

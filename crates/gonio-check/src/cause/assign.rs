@@ -1,8 +1,13 @@
 //! Finds the roles of inputs whose names say nothing: those with which most values of the program are quantities of the
 //! light equation.
 
+mod influence;
 pub(super) mod lights;
+mod probe;
 mod switches;
+
+pub(super) use influence::by_influence;
+pub(super) use switches::with_other_switches;
 
 use super::model::{Model, STAGES, observe};
 use super::prediction::ModelSolutions;
@@ -92,6 +97,7 @@ pub fn is_open(program: &Program) -> bool {
     unknown.any(|declared| is_uniform(declared.kind) && !of_type(&declared.glsl_type).is_empty())
         || program.bindings.bound.iter().any(|bound| is_uniform(bound.declared.kind) && !candidates(bound).is_empty())
         || program.bindings.bound.iter().any(lights::is_open)
+        || influence::has_doubles(program)
         || lights::may_be_directions(program)
         || switches::are_open(program)
         || open_attributes(program).is_some()
@@ -105,6 +111,12 @@ pub fn assign(solutions: &ModelSolutions, program: &mut Program, samples: &[Scen
         Some((samples, models)) => (samples.as_slice(), models.as_slice()),
         None => (samples, models),
     };
+    if let Some(first) = samples.first() {
+        for declared in influence::scales(program, first) {
+            program.bindings.unknown.retain(|unknown| *unknown != declared);
+            program.bindings.bound.push(Bound { declared, role: Role::Tint, how: How::Type });
+        }
+    }
     if switches::are_open(program) {
         switches::set(program, samples, models);
     }
@@ -222,14 +234,7 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
         program.bindings.bound = known;
         program.bindings.bound.extend(shown);
     }
-    for found in &program.bindings.bound {
-        let declared = &mut program.declared;
-        declared.unknown.retain(|unknown| unknown != &found.declared);
-        match declared.bound.iter_mut().find(|known| known.declared == found.declared) {
-            Some(known) => known.role = found.role,
-            None => declared.bound.push(found.clone()),
-        }
-    }
+    influence::adopt(program);
     let bound = &program.bindings.bound;
     program.bindings.unknown.retain(|unknown| bound.iter().all(|bound| bound.declared != *unknown));
 }
@@ -239,7 +244,10 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
 fn choose_matrices(program: &mut Program, samples: &[SceneSamples], models: &[Model], matrices: &[usize]) -> usize {
     // The roles that the source shows, unless others fit better.
     let usual = program.bindings.bound.clone();
-    let mut best = match is_in_place(program, samples) {
+    // In a scene without stretching, the model matrix is as good as that of the normals.
+    let role = |at: usize| usual[matrices[at]].role;
+    let is_usual_distinct = (1..matrices.len()).all(|at| (0..at).all(|other| role(other) != role(at)));
+    let mut best = match is_usual_distinct && is_in_place(program, samples) {
         true => (1 + score(program, samples, models), usual.clone()),
         false => (0, usual.clone()),
     };

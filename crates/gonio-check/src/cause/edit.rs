@@ -250,7 +250,17 @@ impl<'a> Editor<'a> {
             if new == own {
                 return None;
             }
-            let mut fix = vec![TextEdit { stage: cause.stage, start: expr.span.start, end: expr.span.end, text: new }];
+            let edit = |start, end| TextEdit { stage: cause.stage, start, end, text: new.clone() };
+            let mut fix = vec![edit(expr.span.start, expr.span.end)];
+            // The same variable at other places.
+            let others = cause.also.iter().filter(|(stage, _)| *stage == cause.stage);
+            let spans = others.map(|(_, other)| source.expressions[other.0 as usize].span);
+            for span in spans.filter(|span| scopes.parsed.text(*span) == own) {
+                let other = edit(span.start, span.end);
+                if !fix.contains(&other) {
+                    fix.push(other);
+                }
+            }
             for need in &formula.needs {
                 fix.push(self.declaration(cause.stage, need)?);
             }

@@ -1,6 +1,8 @@
 //! Explains a wrong picture: the mistakes of the catalogue with which a model solution computes the same colours and
 //! positions at every place of every test scene.
 
+use super::answer::{OWN_AMBIENT, Uncoloured};
+use super::budget::Budget;
 use super::model::{AnswerMethod, Space};
 use super::prediction::{AllHypotheses, ModelSolutions, Planes, Predicted, Predictor, Sum};
 use super::samples::SceneSamples;
@@ -11,7 +13,6 @@ use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::{Hypothesis, Mistake, ModelSolution, TERMS, term_of};
 use crate::testbench::TestScene;
 use glam::Vec3;
-use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -86,10 +87,8 @@ pub(crate) struct Explainer<'a> {
     pub required: [bool; 3],
     /// The test scenes, and the points with the inputs of the program.
     pub scenes: &'a [(TestScene, SceneSamples)],
-    /// Pairs that may still be predicted at few places.
-    pub pairs_left: Cell<usize>,
-    /// Pairs that may still be predicted at all places.
-    pub whole_left: Cell<usize>,
+    /// What may still be predicted.
+    pub budget: &'a Budget,
 }
 
 /// Places that exclude most pairs.
@@ -137,10 +136,6 @@ fn telling(
 
 /// Places of all hypotheses that are predicted together.
 const TOGETHER: usize = 2_048;
-/// Most runs of pairs at few places.
-pub(super) const MOST_PAIRS: usize = 120_000;
-/// Most pairs that are predicted at all places.
-pub(super) const MOST_WHOLE: usize = 240;
 /// Most single mistakes that resemble a picture at few places.
 const MOST_LIKE_ONE: usize = 40;
 /// Brightness that no 8-bit picture shows.
@@ -162,8 +157,17 @@ pub(crate) enum Singly {
 }
 
 /// Whether no place has a brightness that an eye would see.
-fn is_black(seen: &Seen) -> bool {
+pub(super) fn is_black(seen: &Seen) -> bool {
     seen.colour.numbers.iter().all(|x| x.is_nan() || x.abs() < DARKEST)
+}
+
+/// Whether all places have the same colour on the screen, as in the branch for another kind of object.
+pub(super) fn is_flat(seen: &Seen) -> bool {
+    planes(&seen.colour).iter().all(|plane| {
+        let finite = || plane.iter().filter(|x| x.is_finite()).map(|x| x.clamp(0.0, 1.0));
+        let (least, most) = (finite().fold(f32::INFINITY, f32::min), finite().fold(f32::NEG_INFINITY, f32::max));
+        most - least <= 0.01 * most.abs().max(0.1)
+    })
 }
 
 /// The explanations of the fewest mistakes and peculiarities; none if there are too many.
@@ -234,6 +238,11 @@ impl AtFew {
             clip: Values::new(4, clip),
             predictor: Predictor::new(all.clone(), lights, of.parameterisation, space, [(raw.clone(), some)]),
         })
+    }
+
+    /// The cost of one hypothesis: the places at which it is predicted, once for each light and open strength.
+    fn cost(&self) -> usize {
+        (1 + self.predictor.open().len()) * self.predictor.lights.each().len() * self.predictor.places(0)
     }
 
     /// For each hypothesis, the share of these places that it draws otherwise, and whether it may be right.
@@ -343,7 +352,12 @@ impl Candidate {
             highlight: Highlight {
                 gated: has("specular-gated"),
                 weighted: has("specular-cosine-weighted"),
-                white: has("specular-not-coloured"),
+                uncoloured: match () {
+                    () if has("specular-not-coloured") => Uncoloured::Specular,
+                    () if has(OWN_AMBIENT[0]) => Uncoloured::Ambient,
+                    () if has(OWN_AMBIENT[1]) => Uncoloured::AmbientAndSpecular,
+                    () => Uncoloured::None,
+                },
             },
         };
         Some(Explanation {
@@ -456,6 +470,10 @@ impl Explainer<'_> {
             }
             let here = candidate.wrong().filter(|single| candidate.which(single) == which);
             let both: Vec<Hypothesis> = here.filter_map(|single| set.and(single)).collect();
+            let cost = both.len() * candidate.coarse.cost();
+            if !self.budget.take_singles(cost) {
+                break;
+            }
             let all: Vec<&Hypothesis> = both.iter().collect();
             let mut least = 1.0_f32;
             let resemblance = candidate.coarse.resemble(&all);
@@ -502,13 +520,13 @@ impl Explainer<'_> {
             // More places cost more.
             let vertices = if candidate.method.model == ModelSolution::Gouraud { 3 } else { 1 };
             let cost = vertices * runs * at.predictor.places(0) / quick.predictor.places(0);
-            left.truncate(self.pairs_left.get() / cost);
-            self.pairs_left.set(self.pairs_left.get() - left.len() * cost);
+            left.truncate(self.budget.pairs.get() / cost);
+            self.budget.pairs.set(self.budget.pairs.get() - left.len() * cost);
             let found = at.resemble(&left);
             left = left.into_iter().zip(found).filter(|(_, (_, may_be))| *may_be).map(|(pair, _)| pair).collect();
         }
-        for hypothesis in left.into_iter().take(self.whole_left.get()) {
-            self.whole_left.set(self.whole_left.get() - 1);
+        for hypothesis in left.into_iter().take(self.budget.whole.get()) {
+            self.budget.whole.set(self.budget.whole.get() - 1);
             let Some(pair) = candidate.explanation(seen, hypothesis, self.required) else { continue };
             // One of them alone may have the same picture, because it takes away a whole term.
             let is_part =

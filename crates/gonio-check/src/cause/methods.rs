@@ -1,6 +1,6 @@
 //! The ways to solve a task, and which of them a program takes.
 
-use super::answer::{AnswerMethod, Highlight, Space};
+use super::answer::{AnswerMethod, Highlight, Space, Uncoloured};
 use super::explain::LightingMethod;
 use super::program::Program;
 use crate::comparison::Task;
@@ -30,7 +30,11 @@ pub(crate) fn answer_methods(task: &Task) -> Vec<AnswerMethod> {
     let choices = [(false, false), (true, false), (false, true)];
     let with_highlights = |method: AnswerMethod| {
         let all = choices.into_iter().flat_map(move |(gated, weighted)| {
-            [false, true].map(|white| AnswerMethod { highlight: Highlight { gated, weighted, white }, ..method })
+            // What the exercise does not ask for may have any colour.
+            Uncoloured::all(!task.required[0]).iter().map(move |uncoloured| AnswerMethod {
+                highlight: Highlight { gated, weighted, uncoloured: *uncoloured },
+                ..method
+            })
         });
         all.take(if method.model.is_lit() { usize::MAX } else { 1 })
     };

@@ -7,6 +7,8 @@
 
 mod answer;
 mod assign;
+mod budget;
+mod conclusion;
 mod conventions;
 pub mod edit;
 pub mod explain;
@@ -26,6 +28,7 @@ pub(crate) mod samples;
 pub(crate) mod scope;
 pub mod search;
 mod shown;
+mod steps;
 pub(crate) mod target;
 mod unused;
 pub(crate) mod values;
@@ -39,6 +42,8 @@ use crate::mistakes::ModelSolution;
 use crate::roles::{Bindings, NamesFile};
 use crate::rules::SourceConstants;
 use crate::testbench::TestScene;
+use budget::Budget;
+use conclusion::{Attempt, first_conclusion};
 use edit::{Editor, TextFix, Trial};
 use explain::{Explainer, Explanation, LightingMethod, Singly, Strengths};
 use gonio_glsl::{Checked, Parsed, Stage};
@@ -52,7 +57,7 @@ pub use samples::SceneSamples;
 use scope::Scopes;
 use search::{Found, Search, Tried, see};
 use shown::Shown;
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::rc::Rc;
 use target::{Highlight, RightPicture, Seen};
 
@@ -88,6 +93,8 @@ pub struct Diagnosis {
     pub fixes: Vec<TextFix>,
     /// For ambient, diffuse and specular: whether a right program computes the term and never uses it.
     pub unused_terms: [bool; 3],
+    /// Whether a right program draws diffuse light in steps.
+    pub has_steps: bool,
 }
 
 /// Most methods that are searched for causes by all repairs.
@@ -124,12 +131,12 @@ fn is_long(program: &Program, scene: &TestScene) -> bool {
 /// The reason why the values of this program cannot be judged.
 pub fn diagnose(
     task: &Task,
-    vertex: (&Parsed, &Checked),
-    fragment: (&Parsed, &Checked),
+    [vertex, fragment]: [(&Parsed, &Checked); 2],
     texts: [&str; 2],
     names: &NamesFile,
     constants: &SourceConstants,
     solutions: &Rc<ModelSolutions>,
+    depth: DiagnosisDepth,
 ) -> Result<Diagnosis, NotJudged> {
     let named = Program::new(vertex, fragment, texts, names)
         .map_err(|(stage, why)| NotJudged::Unsupported(format!("{stage}: {why}")))?;
@@ -138,6 +145,7 @@ pub fn diagnose(
         return Err(NotJudged::TooLong);
     }
     let mut assigned = named.clone();
+    let mut by_influence = Vec::new();
     if assign::is_open(&assigned) {
         let parameterisation = Parameterisation::new(task, &assigned.bindings, &assigned.declared, constants);
         let first: Vec<SceneSamples> = (scenes.iter().take(1).cloned())
@@ -152,26 +160,41 @@ pub fn diagnose(
             .map(|method| Model::new(solutions, method, Space::World, &first, 1.0, Mistakes::These(&[])));
         let plain = plain.collect::<Result<Vec<_>, _>>().map_err(NotJudged::Unsupported)?;
         assign::assign(solutions, &mut assigned, &first, &plain);
+        by_influence = assign::by_influence(&named, &assigned, &first[0], task.model.is_lit());
     }
     // A mistake may hide the roles: then those that the names tell explain more. Another convention makes no mistake.
-    let others = conventions::other_conventions(&named);
-    let mut programs = vec![&assigned];
-    let is_open = named.bindings != assigned.bindings;
-    programs.extend(is_open.then_some(&named));
-    let may_be_wrong = programs.len();
-    programs.extend(others.iter().filter(|other| other.bindings != assigned.bindings));
+    let mut others = conventions::other_conventions(&named);
+    if task.model == ModelSolution::Skybox {
+        others.extend(conventions::without_translation(&assigned));
+    }
+    // What a mistake changes in the number of right values may give inputs other roles.
+    let of_values = if by_influence.is_empty() { Attempt::Whole } else { Attempt::Right };
+    let mut programs: Vec<(&Program, Attempt)> = by_influence.iter().map(|one| (one, Attempt::Whole)).collect();
+    programs.push((&assigned, of_values));
+    programs.extend((named.bindings != assigned.bindings).then_some((&named, of_values)));
+    let switched: Vec<Program> = programs.iter().flat_map(|(one, _)| assign::with_other_switches(one)).collect();
+    // The sun's direction is a convention too.
+    let turned: Vec<&Program> =
+        programs.iter().filter(|(_, attempt)| *attempt == Attempt::Whole).map(|(one, _)| *one).collect();
+    programs.extend(turned.into_iter().map(|one| (one, Attempt::Turned)));
+    programs.extend(switched.iter().map(|one| (one, Attempt::Right)));
+    let is_new = |other: &&Program| other.bindings != assigned.bindings;
+    programs.extend(others.iter().filter(is_new).map(|one| (one, Attempt::Single)));
     let hints = Hints::new(task, [vertex.1, fragment.1], texts);
     let stages = [vertex, fragment];
-    let diagnosing = |program| {
-        let program: &Program = program;
-        let parameterisation = Parameterisation::new(task, &program.bindings, &program.declared, constants);
+    let diagnosing = |one| {
+        let (program, attempt): (&Program, Attempt) = one;
+        let mut parameterisation = Parameterisation::new(task, &program.bindings, &program.declared, constants);
+        if attempt == Attempt::Turned {
+            parameterisation = parameterisation.with_turned_sun()?;
+        }
         let count = if parameterisation.second == Second::None { of_one } else { of_one + of_two };
         let applied = |mut scene: TestScene| {
             parameterisation.apply(&mut scene);
             SceneSamples::new(scene)
         };
         let scenes = scenes.iter().take(count).map(|scene| (scene.clone(), applied(scene.clone()))).collect();
-        Diagnosing {
+        let one = Diagnosing {
             task,
             solutions,
             program,
@@ -183,47 +206,19 @@ pub fn diagnose(
             of_one,
             hints: &hints,
             shown: RefCell::default(),
-        }
+        };
+        Some((one, attempt))
     };
-    first_conclusion(programs.into_iter().map(diagnosing), may_be_wrong).map_err(NotJudged::Unsupported)
+    first_conclusion(programs.into_iter().filter_map(diagnosing), depth).map_err(NotJudged::Unsupported)
 }
 
-/// The diagnosis with the first roles with which the program is right, or else with the first of some by which it is
-/// explained.
-fn first_conclusion<'a>(all: impl Iterator<Item = Diagnosing<'a>>, may_be_wrong: usize) -> Result<Diagnosis, String> {
-    let (mut wrong, mut others) = (Vec::new(), Vec::new());
-    for (number, one) in all.enumerate() {
-        let may_be_right = one.may_be_right()?;
-        let Some(seen) = one.picture() else { return Ok(one.diagnosis(Found::Endless, methods(one.task)[0])) };
-        if may_be_right && let Some(right) = one.right(&seen)? {
-            return Ok(right);
-        }
-        let of_these = if number < may_be_wrong { &mut wrong } else { &mut others };
-        of_these.push((one, seen));
-    }
-    let mut unexplained = Vec::new();
-    for (one, seen) in &wrong {
-        match one.explaining(&one.scenes, |explainer| explainer.singly(seen))? {
-            Singly::Explained(explanations) => return one.wrong(explanations),
-            Singly::Unexplained(tried) => unexplained.push(tried),
-        }
-    }
-    // A mistake may hide the space of the normals and of the light.
-    for (one, seen) in &others {
-        if let Singly::Explained(found) = one.explaining(&one.scenes, |explainer| explainer.singly(seen))?
-            && !found.is_empty()
-        {
-            return one.wrong(found);
-        }
-    }
-    for ((one, seen), tried) in wrong.iter().zip(&unexplained) {
-        let explanations = one.explaining(&one.scenes, |explainer| explainer.by_pairs(tried, seen))?;
-        if !explanations.is_empty() {
-            return one.wrong(explanations);
-        }
-    }
-    let Some((first, _)) = wrong.first() else { return Err("no program".to_owned()) };
-    first.wrong(Vec::new())
+/// How far a diagnosis goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DiagnosisDepth {
+    /// Only whether the pair is right.
+    Right,
+    /// Also what makes it wrong.
+    Causes,
 }
 
 /// A program in its test scenes.
@@ -280,39 +275,41 @@ impl Diagnosing<'_> {
             explanations: Vec::new(),
             fixes: Vec::new(),
             unused_terms: [false; 3],
+            has_steps: false,
         }
     }
 
-    /// Whether the program is right at a few places of the first scenes, for some method.
-    fn may_be_right(&self) -> Result<bool, String> {
+    /// The methods, and their lights, for which the program is right at a few places of the first scenes.
+    fn may_be_right(&self) -> Result<Vec<(AnswerMethod, Lights)>, String> {
         const PLACES: usize = 16;
         let first = self.scenes.iter().take(2);
         let of_two = self.scenes.get(self.of_one..).into_iter().flatten().take(1);
         let few: Vec<(TestScene, SceneSamples)> =
             first.chain(of_two).map(|(scene, samples)| (scene.clone(), samples.few(PLACES))).collect();
         let samples: Vec<SceneSamples> = few.iter().map(|(_, samples)| samples.clone()).collect();
-        let Some(seen) = see(&Runner::new(self.program, &samples), &[], 0..samples.len()) else { return Ok(true) };
+        let Some(seen) = see(&Runner::new(self.program, &samples), &[], 0..samples.len()) else {
+            return Ok(Vec::new());
+        };
+        let mut found = Vec::new();
         for method in methods(self.task) {
             for lights in self.parameterisation.right_lights() {
                 if self.right_picture(method, *lights, &few)?.may_agree(&seen) {
-                    return Ok(true);
+                    found.push((method, *lights));
                 }
             }
         }
-        Ok(false)
+        Ok(found)
     }
 
     /// The diagnosis of a right program.
-    fn right(&self, seen: &Seen) -> Result<Option<Diagnosis>, String> {
-        for method in methods(self.task) {
-            for lights in self.parameterisation.right_lights() {
-                if let Some(agreement) = self.right_picture(method, *lights, &self.scenes)?.agrees(seen) {
-                    let method = AnswerMethod { highlight: agreement.highlight.unwrap_or_default(), ..method };
-                    let strengths = agreement.strengths;
-                    let found = self.diagnosis(Found::Right(agreement), method);
-                    let unused_terms = self.unused_terms(method, strengths)?;
-                    return Ok(Some(Diagnosis { lights: *lights, strengths, unused_terms, ..found }));
-                }
+    fn right(&self, seen: &Seen, likely: &[(AnswerMethod, Lights)]) -> Result<Option<Diagnosis>, String> {
+        for (method, lights) in likely.iter().copied() {
+            if let Some(agreement) = self.right_picture(method, lights, &self.scenes)?.agrees(seen) {
+                let method = AnswerMethod { highlight: agreement.highlight.unwrap_or_default(), ..method };
+                let strengths = agreement.strengths;
+                let found = self.diagnosis(Found::Right(agreement), method);
+                let unused_terms = self.unused_terms(method, strengths)?;
+                return Ok(Some(Diagnosis { lights, strengths, unused_terms, ..found }));
             }
         }
         Ok(None)
@@ -386,8 +383,9 @@ impl Diagnosing<'_> {
         if let (false, true, Lights::One) = (is_rooted, explanations.is_empty(), lights)
             && let Some((model, target)) = of_methods.first()
         {
+            let budget = Budget::default();
             let explain = |seen: &Seen| {
-                Ok(match self.explaining(scenes, |explainer| explainer.singly(seen))? {
+                Ok(match self.explaining(scenes, &budget, |explainer| explainer.singly(seen))? {
                     Singly::Explained(explanations) => explanations,
                     Singly::Unexplained(_) => Vec::new(),
                 })
@@ -437,17 +435,26 @@ impl Diagnosing<'_> {
         Ok(new)
     }
 
-    fn explaining<T>(&self, scenes: &[(TestScene, SceneSamples)], explain: impl FnOnce(&Explainer<'_>) -> T) -> T {
+    /// Whether a peculiarity of right answers may be that of the program.
+    fn is_likely(&self, id: &str) -> bool {
+        self.hints.is_likely(id) && (self.parameterisation.own_ambient || !answer::OWN_AMBIENT.contains(&id))
+    }
+
+    fn explaining<T>(
+        &self,
+        scenes: &[(TestScene, SceneSamples)],
+        budget: &Budget,
+        explain: impl FnOnce(&Explainer<'_>) -> T,
+    ) -> T {
         explain(&Explainer {
             shown: &|method| self.shown(method),
             solutions: self.solutions,
             methods: &self.hints.methods(self.program),
-            is_likely: &|id| self.hints.is_likely(id),
+            is_likely: &|id| self.is_likely(id),
             parameterisation: &self.parameterisation,
             required: self.task.required,
             scenes,
-            pairs_left: Cell::new(explain::MOST_PAIRS),
-            whole_left: Cell::new(explain::MOST_WHOLE),
+            budget,
         })
     }
 

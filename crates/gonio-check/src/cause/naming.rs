@@ -1,7 +1,7 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
 use super::model::TELLING;
-use super::observed::{Observed, Observer, SCALED, TERMS, is_name};
+use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, TERMS, is_name};
 use super::program::Change;
 use super::repair::{Make, Relation, Repair};
 use super::right_change::RightChange;
@@ -74,6 +74,12 @@ impl ProvenCause {
         !self.mistakes.is_empty()
     }
 
+    /// Whether it is the same value, written again.
+    #[must_use]
+    pub fn is_same_value(&self, other: &Self) -> bool {
+        (self.stage, &self.text, &self.should) == (other.stage, &other.text, &other.should)
+    }
+
     /// Whether the error is in this expression: it has a name, or it is computed from right values alone.
     #[must_use]
     pub fn is_root(&self) -> bool {
@@ -92,10 +98,19 @@ fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool 
     seen.is.is_some_and(|is| TERMS.contains(&name(is))) && repair.quantity().is_some_and(is_sum)
 }
 
-/// The mistake that a missing or superfluous factor or summand is.
-fn structural(should: &str) -> Option<&'static str> {
-    Some(match should {
-        "* attenuation" => "attenuation-missing",
+/// The mistakes that a missing or superfluous factor or summand may be, in an expression that contains these terms: the
+/// likeliest first.
+fn structural(should: &str, terms: &[&str]) -> Vec<&'static str> {
+    let has = |names: &[&str]| terms.iter().any(|term| names.contains(term));
+    let (both, of_diffuse, of_specular) = ("attenuation-missing", "diffuse-not-attenuated", "specular-not-attenuated");
+    vec![match should {
+        "* attenuation" => {
+            return match (has(&DIFFUSE_NAMES), has(&SPECULAR_NAMES)) {
+                (false, true) => vec![of_specular, both, of_diffuse],
+                (true, false) => vec![of_diffuse, both, of_specular],
+                _ => vec![both, of_diffuse, of_specular],
+            };
+        }
         "/ attenuation" => "ambient-attenuated",
         "* materialColour" => "albedo-missing",
         "/ materialColour" => "albedo-squared",
@@ -107,11 +122,21 @@ fn structural(should: &str) -> Option<&'static str> {
         "+ specular" | "+ spec" => "specular-missing",
         "+ ambient" => "ambient-missing",
         "linear" => "gamma-applied",
-        _ => return None,
-    })
+        _ => return Vec::new(),
+    }]
 }
 
 impl Observer<'_> {
+    /// The terms that an expression or its parts are.
+    fn terms_within(&self, observed: &[Observed], seen: &Observed) -> Vec<&str> {
+        let (first, last) = self.tokens(seen);
+        let is_within = |other: &&Observed| {
+            let (start, end) = self.tokens(other);
+            other.stage == seen.stage && start >= first && end <= last
+        };
+        observed.iter().filter(is_within).flat_map(|other| self.terms(other)).collect()
+    }
+
     /// Names and orders proven repairs.
     /// Mistakes that explain the picture come first.
     pub(super) fn causes(
@@ -186,10 +211,13 @@ impl Observer<'_> {
             if names.is_empty() {
                 names.extend(self.of_family(&before, &after, seen).and_then(crate::mistakes::find).map(|m| (4, m)));
             }
-            if names.is_empty() {
-                names.extend(structural(&repair.should).and_then(crate::mistakes::find).map(|mistake| (4, mistake)));
-            }
             let explains = |mistake: &Mistake| explaining.iter().any(|known| known.id == mistake.id);
+            if names.is_empty() {
+                let of_form = structural(&repair.should, &self.terms_within(observed, seen));
+                let all: Vec<&'static Mistake> = of_form.iter().filter_map(|id| crate::mistakes::find(id)).collect();
+                let chosen = all.iter().copied().find(|mistake| explains(mistake));
+                names.extend(chosen.or(all.first().copied()).map(|mistake| (4, mistake)));
+            }
             let is_explained = names.iter().any(|(_, mistake)| explains(mistake));
             if is_explained {
                 names.retain(|(_, mistake)| explains(mistake));
@@ -261,7 +289,10 @@ impl Observer<'_> {
             // A part of an expression that is the mistake itself.
             let is_part = cause.distance > 0 && wrong.iter().any(is_within);
             let is_after = earlier.iter().any(|wrong| *wrong < (cause.stage, cause.expr));
-            let is_use = cause.is_given && (cause.distance > 0 || is_after || wrong.iter().any(is_within));
+            let is_of_length =
+                cause.relation == Relation::Length && self.runner.program.is_whole_value(cause.stage, cause.expr);
+            let is_use =
+                !is_of_length && cause.is_given && (cause.distance > 0 || is_after || wrong.iter().any(is_within));
             (
                 !cause.is_explained,
                 is_part,

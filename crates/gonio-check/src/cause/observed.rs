@@ -70,7 +70,7 @@ pub(super) fn is_name(text: &str) -> bool {
 }
 
 /// The largest depth.
-pub(super) const DEEPEST: u32 = 16;
+pub(super) const DEEPEST: u32 = 48;
 
 pub(super) fn is_single_token((first, last): (u32, u32)) -> bool {
     first == last
@@ -162,12 +162,16 @@ impl Observer<'_> {
             }
             let here = (0..observed.len()).filter(computed).filter(|of| {
                 let other = &observed[*of];
-                other.stage == seen.stage && tokens[*of].1 < tokens[at].0 && other.values.is_same(&seen.values)
+                other.stage == seen.stage
+                    && tokens[*of].1 < tokens[at].0
+                    && other.values.covers(&seen.values)
+                    && other.values.is_same(&seen.values)
             });
             let argument = || {
-                (0..observed.len())
-                    .filter(computed)
-                    .find(|of| observed[*of].stage == seen.stage && observed[*of].values.is_same(&seen.values))
+                (0..observed.len()).filter(computed).find(|of| {
+                    let other = &observed[*of];
+                    other.stage == seen.stage && other.values.covers(&seen.values) && other.values.is_same(&seen.values)
+                })
             };
             let varying = || {
                 (0..observed.len()).filter(computed).find(|of| {
@@ -188,7 +192,7 @@ impl Observer<'_> {
         for (seen, of) in observed.iter_mut().zip(&reads) {
             seen.defined_at = *of;
         }
-        for _ in 0..12 {
+        for _ in 0..DEEPEST {
             let mut is_changed = false;
             for at in 0..observed.len() {
                 if is_given[at] {

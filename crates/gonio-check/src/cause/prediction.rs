@@ -177,6 +177,8 @@ pub(crate) struct Predictor {
     pub all: Rc<AllHypotheses>,
     /// The lights.
     pub lights: Lights,
+    /// Whether the ambient light may have a colour of its own.
+    pub has_own_ambient: bool,
     open: Vec<usize>,
     scenes: Vec<SceneModel>,
 }
@@ -255,7 +257,7 @@ impl Predictor {
             SceneModel { samples, lit }
         });
         let scenes = scenes.collect();
-        Predictor { all, lights, open, scenes }
+        Predictor { all, lights, has_own_ambient: parameterisation.own_ambient, open, scenes }
     }
 
     /// The terms whose strengths are fitted: ambient 0, diffuse 1, specular 2.

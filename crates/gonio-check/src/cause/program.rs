@@ -65,10 +65,12 @@ impl Program {
                 if !is_indexed(&input.name, texts) {
                     continue;
                 }
-                if used(checked, &input.name) && is_read(&input.name, texts) && !active.contains(&declared) {
+                let is_active = used(checked, &input.name) && is_read(&input.name, texts);
+                if is_active && !active.contains(&declared) {
                     active.push(declared.clone());
                 }
-                if !all.contains(&declared) {
+                // The old pipeline's state is declared in every program.
+                if !all.contains(&declared) && (is_active || !input.name.starts_with("gl_")) {
                     all.push(declared);
                 }
             }
@@ -128,7 +130,7 @@ impl Program {
     }
 
     fn uniform(&self, input: &StageInput, scene: &TestScene) -> Option<Vec<f32>> {
-        if let Some(unit) = unit(&input.ty.written()) {
+        if let Some(unit) = unit(&input.name, &input.ty.written()) {
             return Some(vec![unit as f32; input.count as usize]);
         }
         if let Some(fixed) = self.bindings.fixed.iter().find(|fixed| fixed.declared.name == input.name) {
@@ -163,12 +165,23 @@ impl Program {
 
 /// Whether a program may read this member of a struct: other members of the same struct do not count.
 fn is_read(name: &str, texts: [&str; 2]) -> bool {
-    let Some((_, member)) = name.rsplit_once('.') else { return true };
+    let Some((container, member)) = name.rsplit_once('.') else { return true };
     let member = member.split('[').next().unwrap_or(member);
-    texts.iter().flat_map(|text| text.split('.').skip(1)).any(|after| {
+    let is_member = |after: &str| {
         let rest = after.trim_start().strip_prefix(member);
         rest.is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_'))
-    })
+    };
+    // Several structs of the old pipeline have members of the same names.
+    if let Some(container) = container.split('[').next().filter(|container| container.starts_with("gl_")) {
+        let of_container = |after: &str| {
+            let after = after.trim_start();
+            let after =
+                after.strip_prefix('[').and_then(|after| after.split_once(']')).map_or(after, |(_, after)| after);
+            after.trim_start().strip_prefix('.').is_none_or(is_member)
+        };
+        return texts.iter().flat_map(|text| text.split(container).skip(1)).any(of_container);
+    }
+    texts.iter().flat_map(|text| text.split('.').skip(1)).any(is_member)
 }
 
 /// Whether a program may read this element of an array of OpenGL's own, such as `gl_LightSource[3].position`. These

@@ -12,7 +12,7 @@ use super::right_change::{QuantityName, RightChange, values_of};
 use super::samples::{SceneSamples, interpolated};
 use super::search::Found;
 use super::values::Values;
-use super::{ModelSolutions, diagnose, words};
+use super::{DiagnosisDepth, ModelSolutions, diagnose, words};
 use crate::comparison::{Parameterisation, Task};
 use crate::compile::ParsedStage;
 use crate::dataflow::Shader;
@@ -111,7 +111,9 @@ impl RightQuantities {
         }
         let constants = source.constants();
         let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);
-        let diagnosis = diagnose(task, vertex, fragment, texts, &names, &constants, &Rc::default()).ok()?;
+        let diagnosis =
+            diagnose(task, [vertex, fragment], texts, &names, &constants, &Rc::default(), DiagnosisDepth::Causes)
+                .ok()?;
         let groups: &[Vec<ProvenCause>] = match &diagnosis.found {
             Found::Endless => return None,
             Found::Causes(groups) => groups,

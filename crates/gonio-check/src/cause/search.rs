@@ -3,9 +3,10 @@
 use super::explain::Explanation;
 use super::model::Model;
 use super::naming::ProvenCause;
-use super::observed::{DEEPEST, Observed, Observer};
+use super::observed::{DEEPEST, Observed, Observer, is_name};
 use super::program::{Change, Runner};
 use super::repair::{Make, Relation, Repair};
+use super::right_change::RightChange;
 use super::target::{Agreement, RightPicture, Seen};
 use super::values::Values;
 use crate::mistakes::Mistake;
@@ -127,6 +128,14 @@ impl<'a> Search<'a> {
         }
         let single = self.causes(&[], &observed, &explaining(0), tried, (MOST_RUNS, MOST_RUNS));
         let single = if single.is_empty() { Found::Nothing } else { Found::Causes(vec![single]) };
+        // A sum of wrong terms is not where the mistake is.
+        let is_itself = matches!(&single, Found::Causes(groups) if groups[0].iter().any(|cause| cause.distance == 0));
+        if tried == Tried::Known
+            && !is_itself
+            && let Some(found) = self.at_each_read(&observed, &explaining(0))
+        {
+            return found;
+        }
         if single.is_rooted() || tried == Tried::Known {
             return single;
         }
@@ -148,8 +157,12 @@ impl<'a> Search<'a> {
             repairs.into_iter().partition(|repair| repair.relation == Relation::Known);
         let end = (self.runs + most).min(end);
         let mut proven = self.proven(base, observed, &known, end);
-        // Earlier expressions, from the inputs on.
-        let depth = |repair: &Repair| observed[repair.of].depth;
+        // Earlier expressions, from the inputs on. A variable may be set to a right vector where a unit one belongs.
+        let depth = |repair: &Repair| {
+            let seen = &observed[repair.of];
+            let is_set = || self.at.runner.program.is_whole_value(seen.stage, seen.expr);
+            if seen.depth == 0 && repair.relation == Relation::Length && is_set() { 1 } else { seen.depth }
+        };
         let first = proven.iter().map(depth).min().unwrap_or(DEEPEST + 1);
         // A right value may be computed from a wrong one, which makes it another quantity.
         // Beside a known wrong value, only earlier ones may be the cause.
@@ -164,6 +177,34 @@ impl<'a> Search<'a> {
             }
         }
         self.at.causes(base, observed, &proven, explaining)
+    }
+
+    /// A variable whose wrong value is read at several places, or several times at one: all reads together are the cause.
+    fn at_each_read(&mut self, observed: &[Observed], explaining: &[&'static Mistake]) -> Option<Found> {
+        let known = self.known(observed);
+        for (at, first) in known.iter().enumerate() {
+            let text = self.at.text(&observed[first.of]);
+            let is_same = |other: &&Repair| {
+                let (a, b) = (&observed[first.of], &observed[other.of]);
+                other.make == first.make && a.stage == b.stage && self.at.text(b) == text && a.values.is_same(&b.values)
+            };
+            if !is_name(text) || known[..at].iter().any(|other| is_same(&other)) {
+                continue;
+            }
+            let all: Vec<&Repair> = known[at..].iter().filter(is_same).collect();
+            let changes: Option<Vec<Change>> = all.iter().map(|one| one.change(observed, self.at.model)).collect();
+            let Some(changes) = changes.filter(|changes| changes.len() > 1) else { continue };
+            if self.judge(&changes).is_none() {
+                continue;
+            }
+            let mut found = self.at.causes(&changes[1..], observed, std::slice::from_ref(first), explaining);
+            let Some(cause) = found.first_mut() else { continue };
+            let others = all.iter().skip(1);
+            cause.also.extend(others.clone().map(|other| (observed[other.of].stage, observed[other.of].expr)));
+            cause.right.extend(others.map(|other| RightChange::new(other, observed, self.at.model)));
+            return Some(Found::Causes(vec![found]));
+        }
+        None
     }
 
     /// Two causes: the first one is a wrong value that is recognised. With an explanation, its mistakes are both.
@@ -190,7 +231,11 @@ impl<'a> Search<'a> {
             let Some(both) = second.repair.change(&again, self.at.model) else { continue };
             let firsts = self.at.causes(&[both], observed, std::slice::from_ref(first), explaining);
             let name = |group: &[ProvenCause]| Some(group.first()?.mistakes.first()?.id.clone());
-            if name(&firsts).is_some() && name(&firsts) == name(&seconds) {
+            let is_same = match (firsts.first(), seconds.first()) {
+                (Some(a), Some(b)) => name(&firsts) == name(&seconds) && (a.is_sound() || a.is_same_value(b)),
+                _ => false,
+            };
+            if is_same {
                 // One mistake at two places.
                 let mut merged = firsts;
                 merged[0].also.push((seconds[0].stage, seconds[0].expr));

@@ -2,7 +2,7 @@
 //! inputs or any constants, and its positions those of the camera.
 
 pub use super::answer::Highlight;
-use super::answer::{AnswerMethod, hypothesis_of, peculiarities};
+use super::answer::{AnswerMethod, Uncoloured, hypothesis_of, peculiarities};
 use super::prediction::{Planes, Predicted, Predictor, Sum};
 use super::values::Values;
 use crate::comparison::weighted_strengths;
@@ -17,6 +17,8 @@ const RELATIVE_TOLERANCE: f32 = 0.004;
 const MOST_DIFFERENT: f32 = 0.008;
 /// The same at few places: one of 15.
 const MOST_DIFFERENT_AT_FEW: f32 = 0.07;
+/// Scenes that are compared before all are.
+const FIRST_SCENES: usize = 3;
 /// A term with a smaller strength is missing.
 const FAINTEST: f64 = 2e-3;
 
@@ -67,9 +69,9 @@ impl RightPicture {
     pub fn new(predictor: Predictor, method: AnswerMethod, required: [bool; 3]) -> Self {
         let mut chosen: Vec<(Highlight, Hypothesis)> = Vec::new();
         let all = &predictor.all.hypotheses;
-        for white in [false, true] {
+        for uncoloured in Uncoloured::all(predictor.has_own_ambient).iter().copied() {
             for (gated, weighted) in [(false, false), (true, false), (false, true)] {
-                let highlight = Highlight { gated, weighted, white };
+                let highlight = Highlight { gated, weighted, uncoloured };
                 let is_plain = highlight == Highlight::default();
                 if (is_plain || method.model.is_lit())
                     && let Some(hypothesis) = hypothesis_of(all, &peculiarities(method, highlight))
@@ -131,8 +133,13 @@ impl RightPicture {
             return None;
         }
         self.variants.iter().find_map(|variant| {
-            let scenes = self.scenes(variant, count);
-            let fit = Fit::new(&seen_planes, sum, &scenes);
+            // Most variants differ in the first scenes.
+            let first = (0..count.min(FIRST_SCENES)).map(|scene| self.predictor.places(scene)).sum();
+            let of_first = Fit::new(&seen_planes, first, &self.scenes(variant, count.min(FIRST_SCENES)));
+            if !of_first.is_right_at_few() {
+                return None;
+            }
+            let fit = Fit::new(&seen_planes, sum, &self.scenes(variant, count));
             fit.is_right(self.required)
                 .then(|| Agreement { highlight: self.is_lit.then_some(variant.highlight), strengths: fit.strengths })
         })

@@ -100,6 +100,12 @@ impl Values {
         if count == 0 { 0.0 } else { (sum / f64::from(count)).sqrt() as f32 }
     }
 
+    /// Whether there is a value wherever the other one has one: a part of `?:` has none where the other part counts.
+    #[must_use]
+    pub fn covers(&self, other: &Values) -> bool {
+        self.present.iter().zip(&other.present).all(|(own, other)| *own || !other)
+    }
+
     /// Whether both are the same at the points that have both.
     #[must_use]
     pub fn is_same(&self, other: &Values) -> bool {

@@ -5,14 +5,14 @@ use super::corrections::without_model;
 use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
 use crate::cause::search::Found;
-use crate::cause::{AnswerMethod, Diagnosis, Space, answer_methods, diagnose, peculiarities};
+use crate::cause::{AnswerMethod, Diagnosis, DiagnosisDepth, Space, answer_methods, diagnose, peculiarities};
 use crate::comparison::{
     Evidence, MOST_FOR_WRONG, PLACES, PossibleAnswer, Prepared, RightAnswer, ShaderChecker, Task, bound, declared,
     endless_verdict, named as mistake_named, peculiarities_of, report_violations,
 };
 use crate::compile::{ParsedStage, compile};
 use crate::mistakes::{Mistake, ModelSolution, TERMS, term_of};
-use crate::roles::{Bindings, Bound, Role, VariableKind};
+use crate::roles::{Bindings, Bound, Declared, Role, VariableKind};
 use crate::rules::Analysis;
 use crate::submission::{StageText, Submission};
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
@@ -35,6 +35,7 @@ pub(super) struct Judging<'a> {
     pub program: &'a UserProgram,
     pub prepared: &'a Prepared,
     pub source: &'a Analysis,
+    pub depth: DiagnosisDepth,
 }
 
 /// A verdict by values.
@@ -109,7 +110,7 @@ impl Judging<'_> {
         let texts = self.stages.map(|stage| stage.text.text.as_str());
         let [vertex, fragment] = self.stages.map(|stage| (&stage.parsed, &stage.checked));
         let Prepared { names, constants, .. } = self.prepared;
-        diagnose(self.task, vertex, fragment, texts, names, constants, &checker.solutions).ok()
+        diagnose(self.task, [vertex, fragment], texts, names, constants, &checker.solutions, self.depth).ok()
     }
 
     /// Judges a camera by the distances of what is drawn, for programs whose colours are not those of the vertices. `None`
@@ -242,14 +243,26 @@ impl Judging<'_> {
         let chosen: Vec<&Mistake> = chosen.filter_map(|(id, _)| crate::mistakes::find(id)).collect();
         let is_other = method.model != self.task.model;
         verdict.peculiarities = peculiarities_of(self.task, &chosen, diagnosis.strengths, is_other);
-        let named = crate::roles::bind(&self.prepared.declared, &self.prepared.names);
+        if diagnosis.has_steps {
+            verdict.peculiarities.push(Peculiarity {
+                id: "diffuse-in-steps".to_owned(),
+                name: "The diffuse light is drawn in steps (toon shading)".to_owned(),
+            });
+        }
+        let bindings = &diagnosis.bindings;
+        let declared = bindings.bound.iter().map(|bound| &bound.declared).chain(&bindings.unknown);
+        let declared: Vec<Declared> = declared.cloned().collect();
+        let named = crate::roles::bind(&declared, &self.prepared.names);
         let is_named = |bound: &Bound| {
             named.bound.iter().any(|known| known.declared == bound.declared && known.role == bound.role)
         };
-        let is_open = |bound: &&Bound| bound.declared.kind == VariableKind::Uniform && !is_named(bound);
+        // The meaning of the old pipeline's state is fixed.
+        let is_open = |bound: &&Bound| {
+            let is_uniform = bound.declared.kind == VariableKind::Uniform;
+            is_uniform && !bound.declared.name.starts_with("gl_") && !is_named(bound)
+        };
         let assumed = diagnosis.bindings.bound.iter().filter(is_open);
-        let assumed: Vec<String> =
-            assumed.map(|bound| format!("`{}` is `{}`", bound.declared.name, bound.role)).collect();
+        let assumed: Vec<String> = assumed.map(assumption).collect();
         verdict.summary = match (assumed.is_empty(), verdict.peculiarities.is_empty()) {
             (false, _) => format!("right in every test scene, provided that {}", assumed.join(", ")),
             (true, true) => "right in every scene".to_owned(),
@@ -346,6 +359,17 @@ fn unexplained(mut verdict: Verdict, bindings: &Bindings) -> Verdict {
     verdict.score = score_of_wrong(&verdict);
     report_violations(&mut verdict);
     verdict
+}
+
+/// What the program has to send for a right verdict, as the end of "provided that".
+fn assumption(bound: &Bound) -> String {
+    let name = &bound.declared.name;
+    match bound.role {
+        Role::ViewRotation | Role::ViewProjectionRotation => {
+            format!("the program sends `{name}` without its translation")
+        }
+        role => format!("`{name}` is `{role}`"),
+    }
 }
 
 /// The share of right scenes, at most that of a wrong answer.

@@ -5,7 +5,6 @@ use super::SURE;
 use crate::comparison::{Evidence, PIXEL_TOLERANCE, Task, named};
 use crate::mistakes;
 use crate::mistakes::{TERMS, term_of};
-use crate::roles::Role;
 use crate::rules::Analysis;
 use crate::testbench::Atlas;
 use crate::verdict::{FoundMistake, Outcome, TermState, Verdict};
@@ -146,38 +145,6 @@ pub(super) fn without_model<'a>(source: &'a Analysis, task: &'a Task) -> impl It
     let is_asked = |id: &str| task.model.is_lit() && (task.attenuated || !id.starts_with("attenuation"));
     let is_shown = |id: &str| source.support(id, task.model) >= SURE && source.line(id, task.model).is_some();
     WITHOUT_MODEL.iter().filter(move |id| is_asked(id) && is_shown(id)).filter_map(|id| named(id, 0.0))
-}
-
-/// The interface of exercise 08, where V includes the translation of the camera.
-const EXERCISE_NAMES: [&str; 4] = ["position", "V", "P", "cubemapSampler"];
-const MOVES: &str = "skybox-keeps-translation";
-
-/// Accepts a skybox that keeps the translation of V, with a warning, if its names show that it was written for
-/// another program: many programs remove the translation before they set V.
-pub(super) fn trust_other_programs(verdict: &mut Verdict, source: &Analysis) {
-    let of_another =
-        verdict.bound.iter().any(|bound| bound.role.is_some() && !EXERCISE_NAMES.contains(&bound.name.as_str()));
-    let moves = |verdict: &Verdict| verdict.mistakes.iter().any(|found| found.id == MOVES);
-    // A shader that removes the translation somewhere expects a V with one.
-    if verdict.verdict != Outcome::Wrong || !of_another || !moves(verdict) || source.turns_only() {
-        return;
-    }
-    let is_view = |role: &str| [Role::View, Role::ViewProjection].iter().any(|view| view.to_string() == role);
-    let view = verdict.bound.iter().find(|bound| bound.role.as_deref().is_some_and(is_view));
-    let view = view.map_or("V", |bound| bound.name.as_str()).to_owned();
-    verdict.warnings.push(format!(
-        "this is right if the program sends `{view}` without its translation, `glm::mat4(glm::mat3({view}))`; \
-         otherwise the sky moves with the camera, and the shader must remove the translation: \
-         `mat4(mat3({view}))`"
-    ));
-    verdict.mistakes.retain(|found| found.id != MOVES);
-    if verdict.mistakes.is_empty() {
-        verdict.verdict = Outcome::Correct;
-        verdict.score = 1.0;
-        verdict.summary = format!("right, provided that the program sends `{view}` without its translation");
-    } else {
-        verdict.summary = verdict.mistake_names();
-    }
 }
 
 /// Makes the verdicts on single terms agree with the mistakes, which the summary names too.

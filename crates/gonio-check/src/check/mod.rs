@@ -7,6 +7,7 @@ mod proposed;
 pub use by_values::WRONG_VALUE;
 pub use proposed::with_edits;
 
+use crate::cause::DiagnosisDepth;
 use crate::comparison::{Evidence, Prepared, ShaderChecker, Task};
 use crate::compile::{ParsedStage, compile, compiler_messages, does_not_link, first_message, strictness};
 use crate::dataflow::Shader;
@@ -55,7 +56,7 @@ pub fn check(
     files: Vec<SourceFile>,
     options: &CheckOptions,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
-    check_files(checker, exercise, files, options, true)
+    check_files(checker, exercise, files, options, Purpose::Fix)
 }
 
 /// Checks a student's files where no fix is shown, which saves drawing it.
@@ -68,23 +69,34 @@ pub fn check_without_fix(
     files: Vec<SourceFile>,
     options: &CheckOptions,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
-    check_files(checker, exercise, files, options, false)
+    check_files(checker, exercise, files, options, Purpose::Causes)
 }
 
-/// Checks files, and searches for a fix if `has_fix` says so.
+/// What a check is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Purpose {
+    /// Whether the files are right.
+    Right,
+    /// Also what is wrong with them.
+    Causes,
+    /// Also a fix.
+    Fix,
+}
+
+/// Checks files for a purpose.
 fn check_files(
     checker: &mut ShaderChecker,
     exercise: &ShaderExercise<'_>,
     files: Vec<SourceFile>,
     options: &CheckOptions,
-    has_fix: bool,
+    purpose: Purpose,
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     let unsure = |sentence: String| Ok((Verdict::new(exercise.id, Outcome::Unsure, sentence), None));
     let Some(task) = Task::find(exercise.id) else {
         return unsure(format!("{} cannot be checked yet", exercise.id));
     };
     let hints = [exercise.id];
-    let given = if has_fix { files.clone() } else { Vec::new() };
+    let given = if purpose == Purpose::Fix { files.clone() } else { Vec::new() };
     let submission = match Submission::gather_with(files, options.pair.as_deref(), &hints) {
         Ok(submission) => submission,
         Err(error) => return unsure(error.to_string()),
@@ -146,6 +158,7 @@ fn check_files(
         program: &program,
         prepared: &prepared,
         source: &source,
+        depth: if purpose == Purpose::Right { DiagnosisDepth::Right } else { DiagnosisDepth::Causes },
     };
     let judged = if task.model == ModelSolution::Panorama { None } else { judging.judge(checker)? };
     let (mut verdict, evidence, fixes) = match judged {
@@ -165,9 +178,6 @@ fn check_files(
         found.line = Some(line);
         found.quoted = text.line(place.span.line).map(str::to_owned);
     };
-    if task.model == ModelSolution::Skybox {
-        corrections::trust_other_programs(&mut verdict, &source);
-    }
     by_the_source(&mut verdict, &source, task.model);
     // Pictures that nothing explains may be blank, or the source may show a mistake beyond doubt.
     if verdict.verdict == Outcome::Wrong && verdict.mistakes.is_empty() {
@@ -195,7 +205,7 @@ fn check_files(
         let (file, line, _) = text.place(at.span.line, at.span.column);
         verdict.warnings.push(format!("{file}:{line}: {sentence}"));
     }
-    if has_fix && verdict.verdict == Outcome::Wrong && !is_unchanged(exercise, &submission) {
+    if purpose == Purpose::Fix && verdict.verdict == Outcome::Wrong && !is_unchanged(exercise, &submission) {
         verdict.proposed_fix = proposed::propose(checker, exercise, &given, options, &submission, &fixes);
     }
     if options.as_the_lab {

@@ -1,6 +1,6 @@
 //! Proposed fixes: edits of the student's files with which the driver draws every test scene right.
 
-use super::{CheckOptions, ShaderExercise, check_files};
+use super::{CheckOptions, Purpose, ShaderExercise, check_files};
 use crate::cause::edit::{TextEdit, TextFix};
 use crate::comparison::ShaderChecker;
 use crate::proposed_fix::applied;
@@ -24,7 +24,7 @@ pub(super) fn propose(
     for fix in fixes.iter().take(MOST_DRAWN) {
         let Some(edits) = in_files(files, submission, fix) else { continue };
         let Some(changed) = with_edits(files, &edits) else { continue };
-        let checked = check_files(checker, exercise, changed, options, false);
+        let checked = check_files(checker, exercise, changed, options, Purpose::Right);
         if checked.is_ok_and(|(verdict, _)| verdict.verdict == Outcome::Correct) {
             return edits;
         }

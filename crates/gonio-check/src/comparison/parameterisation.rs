@@ -81,6 +81,8 @@ pub struct Parameterisation {
     usual: [f32; 3],
     /// Whether the material's colour is an input.
     material: bool,
+    /// Whether the ambient light may have a colour of its own, beside the material's.
+    pub own_ambient: bool,
     light_position: Option<Vec3>,
     shininess: Option<f32>,
     /// The exponent written in the source, which mistakes of the catalogue call `written_exponent`.
@@ -147,6 +149,9 @@ impl Parameterisation {
             has_or_declares(&|role| matches!(role, Role::DiffuseStrength(_) | Role::DiffuseColor(_))),
             has_or_declares(&|role| matches!(role, Role::SpecularStrength(_) | Role::SpecularColor(_))),
         ];
+        let has_ambient_colour = bindings.bound.iter().any(|bound| {
+            matches!(bound.role, Role::AmbientColor(_) | Role::MaterialAmbient) && bound.declared.glsl_type != "float"
+        });
         // A term that the exercise does not ask for is optional.
         let to_find =
             std::array::from_fn(|term| task.model.is_lit() && !(given[term] && material && task.required[term]));
@@ -204,6 +209,8 @@ impl Parameterisation {
             given,
             usual: [0.0, 1.0, if task.required[2] { 1.0 } else { 0.0 }],
             material,
+            // A strength is one of the material's colour, unless the exercise leaves the ambient term open.
+            own_ambient: material && (!task.required[0] || has_ambient_colour),
             light_position: (!lit_from_outside).then(|| constants.light_position.unwrap_or(task.light_position)),
             // The exercises prescribe the exponent, so another constant is a mistake for those who answer with the
             // exercise's inputs. The lab's own exponent, a constant for one light and an input for another, is the same.
@@ -235,6 +242,13 @@ impl Parameterisation {
             sun,
             upright: task.model.is_of_places() && !has(&determines_up),
         }
+    }
+
+    /// Returns the same with an input direction of the light that is used the other way: towards the light, or from it.
+    /// `None` if there is no such input.
+    pub fn with_turned_sun(&self) -> Option<Self> {
+        let Some(Sun::Given { points_to_light }) = self.sun else { return None };
+        Some(Parameterisation { sun: Some(Sun::Given { points_to_light: !points_to_light }), ..self.clone() })
     }
 
     /// Returns the lights of right answers: an ambient term without a light may belong to each light or to none.

@@ -118,6 +118,16 @@ fn by_name(read: &Read<'_>) -> Option<Role> {
 /// Assigns roles to attributes with unclear names: the first vec3 is the position, the next the normal; a vec2 is the
 /// texture coordinate.
 fn attributes_by_type(all: &mut [Read<'_>]) {
+    // `coords` with three components are those of the vertex.
+    let is_place = |read: &&mut Read<'_>| {
+        let has_three = matches!(read.declared.glsl_type.as_str(), "vec3" | "vec4");
+        read.open && read.is(Role::TexCoord) && has_three && !read.words.has("tex") && !read.words.has("uv")
+    };
+    if !all.iter().any(|read| read.is(Role::Position))
+        && let Some(read) = all.iter_mut().find(is_place)
+    {
+        read.found = Some((Role::Position, How::Use));
+    }
     for role in [Role::Position, Role::Normal, Role::TexCoord] {
         if all.iter().any(|read| read.is(role)) {
             continue;

@@ -10,6 +10,9 @@ const PREFIXES: [&str; 2] = ["gl_", "gonio_"];
 /// A light with this cutoff shines in all directions.
 const NO_SPOT: f32 = 180.0;
 
+/// The length of `gl_TextureMatrix`: the least `gl_MaxTextureCoords` that drivers have.
+const TEXTURE_MATRICES: usize = 8;
+
 /// Far behind all test scenes, in world units.
 const END_OF_FOG: f32 = 1e6;
 
@@ -33,7 +36,11 @@ pub(super) fn meaning(name: &str) -> Option<Meaning> {
         ("Vertex", None) => role(Role::Position),
         ("Normal", None) => role(Role::Normal),
         ("Color" | "VertexColor", None) => role(Role::Color),
-        ("MultiTexCoord0", None) => role(Role::TexCoord),
+        (name, None) if name.starts_with("MultiTexCoord") => role(Role::TexCoord),
+        ("TextureMatrix", None) => {
+            let identity = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+            value(&identity.repeat(TEXTURE_MATRICES))
+        }
         ("ModelViewMatrix", None) => role(Role::ModelView),
         ("ProjectionMatrix", None) => role(Role::Projection),
         ("ModelViewProjectionMatrix", None) => role(Role::ModelViewProjection),

@@ -32,6 +32,16 @@ pub enum Role {
     NormalMatrix,
     /// The inverse transpose of V M.
     NormalMatrixOfModelView,
+    /// The inverse of M: model from world.
+    ModelInverse,
+    /// The inverse of V: world from view.
+    ViewInverse,
+    /// The inverse of V M: model from view.
+    ModelViewInverse,
+    /// V without its translation.
+    ViewRotation,
+    /// P V without the translation of V.
+    ViewProjectionRotation,
     /// The position of the camera, in world space.
     ViewPos,
     /// The direction that the camera looks in, in world space.
@@ -128,7 +138,7 @@ enum Named {
 
 use Named::{Light, Plain};
 
-const NAMES: [(&str, Named); 56] = [
+const NAMES: [(&str, Named); 61] = [
     ("position", Plain(Role::Position)),
     ("normal", Plain(Role::Normal)),
     ("tex-coord", Plain(Role::TexCoord)),
@@ -142,6 +152,11 @@ const NAMES: [(&str, Named); 56] = [
     ("model-view-projection", Plain(Role::ModelViewProjection)),
     ("normal-matrix", Plain(Role::NormalMatrix)),
     ("normal-matrix-of-model-view", Plain(Role::NormalMatrixOfModelView)),
+    ("model-inverse", Plain(Role::ModelInverse)),
+    ("view-inverse", Plain(Role::ViewInverse)),
+    ("model-view-inverse", Plain(Role::ModelViewInverse)),
+    ("view-rotation", Plain(Role::ViewRotation)),
+    ("view-projection-rotation", Plain(Role::ViewProjectionRotation)),
     ("view-pos", Plain(Role::ViewPos)),
     ("view-front", Plain(Role::ViewFront)),
     ("view-up", Plain(Role::ViewUp)),
@@ -313,7 +328,7 @@ mod tests {
 
     #[test]
     fn role_names_survive_a_round_trip() {
-        assert_eq!(Role::all().count(), 56);
+        assert_eq!(Role::all().count(), 61);
         for role in Role::all() {
             assert_eq!(role.to_string().parse(), Ok(role));
             let third = role.with_light(2);

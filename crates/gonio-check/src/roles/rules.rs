@@ -257,7 +257,15 @@ fn matrix(words: &Words) -> Option<Role> {
             (false, false) => Some(Role::NormalMatrix),
         };
     }
-    if spelt("inverse") || spelt("trans") && !(m || v || p) {
+    if spelt("inverse") {
+        return match (m, v, p) {
+            (true, false, false) => Some(Role::ModelInverse),
+            (false, true, false) => Some(Role::ViewInverse),
+            (true, true, false) => Some(Role::ModelViewInverse),
+            _ => None,
+        };
+    }
+    if spelt("trans") && !(m || v || p) {
         return None;
     }
     match (m, v, p) {

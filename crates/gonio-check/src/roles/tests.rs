@@ -396,7 +396,12 @@ const DIALECTS: &[(&str, &str)] = &[
     ),
     ("one letter each", "in vec3 vp position\n in vec3 vn normal\n in vec2 vt tex-coord"),
     ("both of the view", "vec3 viewPos view-pos\n vec3 viewDir view-front"),
-    ("a place and a matrix", "mat4 viewInverse -\n mat4 transform model\n mat4 PV view-projection"),
+    (
+        "coordinates of three components",
+        "in vec3 a_coords position\n in vec3 a_normal normal\n mat4 modelview model-view
+         mat3 inverseViewTransform view-inverse\n mat4 projection projection",
+    ),
+    ("a place and a matrix", "mat4 viewInverse view-inverse\n mat4 transform model\n mat4 PV view-projection"),
     ("one matrix left over", "mat4 P projection\n mat4 V view\n mat4 transformation model"),
     (
         "letters",

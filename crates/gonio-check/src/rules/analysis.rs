@@ -38,17 +38,6 @@ impl Analysis {
         constants::constants(&self.reading)
     }
 
-    /// Whether V is reduced to its rotation anywhere, used or not.
-    #[must_use]
-    pub fn turns_only(&self) -> bool {
-        let graph = &self.reading.graph;
-        let is_view = |id: Id| self.reading.role(graph.core(id)) == Some(Role::View);
-        graph.ids().any(|id| match graph.op(id) {
-            Op::Construct(parts) => graph.node(id).is_matrix && parts.len() == 1 && is_view(parts[0]),
-            _ => false,
-        })
-    }
-
     /// Returns the roles of matrices with unclear names by their use in the position.
     #[must_use]
     pub fn matrices_by_use(&self) -> Vec<(String, Role)> {

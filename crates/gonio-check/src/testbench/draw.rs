@@ -93,7 +93,7 @@ impl Testbench {
                 change(&mut test_scene);
                 let value = |&(index, bound): &(usize, &Bound)| {
                     let glsl_type = bound.declared.glsl_type.as_str();
-                    let values = match unit(glsl_type) {
+                    let values = match unit(&bound.declared.name, glsl_type) {
                         Some(_) => None,
                         None => numbers_of_array(bound.role, glsl_type, bound.declared.array, &test_scene),
                     };

@@ -2,7 +2,7 @@
 
 use super::{TestLight, TestScene};
 use crate::roles::{Bindings, Role, VariableKind};
-use glam::{Mat4, Vec3};
+use glam::{Mat3, Mat4, Vec3};
 use gonio_glsl::{Scalar, Type};
 use gonio_render::user_program::UserProgram;
 
@@ -18,7 +18,7 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
     let model = test_scene.world_from_model;
     let projection = test_scene.clip_from_view();
     let matrix = |m: Mat4| match glsl_type {
-        "mat3" => glam::Mat3::from_mat4(m).to_cols_array().to_vec(),
+        "mat3" => Mat3::from_mat4(m).to_cols_array().to_vec(),
         _ => m.to_cols_array().to_vec(),
     };
     let point = |p: Vec3| vec![p.x, p.y, p.z, 1.0];
@@ -40,6 +40,11 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
         Role::ModelViewProjection => matrix(projection * view * model),
         Role::NormalMatrix => matrix(test_scene.normal_matrix()),
         Role::NormalMatrixOfModelView => matrix(Mat4::from_mat3(test_scene.view_normal_matrix())),
+        Role::ModelInverse => matrix(model.inverse()),
+        Role::ViewInverse => matrix(view.inverse()),
+        Role::ModelViewInverse => matrix((view * model).inverse()),
+        Role::ViewRotation => matrix(Mat4::from_mat3(Mat3::from_mat4(view))),
+        Role::ViewProjectionRotation => matrix(projection * Mat4::from_mat3(Mat3::from_mat4(view))),
         Role::ViewPos => point(test_scene.eye),
         Role::ViewFront => direction(test_scene.front()),
         Role::WorldUp => direction(test_scene.up.normalize()),
@@ -122,13 +127,21 @@ pub fn uniform_bits(ty: &Type, count: u32, values: &[f32]) -> Vec<u32> {
 pub const CUBEMAP_UNIT: u32 = 0;
 /// The texture unit of the white texture.
 pub const WHITE_UNIT: u32 = 1;
+/// A unit without a texture.
+const BLACK_UNIT: u32 = 2;
 /// Longer arrays of samplers are not supported.
 const MOST_ELEMENTS: u32 = 64;
 
-/// Returns the texture unit of a sampler of this type. Each type has its own, because a unit cannot be read in two
-/// ways. A type without a texture reads an empty unit, which is black; an unknown 2D texture is white, like a shadow
+/// Whether a texture has light that the material emits, which test scenes do not have.
+fn is_emission(name: &str) -> bool {
+    let name = name.to_ascii_lowercase();
+    ["emission", "emissive", "emitted"].iter().any(|word| name.contains(word))
+}
+
+/// Returns the texture unit of a sampler with this name and type. Each type has its own, because a unit cannot be read in
+/// two ways. A type without a texture reads an empty unit, which is black; an unknown 2D texture is white, like a shadow
 /// map without shadows.
-pub fn unit(glsl_type: &str) -> Option<u32> {
+pub fn unit(name: &str, glsl_type: &str) -> Option<u32> {
     const EMPTY: [&str; 8] = [
         "sampler2DShadow",
         "samplerCubeShadow",
@@ -141,10 +154,11 @@ pub fn unit(glsl_type: &str) -> Option<u32> {
     ];
     match glsl_type {
         "samplerCube" => Some(CUBEMAP_UNIT),
+        "sampler2D" if is_emission(name) => Some(BLACK_UNIT),
         "sampler2D" => Some(WHITE_UNIT),
         _ => {
             let place = EMPTY.iter().position(|known| *known == glsl_type).unwrap_or(EMPTY.len());
-            glsl_type.contains("sampler").then_some(2 + place as u32)
+            glsl_type.contains("sampler").then_some(1 + BLACK_UNIT + place as u32)
         }
     }
 }
@@ -155,7 +169,10 @@ pub fn samplers(program: &UserProgram, bindings: &Bindings) -> Vec<(usize, Vec<f
     let all = bindings.bound.iter().map(|bound| &bound.declared).chain(unknown);
     all.filter_map(|declared| {
         let elements = declared.array.clamp(1, MOST_ELEMENTS) as usize;
-        Some((program.uniform_index(&declared.name)?, vec![unit(&declared.glsl_type)? as f32; elements]))
+        Some((
+            program.uniform_index(&declared.name)?,
+            vec![unit(&declared.name, &declared.glsl_type)? as f32; elements],
+        ))
     })
     .collect()
 }

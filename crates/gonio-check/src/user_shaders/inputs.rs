@@ -37,6 +37,11 @@ pub(super) fn origin(role: Role) -> String {
         Role::ModelViewProjection => "P V M of object and camera".to_owned(),
         Role::NormalMatrix => "the object's inverse transpose of M".to_owned(),
         Role::NormalMatrixOfModelView => "the inverse transpose of V M".to_owned(),
+        Role::ModelInverse => "the inverse of the object's matrix M".to_owned(),
+        Role::ViewInverse => "the inverse of the camera's matrix V".to_owned(),
+        Role::ModelViewInverse => "the inverse of V M".to_owned(),
+        Role::ViewRotation => "the camera's matrix V without its translation".to_owned(),
+        Role::ViewProjectionRotation => "the camera's P V without the translation".to_owned(),
         Role::ViewPos | Role::ViewFront | Role::ViewUp | Role::WorldUp | Role::ViewRight | Role::ViewTarget => {
             "from the camera".to_owned()
         }
@@ -141,6 +146,11 @@ fn value(role: Role, glsl_type: &str, input: &DrawInputs<'_>) -> Option<Vec<f32>
         Role::ModelViewProjection => matrix(projection * view * model),
         Role::NormalMatrix => normal_matrix(model),
         Role::NormalMatrixOfModelView => normal_matrix(view * model),
+        Role::ModelInverse => matrix(model.inverse()),
+        Role::ViewInverse => matrix(view.inverse()),
+        Role::ModelViewInverse => matrix((view * model).inverse()),
+        Role::ViewRotation => matrix(DMat4::from_mat3(DMat3::from_mat4(view))),
+        Role::ViewProjectionRotation => matrix(projection * DMat4::from_mat3(DMat3::from_mat4(view))),
         Role::ViewPos => vector(camera.position, 1.0),
         Role::ViewFront => vector(camera.front, 0.0),
         Role::ViewUp | Role::WorldUp => vector(camera.up, 0.0),

@@ -84,8 +84,8 @@ impl PreviewRenderer {
             pair.program.set(&fixed.declared.name, &fixed.values);
         }
         for (shape, test_scene) in objects {
-            for bound in of_kind(pair, VariableKind::Uniform).filter(|bound| unit(&bound.declared.glsl_type).is_none())
-            {
+            let is_number = |bound: &&Bound| unit(&bound.declared.name, &bound.declared.glsl_type).is_none();
+            for bound in of_kind(pair, VariableKind::Uniform).filter(is_number) {
                 if let Some(values) = held(bound, test_scene) {
                     pair.program.set(&bound.declared.name, &values);
                 }
@@ -104,7 +104,7 @@ fn of_kind(pair: &CompiledPair, kind: VariableKind) -> impl Iterator<Item = &Bou
 /// The numbers of a uniform.
 pub(crate) fn held(bound: &Bound, test_scene: &TestScene) -> Option<Vec<f32>> {
     let glsl_type = bound.declared.glsl_type.as_str();
-    match unit(glsl_type) {
+    match unit(&bound.declared.name, glsl_type) {
         Some(unit) => Some(vec![unit as f32]),
         None => numbers_of_array(bound.role, glsl_type, bound.declared.array, test_scene),
     }

@@ -74,7 +74,7 @@ impl SteppedStage {
     }
 
     fn uniform(&self, input: &StageInput, bindings: &Bindings, test_scene: &TestScene) -> Option<Vec<f32>> {
-        if let Some(unit) = unit(&input.ty.written()) {
+        if let Some(unit) = unit(&input.name, &input.ty.written()) {
             return Some(vec![unit as f32; input.count as usize]);
         }
         let name = self.name_in_program(&input.name);

@@ -151,11 +151,10 @@ fn new_name(name: &str, taken: &BTreeSet<String>) -> String {
 }
 
 /// Old name, replacement, and declaration; `{}` is `out` or `in`.
-const VERTEX: [(&str, &str, &str); 9] = [
+const VERTEX: [(&str, &str, &str); 8] = [
     ("gl_Vertex", "gonio_Vertex", "in vec4 gonio_Vertex;"),
     ("gl_Normal", "gonio_Normal", "in vec3 gonio_Normal;"),
     ("gl_Color", "gonio_VertexColor", "in vec4 gonio_VertexColor;"),
-    ("gl_MultiTexCoord0", "gonio_MultiTexCoord0", "in vec4 gonio_MultiTexCoord0;"),
     ("gl_FrontColor", "gonio_Color", "out vec4 gonio_Color;"),
     ("gl_BackColor", "gonio_BackColor", "vec4 gonio_BackColor;"),
     ("gl_TexCoord", "gonio_TexCoord", "out vec4 gonio_TexCoord[8];"),
@@ -169,7 +168,7 @@ const FRAGMENT: [(&str, &str, &str); 3] = [
     ("gl_FogFragCoord", "gonio_FogFragCoord", "in float gonio_FogFragCoord;"),
 ];
 
-const BOTH: [(&str, &str, &str); 8] = [
+const BOTH: [(&str, &str, &str); 9] = [
     ("gl_ModelViewMatrix", "gonio_ModelViewMatrix", "uniform mat4 gonio_ModelViewMatrix;"),
     ("gl_ProjectionMatrix", "gonio_ProjectionMatrix", "uniform mat4 gonio_ProjectionMatrix;"),
     (
@@ -178,6 +177,7 @@ const BOTH: [(&str, &str, &str); 8] = [
         "uniform mat4 gonio_ModelViewProjectionMatrix;",
     ),
     ("gl_NormalMatrix", "gonio_NormalMatrix", "uniform mat3 gonio_NormalMatrix;"),
+    ("gl_TextureMatrix", "gonio_TextureMatrix", "uniform mat4 gonio_TextureMatrix[8];"),
     ("gl_ModelViewMatrixInverse", "inverse(gonio_ModelViewMatrix)", "uniform mat4 gonio_ModelViewMatrix;"),
     ("gl_ModelViewMatrixTranspose", "transpose(gonio_ModelViewMatrix)", "uniform mat4 gonio_ModelViewMatrix;"),
     (
@@ -199,6 +199,12 @@ impl Translator<'_> {
             if let Some((_, new, line)) = own.iter().chain(&BOTH).find(|row| row.0 == name) {
                 self.replace_token(tokens.first, new);
                 self.preamble.insert((*line).to_string());
+                continue;
+            }
+            if let Some(number) = name.strip_prefix("gl_MultiTexCoord").filter(|_| self.stage() == Stage::Vertex) {
+                let new = format!("gonio_MultiTexCoord{number}");
+                self.replace_token(tokens.first, &new);
+                self.preamble.insert(format!("in vec4 {new};"));
                 continue;
             }
             if let Some(new) = self.fixed_state(name) {

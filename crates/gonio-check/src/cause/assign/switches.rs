@@ -6,7 +6,11 @@ use crate::cause::samples::SceneSamples;
 use crate::roles::{Declared, Fixed, VariableKind};
 
 /// Most switches that are set; more belong to an engine.
-const MOST_SWITCHES: usize = 4;
+const MOST_SWITCHES: usize = 6;
+/// Most switches of which all combinations are tried.
+const MOST_COMBINED: usize = 4;
+/// Most settings with which a program may be right.
+const MOST_SETTINGS: usize = 32;
 
 /// The settings of a switch of this type, apart from 0.
 fn settings(glsl_type: &str) -> &'static [f32] {
@@ -61,7 +65,7 @@ pub(super) fn set(program: &mut Program, samples: &[SceneSamples], models: &[Mod
         best.1.clone()
     };
     let mut chosen = vec![0.0; all.len()];
-    for bits in 1..1_u32 << all.len() {
+    for bits in 1..1_u32 << all.len().min(MOST_COMBINED) {
         let on = (0..all.len()).map(|at| f32::from(u8::from(bits >> at & 1 == 1))).collect();
         chosen = attempt(program, on);
     }
@@ -78,6 +82,35 @@ pub(super) fn set(program: &mut Program, samples: &[SceneSamples], models: &[Mod
         bindings.fixed.clone_from(&found);
         bindings.unknown.retain(|unknown| found.iter().all(|fixed| fixed.declared != *unknown));
     }
+}
+
+/// The program with each other setting of its switches.
+pub(in crate::cause) fn with_other_switches(program: &Program) -> Vec<Program> {
+    let mut open = program.clone();
+    let is_switch = |fixed: &Fixed| !settings(&fixed.declared.glsl_type).is_empty();
+    open.bindings
+        .unknown
+        .extend(open.bindings.fixed.iter().filter(|fixed| is_switch(fixed)).map(|fixed| fixed.declared.clone()));
+    open.bindings.fixed.retain(|fixed| !is_switch(fixed));
+    let all = switches(&open);
+    if all.is_empty() {
+        return Vec::new();
+    }
+    let mut combinations: Vec<Vec<f32>> = vec![Vec::new()];
+    for switch in &all {
+        let each = [0.0].into_iter().chain(settings(&switch[0].glsl_type).iter().copied());
+        combinations = each
+            .flat_map(|setting| combinations.iter().map(move |known| [known.as_slice(), &[setting]].concat()))
+            .collect();
+    }
+    let made = combinations.into_iter().take(MOST_SETTINGS).map(|chosen| {
+        let found = fixed(&all, &chosen);
+        let mut other = open.clone();
+        other.bindings.unknown.retain(|unknown| found.iter().all(|fixed| fixed.declared != *unknown));
+        other.bindings.fixed.extend(found);
+        other
+    });
+    made.filter(|other| other.bindings.fixed != program.bindings.fixed).collect()
 }
 
 /// The values of switches with these settings; those at 0 keep the value that OpenGL gives them.

@@ -1,0 +1,259 @@
+//! Finds the roles of inputs by their influence on the colour: an input of which nothing is known is a strength if the
+//! colour is linear in it, an exponent if it is one, a position if all channels depend on all its components.
+//!
+//! Unlike the number of right values, this does not change much where the program has a mistake.
+
+use super::probe::{Influence, Input, Probe, Varied, differ, is_exponent, spread};
+use crate::cause::program::{Program, Runner};
+use crate::cause::samples::SceneSamples;
+use crate::cause::search::see;
+use crate::roles::{Bound, Declared, Fixed, How, Role, VariableKind};
+use glam::Vec3;
+
+/// Places at which inputs are varied.
+const PLACES: usize = 40;
+/// More inputs without a role belong to an engine.
+const MOST_INPUTS: usize = 12;
+
+/// The name without the indices of arrays.
+fn without_indices(name: &str) -> String {
+    let mut is_index = false;
+    let is_kept = |c: &char| {
+        is_index = *c == '[' || is_index && *c != ']';
+        !is_index && *c != ']'
+    };
+    name.chars().filter(is_kept).collect()
+}
+
+/// The first index in a name: the number of a light.
+fn index_of(name: &str) -> u32 {
+    let index = name.split_once('[').and_then(|(_, rest)| rest.split_once(']'));
+    index.and_then(|(index, _)| index.parse().ok()).unwrap_or(0)
+}
+
+fn inputs(named: &Program, samples: &SceneSamples, is_scale: &dyn Fn(&Declared) -> bool) -> Vec<Input> {
+    let mut found: Vec<Input> = Vec::new();
+    let base = |glsl_type: &str| {
+        let place = samples.scene.eye + Vec3::new(0.3, 0.5, 0.2);
+        let scale = place.length().max(1.0) / 2.5;
+        Some(match glsl_type {
+            "float" => vec![0.6],
+            "vec3" => (place / scale).to_array().to_vec(),
+            "vec4" => (place / scale).extend(1.0).to_array().to_vec(),
+            _ => return None,
+        })
+    };
+    let mut add = |declared: &Declared, is_exponent: bool| {
+        let Some(base) = base(&declared.glsl_type).filter(|_| declared.kind == VariableKind::Uniform) else { return };
+        let group = without_indices(&declared.name);
+        match found.iter_mut().find(|known| without_indices(&known.members[0].name) == group) {
+            Some(known) => known.members.push(declared.clone()),
+            None => found.push(Input { members: vec![declared.clone()], base, is_exponent }),
+        }
+    };
+    for declared in named.bindings.unknown.iter().chain(doubles(named)) {
+        if !is_scale(declared) {
+            add(declared, false);
+        }
+    }
+    found
+}
+
+/// Inputs whose names give them the role that another one has too.
+fn doubles(named: &Program) -> impl Iterator<Item = &Declared> {
+    let is_open = |bound: &&Bound| {
+        bound.declared.kind == VariableKind::Uniform && bound.how == How::Name && of_one_input(bound.role)
+    };
+    let others = |bound: &Bound| named.bindings.bound.iter().filter(|other| other.role == bound.role).count();
+    named.bindings.bound.iter().filter(is_open).filter(move |bound| others(bound) > 1).map(|bound| &bound.declared)
+}
+
+/// Whether one input has this role, not several that are used together.
+fn of_one_input(role: Role) -> bool {
+    super::NUMBERS.contains(&role) || [Role::LightPos(0), Role::ViewPos].contains(&role)
+}
+
+/// Whether names give two inputs the same role.
+pub(super) fn has_doubles(named: &Program) -> bool {
+    doubles(named).next().is_some()
+}
+
+/// The program with the roles that its inputs have by their influence; several if nothing distinguishes two of them. None
+/// if all names tell the role.
+pub(in crate::cause) fn by_influence(
+    named: &Program,
+    assigned: &Program,
+    samples: &SceneSamples,
+    is_lit: bool,
+) -> Vec<Program> {
+    let samples = samples.few(PLACES);
+    let is_scale =
+        |declared: &Declared| assigned.bindings.bound.iter().any(|b| b.declared == *declared && b.role == Role::Tint);
+    let mut all = inputs(named, &samples, &is_scale);
+    if all.is_empty() || all.len() > MOST_INPUTS {
+        return Vec::new();
+    }
+    let is_number = |input: &Input| input.base.len() == 1;
+    let mut start = assigned.clone();
+    let is_probed = |all: &[Input], declared: &Declared| all.iter().any(|input| input.members.contains(declared));
+    start.bindings.bound.retain(|bound| !is_probed(&all, &bound.declared));
+    for at in 0..all.len() {
+        let is_one = is_number(&all[at]) && is_exponent(&start, &samples, &all, at);
+        if is_one {
+            (all[at].is_exponent, all[at].base) = (true, vec![8.0]);
+        }
+    }
+    // A name may say exponent where the use says another.
+    if all.iter().any(|input| input.is_exponent) {
+        let by_name = start.bindings.bound.iter().position(|bound| bound.role == Role::Shininess);
+        if let Some(at) = by_name {
+            let bound = start.bindings.bound.remove(at);
+            all.push(Input { members: vec![bound.declared], base: vec![0.6], is_exponent: false });
+            if is_exponent(&start, &samples, &all, all.len() - 1) {
+                return Vec::new();
+            }
+        }
+    }
+    let mut probe = Probe { program: start.clone(), samples, inputs: &all };
+    let Some(kinds) = (0..all.len()).map(|at| probe.influence(at)).collect::<Option<Vec<_>>>() else {
+        return Vec::new();
+    };
+    let these = |is: &dyn Fn(Influence) -> bool| (0..all.len()).filter(|at| is(kinds[*at])).collect::<Vec<usize>>();
+    let places = these(&|kind| kind == Influence::Place);
+    let mut roles: Vec<Option<Role>> = vec![None; all.len()];
+    let mut taken: Vec<Role> = start.bindings.bound.iter().map(|bound| bound.role).collect();
+    let mut give = |at: usize, wanted: &[Role]| {
+        let role = wanted.iter().copied().find(|role| !taken.contains(role)).unwrap_or(Role::Tint);
+        taken.push(role);
+        roles[at] = Some(role);
+        role
+    };
+    for at in these(&|kind| kind == Influence::Exponent) {
+        give(at, &[Role::Shininess]);
+    }
+    let mut of_diffuse = None;
+    for at in these(&|kind| matches!(kind, Influence::Linear { .. })) {
+        let is_colour = kinds[at] == Influence::Linear { is_colour: true };
+        let is_whole = is_colour && {
+            let dark = Varied { inputs: vec![(at, vec![0.0; all[at].base.len()])], ..Varied::default() };
+            probe.colours(&dark).is_some_and(|colours| colours.iter().all(|x| x.is_nan() || x.abs() <= 1e-4))
+        };
+        let wanted = match is_whole {
+            true => &[Role::MaterialColor, Role::LightColor(0)],
+            false => roles_of_term(probe.term(at, &places), is_colour),
+        };
+        if give(at, wanted) == Role::DiffuseStrength(0) {
+            of_diffuse = Some(at);
+        }
+    }
+    let numbers = these(&|kind| kind == Influence::Number);
+    if is_lit {
+        let mut factors: Vec<(f32, usize)> = numbers.iter().map(|at| (spread(&probe.factor(*at)), *at)).collect();
+        factors.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let of_degree = [Role::AttenuationConstant(0), Role::AttenuationLinear(0), Role::AttenuationQuadratic(0)];
+        let first = factors.first().is_none_or(|(spread, _)| *spread < 1e-3);
+        let open = of_degree.iter().filter(|role| !taken_by(&start, **role)).copied().collect::<Vec<_>>();
+        let open = if first || open.len() < 3 { open } else { open[1..].to_vec() };
+        for ((_, at), role) in factors.iter().zip(open) {
+            give(*at, &[role]);
+        }
+    } else {
+        for at in &numbers {
+            give(*at, &[Role::RefractionIndex]);
+        }
+    }
+    let has = |is: &dyn Fn(Role) -> bool| start.bindings.bound.iter().any(|bound| is(bound.role));
+    let has_light = has(&|role| role.light().is_some() && role.in_space(false).is_some());
+    let has_eye = has(&|role| role == Role::ViewPos);
+    let (light, eye) = (Role::LightPos(0), Role::ViewPos);
+    let of_places: Vec<Vec<(usize, Role)>> = match (places.as_slice(), is_lit) {
+        ([], _) => vec![Vec::new()],
+        ([one, ..], false) => vec![vec![(*one, eye)]],
+        ([one], true) => vec![vec![(*one, if has_light { eye } else { light })]],
+        ([one, two, ..], true) => {
+            let (first, second) = (vec![(*one, light), (*two, eye)], vec![(*two, light), (*one, eye)]);
+            match [*one, *two].map(|at| probe.is_light(at, of_diffuse)) {
+                [Some(false), Some(true)] if !has_light && !has_eye => vec![second],
+                [Some(a), Some(b)] if a == b && !has_light && !has_eye => vec![first, second],
+                [None, _] | [_, None] if !has_light && !has_eye => vec![first, second],
+                _ => vec![first],
+            }
+        }
+    };
+    let with_places = |of_places: Vec<(usize, Role)>| {
+        let mut roles = roles.clone();
+        of_places.into_iter().for_each(|(at, role)| roles[at] = Some(role));
+        with_roles(&start, &all, &roles)
+    };
+    let found = of_places.into_iter().map(with_places);
+    found.filter(|program| program.bindings != assigned.bindings).collect()
+}
+
+/// The roles of a factor of a term: a number or a colour.
+fn roles_of_term(term: usize, is_colour: bool) -> &'static [Role] {
+    match (term, is_colour) {
+        (0, false) => &[Role::AmbientStrength(0)],
+        (1, false) => &[Role::DiffuseStrength(0), Role::SpecularStrength(0)],
+        (_, false) => &[Role::SpecularStrength(0), Role::DiffuseStrength(0)],
+        (0, true) => &[Role::AmbientColor(0), Role::MaterialAmbient],
+        (1, true) => &[Role::DiffuseColor(0), Role::MaterialDiffuse],
+        (_, true) => &[Role::SpecularColor(0), Role::MaterialSpecular],
+    }
+}
+
+/// A program with roles for these inputs.
+fn with_roles(program: &Program, inputs: &[Input], roles: &[Option<Role>]) -> Program {
+    let mut program = program.clone();
+    for (input, role) in inputs.iter().zip(roles) {
+        let Some(role) = role else { continue };
+        for declared in &input.members {
+            program.bindings.unknown.retain(|unknown| unknown != declared);
+            let role = role.with_light(index_of(&declared.name));
+            program.bindings.bound.push(Bound { declared: declared.clone(), role, how: How::Type });
+        }
+    }
+    adopt(&mut program);
+    program
+}
+
+fn taken_by(program: &Program, role: Role) -> bool {
+    program.bindings.bound.iter().any(|bound| bound.role == role)
+}
+
+/// The numbers without a role on which positions on the screen depend: factors that are 1 in the test scenes.
+pub(super) fn scales(program: &Program, samples: &SceneSamples) -> Vec<Declared> {
+    let is_number = |declared: &&Declared| declared.kind == VariableKind::Uniform && declared.glsl_type == "float";
+    let open: Vec<Declared> = program.bindings.unknown.iter().filter(is_number).cloned().collect();
+    if open.len() > MOST_INPUTS {
+        return Vec::new();
+    }
+    let samples = [samples.few(PLACES)];
+    let mut probe = program.clone();
+    let fixed = |of: &[Declared], changed: Option<usize>| -> Vec<Fixed> {
+        let value = |at: usize| if changed == Some(at) { 1.5 } else { 1.0 };
+        of.iter()
+            .enumerate()
+            .map(|(at, declared)| Fixed { declared: declared.clone(), values: vec![value(at)] })
+            .collect()
+    };
+    let mut positions = |changed: Option<usize>| {
+        probe.bindings.fixed = [program.bindings.fixed.as_slice(), &fixed(&open, changed)].concat();
+        see(&Runner::new(&probe, &samples), &[], 0..1).map(|seen| seen.clip.numbers)
+    };
+    let Some(start) = positions(None) else { return Vec::new() };
+    let moves: Vec<bool> =
+        (0..open.len()).map(|at| positions(Some(at)).is_some_and(|now| differ(&start, &now))).collect();
+    open.into_iter().zip(moves).filter(|(_, moves)| *moves).map(|(declared, _)| declared).collect()
+}
+
+/// Gives what the program declares the roles of what it uses.
+pub(super) fn adopt(program: &mut Program) {
+    for found in &program.bindings.bound {
+        let declared = &mut program.declared;
+        declared.unknown.retain(|unknown| unknown != &found.declared);
+        match declared.bound.iter_mut().find(|known| known.declared == found.declared) {
+            Some(known) => known.role = found.role,
+            None => declared.bound.push(found.clone()),
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! Draws a conclusion from several sets of roles that the inputs of a program may have.
+
+use super::budget::Budget;
+use super::explain::{Singly, is_black, is_flat};
+use super::methods::methods;
+use super::search::Found;
+use super::target::Agreement;
+use super::{Diagnosing, Diagnosis, DiagnosisDepth};
+
+/// What is tried with one set of roles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Attempt {
+    /// Whether the program is right, and what is wrong otherwise.
+    Whole,
+    /// Whether it is right, or one mistake explains it.
+    Single,
+    /// Only whether it is right.
+    Right,
+    /// Only whether it is right with the direction of the sun turned round.
+    Turned,
+}
+
+impl Attempt {
+    /// Whether only right programs count.
+    pub fn is_of_right(self) -> bool {
+        matches!(self, Attempt::Right | Attempt::Turned)
+    }
+}
+
+/// The diagnosis with the first roles with which the program is right, or else with the first of some by which it is
+/// explained.
+pub(super) fn first_conclusion<'a>(
+    all: impl Iterator<Item = (Diagnosing<'a>, Attempt)>,
+    depth: DiagnosisDepth,
+) -> Result<Diagnosis, String> {
+    let (mut wrong, mut others) = (Vec::new(), Vec::new());
+    let mut with_unused_terms = None;
+    for (one, attempt) in all {
+        let likely = one.may_be_right()?;
+        if likely.is_empty() && attempt.is_of_right() {
+            continue;
+        }
+        let Some(seen) = one.picture() else {
+            // With another setting of a switch, a loop may not end.
+            if attempt != Attempt::Whole {
+                continue;
+            }
+            return Ok(one.diagnosis(Found::Endless, methods(one.task)[0]));
+        };
+        // With open strengths, a picture without light is like any other.
+        let is_lit = one.task.model.is_lit();
+        if attempt.is_of_right() && is_lit && (is_black(&seen) || is_flat(&seen)) {
+            continue;
+        }
+        match one.right(&seen, &likely)? {
+            // A switch may be off that turns the term on.
+            Some(right) if right.unused_terms.contains(&true) => {
+                with_unused_terms.get_or_insert(right);
+                continue;
+            }
+            Some(right) => return Ok(right),
+            None if attempt == Attempt::Whole && one.has_steps(&seen)? => {
+                let right = Found::Right(Agreement { highlight: None, strengths: [None; 3] });
+                return Ok(Diagnosis { has_steps: true, ..one.diagnosis(right, methods(one.task)[0]) });
+            }
+            None => {}
+        }
+        match attempt {
+            Attempt::Whole => wrong.push((one, seen)),
+            Attempt::Single => others.push((one, seen)),
+            Attempt::Right | Attempt::Turned => {}
+        }
+    }
+    if let Some(right) = with_unused_terms {
+        return Ok(right);
+    }
+    if let (DiagnosisDepth::Right, Some((first, _))) = (depth, wrong.first()) {
+        return Ok(first.diagnosis(Found::Nothing, methods(first.task)[0]));
+    }
+    let budget = Budget::default();
+    let mut unexplained = Vec::new();
+    for (one, seen) in &wrong {
+        match one.explaining(&one.scenes, &budget, |explainer| explainer.singly(seen))? {
+            Singly::Explained(explanations) => return one.wrong(explanations),
+            Singly::Unexplained(tried) => unexplained.push(tried),
+        }
+    }
+    // A mistake may hide the space of the normals and of the light.
+    for (one, seen) in &others {
+        if let Singly::Explained(found) = one.explaining(&one.scenes, &budget, |explainer| explainer.singly(seen))?
+            && !found.is_empty()
+        {
+            return one.wrong(found);
+        }
+    }
+    for ((one, seen), tried) in wrong.iter().zip(&unexplained) {
+        let explanations = one.explaining(&one.scenes, &budget, |explainer| explainer.by_pairs(tried, seen))?;
+        if !explanations.is_empty() {
+            return one.wrong(explanations);
+        }
+    }
+    let Some((first, _)) = wrong.first() else { return Err("no program".to_owned()) };
+    first.wrong(Vec::new())
+}

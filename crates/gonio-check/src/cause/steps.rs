@@ -1,0 +1,71 @@
+//! Recognises toon shading: diffuse light in steps is a choice, as long as each step is one of the right cosine.
+
+use super::Diagnosing;
+use super::methods::methods;
+use super::model::{Mistakes, Model, Space};
+use super::target::Seen;
+use crate::comparison::Second;
+use crate::mistakes::ModelSolution;
+use gonio_glsl::Stage;
+use std::collections::BTreeSet;
+
+/// Most steps; a ramp of 8-bit colours has more.
+const MOST_STEPS: usize = 8;
+/// Fewest steps in some scene: lit or not lit is no shading.
+const FEWEST_STEPS: usize = 3;
+/// Changes of the colour beyond those between steps: places where rounding decides.
+const MOST_STRAYS: usize = 2;
+
+/// The number of steps of colours as a function of the cosine; `None` if they are no such function.
+fn steps(cosines: &[f32], colours: &[f32]) -> Option<usize> {
+    let level = |x: f32| if x.is_finite() { (x.clamp(-1e3, 1e3) * 1e3).round() as i64 } else { i64::MAX };
+    let colour = |at: usize| [0, 1, 2].map(|channel| level(colours[at * 3 + channel]));
+    let mut order: Vec<usize> = (0..cosines.len()).filter(|at| cosines[*at].is_finite()).collect();
+    order.sort_by(|a, b| cosines[*a].total_cmp(&cosines[*b]));
+    let distinct: BTreeSet<[i64; 3]> = order.iter().map(|at| colour(*at)).collect();
+    let changes = order.windows(2).filter(|pair| colour(pair[0]) != colour(pair[1])).count();
+    (!distinct.is_empty() && distinct.len() <= MOST_STEPS && changes < distinct.len() + MOST_STRAYS)
+        .then_some(distinct.len())
+}
+
+impl Diagnosing<'_> {
+    /// Whether a program whose task is diffuse light alone draws steps of the right cosine in every scene.
+    pub(super) fn has_steps(&self, seen: &Seen) -> Result<bool, String> {
+        let is_diffuse = self.task.required == [false, true, false] && self.task.model == ModelSolution::Phong;
+        if !is_diffuse || self.parameterisation.second != Second::None {
+            return Ok(false);
+        }
+        let samples = self.samples();
+        for method in methods(self.task).into_iter().filter(|method| method.model == self.task.model) {
+            let model = Model::new(self.solutions, method, Space::World, &samples, 1.0, Mistakes::These(&[]))?;
+            let Some(cosines) = model.right("dot(N, L)", Stage::Fragment, false) else { continue };
+            let mut first = 0;
+            let of_scenes = samples.iter().map(|samples| {
+                let places = first..first + samples.places.len();
+                first = places.end;
+                steps(&cosines.numbers[places.clone()], &seen.colour.numbers[places.start * 3..places.end * 3])
+            });
+            let most = of_scenes.collect::<Option<Vec<usize>>>().and_then(|all| all.into_iter().max());
+            if most.is_some_and(|most| most >= FEWEST_STEPS) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_functions_of_the_cosine() {
+        let cosines: Vec<f32> = (0..60).map(|at| at as f32 / 60.0).collect();
+        let grey = |f: &dyn Fn(f32) -> f32| -> Vec<f32> { cosines.iter().flat_map(|x| [f(*x); 3]).collect() };
+        assert_eq!(steps(&cosines, &grey(&|x| (x * 4.0).ceil() / 4.0)), Some(5));
+        assert_eq!(steps(&cosines, &grey(&|_| 0.5)), Some(1));
+        assert_eq!(steps(&cosines, &grey(&|x| x)), None);
+        // Steps of something else.
+        assert_eq!(steps(&cosines, &grey(&|x| (x * 20.0).floor() % 2.0)), None);
+    }
+}
