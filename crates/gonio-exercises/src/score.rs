@@ -159,20 +159,20 @@ fn is_at(found: &FoundMistake, made: &LabelledMistake) -> bool {
     made.places.iter().any(|(known, at)| known == file && *at == line)
 }
 
-/// The part of a verdict that a rewrite must not change: the outcome, and for each mistake its name and those that no
-/// picture tells apart from it. Which of these comes first depends on what the source shows.
-fn gist(verdict: &Verdict) -> (Outcome, Vec<Vec<&str>>) {
-    let mut all: Vec<Vec<&str>> = verdict
-        .mistakes
-        .iter()
-        .map(|found| {
-            let mut names: Vec<&str> = std::iter::once(&found.id).chain(&found.or).map(String::as_str).collect();
-            names.sort_unstable();
-            names
-        })
-        .collect();
-    all.sort_unstable();
-    (verdict.verdict, all)
+/// Whether two mistakes are the same, or alternatives that no picture tells apart. Which of these comes first depends on
+/// what the source shows.
+fn is_same_mistake(a: &FoundMistake, b: &FoundMistake) -> bool {
+    a.id == b.id || a.or.contains(&b.id) || b.or.contains(&a.id)
+}
+
+/// Whether verdicts on the same program in two styles agree: the outcome, and each mistake.
+fn is_same_verdict(a: &Verdict, b: &Verdict) -> bool {
+    let mut left: Vec<&FoundMistake> = b.mistakes.iter().collect();
+    let all_found = a.mistakes.iter().all(|found| {
+        let at = left.iter().position(|other| is_same_mistake(found, other));
+        at.map(|at| left.swap_remove(at)).is_some()
+    });
+    a.verdict == b.verdict && all_found && left.is_empty()
 }
 
 impl ScoredPair {
@@ -197,7 +197,7 @@ impl ScoredPair {
             names_right,
             lines_right: located,
             same_when_rewritten: (!rewritten.is_empty())
-                .then(|| rewritten.iter().all(|other| gist(other) == gist(verdict))),
+                .then(|| rewritten.iter().all(|other| is_same_verdict(other, verdict))),
             fix_passes: has_fix_to_make.then(|| fixed.is_some_and(|fixed| fixed.verdict == Outcome::Correct)),
             invisible: pair.invisible.len(),
         }

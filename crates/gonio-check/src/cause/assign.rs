@@ -239,6 +239,20 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
     program.bindings.unknown.retain(|unknown| bound.iter().all(|bound| bound.declared != *unknown));
 }
 
+/// Assigns roles to the matrices that have none by name, once those of the other inputs are known.
+pub(super) fn choose_open_matrices(program: &mut Program, samples: &[SceneSamples], models: &[Model]) {
+    let Some(first) = samples.first() else { return };
+    let is_open = |bound: &Bound| {
+        bound.declared.kind == VariableKind::Uniform && bound.declared.glsl_type == "mat4" && bound.how == How::Type
+    };
+    let all = program.bindings.bound.iter().enumerate();
+    let matrices: Vec<usize> = all.filter(|(_, bound)| is_open(bound)).map(|(index, _)| index).collect();
+    if (1..=MOST_MATRICES).contains(&matrices.len()) {
+        choose_matrices(program, std::slice::from_ref(first), models, &matrices);
+        influence::adopt(program);
+    }
+}
+
 /// Assigns roles to matrices, so that every vertex is in place and most values are right. Returns 0 if that is not
 /// possible.
 fn choose_matrices(program: &mut Program, samples: &[SceneSamples], models: &[Model], matrices: &[usize]) -> usize {

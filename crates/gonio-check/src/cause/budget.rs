@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 /// Most predictions of single mistakes at few places, with open strengths and lights.
-const MOST_SINGLES: usize = 1_000_000;
+const MOST_SINGLES: usize = 2_500_000;
 /// Most predictions of pairs at few places.
 const MOST_PAIRS: usize = 120_000;
 /// Most pairs that are predicted at all places.

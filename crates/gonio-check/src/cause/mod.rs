@@ -161,6 +161,10 @@ pub fn diagnose(
         let plain = plain.collect::<Result<Vec<_>, _>>().map_err(NotJudged::Unsupported)?;
         assign::assign(solutions, &mut assigned, &first, &plain);
         by_influence = assign::by_influence(&named, &assigned, &first[0], task.model.is_lit());
+        // A light that is turned to view space shows which matrix is V.
+        for program in by_influence.iter_mut().filter(|_| task.model.is_lit()) {
+            assign::choose_open_matrices(program, &first, &plain);
+        }
     }
     // A mistake may hide the roles: then those that the names tell explain more. Another convention makes no mistake.
     let mut others = conventions::other_conventions(&named);
