@@ -443,7 +443,9 @@ impl Explainer<'_> {
             for (candidate, sets) in unexplained.iter().take(if must_be_suspect { usize::MAX } else { 1 }) {
                 let quick = candidate.at_fewest(self, seen)?;
                 let wrong = candidate.wrong_of_pairs();
-                for set in sets.iter().take(if must_be_suspect { MOST_SETS_OF_PAIRS } else { 1 }) {
+                // An ambient light in its own colour is rare beside two mistakes, and doubles the sets.
+                let usual = sets.iter().filter(|set| !candidate.has_own_ambient(set));
+                for set in usual.take(if must_be_suspect { MOST_SETS_OF_PAIRS } else { 1 }) {
                     self.pairs((candidate, &quick, &wrong), set, seen, must_be_suspect, &mut found);
                 }
             }
@@ -548,6 +550,12 @@ impl Candidate {
     fn at_fewest(&self, of: &Explainer<'_>, seen: &Seen) -> Result<AtFew, String> {
         let LightingMethod { model, space } = self.method;
         AtFew::new(of, &self.fine.all, (space, self.fine.lights), seen, quick(model))
+    }
+
+    /// Whether the ambient light has a colour of its own in a set of peculiarities.
+    fn has_own_ambient(&self, set: &Hypothesis) -> bool {
+        let all = &self.fine.all.hypotheses;
+        set.mistakes.iter().any(|mistake| OWN_AMBIENT.contains(&all.mistakes[*mistake].id.as_str()))
     }
 
     /// The mistakes that may be one of two.

@@ -119,10 +119,14 @@ fn determines_up(role: Role) -> bool {
 
 /// Whether a program has the exercises' own inputs: an exponent, or a name that only the lab uses.
 fn is_of_the_lab(declared: &Bindings) -> bool {
+    declared.bound.iter().any(|bound| bound.role == Role::Shininess) || has_lab_names(declared)
+}
+
+/// Whether a program has a name that only the lab uses.
+fn has_lab_names(declared: &Bindings) -> bool {
     const NAMES: [&str; 4] = ["itM", "u_light_pos", "u_view_pos", "materialColour"];
     let all = declared.bound.iter().map(|bound| &bound.declared).chain(&declared.unknown);
-    declared.bound.iter().any(|bound| bound.role == Role::Shininess)
-        || all.into_iter().any(|declared| NAMES.contains(&declared.name.as_str()))
+    all.into_iter().any(|declared| NAMES.contains(&declared.name.as_str()))
 }
 
 impl Parameterisation {
@@ -210,7 +214,7 @@ impl Parameterisation {
             usual: [0.0, 1.0, if task.required[2] { 1.0 } else { 0.0 }],
             material,
             // A strength is one of the material's colour, unless the exercise leaves the ambient term open.
-            own_ambient: material && (!task.required[0] || has_ambient_colour),
+            own_ambient: material && (!task.required[0] && !has_lab_names(declared) || has_ambient_colour),
             light_position: (!lit_from_outside).then(|| constants.light_position.unwrap_or(task.light_position)),
             // The exercises prescribe the exponent, so another constant is a mistake for those who answer with the
             // exercise's inputs. The lab's own exponent, a constant for one light and an input for another, is the same.
