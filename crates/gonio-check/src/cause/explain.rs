@@ -13,6 +13,7 @@ use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::{Hypothesis, Mistake, ModelSolution, TERMS, term_of};
 use crate::testbench::TestScene;
 use glam::Vec3;
+use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -87,8 +88,13 @@ pub(crate) struct Explainer<'a> {
     pub required: [bool; 3],
     /// The test scenes, and the points with the inputs of the program.
     pub scenes: &'a [(TestScene, SceneSamples)],
-    /// What may still be predicted.
+    /// Single mistakes that may still be predicted, with all roles together.
     pub budget: &'a Budget,
+    /// Pairs that may still be predicted at few places. Each set of roles has its own: those with wrong roles would leave
+    /// none for the right ones.
+    pub pairs_left: Cell<usize>,
+    /// Pairs that may still be predicted at all places.
+    pub whole_left: Cell<usize>,
 }
 
 /// Places that exclude most pairs.
@@ -136,6 +142,10 @@ fn telling(
 
 /// Places of all hypotheses that are predicted together.
 const TOGETHER: usize = 2_048;
+/// Most runs of pairs at few places.
+pub(super) const MOST_PAIRS: usize = 120_000;
+/// Most pairs that are predicted at all places.
+pub(super) const MOST_WHOLE: usize = 240;
 /// Most single mistakes that resemble a picture at few places.
 const MOST_LIKE_ONE: usize = 40;
 /// Brightness that no 8-bit picture shows.
@@ -473,7 +483,7 @@ impl Explainer<'_> {
             let here = candidate.wrong().filter(|single| candidate.which(single) == which);
             let both: Vec<Hypothesis> = here.filter_map(|single| set.and(single)).collect();
             let cost = both.len() * candidate.coarse.cost();
-            if !self.budget.take_singles(cost) {
+            if !self.budget.take(cost) {
                 break;
             }
             let all: Vec<&Hypothesis> = both.iter().collect();
@@ -522,13 +532,13 @@ impl Explainer<'_> {
             // More places cost more.
             let vertices = if candidate.method.model == ModelSolution::Gouraud { 3 } else { 1 };
             let cost = vertices * runs * at.predictor.places(0) / quick.predictor.places(0);
-            left.truncate(self.budget.pairs.get() / cost);
-            self.budget.pairs.set(self.budget.pairs.get() - left.len() * cost);
+            left.truncate(self.pairs_left.get() / cost);
+            self.pairs_left.set(self.pairs_left.get() - left.len() * cost);
             let found = at.resemble(&left);
             left = left.into_iter().zip(found).filter(|(_, (_, may_be))| *may_be).map(|(pair, _)| pair).collect();
         }
-        for hypothesis in left.into_iter().take(self.budget.whole.get()) {
-            self.budget.whole.set(self.budget.whole.get() - 1);
+        for hypothesis in left.into_iter().take(self.whole_left.get()) {
+            self.whole_left.set(self.whole_left.get() - 1);
             let Some(pair) = candidate.explanation(seen, hypothesis, self.required) else { continue };
             // One of them alone may have the same picture, because it takes away a whole term.
             let is_part =

@@ -57,7 +57,7 @@ pub use samples::SceneSamples;
 use scope::Scopes;
 use search::{Found, Search, Tried, see};
 use shown::Shown;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use target::{Highlight, RightPicture, Seen};
 
@@ -459,6 +459,8 @@ impl Diagnosing<'_> {
             required: self.task.required,
             scenes,
             budget,
+            pairs_left: Cell::new(explain::MOST_PAIRS),
+            whole_left: Cell::new(explain::MOST_WHOLE),
         })
     }
 

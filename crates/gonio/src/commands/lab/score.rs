@@ -36,7 +36,7 @@ With --generated, the programs are new: a generator writes correct answers in ma
 checks itself that the mistakes are visible. A seed and a number give the same program everywhere. A verdict is also compared with \
 that on the same program in another style, which must not differ.
 
-Exit codes: 0 the goals are reached (97 % of single mistakes, 80 % of pairs, no false alarm; with --generated 97 % of single mistakes \
+Exit codes: 0 the goals are reached (97 % of single mistakes, 85 % of pairs, no false alarm; with --generated 97 % of single mistakes \
 with their line, 90 % of pairs, no false alarm, no verdict that depends on the style), 1 they are not, 2 error.
 
 Examples:
@@ -88,7 +88,7 @@ struct Row {
 
 impl Row {
     fn reaches_the_goals(&self) -> bool {
-        self.score.single.share() >= 0.97 && self.score.pairs.share() >= 0.8 && self.false_alarms.is_empty()
+        self.score.single.share() >= 0.97 && self.score.pairs.share() >= 0.85 && self.false_alarms.is_empty()
     }
 }
 
