@@ -234,7 +234,7 @@ fn assign_uniforms(program: &mut Program, samples: &[SceneSamples], models: &[Mo
         program.bindings.bound = known;
         program.bindings.bound.extend(shown);
     }
-    influence::adopt(program);
+    program.declared.adopt(&program.bindings);
     let bound = &program.bindings.bound;
     program.bindings.unknown.retain(|unknown| bound.iter().all(|bound| bound.declared != *unknown));
 }
@@ -249,7 +249,7 @@ pub(super) fn choose_open_matrices(program: &mut Program, samples: &[SceneSample
     let matrices: Vec<usize> = all.filter(|(_, bound)| is_open(bound)).map(|(index, _)| index).collect();
     if (1..=MOST_MATRICES).contains(&matrices.len()) {
         choose_matrices(program, std::slice::from_ref(first), models, &matrices);
-        influence::adopt(program);
+        program.declared.adopt(&program.bindings);
     }
 }
 

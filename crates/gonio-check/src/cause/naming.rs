@@ -91,6 +91,7 @@ impl ProvenCause {
 const MOST_NAMED: usize = 40;
 /// Most of them for one expression.
 const MOST_OF_ONE: usize = 2;
+
 /// Whether a right term is to be replaced by a sum: the sum is wrong, not the term.
 fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool {
     let name = |index: usize| at.model.quantities[index].name.as_str();
@@ -103,14 +104,14 @@ fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool 
 fn structural(should: &str, terms: &[&str]) -> Vec<&'static str> {
     let has = |names: &[&str]| terms.iter().any(|term| names.contains(term));
     let (both, of_diffuse, of_specular) = ("attenuation-missing", "diffuse-not-attenuated", "specular-not-attenuated");
+    if should == "* attenuation" {
+        return match (has(&DIFFUSE_NAMES), has(&SPECULAR_NAMES)) {
+            (false, true) => vec![of_specular, both, of_diffuse],
+            (true, false) => vec![of_diffuse, both, of_specular],
+            _ => vec![both, of_diffuse, of_specular],
+        };
+    }
     vec![match should {
-        "* attenuation" => {
-            return match (has(&DIFFUSE_NAMES), has(&SPECULAR_NAMES)) {
-                (false, true) => vec![of_specular, both, of_diffuse],
-                (true, false) => vec![of_diffuse, both, of_specular],
-                _ => vec![both, of_diffuse, of_specular],
-            };
-        }
         "/ attenuation" => "ambient-attenuated",
         "* materialColour" => "albedo-missing",
         "/ materialColour" => "albedo-squared",

@@ -16,10 +16,15 @@ const FEWEST_STEPS: usize = 3;
 /// Changes of the colour beyond those between steps: places where rounding decides.
 const MOST_STRAYS: usize = 2;
 
+/// A colour in steps that no eye tells apart.
+fn rounded(colour: &[f32]) -> [i64; 3] {
+    let level = |x: f32| if x.is_finite() { (x.clamp(-1e3, 1e3) * 1e3).round() as i64 } else { i64::MAX };
+    [0, 1, 2].map(|channel| level(colour[channel]))
+}
+
 /// The number of steps of colours as a function of the cosine; `None` if they are no such function.
 fn steps(cosines: &[f32], colours: &[f32]) -> Option<usize> {
-    let level = |x: f32| if x.is_finite() { (x.clamp(-1e3, 1e3) * 1e3).round() as i64 } else { i64::MAX };
-    let colour = |at: usize| [0, 1, 2].map(|channel| level(colours[at * 3 + channel]));
+    let colour = |at: usize| rounded(&colours[at * 3..][..3]);
     let mut order: Vec<usize> = (0..cosines.len()).filter(|at| cosines[*at].is_finite()).collect();
     order.sort_by(|a, b| cosines[*a].total_cmp(&cosines[*b]));
     let distinct: BTreeSet<[i64; 3]> = order.iter().map(|at| colour(*at)).collect();
@@ -36,6 +41,12 @@ impl Diagnosing<'_> {
             return Ok(false);
         }
         let samples = self.samples();
+        let Some(first) = samples.first() else { return Ok(false) };
+        let in_first: BTreeSet<[i64; 3]> =
+            seen.colour.numbers.chunks_exact(3).take(first.places.len()).map(rounded).collect();
+        if in_first.len() > MOST_STEPS {
+            return Ok(false);
+        }
         for method in methods(self.task).into_iter().filter(|method| method.model == self.task.model) {
             let model = Model::new(self.solutions, method, Space::World, &samples, 1.0, Mistakes::These(&[]))?;
             let Some(cosines) = model.right("dot(N, L)", Stage::Fragment, false) else { continue };

@@ -132,11 +132,12 @@ impl RightPicture {
         if !is_in_place(&seen.clip, &self.scenes(first, count)) {
             return None;
         }
+        let places_of_first = (0..FIRST_SCENES.min(count)).map(|scene| self.predictor.places(scene)).sum();
         self.variants.iter().find_map(|variant| {
             // Most variants differ in the first scenes.
-            let first = (0..count.min(FIRST_SCENES)).map(|scene| self.predictor.places(scene)).sum();
-            let of_first = Fit::new(&seen_planes, first, &self.scenes(variant, count.min(FIRST_SCENES)));
-            if !of_first.is_right_at_few() {
+            if count > FIRST_SCENES
+                && !Fit::new(&seen_planes, places_of_first, &self.scenes(variant, FIRST_SCENES)).is_right_at_few()
+            {
                 return None;
             }
             let fit = Fit::new(&seen_planes, sum, &self.scenes(variant, count));

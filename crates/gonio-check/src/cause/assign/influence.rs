@@ -3,7 +3,7 @@
 //!
 //! Unlike the number of right values, this does not change much where the program has a mistake.
 
-use super::probe::{Influence, Input, Probe, Varied, differ, is_exponent, spread};
+use super::probe::{Influence, Input, Probe, Varied, differ, is_exponent, powers, spread};
 use crate::cause::program::{Program, Runner};
 use crate::cause::samples::SceneSamples;
 use crate::cause::search::see;
@@ -31,6 +31,7 @@ fn index_of(name: &str) -> u32 {
     index.and_then(|(index, _)| index.parse().ok()).unwrap_or(0)
 }
 
+/// The inputs that are varied, elements of arrays of structs together.
 fn inputs(named: &Program, samples: &SceneSamples, is_scale: &dyn Fn(&Declared) -> bool) -> Vec<Input> {
     let mut found: Vec<Input> = Vec::new();
     let base = |glsl_type: &str| {
@@ -43,17 +44,17 @@ fn inputs(named: &Program, samples: &SceneSamples, is_scale: &dyn Fn(&Declared) 
             _ => return None,
         })
     };
-    let mut add = |declared: &Declared, is_exponent: bool| {
+    let mut add = |declared: &Declared| {
         let Some(base) = base(&declared.glsl_type).filter(|_| declared.kind == VariableKind::Uniform) else { return };
         let group = without_indices(&declared.name);
         match found.iter_mut().find(|known| without_indices(&known.members[0].name) == group) {
             Some(known) => known.members.push(declared.clone()),
-            None => found.push(Input { members: vec![declared.clone()], base, is_exponent }),
+            None => found.push(Input { members: vec![declared.clone()], base, is_exponent: false }),
         }
     };
     for declared in named.bindings.unknown.iter().chain(doubles(named)) {
         if !is_scale(declared) {
-            add(declared, false);
+            add(declared);
         }
     }
     found
@@ -97,8 +98,9 @@ pub(in crate::cause) fn by_influence(
     let mut start = assigned.clone();
     let is_probed = |all: &[Input], declared: &Declared| all.iter().any(|input| input.members.contains(declared));
     start.bindings.bound.retain(|bound| !is_probed(&all, &bound.declared));
+    let powers = powers(&start);
     for at in 0..all.len() {
-        let is_one = is_number(&all[at]) && is_exponent(&start, &samples, &all, at);
+        let is_one = is_number(&all[at]) && is_exponent(&start, &samples, &powers, &all, at);
         if is_one {
             (all[at].is_exponent, all[at].base) = (true, vec![8.0]);
         }
@@ -109,12 +111,12 @@ pub(in crate::cause) fn by_influence(
         if let Some(at) = by_name {
             let bound = start.bindings.bound.remove(at);
             all.push(Input { members: vec![bound.declared], base: vec![0.6], is_exponent: false });
-            if is_exponent(&start, &samples, &all, all.len() - 1) {
+            if is_exponent(&start, &samples, &powers, &all, all.len() - 1) {
                 return Vec::new();
             }
         }
     }
-    let mut probe = Probe { program: start.clone(), samples, inputs: &all };
+    let mut probe = Probe::new(start.clone(), samples, &all);
     let Some(kinds) = (0..all.len()).map(|at| probe.influence(at)).collect::<Option<Vec<_>>>() else {
         return Vec::new();
     };
@@ -146,13 +148,14 @@ pub(in crate::cause) fn by_influence(
             of_diffuse = Some(at);
         }
     }
+    let has = |is: &dyn Fn(Role) -> bool| start.bindings.bound.iter().any(|bound| is(bound.role));
     let numbers = these(&|kind| kind == Influence::Number);
     if is_lit {
         let mut factors: Vec<(f32, usize)> = numbers.iter().map(|at| (spread(&probe.factor(*at)), *at)).collect();
         factors.sort_by(|a, b| a.0.total_cmp(&b.0));
         let of_degree = [Role::AttenuationConstant(0), Role::AttenuationLinear(0), Role::AttenuationQuadratic(0)];
         let first = factors.first().is_none_or(|(spread, _)| *spread < 1e-3);
-        let open = of_degree.iter().filter(|role| !taken_by(&start, **role)).copied().collect::<Vec<_>>();
+        let open = of_degree.iter().filter(|role| !has(&|known| known == **role)).copied().collect::<Vec<_>>();
         let open = if first || open.len() < 3 { open } else { open[1..].to_vec() };
         for ((_, at), role) in factors.iter().zip(open) {
             give(*at, &[role]);
@@ -162,7 +165,6 @@ pub(in crate::cause) fn by_influence(
             give(*at, &[Role::RefractionIndex]);
         }
     }
-    let has = |is: &dyn Fn(Role) -> bool| start.bindings.bound.iter().any(|bound| is(bound.role));
     let has_light = has(&|role| role.light().is_some() && role.in_space(false).is_some());
     let has_eye = has(&|role| role == Role::ViewPos);
     let (light, eye) = (Role::LightPos(0), Role::ViewPos);
@@ -212,12 +214,8 @@ fn with_roles(program: &Program, inputs: &[Input], roles: &[Option<Role>]) -> Pr
             program.bindings.bound.push(Bound { declared: declared.clone(), role, how: How::Type });
         }
     }
-    adopt(&mut program);
+    program.declared.adopt(&program.bindings);
     program
-}
-
-fn taken_by(program: &Program, role: Role) -> bool {
-    program.bindings.bound.iter().any(|bound| bound.role == role)
 }
 
 /// The numbers without a role on which positions on the screen depend: factors that are 1 in the test scenes.
@@ -244,16 +242,4 @@ pub(super) fn scales(program: &Program, samples: &SceneSamples) -> Vec<Declared>
     let moves: Vec<bool> =
         (0..open.len()).map(|at| positions(Some(at)).is_some_and(|now| differ(&start, &now))).collect();
     open.into_iter().zip(moves).filter(|(_, moves)| *moves).map(|(declared, _)| declared).collect()
-}
-
-/// Gives what the program declares the roles of what it uses.
-pub(super) fn adopt(program: &mut Program) {
-    for found in &program.bindings.bound {
-        let declared = &mut program.declared;
-        declared.unknown.retain(|unknown| unknown != &found.declared);
-        match declared.bound.iter_mut().find(|known| known.declared == found.declared) {
-            Some(known) => known.role = found.role,
-            None => declared.bound.push(found.clone()),
-        }
-    }
 }

@@ -8,6 +8,7 @@ use crate::roles::{Declared, Fixed};
 use glam::Vec3;
 use gonio_glsl::Stage;
 use gonio_interpreter::ExprId;
+use std::rc::Rc;
 
 /// The share of numbers that may behave otherwise: where a clamp or a condition decides.
 const MOST_OTHERS: f32 = 0.08;
@@ -34,10 +35,13 @@ pub(super) enum Influence {
     Place,
 }
 
+/// A program whose inputs are varied.
 pub(super) struct Probe<'a> {
-    pub program: Program,
-    pub samples: SceneSamples,
-    pub inputs: &'a [Input],
+    program: Program,
+    samples: SceneSamples,
+    inputs: &'a [Input],
+    /// For each input, the slope of the colours where nothing else is different.
+    slopes: Vec<Option<Rc<Slope>>>,
 }
 
 /// What is different from the start in a run.
@@ -57,7 +61,16 @@ pub(super) struct Slope {
     pub is_linear: bool,
 }
 
-impl Probe<'_> {
+/// The difference of numbers per step.
+fn difference(a: &[f32], b: &[f32], step: f32) -> Vec<f32> {
+    a.iter().zip(b).map(|(a, b)| (b - a) / step).collect()
+}
+
+impl<'a> Probe<'a> {
+    pub fn new(program: Program, samples: SceneSamples, inputs: &'a [Input]) -> Self {
+        Probe { program, samples, inputs, slopes: vec![None; inputs.len()] }
+    }
+
     fn samples(&self, varied: &Varied) -> SceneSamples {
         let mut samples = self.samples.clone();
         if varied.has_other_normals {
@@ -104,7 +117,7 @@ impl Probe<'_> {
     }
 
     /// The values of all expressions of numbers, in the order in which they are computed.
-    pub fn values(&mut self, varied: &Varied) -> Vec<((Stage, ExprId, u32), Vec<f32>)> {
+    fn values(&mut self, varied: &Varied) -> Vec<((Stage, ExprId, u32), Vec<f32>)> {
         self.fix(varied);
         let samples = [self.samples(varied)];
         let exprs = STAGES.map(|stage| self.program.numbers(stage));
@@ -114,7 +127,7 @@ impl Probe<'_> {
         all.map(|seen| ((seen.stage, seen.expr, seen.occurrence), seen.values.numbers)).collect()
     }
 
-    pub fn with_factor(&self, at: usize, factor: f32, varied: &Varied) -> Varied {
+    fn with_factor(&self, at: usize, factor: f32, varied: &Varied) -> Varied {
         let value = self.inputs[at].base.iter().map(|x| x * factor).collect();
         let mut varied = varied.clone();
         varied.inputs.push((at, value));
@@ -126,19 +139,26 @@ impl Probe<'_> {
         let [first, second, third] =
             [1.0, 1.25, 1.75].map(|factor| self.colours(&self.with_factor(at, factor, varied)));
         let (first, second, third) = (first?, second?, third?);
-        let slope =
-            |a: &[f32], b: &[f32], step: f32| -> Vec<f32> { a.iter().zip(b).map(|(a, b)| (b - a) / step).collect() };
-        let numbers = slope(&first, &second, 0.25);
-        let is_linear = !differ(&numbers, &slope(&second, &third, 0.5));
+        let numbers = difference(&first, &second, 0.25);
+        let is_linear = !differ(&numbers, &difference(&second, &third, 0.5));
         Some(Slope { numbers, is_linear })
     }
 
+    /// The slope of the colours where nothing else is different.
+    fn own_slope(&mut self, at: usize) -> Option<Rc<Slope>> {
+        if self.slopes[at].is_none() {
+            self.slopes[at] = self.slope(at, &Varied::default()).map(Rc::new);
+        }
+        self.slopes[at].clone()
+    }
+
+    /// What an input is; `None` if a run does not end.
     pub fn influence(&mut self, at: usize) -> Option<Influence> {
         if self.inputs[at].is_exponent {
             return Some(Influence::Exponent);
         }
         let start = self.colours(&Varied::default())?;
-        let slope = self.slope(at, &Varied::default())?;
+        let slope = self.own_slope(at)?;
         let is_vector = self.inputs[at].base.len() > 1;
         let mut is_colour = is_vector;
         let mut is_changed = is_shown(&slope.numbers, &start);
@@ -167,7 +187,7 @@ impl Probe<'_> {
 
     /// Whether the slope of an input depends on something else.
     fn depends(&mut self, at: usize, on: &Varied) -> bool {
-        let (Some(before), Some(after)) = (self.slope(at, &Varied::default()), self.slope(at, on)) else {
+        let (Some(before), Some(after)) = (self.own_slope(at), self.slope(at, on)) else {
             return false;
         };
         differ(&before.numbers, &after.numbers)
@@ -184,6 +204,7 @@ impl Probe<'_> {
         if is_specular { 2 } else { 1 }
     }
 
+    /// A place moved elsewhere.
     fn moved(&self, at: usize) -> Varied {
         let value = self.inputs[at].base.iter().zip([0.5, 0.3, 0.7, 0.0]).map(|(x, by)| x + by).collect();
         Varied { inputs: vec![(at, value)], ..Varied::default() }
@@ -215,11 +236,8 @@ impl Probe<'_> {
             if key != of_second || key != of_third {
                 break;
             }
-            let slope = |a: &[f32], b: &[f32], step: f32| -> Vec<f32> {
-                a.iter().zip(b).map(|(a, b)| (b - a) / (step * base)).collect()
-            };
-            let numbers = slope(first, second, 0.25);
-            if !is_shown(&numbers, first) || differ(&numbers, &slope(second, third, 0.5)) {
+            let numbers = difference(first, second, 0.25 * base);
+            if !is_shown(&numbers, first) || differ(&numbers, &difference(second, third, 0.5 * base)) {
                 continue;
             }
             let spread = spread(&numbers);
@@ -240,13 +258,13 @@ pub(super) fn spread(numbers: &[f32]) -> f32 {
     variance.sqrt() / mean.abs().max(1e-6)
 }
 
-pub(super) fn root_mean_square(numbers: &[f32]) -> f32 {
+fn root_mean_square(numbers: &[f32]) -> f32 {
     let finite = || numbers.iter().filter(|x| x.is_finite());
     (finite().map(|x| x * x).sum::<f32>() / finite().count().max(1) as f32).sqrt()
 }
 
 /// Whether changes are more than rounding.
-pub(super) fn is_shown(changes: &[f32], of: &[f32]) -> bool {
+fn is_shown(changes: &[f32], of: &[f32]) -> bool {
     root_mean_square(changes) > 1e-4 * root_mean_square(of).max(1e-2)
 }
 
@@ -259,8 +277,8 @@ pub(super) fn differ(a: &[f32], b: &[f32]) -> bool {
     others as f32 > MOST_OTHERS * counted.len() as f32
 }
 
-/// Whether values of an input flow into the exponent of a power and not into its base.
-pub(super) fn is_exponent(program: &Program, samples: &SceneSamples, inputs: &[Input], at: usize) -> bool {
+/// The bases and exponents of all calls of `pow`.
+pub(super) fn powers(program: &Program) -> Vec<(Stage, ExprId, ExprId)> {
     let mut powers: Vec<(Stage, ExprId, ExprId)> = Vec::new();
     for stage in STAGES {
         let all = &program.stage(stage).source.expressions;
@@ -286,10 +304,21 @@ pub(super) fn is_exponent(program: &Program, samples: &SceneSamples, inputs: &[I
             }
         }
     }
+    powers
+}
+
+/// Whether values of an input flow into the exponent of a power and not into its base.
+pub(super) fn is_exponent(
+    program: &Program,
+    samples: &SceneSamples,
+    powers: &[(Stage, ExprId, ExprId)],
+    inputs: &[Input],
+    at: usize,
+) -> bool {
     if powers.is_empty() {
         return false;
     }
-    let mut probe = Probe { program: program.clone(), samples: samples.clone(), inputs };
+    let mut probe = Probe::new(program.clone(), samples.clone(), inputs);
     let before = probe.values(&Varied::default());
     let after = probe.values(&probe.with_factor(at, 1.3, &Varied::default()));
     let is_changed = |stage: Stage, expr: ExprId| {
