@@ -13,7 +13,7 @@ pub mod mistakes;
 pub mod panorama;
 pub mod proposed_fix;
 pub mod roles;
-pub mod rules;
+pub mod source;
 pub mod submission;
 pub mod testbench;
 pub mod user_shaders;

@@ -14,7 +14,7 @@ use gonio_check::compile::ParsedStage;
 use gonio_check::dataflow::Shader;
 use gonio_check::mistakes::{Hypotheses, ModelSolution};
 use gonio_check::roles::{NamesFile, Role};
-use gonio_check::rules::Analysis;
+use gonio_check::source::Analysis;
 use gonio_check::submission::{StageText, Submission};
 use gonio_glsl::{OutputVersion, Stage};
 
@@ -29,15 +29,8 @@ fn diagnosed(
         ParsedStage::new(vertex, Stage::Vertex, OutputVersion::Core330),
         ParsedStage::new(fragment, Stage::Fragment, OutputVersion::Core330),
     ];
-    let read = |names: &NamesFile| {
-        let [vertex, fragment] =
-            stages.each_ref().map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
-        Analysis::new(&vertex, &fragment, names)
-    };
-    for (name, role) in read(&names).matrices_by_use() {
-        names.by_use.insert(name, role);
-    }
-    let constants = read(&names).constants();
+    let shaders = stages.each_ref().map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
+    let constants = Analysis::with_matrices_by_use(&shaders[0], &shaders[1], &mut names).constants();
     let [v, f] = stages.each_ref().map(|stage| (&stage.parsed, &stage.checked));
     diagnose(
         task,

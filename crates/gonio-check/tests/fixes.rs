@@ -9,7 +9,7 @@ use gonio_check::compile::ParsedStage;
 use gonio_check::dataflow::Shader;
 use gonio_check::mistakes::{Hypotheses, ModelSolution};
 use gonio_check::roles::NamesFile;
-use gonio_check::rules::Analysis;
+use gonio_check::source::Analysis;
 use gonio_check::submission::{SourceFile, StageText};
 use gonio_check::verdict::{Outcome, Verdict};
 use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise, check_without_fix, with_edits};

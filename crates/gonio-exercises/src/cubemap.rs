@@ -33,7 +33,7 @@ pub fn check(
     let bench = FaceBench::of_panorama(checker.gl(), FINE, &submitted.panorama)?;
     let model = checker.model(ModelSolution::Panorama);
     let seen = submitted.tiles(TILE as usize).encoded().blurred();
-    let silent: SourceSupport = Box::new(|id, _| if id == "layout-photographic" { 0.6 } else { 0.5 });
+    let silent: SourceSupport = Box::new(|id| if id == "layout-photographic" { 0.6 } else { 0.5 });
     let task = FaceTask { hypotheses: &model.hypotheses, tolerance: Tolerance::FILES, source_support: &silent };
     let draw = |hypothesis: &Hypothesis| Ok::<Tiles, GlError>(bench.draw_model(model, hypothesis)?.clamped());
     let mut predict = |hypothesis: &Hypothesis| Ok(draw(hypothesis)?.reduced(TILE as usize).encoded().blurred());

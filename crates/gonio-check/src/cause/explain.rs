@@ -40,26 +40,24 @@ pub struct Explanation {
 /// The fitted strengths of ambient, diffuse and specular light in red, green and blue.
 pub type Strengths = [Option<[f64; 3]>; 3];
 
-impl Explanation {
-    /// Gives a scene the strengths that are constants of the program, and the colour that these have in common.
-    pub(super) fn strengthen(&self, scene: &mut TestScene) {
-        let brightest = |strength: &[f64; 3]| strength.iter().copied().fold(0.0, f64::max);
-        let light = &mut scene.light;
-        let terms = [&mut light.ambient, &mut light.diffuse, &mut light.specular];
-        let mut colour: Option<[f64; 3]> = None;
-        for (term, strength) in terms.into_iter().zip(&self.strengths) {
-            if let Some(strength) = strength {
-                let most = brightest(strength);
-                *term = most as f32;
-                if most > 1e-3 {
-                    colour.get_or_insert(strength.map(|channel| channel / most));
-                }
+/// Gives a scene the strengths that are constants of the program, and the colour that these have in common.
+pub(super) fn strengthen(strengths: &Strengths, scene: &mut TestScene) {
+    let brightest = |strength: &[f64; 3]| strength.iter().copied().fold(0.0, f64::max);
+    let light = &mut scene.light;
+    let terms = [&mut light.ambient, &mut light.diffuse, &mut light.specular];
+    let mut colour: Option<[f64; 3]> = None;
+    for (term, strength) in terms.into_iter().zip(strengths) {
+        if let Some(strength) = strength {
+            let most = brightest(strength);
+            *term = most as f32;
+            if most > 1e-3 {
+                colour.get_or_insert(strength.map(|channel| channel / most));
             }
         }
-        let is_coloured = colour.is_some_and(|colour| colour.iter().any(|channel| (channel - 1.0).abs() > 1e-3));
-        if let Some(colour) = colour.filter(|_| is_coloured && scene.material == Vec3::ONE) {
-            scene.material = Vec3::from_array(colour.map(|channel| channel as f32));
-        }
+    }
+    let is_coloured = colour.is_some_and(|colour| colour.iter().any(|channel| (channel - 1.0).abs() > 1e-3));
+    if let Some(colour) = colour.filter(|_| is_coloured && scene.material == Vec3::ONE) {
+        scene.material = Vec3::from_array(colour.map(|channel| channel as f32));
     }
 }
 

@@ -17,6 +17,7 @@ mod methods;
 pub(crate) mod model;
 pub mod naming;
 pub(crate) mod observed;
+pub mod place;
 mod prediction;
 mod products;
 pub(crate) mod program;
@@ -38,18 +39,19 @@ pub(crate) use answer::{AnswerMethod, Space, peculiarities};
 pub(crate) use methods::answer_methods;
 
 use crate::comparison::{Lights, Parameterisation, Second, Task};
-use crate::mistakes::ModelSolution;
+use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::roles::{Bindings, NamesFile};
-use crate::rules::SourceConstants;
+use crate::source::SourceConstants;
 use crate::testbench::TestScene;
 use budget::Budget;
 use conclusion::{Attempt, first_conclusion};
 use edit::{Editor, TextFix, Trial};
 use explain::{Explainer, Explanation, LightingMethod, Singly, Strengths};
-use gonio_glsl::{Checked, Parsed, Stage};
+use gonio_glsl::{Checked, Parsed, Span, Stage};
 use methods::{Hints, methods};
 use model::{Mistakes, Model};
 use observed::Observer;
+use place::MistakePlace;
 pub use prediction::ModelSolutions;
 use prediction::Predictor;
 use program::{Program, Runner};
@@ -89,6 +91,11 @@ pub struct Diagnosis {
     pub runs: usize,
     /// Mistakes that explain the picture.
     pub explanations: Vec<Explanation>,
+    /// Where the program makes these mistakes, as far as its values show it.
+    pub places: Vec<MistakePlace>,
+    /// Where the program computes the light in the stage of its method, and where in any: the places of a wrong stage, and
+    /// of a term that is missing.
+    pub light_places: [Option<(Stage, Span)>; 2],
     /// Edits with which every scene is right, the most promising first; empty if none were found.
     pub fixes: Vec<TextFix>,
     /// For ambient, diffuse and specular: whether a right program computes the term and never uses it.
@@ -96,6 +103,9 @@ pub struct Diagnosis {
     /// Whether a right program draws diffuse light in steps.
     pub has_steps: bool,
 }
+
+/// Strengths below this are those of a term that is not there.
+pub(crate) const ABSENT: f64 = 1e-3;
 
 /// Most methods that are searched for causes by all repairs.
 const MOST_METHODS: usize = 2;
@@ -277,6 +287,8 @@ impl Diagnosing<'_> {
             strengths: [None; 3],
             runs: 0,
             explanations: Vec::new(),
+            places: Vec::new(),
+            light_places: [None; 2],
             fixes: Vec::new(),
             unused_terms: [false; 3],
             has_steps: false,
@@ -313,14 +325,62 @@ impl Diagnosing<'_> {
                 let strengths = agreement.strengths;
                 let found = self.diagnosis(Found::Right(agreement), method);
                 let unused_terms = self.unused_terms(method, strengths)?;
-                return Ok(Some(Diagnosis { lights, strengths, unused_terms, ..found }));
+                let light_places = self.light_places(method, &Hypothesis::default(), strengths)?;
+                return Ok(Some(Diagnosis { lights, strengths, unused_terms, light_places, ..found }));
             }
         }
         Ok(None)
     }
 
+    /// Where the sum of all light is computed, if it is in another stage or a term is absent.
+    fn light_places(
+        &self,
+        method: AnswerMethod,
+        hypothesis: &Hypothesis,
+        strengths: Strengths,
+    ) -> Result<[Option<(Stage, Span)>; 2], String> {
+        let is_absent = |strength: &Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < ABSENT));
+        if !self.task.model.is_lit() || method.model == self.task.model && !strengths.iter().any(is_absent) {
+            return Ok([None; 2]);
+        }
+        let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
+        let mut samples: Vec<SceneSamples> = self.scenes[..self.of_one].iter().map(|(_, one)| one.clone()).collect();
+        samples.iter_mut().for_each(|samples| explain::strengthen(&strengths, &mut samples.scene));
+        let of = |is_asked: &dyn Fn(Stage) -> bool| {
+            place::of_sum(self.program, &samples, self.solutions, (method.model, hypothesis, exponent), is_asked)
+        };
+        let of_light = if method.model == ModelSolution::Gouraud { Stage::Vertex } else { Stage::Fragment };
+        Ok([of(&|stage| stage == of_light)?, of(&|_| true)?])
+    }
+
     /// The diagnosis of a wrong program.
     fn wrong(&self, explanations: Vec<Explanation>) -> Result<Diagnosis, String> {
+        let mut found = self.causes(explanations)?;
+        found.places = self.places(&found.explanations)?;
+        if let Some(first) = found.explanations.first().filter(|first| first.space == Space::World) {
+            found.light_places = self.light_places(first.method, &first.hypothesis, first.strengths)?;
+        }
+        Ok(found)
+    }
+
+    /// Where the program makes the mistakes of explanations.
+    fn places(&self, explanations: &[Explanation]) -> Result<Vec<MistakePlace>, String> {
+        let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
+        let mut all = Vec::new();
+        for explanation in explanations {
+            // With a second light that is off, or wrong, the scenes are those of both.
+            let scenes = match explanation.lights {
+                Lights::WrongInSecond => &self.scenes[self.of_one..],
+                _ => &self.scenes[..self.of_one],
+            };
+            let samples: Vec<SceneSamples> = scenes.iter().map(|(_, samples)| samples.clone()).collect();
+            all.extend(place::places(self.program, &samples, self.solutions, explanation, exponent)?);
+        }
+        Ok(all)
+    }
+
+    /// The causes of what a program does wrong.
+    fn causes(&self, explanations: Vec<Explanation>) -> Result<Diagnosis, String> {
         let usual = methods(self.task)[0];
         let (scenes, lights) = match self.parameterisation.second {
             Second::None => (&self.scenes[..], Lights::One),
@@ -340,7 +400,7 @@ impl Diagnosing<'_> {
         // Strengths that are constants of the program are those of the explanation.
         let mut of_model = samples.clone();
         if let Some(explanation) = explanations.first() {
-            of_model.iter_mut().for_each(|samples| explanation.strengthen(&mut samples.scene));
+            of_model.iter_mut().for_each(|samples| explain::strengthen(&explanation.strengths, &mut samples.scene));
         }
         let explaining: Vec<&str> =
             explanations.iter().flat_map(|e| e.mistakes.iter().map(|mistake| mistake.id.as_str())).collect();

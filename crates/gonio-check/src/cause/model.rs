@@ -107,7 +107,7 @@ fn assignment(line: &str) -> Option<(&str, Option<&str>, usize)> {
 
 /// The shaders of a model solution, compiled, with what they assign.
 pub(super) struct ModelProgram {
-    program: Program,
+    pub(super) program: Program,
     assigned: [Vec<Assigned>; 2],
 }
 
@@ -129,12 +129,17 @@ impl ModelProgram {
     }
 
     /// The assigned values of both stages.
-    fn exprs(&self) -> [Vec<ExprId>; 2] {
+    pub(super) fn exprs(&self) -> [Vec<ExprId>; 2] {
         self.assigned.each_ref().map(|all| all.iter().map(|assigned| assigned.expr).collect())
     }
 
     fn assigned(&self, stage: Stage, expr: ExprId) -> Option<&Assigned> {
         self.assigned[stage as usize].iter().find(|assigned| assigned.expr == expr)
+    }
+
+    /// The variable that is assigned an expression.
+    pub(super) fn variable(&self, stage: Stage, expr: ExprId) -> Option<&str> {
+        self.assigned(stage, expr).map(|assigned| assigned.variable.as_str())
     }
 }
 

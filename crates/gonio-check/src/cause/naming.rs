@@ -212,6 +212,10 @@ impl Observer<'_> {
             if names.is_empty() {
                 names.extend(self.of_family(&before, &after, seen).and_then(crate::mistakes::find).map(|m| (4, m)));
             }
+            let is_attenuation = repair.quantity().is_some_and(|q| self.model.quantities[q].name == "attenuation");
+            if names.is_empty() && is_attenuation {
+                names.extend(crate::mistakes::find("attenuation-other-formula").map(|mistake| (4, mistake)));
+            }
             let explains = |mistake: &Mistake| explaining.iter().any(|known| known.id == mistake.id);
             if names.is_empty() {
                 let of_form = structural(&repair.should, &self.terms_within(observed, seen));

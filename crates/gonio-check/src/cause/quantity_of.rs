@@ -17,7 +17,7 @@ use crate::comparison::{Parameterisation, Task};
 use crate::compile::ParsedStage;
 use crate::dataflow::Shader;
 use crate::roles::NamesFile;
-use crate::rules::Analysis;
+use crate::source::Analysis;
 use crate::submission::Submission;
 use gonio_glsl::{OutputVersion, Span, Stage};
 use gonio_interpreter::ExprId;
@@ -97,18 +97,13 @@ impl RightQuantities {
         let stages = [(&submission.vertex, Stage::Vertex), (&submission.fragment, Stage::Fragment)]
             .map(|(text, stage)| ParsedStage::new(text, stage, OutputVersion::Core330));
         let [vertex, fragment] = stages.each_ref().map(|stage| (&stage.parsed, &stage.checked));
-        let read = |names: &NamesFile| {
-            let [vertex, fragment] =
-                stages.each_ref().map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
-            Analysis::new(&vertex, &fragment, names)
+        let [of_vertex, of_fragment] =
+            stages.each_ref().map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
+        let mut names = names.clone();
+        let source = match task.model.is_of_places() {
+            true => Analysis::new(&of_vertex, &of_fragment, &names),
+            false => Analysis::with_matrices_by_use(&of_vertex, &of_fragment, &mut names),
         };
-        let (mut names, mut source) = (names.clone(), read(names));
-        if !task.model.is_of_places() {
-            for (name, role) in source.matrices_by_use() {
-                names.by_use.insert(name, role);
-            }
-            source = read(&names);
-        }
         let constants = source.constants();
         let texts = [&submission.vertex.text, &submission.fragment.text].map(String::as_str);
         let diagnosis =

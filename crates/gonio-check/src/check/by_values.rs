@@ -1,11 +1,10 @@
 //! Corrects a verdict by the values that a program computes: a right program is never wrong, a mistake is named only
 //! where another value repairs every test scene, and an unlisted one gets its line and both quantities in words.
 
-use super::corrections::without_model;
 use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
 use crate::cause::search::Found;
-use crate::cause::{AnswerMethod, Diagnosis, DiagnosisDepth, Space, answer_methods, diagnose, peculiarities};
+use crate::cause::{ABSENT, AnswerMethod, Diagnosis, DiagnosisDepth, Space, answer_methods, diagnose, peculiarities};
 use crate::comparison::{
     Evidence, MOST_FOR_WRONG, PLACES, PossibleAnswer, Prepared, RightAnswer, ShaderChecker, Task, bound, declared,
     endless_verdict, named as mistake_named, peculiarities_of, report_violations,
@@ -13,15 +12,18 @@ use crate::comparison::{
 use crate::compile::{ParsedStage, compile};
 use crate::mistakes::{Mistake, ModelSolution, TERMS, term_of};
 use crate::roles::{Bindings, Bound, Declared, Role, VariableKind};
-use crate::rules::Analysis;
+use crate::source::Analysis;
 use crate::submission::{StageText, Submission};
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
-use gonio_glsl::Stage;
+use gonio_glsl::{Span, Stage};
 use gonio_render::user_program::UserProgram;
 
 /// The id of a wrong value that no mistake of the catalogue explains.
 pub const WRONG_VALUE: &str = "wrong-value";
+
+/// The mistake of terms that are computed and not added, which looks like one of them that is missing.
+const NOT_PUT_OUT: &str = "terms-not-put-out";
 
 /// Most lookups of a program that are judged alone; a mirror and glass together have two.
 const MOST_LOOKUPS: usize = 4;
@@ -185,14 +187,7 @@ impl Judging<'_> {
         let mistakes = match &diagnosis.found {
             Found::Endless => return Ok(endless()),
             Found::Right(_) => self.beside_right_values(diagnosis),
-            _ if diagnosis.explanations.is_empty() => {
-                let proven = proven(groups, self.submission);
-                // Formulas of one's own are known by the source alone.
-                let is_unlisted = proven.iter().all(|mistake| mistake.id == WRONG_VALUE);
-                let own: Vec<FoundMistake> =
-                    if is_unlisted { without_model(self.source, self.task).collect() } else { Vec::new() };
-                if own.is_empty() { proven } else { own }
-            }
+            _ if diagnosis.explanations.is_empty() => proven(groups, self.submission),
             _ => self.explained(diagnosis, groups),
         };
         let Some((verdict, evidence)) = self.pictures(checker, diagnosis)? else { return Ok(endless()) };
@@ -285,13 +280,19 @@ impl Judging<'_> {
     /// and not added.
     fn beside_right_values(&self, diagnosis: &Diagnosis) -> Vec<FoundMistake> {
         let word = self.wrong_stage(diagnosis);
-        let mut found: Vec<FoundMistake> = word.and_then(|word| mistake_named(word, 1.0)).into_iter().collect();
-        let is_absent = |strength: Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < 1e-3));
+        let [of_light, of_sum] = diagnosis.light_places;
+        let at = |found: FoundMistake, place: Option<(Stage, Span)>| match place {
+            Some(place) => placed(found, place, self.submission),
+            None => found,
+        };
+        let of_stage = word.and_then(|word| mistake_named(word, 1.0)).map(|found| at(found, of_light));
+        let mut found: Vec<FoundMistake> = of_stage.into_iter().collect();
+        let is_absent = |strength: Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < ABSENT));
         for term in (0..3).filter(|term| self.is_due(diagnosis, *term) && is_absent(diagnosis.strengths[*term])) {
             let missing = crate::mistakes::find(&format!("{}-missing", TERMS[term]));
-            found.extend(missing.map(|mistake| FoundMistake {
-                or: vec!["terms-not-put-out".to_owned()],
-                ..FoundMistake::from_catalogue(mistake, 1.0)
+            found.extend(missing.map(|mistake| {
+                let or = vec![NOT_PUT_OUT.to_owned()];
+                at(FoundMistake { or, ..FoundMistake::from_catalogue(mistake, 1.0) }, of_sum)
             }));
         }
         found
@@ -315,15 +316,19 @@ impl Judging<'_> {
             let is_one = |mistake: &Mistake| alternatives.iter().any(|other| other.id == mistake.id);
             let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
             let cause = cause.map(|at| causes.remove(at));
-            // Pictures do not tell some mistakes apart, but the source may.
-            let support = |mistake: &&Mistake| self.source.support(&mistake.id, self.task.model);
-            let by_support = |mut all: Vec<&'static Mistake>| {
-                all.sort_by(|a, b| support(b).total_cmp(&support(a)));
+            // Pictures do not tell some mistakes apart, but the wrong values may.
+            let place_of = |mistake: &Mistake| diagnosis.places.iter().find(|place| place.mistake.id == mistake.id);
+            let rank = |mistake: &&Mistake| {
+                let has_value = place_of(mistake).is_some_and(|place| place.is_direct);
+                (mistake.id == NOT_PUT_OUT, !has_value)
+            };
+            let by_values = |mut all: Vec<&'static Mistake>| {
+                all.sort_by_key(rank);
                 all
             };
             let of_cause = cause.iter().flat_map(|cause| cause.mistakes.iter().take(1 + cause.equals).copied());
-            let mut shown = by_support(of_cause.filter(|mistake| is_one(mistake)).collect());
-            shown.extend(by_support(alternatives.clone()));
+            let mut shown = by_values(of_cause.filter(|mistake| is_one(mistake)).collect());
+            shown.extend(by_values(alternatives.clone()));
             let Some((mistake, others)) = shown.split_first() else { continue };
             let mut or: Vec<String> = Vec::new();
             for other in others.iter().filter(|other| other.id != mistake.id) {
@@ -333,9 +338,10 @@ impl Judging<'_> {
             }
             let new =
                 FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
-            found.push(match cause {
-                Some(cause) => placed(new, cause, self.submission),
-                None => new,
+            found.push(match (cause, place_of(mistake)) {
+                (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
+                (None, Some(place)) => placed(new, (place.stage, place.span), self.submission),
+                (None, None) => new,
             });
         }
         found
@@ -394,7 +400,8 @@ fn proven(groups: &[Vec<ProvenCause>], submission: &Submission) -> Vec<FoundMist
 
 fn unlisted(cause: &ProvenCause, submission: &Submission) -> FoundMistake {
     let found = FoundMistake::new(WRONG_VALUE, format!("`{}` {}", one_line(&cause.text), cause.should), 1.0);
-    placed(found.taught(cause.is_in_words(), "With this value every test scene is right.", ""), cause, submission)
+    let taught = found.taught(cause.is_in_words(), "With this value every test scene is right.", "");
+    placed(taught, (cause.stage, cause.span), submission)
 }
 
 /// The mistakes that a cause has by name.
@@ -403,13 +410,18 @@ fn named(cause: &ProvenCause, submission: &Submission) -> Option<Vec<FoundMistak
     let or = cause.mistakes.iter().skip(1).take(cause.equals).map(|other| other.id.clone()).collect();
     let found = FoundMistake { or, lab_does_it: first.lab_does_it, ..FoundMistake::from_catalogue(first, 1.0) };
     let second = cause.with.map(|with| FoundMistake::from_catalogue(with, 1.0));
-    Some(std::iter::once(found).chain(second).map(|found| placed(found, cause, submission)).collect())
+    Some(
+        std::iter::once(found)
+            .chain(second)
+            .map(|found| placed(found, (cause.stage, cause.span), submission))
+            .collect(),
+    )
 }
 
-fn placed(found: FoundMistake, cause: &ProvenCause, submission: &Submission) -> FoundMistake {
-    let text: &StageText = if cause.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
-    let (file, line, _) = text.place(cause.span.line, cause.span.column);
-    found.at(file, Some(line), text.line(cause.span.line).unwrap_or_default())
+fn placed(found: FoundMistake, (stage, span): (Stage, Span), submission: &Submission) -> FoundMistake {
+    let text: &StageText = if stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
+    let (file, line, _) = text.place(span.line, span.column);
+    found.at(file, Some(line), text.line(span.line).unwrap_or_default())
 }
 
 fn one_line(text: &str) -> String {

@@ -1,59 +1,9 @@
-//! Corrections of a verdict by what the pictures alone do not show: the source, what a cubemap lookup returns, the program
-//! that the shaders were written for, and the terms that a mistake concerns.
+//! Corrections of a verdict: blank pictures, and the terms that a mistake concerns.
 
-use super::SURE;
-use crate::comparison::{Evidence, PIXEL_TOLERANCE, Task, named};
-use crate::mistakes;
-use crate::mistakes::{TERMS, term_of};
-use crate::rules::Analysis;
+use crate::comparison::{Evidence, PIXEL_TOLERANCE};
+use crate::mistakes::term_of;
 use crate::testbench::Atlas;
-use crate::verdict::{FoundMistake, Outcome, TermState, Verdict};
-
-/// A student cannot use more names at once.
-const MOST_NAMES: usize = 4;
-/// Too many mistakes would explain a black picture, so a name needs this support by the source.
-const SUPPORTED_FROM: f32 = 0.85;
-
-/// Mistakes that the source proves, whatever else a program does. The rules for other mistakes would mistake the
-/// distance of a fog, the cosine of a shadow or a second light for those of the exercise.
-const BEYOND_DOUBT: &[&str] = &[
-    "normal-by-model-matrix",
-    "normal-by-whole-matrix",
-    "normal-not-transformed",
-    "normal-translated",
-    "normal-not-normalised-in-vertex",
-    "normal-not-renormalised",
-    "position-in-clip-space",
-    "light-direction-minus-normal",
-    "light-direction-reversed",
-    "light-position-as-direction",
-    "diffuse-floor",
-    "diffuse-half-lambert",
-    "specular-without-power",
-    "ambient-attenuated",
-    "ambient-twice",
-    "albedo-squared",
-    "gamma-applied",
-    "attenuation-without-constant",
-    "attenuation-inverse-square",
-    "attenuation-added",
-    "attenuation-distance-of-direction",
-    "attenuation-plus-view-distance",
-    "refraction-ratio-inverted",
-    "skybox-keeps-translation",
-    "matrix-order",
-    "terms-not-put-out",
-    "position-not-transformed",
-    "position-without-translation",
-    "view-position-at-origin",
-    "output-normal",
-];
-
-/// A term that is computed and not put out is missing in the picture.
-const NOT_PUT_OUT: &str = "terms-not-put-out";
-
-/// Mistakes that no model solution can express but the source shows.
-const WITHOUT_MODEL: &[&str] = &["ambient-in-cone", "attenuation-other-formula"];
+use crate::verdict::{Outcome, TermState, Verdict};
 
 /// A picture that does not distinguish mistakes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,48 +53,12 @@ fn is_flat(tile: &[[f32; 4]]) -> bool {
     drawn.all(|pixel| pixel.iter().zip(first).take(3).all(|(a, b)| (a - b).abs() <= PIXEL_TOLERANCE))
 }
 
-/// Names mistakes that the source shows, if the pictures name none or are blank.
-pub(super) fn name_from_source(verdict: &mut Verdict, evidence: Option<&Evidence>, source: &Analysis, task: &Task) {
-    if verdict.verdict != Outcome::Wrong {
-        return;
+/// Says what is blank about a picture that no mistake explains: too many would.
+pub(super) fn explain_blank(verdict: &mut Verdict, evidence: &Evidence) {
+    if let Some(blank) = Blank::recognise(&evidence.seen, evidence.scenes.len()) {
+        verdict.peculiarities.clear();
+        verdict.summary = blank.sentence().to_owned();
     }
-    let model = task.model;
-    let blank = evidence.and_then(|evidence| Blank::recognise(&evidence.seen, evidence.scenes.len()));
-    if let Some(blank) = blank.filter(|_| task.model.is_lit()) {
-        let is_supported = |id: &str| source.support(id, model) >= SUPPORTED_FROM;
-        // Too many mistakes would explain a blank picture, so only the source can name one.
-        if !verdict.mistakes.iter().all(|found| is_supported(&found.id)) || verdict.mistakes.is_empty() {
-            verdict.mistakes.clear();
-            verdict.peculiarities.clear();
-            verdict.summary = blank.sentence().to_owned();
-        }
-    }
-    if !verdict.mistakes.is_empty() {
-        return;
-    }
-    let is_shown = |id: &str| BEYOND_DOUBT.contains(&id) && source.support(id, model) >= SURE;
-    let shown: Vec<_> = mistakes::for_model(model)
-        .filter(|mistake| is_shown(&mistake.id) && source.line(&mistake.id, model).is_some())
-        .map(|mistake| {
-            let required = (0..3).filter(|term| task.required[*term] && mistake.id == NOT_PUT_OUT);
-            let or = required.map(|term| format!("{}-missing", TERMS[term])).collect();
-            FoundMistake { or, ..FoundMistake::from_catalogue(mistake, 0.0) }
-        })
-        .chain(without_model(source, task))
-        .take(MOST_NAMES)
-        .collect();
-    if !shown.is_empty() {
-        verdict.mistakes = shown;
-        verdict.summary =
-            format!("{}; the source shows this, and the picture has further errors", verdict.mistake_names());
-    }
-}
-
-/// Returns the mistakes that no model solution can express, in programs that do more than the exercise asks.
-pub(super) fn without_model<'a>(source: &'a Analysis, task: &'a Task) -> impl Iterator<Item = FoundMistake> + 'a {
-    let is_asked = |id: &str| task.model.is_lit() && (task.attenuated || !id.starts_with("attenuation"));
-    let is_shown = |id: &str| source.support(id, task.model) >= SURE && source.line(id, task.model).is_some();
-    WITHOUT_MODEL.iter().filter(move |id| is_asked(id) && is_shown(id)).filter_map(|id| named(id, 0.0))
 }
 
 /// Makes the verdicts on single terms agree with the mistakes, which the summary names too.

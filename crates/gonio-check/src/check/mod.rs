@@ -14,7 +14,7 @@ use crate::dataflow::Shader;
 use crate::mistakes::{self, ModelSolution};
 use crate::panorama;
 use crate::roles::{Declared, NamesFile};
-use crate::rules::{Analysis, Place};
+use crate::source::{Analysis, Place};
 use crate::submission::{SourceFile, Submission};
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
@@ -125,19 +125,11 @@ fn check_files(
     if let Some(verdict) = does_not_link(exercise.id, &vertex, &fragment) {
         return Ok((verdict, None));
     }
-    let read = |names: &NamesFile| {
-        let [vertex, fragment] =
-            [&vertex, &fragment].map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
-        Analysis::new(&vertex, &fragment, names)
+    let shaders = [&vertex, &fragment].map(|stage| Shader { parsed: &stage.parsed, checked: &stage.checked });
+    let source = match task.model.is_of_places() {
+        true => Analysis::new(&shaders[0], &shaders[1], &names),
+        false => Analysis::with_matrices_by_use(&shaders[0], &shaders[1], &mut names),
     };
-    let mut source = read(&names);
-    let by_use = if task.model.is_of_places() { Vec::new() } else { source.matrices_by_use() };
-    if !by_use.is_empty() {
-        for (name, role) in by_use {
-            names.by_use.insert(name, role);
-        }
-        source = read(&names);
-    }
     let source = Rc::new(source);
     let asked = Rc::clone(&source);
     let prepared = Prepared {
@@ -149,7 +141,7 @@ fn check_files(
         names,
         constants: source.constants(),
         unused_terms: unused_terms(&fragment),
-        source_support: Box::new(move |id, model| asked.support(id, model)),
+        source_support: Box::new(move |id| asked.support(id)),
     };
     let judging = by_values::Judging {
         task,
@@ -178,13 +170,15 @@ fn check_files(
         found.line = Some(line);
         found.quoted = text.line(place.span.line).map(str::to_owned);
     };
-    by_the_source(&mut verdict, &source, task.model);
-    // Pictures that nothing explains may be blank, or the source may show a mistake beyond doubt.
-    if verdict.verdict == Outcome::Wrong && verdict.mistakes.is_empty() {
-        corrections::name_from_source(&mut verdict, evidence.as_ref(), &source, task);
+    if verdict.verdict == Outcome::Wrong
+        && verdict.mistakes.is_empty()
+        && task.model.is_lit()
+        && let Some(evidence) = &evidence
+    {
+        corrections::explain_blank(&mut verdict, evidence);
     }
-    for found in verdict.mistakes.iter_mut().filter(|found| found.line.is_none()) {
-        if let Some(at) = source.line(&found.id, task.model) {
+    for found in verdict.mistakes.iter_mut().filter(|_| task.model == ModelSolution::Panorama) {
+        if let Some(at) = source.line(&found.id) {
             place(found, at);
         }
     }
@@ -238,25 +232,6 @@ fn report_unchanged(verdict: &mut Verdict) {
         None => "these are the unchanged start files".to_owned(),
     };
     verdict.peculiarities.clear();
-}
-
-/// Least support by the source for a mistake that the picture does not decide.
-pub(crate) const SURE: f32 = 0.95;
-
-/// Decides by the source what the pictures leave open: which of two names applies, and whether a picture that looks
-/// right is right by another method.
-fn by_the_source(verdict: &mut Verdict, source: &Analysis, model: ModelSolution) {
-    // A diffuse term without its cosine looks like ambient light alone.
-    let flat = "diffuse-without-cosine";
-    let missing = "diffuse-missing";
-    if let Some(found) = verdict.mistakes.iter_mut().find(|found| found.id == flat)
-        && source.support(missing, model) > source.support(flat, model)
-        && let Some(other) = mistakes::for_model(model).find(|mistake| mistake.id == missing)
-    {
-        let other = FoundMistake::from_catalogue(other, found.share_explained);
-        *found = FoundMistake { or: vec![flat.to_owned()], ..other };
-        verdict.summary = found.name.clone();
-    }
 }
 
 /// For ambient, diffuse and specular: whether the vertex shader outputs it but the fragment shader never uses it.

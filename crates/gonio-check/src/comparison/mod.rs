@@ -24,7 +24,7 @@ pub use task::{PLACES, TASKS, Task};
 use crate::cause::ModelSolutions;
 use crate::mistakes::ModelSolution;
 use crate::roles::{Declared, NamesFile};
-use crate::rules::SourceConstants;
+use crate::source::SourceConstants;
 use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::{Gl, GlError};
@@ -43,13 +43,13 @@ pub struct Prepared {
     pub constants: SourceConstants,
     /// For ambient, diffuse and specular: whether the source computes it but never uses it.
     pub unused_terms: [bool; 3],
-    /// The support of the source for a mistake where pictures do not decide: 0 contradicted, 1 the very expression is
-    /// there.
+    /// The support of the source for a mistake with a panorama where pictures do not decide: 0 contradicted, 1 the very
+    /// expression is there.
     pub source_support: SourceSupport,
 }
 
-/// The support of the source for a mistake of the catalogue, in a model.
-pub type SourceSupport = Box<dyn Fn(&str, ModelSolution) -> f32>;
+/// The support of the source for a mistake of the catalogue.
+pub type SourceSupport = Box<dyn Fn(&str) -> f32>;
 
 /// The pictures of a check, for reports beside a verdict.
 #[derive(Clone, Debug)]

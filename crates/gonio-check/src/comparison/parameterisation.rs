@@ -3,7 +3,7 @@
 
 use super::task::Task;
 use crate::roles::{Bindings, Role};
-use crate::rules::{ConstantSun, SourceConstants};
+use crate::source::{ConstantSun, SourceConstants};
 use crate::testbench::{TestLight, TestScene};
 use glam::{Mat3, Vec3};
 

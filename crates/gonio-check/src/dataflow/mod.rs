@@ -1,12 +1,10 @@
-//! Locates mistakes in the student's source, and finds the constants written there, by following each value of the
-//! parsed program from the outputs back to attributes and uniforms.
+//! Follows each value of the parsed program from the outputs back to attributes and uniforms.
 //!
 //! The shaders are executed symbolically (`run`, `eval`), which gives a graph of all values (`graph`). Each node is
-//! classified: which matrix (`matrix`), which vector (`vector`) and which terms of the light equation (`terms`) it
-//! is. A rule for each mistake (`rules`) names the node at fault. This returns for any source: loops, calls and depth
-//! are limited, and values beyond the limits are unknown.
+//! classified: which matrix (`matrix`), which vector (`vector`) and which terms of the light equation (`terms`) it is.
+//! `source` reads constants and places from it. This returns for any source: loops, calls and depth are limited, and
+//! values beyond the limits are unknown.
 
-pub(crate) mod camera;
 mod choice;
 mod eval;
 mod graph;

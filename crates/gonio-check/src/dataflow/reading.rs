@@ -3,10 +3,10 @@
 
 use super::Shader;
 use super::graph::{Graph, Id, Op};
-use super::matrix::{self, Matrix};
+use super::matrix;
 use super::run::Program;
 use super::terms::{self, Bits, DIFFUSE, Product, SPECULAR};
-use super::vector::{self, Incoming, Space, Vector, VectorKind};
+use super::vector::{self, Incoming, Vector, VectorKind};
 use crate::roles::{NamesFile, Role};
 use gonio_glsl::ast::BinaryOp;
 
@@ -14,7 +14,6 @@ pub(crate) struct Reading {
     pub graph: Graph,
     pub position: Option<Id>,
     pub colour: Option<Id>,
-    matrices: Vec<Option<Matrix>>,
     vectors: Vec<Option<Vector>>,
     bits: Vec<Bits>,
     products: Vec<Vec<Product>>,
@@ -26,8 +25,6 @@ pub(crate) struct Reading {
     parents: Vec<Vec<Id>>,
     /// All conditions that choose the colour.
     tests: Vec<Id>,
-    /// All nodes that the position on the screen depends on.
-    pub placed: Vec<Id>,
 }
 
 /// Marks the vectors of cosines that are divided by their lengths as normalised.
@@ -80,16 +77,11 @@ impl Reading {
         let tests: Vec<Id> = tree.iter().filter_map(is_select).collect();
         let tests = graph.reachable(&tests, |_| true);
         let products = terms::products(&graph, &vectors, &bits, &tree);
-        let placed = graph.reachable(&position.into_iter().collect::<Vec<_>>(), |_| true);
-        Reading { graph, position, colour, matrices, vectors, bits, products, lit, tree, parents, tests, placed }
+        Reading { graph, position, colour, vectors, bits, products, lit, tree, parents, tests }
     }
 
     pub fn vector(&self, id: Id) -> Option<Vector> {
         self.vectors.get(id.0 as usize).copied().flatten()
-    }
-
-    pub fn matrix(&self, id: Id) -> Option<&Matrix> {
-        self.matrices.get(id.0 as usize)?.as_ref()
     }
 
     pub fn bits(&self, id: Id) -> Bits {
@@ -98,11 +90,6 @@ impl Reading {
 
     pub fn products(&self, id: Id) -> &[Product] {
         self.products.get(id.0 as usize).map_or(&[], Vec::as_slice)
-    }
-
-    /// Returns the products whose sum is the colour.
-    pub fn sum(&self) -> &[Product] {
-        self.colour.map_or(&[], |colour| self.products(colour))
     }
 
     pub fn parents(&self, id: Id) -> &[Id] {
@@ -208,35 +195,6 @@ impl Reading {
             .collect()
     }
 
-    /// Whether a cosine with these bits is computed but does not flow into the colour.
-    pub fn computes_unused(&self, bits: Bits) -> bool {
-        let is_of_light = |id: Id| {
-            let Some(parts) = self.graph.call(id, "dot") else { return false };
-            parts.iter().all(|part| self.vector(*part).is_some()) && self.bits(id) & bits != 0
-        };
-        // `lit` is sorted by index.
-        self.graph.ids().any(|id| is_of_light(id) && self.lit.binary_search_by_key(&id.0, |lit| lit.0).is_err())
-    }
-
-    /// Returns for each node whether a cosine between the axis of a spot light and the direction to it flows into it.
-    pub fn of_cones(&self) -> Vec<bool> {
-        let is = |id: Id, is_match: &dyn Fn(VectorKind) -> bool| self.vector(id).is_some_and(|v| is_match(v.kind));
-        let is_cone = |id: Id| match self.graph.call(id, "dot") {
-            Some(&[a, b]) => [(a, b), (b, a)].into_iter().any(|(axis, light)| {
-                is(axis, &|kind| kind == VectorKind::LightDirection)
-                    && is(light, &|kind| matches!(kind, VectorKind::ToLight(..)))
-            }),
-            _ => false,
-        };
-        let mut found = Vec::with_capacity(self.graph.len());
-        // Operands precede the nodes that use them.
-        for id in self.graph.ids() {
-            let has = |part: Id| found.get(part.0 as usize).copied().unwrap_or(false);
-            found.push(is_cone(id) || self.graph.parts(id).into_iter().any(has));
-        }
-        found
-    }
-
     /// Returns the nodes that are used as a normal.
     pub fn normals(&self) -> Vec<Id> {
         let mut found = Vec::new();
@@ -273,45 +231,6 @@ impl Reading {
         found
     }
 
-    /// Returns the node that negates a cosine, if there is one.
-    pub fn turned_after(&self, dot: Id) -> Option<Id> {
-        self.around(dot).into_iter().find(|id| match self.graph.op(*id) {
-            Op::Neg(inner) => self.graph.plain(*inner) == dot,
-            _ => false,
-        })
-    }
-
-    /// Whether the light is computed in view space, or a direction reflected there is transformed back to world
-    /// space.
-    pub fn is_in_view(&self) -> bool {
-        let ends = |ids: Vec<Id>| ids.into_iter().filter_map(|id| self.vector(id)).any(|v| v.end == Space::View);
-        let back = || {
-            let lookups = self.lookups();
-            let mut looked_up = lookups.iter().filter_map(|(_, id)| self.vector(*id));
-            looked_up
-                .any(|v| matches!(v.kind, VectorKind::Reflected(_) | VectorKind::Refracted(_)) && v.end == Space::World)
-        };
-        // The direction of a mirror must be transformed back to world space; that of a highlight need not be.
-        ends(self.lights()) || self.lights().is_empty() && ends(self.eyes()) && (!self.looks_up_cube() || back())
-    }
-
-    /// Whether both vectors of the diffuse cosine are negated, or a refracted direction and its normal.
-    pub fn signs_cancel(&self) -> bool {
-        let is_turned = |id: Id| self.vector(id).is_some_and(|v| v.sign < 0.0);
-        let cosine = self.diffuse_dots().iter().any(|(dot, a, b)| {
-            let turned = [is_turned(*a), is_turned(*b), self.turned_after(*dot).is_some()];
-            turned.iter().filter(|turned| **turned).count() == 2
-        });
-        cosine
-            || self.lookups().iter().any(|(_, id)| {
-                self.vector(*id).is_some_and(|v| {
-                    let incoming = v.incoming.and_then(|id| self.vector(id));
-                    matches!(v.kind, VectorKind::Refracted(_))
-                        && incoming.is_some_and(|incoming| incoming.sign != v.sign)
-                })
-            })
-    }
-
     /// Returns the nodes that are used as the direction to the light.
     pub fn lights(&self) -> Vec<Id> {
         let mut found = Vec::new();
@@ -330,30 +249,6 @@ impl Reading {
             .collect()
     }
 
-    /// Returns the nodes that are used as the direction to the eye.
-    pub fn eyes(&self) -> Vec<Id> {
-        let mut found: Vec<Id> = Vec::new();
-        for (_, a, b) in self.specular_dots() {
-            for (one, other) in [(a, b), (b, a)] {
-                let is_other = self
-                    .vector(other)
-                    .is_some_and(|v| v.is_normal() || v.is_light() || matches!(v.kind, VectorKind::Reflected(_)));
-                let is_eye = self.vector(one).is_some_and(|v| {
-                    v.is_eye()
-                        || matches!(
-                            v.kind,
-                            VectorKind::Constant | VectorKind::Point(_) | VectorKind::Reflected(Incoming::Eye)
-                        )
-                });
-                if is_eye && (is_other || self.vector(one).is_some_and(|v| v.is_eye())) {
-                    found.push(one);
-                }
-            }
-        }
-        found.extend(self.reflections(Incoming::Eye));
-        found
-    }
-
     /// Returns the cubemap lookups: the call and the direction.
     pub fn lookups(&self) -> Vec<(Id, Id)> {
         self.lit
@@ -363,79 +258,6 @@ impl Reading {
                 _ => None,
             })
             .collect()
-    }
-
-    /// Whether one of the lookups samples a cubemap.
-    fn looks_up_cube(&self) -> bool {
-        self.lookups().into_iter().any(|(call, _)| match self.graph.op(call) {
-            Op::Call(_, parts) => {
-                parts.first().is_some_and(|sampler| self.role(self.graph.plain(*sampler)) == Some(Role::Cubemap))
-            }
-            _ => false,
-        })
-    }
-
-    /// Returns the last variable with this word in its name, among those that the colour is computed from, whose
-    /// value satisfies the condition.
-    pub fn named(&self, word: &str, is: impl Fn(Id) -> bool) -> Option<Id> {
-        self.tree.iter().copied().rfind(|id| match self.graph.op(*id) {
-            Op::Copy(inner, name) => name.to_lowercase().contains(word) && is(*inner),
-            _ => false,
-        })
-    }
-
-    /// Returns a variable with this word in its name that holds 0.
-    pub fn dark(&self, word: &str) -> Option<Id> {
-        self.named(word, |inner| self.graph.scalar(inner) == Some(0.0))
-    }
-
-    /// Returns the outermost variable that a value was assigned to.
-    pub fn variable(&self, id: Id) -> Option<(Id, &str)> {
-        match self.graph.op(id) {
-            Op::Copy(_, name) => Some((id, name)),
-            _ => None,
-        }
-    }
-
-    /// Returns the colour before it is output: without variables, stages and alpha.
-    pub fn shade(&self) -> Option<Id> {
-        self.colour.map(|colour| self.graph.core(colour))
-    }
-
-    /// Returns the node where the terms of the light are combined: a sum, or what is written in its place.
-    pub fn meeting(&self) -> Option<Id> {
-        let mut id = self.colour?;
-        let mut best = None;
-        let given_up = self.put_out();
-        loop {
-            id = self.graph.core(id);
-            let next = match self.graph.op(id) {
-                Op::Binary(BinaryOp::Add, a, b) => {
-                    // The sum starts with 0.
-                    match [a, b].iter().find(|part| self.graph.scalar(***part) == Some(0.0)) {
-                        Some(zero) => {
-                            if *zero == a {
-                                *b
-                            } else {
-                                *a
-                            }
-                        }
-                        None => return Some(id),
-                    }
-                }
-                Op::Binary(BinaryOp::Multiply | BinaryOp::Divide, a, b) => {
-                    best = best.or(Some(id));
-                    let has = |id: Id| self.bits(id) & (DIFFUSE | SPECULAR | terms::AMBIENT) != 0;
-                    match (has(*a), has(*b)) {
-                        (true, false) => *a,
-                        (false, true) => *b,
-                        _ => return best.or(given_up),
-                    }
-                }
-                _ => return best.or(given_up),
-            };
-            id = next;
-        }
     }
 
     /// Returns the statement that determines the colour: the last one that does more than pass it on.

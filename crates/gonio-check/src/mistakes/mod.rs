@@ -193,12 +193,6 @@ const STRUCTURAL: &[(&str, &str, &str, &str)] = &[
         "Pass position and normal to the fragment shader, and compute the light there.",
     ),
     (
-        "ambient-in-cone",
-        "The spot light's cone cuts the ambient term too",
-        "Outside the cone the surface is black, where ambient light should remain.",
-        "Multiply only the diffuse and specular terms by the cone's factor.",
-    ),
-    (
         "attenuation-other-formula",
         "The attenuation is not 1 / (kc + kl d + kq d^2)",
         "The light is too bright or too dark at most distances, or ends abruptly.",

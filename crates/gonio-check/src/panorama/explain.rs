@@ -4,7 +4,7 @@
 use super::tiles::{Fit, Tiles, Tolerance, WAYS};
 use crate::comparison::SourceSupport;
 use crate::mistakes::faces::{FACES, swapped_id, turned_id};
-use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
+use crate::mistakes::{Hypotheses, Hypothesis};
 use gonio_gl::GlError;
 
 /// The parameters of the search.
@@ -197,7 +197,7 @@ impl<'a> Search<'a> {
         };
         let support = |candidate: &Candidate| -> f32 {
             let ids = ids(candidate);
-            let sum: f32 = ids.iter().map(|id| (self.task.source_support)(id, ModelSolution::Panorama)).sum();
+            let sum: f32 = ids.iter().map(|id| (self.task.source_support)(id)).sum();
             // The source has no evidence about single faces.
             if ids.is_empty() { 0.5 } else { sum / ids.len() as f32 }
         };

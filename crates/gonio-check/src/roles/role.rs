@@ -203,6 +203,12 @@ const NAMES: [(&str, Named); 61] = [
 ];
 
 impl Role {
+    /// Whether it is a matrix that contains the projection.
+    #[must_use]
+    pub fn projects(self) -> bool {
+        matches!(self, Role::Projection | Role::ViewProjection | Role::ModelViewProjection)
+    }
+
     /// Returns all roles, those of lights for light 0.
     pub fn all() -> impl Iterator<Item = Self> {
         NAMES.iter().map(|(_, named)| named.with_light(0))

@@ -81,6 +81,7 @@ const MEANINGS: &[(&str, &str)] = &[
     ("itm tim mit invtm", "inverse transpose m"),
     ("itmv timv mvit", "inverse transpose mv"),
     ("mv vm wv modelview", "mv"),
+    ("nmv mvn", "normal mv"),
     ("vp pv projview viewproj", "vp"),
     ("mvp pvm wvp pmv mpv vmp", "mvp"),
     // Textures.

@@ -1,11 +1,10 @@
-//! Analyses the source of a pair of shaders: its mistakes and their lines, the constants written in it, and the roles
-//! of matrices by their use.
+//! Analyses the source of a pair of shaders: the constants written in it, the roles of matrices by their use, and the
+//! lines of mistakes with a panorama.
 
 use super::constants::{self, SourceConstants};
-use super::{Answer, answer, power_under_maximum};
+use super::{Answer, panorama, power_under_maximum};
 use crate::dataflow::{Id, Op, Reading, Shader};
-use crate::mistakes::ModelSolution;
-use crate::roles::{NamesFile, Role};
+use crate::roles::{self, Declared, NamesFile, Role};
 use gonio_glsl::ast::BinaryOp;
 use gonio_glsl::{Span, Stage};
 
@@ -32,33 +31,44 @@ impl Analysis {
         Analysis { reading: Reading::new(vertex, fragment, names) }
     }
 
+    /// Analyses a pair, and adds to the names the roles of matrices that only their use in the position tells.
+    #[must_use]
+    pub fn with_matrices_by_use(vertex: &Shader, fragment: &Shader, names: &mut NamesFile) -> Self {
+        let source = Analysis::new(vertex, fragment, names);
+        let leaves = [vertex, fragment].into_iter().flat_map(|shader| gonio_glsl::leaves(&shader.checked.interface));
+        let declared: Vec<Declared> =
+            leaves.map(|leaf| Declared::uniform(leaf.name.clone(), leaf.ty.written())).collect();
+        // The exercises' own V has no projection.
+        let has_projection = declared.iter().any(|declared| declared.name == "V")
+            || roles::bind(&declared, names).bound.iter().any(|bound| bound.role.projects());
+        let by_use = matrices_by_use(&source.reading, has_projection);
+        if by_use.is_empty() {
+            return source;
+        }
+        names.by_use.extend(by_use);
+        Analysis::new(vertex, fragment, names)
+    }
+
     /// Returns constants in the source that could be uniforms, if they flow into the colour.
     #[must_use]
     pub fn constants(&self) -> SourceConstants {
         constants::constants(&self.reading)
     }
 
-    /// Returns the roles of matrices with unclear names by their use in the position.
+    /// Returns the expression that makes a mistake with a panorama or with faces. `None` if the source does not show it.
     #[must_use]
-    pub fn matrices_by_use(&self) -> Vec<(String, Role)> {
-        matrices_by_use(&self.reading)
-    }
-
-    /// Returns the expression that makes a mistake of the catalogue, or the place where something is missing. `None`
-    /// if the source does not show it.
-    #[must_use]
-    pub fn line(&self, id: &str, model: ModelSolution) -> Option<Place> {
-        match answer(&self.reading, id, model) {
+    pub fn line(&self, id: &str) -> Option<Place> {
+        match panorama::answer(&self.reading, id) {
             Answer::At(node, confidence) => self.place(node, confidence),
             Answer::Not | Answer::Silent => None,
         }
     }
 
-    /// Returns the support of the source for a mistake: 1 if the very expression is there, 0 if the expression is
-    /// right, 0.5 if the source does not decide.
+    /// Returns the support of the source for a mistake with a panorama or with faces: 1 if the very expression is there,
+    /// 0 if the expression is right, 0.5 if the source does not decide.
     #[must_use]
-    pub fn support(&self, id: &str, model: ModelSolution) -> f32 {
-        match answer(&self.reading, id, model) {
+    pub fn support(&self, id: &str) -> f32 {
+        match panorama::answer(&self.reading, id) {
             Answer::At(_, support) => support,
             Answer::Not => 0.0,
             Answer::Silent => 0.5,
@@ -108,19 +118,22 @@ impl Analysis {
 }
 
 /// Returns the roles that matrices with unclear names must have. Empty if all names are clear, or if the position is
-/// not a product.
-fn matrices_by_use(reading: &Reading) -> Vec<(String, Role)> {
+/// not a product. Without an input for the projection, the view matrix contains it.
+fn matrices_by_use(reading: &Reading, has_projection: bool) -> Vec<(String, Role)> {
     let Some(position) = reading.position else { return Vec::new() };
     let mut factors = Vec::new();
-    if !product(reading, position, &mut factors, 0) || factors.iter().all(|(_, role)| role.is_some()) {
+    if !product(reading, position, &mut factors, 0) || factors.iter().all(|(_, role)| role.is_some()) && has_projection
+    {
         return Vec::new();
     }
     let known: Vec<Option<Role>> = factors.iter().map(|(_, role)| *role).collect();
-    let projects = |role: &Role| matches!(role, Role::Projection | Role::ViewProjection | Role::ModelViewProjection);
-    let others_project = known[1..].iter().flatten().any(projects);
+    let others_project = known.iter().skip(1).flatten().any(|role| role.projects());
     let meant: &[Role] = match known[..] {
         _ if others_project => return Vec::new(),
         [None] => &[Role::ModelViewProjection],
+        // `view * world_position`: without a projection, V contains it.
+        [Some(Role::View)] if !has_projection => &[Role::ViewProjection],
+        [Some(Role::View), Some(Role::Model)] if !has_projection => &[Role::ViewProjection, Role::Model],
         [Some(Role::Projection), None] => &[Role::Projection, Role::ModelView],
         // `camera * transform`: without a projection, the first factor contains it.
         [None | Some(Role::View | Role::ViewProjection), None] | [None, Some(Role::Model)] => {

@@ -1,6 +1,6 @@
 //! Finds constants in the source that could be uniforms.
 
-use super::attenuation::falloff;
+use super::falloff::falloff;
 use crate::dataflow::terms::{DIFFUSE, SPECULAR};
 use crate::dataflow::vector::{By, VectorKind};
 use crate::dataflow::{Id, Op, Reading};
@@ -189,15 +189,15 @@ fn logarithm(reading: &Reading, id: Id, log: &str) -> Option<(Id, f64)> {
 
 fn attenuation(reading: &Reading) -> [Option<f32>; 3] {
     let mut found = [None; 3];
-    if let Some(falloff) = falloff(reading) {
-        for part in &falloff.parts {
+    if let Some(parts) = falloff(reading) {
+        for part in &parts {
             let Some(place) = [0.0, 1.0, 2.0].iter().position(|degree| *degree == part.degree) else { continue };
             if let Some(number) = part.number.filter(|n| n.is_finite()) {
                 found[place] = Some(found[place].unwrap_or(0.0) + number as f32);
             }
         }
         // A plain 1 / d^2 has no constants that could be uniforms.
-        if falloff.parts.len() < 2 {
+        if parts.len() < 2 {
             return [None; 3];
         }
     }

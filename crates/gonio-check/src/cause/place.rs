@@ -1,0 +1,176 @@
+//! Where a program makes the mistakes that explain its picture, if no repair proves a place: at the first expression that
+//! has the wrong values of the mistake. Where it computes the light, if only the stage or a missing term is wrong.
+
+use super::explain::{Explanation, strengthen};
+use super::model::Space;
+use super::observed::{SCALED, is_name};
+use super::prediction::ModelSolutions;
+use super::program::{Program, Runner};
+use super::recording::{Recorded, STAGES, TELLING, observe};
+use super::samples::SceneSamples;
+use crate::comparison::Lights;
+use crate::mistakes::{Hypotheses, Hypothesis, Mistake, ModelSolution};
+use gonio_glsl::{Span, Stage};
+use gonio_interpreter::SourceExpression;
+use std::collections::BTreeSet;
+
+/// The sum of all light, and what is put out of it.
+const OUTPUTS: [&str; 4] = ["lit", "colour", "v_col", "FragColor"];
+
+/// A mistake with the place where the program makes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MistakePlace {
+    /// The mistake.
+    pub mistake: &'static Mistake,
+    /// The stage.
+    pub stage: Stage,
+    /// The expression in its text.
+    pub span: Span,
+    /// Whether the expression has the value that the mistake assigns, and not one that is computed from it.
+    pub is_direct: bool,
+}
+
+/// The wrong values of one of the mistakes of a hypothesis.
+struct WrongValues {
+    mistake: &'static Mistake,
+    /// The variables that it assigns.
+    variables: BTreeSet<String>,
+}
+
+/// The mistakes of a hypothesis with the lines that each of them changes.
+fn mistakes_of(all: &Hypotheses, hypothesis: &Hypothesis) -> Vec<WrongValues> {
+    let of_one = |index: &usize| {
+        let is_part = |one: &&Hypothesis| {
+            one.mistakes == [*index] && one.choices.iter().all(|(line, way)| hypothesis.choices.get(line) == Some(way))
+        };
+        let single = all.singles.iter().find(is_part)?;
+        let mistake = all.mistakes[*index];
+        let variables = single.choices.keys().map(|line| all.variables[*line].clone()).collect();
+        (!mistake.harmless).then_some(WrongValues { mistake, variables })
+    };
+    hypothesis.mistakes.iter().filter_map(of_one).collect()
+}
+
+/// The values that a model solution assigns, with a hypothesis.
+fn assigned(
+    solutions: &ModelSolutions,
+    (model, hypothesis): (ModelSolution, &Hypothesis),
+    samples: &[SceneSamples],
+    exponent: f32,
+) -> Result<Vec<(String, Recorded)>, String> {
+    let texts = solutions.hypotheses(model).written(hypothesis);
+    let program = solutions.program(&texts, exponent)?;
+    let runner = Runner::new(&program.program, samples);
+    let exprs = program.exprs();
+    let seen = observe(&runner, &[], 0..samples.len(), [&exprs[0], &exprs[1]]);
+    let named = |seen: Recorded| Some((program.variable(seen.stage, seen.expr)?.to_owned(), seen));
+    Ok(seen.into_iter().filter_map(named).collect())
+}
+
+/// The first place of each mistake of an explanation, as far as the program shows one.
+///
+/// # Errors
+/// The interpreter cannot run a model solution; a test ensures that it can.
+pub(super) fn places(
+    program: &Program,
+    samples: &[SceneSamples],
+    solutions: &ModelSolutions,
+    explanation: &Explanation,
+    exponent: f32,
+) -> Result<Vec<MistakePlace>, String> {
+    let given = &samples[..samples.len().min(TELLING)];
+    let in_space = |samples: &SceneSamples| {
+        let mut samples = samples.clone();
+        if let (Lights::WrongInSecond, Some(other)) = (explanation.lights, samples.scene.other) {
+            samples.scene.light = other;
+        }
+        strengthen(&explanation.strengths, &mut samples.scene);
+        if explanation.space == Space::View {
+            samples.scene = samples.scene.in_view_space();
+        }
+        samples
+    };
+    let samples: Vec<SceneSamples> = given.iter().map(in_space).collect();
+    let model = explanation.method.model;
+    let all = solutions.hypotheses(model);
+    let wrong = assigned(solutions, (model, &explanation.hypothesis), &samples, exponent)?;
+    let exprs = STAGES.map(|stage| program.numbers(stage));
+    let observed = observe(&Runner::new(program, given), &[], 0..given.len(), [&exprs[0], &exprs[1]]);
+    let mut found = Vec::new();
+    for WrongValues { mistake, variables } in mistakes_of(&all, &explanation.hypothesis) {
+        // What would be right but for this mistake.
+        let mut others = explanation.hypothesis.clone();
+        others.choices.retain(|line, _| !variables.contains(&all.variables[*line]));
+        let right = assigned(solutions, (model, &others), &samples, exponent)?;
+        let is_right = |(name, seen): &(String, Recorded)| {
+            let is_it = |(known, of): &&(String, Recorded)| known == name && of.stage == seen.stage;
+            right.iter().find(is_it).is_some_and(|(_, of)| of.values.is_same(&seen.values))
+        };
+        let changed: Vec<&(String, Recorded)> = wrong.iter().filter(|one| !is_right(one)).collect();
+        let (direct, after): (Vec<_>, Vec<_>) = changed.into_iter().partition(|(name, _)| variables.contains(name));
+        let first =
+            |of: &[&(String, Recorded)]| of.iter().find_map(|(name, one)| first_with(program, &observed, name, one));
+        // What is put out may be a right vector, which is computed earlier.
+        let is_put_out = variables.iter().any(|name| OUTPUTS.contains(&name.as_str()));
+        let all = || direct.iter().chain(&after).map(|(name, one)| (name.as_str(), one));
+        let last = is_put_out.then(|| last_with(program, &observed, all())).flatten();
+        let direct = || first(&direct).map(|seen| (seen, true));
+        let place = last.map(|seen| (seen, true)).or_else(direct).or_else(|| first(&after).map(|seen| (seen, false)));
+        if let Some((seen, is_direct)) = place {
+            let span = expression(program, seen).span;
+            found.push(MistakePlace { mistake, stage: seen.stage, span, is_direct });
+        }
+    }
+    Ok(found)
+}
+
+/// Where a program computes the sum of all light of a model solution with a hypothesis; in the stages that are asked.
+///
+/// # Errors
+/// The interpreter cannot run a model solution; a test ensures that it can.
+pub(super) fn of_sum(
+    program: &Program,
+    samples: &[SceneSamples],
+    solutions: &ModelSolutions,
+    (model, hypothesis, exponent): (ModelSolution, &Hypothesis, f32),
+    is_asked: impl Fn(Stage) -> bool,
+) -> Result<Option<(Stage, Span)>, String> {
+    let given = &samples[..samples.len().min(TELLING)];
+    let put_out = assigned(solutions, (model, hypothesis), given, exponent)?;
+    let exprs = STAGES.map(|stage| program.numbers(stage));
+    let observed = observe(&Runner::new(program, given), &[], 0..given.len(), [&exprs[0], &exprs[1]]);
+    let asked = put_out.iter().filter(|(_, of)| is_asked(of.stage)).map(|(name, of)| (name.as_str(), of));
+    Ok(last_with(program, &observed, asked).map(|seen| (seen.stage, expression(program, seen).span)))
+}
+
+fn expression<'a>(program: &'a Program, seen: &Recorded) -> &'a SourceExpression {
+    &program.stage(seen.stage).source.expressions[seen.expr.0 as usize]
+}
+
+/// Whether an expression has the values of a variable. A constant tells nothing.
+fn has(seen: &Recorded, name: &str, of: &Recorded) -> bool {
+    let is_same = match SCALED.contains(&name) {
+        true => seen.values.factor_of(&of.values).is_some(),
+        false => seen.values.is_same(&of.values),
+    };
+    seen.stage == of.stage && !seen.values.is_constant() && is_same
+}
+
+/// The first expression with the values of a variable.
+fn first_with<'a>(program: &Program, observed: &'a [Recorded], name: &str, of: &Recorded) -> Option<&'a Recorded> {
+    let first_token = |seen: &&Recorded| expression(program, seen).tokens.first;
+    observed.iter().filter(|seen| has(seen, name, of)).min_by_key(first_token)
+}
+
+/// The last expression that computes what is put out.
+fn last_with<'a>(
+    program: &Program,
+    observed: &'a [Recorded],
+    variables: impl Iterator<Item = (&'a str, &'a Recorded)>,
+) -> Option<&'a Recorded> {
+    let outputs: Vec<(&str, &Recorded)> = variables.filter(|(name, _)| OUTPUTS.contains(name)).collect();
+    let is_it = |seen: &&Recorded| {
+        !is_name(program.text(seen.stage, seen.expr)) && outputs.iter().any(|(name, of)| has(seen, name, of))
+    };
+    observed.iter().filter(is_it).max_by_key(|seen| (seen.stage, expression(program, seen).tokens.first))
+}
