@@ -210,6 +210,12 @@ impl MerlTable {
         Some(DVec3::new(channel(0)?.into(), channel(1)?.into(), channel(2)?.into()))
     }
 
+    /// All cells, for a texture: red, green and blue, and 1; or zeros where a channel is missing.
+    pub fn texels(&self) -> Vec<[f32; 4]> {
+        let texel = |cell| self.at_cell(cell).map_or([0.0; 4], |f| f.as_vec3().extend(1.0).to_array());
+        (0..CELLS).map(texel).collect()
+    }
+
     /// `f` by interpolation; 0 where all cells around are missing.
     pub fn lookup(&self, angles: HalfAngles) -> DVec3 {
         let h = around((angles.theta_h / FRAC_PI_2).max(0.0).sqrt() * THETA_H as f64, THETA_H);
