@@ -3,7 +3,7 @@
 use crate::explorer::write_glsl;
 use crate::glsl::GlslBrdfError;
 use crate::parameter::ParameterValues;
-use gonio_glsl::ast::{Declaration, StructDefinition};
+use gonio_glsl::ast::Declaration;
 use gonio_glsl::{Item, OutputVersion, Severity, Stage, check, parse, translate};
 use std::collections::BTreeSet;
 
@@ -60,7 +60,7 @@ fn global_names(items: &[Item]) -> BTreeSet<String> {
                 names.insert(function.name.clone());
             }
             Item::Declaration(Declaration { ty, declarators, .. }) => {
-                let structs = ty.definition.iter().map(|definition: &Box<StructDefinition>| definition.name.clone());
+                let structs = ty.definition.iter().map(|definition| definition.name.clone());
                 names.extend(structs.chain(declarators.iter().map(|declarator| declarator.name.clone())));
             }
             _ => {}

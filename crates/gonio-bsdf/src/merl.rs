@@ -8,10 +8,9 @@
 //! *Source*: W. Matusik, H. Pfister, M. Brand, L. McMillan, *A Data-Driven Reflectance Model*, SIGGRAPH 2003, and the format
 //! that comes with its database. Between the middles of cells the value is interpolated; missing cells are left out.
 
-use crate::bsdf::{Bsdf, BsdfSample, both_above, mean, weighted};
+use crate::bsdf::{Bsdf, both_above, mean};
 use crate::half_angles::HalfAngles;
 use crate::integrate::albedo_with_steps;
-use crate::sampling::{cosine_density, cosine_hemisphere};
 use gonio_light::DVec3;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt;
@@ -286,14 +285,6 @@ fn is_isotropic(bsdf: &dyn Bsdf) -> bool {
 impl Bsdf for MerlTable {
     fn evaluate(&self, wi: DVec3, wo: DVec3) -> DVec3 {
         if both_above(wi, wo) { self.lookup(HalfAngles::of(wi, wo)) } else { DVec3::ZERO }
-    }
-
-    fn density(&self, wi: DVec3, wo: DVec3) -> f64 {
-        if both_above(wi, wo) { cosine_density(wi) } else { 0.0 }
-    }
-
-    fn sample(&self, wo: DVec3, u: [f64; 3]) -> Option<BsdfSample> {
-        weighted(self, cosine_hemisphere([u[0], u[1]]), wo)
     }
 
     fn samples_follow_function(&self) -> bool {
