@@ -57,7 +57,7 @@ impl MaterialBrdf {
     pub fn new(named: NamedBsdf) -> Self {
         let NamedBsdf { name, bsdf, glsl, values, table, .. } = named;
         let view = DVec3::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2);
-        let albedo = albedo_with_steps(bsdf.as_ref(), view, ALBEDO_STEPS).map(|c| c.max(0.0).min(1.0));
+        let albedo = held(albedo_with_steps(bsdf.as_ref(), view, ALBEDO_STEPS), 1.0);
         let stand_in = stand_in(&values, albedo);
         let shader = glsl.map(|text| embedded_glsl(&text, &values).map(Arc::from));
         MaterialBrdf { name, bsdf, shader, table, albedo, stand_in }
@@ -69,8 +69,7 @@ impl MaterialBrdf {
         let (n, t) = (point.normal, point.tangent);
         let b = n.cross(t);
         let local = |w: DVec3| DVec3::new(t.dot(w), b.dot(w), n.dot(w));
-        // `max` before `min`: f64::max returns the other operand for NaN.
-        self.bsdf.evaluate(local(l), local(point.view)).map(|f| f.max(0.0).min(LOBE_CAP))
+        held(self.bsdf.evaluate(local(l), local(point.view)), LOBE_CAP)
     }
 
     /// Whether it scatters light in single directions only, as a smooth boundary does.
@@ -92,6 +91,11 @@ impl MaterialBrdf {
         (material.diffuse_map, material.specular_map, material.shininess_map) = (None, None, None);
         material.metallic_roughness = None;
     }
+}
+
+/// Each channel from 0 to `most`; NaN counts as 0.
+fn held(value: DVec3, most: f64) -> DVec3 {
+    value.map(|channel| if channel > 0.0 { channel.min(most) } else { 0.0 })
 }
 
 /// The light equation's material that comes closest to a function. Of models with a rough mirror, `a` is the diffuse and `f0`
