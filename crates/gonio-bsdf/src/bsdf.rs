@@ -1,5 +1,6 @@
 //! A BSDF: its value for two directions, and directions drawn in proportion to it.
 
+use crate::sampling::{cosine_density, cosine_hemisphere};
 use gonio_light::DVec3;
 
 /// A direction drawn by [`Bsdf::sample`].
@@ -27,14 +28,19 @@ pub trait Bsdf: Send + Sync {
     }
 
     /// The density in 1/sr with which [`Bsdf::sample`] draws `wi` for a viewer at `wo`. Its integral over the sphere is at
-    /// most 1; the rest is the probability that `sample` draws nothing.
-    fn density(&self, wi: DVec3, wo: DVec3) -> f64;
+    /// most 1; the rest is the probability that `sample` draws nothing. By default that of the cosine above the horizon.
+    fn density(&self, wi: DVec3, wo: DVec3) -> f64 {
+        if both_above(wi, wo) { cosine_density(wi) } else { 0.0 }
+    }
 
     /// Draws a direction to the light for a viewer at `wo`, from three numbers in `[0, 1)`. `None` if the direction falls
-    /// below the horizon: it counts as a sample of weight 0.
-    fn sample(&self, wo: DVec3, u: [f64; 3]) -> Option<BsdfSample>;
+    /// below the horizon: it counts as a sample of weight 0. By default in proportion to the cosine.
+    fn sample(&self, wo: DVec3, u: [f64; 3]) -> Option<BsdfSample> {
+        weighted(self, cosine_hemisphere([u[0], u[1]]), wo)
+    }
 
-    /// Whether the samples follow the shape of the function, and not only the cosine.
+    /// Whether the samples follow the shape of the function, and not only the cosine. Functions with the default sampling
+    /// say no.
     fn samples_follow_function(&self) -> bool {
         true
     }
@@ -110,7 +116,7 @@ impl<L: Lobe> Bsdf for DiffuseAndLobe<L> {
         if !both_above(wi, wo) {
             return 0.0;
         }
-        let diffuse = self.diffuse_share * crate::sampling::cosine_density(wi);
+        let diffuse = self.diffuse_share * cosine_density(wi);
         // A lobe with no samples may have an infinite density.
         if self.diffuse_share < 1.0 {
             diffuse + (1.0 - self.diffuse_share) * self.lobe.density(wi, wo)
@@ -124,7 +130,7 @@ impl<L: Lobe> Bsdf for DiffuseAndLobe<L> {
             return None;
         }
         let wi = if u[2] < self.diffuse_share {
-            crate::sampling::cosine_hemisphere([u[0], u[1]])
+            cosine_hemisphere([u[0], u[1]])
         } else {
             self.lobe.sample(wo, [u[0], u[1]])?
         };
@@ -137,7 +143,7 @@ impl<L: Lobe> Bsdf for DiffuseAndLobe<L> {
 }
 
 /// A sample of a direction, weighted by value and density; `None` where the density is not positive.
-pub(crate) fn weighted(bsdf: &dyn Bsdf, wi: DVec3, wo: DVec3) -> Option<BsdfSample> {
+pub(crate) fn weighted<B: Bsdf + ?Sized>(bsdf: &B, wi: DVec3, wo: DVec3) -> Option<BsdfSample> {
     let density = bsdf.density(wi, wo);
     (density > 0.0).then(|| BsdfSample { wi, weight: bsdf.evaluate(wi, wo) * (wi.z.abs() / density), is_mirror: false })
 }

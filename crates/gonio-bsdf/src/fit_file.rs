@@ -48,8 +48,13 @@ enum Value {
 /// A file of fits that cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FitFileError {
-    /// TOML that cannot be parsed, or keys that do not belong there; with line and column if known.
-    Toml(String),
+    /// TOML that cannot be parsed, or keys that do not belong there.
+    Toml {
+        /// One sentence.
+        message: String,
+        /// Line and column, from 1, if they are known.
+        place: Option<(u32, u32)>,
+    },
     /// No fit in the file.
     Empty,
     /// A model that does not exist.
@@ -61,7 +66,8 @@ pub enum FitFileError {
 impl fmt::Display for FitFileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Toml(message) => f.write_str(message),
+            Self::Toml { message, place: Some((line, column)) } => write!(f, "{line}:{column}: {message}"),
+            Self::Toml { message, place: None } => f.write_str(message),
             Self::Empty => write!(f, "the file has no `[[fit]]`"),
             Self::UnknownModel(name) => ModelSpecError::UnknownModel { name: name.clone() }.fmt(f),
             Self::Parameter(error) => error.fmt(f),
@@ -102,8 +108,8 @@ pub fn write(fits: &[BsdfFit]) -> String {
 /// Text that is no such file, an unknown model or parameter, or a value beyond its range.
 pub fn read(text: &str) -> Result<Vec<ModelSpec>, FitFileError> {
     let fits: Fits = toml::from_str(text).map_err(|error| {
-        let place = error.span().map(|span| place(text, span.start)).unwrap_or_default();
-        FitFileError::Toml(format!("{place}{}", error.message()))
+        let place = error.span().map(|span| place(text, span.start));
+        FitFileError::Toml { message: error.message().to_owned(), place }
     })?;
     if fits.fit.is_empty() {
         return Err(FitFileError::Empty);
@@ -111,11 +117,11 @@ pub fn read(text: &str) -> Result<Vec<ModelSpec>, FitFileError> {
     fits.fit.iter().map(spec).collect()
 }
 
-/// `LINE:COLUMN: ` of a byte.
-fn place(text: &str, byte: usize) -> String {
+/// Line and column of a byte.
+fn place(text: &str, byte: usize) -> (u32, u32) {
     let before = text.get(..byte).unwrap_or_default();
     let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
-    format!("{}:{column}: ", before.matches('\n').count() + 1)
+    (before.matches('\n').count() as u32 + 1, column as u32)
 }
 
 fn spec(entry: &Entry) -> Result<ModelSpec, FitFileError> {

@@ -3,9 +3,9 @@
 //! The function has the signature of BRDF Explorer: `vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)`, with `L` to the
 //! light, `V` to the viewer, the normal `N` and the tangents `X` and `Y`. Parameters are uniforms.
 
-use crate::bsdf::{Bsdf, BsdfSample, both_above, weighted};
+use crate::bsdf::{Bsdf, both_above};
 use crate::parameter::{BsdfParameter, ParameterKind, ParameterValues};
-use crate::sampling::{cosine_density, cosine_hemisphere, direction};
+use crate::sampling::direction;
 use gonio_glsl::{Severity, Span, Stage};
 use gonio_interpreter::{CompiledStage, PointValues, RunOptions, StageInputs, compile, run};
 use gonio_light::DVec3;
@@ -156,14 +156,6 @@ impl Bsdf for GlslBrdf {
             }
         }
         values
-    }
-
-    fn density(&self, wi: DVec3, wo: DVec3) -> f64 {
-        if both_above(wi, wo) { cosine_density(wi) } else { 0.0 }
-    }
-
-    fn sample(&self, wo: DVec3, u: [f64; 3]) -> Option<BsdfSample> {
-        weighted(self, cosine_hemisphere([u[0], u[1]]), wo)
     }
 
     fn samples_follow_function(&self) -> bool {

@@ -10,7 +10,7 @@
 //! | [`models`] | the models, one file each, and their list |
 //! | [`model_spec`] | `name:key=value,...`, the notation of a model with parameters |
 //! | [`integrate`], [`mod@check`] | albedos; reciprocity, energy, positivity, normalisation, chi-square |
-//! | [`glsl`] | BRDFs written as GLSL functions, run on the CPU |
+//! | [`glsl`], [`mod@embedded_glsl`] | BRDFs written as GLSL functions, run on the CPU; as parts of other shaders |
 //! | [`merl`], [`half_angles`] | the tables of the MERL database |
 //! | [`explorer`] | the `.brdf` files of BRDF Explorer |
 //! | [`named_bsdf`] | any of them with its name; exports |
@@ -22,6 +22,7 @@
 
 pub mod bsdf;
 pub mod check;
+pub mod embedded_glsl;
 pub mod explorer;
 pub mod fit;
 pub mod fit_file;
@@ -37,6 +38,7 @@ pub mod sampling;
 
 pub use bsdf::{Bsdf, BsdfSample};
 pub use check::{CheckedProperty, check};
+pub use embedded_glsl::embedded_glsl;
 pub use fit::{BsdfFit, FitError, FitResidual, fit};
 pub use glsl::{GlslBrdf, GlslBrdfError};
 pub use gonio_light::DVec3;

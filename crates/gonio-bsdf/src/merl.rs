@@ -8,10 +8,9 @@
 //! *Source*: W. Matusik, H. Pfister, M. Brand, L. McMillan, *A Data-Driven Reflectance Model*, SIGGRAPH 2003, and the format
 //! that comes with its database. Between the middles of cells the value is interpolated; missing cells are left out.
 
-use crate::bsdf::{Bsdf, BsdfSample, both_above, mean, weighted};
+use crate::bsdf::{Bsdf, both_above, mean};
 use crate::half_angles::HalfAngles;
 use crate::integrate::albedo_with_steps;
-use crate::sampling::{cosine_density, cosine_hemisphere};
 use gonio_light::DVec3;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt;
@@ -210,6 +209,12 @@ impl MerlTable {
         Some(DVec3::new(channel(0)?.into(), channel(1)?.into(), channel(2)?.into()))
     }
 
+    /// All cells, for a texture: red, green and blue, and 1; or zeros where a channel is missing.
+    pub fn texels(&self) -> Vec<[f32; 4]> {
+        let texel = |cell| self.at_cell(cell).map_or([0.0; 4], |f| f.as_vec3().extend(1.0).to_array());
+        (0..CELLS).map(texel).collect()
+    }
+
     /// `f` by interpolation; 0 where all cells around are missing.
     pub fn lookup(&self, angles: HalfAngles) -> DVec3 {
         let h = around((angles.theta_h / FRAC_PI_2).max(0.0).sqrt() * THETA_H as f64, THETA_H);
@@ -280,14 +285,6 @@ fn is_isotropic(bsdf: &dyn Bsdf) -> bool {
 impl Bsdf for MerlTable {
     fn evaluate(&self, wi: DVec3, wo: DVec3) -> DVec3 {
         if both_above(wi, wo) { self.lookup(HalfAngles::of(wi, wo)) } else { DVec3::ZERO }
-    }
-
-    fn density(&self, wi: DVec3, wo: DVec3) -> f64 {
-        if both_above(wi, wo) { cosine_density(wi) } else { 0.0 }
-    }
-
-    fn sample(&self, wo: DVec3, u: [f64; 3]) -> Option<BsdfSample> {
-        weighted(self, cosine_hemisphere([u[0], u[1]]), wo)
     }
 
     fn samples_follow_function(&self) -> bool {

@@ -10,6 +10,7 @@ use crate::parameter::ParameterValues;
 use crate::sampling::direction;
 use std::fmt;
 use std::fmt::Write as _;
+use std::sync::Arc;
 
 /// A function to plot, check or export.
 pub struct NamedBsdf {
@@ -18,7 +19,9 @@ pub struct NamedBsdf {
     /// One line about it.
     pub title: String,
     /// The function.
-    pub bsdf: Box<dyn Bsdf>,
+    pub bsdf: Arc<dyn Bsdf>,
+    /// The table, where the function is one.
+    pub table: Option<Arc<MerlTable>>,
     /// The text of its GLSL function, if it has one.
     pub glsl: Option<String>,
     /// Its parameters; a table has none.
@@ -73,7 +76,8 @@ impl NamedBsdf {
         Self {
             name: spec.text(),
             title: spec.model.title.to_owned(),
-            bsdf: spec.build(),
+            bsdf: spec.build().into(),
+            table: None,
             glsl: spec.model.glsl.map(str::to_owned),
             values: spec.values.clone(),
             warnings: Vec::new(),
@@ -83,10 +87,12 @@ impl NamedBsdf {
     /// A MERL table.
     pub fn of_table(name: &str, table: MerlTable) -> Self {
         let warnings = table.scale_warning().into_iter().collect();
+        let table = Arc::new(table);
         Self {
             name: name.to_owned(),
             title: format!("measured BRDF, {:.1} % of the values are missing", missing_percent(&table)),
-            bsdf: Box::new(table),
+            bsdf: table.clone(),
+            table: Some(table),
             glsl: None,
             values: ParameterValues::defaults(Vec::new()),
             warnings,
@@ -98,7 +104,8 @@ impl NamedBsdf {
             name: name.to_owned(),
             title: title.to_owned(),
             values: bsdf.values().clone(),
-            bsdf: Box::new(bsdf),
+            bsdf: Arc::new(bsdf),
+            table: None,
             glsl: Some(text),
             warnings: Vec::new(),
         }

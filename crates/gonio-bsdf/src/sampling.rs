@@ -49,6 +49,27 @@ pub fn reflected_density(density_of_half: f64, wo_dot_h: f64) -> f64 {
     if wo_dot_h > 0.0 { density_of_half / (4.0 * wo_dot_h) } else { 0.0 }
 }
 
+/// Draws `wi` by the cosine with the probability `share`, otherwise `wo` mirrored at a half vector that `sample_half` draws.
+pub fn cosine_or_half(
+    share: f64,
+    wo: DVec3,
+    u: [f64; 3],
+    sample_half: impl FnOnce([f64; 2]) -> DVec3,
+) -> Option<DVec3> {
+    if wo.z <= 0.0 {
+        None
+    } else if u[2] < share {
+        Some(cosine_hemisphere([u[0], u[1]]))
+    } else {
+        reflect_at(sample_half([u[0], u[1]]), wo)
+    }
+}
+
+/// The density of [`cosine_or_half`] above the horizon, where the half vector has the density `density_of_half`.
+pub fn cosine_or_half_density(share: f64, wi: DVec3, wo_dot_h: f64, density_of_half: f64) -> f64 {
+    share * cosine_density(wi) + (1.0 - share) * reflected_density(density_of_half, wo_dot_h)
+}
+
 /// A half vector whose slope is Gaussian, with the density `exp(-(x/ax)^2 - (y/ay)^2) / (pi ax ay cos^3)` where `x` and
 /// `y` are its slopes. Source: G. J. Ward 1992, eq. (6) and (7).
 pub fn gaussian_half(ax: f64, ay: f64, u: [f64; 2]) -> DVec3 {

@@ -7,7 +7,7 @@ use crate::optics::{EnvironmentTerms, Optics};
 use crate::shading_point::{ShadingPoint, Surface};
 use crate::vector;
 use glam::DVec3;
-use std::f64::consts::FRAC_1_PI;
+use std::f64::consts::{FRAC_1_PI, PI};
 
 named_enum! {
     /// The convention for `diff`, and so for the unit of `L_i`.
@@ -131,7 +131,29 @@ pub struct LightTerms {
     pub specular: DVec3,
 }
 
+/// `f` in 1/sr, per channel, of a material with a BRDF of its own: at a point, for light from a unit vector in world space.
+pub type MaterialFunction<'a> = &'a dyn Fn(&ShadingPoint, DVec3) -> DVec3;
+
 impl LightTerms {
+    /// The same light at a surface whose BRDF has the value `f`, in 1/sr per channel, for it.
+    ///
+    /// All of `f` counts as the specular term, `pi diff f <N.L>` for `k_s = 1`, and the diffuse term is 0. With
+    /// `f = k_d / pi` it is the diffuse term of the same equation, whatever its convention: `L_i` keeps its unit.
+    pub fn with_brdf(self, f: DVec3, equation: &Equation, surface: &Surface) -> LightTerms {
+        let factor = PI * self.diff * self.cos_theta.max(0.0);
+        // 0 times an infinite value is not a number.
+        let spec = if factor > 0.0 { f * factor } else { DVec3::ZERO };
+        let light = if equation.terms.specular { capped(spec * self.incident) } else { DVec3::ZERO };
+        LightTerms {
+            spec: spec.max_element(),
+            diffuse_light: DVec3::ZERO,
+            specular_light: light,
+            diffuse: DVec3::ZERO,
+            specular: capped(surface.specular * light),
+            ..self
+        }
+    }
+
     /// The same light of which only a share reaches the point: `visibility` is in [0, 1], 0 in a shadow.
     pub fn seen(self, visibility: f64) -> LightTerms {
         LightTerms {
@@ -272,23 +294,40 @@ impl Equation {
         })
     }
 
+    /// [`Self::light_terms`] of a material, which may have a BRDF of its own.
+    fn material_terms(
+        &self,
+        index: usize,
+        light: &Light,
+        point: &ShadingPoint,
+        surface: &Surface,
+        brdf: Option<MaterialFunction<'_>>,
+    ) -> Option<LightTerms> {
+        let terms = self.light_terms(index, light, point, surface)?;
+        let Some(brdf) = brdf else { return Some(terms) };
+        let f = if terms.cos_theta > 0.0 { brdf(point, terms.l) } else { DVec3::ZERO };
+        Some(terms.with_brdf(f, self, surface))
+    }
+
     /// The sums over the lights, without the material's colours.
     pub fn light_sums(&self, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> LightSums {
-        self.light_sums_where(point, surface, lights, |_| 1.0)
+        self.light_sums_where(point, surface, lights, None, |_| 1.0)
     }
 
     /// [`Self::light_sums`] of the light that reaches the point: `visibility` says which share of each light's terms does.
-    /// It is not asked about lights that add nothing.
+    /// It is not asked about lights that add nothing. `brdf` is the material's own, if it has one.
     pub fn light_sums_where(
         &self,
         point: &ShadingPoint,
         surface: &Surface,
         lights: &[Light],
+        brdf: Option<MaterialFunction<'_>>,
         visibility: impl Fn(&LightTerms) -> f64,
     ) -> LightSums {
         let mut sums = LightSums::default();
         for (index, light) in lights.iter().enumerate() {
-            if let Some(terms) = self.light_terms(index, light, point, surface).filter(|terms| !terms.is_dark()) {
+            let terms = self.material_terms(index, light, point, surface, brdf);
+            if let Some(terms) = terms.filter(|terms| !terms.is_dark()) {
                 let share = visibility(&terms);
                 sums.diffuse += share * terms.diffuse_light;
                 sums.specular += share * terms.specular_light;
@@ -312,21 +351,22 @@ impl Equation {
 
     /// Every term at one point.
     pub fn evaluate(&self, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> Terms {
-        self.evaluate_where(point, surface, lights, |_| 1.0)
+        self.evaluate_where(point, surface, lights, None, |_| 1.0)
     }
 
-    /// [`Self::evaluate`] with the share of each light that reaches the point.
+    /// [`Self::evaluate`] with the share of each light that reaches the point. `brdf` is the material's own, if it has one.
     pub fn evaluate_where(
         &self,
         point: &ShadingPoint,
         surface: &Surface,
         lights: &[Light],
+        brdf: Option<MaterialFunction<'_>>,
         visibility: impl Fn(&LightTerms) -> f64,
     ) -> Terms {
         let lights_terms: Vec<LightTerms> = lights
             .iter()
             .enumerate()
-            .filter_map(|(index, light)| self.light_terms(index, light, point, surface))
+            .filter_map(|(index, light)| self.material_terms(index, light, point, surface, brdf))
             .map(|terms| {
                 let share = visibility(&terms);
                 terms.seen(share)

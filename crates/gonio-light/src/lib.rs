@@ -38,7 +38,7 @@ pub mod simplification;
 pub mod spectrum;
 pub mod vector;
 
-pub use equation::{Convention, Equation, LightSums, LightTerms, Specular, TermSwitches, Terms};
+pub use equation::{Convention, Equation, LightSums, LightTerms, MaterialFunction, Specular, TermSwitches, Terms};
 pub use glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
 pub use light::{Attenuation, Incident, Light, LightKind};
 pub use optics::{Fresnel, Optics, Sight, Surfaces};

@@ -62,6 +62,17 @@ pub fn any_orthonormal_vector(n: DVec3) -> DVec3 {
     DVec3::new(n.x * n.y * a, sign + n.y * n.y * a, -n.y)
 }
 
+/// A unit vector perpendicular to the unit vector `n` that runs around the vertical axis, `Y x N`: the direction of grooves
+/// on something that was turned on a lathe. The world's X where `n` is vertical.
+pub fn horizontal_tangent(n: DVec3) -> DVec3 {
+    let across = DVec3::new(n.z, 0.0, -n.x);
+    // Less is a normal that differs from the vertical by the rounding of f32 only.
+    if across.length() > LEAST_TILT { across.normalize() } else { DVec3::X - n.x * n }
+}
+
+/// The sine of the angle between a normal and the vertical below which [`horizontal_tangent`] is the world's X.
+pub const LEAST_TILT: f64 = 1e-5;
+
 /// Tangent and bitangent perpendicular to the unit normal `n`: the part of `tangent` across `n`,
 /// at unit length ([`any_orthonormal_vector`] where there is none), and `n x tangent`.
 pub fn tangent_frame(n: DVec3, tangent: DVec3) -> (DVec3, DVec3) {

@@ -86,9 +86,11 @@ impl<'a> Environment<'a> {
         surface: &Surface,
     ) -> EnvironmentTerms {
         let optics = &fragment.material().optics;
+        // Prefiltered light has no directions: a BRDF of the material's own is lit as what comes closest.
+        let lit = fragment.material().brdf.as_ref().map_or(surface, |brdf| &brdf.stand_in);
         EnvironmentTerms {
-            diffuse: self.diffuse_light(point, surface),
-            specular: self.glossy_light(point, surface),
+            diffuse: self.diffuse_light(point, lit),
+            specular: self.glossy_light(point, lit),
             sight: if optics.is_plain() {
                 Sight::default()
             } else {

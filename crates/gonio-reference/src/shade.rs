@@ -6,9 +6,11 @@ use crate::geometry::WorldGeometry;
 use crate::shadow::Shadows;
 use glam::DVec3;
 use gonio_light::quantity::Geometry;
-use gonio_light::{Light, LightSums, LightTerms, Quantity, ShadingPoint, Surface, Terms, light, vector};
+use gonio_light::{
+    Light, LightSums, LightTerms, MaterialFunction, Quantity, ShadingPoint, Surface, Terms, light, vector,
+};
 use gonio_scene::scene_file::Shading;
-use gonio_scene::{Frame, ViewSpec};
+use gonio_scene::{Frame, SceneMaterial, ViewSpec};
 
 /// Light at a triangle's corners (Gouraud) or at its centroid (flat per face; all three are then the same).
 #[derive(Clone, Debug)]
@@ -54,10 +56,19 @@ impl Shader<'_> {
         fragment.scene.objects[fragment.triangle.object as usize].shading
     }
 
-    fn point(&self, position: DVec3, normal: DVec3, fallback: DVec3, tangent: Option<DVec3>) -> ShadingPoint {
+    fn point(
+        &self,
+        material: &SceneMaterial,
+        position: DVec3,
+        normal: DVec3,
+        fallback: DVec3,
+        tangent: Option<DVec3>,
+    ) -> ShadingPoint {
         let mut point = ShadingPoint::new(position, normal, fallback, self.frame.camera.position);
         if let Some(tangent) = tangent.and_then(|t| vector::unit(t - point.normal * point.normal.dot(t))) {
             point.tangent = tangent;
+        } else if material.brdf.is_some() {
+            point.tangent = vector::horizontal_tangent(point.normal);
         }
         point
     }
@@ -83,11 +94,11 @@ impl Shader<'_> {
         let tangent = tangents.map(|t| interpolate(weights, t.map(|(t, _)| t)));
         let shading = Self::shading(fragment);
         if matches!(shading, Shading::Flat | Shading::FlatPerFace) {
-            return self.point(fragment.position, geometric, geometric, tangent);
+            return self.point(fragment.material(), fragment.position, geometric, geometric, tangent);
         }
         let corner_normals = fragment.triangle.vertices.map(|v| self.geometry.normals[v as usize]);
         let normal = interpolate(weights, corner_normals) * fragment.turn;
-        let point = self.point(fragment.position, normal, geometric, tangent);
+        let point = self.point(fragment.material(), fragment.position, normal, geometric, tangent);
         if shading != Shading::Phong {
             return point;
         }
@@ -99,7 +110,7 @@ impl Shader<'_> {
         let handedness = if interpolate(weights, tangents.map(|(_, w)| w)) < 0.0 { -1.0 } else { 1.0 };
         let b = handedness * n.cross(t);
         let m = 2.0 * texel.value.truncate() - DVec3::ONE;
-        self.point(fragment.position, t * m.x + b * m.y + n * m.z, n, Some(tangent))
+        self.point(fragment.material(), fragment.position, t * m.x + b * m.y + n * m.z, n, Some(tangent))
     }
 
     /// The points at which Gouraud shading (the corners) and flat shading per face (the centroid, three times)
@@ -111,11 +122,11 @@ impl Shader<'_> {
         if Self::shading(fragment) == Shading::FlatPerFace {
             let third = DVec3::splat(1.0 / 3.0);
             let tangent = tangents.map(|t| interpolate(third, t));
-            [self.point(interpolate(third, positions), geometric, geometric, tangent); 3]
+            [self.point(fragment.material(), interpolate(third, positions), geometric, geometric, tangent); 3]
         } else {
             std::array::from_fn(|i| {
                 let normal = self.geometry.normals[fragment.triangle.vertices[i] as usize] * fragment.turn;
-                self.point(positions[i], normal, geometric, tangents.map(|t| t[i]))
+                self.point(fragment.material(), positions[i], normal, geometric, tangents.map(|t| t[i]))
             })
         }
     }
@@ -126,14 +137,19 @@ impl Shader<'_> {
     }
 
     /// The sums over the lights, shadows included.
-    fn light_sums(&self, point: &ShadingPoint, surface: &Surface) -> LightSums {
+    fn light_sums(&self, material: &SceneMaterial, point: &ShadingPoint, surface: &Surface) -> LightSums {
         let Frame { equation, lights, .. } = self.frame;
-        equation.light_sums_where(point, surface, lights, |light| self.visibility(point, light))
+        with_function(material, |brdf| {
+            equation.light_sums_where(point, surface, lights, brdf, |light| self.visibility(point, light))
+        })
     }
 
     /// Every term at a point, shadows included.
-    fn evaluate(&self, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> Terms {
-        self.frame.equation.evaluate_where(point, surface, lights, |light| self.visibility(point, light))
+    fn evaluate(&self, material: &SceneMaterial, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> Terms {
+        let equation = &self.frame.equation;
+        with_function(material, |brdf| {
+            equation.evaluate_where(point, surface, lights, brdf, |light| self.visibility(point, light))
+        })
     }
 
     /// Light at the corners or at the centroid, remembered from the last sample on the same triangle.
@@ -155,10 +171,12 @@ impl Shader<'_> {
         }
         entry.get_or_insert_with(|| {
             let points = self.corner_points(fragment);
-            let surface = fragment.material().base_surface();
+            let material = fragment.material();
+            let surface = material.base_surface();
             let once = Self::shading(fragment) == Shading::FlatPerFace;
-            let sums = thrice(once, |i| self.light_sums(&points[i], &surface));
-            let terms = with_terms.then(|| thrice(once, |i| self.evaluate(&points[i], &surface, &self.frame.lights)));
+            let sums = thrice(once, |i| self.light_sums(material, &points[i], &surface));
+            let terms =
+                with_terms.then(|| thrice(once, |i| self.evaluate(material, &points[i], &surface, &self.frame.lights)));
             CornerLight { triangle: id, turned, sums, terms }
         })
     }
@@ -193,7 +211,7 @@ impl Shader<'_> {
 
     /// Every term at the fragment itself, whatever the shading.
     pub fn terms(&self, fragment: &Fragment, point: &ShadingPoint, surface: &Surface, lights: &[Light]) -> Terms {
-        let terms = self.evaluate(point, surface, lights);
+        let terms = self.evaluate(fragment.material(), point, surface, lights);
         let optics = &fragment.material().optics;
         match &self.environment {
             None => terms,
@@ -206,7 +224,7 @@ impl Shader<'_> {
         let Frame { equation, lights, .. } = self.frame;
         match Self::shading(fragment) {
             Shading::Flat | Shading::Phong => {
-                let sums = self.light_sums(&self.fragment_point(fragment), surface);
+                let sums = self.light_sums(fragment.material(), &self.fragment_point(fragment), surface);
                 equation.radiance_from_sums(surface, light::ambient_color(lights), &sums)
             }
             Shading::Gouraud | Shading::FlatPerFace => {
@@ -249,7 +267,7 @@ impl Shader<'_> {
             let terms = if needs_environment(view.quantity) {
                 self.terms(fragment, &point, surface, lights)
             } else {
-                self.evaluate(&point, surface, lights)
+                self.evaluate(fragment.material(), &point, surface, lights)
             };
             return terms.quantity(view.quantity, view.light, &geometry);
         }
@@ -298,6 +316,14 @@ impl Shader<'_> {
                 None => DVec3::ZERO,
             },
         }
+    }
+}
+
+/// Calls `f` with the material's own BRDF, if it has one.
+fn with_function<T>(material: &SceneMaterial, f: impl FnOnce(Option<MaterialFunction<'_>>) -> T) -> T {
+    match &material.brdf {
+        Some(brdf) => f(Some(&|point, l| brdf.evaluate(point, l))),
+        None => f(None),
     }
 }
 

@@ -43,9 +43,24 @@ struct LightSums {
     vec3 specular;
 };
 
+#if REFLECTANCE == REFLECTANCE_MATERIAL
+// Along u where the mesh has texture coordinates, in world space, of any length; set before lights are summed.
+vec3 material_tangent;
+
+// pi diff f <N.L> of the material's own BRDF: the twin of gonio-light's LightTerms::with_brdf.
+vec3 material_factor(vec3 n, vec3 v, vec3 l, float cos_theta) {
+    if (cos_theta <= 0.0 || dot(n, v) <= 0.0) return vec3(0.0);
+    vec3 t = unit_or(material_tangent - dot(n, material_tangent) * n, horizontal_tangent(n));
+    vec3 f = gonioBrdfBRDF(l, v, n, t, cross(n, t));
+    // Values that are negative or not a number count as 0.
+    f = mix(vec3(0.0), min(f, vec3(LOBE_CAP)), vec3(greaterThan(f, vec3(0.0))));
+    return f * (PI * diff_factor * cos_theta);
+}
+#endif
+
 // `spec` of the lab's equation, or a BRDF's specular lobe times <N.L>, for k_s = 1.
 float specular_factor(vec3 n, vec3 v, vec3 l, vec3 r, vec3 h, float cos_theta, float shininess) {
-#if REFLECTANCE == REFLECTANCE_NONE || REFLECTANCE == REFLECTANCE_LAMBERT
+#if REFLECTANCE == REFLECTANCE_NONE || REFLECTANCE == REFLECTANCE_LAMBERT || REFLECTANCE == REFLECTANCE_MATERIAL
     return 0.0;
 #elif REFLECTANCE == REFLECTANCE_PHONG || REFLECTANCE == REFLECTANCE_BLINN_PHONG
 #if REFLECTANCE == REFLECTANCE_PHONG
@@ -98,8 +113,15 @@ LightTerms light_terms(int kind, int light, vec3 position, vec3 n, vec3 v, float
     t.h = half_vector(t.l, v, n);
     t.spec = specular_factor(n, v, t.l, t.r, t.h, t.cos_theta, shininess);
     vec3 incident = color * (t.attenuation * t.spot * t.visibility);
+#if REFLECTANCE == REFLECTANCE_MATERIAL
+    vec3 factor = material_factor(n, v, t.l, t.cos_theta);
+    t.spec = max(factor.r, max(factor.g, factor.b));
+    t.diffuse_light = vec3(0.0);
+    t.specular_light = (specular_switch * factor) * incident;
+#else
     t.diffuse_light = (diffuse_switch * diff_factor * max(t.cos_theta, 0.0)) * incident;
     t.specular_light = (specular_switch * t.spec) * incident;
+#endif
     return t;
 }
 

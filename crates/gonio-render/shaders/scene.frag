@@ -7,7 +7,7 @@ in vec2 v_tex_coord;
 #if VERTEX_COLORS
 in vec4 v_color;
 #endif
-#if NORMAL_MAP || VIEW
+#if TANGENTS
 in vec4 v_tangent_in_world;
 #endif
 #if VERTEX_LIT
@@ -27,6 +27,11 @@ FLAT_IF_LIT_PER_FACE in vec3 v_back_quantity;
 
 uniform vec3 ambient_light;      // the scene's, 0 where A is switched off
 uniform float emitted_switch;
+#if ENVIRONMENT_LIGHT && REFLECTANCE == REFLECTANCE_MATERIAL
+uniform vec3 stand_in_diffuse;
+uniform vec3 stand_in_specular;
+uniform float stand_in_shininess;
+#endif
 #if VIEW
 uniform vec4 depth_plane;        // dot(depth_plane, (p, 1)) is the distance along the viewing direction
 #endif
@@ -83,6 +88,9 @@ void main() {
 #endif
 #else
     vec3 n = shading_normal(v);
+#if REFLECTANCE == REFLECTANCE_MATERIAL
+    material_tangent = v_tangent_in_world.xyz;
+#endif
 #if SHADOWS
 #if SHADING == SHADING_FLAT
     receiver_normal = unit_or(v_normal_in_world, v);
@@ -102,7 +110,12 @@ void main() {
     vec3 specular = s.specular * sums.specular;
     vec3 value = ambient + emitted + diffuse + specular;
 #if ENVIRONMENT_LIGHT
+#if REFLECTANCE == REFLECTANCE_MATERIAL
+    // Prefiltered light has no directions: a BRDF of the material's own is lit as what comes closest.
+    EnvironmentLight around = environment_light(n, v, stand_in_diffuse, stand_in_specular, stand_in_shininess);
+#else
     EnvironmentLight around = environment_light(n, v, s.diffuse, s.specular, s.shininess);
+#endif
     value += around.diffuse + around.specular;
 #endif
 #if SIGHT

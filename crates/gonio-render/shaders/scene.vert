@@ -14,7 +14,7 @@ in vec3 face_center;
 uniform mat4 clip_from_model;
 uniform mat4 world_from_model;
 uniform mat3 normal_world_from_model;   // inverse transpose, of any length
-#if NORMAL_MAP || VIEW
+#if TANGENTS
 uniform float handedness;               // -1 if world_from_model mirrors
 #endif
 
@@ -24,7 +24,7 @@ out vec2 v_tex_coord;
 #if VERTEX_COLORS
 out vec4 v_color;
 #endif
-#if NORMAL_MAP || VIEW
+#if TANGENTS
 out vec4 v_tangent_in_world;
 #endif
 
@@ -62,7 +62,7 @@ void main() {
 #if VERTEX_COLORS
     v_color = color;
 #endif
-#if NORMAL_MAP || VIEW
+#if TANGENTS
     // A mirroring transform reverses the bitangent.
     v_tangent_in_world = vec4(mat3(world_from_model) * tangent.xyz, handedness * tangent.w);
 #endif
@@ -74,6 +74,9 @@ void main() {
 #endif
     vec3 v = unit_or(eye_in_world - lit_position, vec3(0.0, 1.0, 0.0));
     n = unit_or(n, v);
+#if REFLECTANCE == REFLECTANCE_MATERIAL
+    material_tangent = v_tangent_in_world.xyz;
+#endif
 #if SHADOWS
     receiver_normal = n;   // of the vertex: the triangles are not known here
 #endif

@@ -1,14 +1,17 @@
 //! GLSL, composed once: a header for the dialect, constants generated from Rust, then the files.
 
+mod material_function;
 mod output;
 mod special;
 mod surroundings;
 
+pub use material_function::{FunctionId, MERL_WIDTH, MaterialFunction, MaterialFunctions};
 pub use output::{Display, OutputKey, difference_sources, presentation_sources};
 pub use special::{OVERDRAW_SCALE, SpecialProgram};
 pub use surroundings::{SurfaceOptics, SurroundingsKey, sky_sources};
 
 use crate::body::LEAF_STEP;
+use gonio_bsdf::merl;
 use gonio_gl::Dialect;
 use gonio_light::brdf::{self, BrdfKind};
 use gonio_light::color::{self, ToneMap};
@@ -42,7 +45,7 @@ pub const LIGHT_POINT: i32 = 1;
 pub const LIGHT_SPOT: i32 = 2;
 
 /// The texture units: one for each texture of a material, the lights, and the environment. 16 are guaranteed.
-pub const TEXTURE_UNITS: [(&str, u32); 13] = [
+pub const TEXTURE_UNITS: [(&str, u32); 14] = [
     ("diffuse_map", 0),
     ("specular_map", 1),
     ("emitted_map", 2),
@@ -56,6 +59,7 @@ pub const TEXTURE_UNITS: [(&str, u32); 13] = [
     ("body_table", 10),
     ("shadow_atlas", 11),
     ("shadow_table", 12),
+    ("merl_table", 13),
 ];
 
 /// The unit of a sampler by its name in GLSL.
@@ -74,10 +78,12 @@ pub enum Reflectance {
     Lab(Specular),
     /// The form of Appendix 6.
     Brdf(BrdfKind),
+    /// The material's own BRDF.
+    Material(FunctionId),
 }
 
 impl Reflectance {
-    /// All values.
+    /// All values but the BRDFs of materials.
     pub fn all() -> Vec<Reflectance> {
         let lab = Specular::ALL.iter().map(|&s| Reflectance::Lab(s));
         lab.chain(BrdfKind::ALL.iter().map(|&b| Reflectance::Brdf(b))).collect()
@@ -93,6 +99,7 @@ impl Reflectance {
             Reflectance::Brdf(BrdfKind::Blinn) => "REFLECTANCE_BLINN",
             Reflectance::Brdf(BrdfKind::Phong) => "REFLECTANCE_PHONG_BRDF",
             Reflectance::Brdf(BrdfKind::Ward) => "REFLECTANCE_WARD",
+            Reflectance::Material(_) => "REFLECTANCE_MATERIAL",
         }
     }
 }
@@ -101,7 +108,7 @@ impl Reflectance {
     /// The GLSL function of a BRDF's specular lobe.
     fn lobe(self) -> &'static str {
         match self {
-            Reflectance::Lab(_) | Reflectance::Brdf(BrdfKind::Lambert) => "lambert_lobe",
+            Reflectance::Lab(_) | Reflectance::Brdf(BrdfKind::Lambert) | Reflectance::Material(_) => "lambert_lobe",
             Reflectance::Brdf(BrdfKind::Lafortune) => "lafortune_lobe",
             Reflectance::Brdf(BrdfKind::Blinn) => "blinn_lobe",
             Reflectance::Brdf(BrdfKind::Phong) => "phong_lobe",
@@ -225,6 +232,11 @@ impl SceneKey {
         keys
     }
 
+    /// Whether the material has a BRDF of its own.
+    pub fn has_own_brdf(&self) -> bool {
+        matches!(self.reflectance, Reflectance::Material(_))
+    }
+
     /// Whether the light is summed in the vertex shader.
     pub fn vertex_lit(&self) -> bool {
         matches!(self.shading, Shading::Gouraud | Shading::FlatPerFace)
@@ -245,6 +257,7 @@ impl SceneKey {
             ("VERTEX_COLORS", bit(self.vertex_colors)),
             ("TWO_SIDED", bit(self.two_sided)),
             ("VIEW", bit(self.view)),
+            ("TANGENTS", bit(self.normal_map || self.view || self.has_own_brdf())),
             ("SHADOWS", bit(self.shadows)),
             ("LIGHTS_IN_TEXTURE", bit(self.lights == LightLoops::Texture)),
             ("LIGHTS_UNROLLED", bit(matches!(self.lights, LightLoops::Unrolled(_)))),
@@ -271,12 +284,17 @@ impl SceneKey {
         text
     }
 
-    /// Vertex and fragment shader.
+    /// Vertex and fragment shader, for materials without a BRDF of their own.
     pub fn sources(&self, dialect: Dialect) -> [String; 2] {
+        self.sources_with(dialect, "")
+    }
+
+    /// Vertex and fragment shader, with the function of the material's BRDF.
+    pub fn sources_with(&self, dialect: Dialect, function: &str) -> [String; 2] {
         let shared = format!("{}{}{}", dialect.header(), constants(), self.defines());
         let view = if self.view { QUANTITY } else { "" };
         let shadow = if self.shadows { SHADOW } else { "" };
-        let lit = [VECTOR, LIGHT, FRESNEL, BRDF, LIGHT_TABLE, shadow, LIGHTING, view].concat();
+        let lit = [VECTOR, LIGHT, FRESNEL, BRDF, LIGHT_TABLE, shadow, function, LIGHTING, view].concat();
         let (vertex_light, fragment_light) = if self.vertex_lit() {
             (lit.as_str(), "struct LightSums { vec3 diffuse; vec3 specular; };\nuniform vec3 eye_in_world;\n")
         } else {
@@ -361,7 +379,8 @@ fn constants() -> String {
     for (index, &shading) in Shading::ALL.iter().enumerate() {
         define(&mut text, shading_define(shading), &index.to_string());
     }
-    for (index, reflectance) in Reflectance::all().into_iter().enumerate() {
+    let own = Reflectance::Material(FunctionId::NONE);
+    for (index, reflectance) in Reflectance::all().into_iter().chain([own]).enumerate() {
         define(&mut text, reflectance.define(), &index.to_string());
     }
     for (index, &tone_map) in ToneMap::ALL.iter().enumerate() {
@@ -384,12 +403,17 @@ fn constants() -> String {
         ("MOST_MEETINGS", optics::MOST_MEETINGS as i32),
         ("BODY_ROW", BODY_ROW as i32),
         ("LEAF_STEP", LEAF_STEP as i32),
+        ("MERL_WIDTH", MERL_WIDTH as i32),
+        ("MERL_THETA_H", merl::THETA_H as i32),
+        ("MERL_THETA_D", merl::THETA_D as i32),
+        ("MERL_PHI_D", merl::PHI_D as i32),
     ] {
         define(&mut text, name, &value.to_string());
     }
     for (name, value) in [
         ("ATTENUATION_CAP", Attenuation::CAP),
         ("DEGENERATE_LENGTH", vector::DEGENERATE_LENGTH),
+        ("LEAST_TILT", vector::LEAST_TILT),
         ("LOBE_CAP", brdf::LOBE_CAP),
         ("SHININESS_MAX", brdf::SHININESS_MAX),
         ("SHININESS_OF_ROUGHNESS_MAX", microfacet::SHININESS_OF_ROUGHNESS_MAX),

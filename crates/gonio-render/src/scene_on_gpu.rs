@@ -6,6 +6,7 @@ use crate::geometry::{Form, MeshOnGpu};
 use crate::shadows_on_gpu::ShadowMaps;
 use crate::textures;
 use glam::{DMat4, Mat3, Vec3};
+use gonio_bsdf::MerlTable;
 use gonio_gl::objects::TextureObject;
 use gonio_gl::{DriverInfo, Gl, GlError};
 use gonio_light::{Optics, Surfaces};
@@ -24,6 +25,8 @@ pub struct GpuScene {
     pub(crate) geometries: Vec<MeshGeometry>,
     pub(crate) materials: Vec<SceneMaterial>,
     pub(crate) textures: Vec<Rc<TextureObject>>,
+    /// The measured BRDFs of materials.
+    tables: Vec<(Arc<MerlTable>, Rc<TextureObject>)>,
     pub(crate) environment: Option<Rc<EnvironmentOnGpu>>,
     /// Limits of the driver that change the picture.
     pub(crate) notes: Vec<String>,
@@ -102,6 +105,12 @@ impl GpuScene {
         }
         let mut texture = |t| cache.textures.get(t, TextureForm::Decoded, || textures::upload(gl, t, info.max_size));
         let textures = scene.textures.iter().map(&mut texture).collect::<Result<Vec<_>, _>>()?;
+        let mut tables: Vec<(Arc<MerlTable>, Rc<TextureObject>)> = Vec::new();
+        for table in scene.materials.iter().filter_map(|material| material.brdf.as_ref()?.table.as_ref()) {
+            if !tables.iter().any(|(known, _)| Arc::ptr_eq(known, table)) {
+                tables.push((table.clone(), cache.tables.get(table, (), || textures::upload_merl(gl, table))?));
+            }
+        }
         let environment = scene.environment.as_ref();
         let upload = |e| EnvironmentOnGpu::upload(gl, e, info.max_cube_size);
         let environment = environment.map(|e| cache.environments.get(e, (), || upload(e))).transpose()?;
@@ -122,6 +131,7 @@ impl GpuScene {
             geometries,
             materials,
             textures,
+            tables,
             environment,
             notes,
             meshes: scene.meshes.clone(),
@@ -130,6 +140,11 @@ impl GpuScene {
             geometry_bytes,
             triangle_count,
         })
+    }
+
+    /// The texture of a measured BRDF.
+    pub(crate) fn table(&self, table: &Arc<MerlTable>) -> Option<&TextureObject> {
+        self.tables.iter().find(|(known, _)| Arc::ptr_eq(known, table)).map(|(_, texture)| texture.as_ref())
     }
 
     /// The geometry that an object's shading draws.
@@ -264,6 +279,7 @@ pub(crate) enum TextureForm {
 pub(crate) struct GpuCache {
     pub geometries: CacheOf<Form, Mesh, MeshOnGpu>,
     pub textures: CacheOf<TextureForm, Texture, TextureObject>,
+    pub tables: CacheOf<(), MerlTable, TextureObject>,
     pub environments: CacheOf<(), LoadedEnvironment, EnvironmentOnGpu>,
     /// The key: whether normals are those of triangles, and the bits of the matrix of the object.
     pub bodies: CacheOf<(bool, [u64; 16]), Mesh, BodyOnGpu>,
@@ -274,13 +290,18 @@ impl GpuCache {
     pub fn tidy(&mut self) {
         self.geometries.tidy();
         self.textures.tidy();
+        self.tables.tidy();
         self.environments.tidy();
         self.bodies.tidy();
     }
 
     /// The number of resources created so far.
     pub fn count_made(&self) -> usize {
-        self.geometries.count_made + self.textures.count_made + self.environments.count_made + self.bodies.count_made
+        self.geometries.count_made
+            + self.textures.count_made
+            + self.tables.count_made
+            + self.environments.count_made
+            + self.bodies.count_made
     }
 }
 

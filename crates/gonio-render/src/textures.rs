@@ -1,5 +1,7 @@
 //! Textures on the GPU: sRGB colours decoded by the hardware, mipmapped, anisotropic.
 
+use crate::glsl::MERL_WIDTH;
+use gonio_bsdf::MerlTable;
 use gonio_gl::objects::TextureObject;
 use gonio_gl::trace::TexelEncoding;
 use gonio_gl::{Gl, GlError, Texels};
@@ -33,6 +35,18 @@ pub fn upload_bytes(gl: &Gl, texture: &Texture, max_size: u32) -> Result<Texture
     check_size(texture, max_size)?;
     let object = TextureObject::bound(gl, &texture.name)?;
     upload_levels(gl, Storage::Bytes, texture);
+    Ok(object)
+}
+
+/// Uploads a measured BRDF: a cell is a texel, in rows of [`MERL_WIDTH`].
+pub fn upload_merl(gl: &Gl, table: &MerlTable) -> Result<TextureObject, GlError> {
+    let object = TextureObject::bound(gl, "measured BRDF")?;
+    let texels = table.texels();
+    let size = [MERL_WIDTH as i32, texels.len().div_ceil(MERL_WIDTH) as i32];
+    gl.tex_image_2d(glow::TEXTURE_2D, 0, glow::RGBA32F, size, Texels::f32(glow::RGBA, bytemuck::cast_slice(&texels)));
+    for parameter in [glow::TEXTURE_MIN_FILTER, glow::TEXTURE_MAG_FILTER] {
+        gl.tex_parameter_i32(glow::TEXTURE_2D, parameter, glow::NEAREST as i32);
+    }
     Ok(object)
 }
 

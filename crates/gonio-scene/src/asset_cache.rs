@@ -2,6 +2,7 @@
 
 use crate::environment::LoadedEnvironment;
 use crate::files;
+use crate::material_brdf::BrdfLibrary;
 use crate::model_file::ModelFile;
 use crate::scene_file::{Normals, ObjectSpec};
 use crate::settings::EnvironmentSettings;
@@ -20,6 +21,7 @@ pub struct AssetCache {
     pub(crate) models: Vec<CachedModel>,
     pub(crate) meshes: Vec<CachedMesh>,
     pub(crate) textures: TextureCache,
+    pub(crate) brdfs: BrdfLibrary,
     /// The environment that was read, also while the scene is without it.
     pub(crate) environment: Option<(EnvironmentSettings, Arc<LoadedEnvironment>)>,
 }

@@ -106,7 +106,13 @@ fn moved(loaded: &Scene, scene: &SceneSettings) -> Scene {
 /// Other objects or materials from the cache; `None` if it lacks something.
 fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> Option<Scene> {
     let mut cache = (*loaded.cache).clone();
-    let mut binder = MaterialBinder::from_cache(&cache.textures);
+    for object in &scene.objects {
+        cache.brdfs.add_model(&object.material);
+        if cache.brdfs.lacks(&object.material) {
+            return None;
+        }
+    }
+    let mut binder = MaterialBinder::from_cache(&cache.textures, cache.brdfs.clone());
     let first_material: Vec<usize> = scene
         .objects
         .iter()

@@ -6,9 +6,10 @@ use crate::files::{self, Budgeted, FileSource};
 use crate::framing::{self, BoundingSphere};
 use crate::input_kind::{self, InputKind};
 use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
+use crate::material_brdf::{self, BrdfLibrary};
 use crate::model_file::{self, ModelFile};
 use crate::model_scene;
-use crate::scene::{Object, ObjectPart, Scene, world_from_model};
+use crate::scene::{Object, ObjectPart, Scene, SceneMaterial, world_from_model};
 use crate::scene_file::{ObjectSpec, SceneFile};
 use crate::settings::{EnvironmentSettings, EquationSettings, LightSettings, SceneSettings};
 use crate::toml_file;
@@ -69,6 +70,9 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(SceneFile, bool)
             for object in &mut scene.objects {
                 if !object.model.starts_with(files::BUILTIN) {
                     object.model = files::resolve(base, &object.model).to_string_lossy().into_owned();
+                }
+                if let Some(file) = &mut object.material.brdf_file {
+                    *file = material_brdf::rebased(base, file);
                 }
             }
             if let Some(environment) = &mut scene.environment {
@@ -147,7 +151,11 @@ pub fn load_within(
     let (mut models, environment) = (models?, environment?);
 
     let mut diagnostics = Vec::new();
-    let mut binder = MaterialBinder::new(files, files.budget());
+    let mut brdfs = BrdfLibrary::default();
+    for object in &scene.objects {
+        brdfs.add(&object.material, base, files, &mut diagnostics)?;
+    }
+    let mut binder = MaterialBinder::new(files, files.budget(), brdfs.clone());
     let mut first_material = Vec::with_capacity(scene.objects.len());
     let used: Vec<Vec<bool>> = models.iter().map(|file| used_materials(&file.model)).collect();
     let folders: Vec<Vec<PathBuf>> = models.iter().map(ModelFile::texture_folders).collect();
@@ -196,8 +204,8 @@ pub fn load_within(
         meshes.push(CachedMesh { model, normals, closed: mesh.closed, plain, with_tangents: None });
     }
     let of_models = models.iter_mut().zip(used).map(|(file, used)| CachedModel::of_file(file, used)).collect();
-    let mut cache =
-        AssetCache { base: base.to_owned(), models: of_models, meshes, textures: bound.cache, environment: None };
+    let (base, textures) = (base.to_owned(), bound.cache);
+    let mut cache = AssetCache { base, models: of_models, meshes, textures, brdfs, environment: None };
     for (spec, &m) in scene.objects.iter_mut().zip(&model_of_object) {
         if spec.name.is_empty() {
             spec.name = cache.models[m].object_name();
@@ -259,7 +267,7 @@ fn complete(file: SceneFile, scene: &Scene) -> SceneSettings {
 }
 
 /// Fills in `meshes` and `objects` of `loaded`, which has its materials: objects in the scene's order, with tangents
-/// where a normal map needs them. `mesh_of_object` indexes `cache`, `first_material` the materials.
+/// where a normal map or a BRDF needs them. `mesh_of_object` indexes `cache`, `first_material` the materials.
 pub(crate) fn assemble(
     loaded: &mut Scene,
     specs: &[ObjectSpec],
@@ -272,9 +280,12 @@ pub(crate) fn assemble(
     let mut needed: Vec<(usize, bool)> = Vec::new();
     let mut index_of_object = Vec::with_capacity(specs.len());
     for (&mesh, &first) in mesh_of_object.iter().zip(first_material) {
-        let has_normal_map = |material: usize| loaded.materials.get(material).is_some_and(|m| m.maps.normal.is_some());
+        let needs_tangents = |material: usize| {
+            let has_direction = |m: &SceneMaterial| m.brdf.as_ref().is_some_and(|brdf| brdf.has_direction());
+            loaded.materials.get(material).is_some_and(|m| m.maps.normal.is_some() || has_direction(m))
+        };
         let parts = cache[mesh].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
-        let tangents = parts.iter().any(|part| part.triangle_count > 0 && has_normal_map(first + part.material));
+        let tangents = parts.iter().any(|part| part.triangle_count > 0 && needs_tangents(first + part.material));
         let index = needed.iter().position(|key| *key == (mesh, tangents)).unwrap_or(needed.len());
         if index == needed.len() {
             needed.push((mesh, tangents));
@@ -292,8 +303,16 @@ pub(crate) fn assemble(
         }
         let object = mesh_of_object.iter().position(|mesh| *mesh == m).unwrap_or(0);
         let name = specs.get(object).map_or("", |object| object.model.as_str());
-        let message = "the normal map is ignored: the mesh has no texture coordinates";
-        diagnostics.push(Diagnostic::warning(message).in_file(name));
+        let first = first_material.get(object).copied().unwrap_or(0);
+        let parts = cache[m].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
+        let is_mapped = |part: &gonio_mesh::mesh::Part| {
+            loaded.materials.get(first + part.material).is_some_and(|material| material.maps.normal.is_some())
+        };
+        // A BRDF with a direction follows the vertical axis instead.
+        if parts.iter().any(is_mapped) {
+            let message = "the normal map is ignored: the mesh has no texture coordinates";
+            diagnostics.push(Diagnostic::warning(message).in_file(name));
+        }
     }
     for &(m, tangents) in &needed {
         let cached = &cache[m];

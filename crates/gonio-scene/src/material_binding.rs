@@ -3,6 +3,7 @@
 use crate::asset_cache::CachedModel;
 use crate::color_value::Color;
 use crate::files::{Budget, FileSource};
+use crate::material_brdf::{BrdfLibrary, MaterialBrdf};
 use crate::model_file::ModelFile;
 use crate::scene::{BoundTexture, Maps, SceneMaterial};
 use crate::scene_file::MaterialOverride;
@@ -64,6 +65,7 @@ struct PendingMaterial {
     material: Material,
     diffuse_spectrum: Option<Arc<Spectrum>>,
     optics: Optics,
+    brdf: Option<Arc<MaterialBrdf>>,
     diffuse: Request,
     specular: Request,
     emitted: Request,
@@ -86,6 +88,7 @@ pub(crate) struct Bound {
 /// Collects materials and textures of all objects, then decodes the textures at once.
 pub(crate) struct MaterialBinder<'a> {
     library: TextureLibrary<'a>,
+    brdfs: BrdfLibrary,
     pending: Vec<PendingMaterial>,
     /// Model and override, with the first of their materials.
     known: Vec<(usize, MaterialOverride, usize)>,
@@ -93,8 +96,8 @@ pub(crate) struct MaterialBinder<'a> {
 
 impl MaterialBinder<'static> {
     /// Binds textures of the cache only.
-    pub fn from_cache(cache: &TextureCache) -> Self {
-        MaterialBinder { library: TextureLibrary::from_cache(cache), pending: Vec::new(), known: Vec::new() }
+    pub fn from_cache(cache: &TextureCache, brdfs: BrdfLibrary) -> Self {
+        MaterialBinder { library: TextureLibrary::from_cache(cache), brdfs, pending: Vec::new(), known: Vec::new() }
     }
 
     /// [`Self::finish`] without files: `None` where the cache lacks a texture.
@@ -104,9 +107,9 @@ impl MaterialBinder<'static> {
 }
 
 impl<'a> MaterialBinder<'a> {
-    /// Textures are read from `files`, and decoded ones are paid for from `budget`.
-    pub fn new(files: &'a dyn FileSource, budget: &'a Budget) -> Self {
-        MaterialBinder { library: TextureLibrary::new(files, budget), pending: Vec::new(), known: Vec::new() }
+    /// Textures are read from `files`, and decoded ones are paid for from `budget`. BRDFs were read before.
+    pub fn new(files: &'a dyn FileSource, budget: &'a Budget, brdfs: BrdfLibrary) -> Self {
+        MaterialBinder { library: TextureLibrary::new(files, budget), brdfs, pending: Vec::new(), known: Vec::new() }
     }
 
     /// All materials of the model `from`, numbered `index`, with the override; returns the index of the first.
@@ -124,14 +127,22 @@ impl<'a> MaterialBinder<'a> {
                 folders: from.folders,
                 images: from.images,
             };
-            let material = overridden(material.clone(), with);
+            let mut material = overridden(material.clone(), with);
+            let brdf = self.brdfs.find(with).cloned();
+            if let Some(brdf) = &brdf {
+                brdf.replace(&mut material);
+            }
             let mut pending = if used {
                 Requests { library: &mut self.library, requester, format: from.format }.for_material(material, with)
             } else {
                 PendingMaterial::without_textures(material)
             };
-            pending.optics = optics_of(with);
-            pending.diffuse_spectrum = with.diffuse_spectrum.clone().map(|samples| Arc::new(Spectrum::new(samples)));
+            if brdf.is_none() {
+                pending.optics = optics_of(with);
+                let spectrum = with.diffuse_spectrum.clone();
+                pending.diffuse_spectrum = spectrum.map(|samples| Arc::new(Spectrum::new(samples)));
+            }
+            pending.brdf = brdf;
             self.pending.push(pending);
         }
         first
@@ -155,6 +166,7 @@ fn bound(pending: &[PendingMaterial], library: DecodedLibrary) -> Bound {
             material: p.material.clone(),
             diffuse_spectrum: p.diffuse_spectrum.clone(),
             optics: p.optics,
+            brdf: p.brdf.clone(),
             maps: Maps {
                 diffuse: bind(&p.diffuse),
                 specular: bind(&p.specular),
@@ -181,6 +193,7 @@ impl PendingMaterial {
             material,
             diffuse_spectrum: None,
             optics: Optics::default(),
+            brdf: None,
             diffuse: None,
             specular: None,
             emitted: None,
@@ -218,6 +231,7 @@ impl Requests<'_, '_> {
                 .one(&material.normal_map, normal, "norm", "normal map")
                 .or_else(|| self.one(&material.bump_map, bump, "map_Bump", "bump map")),
             optics: Optics::default(),
+            brdf: None,
             material,
         };
         self.metal(&mut pending, with);

@@ -2,6 +2,7 @@
 
 use crate::asset_cache::AssetCache;
 use crate::environment::LoadedEnvironment;
+use crate::material_brdf::MaterialBrdf;
 use crate::scene_file::{ObjectSpec, Shading};
 use crate::settings::SceneSettings;
 use crate::texture::Texture;
@@ -173,6 +174,8 @@ pub struct SceneMaterial {
     pub maps: Maps,
     /// Reflection and refraction of the environment.
     pub optics: Optics,
+    /// A BRDF of its own. `material` then has its albedo as the diffuse colour, and the specular colour 1.
+    pub brdf: Option<Arc<MaterialBrdf>>,
 }
 
 impl SceneMaterial {
@@ -306,6 +309,15 @@ impl SceneMaterial {
 /// A material whose textures were all found, for tests and tools that build scenes by hand.
 impl From<Material> for SceneMaterial {
     fn from(material: Material) -> Self {
-        SceneMaterial { material, diffuse_spectrum: None, maps: Maps::default(), optics: Optics::default() }
+        SceneMaterial { material, diffuse_spectrum: None, maps: Maps::default(), optics: Optics::default(), brdf: None }
+    }
+}
+
+/// A material that is a BRDF, for tests and tools that build scenes by hand.
+impl From<Arc<MaterialBrdf>> for SceneMaterial {
+    fn from(brdf: Arc<MaterialBrdf>) -> Self {
+        let mut material = Material::default();
+        brdf.replace(&mut material);
+        SceneMaterial { brdf: Some(brdf), ..material.into() }
     }
 }

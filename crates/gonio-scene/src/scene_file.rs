@@ -387,6 +387,14 @@ pub struct MaterialOverride {
     /// Absorption in a body with two refracting surfaces, per world unit and channel.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub absorption: Option<Color>,
+    /// A model of reflection in place of `diffuse`, `specular`, `shininess` and their textures: `NAME` or
+    /// `NAME:key=value,...`, for example `ggx:f0=1/0.8/0.3,alpha=0.2`; `gonio brdf list` prints all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub brdf: Option<String>,
+    /// A file in place of `brdf`, relative to the scene file: fits (.toml), a MERL table (.binary), or a function in GLSL
+    /// (.brdf, .glsl). `FILE:key=value,...` sets its parameters.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub brdf_file: Option<String>,
     /// The index of refraction for blue minus that for red.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dispersion: Option<f64>,

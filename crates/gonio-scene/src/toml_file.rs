@@ -157,6 +157,8 @@ pub(crate) fn read_material(mut t: TableReader<'_>) -> Result<MaterialOverride, 
         fresnel: t.word("fresnel")?,
         tint: t.color("tint")?,
         absorption: t.color("absorption")?,
+        brdf: t.text("brdf")?,
+        brdf_file: t.text("brdf_file")?,
         dispersion: t.number("dispersion")?,
         surfaces: t.word("surfaces")?,
     };

@@ -6,6 +6,7 @@ use crate::scene_file::{
     ObjectSpec, PictureSpec, SceneFile,
 };
 use glam::DVec3;
+use gonio_bsdf::ModelSpec;
 use gonio_light::Spectrum;
 use gonio_light::vector::unit;
 use gonio_mesh::{Cause, ReadError};
@@ -195,6 +196,12 @@ pub(crate) fn check_material(at: &str, m: &MaterialOverride) -> Check {
             "tint",
             "`tint` must be 0 to 1 in each channel: a body cannot transmit more light than it receives",
         );
+    }
+    if let Some(Err(error)) = m.brdf.as_deref().map(ModelSpec::parse) {
+        return fail(at, "brdf", error.to_string());
+    }
+    if m.brdf.is_some() && m.brdf_file.is_some() {
+        return fail(at, "brdf_file", "the material has both `brdf` and `brdf_file`; leave one of them out");
     }
     check_number(at, "dispersion", m.dispersion, |v| (-1.0..=1.0).contains(&v), "must be -1 to 1")
 }

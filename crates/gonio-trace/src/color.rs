@@ -99,6 +99,18 @@ impl ColorMode {
         }
     }
 
+    /// A BRDF's value per channel, which may exceed 1, at wavelengths in nm: white light that it scatters has that colour.
+    pub(crate) fn unbounded(self, rgb: Vec3, lambda: Vec4) -> Vec4 {
+        match self {
+            ColorMode::Rgb => rgb.extend(0.0),
+            // As light, with its largest channel at half of what a spectrum can be.
+            ColorMode::Spectral => {
+                let scale = 2.0 * rgb.max_element();
+                if scale > 0.0 { scale * Coefficients::of(rgb / scale).at(lambda) } else { Vec4::ZERO }
+            }
+        }
+    }
+
     /// A value per channel that is no reflectance and may exceed 1 (absorption): smooth between the channels' dominant
     /// wavelengths (465, 550 and 612 nm), constant beyond them.
     pub(crate) fn coefficient(self, rgb: Vec3, wavelengths: &Wavelengths) -> Vec4 {

@@ -2,6 +2,7 @@
 
 use crate::bsdf::{Bsdf, Scattered, Scattering};
 use crate::geometry::Place;
+use crate::own_brdf::OwnBrdf;
 use crate::sampling;
 use glam::{Vec2, Vec3, Vec4};
 use std::f32::consts::FRAC_1_PI;
@@ -11,6 +12,7 @@ use std::f32::consts::FRAC_1_PI;
 #[allow(clippy::large_enum_variant)]
 pub(crate) enum Scatter<'r> {
     Diffuse(Diffuse),
+    Own(OwnBrdf<'r>),
     Any(Bsdf<'r>),
 }
 
@@ -59,6 +61,7 @@ impl Scatter<'_> {
     pub fn lit(&self) -> f32 {
         match self {
             Scatter::Diffuse(_) => 1.0,
+            Scatter::Own(own) => own.lit(),
             Scatter::Any(bsdf) => bsdf.lit,
         }
     }
@@ -68,6 +71,7 @@ impl Scatter<'_> {
     pub fn sample(&self, choice: f32, u: Vec2) -> Option<Scattered> {
         match self {
             Scatter::Diffuse(diffuse) => diffuse.sample(u),
+            Scatter::Own(own) => own.sample(choice, u),
             Scatter::Any(bsdf) => bsdf.sample(choice, u),
         }
     }
@@ -77,6 +81,7 @@ impl Scatter<'_> {
     pub fn evaluate(&self, direction: Vec3) -> (Vec4, f32) {
         match self {
             Scatter::Diffuse(diffuse) => diffuse.evaluate(direction),
+            Scatter::Own(own) => own.evaluate(direction),
             Scatter::Any(bsdf) => bsdf.evaluate(direction),
         }
     }
@@ -86,6 +91,7 @@ impl Scatter<'_> {
     pub fn is_rough(&self) -> bool {
         match self {
             Scatter::Diffuse(_) => true,
+            Scatter::Own(own) => own.is_rough(),
             Scatter::Any(bsdf) => bsdf.is_rough(),
         }
     }
@@ -95,8 +101,15 @@ impl Scatter<'_> {
     pub fn probability_of_surface(&self) -> f32 {
         match self {
             Scatter::Diffuse(_) => 1.0,
+            Scatter::Own(own) => own.probability_of_surface(),
             Scatter::Any(bsdf) => bsdf.probability_of_surface(),
         }
+    }
+
+    /// Whether light from behind the surface, as seen from the view, is scattered to the view.
+    #[inline]
+    pub fn is_lit_behind(&self) -> bool {
+        matches!(self, Scatter::Own(own) if own.is_lit_behind())
     }
 
     /// See [`Bsdf::is_behind`].
@@ -104,6 +117,7 @@ impl Scatter<'_> {
     pub fn is_behind(&self, direction: Vec3) -> bool {
         match self {
             Scatter::Diffuse(diffuse) => diffuse.geometric_normal.dot(direction) <= 0.0,
+            Scatter::Own(own) => own.is_behind(direction),
             Scatter::Any(bsdf) => bsdf.is_behind(direction),
         }
     }

@@ -102,7 +102,10 @@ impl TraceScene {
             let parts = materials.parts(material, &place, normal, view, &mut wavelengths);
             let through = (parts.mirror.max(parts.clear)).clamp(0.0, 1.0);
             let rough = (parts.diffuse + parts.glossy).truncate().clamp(Vec3::ZERO, Vec3::ONE);
-            let albedo = rough.lerp(Vec3::ONE, through);
+            let albedo = match materials.own_brdf(material) {
+                Some(brdf) => brdf.albedo.as_vec3(),
+                None => rough.lerp(Vec3::ONE, through),
+            };
             let emits = materials.emitted(triangle, place.uv);
             let albedo =
                 if materials.mode.light(&emits, &wavelengths) == glam::Vec4::ZERO { albedo } else { Vec3::ONE };

@@ -35,6 +35,7 @@ mod lights;
 mod material;
 mod oddities;
 mod overlap;
+mod own_brdf;
 mod path;
 mod posed;
 mod refinement;

@@ -12,7 +12,7 @@ use gonio_light::microfacet::shininess_of_roughness;
 use gonio_light::optics::reflectance;
 use gonio_light::{Equation, Specular, Surface, microfacet, vector};
 use gonio_mesh::AmbientRule;
-use gonio_scene::{BoundTexture, Scene, SceneMaterial, TextureFilter};
+use gonio_scene::{BoundTexture, MaterialBrdf, Scene, SceneMaterial, TextureFilter};
 use std::collections::HashMap;
 
 /// The glossy part's shape.
@@ -159,6 +159,7 @@ impl Constants {
             });
             let is_plain = maps.normal.is_none()
                 && maps.opacity.is_none()
+                && material.brdf.is_none()
                 && material.material.opacity >= 1.0
                 && material.optics.is_plain();
             Constants {
@@ -221,6 +222,12 @@ fn lobe_of(material: &SceneMaterial, brdf: BrdfSettings, texel: Option<f64>) -> 
 impl Materials<'_> {
     fn material(&self, index: u32) -> &SceneMaterial {
         &self.scene.materials[index as usize]
+    }
+
+    /// The material's own BRDF, if it has one.
+    #[inline]
+    pub fn own_brdf(&self, index: u32) -> Option<&MaterialBrdf> {
+        self.material(index).brdf.as_deref()
     }
 
     fn texel(&self, bound: &Option<BoundTexture>, uv: Vec2) -> Option<DVec4> {

@@ -12,6 +12,7 @@ use crate::geometry::{Geometry, Place};
 use crate::lamps::LightRules;
 use crate::lights::{LightOrigin, LightSample, Lights, Strength};
 use crate::material::Materials;
+use crate::own_brdf::OwnBrdf;
 use crate::rules::Rules;
 use crate::sampler::Sampler;
 use crate::sampling::power_heuristic;
@@ -174,7 +175,7 @@ impl World<'_> {
                 if exact { self.materials.only_diffuse(triangle.material, &place, wavelengths) } else { None };
             let bsdf = match only_diffuse {
                 Some(color) => Scatter::Diffuse(Diffuse::new(&place, view, color)),
-                None => Scatter::Any(self.bsdf(triangle.material, &place, view, wavelengths)),
+                None => self.scatter(triangle.material, &place, view, wavelengths),
             };
             if let Some(term) = &self.materials.ambient {
                 let light =
@@ -196,7 +197,8 @@ impl World<'_> {
             }
             found.hit = true;
             depth += 1;
-            let vantage = if exact { Vantage::of(&place, view) } else { Vantage::open(place.position) };
+            let is_one_sided = exact && !bsdf.is_lit_behind();
+            let vantage = if is_one_sided { Vantage::of(&place, view) } else { Vantage::open(place.position) };
             if bsdf.is_rough() && depth < self.most_depth {
                 let share = throughput / bsdf.probability_of_surface();
                 if depth == 1 && self.sums() {
@@ -255,10 +257,15 @@ impl World<'_> {
 
     /// How a surface of any material scatters light.
     #[inline(never)]
-    fn bsdf(&self, material: u32, place: &Place, view: Vec3, wavelengths: &mut Wavelengths) -> Bsdf<'_> {
+    fn scatter(&self, material: u32, place: &Place, view: Vec3, wavelengths: &mut Wavelengths) -> Scatter<'_> {
         let normal = self.materials.normal(material, place);
+        if let Some(brdf) = self.materials.own_brdf(material) {
+            let opacity = self.materials.opacity(material, place.uv);
+            let lanes = (self.materials.mode, &*wavelengths);
+            return Scatter::Own(OwnBrdf::new(brdf, place, normal, view, opacity, &self.rules, lanes));
+        }
         let parts = self.materials.parts(material, place, normal, view, wavelengths);
-        Bsdf::new(place, normal, view, parts, &self.rules)
+        Scatter::Any(Bsdf::new(place, normal, view, parts, &self.rules))
     }
 
     /// Whether all sources are added up.

@@ -1,7 +1,7 @@
 //! Who may know whom: dependencies between crates point one way.
 //!
 //! ```text
-//! light <- mesh, image <- environment <- scene <- reference, gl <- check <- exercises <- app <- web, gonio (the command line)
+//! light <- mesh, image <- environment, bsdf <- scene <- reference, gl <- check <- exercises <- app <- web, gonio (the command line)
 //! ```
 
 use serde_json::Value;
@@ -28,6 +28,12 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-mesh", may_know: &["gonio-light"], tests_may_know: &[] },
     Rule { krate: "gonio-image", may_know: &["gonio-light"], tests_may_know: &[] },
     Rule { krate: "gonio-environment", may_know: &["gonio-light", "gonio-image"], tests_may_know: &[] },
+    // A language, and nothing of ours.
+    Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
+    Rule { krate: "gonio-interpreter", may_know: &["gonio-glsl"], tests_may_know: &[] },
+    // Functions of two directions, some of them written in GLSL.
+    Rule { krate: "gonio-bsdf", may_know: &["gonio-light", "gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
+    // A material may be such a function.
     Rule { krate: "gonio-scene", may_know: BELOW_SCENES, tests_may_know: &[] },
     Rule { krate: "gonio-reference", may_know: BELOW_PICTURES, tests_may_know: &[] },
     Rule { krate: "gonio-trace", may_know: BELOW_PICTURES, tests_may_know: &["gonio-reference"] },
@@ -39,11 +45,6 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-gallery", may_know: BELOW_GALLERY, tests_may_know: &[] },
     // It compares pictures by both equations, and writes a page like the gallery's.
     Rule { krate: "gonio-simplify", may_know: BELOW_SIMPLIFY, tests_may_know: &[] },
-    // A language, and nothing of ours.
-    Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
-    Rule { krate: "gonio-interpreter", may_know: &["gonio-glsl"], tests_may_know: &[] },
-    // Functions of two directions, some of them written in GLSL.
-    Rule { krate: "gonio-bsdf", may_know: &["gonio-light", "gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
     Rule { krate: "gonio-plot", may_know: BELOW_PLOTS, tests_may_know: &[] },
     // It measures the checker, so neither knows the other.
     Rule { krate: "gonio-submissions", may_know: &["gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
@@ -73,10 +74,11 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "xtask", may_know: &["gonio-fixtures"], tests_may_know: &[] },
 ];
 
-const BELOW_SCENES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment"];
-const BELOW_PICTURES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-scene"];
+const BELOW_SCENES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-bsdf"];
+const BELOW_PICTURES: &[&str] =
+    &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-bsdf", "gonio-scene"];
 const BELOW_RENDERER: &[&str] =
-    &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-scene", "gonio-gl"];
+    &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-bsdf", "gonio-scene", "gonio-gl"];
 const BELOW_GALLERY: &[&str] = &[
     "gonio-light",
     "gonio-mesh",

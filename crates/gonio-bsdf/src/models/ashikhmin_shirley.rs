@@ -17,7 +17,7 @@
 use super::BsdfModel;
 use crate::bsdf::{Bsdf, BsdfSample, both_above, mean, weighted};
 use crate::parameter::BsdfParameter;
-use crate::sampling::{cosine_density, cosine_hemisphere, direction_of_cosine, reflect_at, reflected_density};
+use crate::sampling::{cosine_or_half, cosine_or_half_density, direction_of_cosine};
 use gonio_light::DVec3;
 use gonio_light::optics::schlick;
 use gonio_light::vector::half_vector;
@@ -125,21 +125,12 @@ impl Bsdf for AshikhminShirley {
         if !both_above(wi, wo) {
             return 0.0;
         }
-        let share = self.diffuse_share();
         let h = half_vector(wi, wo, DVec3::Z);
-        share * cosine_density(wi) + (1.0 - share) * reflected_density(self.half_density(h), wo.dot(h))
+        cosine_or_half_density(self.diffuse_share(), wi, wo.dot(h), self.half_density(h))
     }
 
     fn sample(&self, wo: DVec3, u: [f64; 3]) -> Option<BsdfSample> {
-        if wo.z <= 0.0 {
-            return None;
-        }
-        let wi = if u[2] < self.diffuse_share() {
-            cosine_hemisphere([u[0], u[1]])
-        } else {
-            reflect_at(self.sample_half([u[0], u[1]]), wo)?
-        };
-        weighted(self, wi, wo)
+        weighted(self, cosine_or_half(self.diffuse_share(), wo, u, |u| self.sample_half(u))?, wo)
     }
 
     fn is_isotropic(&self) -> bool {

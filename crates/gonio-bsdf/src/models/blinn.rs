@@ -23,6 +23,23 @@ use gonio_light::DVec3;
 use gonio_light::brdf::blinn;
 use gonio_light::vector::half_vector;
 
+/// The function with the lines after its lobe.
+macro_rules! glsl {
+    ($result:literal) => {
+        concat!(
+            "\
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
+{
+    if (dot(N, L) <= 0.0 || dot(N, V) <= 0.0) return vec3(0.0);
+    float cosine = dot(N, normalize(L + V));
+    float lobe = cosine > 0.0 ? pow(min(cosine, 1.0), c) : 0.0;
+",
+            $result,
+            "}\n"
+        )
+    };
+}
+
 /// The paper's distribution as a lobe.
 pub static BLINN: BsdfModel = BsdfModel {
     name: "blinn",
@@ -31,17 +48,11 @@ pub static BLINN: BsdfModel = BsdfModel {
     source: "J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977, D_1",
     remark: "Without its factor the lobe reflects less the larger c is, and for a small c and b = 1 more light than arrives.",
     parameters: &[A, B, EXPONENT],
-    glsl: Some(
+    glsl: Some(glsl!(
         "\
-vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
-{
-    if (dot(N, L) <= 0.0 || dot(N, V) <= 0.0) return vec3(0.0);
-    float cosine = dot(N, normalize(L + V));
-    float lobe = cosine > 0.0 ? pow(min(cosine, 1.0), c) : 0.0;
     return a / 3.14159265358979 + b * lobe;
-}
-",
-    ),
+"
+    )),
     build: |values| build(values, false),
 };
 
@@ -53,18 +64,12 @@ pub static BLINN_NORMALISED: BsdfModel = BsdfModel {
     source: "F. Giesen, Derivation of Phong and Blinn-Phong normalization factors, 2009",
     remark: "The albedo is a + b at normal incidence and falls towards the horizon. a + b <= 1 conserves energy.",
     parameters: &[A, B, EXPONENT],
-    glsl: Some(
+    glsl: Some(glsl!(
         "\
-vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
-{
-    if (dot(N, L) <= 0.0 || dot(N, V) <= 0.0) return vec3(0.0);
-    float cosine = dot(N, normalize(L + V));
-    float lobe = cosine > 0.0 ? pow(min(cosine, 1.0), c) : 0.0;
     float factor = (c + 2.0) * (c + 4.0) / (25.1327412287183 * (exp2(-0.5 * c) + c));
     return a / 3.14159265358979 + b * (factor * lobe);
-}
-",
-    ),
+"
+    )),
     build: |values| build(values, true),
 };
 

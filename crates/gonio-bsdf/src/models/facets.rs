@@ -1,7 +1,7 @@
 //! Microfacet BRDFs: `f = a / pi + F D G / (4 <N.L> <N.V>)`, with any distribution and shadowing.
 
 use crate::bsdf::{Bsdf, BsdfSample, both_above, mean, weighted};
-use crate::sampling::{cosine_density, cosine_hemisphere, reflect_at, reflected_density};
+use crate::sampling::{cosine_or_half, cosine_or_half_density};
 use gonio_light::DVec3;
 use gonio_light::optics::schlick;
 use gonio_light::vector::half_vector;
@@ -91,20 +91,11 @@ impl<T: Facets> Bsdf for FacetBrdf<T> {
         if !both_above(wi, wo) {
             return 0.0;
         }
-        let share = self.diffuse_share();
         let h = half_vector(wi, wo, DVec3::Z);
-        share * cosine_density(wi) + (1.0 - share) * reflected_density(self.facets.half_density(h, wo), wo.dot(h))
+        cosine_or_half_density(self.diffuse_share(), wi, wo.dot(h), self.facets.half_density(h, wo))
     }
 
     fn sample(&self, wo: DVec3, u: [f64; 3]) -> Option<BsdfSample> {
-        if wo.z <= 0.0 {
-            return None;
-        }
-        let wi = if u[2] < self.diffuse_share() {
-            cosine_hemisphere([u[0], u[1]])
-        } else {
-            reflect_at(self.facets.sample_half(wo, [u[0], u[1]]), wo)?
-        };
-        weighted(self, wi, wo)
+        weighted(self, cosine_or_half(self.diffuse_share(), wo, u, |u| self.facets.sample_half(wo, u))?, wo)
     }
 }

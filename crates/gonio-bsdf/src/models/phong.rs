@@ -24,6 +24,23 @@ use gonio_light::DVec3;
 use gonio_light::brdf::phong;
 use gonio_light::vector::reflection;
 
+/// The function with the lines after its lobe.
+macro_rules! glsl {
+    ($result:literal) => {
+        concat!(
+            "\
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
+{
+    if (dot(N, L) <= 0.0 || dot(N, V) <= 0.0) return vec3(0.0);
+    float cosine = dot(2.0 * dot(N, L) * N - L, V);
+    float lobe = cosine > 0.0 ? pow(min(cosine, 1.0), c) : 0.0;
+",
+            $result,
+            "}\n"
+        )
+    };
+}
+
 /// The paper's form.
 pub static PHONG: BsdfModel = BsdfModel {
     name: "phong",
@@ -33,17 +50,11 @@ pub static PHONG: BsdfModel = BsdfModel {
     remark: "Without the factor (c + 2) / (2 pi) the lobe reflects less the larger c is, and for c = 1 and b = 1 more light \
              than arrives. No Fresnel factor.",
     parameters: &[A, B, EXPONENT],
-    glsl: Some(
+    glsl: Some(glsl!(
         "\
-vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
-{
-    if (dot(N, L) <= 0.0 || dot(N, V) <= 0.0) return vec3(0.0);
-    float cosine = dot(2.0 * dot(N, L) * N - L, V);
-    float lobe = cosine > 0.0 ? pow(min(cosine, 1.0), c) : 0.0;
     return a / 3.14159265358979 + b * lobe;
-}
-",
-    ),
+"
+    )),
     build: |values| build(values, false),
 };
 
@@ -56,17 +67,11 @@ pub static PHONG_NORMALISED: BsdfModel = BsdfModel {
              report CW 197, K. U. Leuven, 1994",
     remark: "The albedo is a + b at normal incidence and falls towards the horizon. a + b <= 1 conserves energy.",
     parameters: &[A, B, EXPONENT],
-    glsl: Some(
+    glsl: Some(glsl!(
         "\
-vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
-{
-    if (dot(N, L) <= 0.0 || dot(N, V) <= 0.0) return vec3(0.0);
-    float cosine = dot(2.0 * dot(N, L) * N - L, V);
-    float lobe = cosine > 0.0 ? pow(min(cosine, 1.0), c) : 0.0;
     return a / 3.14159265358979 + b * ((c + 2.0) / 6.28318530717959 * lobe);
-}
-",
-    ),
+"
+    )),
     build: |values| build(values, true),
 };
 

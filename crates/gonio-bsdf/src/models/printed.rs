@@ -1,7 +1,6 @@
 //! Formulas exactly as Appendix 6 prints them. They have no meaning from which to sample, so samples follow the cosine.
 
-use crate::bsdf::{Bsdf, BsdfSample, both_above, weighted};
-use crate::sampling::{cosine_density, cosine_hemisphere};
+use crate::bsdf::{Bsdf, both_above};
 use gonio_light::DVec3;
 
 /// `a / pi + term(b, wi, wo)`, each channel with its own `b`.
@@ -19,14 +18,6 @@ impl<T: Fn(f64, DVec3, DVec3) -> f64 + Send + Sync> Bsdf for PrintedFormula<T> {
         } else {
             DVec3::ZERO
         }
-    }
-
-    fn density(&self, wi: DVec3, wo: DVec3) -> f64 {
-        if both_above(wi, wo) { cosine_density(wi) } else { 0.0 }
-    }
-
-    fn sample(&self, wo: DVec3, u: [f64; 3]) -> Option<BsdfSample> {
-        weighted(self, cosine_hemisphere([u[0], u[1]]), wo)
     }
 
     fn samples_follow_function(&self) -> bool {

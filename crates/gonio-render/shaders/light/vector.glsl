@@ -1,5 +1,5 @@
 // The vectors of the equation: twins of gonio-light's vector.rs, in f32.
-// From Rust: DEGENERATE_LENGTH.
+// From Rust: DEGENERATE_LENGTH, LEAST_TILT.
 
 // Lengths from 1e-12 to 1.8e19 have squares that f32 holds; outside of that range a vector counts as
 // degenerate here (the Rust twin scales first and has no upper limit). The comparison fails for NaN.
@@ -44,6 +44,12 @@ vec3 any_orthonormal_vector(vec3 n) {
     float s = n.z >= 0.0 ? 1.0 : -1.0;
     float a = -1.0 / (s + n.z);
     return vec3(n.x * n.y * a, s + n.y * n.y * a, -n.y);
+}
+
+// A unit vector perpendicular to n that runs around the vertical axis; the world's X where n is vertical.
+vec3 horizontal_tangent(vec3 n) {
+    float across = length(n.xz);
+    return across > LEAST_TILT ? vec3(n.z, 0.0, -n.x) / across : vec3(1.0, 0.0, 0.0) - n.x * n;
 }
 
 // Tangent and bitangent that are perpendicular to the unit normal n.

@@ -63,6 +63,7 @@ impl Renderer {
             gl,
             info,
             scene_programs: RefCell::default(),
+            functions: RefCell::default(),
             output_programs: RefCell::default(),
             special_programs: RefCell::default(),
             sky: RefCell::default(),

@@ -4,7 +4,8 @@ use super::shared::Shared;
 use super::surroundings::BoundEnvironment;
 use crate::geometry::MeshOnGpu;
 use crate::glsl::{
-    LightLoops, MapSet, Reflectance, SceneKey, SurroundingsKey, TEXTURE_UNITS, quantity_number, texture_unit,
+    LightLoops, MapSet, MaterialFunction, Reflectance, SceneKey, SurroundingsKey, TEXTURE_UNITS, quantity_number,
+    texture_unit,
 };
 use crate::light_table::LightTable;
 use crate::scene_on_gpu::{GpuObject, GpuScene, Run};
@@ -49,7 +50,7 @@ impl Pass<'_> {
     /// before the first one.
     pub fn prepare(&mut self, draw: &Draw<'_>) -> Result<(), GlError> {
         let material = &self.scene.materials[draw.run.material];
-        let key = self.key(draw.object, self.scene.geometry_of(draw.object)?, material);
+        let key = self.key(draw.object, self.scene.geometry_of(draw.object)?, material)?;
         self.prepared(key).map(drop)
     }
 
@@ -65,7 +66,7 @@ impl Pass<'_> {
             material: material.material.name.clone(),
         });
         let geometry = self.scene.geometry_of(object)?;
-        let key = self.key(object, geometry, material);
+        let key = self.key(object, geometry, material)?;
         let program = self.prepared(key)?;
         program.bind();
         geometry.bind(gl);
@@ -84,13 +85,21 @@ impl Pass<'_> {
         Ok(())
     }
 
-    fn key(&self, object: &GpuObject, geometry: &MeshOnGpu, material: &SceneMaterial) -> SceneKey {
+    fn key(&self, object: &GpuObject, geometry: &MeshOnGpu, material: &SceneMaterial) -> Result<SceneKey, GlError> {
         let equation = &self.frame.equation;
+        let reflectance = match (&material.brdf, equation.brdf) {
+            (Some(brdf), _) => {
+                let function = MaterialFunction::new(brdf).map_err(GlError::new)?;
+                Reflectance::Material(self.shared.functions.borrow_mut().id_of(function))
+            }
+            (None, Some(brdf)) => Reflectance::Brdf(brdf.kind),
+            (None, None) => Reflectance::Lab(equation.specular),
+        };
         let maps = &material.maps;
         let others = [&maps.specular, &maps.emitted, &maps.shininess, &maps.opacity];
-        SceneKey {
+        Ok(SceneKey {
             shading: object.object.shading,
-            reflectance: equation.brdf.map_or(Reflectance::Lab(equation.specular), |b| Reflectance::Brdf(b.kind)),
+            reflectance,
             maps: if others.iter().any(|m| m.is_some()) {
                 MapSet::All
             } else if maps.diffuse.is_some() {
@@ -109,7 +118,7 @@ impl Pass<'_> {
                 .around
                 .as_ref()
                 .map_or(SurroundingsKey::NONE, |around| around.key(object, &material.optics, self.is_view())),
-        }
+        })
     }
 
     /// The environment, if the program shows it.
@@ -205,6 +214,16 @@ impl Pass<'_> {
         program.set_f32("shininess", m.shininess.max(1.0));
         program.set_f32("opacity", m.opacity);
         program.set_f32("refraction_index", m.refraction_index);
+        if let Some(brdf) = &material.brdf {
+            program.set_dvec3("stand_in_diffuse", brdf.stand_in.diffuse);
+            program.set_dvec3("stand_in_specular", brdf.stand_in.specular);
+            program.set_f32("stand_in_shininess", brdf.stand_in.shininess as f32);
+            let gl = &self.shared.gl;
+            if let Some(table) = brdf.table.as_ref().and_then(|table| self.scene.table(table)) {
+                gl.active_texture(glow::TEXTURE0 + texture_unit("merl_table"));
+                gl.bind_texture(glow::TEXTURE_2D, Some(table.handle()));
+            }
+        }
         let maps = &material.maps;
         if key.maps != MapSet::None {
             self.bind_map(program, "diffuse_map", "diffuse_map_transform", maps.diffuse.as_ref());

@@ -1,7 +1,7 @@
 //! The state that all parts of the renderer share: the context, the driver's limits, the linked programs, and the
 //! targets that are kept between frames.
 
-use crate::glsl::{ATTRIBUTES, OutputKey, SceneKey, SpecialProgram};
+use crate::glsl::{ATTRIBUTES, MaterialFunctions, OutputKey, Reflectance, SceneKey, SpecialProgram};
 use gonio_gl::objects::VertexArray;
 use gonio_gl::program::Program;
 use gonio_gl::target::{ColorPrecision, Sampling, Target};
@@ -16,6 +16,8 @@ pub struct Shared {
     pub gl: Gl,
     pub info: DriverInfo,
     pub scene_programs: RefCell<HashMap<SceneKey, Rc<Program>>>,
+    /// The BRDFs of materials that are a part of programs.
+    pub functions: RefCell<MaterialFunctions>,
     pub output_programs: RefCell<HashMap<OutputKey, Rc<Program>>>,
     pub special_programs: RefCell<HashMap<SpecialProgram, Rc<Program>>>,
     pub sky: RefCell<Option<Rc<Program>>>,
@@ -24,14 +26,24 @@ pub struct Shared {
     pub no_attributes: VertexArray,
 }
 
+/// Most programs of materials' own BRDFs that are kept.
+const MOST_OWN_PROGRAMS: usize = 64;
+
 impl Shared {
     pub fn scene_program(&self, key: SceneKey) -> Result<Rc<Program>, GlError> {
         if let Some(program) = self.scene_programs.borrow().get(&key) {
             return Ok(program.clone());
         }
-        let [vertex, fragment] = key.sources(self.info.dialect);
+        let functions = self.functions.borrow();
+        let function = if let Reflectance::Material(id) = key.reflectance { functions.text(id) } else { "" };
+        let [vertex, fragment] = key.sources_with(self.info.dialect, function);
         let program = Rc::new(Program::new(&self.gl, &key.name(), &vertex, &fragment, &ATTRIBUTES)?);
-        self.scene_programs.borrow_mut().insert(key, program.clone());
+        let mut known = self.scene_programs.borrow_mut();
+        // Each value of a parameter makes another program: those of values that were tried before are not kept for ever.
+        if key.has_own_brdf() && known.keys().filter(|key| key.has_own_brdf()).count() >= MOST_OWN_PROGRAMS {
+            known.retain(|key, _| !key.has_own_brdf());
+        }
+        known.insert(key, program.clone());
         Ok(program)
     }
 

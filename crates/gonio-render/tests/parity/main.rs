@@ -8,6 +8,7 @@
 
 mod bench;
 mod environment;
+mod own_brdfs;
 mod shadows;
 mod textured_model;
 

@@ -9,6 +9,7 @@ pub use materials::{MaterialReport, ValueReport};
 use crate::asset_cache::{NormalChoice, with_normals};
 use crate::files::{self, Budgeted, FileSource};
 use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
+use crate::material_brdf::BrdfLibrary;
 use crate::model_file::{self, ModelFile};
 use crate::scene_file::MaterialOverride;
 use crate::texture_library::TextureUse;
@@ -124,7 +125,7 @@ pub struct ImageReport {
 pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Inspection, ReadError> {
     let files = &Budgeted::new(files, limits.max_bytes);
     let mut file = model_file::read_within(&files::resolve(Path::new(""), input), input, files, limits)?;
-    let mut binder = MaterialBinder::new(files, files.budget());
+    let mut binder = MaterialBinder::new(files, files.budget(), BrdfLibrary::default());
     let (folders, used) = (file.texture_folders(), used_materials(&file.model));
     binder.add(0, &MaterialOverride::default(), &MaterialSource::of_file(&file, &folders, &used));
     let bound = binder.finish();

@@ -9,6 +9,7 @@ mod from_models;
 mod lamps;
 mod limits;
 mod messages;
+mod own_brdfs;
 mod round_trip;
 mod textures;
 

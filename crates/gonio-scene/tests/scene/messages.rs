@@ -41,7 +41,7 @@ fn unknown_keys_suggest_the_nearest_known_one() {
         "[object.material]\nshinyness = 3\n",
         "4:1: unknown key `shinyness` in [object.material]; did you mean `shininess`? Known keys: ambient, diffuse, \
          diffuse_spectrum, specular, emitted, shininess, refraction_index, opacity, textures, medium, reflectivity, \
-         transmission, fresnel, tint, absorption, dispersion, surfaces",
+         transmission, fresnel, tint, absorption, brdf, brdf_file, dispersion, surfaces",
     );
 }
 

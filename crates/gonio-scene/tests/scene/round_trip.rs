@@ -72,7 +72,7 @@ fn a_scene_with_everything_in_it() {
         scale = [-1, 2.5, 0.333]
         shading = "flat-per-face"
         normals = "averaged"
-        material = { ambient = "#fff", diffuse = [0.1, 0.2, 0.3], specular = "#010203", emitted = [0, 0, 9], shininess = 7.7, refraction_index = 1.33, opacity = 0.3, textures = false }
+        material = { ambient = "#fff", diffuse = [0.1, 0.2, 0.3], specular = "#010203", emitted = [0, 0, 9], shininess = 7.7, refraction_index = 1.33, opacity = 0.3, textures = false, brdf = "ggx:alpha=0.2" }
         [object.motion]
         kind = "circle"
         period = 0.7

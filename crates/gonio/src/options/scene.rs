@@ -1,9 +1,8 @@
 //! Options that replace values of a scene.
 
-use super::values::{self, BackgroundValue};
+use super::values::{self, BackgroundValue, BrdfValue};
 use super::{EnvironmentOptions, LimitOptions};
 use clap::{ArgAction, Args};
-use gonio_light::brdf::BrdfKind;
 use gonio_light::color::{ColorEncoding, ToneMap};
 use gonio_light::{Convention, Specular};
 use gonio_scene::scene_file::{CameraSpec, LightSpec, MaterialOverride, Normals, Shading};
@@ -42,8 +41,17 @@ pub struct SceneOptions {
           value_parser = values::named(Specular::ALL, Specular::name))]
     pub specular: Option<Specular>,
     /// BRDF that replaces the diffuse and the specular term.
-    #[arg(long, help_heading = "Equation options", value_parser = values::named(BrdfKind::ALL, BrdfKind::name))]
-    pub brdf: Option<BrdfKind>,
+    ///
+    /// lambert, lafortune, blinn, phong or ward: with the colours and the shininess of the materials. Otherwise a model with
+    /// parameters of its own in place of all materials: NAME:KEY=VALUE,... such as ggx:f0=1/0.8/0.3,alpha=0.2, or NAME: for
+    /// its defaults; `gonio brdf list` prints all.
+    #[arg(long, help_heading = "Equation options", value_name = "BRDF", value_parser = values::brdf)]
+    pub brdf: Option<BrdfValue>,
+    /// BRDF from a file in place of all materials.
+    ///
+    /// Fits (.toml), a MERL table (.binary), or a GLSL function (.brdf, .glsl); FILE:KEY=VALUE,... sets its parameters.
+    #[arg(long, help_heading = "Equation options", value_name = "FILE", conflicts_with = "brdf")]
+    pub brdf_file: Option<String>,
     /// Multiply the BRDF by the factor that conserves energy.
     #[arg(long, help_heading = "Equation options")]
     pub brdf_normalised: bool,
@@ -161,6 +169,11 @@ impl SceneOptions {
             if let Some(material) = &self.material {
                 merge_material(&mut object.material, material);
             }
+            let (model, file) = match &self.brdf {
+                Some(BrdfValue::Model(text)) => (Some(text.clone()), None),
+                _ => (None, self.brdf_file.clone()),
+            };
+            replace_brdf(&mut object.material, model, file);
         }
     }
 
@@ -168,7 +181,9 @@ impl SceneOptions {
         let equation = &mut scene.equation;
         set(&mut equation.convention, self.convention);
         set(&mut equation.specular, self.specular);
-        equation.brdf = self.brdf.or(equation.brdf);
+        if let Some(BrdfValue::Equation(kind)) = self.brdf {
+            equation.brdf = Some(kind);
+        }
         equation.brdf_normalised |= self.brdf_normalised;
         equation.cosine_weighted = self.cosine_weighted.or(equation.cosine_weighted);
         equation.shadows = self.shadows.or(equation.shadows);
@@ -255,6 +270,14 @@ fn merge_material(place: &mut MaterialOverride, changes: &MaterialOverride) {
     place.absorption = changes.absorption.or(place.absorption);
     place.dispersion = changes.dispersion.or(place.dispersion);
     place.surfaces = changes.surfaces.or(place.surfaces);
+    replace_brdf(place, changes.brdf.clone(), changes.brdf_file.clone());
+}
+
+/// A material has a model or a file.
+fn replace_brdf(place: &mut MaterialOverride, model: Option<String>, file: Option<String>) {
+    if model.is_some() || file.is_some() {
+        (place.brdf, place.brdf_file) = (model, file);
+    }
 }
 
 #[cfg(test)]

@@ -2,6 +2,8 @@
 //! those of scene files.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use gonio_bsdf::{MODELS, ModelSpec, ModelSpecError};
+use gonio_light::brdf::BrdfKind;
 use gonio_scene::color_value::Color;
 use gonio_scene::validate::{MAX_CUBEMAP_SIZE, MAX_PIXELS, MAX_SIDE};
 use gonio_scene::{SpecialView, ViewSpec, nearest_word};
@@ -16,6 +18,33 @@ where
         // The parser before accepts known names only.
         all.iter().copied().find(|&v| name(v).eq_ignore_ascii_case(&text)).unwrap_or(all[0])
     })
+}
+
+/// The value of `--brdf`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BrdfValue {
+    /// A BRDF of the equation, with the colours of the materials.
+    Equation(BrdfKind),
+    /// A model with parameters, in place of all materials.
+    Model(String),
+}
+
+/// Parses the name of a BRDF of the equation, or a model with its parameters.
+pub fn brdf(text: &str) -> Result<BrdfValue, String> {
+    if let Some(kind) = BrdfKind::ALL.iter().find(|kind| kind.name().eq_ignore_ascii_case(text)) {
+        return Ok(BrdfValue::Equation(*kind));
+    }
+    match ModelSpec::parse(text) {
+        Ok(_) => Ok(BrdfValue::Model(text.to_owned())),
+        Err(ModelSpecError::UnknownModel { name }) => {
+            let known: Vec<&str> = MODELS.iter().map(|model| model.name).collect();
+            let meant = nearest_word(&name, known.iter().copied());
+            let meant = meant.map_or(String::new(), |meant| format!("; did you mean `{meant}`?"));
+            let file = if name.contains(['.', '/']) { " (a file is named by --brdf-file)" } else { "" };
+            Err(format!("unknown BRDF `{name}`{file}: expected one of {}{meant}", known.join(", ")))
+        }
+        Err(error) => Err(error.to_string()),
+    }
 }
 
 /// Parses `WIDTHxHEIGHT`, at most the size of the largest picture.

@@ -5,7 +5,7 @@ use crate::terminal::TerminalPage;
 use glam::DVec3;
 use gonio_light::{Convention, LightKind, LightTerms, Specular, Terms, is_noise};
 use gonio_reference::Probe;
-use gonio_scene::{Frame, Scene};
+use gonio_scene::{Frame, MaterialBrdf, Scene};
 use std::fmt::Write as _;
 
 /// The width of the column of names.
@@ -102,7 +102,10 @@ impl<'a> ProbePage<'a> {
         self.vector("k_d", surface.diffuse, "diffuse");
         self.vector("k_s", surface.specular, "specular");
         self.vector("E", surface.emitted, "emitted");
-        self.line("shininess", &format!("{:>11}", short(surface.shininess)));
+        match self.own_brdf(probe) {
+            Some(brdf) => self.line("f", &format!("   {}", brdf.name)),
+            None => self.line("shininess", &format!("{:>11}", short(surface.shininess))),
+        }
         self.line("refraction index", &format!("{:>11}", short(surface.refraction_index)));
         if probe.opacity < 1.0 || probe.surfaces_behind > 0 {
             let behind = match probe.surfaces_behind {
@@ -171,9 +174,19 @@ impl<'a> ProbePage<'a> {
         self.vector(incident, light.incident, "");
         self.scalar("diff", light.diff, self.diff_remark());
         let shininess = probe.surface.shininess.max(1.0);
+        if self.own_brdf(probe).is_some() {
+            self.scalar("spec", light.spec, "pi * diff * f * <N.L_i>, the largest channel");
+            self.vector("specular", light.specular, &format!("= pi * diff * f * <N.L_i> * {incident}"));
+            return;
+        }
         self.scalar("spec", light.spec, &self.spec_remark(light, shininess));
         self.vector("diffuse", light.diffuse, &format!("= diff * k_d * <N.L_i> * {incident}"));
         self.vector("specular", light.specular, &format!("= k_s * spec_i * {incident}"));
+    }
+
+    /// The BRDF `f` that the material has in place of its colours.
+    fn own_brdf(&self, probe: &Probe) -> Option<&'a MaterialBrdf> {
+        self.scene.materials.get(probe.material)?.brdf.as_deref()
     }
 
     /// The light that arrives, in symbols: with the visibility if there are shadows.

@@ -239,6 +239,7 @@ pub fn refuse(args: &RenderArgs) -> Result<(), CliError> {
         ("--exposure", scene.exposure.is_some()),
         ("--specular", scene.specular.is_some()),
         ("--brdf", scene.brdf.is_some()),
+        ("--brdf-file", scene.brdf_file.is_some()),
         ("--without", !scene.without.is_empty()),
         ("--shadows", scene.shadows.is_some()),
     ];

@@ -1,0 +1,223 @@
+//! A BRDF that belongs to a material: a model with parameters, or a function or table from a file.
+
+use crate::files::{self, FileSource};
+use crate::scene_file::MaterialOverride;
+use glam::DVec3;
+use gonio_bsdf::integrate::albedo_with_steps;
+use gonio_bsdf::merl::FILE_BYTES;
+use gonio_bsdf::{
+    Bsdf, GlslBrdfError, MerlTable, ModelSpec, NamedBsdf, NamedBsdfError, ParameterKind, ParameterValues,
+    embedded_glsl, fit_file, model_spec,
+};
+use gonio_light::brdf::{LOBE_CAP, SHININESS_MAX, effective_shininess};
+use gonio_light::{ShadingPoint, Surface};
+use gonio_mesh::{Diagnostic, Material, ReadError};
+use std::f64::consts::FRAC_1_SQRT_2;
+use std::fmt;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Most bytes of a file. A table has 35 MB; a larger file is read to say how large it is.
+const MOST_BYTES: u64 = 2 * FILE_BYTES as u64;
+/// Steps of the quadrature of the albedo: 1.5 degrees, as only a colour is needed.
+const ALBEDO_STEPS: u32 = 60;
+
+/// A BRDF in place of a material's colours, exponents and their textures.
+pub struct MaterialBrdf {
+    /// The notation of the model, or the name of the file.
+    pub name: String,
+    /// The function, in the local frame.
+    pub bsdf: Arc<dyn Bsdf>,
+    /// The function as a part of a shader ([`mod@gonio_bsdf::embedded_glsl`]), or why there is none. `None` for a table, and
+    /// for a smooth boundary, which is 0 for nearly all directions.
+    pub shader: Option<Result<Arc<str>, GlslBrdfError>>,
+    /// The table, where the function is one.
+    pub table: Option<Arc<MerlTable>>,
+    /// The share of light at 45 degrees that is scattered: the material's diffuse colour, which ambient light meets.
+    pub albedo: DVec3,
+    /// The light equation's material that comes closest, for the environment's prefiltered light.
+    pub stand_in: Surface,
+}
+
+impl fmt::Debug for MaterialBrdf {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("MaterialBrdf").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+/// The same function, and not only an equal one: functions cannot be compared.
+impl PartialEq for MaterialBrdf {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.bsdf, &other.bsdf)
+    }
+}
+
+impl MaterialBrdf {
+    /// The BRDF of a model or a file.
+    pub fn new(named: NamedBsdf) -> Self {
+        let NamedBsdf { name, bsdf, glsl, values, table, .. } = named;
+        let view = DVec3::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2);
+        let albedo = held(albedo_with_steps(bsdf.as_ref(), view, ALBEDO_STEPS), 1.0);
+        let stand_in = stand_in(&values, albedo);
+        let shader = glsl.map(|text| embedded_glsl(&text, &values).map(Arc::from));
+        MaterialBrdf { name, bsdf, shader, table, albedo, stand_in }
+    }
+
+    /// `f` in 1/sr, per channel, for light from `l`: at least 0 and at most [`LOBE_CAP`]; 0 where the function has no value.
+    /// The frame is that of the point's normal and tangent.
+    pub fn evaluate(&self, point: &ShadingPoint, l: DVec3) -> DVec3 {
+        let (n, t) = (point.normal, point.tangent);
+        let b = n.cross(t);
+        let local = |w: DVec3| DVec3::new(t.dot(w), b.dot(w), n.dot(w));
+        held(self.bsdf.evaluate(local(l), local(point.view)), LOBE_CAP)
+    }
+
+    /// Whether it scatters light in single directions only, as a smooth boundary does.
+    pub fn is_smooth(&self) -> bool {
+        self.shader.is_none() && self.table.is_none()
+    }
+
+    /// Whether the function depends on the direction of the tangent.
+    pub fn has_direction(&self) -> bool {
+        !self.bsdf.is_isotropic()
+    }
+
+    /// The material with this BRDF: its colours and their textures are replaced, and normals, opacity and emission stay.
+    pub(crate) fn replace(&self, material: &mut Material) {
+        material.diffuse = self.albedo.as_vec3().to_array();
+        // The light equation multiplies the BRDF by it.
+        material.specular = [1.0; 3];
+        material.shininess = self.stand_in.shininess as f32;
+        (material.diffuse_map, material.specular_map, material.shininess_map) = (None, None, None);
+        material.metallic_roughness = None;
+    }
+}
+
+/// Each channel from 0 to `most`; NaN counts as 0.
+fn held(value: DVec3, most: f64) -> DVec3 {
+    value.map(|channel| if channel > 0.0 { channel.min(most) } else { 0.0 })
+}
+
+/// The light equation's material that comes closest to a function. Of models with a rough mirror, `a` is the diffuse and `f0`
+/// or `b` the specular colour; other functions are matte, with their albedo.
+fn stand_in(values: &ParameterValues, albedo: DVec3) -> Surface {
+    let value = |name: &str, is_color: bool| {
+        let has_kind = |kind: &ParameterKind| matches!(kind, ParameterKind::Color { .. }) == is_color;
+        values.iter().find(|(p, _)| p.name == name && has_kind(&p.kind)).map(|(_, value)| value)
+    };
+    let rough = |alpha: f64| (2.0 / (alpha * alpha).max(1e-6) - 2.0).min(SHININESS_MAX);
+    let exponent = || {
+        let alpha = value("alpha", false).or_else(|| value("m", false)).map(|alpha| rough(alpha.x));
+        // Ward's slope is at most 1; the exponents of Phong and Blinn are at least 1.
+        alpha.or_else(|| value("c", false).map(|c| if c.x < 1.0 { rough(c.x) } else { c.x }))
+    };
+    let specular = value("f0", true).or_else(|| value("b", true));
+    let base = Surface::default();
+    match (value("a", true), specular, exponent()) {
+        (Some(diffuse), Some(specular), Some(shininess)) => {
+            Surface { ambient: diffuse, diffuse, specular, shininess: effective_shininess(shininess), ..base }
+        }
+        _ => Surface { ambient: albedo, diffuse: albedo, specular: DVec3::ZERO, ..base },
+    }
+}
+
+/// Resolves the path of `FILE` or `FILE:key=value,...` relative to `base`.
+pub(crate) fn rebased(base: &Path, text: &str) -> String {
+    let (file, settings) = model_spec::split(text);
+    let path = files::resolve(base, file).to_string_lossy().into_owned();
+    if settings.is_empty() { path } else { format!("{path}:{settings}") }
+}
+
+/// The BRDFs of a scene, each once, by the text that names them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct BrdfLibrary {
+    known: Vec<(Named, Arc<MaterialBrdf>)>,
+}
+
+/// How a material names its BRDF.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Named {
+    Model(String),
+    File(String),
+}
+
+impl Named {
+    fn of(material: &MaterialOverride) -> Option<Named> {
+        let model = material.brdf.clone().map(Named::Model);
+        model.or_else(|| material.brdf_file.clone().map(Named::File))
+    }
+}
+
+impl BrdfLibrary {
+    /// The BRDF of a material, if it has one and it was read.
+    pub fn find(&self, material: &MaterialOverride) -> Option<&Arc<MaterialBrdf>> {
+        let named = Named::of(material)?;
+        self.known.iter().find(|(known, _)| *known == named).map(|(_, brdf)| brdf)
+    }
+
+    /// Whether the BRDF of a material needs a file that was not read.
+    pub fn lacks(&self, material: &MaterialOverride) -> bool {
+        material.brdf.is_none() && material.brdf_file.is_some() && self.find(material).is_none()
+    }
+
+    /// Makes the BRDF of a material without files: that of a model.
+    pub fn add_model(&mut self, material: &MaterialOverride) {
+        if let Some(text) = &material.brdf
+            && self.find(material).is_none()
+            && let Ok(spec) = ModelSpec::parse(text)
+        {
+            let brdf = Arc::new(MaterialBrdf::new(NamedBsdf::of_model(&spec)));
+            self.known.push((Named::Model(text.clone()), brdf));
+        }
+    }
+
+    /// Makes the BRDF of a material, reading its file relative to `base`; adds warnings about it.
+    pub fn add(
+        &mut self,
+        material: &MaterialOverride,
+        base: &Path,
+        files: &dyn FileSource,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Result<(), ReadError> {
+        let before = self.known.len();
+        self.add_file(material, base, files, diagnostics)?;
+        if let Some((_, brdf)) = self.known.get(before).filter(|(_, brdf)| brdf.bsdf.transmits()) {
+            let shown = if brdf.is_smooth() { "elsewhere it is black" } else { "elsewhere it only reflects" };
+            let message = format!("`{}` transmits light, which the path tracer alone shows; {shown}", brdf.name);
+            diagnostics.push(Diagnostic::note(message));
+        }
+        Ok(())
+    }
+
+    fn add_file(
+        &mut self,
+        material: &MaterialOverride,
+        base: &Path,
+        files: &dyn FileSource,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Result<(), ReadError> {
+        self.add_model(material);
+        let Some(text) = material.brdf_file.as_ref().filter(|_| self.lacks(material)) else { return Ok(()) };
+        let (file, settings) = model_spec::split(text);
+        let path = files::resolve(base, file);
+        let bytes = files.read_within(&path, MOST_BYTES).map_err(|e| files::failed(&e).in_file(file))?;
+        let named = NamedBsdf::of_file(file, &bytes, settings).map_err(|error| read_error(file, error))?;
+        diagnostics.extend(named.warnings.iter().map(|warning| Diagnostic::warning(warning.clone()).in_file(file)));
+        self.known.push((Named::File(text.clone()), Arc::new(MaterialBrdf::new(named))));
+        Ok(())
+    }
+}
+
+/// The error of a file, with line and column where they are known.
+fn read_error(file: &str, error: NamedBsdfError) -> ReadError {
+    let (message, place) = match error {
+        NamedBsdfError::Brdf(error) => (error.message, Some((error.line, error.column))),
+        NamedBsdfError::Fit(fit_file::FitFileError::Toml { message, place }) => (message, place),
+        error => (error.to_string(), None),
+    };
+    let error = ReadError::new(message).in_file(file);
+    match place {
+        Some((line, column)) => error.at(line.into(), Some(column.into())),
+        None => error,
+    }
+}

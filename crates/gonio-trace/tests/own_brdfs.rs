@@ -1,0 +1,104 @@
+//! Materials with BRDFs of their own: even light and their albedo, one light and the light equation.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod common;
+
+use common::{RGB, TestScene, cuboid, point, sphere, square};
+use glam::{DMat4, DVec3};
+use gonio_bsdf::integrate::directional_albedo;
+use gonio_bsdf::{MODELS, ModelSpec, NamedBsdf};
+use gonio_light::Convention;
+use gonio_reference::ReferenceScene;
+use gonio_scene::MaterialBrdf;
+use gonio_trace::{Simplifications, TraceSettings};
+use std::sync::Arc;
+
+fn brdf(text: &str) -> Arc<MaterialBrdf> {
+    Arc::new(MaterialBrdf::new(NamedBsdf::of_model(&ModelSpec::parse(text).unwrap())))
+}
+
+fn with(mut scene: TestScene, mesh: gonio_mesh::Mesh, brdf: Arc<MaterialBrdf>) -> TestScene {
+    scene.scene.add_object(mesh, brdf.into(), DMat4::IDENTITY);
+    scene
+}
+
+/// A flat piece in light that is 1 everywhere, seen at an angle: it is as bright as its albedo.
+#[test]
+fn a_white_furnace_shows_the_albedo() {
+    let mut count = 0;
+    for model in MODELS.iter().filter(|model| !model.name.ends_with("-printed") && model.glsl.is_some()) {
+        for degrees in [10.0_f64, 60.0] {
+            let brdf = brdf(model.name);
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            let mut scene = with(TestScene::new(), square(1.0, 0.0), brdf.clone())
+                .environment(|_| DVec3::ONE)
+                .eye([5.0 * sin, 0.0, 5.0 * cos], [0.0; 3]);
+            scene.frame.camera.fov_y_rad = 0.2f64.to_radians();
+            // Radiance changes with the squares of the indices; the environment below has the index 1 to the tracer, and
+            // `directional_albedo` counts energy. Without transmission both are the same.
+            if brdf.bsdf.transmits() {
+                continue;
+            }
+            let (mean, error) = scene.mean(&RGB, 512);
+            let expected = directional_albedo(brdf.bsdf.as_ref(), DVec3::new(sin, 0.0, cos)).x;
+            let difference = (mean.x - expected).abs();
+            // `directional_albedo` has a relative error of 0.2 %.
+            let name = model.name;
+            assert!(difference <= 4.0 * error + 4e-3 * expected, "{name} {degrees}: {} instead of {expected}", mean.x);
+            assert!(error < 0.02 * expected, "{name} {degrees}: standard error {error:.1e} of {expected}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 2 * 18);
+}
+
+/// A slab of rough glass neither absorbs nor emits: in light that is 1 everywhere it is 1 but for what is lost between
+/// facets, and its smooth limit is 1.
+#[test]
+fn glass_loses_only_what_facets_lose() {
+    for (text, least) in
+        [("dielectric", 0.9999), ("rough-dielectric:alpha=0.05", 0.99), ("rough-dielectric:alpha=0.3", 0.85)]
+    {
+        let mut scene = with(TestScene::new(), cuboid([2.0, 2.0, 0.25]), brdf(text)).environment(|_| DVec3::ONE);
+        scene.frame.camera.fov_y_rad = 0.5f64.to_radians();
+        let (mean, error) = scene.mean(&RGB, 1024);
+        assert!(
+            mean.x >= least - 4.0 * error && mean.x <= 1.0 + 4.0 * error + 1e-4,
+            "{text}: {mean}, error {error:.1e}"
+        );
+    }
+}
+
+/// One small light, no environment and one bounce: the light equation, in both conventions, in RGB and with wavelengths.
+#[test]
+fn direct_light_is_that_of_the_reference() {
+    for convention in [Convention::Lab, Convention::Physical] {
+        for text in [
+            "lambert:a=0.8/0.4/0.2",
+            "ggx:a=0.1,f0=0.9/0.6/0.3,alpha=0.4",
+            "ward-anisotropic:cx=0.5,cy=0.2,b=0.5/0.4/0.3",
+            "disney:",
+        ] {
+            let mut scene = with(TestScene::new(), sphere(24), brdf(text)).light(point([3.0, 4.0, 5.0], 30.0));
+            scene.frame.equation.convention = convention;
+            scene.frame.shadows = true;
+            scene.frame.camera.fov_y_rad = 16f64.to_radians();
+            (scene.frame.samples, scene.frame.width, scene.frame.height) = (16, 12, 12);
+            let reference = ReferenceScene::new(&scene.scene).render(&scene.frame, None, &|_| ()).picture;
+            let sum: DVec3 = reference.pixels.iter().map(|p| DVec3::new(p[0].into(), p[1].into(), p[2].into())).sum();
+            let expected = sum / reference.pixels.len() as f64;
+            for settings in [RGB, TraceSettings { simplified: Simplifications::NONE, ..RGB }] {
+                let settings = TraceSettings { most_depth: 2, ..settings };
+                let (mean, error) = scene.mean(&settings, 256);
+                let difference = (mean - expected).abs().max_element();
+                // Outlines are sampled at other places; spectra of colours are good to 1/100.
+                let tolerance = 4.0 * error + 0.01 * expected.max_element();
+                assert!(
+                    difference <= tolerance,
+                    "{convention} {text}: {mean} instead of {expected}, error {error:.1e}"
+                );
+                assert!(expected.max_element() > 0.02, "{text}: {expected} is too dark to tell");
+            }
+        }
+    }
+}
