@@ -177,3 +177,64 @@ fn bad_input_is_refused_in_one_sentence() {
     refused(&["check", "noise.dat"], &["noise.dat: unknown format: expected a MERL .binary"]);
     assert!(!lab.names().iter().any(|name| name.starts_with("x.")), "{:?}", lab.names());
 }
+
+/// The same picture by the model, by a fit of its table, by both renderers; and the page of the probe.
+#[test]
+fn models_and_files_are_materials() {
+    let lab = Lab::new();
+    let model = "ggx:a=0.1,f0=0.9/0.6/0.3,alpha=0.3";
+    lab.brdf(&["export", model, "-o", "ggx.binary"]).good();
+    lab.brdf(&["fit", "ggx.binary", "--model", "ggx", "-o", "fit.toml"]).good();
+    let draw = |name: &str, backend: &str, option: &[&str]| {
+        let fixed = ["render", "builtin:suzanne", "--size", "80x60", "--backend", backend, "-o", name];
+        lab.run(&[&fixed, option].concat()).good();
+        lab.picture(name).to_rgb8()
+    };
+    let expected = draw("model.png", "cpu", &["--brdf", model]);
+    for (name, backend, option) in [
+        ("gl.png", "gl", ["--brdf", model]),
+        ("fit.png", "cpu", ["--brdf-file", "fit.toml"]),
+        ("fit-gl.png", "gl", ["--brdf-file", "fit.toml"]),
+        ("table.png", "cpu", ["--brdf-file", "ggx.binary"]),
+        ("table-gl.png", "gl", ["--brdf-file", "ggx.binary"]),
+    ] {
+        let picture = draw(name, backend, &option);
+        let differs = |(a, b): (&u8, &u8)| a.abs_diff(*b) > 3;
+        let count = picture.as_raw().iter().zip(expected.as_raw()).filter(|(a, b)| differs((*a, *b))).count();
+        // Outlines, and the table's resolution towards the horizon.
+        assert!(count < 3 * 80 * 60 / 100, "{name}: {count} values differ");
+    }
+    let plain = draw("plain.png", "cpu", &[]);
+    assert!(plain != expected);
+    let at = ["probe", "builtin:suzanne", "--size", "80x60", "--at", "40,17", "--brdf-file", "fit.toml"];
+    let page = lab.run(&at).good();
+    assert!(
+        page.text().contains("fit.toml: ggx") && page.text().contains("pi * diff * f * <N.L_i>"),
+        "{}",
+        page.text()
+    );
+    lab.run(&[
+        "trace",
+        "builtin:cube",
+        "--size",
+        "8x6",
+        "--samples",
+        "1",
+        "--brdf",
+        "rough-dielectric:",
+        "-o",
+        "t.png",
+    ])
+    .good();
+    let refused = |option: &[&str], pieces: &[&str]| {
+        lab.run(&[&["render", "builtin:cube", "-o", "x.png"], option].concat()).refused(pieces);
+    };
+    refused(&["--brdf", "ggx:alpha=7"], &["invalid value `7` of parameter `alpha`: expected a number from 0.01 to 1"]);
+    refused(&["--brdf", "fit.toml"], &["unknown BRDF `fit.toml` (a file is named by --brdf-file)"]);
+    refused(&["--brdf-file", "missing.toml"], &["missing.toml: there is no such file"]);
+    refused(&["--brdf-file", "fit.toml:alpha=7"], &["fit.toml: invalid value `7` of parameter `alpha`"]);
+    lab.write("typo.glsl", HALF_LAMBERT.replace("vec3(0.5", "vec4(0.5"));
+    refused(&["--brdf-file", "typo.glsl"], &["typo.glsl:4:"]);
+    refused(&["--brdf", "ggx", "--brdf-file", "fit.toml"], &["cannot be used with"]);
+    assert!(!lab.names().iter().any(|name| name.starts_with("x.")), "{:?}", lab.names());
+}

@@ -74,6 +74,7 @@ fn arguments() {
         vec!["lab", "step", "ex07", "--scene", EVIL],
         vec!["render", "builtin:cube", "-o", EVIL],
         vec!["render", "builtin:cube", "-o", "x.png", "--camera", EVIL],
+        vec!["render", "builtin:cube", "-o", "x.png", "--brdf-file", EVIL],
         vec!["trace", "builtin:cube", "-o", EVIL],
         vec!["trace", "builtin:cube", "-o", "x.png", "--camera", EVIL],
         vec!["simplify", "builtin:cube", "-o", "x", "--camera", EVIL],
