@@ -1,8 +1,9 @@
 //! Image slices and lit spheres, one picture for each function.
 
-use crate::canvas::{PlotFigure, TextAlign};
+use crate::canvas::PlotFigure;
 use crate::curves::{TEXT, TITLE};
 use crate::scale::{PlotScale, number};
+use crate::shape::TextAlign;
 use crate::{PlotError, PlotSettings, PlottedBsdf};
 use gonio_bsdf::half_angles::HalfAngles;
 use gonio_bsdf::sampling::direction;
@@ -113,7 +114,7 @@ pub fn slices(
     };
     let title = format!("Image slice at 90° of azimuth, white is {} 1/sr, {scale_name}", number(largest));
     let [width, _] = figure.size();
-    figure.text([0.5 * width, 24.0], &title, TITLE, palette.ink, TextAlign::Middle);
+    figure.fitted_text([0.5 * width, 24.0], &title, TITLE, palette.ink);
     for ((function, values), panel) in
         functions.iter().zip(all).zip(panels(figure, functions.len(), [66.0, 26.0, 22.0, 52.0]))
     {
@@ -164,11 +165,14 @@ pub fn spheres(
         "Sphere, light {}° from the viewer to the upper left; a white diffuse surface that faces it is 1",
         number(settings.theta_i_deg)
     );
-    let title = figure.shortened(&title, TITLE, width - 20.0);
-    figure.text([0.5 * width, 24.0], &title, TITLE, palette.ink, TextAlign::Middle);
+    figure.fitted_text([0.5 * width, 24.0], &title, TITLE, palette.ink);
     let light = direction(settings.theta_i_deg.to_radians(), 0.75 * PI);
     for (function, panel) in functions.iter().zip(panels(figure, functions.len(), [18.0, 26.0, 18.0, 12.0])) {
-        let picture = sphere(function, light, (1.5 * panel[2]).clamp(32.0, 420.0) as u32)?;
+        let picture = sphere(
+            function,
+            light,
+            (1.5 * panel[2]).clamp(32.0, f64::from(settings.most_sphere_pixels.max(32))) as u32,
+        )?;
         figure.picture(panel, picture);
         panel_label(figure, panel, function.label, panel[2] + 30.0);
     }

@@ -1,6 +1,6 @@
 //! Lines of text as pixels, in a font from memory.
 
-use crate::canvas::Rgb8;
+use crate::palette::Rgb8;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
 use skrifa::{FontRef, MetadataProvider};

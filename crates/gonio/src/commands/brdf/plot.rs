@@ -144,6 +144,7 @@ pub fn run(args: &PlotArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         with_cosine: args.cosine,
         theme: args.theme,
         size: args.size.map_or_else(|| default_size(args.kind, functions.len()), |(width, height)| [width, height]),
+        ..PlotSettings::default()
     };
     let busy = reporter.busy("plotting");
     let bytes = format.draw(&functions, &settings)?;
