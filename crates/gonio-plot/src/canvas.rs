@@ -111,12 +111,16 @@ impl PlotFigure {
         self.shapes.push(PlotShape::Text { at, text, size, color, align, is_upright: false });
     }
 
-    /// A centred line of text that is made smaller, down to 9 pixels, and then cut to fit between both sides of the paper.
+    /// A centred line of text that fits between both sides of the paper, as [`PlotFigure::text_within`].
     pub fn fitted_text(&mut self, at: [f64; 2], text: &str, size: f64, color: Rgb8) {
         const MARGIN: f64 = 8.0;
-        const SMALLEST: f64 = 9.0;
         let [width, _] = self.size();
-        let most = 2.0 * (at[0].min(width - at[0]) - MARGIN).max(0.0);
+        self.text_within(at, text, size, color, 2.0 * (at[0].min(width - at[0]) - MARGIN).max(0.0));
+    }
+
+    /// A centred line of text that is made smaller, down to 9 pixels, and then cut, to be at most `most` pixels wide.
+    pub fn text_within(&mut self, at: [f64; 2], text: &str, size: f64, color: Rgb8, most: f64) {
+        const SMALLEST: f64 = 9.0;
         let size = (size * (most / self.text_width(text, size).max(1.0)).min(1.0)).max(SMALLEST);
         let text = self.shortened(text, size, most);
         self.text(at, &text, size, color, TextAlign::Middle);

@@ -159,11 +159,9 @@ pub fn values(
     let (theta_i, phi_i) = (settings.theta_i_deg.to_radians(), settings.phi_i_deg.to_radians());
     let (range, x_label) = match settings.over {
         PlottedAngle::ThetaO if transmits => {
-            ([-180.0, 180.0], "Angle of the viewer from the normal, negative on the light's side (degrees)")
+            ([-180.0, 180.0], "Viewer from the normal, negative on the light's side (degrees)")
         }
-        PlottedAngle::ThetaO => {
-            ([-90.0, 90.0], "Angle of the viewer from the normal, negative on the light's side (degrees)")
-        }
+        PlottedAngle::ThetaO => ([-90.0, 90.0], "Viewer from the normal, negative on the light's side (degrees)"),
         PlottedAngle::PhiO => ([-180.0, 180.0], "Azimuth of the viewer from the mirror direction (degrees)"),
         PlottedAngle::ThetaI => ([0.0, 90.0], "Angle of incidence, viewer in the mirror direction (degrees)"),
         PlottedAngle::ThetaH => ([0.0, 90.0], "Half angle, between normal and half vector (degrees)"),

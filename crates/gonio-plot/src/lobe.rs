@@ -104,9 +104,9 @@ pub fn draw(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>], settings: &P
             }
         }
         panel_label(figure, panel, function.label, panel[2]);
-        let note = format!("radius of the circle: {} 1/sr", number(largest));
+        let note = format!("circle at {} 1/sr", number(largest));
         let below = [center[0], panel[1] + panel[3] + 14.0];
-        figure.text(below, &note, TEXT, palette.soft, TextAlign::Middle);
+        figure.text_within(below, &note, TEXT, palette.soft, panel[2] + 24.0);
     }
     Ok(())
 }

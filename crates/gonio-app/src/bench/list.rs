@@ -39,7 +39,7 @@ fn card(
     removed: &mut Option<usize>,
 ) -> Option<ParameterValues> {
     let is_chosen = functions.chosen == index;
-    let Some(function) = functions.list.get_mut(index) else { return None };
+    let function = functions.list.get_mut(index)?;
     let mut values = function.named.values.clone();
     let frame = Frame::NONE.fill(ui.visuals().faint_bg_color).corner_radius(CornerRadius::same(7));
     let mut is_picked = false;

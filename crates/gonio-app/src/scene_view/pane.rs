@@ -91,7 +91,10 @@ pub fn over(
         step::margin::marker(ui, rect, &shaders.stepper);
     }
     // Below the arrows.
-    lobe::show(ui, &projection, &session.probing, session.selection, &frame, (index, reflectance(&frame)));
+    let pinned = lobe::at_pin(&session.probing, session.selection, &frame);
+    if let Some(lobe) = &pinned {
+        lobe::on_surface(ui, &projection, lobe);
+    }
     if let (Some(loaded), Some(frame)) = (pane_renderer.loaded(probed).cloned(), pane_renderer.frame(probed).cloned())
         && is_here(probed)
     {
@@ -102,6 +105,9 @@ pub fn over(
         aim(ui, &projection, document, &loaded);
     }
     gizmos::show(ui, index, &projection, &loaded, &frame, document, session);
+    if let Some(lobe) = &pinned {
+        lobe::inset(ui, &projection, lobe, (index, reflectance(&frame)));
+    }
     if document.panes.is_leading(index) {
         axes::show(ui, &projection, document, session);
         if let Some(place) = observer::place(rect).filter(|_| session.observer.open) {

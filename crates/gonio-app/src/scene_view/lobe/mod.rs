@@ -5,10 +5,10 @@
 
 mod paint;
 
-use super::Projection;
+pub use paint::{inset, on_surface};
+
 use crate::session::Selection;
 use crate::session::probing::Probing;
-use egui::Ui;
 use gonio_light::vector::{any_orthonormal_vector, unit_or};
 use gonio_light::{DVec3, Equation, Light, LightTerms, ShadingPoint, Surface};
 use gonio_plot::lobe::polar_angles;
@@ -96,29 +96,17 @@ fn mean(color: DVec3) -> f64 {
     (color.x + color.y + color.z) / 3.0
 }
 
-/// Shows the lobe of the pinned pixel in a pane with this frame. `name` is the pane's reflectance in words.
-pub fn show(
-    ui: &Ui,
-    projection: &Projection,
-    probing: &Probing,
-    selection: Selection,
-    frame: &Frame,
-    pane: (usize, &str),
-) {
+/// The lobe of the pinned pixel in a picture with this frame; `None` if nothing is pinned or the lobe is hidden.
+pub fn at_pin(probing: &Probing, selection: Selection, frame: &Frame) -> Option<SurfaceLobe> {
     if probing.pinned.is_none() || !probing.shows_lobe {
-        return;
+        return None;
     }
-    let Some(probe) = probing.reading().and_then(|reading| reading.probe.as_ref()) else { return };
-    let Some(leading) = super::vectors::leading(probe, selection) else { return };
-    let Some(light) = frame.lights.get(leading.light) else { return };
-    let eye = frame.camera.position;
-    let view = unit_or(eye - probe.terms.point.position, probe.terms.point.view);
-    let point = ShadingPoint { view, ..probe.terms.point };
-    let Some(lobe) = SurfaceLobe::new(&frame.equation, light, leading.visibility, &point, &probe.surface) else {
-        return;
-    };
-    paint::on_surface(ui, projection, &lobe);
-    paint::inset(ui, projection, &lobe, pane);
+    let probe = probing.reading()?.probe.as_ref()?;
+    let leading = super::vectors::leading(probe, selection)?;
+    let light = frame.lights.get(leading.light)?;
+    let at = &probe.terms.point;
+    let point = ShadingPoint { view: unit_or(frame.camera.position - at.position, at.view), ..*at };
+    SurfaceLobe::new(&frame.equation, light, leading.visibility, &point, &probe.surface)
 }
 
 #[cfg(test)]

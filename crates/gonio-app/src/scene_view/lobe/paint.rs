@@ -102,19 +102,19 @@ pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name):
         let color = tint.in_theme(true);
         let tip = place(direction * 1.02).0;
         paint::arrow(&painter, center, tip, 1.6, color);
-        let beyond = center + (tip - center) * 1.0 + (tip - center).normalized() * 10.0;
+        let beyond = tip + (tip - center).normalized() * 10.0;
         painter.text(beyond, Align2::CENTER_CENTER, letter, theme::math_italic_font(14.0), color);
     }
     let eye = place(lobe.point.view * lobe.eye_share()).0;
     painter.circle(eye, 4.0, colors::VIEW.in_theme(true), Stroke::new(1.5, Color32::WHITE));
 
     let share = 100.0 * lobe.eye_share();
-    let text = format!("towards the eye {}, {share:.0} % of the peak", compact(lobe.to_eye));
+    let text = format!("towards V {}, {share:.0} % of the peak", compact(lobe.to_eye));
     let ink = Color32::from_gray(235);
     let below = rect.center_bottom() - vec2(0.0, 8.0);
     painter.text(below, Align2::CENTER_BOTTOM, &text, FontId::proportional(11.0), ink);
     painter.text(rect.left_top() + vec2(9.0, 7.0), Align2::LEFT_TOP, name, FontId::proportional(11.5), ink);
-    let response = ui.interact(rect, ui.id().with(("lobe", pane)), Sense::hover());
+    let response = ui.interact(rect, ui.scope_id().with(("lobe", pane)), Sense::hover());
     exported::note(ui, &response, &format!("lobe-{pane}"), WidgetRole::Picture, &text, lobe.to_eye);
 }
 
