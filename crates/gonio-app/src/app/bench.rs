@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::bench::{BenchFunctions, BenchView};
+use crate::exercise::ExerciseView;
 use crate::panels;
 use crate::platform::Purpose;
 use crate::session::MessageSeverity;
@@ -42,4 +43,15 @@ impl App {
         }
         self.publish(&ctx);
     }
+}
+
+/// The state with the parts of the exercise and the bench.
+pub(super) fn with_places(
+    mut state: serde_json::Value,
+    exercise: &ExerciseView,
+    bench: &BenchView,
+) -> serde_json::Value {
+    state["exercise"] = exercise.state();
+    state["bench"] = bench.state();
+    state
 }

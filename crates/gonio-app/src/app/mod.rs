@@ -6,6 +6,7 @@ mod exercise;
 pub mod loader;
 
 use crate::action::Action;
+use crate::app::bench::with_places;
 use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names};
 use crate::bench::BenchView;
 use crate::document::{Document, History};
@@ -464,13 +465,6 @@ impl App {
             ctx.request_repaint();
         }
     }
-}
-
-/// The state with the parts of the exercise and the bench.
-fn with_places(mut state: serde_json::Value, exercise: &ExerciseView, bench: &BenchView) -> serde_json::Value {
-    state["exercise"] = exercise.state();
-    state["bench"] = bench.state();
-    state
 }
 
 /// Whether shading or environment differ, which need other data on the GPU.
