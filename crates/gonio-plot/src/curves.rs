@@ -291,16 +291,13 @@ pub fn reciprocity(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Re
     draw(figure, &curves, &axes)
 }
 
-/// Fresnel factors of the first function's index of refraction, with Brewster's angle.
+/// Fresnel factors of the first index of refraction above 1 that a function has, with Brewster's angle.
 ///
 /// # Errors
 ///
-/// A function without an index.
+/// No function has such an index.
 pub fn fresnel(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Result<(), PlotError> {
-    let Some(function) = functions.first() else { return Err(PlotError::Functions(0)) };
-    let Some(ior) = function.ior.filter(|ior| *ior > 1.0) else {
-        return Err(PlotError::Nothing(format!("{}: it has no index of refraction above 1", function.label)));
-    };
+    let ior = functions.iter().find_map(|function| function.ior.filter(|ior| *ior > 1.0)).ok_or(PlotError::NoIndex)?;
     let eta = 1.0 / ior;
     let series = figure.palette.series;
     let xs = angles([0.0, 90.0], 900);

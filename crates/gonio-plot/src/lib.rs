@@ -55,7 +55,7 @@ named_enum! {
         Albedo = "albedo",
         /// The difference when light and viewer change places, over the angle of incidence
         Reciprocity = "reciprocity",
-        /// Fresnel factors of the first model's index of refraction
+        /// Fresnel factors of the first model that has an index of refraction
         Fresnel = "fresnel",
         /// Directions drawn by importance sampling
         Samples = "samples",
@@ -202,6 +202,8 @@ pub enum PlotError {
     Angle(String),
     /// The function has no value that could be plotted.
     Nothing(String),
+    /// No function has an index of refraction above 1.
+    NoIndex,
     /// The plotting library failed.
     Drawing(String),
 }
@@ -215,6 +217,7 @@ impl fmt::Display for PlotError {
             }
             Self::Angle(angle) => write!(f, "an angle of incidence of {angle} degrees: expected 0 to less than 90"),
             Self::Nothing(label) => write!(f, "`{label}` has no value that could be plotted"),
+            Self::NoIndex => write!(f, "no function has an index of refraction above 1, which Fresnel curves need"),
             Self::Drawing(message) => write!(f, "the plot could not be drawn: {message}"),
         }
     }

@@ -154,7 +154,7 @@ impl BenchPlot {
         match computed {
             Ok(figure) => (self.figure, self.error) = (Some(figure), None),
             Err(PlotError::Functions(0)) => (self.figure, self.error) = (None, Some(NO_FUNCTION.to_owned())),
-            Err(error) => (self.figure, self.error) = (None, Some(format!("{error}."))),
+            Err(error) => (self.figure, self.error) = (None, Some(sentence(&error))),
         }
     }
 
@@ -235,6 +235,13 @@ impl BenchPlot {
             functions.list.iter().filter(|f| f.is_shown).map(|f| f.named.name.as_str()).take(MOST_FUNCTIONS).collect();
         format!("{} plot of {}, light at {} degrees", settings.kind.name(), names.join(", "), settings.theta_i_deg)
     }
+}
+
+/// An error with a capital and a full stop.
+fn sentence(error: &PlotError) -> String {
+    let text = error.to_string();
+    let mut letters = text.chars();
+    letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).chain(['.']).collect()
 }
 
 const NO_FUNCTION: &str = "No function is shown: add a model, or open a .binary, .brdf or .glsl file.";

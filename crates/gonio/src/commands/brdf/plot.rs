@@ -32,7 +32,7 @@ Kinds:
   sphere       a sphere lit by one light.
   albedo       the share of light that is scattered, over the angle of incidence.
   reciprocity  the difference when light and viewer change places.
-  fresnel      reflectance of the first model's index of refraction.
+  fresnel      reflectance of the first model that has an index of refraction.
   samples      directions drawn by importance sampling.")]
 pub struct PlotArgs {
     /// Models or files, with values of their parameters; at most seven.
