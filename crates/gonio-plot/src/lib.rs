@@ -9,7 +9,7 @@
 //! | [`scatter`] | directions drawn by importance sampling |
 //! | [`shape`] | the parts of a plot as data, for any painter |
 //! | [`canvas`], [`text`] | shapes and text on SVG and pixels |
-//! | [`palette`] | the colours of the themes |
+//! | [`mod@palette`] | the colours of the themes |
 //! | [`scale`] | linear, logarithmic and cube-root scales |
 //!
 //! Nothing here opens a file or prints. Text is set in Inter, which is embedded.
