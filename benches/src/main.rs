@@ -1,8 +1,9 @@
-//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|trace|interpret|window`. `cargo xtask bench` builds
+//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|trace|interpret|bench|window`. `cargo xtask bench` builds
 //! everything and runs it. Each benchmark prints a table and writes `target/bench/NAME.json`.
 //!
 //! Times are medians of alternating runs, so that other load on the machine affects all sides alike.
 
+mod bench_redraw;
 mod environment;
 mod frame;
 mod interpret;
@@ -40,6 +41,7 @@ const BENCHES: &[(&str, Bench)] = &[
     ("environment", environment::run),
     ("trace", trace::run),
     ("interpret", interpret::run),
+    ("bench", bench_redraw::run),
     ("window", window::run),
 ];
 

@@ -16,6 +16,7 @@ import "./phone.test.mjs";
 import "./parity.test.mjs";
 import "./check.test.mjs";
 import "./exercise.test.mjs";
+import "./bench.test.mjs";
 import "./trouble.test.mjs";
 import "./again.test.mjs";
 import "./rest.test.mjs";

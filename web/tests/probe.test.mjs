@@ -63,6 +63,10 @@ test("a pixel is probed, pinned and let go, and both renderers agree", async (la
   for (const vector of [terms.point.normal, terms.point.view, ...terms.lights.flatMap(({ l, r, h }) => [l, r, h])]) {
     assert.ok(Math.abs(Math.hypot(...vector) - 1) < 1e-6, `${vector}`);
   }
+  // The lobe and its inset, which says the value towards the eye, can be hidden.
+  assert.ok(await lab.widget("lobe-0"));
+  const hidden = await lab.click("probe-lobe");
+  assert.ok(!hidden.widgets.some(({ id }) => id === "lobe-0"));
   // N, L, V, R, H and the ring stand in the picture, near to the pixel.
   await lab.park();
   const arrows = await lab.picture("pane-0");

@@ -52,6 +52,8 @@ pub enum Action {
     ToggleTheme,
     /// Records the OpenGL calls of the current pane's picture.
     RecordFrame,
+    /// Shows the BRDF bench.
+    ShowBench,
     /// Shows the open exercise, or the list of exercises.
     ShowExercise,
     /// Shows the list of exercises.

@@ -113,7 +113,7 @@ pub fn triangles(session: &Session) -> usize {
 /// | `undo`, `redo` | whether there is a step to undo, and one to redo |
 /// | `time`, `playing` | time of the scene in seconds, and whether it runs |
 /// | `dark`, `pixels_per_point`, `size` | theme and scale; the window's width and height in points |
-/// | `exercise` | added by [`crate::App::state`]: the open exercise, its messages and its verdict |
+/// | `exercise`, `bench` | added by [`crate::App::state`]: the open exercise, its messages and its verdict; the BRDF bench |
 /// | `recent` | recently opened files |
 /// | `triangles`, `frame` | number in the scene; facts about the last picture: `pictures` and `frames` are constant when idle, |
 /// | | and `complete` is true then: the picture has all of the scene's samples |

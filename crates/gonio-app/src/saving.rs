@@ -17,11 +17,15 @@ pub enum Product {
     Light,
     /// The scene.
     Scene,
+    /// The plot of the BRDF bench, as SVG.
+    PlotSvg,
+    /// The same as PNG.
+    PlotPng,
 }
 
 impl Product {
-    /// All products.
-    pub const ALL: [Product; 4] = [Product::Picture, Product::SizedPicture, Product::Light, Product::Scene];
+    /// The products of the scene view.
+    pub const OF_SCENE: [Product; 4] = [Product::Picture, Product::SizedPicture, Product::Light, Product::Scene];
 
     /// Kebab-case, for widgets' ids.
     pub fn id(self) -> &'static str {
@@ -30,6 +34,8 @@ impl Product {
             Product::SizedPicture => "sized-picture",
             Product::Light => "light",
             Product::Scene => "scene",
+            Product::PlotSvg => "plot-svg",
+            Product::PlotPng => "plot-png",
         }
     }
 
@@ -40,13 +46,16 @@ impl Product {
             Product::SizedPicture => "Picture at the scene's resolution (PNG)",
             Product::Light => "Linear light (EXR)",
             Product::Scene => "Scene (TOML)",
+            Product::PlotSvg => "Plot (SVG)",
+            Product::PlotPng => "Plot (PNG)",
         }
     }
 
     /// The file name extension.
     pub fn extension(self) -> &'static str {
         match self {
-            Product::Picture | Product::SizedPicture => "png",
+            Product::Picture | Product::SizedPicture | Product::PlotPng => "png",
+            Product::PlotSvg => "svg",
             Product::Light => "exr",
             Product::Scene => "toml",
         }

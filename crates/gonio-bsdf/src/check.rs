@@ -43,13 +43,23 @@ pub struct CheckedProperty {
 
 /// Measures all properties. The last two belong to the sampling, which functions in files do not have.
 pub fn check(bsdf: &dyn Bsdf) -> Vec<CheckedProperty> {
-    let mut found = vec![reciprocity(bsdf), energy(bsdf), positivity(bsdf)];
-    if bsdf.samples_follow_function() && !is_smooth(bsdf) {
-        let viewers = sampled_viewers(bsdf);
-        found.push(normalisation(&viewers));
-        found.push(sampling(&viewers));
+    CHECK_PARTS.iter().flat_map(|part| part(bsdf)).collect()
+}
+
+/// A part of [`check`].
+pub type CheckPart = fn(&dyn Bsdf) -> Vec<CheckedProperty>;
+
+/// The parts of [`check`] in order, for callers that do something else between them.
+pub const CHECK_PARTS: [CheckPart; 4] =
+    [|bsdf| vec![reciprocity(bsdf)], |bsdf| vec![energy(bsdf)], |bsdf| vec![positivity(bsdf)], of_samples];
+
+/// The properties of the samples; none where they do not follow the function.
+fn of_samples(bsdf: &dyn Bsdf) -> Vec<CheckedProperty> {
+    if !bsdf.samples_follow_function() || is_smooth(bsdf) {
+        return Vec::new();
     }
-    found
+    let viewers = sampled_viewers(bsdf);
+    vec![normalisation(&viewers), sampling(&viewers)]
 }
 
 /// Whether light leaves in single directions only.

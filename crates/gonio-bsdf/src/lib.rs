@@ -45,5 +45,5 @@ pub use gonio_light::DVec3;
 pub use merl::{MerlError, MerlTable};
 pub use model_spec::{ModelSpec, ModelSpecError};
 pub use models::{BsdfModel, MODELS};
-pub use named_bsdf::{NamedBsdf, NamedBsdfError};
+pub use named_bsdf::{BsdfSource, NamedBsdf, NamedBsdfError};
 pub use parameter::{BsdfParameter, ParameterError, ParameterKind, ParameterValues};

@@ -6,13 +6,26 @@ use crate::fit_file::{self, FitFileError};
 use crate::glsl::{GlslBrdf, GlslBrdfError};
 use crate::merl::{MerlError, MerlTable};
 use crate::model_spec::{ModelSpec, ModelSpecError, set_all};
+use crate::models::BsdfModel;
 use crate::parameter::ParameterValues;
 use crate::sampling::direction;
 use std::fmt;
 use std::fmt::Write as _;
 use std::sync::Arc;
 
+/// Where a function comes from, to make it again with other values.
+#[derive(Clone, Debug)]
+pub enum BsdfSource {
+    /// A model.
+    Model(&'static BsdfModel),
+    /// A compiled GLSL function.
+    Glsl(GlslBrdf),
+    /// A measured table, which has no parameters.
+    Table(Arc<MerlTable>),
+}
+
 /// A function to plot, check or export.
+#[derive(Clone)]
 pub struct NamedBsdf {
     /// The notation of the model, or the name of the file.
     pub name: String,
@@ -20,8 +33,8 @@ pub struct NamedBsdf {
     pub title: String,
     /// The function.
     pub bsdf: Arc<dyn Bsdf>,
-    /// The table, where the function is one.
-    pub table: Option<Arc<MerlTable>>,
+    /// Where it comes from.
+    pub source: BsdfSource,
     /// The text of its GLSL function, if it has one.
     pub glsl: Option<String>,
     /// Its parameters; a table has none.
@@ -77,7 +90,7 @@ impl NamedBsdf {
             name: spec.text(),
             title: spec.model.title.to_owned(),
             bsdf: spec.build().into(),
-            table: None,
+            source: BsdfSource::Model(spec.model),
             glsl: spec.model.glsl.map(str::to_owned),
             values: spec.values.clone(),
             warnings: Vec::new(),
@@ -92,7 +105,7 @@ impl NamedBsdf {
             name: name.to_owned(),
             title: format!("measured BRDF, {:.1} % of the values are missing", missing_percent(&table)),
             bsdf: table.clone(),
-            table: Some(table),
+            source: BsdfSource::Table(table),
             glsl: None,
             values: ParameterValues::defaults(Vec::new()),
             warnings,
@@ -104,10 +117,32 @@ impl NamedBsdf {
             name: name.to_owned(),
             title: title.to_owned(),
             values: bsdf.values().clone(),
+            source: BsdfSource::Glsl(bsdf.clone()),
             bsdf: Arc::new(bsdf),
-            table: None,
             glsl: Some(text),
             warnings: Vec::new(),
+        }
+    }
+
+    /// The same function with other values of its parameters. The text of a file is not read again.
+    ///
+    /// # Errors
+    ///
+    /// A loop of a GLSL function that does not end for these values.
+    pub fn with_values(&self, values: ParameterValues) -> Result<Self, GlslBrdfError> {
+        match &self.source {
+            BsdfSource::Model(model) => {
+                let spec = ModelSpec { model, values };
+                // The name of a fit begins with that of its file.
+                let is_model = self.name.split(':').next() == Some(model.name);
+                let made = Self::of_model(&spec);
+                Ok(if is_model { made } else { Self { name: self.name.clone(), ..made } })
+            }
+            BsdfSource::Glsl(brdf) => {
+                let brdf = brdf.with_values(values.clone())?;
+                Ok(Self { bsdf: Arc::new(brdf.clone()), source: BsdfSource::Glsl(brdf), values, ..self.clone() })
+            }
+            BsdfSource::Table(_) => Ok(self.clone()),
         }
     }
 

@@ -168,6 +168,24 @@ fn every_function_of_the_table_loads() {
 }
 
 #[test]
+fn a_function_is_made_again_with_other_values() {
+    let pair = (direction(0.5, 0.0), direction(0.5, std::f64::consts::PI));
+    let file = NamedBsdf::of_file("two.brdf", function("two-lobes.brdf").as_bytes(), "").unwrap();
+    let mut values = file.values.clone();
+    values.set("tint", "0/0/1").unwrap();
+    let changed = file.with_values(values.clone()).unwrap();
+    assert_eq!((changed.name.as_str(), &changed.values), ("two.brdf", &values));
+    let f = changed.bsdf.evaluate(pair.0, pair.1);
+    assert!((f - DVec3::new(0.0, 0.0, 0.25)).length() < 1e-6, "{f}");
+    let model = NamedBsdf::of_model(&ModelSpec::parse("lambert:a=1").unwrap());
+    let mut values = model.values.clone();
+    values.set("a", "0.25").unwrap();
+    let changed = model.with_values(values).unwrap();
+    assert_eq!(changed.name, "lambert:a=0.25");
+    assert!((changed.bsdf.evaluate(pair.0, pair.1).x - 0.25 * std::f64::consts::FRAC_1_PI).abs() < 1e-12);
+}
+
+#[test]
 fn a_brdf_file_runs_with_its_parameters() {
     let text = function("two-lobes.brdf");
     let file = BrdfFile::parse(&text).unwrap();

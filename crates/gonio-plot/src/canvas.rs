@@ -1,8 +1,10 @@
 //! Shapes and text, drawn as SVG or as pixels.
 //!
-//! A [`PlotFigure`] collects shapes in pixels, y downwards. The SVG is written in eighths of a pixel; the pixels are computed
+//! A [`PlotFigure`] collects shapes in pixels, y downwards; [`PlotFigure::shapes`] gives them to other painters. The SVG is written in eighths of a pixel; the pixels are computed
 //! at three times the size and averaged, because the plotting library smooths lines but no edges of areas. Text comes last.
 
+use crate::palette::{Palette, Rgb8, palette};
+use crate::shape::{PlacedPicture, PlotShape, PolarPlace, TextAlign};
 use crate::text::{self, PaintedPixels, PlotText};
 use crate::{PlotError, PlotTheme};
 use gonio_image::EncodedPicture;
@@ -10,9 +12,6 @@ use gonio_image::encode::png::{ColorTag, encode8};
 use plotters::prelude::*;
 use plotters::style::FontTransform;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-
-/// A colour in 8-bit sRGB.
-pub type Rgb8 = [u8; 3];
 
 /// The font, and those that a viewer of an SVG without it takes.
 const FONT: &str = "Inter, Helvetica, Arial, sans-serif";
@@ -22,89 +21,11 @@ const SVG_UNITS: f64 = 8.0;
 /// Computed pixels for each pixel, each way.
 const OVERSAMPLING: usize = 3;
 
-/// The colours of a theme.
-#[derive(Clone, Copy, Debug)]
-pub struct Palette {
-    /// The paper.
-    pub background: Rgb8,
-    /// Text and axes.
-    pub ink: Rgb8,
-    /// Less important text.
-    pub soft: Rgb8,
-    /// Grid lines.
-    pub grid: Rgb8,
-    /// The functions, distinguishable with any colour vision. Source: M. Okabe and K. Ito, *Color Universal Design*, 2008;
-    /// lightened where the paper is dark.
-    pub series: [Rgb8; crate::MOST_FUNCTIONS],
-}
-
-/// The colours of a theme.
-pub fn palette(theme: PlotTheme) -> Palette {
-    match theme {
-        PlotTheme::Light => Palette {
-            background: [255, 255, 255],
-            ink: [26, 26, 26],
-            soft: [90, 90, 90],
-            grid: [216, 216, 216],
-            series: [
-                [0, 114, 178],
-                [213, 94, 0],
-                [0, 158, 115],
-                [204, 121, 167],
-                [60, 60, 60],
-                [230, 159, 0],
-                [86, 180, 233],
-            ],
-        },
-        PlotTheme::Dark => Palette {
-            background: [22, 24, 28],
-            ink: [232, 232, 232],
-            soft: [170, 170, 170],
-            grid: [62, 66, 74],
-            series: [
-                [86, 180, 233],
-                [240, 134, 60],
-                [46, 196, 152],
-                [224, 151, 192],
-                [220, 220, 220],
-                [240, 196, 60],
-                [110, 140, 240],
-            ],
-        },
-    }
-}
-
-/// Which point of a text lies at its position, horizontally.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TextAlign {
-    /// The text begins there.
-    Start,
-    /// Its middle.
-    Middle,
-    /// The text ends there.
-    End,
-}
-
-#[derive(Clone, Debug)]
-enum Shape {
-    Line { points: Vec<[f64; 2]>, color: Rgb8, width: f64 },
-    Area { points: Vec<[f64; 2]>, color: Rgb8 },
-    Dot { center: [f64; 2], radius: f64, color: Rgb8, opacity: f64 },
-    Text { at: [f64; 2], text: String, size: f64, color: Rgb8, align: TextAlign, is_upright: bool },
-}
-
 /// Whether the plotting library draws the texts: as SVG it names the font, as pixels it would need one of the system.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum WithText {
     Yes,
     No,
-}
-
-/// A picture with its place: left, top, width, height.
-#[derive(Clone, Debug)]
-struct PlacedPicture {
-    place: [f64; 4],
-    picture: EncodedPicture<u8>,
 }
 
 /// A plot: shapes over pictures over paper.
@@ -113,14 +34,16 @@ pub struct PlotFigure {
     size: [u32; 2],
     /// The colours.
     pub palette: Palette,
-    shapes: Vec<Shape>,
+    /// The half circle of a polar plot.
+    pub polar: Option<PolarPlace>,
+    shapes: Vec<PlotShape>,
     pictures: Vec<PlacedPicture>,
 }
 
 impl PlotFigure {
     /// Empty paper of a size in pixels.
     pub fn new(size: [u32; 2], theme: PlotTheme) -> Self {
-        Self { size, palette: palette(theme), shapes: Vec::new(), pictures: Vec::new() }
+        Self { size, palette: palette(theme), polar: None, shapes: Vec::new(), pictures: Vec::new() }
     }
 
     /// Width and height in pixels.
@@ -128,10 +51,20 @@ impl PlotFigure {
         self.size.map(f64::from)
     }
 
+    /// The parts, the lowest first.
+    pub fn shapes(&self) -> &[PlotShape] {
+        &self.shapes
+    }
+
+    /// The pictures below the shapes.
+    pub fn pictures(&self) -> &[PlacedPicture] {
+        &self.pictures
+    }
+
     /// A line through points.
     pub fn line(&mut self, points: Vec<[f64; 2]>, color: Rgb8, width: f64) {
         if points.len() > 1 {
-            self.shapes.push(Shape::Line { points, color, width });
+            self.shapes.push(PlotShape::Line { points, color, width });
         }
     }
 
@@ -163,25 +96,40 @@ impl PlotFigure {
 
     /// A filled polygon.
     pub fn area(&mut self, points: Vec<[f64; 2]>, color: Rgb8) {
-        self.shapes.push(Shape::Area { points, color });
+        self.shapes.push(PlotShape::Area { points, color });
     }
 
     /// A filled circle.
     pub fn dot(&mut self, center: [f64; 2], radius: f64, color: Rgb8, opacity: f64) {
-        self.shapes.push(Shape::Dot { center, radius, color, opacity });
+        self.shapes.push(PlotShape::Dot { center, radius, color, opacity });
     }
 
     /// A line of text, vertically centred at its position.
     pub fn text(&mut self, at: [f64; 2], text: &str, size: f64, color: Rgb8, align: TextAlign) {
         // Names of files may contain characters that XML cannot.
         let text = text.replace(|c: char| c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}'), "?");
-        self.shapes.push(Shape::Text { at, text, size, color, align, is_upright: false });
+        self.shapes.push(PlotShape::Text { at, text, size, color, align, is_upright: false });
+    }
+
+    /// A centred line of text that fits between both sides of the paper, as [`PlotFigure::text_within`].
+    pub fn fitted_text(&mut self, at: [f64; 2], text: &str, size: f64, color: Rgb8) {
+        const MARGIN: f64 = 8.0;
+        let [width, _] = self.size();
+        self.text_within(at, text, size, color, 2.0 * (at[0].min(width - at[0]) - MARGIN).max(0.0));
+    }
+
+    /// A centred line of text that is made smaller, down to 9 pixels, and then cut, to be at most `most` pixels wide.
+    pub fn text_within(&mut self, at: [f64; 2], text: &str, size: f64, color: Rgb8, most: f64) {
+        const SMALLEST: f64 = 9.0;
+        let size = (size * (most / self.text_width(text, size).max(1.0)).min(1.0)).max(SMALLEST);
+        let text = self.shortened(text, size, most);
+        self.text(at, &text, size, color, TextAlign::Middle);
     }
 
     /// A line of text that runs upwards, centred at its position.
     pub fn text_upwards(&mut self, at: [f64; 2], text: &str, size: f64, color: Rgb8) {
         let align = TextAlign::Middle;
-        self.shapes.push(Shape::Text { at, text: text.to_owned(), size, color, align, is_upright: true });
+        self.shapes.push(PlotShape::Text { at, text: text.to_owned(), size, color, align, is_upright: true });
     }
 
     /// A picture below all shapes: left, top, width and height in pixels.
@@ -211,7 +159,7 @@ impl PlotFigure {
     pub(crate) fn text_faults(&self) -> Vec<String> {
         let mut boxes: Vec<(String, [f64; 4])> = Vec::new();
         for shape in &self.shapes {
-            let Shape::Text { at: [x, y], text, size, align, is_upright, .. } = shape else { continue };
+            let PlotShape::Text { at: [x, y], text, size, align, is_upright, .. } = shape else { continue };
             let (width, half) = (self.text_width(text, *size), 0.5 * size);
             let left = match align {
                 TextAlign::Start => *x,
@@ -244,7 +192,7 @@ impl PlotFigure {
     #[cfg(test)]
     pub(crate) fn lines(&self, wanted: Rgb8) -> Vec<Vec<[f64; 2]>> {
         let lines = self.shapes.iter().filter_map(|shape| match shape {
-            Shape::Line { points, color, .. } if *color == wanted => Some(points.clone()),
+            PlotShape::Line { points, color, .. } if *color == wanted => Some(points.clone()),
             _ => None,
         });
         lines.collect()
@@ -328,7 +276,7 @@ impl PlotFigure {
     /// Paints all texts over the finished pixels.
     fn paint_text(&self, pixels: &mut PaintedPixels<'_>) {
         for shape in &self.shapes {
-            let Shape::Text { at: [x, y], text, size, color, align, is_upright } = shape else { continue };
+            let PlotShape::Text { at: [x, y], text, size, color, align, is_upright } = shape else { continue };
             let width = self.text_width(text, *size);
             let before = match align {
                 TextAlign::Start => 0.0,
@@ -346,20 +294,20 @@ impl PlotFigure {
         let opaque = |[red, green, blue]: Rgb8| RGBColor(red, green, blue);
         for shape in &self.shapes {
             match shape {
-                Shape::Line { points, color, width } => {
+                PlotShape::Line { points, color, width } => {
                     let style = opaque(*color).stroke_width((width * units).round().max(1.0) as u32);
                     backend.draw_path(points.iter().copied().map(point), &style).map_err(failed)?;
                 }
-                Shape::Area { points, color } => {
+                PlotShape::Area { points, color } => {
                     backend.fill_polygon(points.iter().copied().map(point), &opaque(*color)).map_err(failed)?;
                 }
-                Shape::Dot { center, radius, color, opacity } => {
+                PlotShape::Dot { center, radius, color, opacity } => {
                     let radius = (radius * units).round().max(1.0) as u32;
                     let style = opaque(*color).mix(*opacity).filled();
                     backend.draw_circle(point(*center), radius, &style, true).map_err(failed)?;
                 }
-                Shape::Text { .. } if with_text == WithText::No => {}
-                Shape::Text { at, text, size, color, align, is_upright } => {
+                PlotShape::Text { .. } if with_text == WithText::No => {}
+                PlotShape::Text { at, text, size, color, align, is_upright } => {
                     let horizontal = match align {
                         TextAlign::Start => HPos::Left,
                         TextAlign::Middle => HPos::Center,

@@ -1,7 +1,9 @@
 //! Curves over an angle.
 
-use crate::canvas::{PlotFigure, Rgb8, TextAlign};
+use crate::canvas::PlotFigure;
+use crate::palette::Rgb8;
 use crate::scale::{PlotScale, linear_ticks, number};
+use crate::shape::TextAlign;
 use crate::{PlotError, PlotSettings, PlottedAngle, PlottedBsdf};
 use gonio_bsdf::half_angles::HalfAngles;
 use gonio_bsdf::integrate::albedo_with_steps;
@@ -82,13 +84,13 @@ fn draw(figure: &mut PlotFigure, curves: &[Curve], axes: &Axes) -> Result<(), Pl
     let x_of = |x: f64| left + (x - axes.x[0]) / (axes.x[1] - axes.x[0]) * (right - left);
     let y_of = |value: f64| bottom - axes.scale.position(value, axes.top).clamp(0.0, 1.0) * (bottom - top);
 
-    figure.text([0.5 * (left + right), 24.0], &axes.title, TITLE, palette.ink, TextAlign::Middle);
+    figure.fitted_text([0.5 * width, 24.0], &axes.title, TITLE, palette.ink);
     for tick in axes.scale.ticks(axes.top) {
         let y = y_of(tick);
         figure.line(vec![[left, y], [right, y]], palette.grid, 1.0);
         figure.text([left - 8.0, y], &number(tick), TEXT, palette.ink, TextAlign::End);
     }
-    for tick in angle_ticks(axes.x) {
+    for tick in angle_ticks(axes.x, right - left) {
         let x = x_of(tick);
         figure.line(vec![[x, top], [x, bottom]], palette.grid, 1.0);
         figure.text([x, bottom + 15.0], &number(tick), TEXT, palette.ink, TextAlign::Middle);
@@ -111,14 +113,17 @@ fn draw(figure: &mut PlotFigure, curves: &[Curve], axes: &Axes) -> Result<(), Pl
             figure.line(points, curve.color, line_width(index, curves.len()));
         }
     }
-    figure.text([0.5 * (left + right), bottom + 38.0], axes.x_label, TEXT, palette.ink, TextAlign::Middle);
+    figure.fitted_text([0.5 * (left + right), bottom + 38.0], axes.x_label, TEXT, palette.ink);
     figure.text_upwards([18.0, 0.5 * (top + bottom)], &axes.y_label, TEXT, palette.ink);
     Ok(())
 }
 
-/// Ticks of an axis of degrees: every 15 or 30.
-fn angle_ticks([from, to]: [f64; 2]) -> Vec<f64> {
-    let step = if to - from > 190.0 { 30.0 } else { 15.0 };
+/// Ticks of an axis of degrees that is `length` pixels long: every 15, 30, 45, 60 or 90.
+fn angle_ticks([from, to]: [f64; 2], length: f64) -> Vec<f64> {
+    /// Pixels from one label to the next at least.
+    const ROOM: f64 = 36.0;
+    let has_room = |step: &f64| step / (to - from) * length >= ROOM;
+    let step = [15.0, 30.0, 45.0, 60.0].into_iter().find(has_room).unwrap_or(90.0);
     if to - from < 30.0 {
         return linear_ticks(from, to, 8);
     }
@@ -154,11 +159,9 @@ pub fn values(
     let (theta_i, phi_i) = (settings.theta_i_deg.to_radians(), settings.phi_i_deg.to_radians());
     let (range, x_label) = match settings.over {
         PlottedAngle::ThetaO if transmits => {
-            ([-180.0, 180.0], "Angle of the viewer from the normal, negative on the light's side (degrees)")
+            ([-180.0, 180.0], "Viewer from the normal, negative on the light's side (degrees)")
         }
-        PlottedAngle::ThetaO => {
-            ([-90.0, 90.0], "Angle of the viewer from the normal, negative on the light's side (degrees)")
-        }
+        PlottedAngle::ThetaO => ([-90.0, 90.0], "Viewer from the normal, negative on the light's side (degrees)"),
         PlottedAngle::PhiO => ([-180.0, 180.0], "Azimuth of the viewer from the mirror direction (degrees)"),
         PlottedAngle::ThetaI => ([0.0, 90.0], "Angle of incidence, viewer in the mirror direction (degrees)"),
         PlottedAngle::ThetaH => ([0.0, 90.0], "Half angle, between normal and half vector (degrees)"),
@@ -288,16 +291,13 @@ pub fn reciprocity(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Re
     draw(figure, &curves, &axes)
 }
 
-/// Fresnel factors of the first function's index of refraction, with Brewster's angle.
+/// Fresnel factors of the first index of refraction above 1 that a function has, with Brewster's angle.
 ///
 /// # Errors
 ///
-/// A function without an index.
+/// No function has such an index.
 pub fn fresnel(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Result<(), PlotError> {
-    let Some(function) = functions.first() else { return Err(PlotError::Functions(0)) };
-    let Some(ior) = function.ior.filter(|ior| *ior > 1.0) else {
-        return Err(PlotError::Nothing(format!("{}: it has no index of refraction above 1", function.label)));
-    };
+    let ior = functions.iter().find_map(|function| function.ior.filter(|ior| *ior > 1.0)).ok_or(PlotError::NoIndex)?;
     let eta = 1.0 / ior;
     let series = figure.palette.series;
     let xs = angles([0.0, 90.0], 900);

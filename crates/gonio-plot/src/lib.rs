@@ -7,7 +7,9 @@
 //! | [`lobe`] | values of all directions, as a surface |
 //! | [`pictures`] | the image slice of half and difference angle, lit spheres |
 //! | [`scatter`] | directions drawn by importance sampling |
-//! | [`canvas`], [`text`] | shapes and text on SVG and pixels, themes |
+//! | [`shape`] | the parts of a plot as data, for any painter |
+//! | [`canvas`], [`text`] | shapes and text on SVG and pixels |
+//! | [`mod@palette`] | the colours of the themes |
 //! | [`scale`] | linear, logarithmic and cube-root scales |
 //!
 //! Nothing here opens a file or prints. Text is set in Inter, which is embedded.
@@ -19,13 +21,18 @@ extern crate gonio_light;
 pub mod canvas;
 pub mod curves;
 pub mod lobe;
+pub mod palette;
 pub mod pictures;
 pub mod polar;
 pub mod scale;
 pub mod scatter;
+pub mod shape;
 pub mod text;
 
-use canvas::PlotFigure;
+pub use canvas::PlotFigure;
+pub use palette::palette;
+pub use shape::{PlacedPicture, PlotShape, PolarPlace, TextAlign};
+
 use gonio_bsdf::Bsdf;
 use gonio_bsdf::sampling::direction;
 use gonio_light::DVec3;
@@ -48,7 +55,7 @@ named_enum! {
         Albedo = "albedo",
         /// The difference when light and viewer change places, over the angle of incidence
         Reciprocity = "reciprocity",
-        /// Fresnel factors of the first model's index of refraction
+        /// Fresnel factors of the first model that has an index of refraction
         Fresnel = "fresnel",
         /// Directions drawn by importance sampling
         Samples = "samples",
@@ -108,6 +115,12 @@ pub struct PlotSettings {
     pub theme: PlotTheme,
     /// Width and height in pixels.
     pub size: [u32; 2],
+    /// The colour of each function, as an index into [`palette::Palette::series`].
+    pub series: [usize; MOST_FUNCTIONS],
+    /// The view of a lobe in degrees: turned about the normal, and raised above the horizon.
+    pub view_deg: [f64; 2],
+    /// The largest side of the picture of a lit sphere in pixels. A smaller one takes less time.
+    pub most_sphere_pixels: u32,
 }
 
 impl Default for PlotSettings {
@@ -121,6 +134,9 @@ impl Default for PlotSettings {
             with_cosine: false,
             theme: PlotTheme::Light,
             size: [900, 620],
+            series: std::array::from_fn(|index| index),
+            view_deg: DEFAULT_VIEW_DEG,
+            most_sphere_pixels: 420,
         }
     }
 }
@@ -166,6 +182,10 @@ pub struct PlottedBsdf<'a> {
     pub ior: Option<f64>,
 }
 
+/// The view of a lobe that shows light and mirror direction side by side.
+pub const DEFAULT_VIEW_DEG: [f64; 2] = [-66.0, 22.0];
+/// The largest angle of incidence that a window offers, in degrees. At 90 degrees no function has a value.
+pub const LARGEST_THETA_DEG: f64 = 89.9;
 /// The smallest and the largest side of a plot in pixels.
 pub const SIDES: [u32; 2] = [200, 4000];
 /// The largest number of functions in one plot: the palette has as many colours.
@@ -182,6 +202,8 @@ pub enum PlotError {
     Angle(String),
     /// The function has no value that could be plotted.
     Nothing(String),
+    /// No function has an index of refraction above 1.
+    NoIndex,
     /// The plotting library failed.
     Drawing(String),
 }
@@ -195,6 +217,7 @@ impl fmt::Display for PlotError {
             }
             Self::Angle(angle) => write!(f, "an angle of incidence of {angle} degrees: expected 0 to less than 90"),
             Self::Nothing(label) => write!(f, "`{label}` has no value that could be plotted"),
+            Self::NoIndex => write!(f, "no function has an index of refraction above 1, which Fresnel curves need"),
             Self::Drawing(message) => write!(f, "the plot could not be drawn: {message}"),
         }
     }
@@ -220,7 +243,12 @@ pub fn png(functions: &[PlottedBsdf<'_>], settings: &PlotSettings) -> Result<Vec
     figure(functions, settings)?.png()
 }
 
-fn figure(functions: &[PlottedBsdf<'_>], settings: &PlotSettings) -> Result<PlotFigure, PlotError> {
+/// Computes a plot as shapes, which any painter can draw.
+///
+/// # Errors
+///
+/// As [`svg`].
+pub fn figure(functions: &[PlottedBsdf<'_>], settings: &PlotSettings) -> Result<PlotFigure, PlotError> {
     if functions.is_empty() || functions.len() > MOST_FUNCTIONS {
         return Err(PlotError::Functions(functions.len()));
     }
@@ -231,6 +259,8 @@ fn figure(functions: &[PlottedBsdf<'_>], settings: &PlotSettings) -> Result<Plot
         return Err(PlotError::Angle(settings.theta_i_deg.to_string()));
     }
     let mut figure = PlotFigure::new(settings.size, settings.theme);
+    let series = figure.palette.series;
+    figure.palette.series = settings.series.map(|index| series[index % series.len()]);
     match settings.kind {
         PlotKind::Polar => polar::draw(&mut figure, functions, settings)?,
         PlotKind::Cartesian => curves::values(&mut figure, functions, settings)?,
@@ -305,6 +335,49 @@ mod tests {
     }
 
     #[test]
+    fn no_text_overlaps_on_a_phone() {
+        for kind in PlotKind::ALL {
+            for specs in [&["ggx"][..], &["phong-normalised", "blinn-normalised:c=128", "ward-normalised:c=0.12"]] {
+                for over in PlottedAngle::ALL {
+                    let settings =
+                        PlotSettings { kind: *kind, over: *over, size: [378, 380], ..PlotSettings::default() };
+                    let figure = with_functions(specs, |functions| figure(functions, &settings));
+                    let overlaps = figure.map(|figure| figure.text_faults());
+                    assert_eq!(overlaps, Ok(Vec::new()), "{kind} of {}, {over}", specs.len());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_function_has_the_colour_that_is_asked_for() {
+        let series = std::array::from_fn(|index| (index + 4) % MOST_FUNCTIONS);
+        let settings = PlotSettings { kind: PlotKind::Cartesian, series, ..PlotSettings::default() };
+        let figure = with_functions(&["lambert"], |functions| figure(functions, &settings)).unwrap();
+        let curve = |color: usize| {
+            let lines = figure.lines(palette(PlotTheme::Light).series[color]);
+            lines.iter().any(|line| line.len() > 1400)
+        };
+        assert!(curve(4) && !curve(0));
+        // An index beyond the palette starts again.
+        let settings = PlotSettings { series: [usize::MAX; MOST_FUNCTIONS], ..settings };
+        assert!(with_functions(&["lambert"], |functions| super::figure(functions, &settings)).is_ok());
+    }
+
+    #[test]
+    fn the_half_circle_of_a_polar_plot_is_where_the_curve_ends() {
+        let figure = with_functions(&["lambert:a=1"], |functions| figure(functions, &PlotSettings::default())).unwrap();
+        let polar = figure.polar.unwrap();
+        let lines = figure.lines(figure.palette.series[0]);
+        let curve = lines.iter().max_by_key(|line| line.len()).unwrap();
+        // 1/pi of 0.4, the value at the rim, in every direction.
+        let expected = polar.radius / std::f64::consts::PI / 0.4;
+        let distance = |[x, y]: [f64; 2]| (x - polar.center[0]).hypot(y - polar.center[1]);
+        assert!(curve.iter().all(|point| (distance(*point) - expected).abs() < 1e-6));
+        assert!(polar.theta_i_deg(curve[0]).is_some_and(|angle| angle > 89.0));
+    }
+
+    #[test]
     fn a_curve_is_at_its_value() {
         let settings = PlotSettings { kind: PlotKind::Cartesian, ..PlotSettings::default() };
         let figure = with_functions(&["lambert:a=1"], |functions| figure(functions, &settings)).unwrap();
@@ -331,7 +404,7 @@ mod tests {
             let decoded = gonio_image::decode::decode("plot.png", &png, &DecodeLimits::default()).unwrap();
             let gonio_image::decode::DecodedContent::Picture(image) = decoded.shape else { panic!("not a picture") };
             assert_eq!((image.width, image.height), (300, 320));
-            let background = f64::from(canvas::palette(*theme).background[0]) / 255.0;
+            let background = f64::from(palette(*theme).background[0]) / 255.0;
             let expected = gonio_light::color::srgb_decode(background);
             assert!((f64::from(image.at(0, 0)[0]) - expected).abs() < 1e-3);
             // The lit side is red.

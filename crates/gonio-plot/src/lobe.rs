@@ -1,31 +1,30 @@
 //! The lobe: values of all directions as distances from the point, seen from above.
 
-use crate::canvas::{PlotFigure, Rgb8, TextAlign};
+use crate::canvas::PlotFigure;
 use crate::curves::{TEXT, TITLE, grey};
+use crate::palette::Rgb8;
 use crate::pictures::{mirror, panel_label, panels};
 use crate::scale::number;
+use crate::shape::TextAlign;
 use crate::{PlotError, PlotSettings, PlottedBsdf};
 use gonio_bsdf::sampling::direction;
 use gonio_light::DVec3;
 use gonio_light::vector::unit_or;
 use std::f64::consts::{PI, TAU};
 
-/// The view: turned about the normal, and raised above the horizon, in radians.
-const TURN: f64 = -1.15;
-const RISE: f64 = 0.38;
-
 /// Polar angles this close to the horizon, in radians, are moved away from it.
 const HORIZON: f64 = 2e-3;
 
-/// Projects a point, x to the right, y upwards, and its depth, larger is nearer.
-fn project(p: DVec3) -> [f64; 3] {
-    let ((sin, cos), (sin_rise, cos_rise)) = (TURN.sin_cos(), RISE.sin_cos());
+/// Projects a point, x to the right, y upwards, and its depth, larger is nearer. The view is turned about the normal and raised
+/// above the horizon, in degrees.
+fn project_from([turn_deg, rise_deg]: [f64; 2], p: DVec3) -> [f64; 3] {
+    let ((sin, cos), (sin_rise, cos_rise)) = (turn_deg.to_radians().sin_cos(), rise_deg.to_radians().sin_cos());
     let (across, away) = (cos * p.x - sin * p.y, sin * p.x + cos * p.y);
     [across, p.z * cos_rise + away * sin_rise, p.z * sin_rise - away * cos_rise]
 }
 
-/// Angles with an even spacing, and closer ones about `peak`.
-fn grid(from: f64, to: f64, even: u32, peak: f64) -> Vec<f64> {
+/// Angles in radians with `even` equal steps between two ends, and closer ones about `peak`.
+pub fn polar_angles(from: f64, to: f64, even: u32, peak: f64) -> Vec<f64> {
     let steady = (0..=even).map(|index| from + (to - from) * f64::from(index) / f64::from(even));
     let close = (-16..=16).map(|index| peak + 0.18 * f64::from(index).signum() * (f64::from(index) / 16.0).powi(2));
     let mut all: Vec<f64> = steady.chain(close).filter(|angle| (from..=to).contains(angle)).collect();
@@ -46,14 +45,15 @@ fn off_horizon(theta: f64) -> f64 {
 /// A function without finite values.
 pub fn draw(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>], settings: &PlotSettings) -> Result<(), PlotError> {
     let wi = settings.light();
+    let project = |p: DVec3| project_from(settings.view_deg, p);
     let phi_mirror = settings.phi_i_deg.to_radians() + PI;
     let mut lobes = Vec::new();
     for function in functions {
         // Exactly at the horizon a function has no value.
         let last = if function.bsdf.transmits() { PI } else { 0.5 * PI - HORIZON };
         let thetas =
-            grid(0.0, last, if function.bsdf.transmits() { 60 } else { 34 }, settings.theta_i_deg.to_radians());
-        let phis = grid(phi_mirror - PI, phi_mirror + PI, 72, phi_mirror);
+            polar_angles(0.0, last, if function.bsdf.transmits() { 60 } else { 34 }, settings.theta_i_deg.to_radians());
+        let phis = polar_angles(phi_mirror - PI, phi_mirror + PI, 72, phi_mirror);
         let directions: Vec<DVec3> =
             thetas.iter().flat_map(|theta| phis.iter().map(|phi| direction(off_horizon(*theta), *phi))).collect();
         let pairs: Vec<_> = directions.iter().map(|wo| (wi, *wo)).collect();
@@ -73,8 +73,7 @@ pub fn draw(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>], settings: &P
         number(settings.theta_i_deg),
         settings.scale
     );
-    let title = figure.shortened(&title, TITLE, width - 20.0);
-    figure.text([0.5 * width, 24.0], &title, TITLE, palette.ink, TextAlign::Middle);
+    figure.fitted_text([0.5 * width, 24.0], &title, TITLE, palette.ink);
     let places = panels(figure, functions.len(), [14.0, 26.0, 14.0, 30.0]);
     for (((function, color), lobe), panel) in functions.iter().zip(palette.series).zip(lobes).zip(places) {
         let (rows, columns, directions, values, largest) = lobe;
@@ -105,9 +104,9 @@ pub fn draw(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>], settings: &P
             }
         }
         panel_label(figure, panel, function.label, panel[2]);
-        let note = format!("radius of the circle: {} 1/sr", number(largest));
+        let note = format!("circle at {} 1/sr", number(largest));
         let below = [center[0], panel[1] + panel[3] + 14.0];
-        figure.text(below, &note, TEXT, palette.soft, TextAlign::Middle);
+        figure.text_within(below, &note, TEXT, palette.soft, panel[2] + 24.0);
     }
     Ok(())
 }

@@ -1,8 +1,9 @@
 //! Image slices and lit spheres, one picture for each function.
 
-use crate::canvas::{PlotFigure, TextAlign};
+use crate::canvas::PlotFigure;
 use crate::curves::{TEXT, TITLE};
 use crate::scale::{PlotScale, number};
+use crate::shape::TextAlign;
 use crate::{PlotError, PlotSettings, PlottedBsdf};
 use gonio_bsdf::half_angles::HalfAngles;
 use gonio_bsdf::sampling::direction;
@@ -42,6 +43,15 @@ pub fn panels(figure: &PlotFigure, count: usize, margin: [f64; 4]) -> Vec<Panel>
             [left, top, side_length, side_length]
         })
         .collect()
+}
+
+/// Side in pixels below which an image slice has few ticks and no titles of axes.
+const SMALL_SLICE: f64 = 160.0;
+
+/// A panel with sides of at most `most` pixels about the same middle.
+fn shrunk([left, top, side, _]: Panel, most: f64) -> Panel {
+    let less = (side - most).max(0.0);
+    [left + 0.5 * less, top + 0.5 * less, side - less, side - less]
 }
 
 /// The label above a panel.
@@ -113,10 +123,14 @@ pub fn slices(
     };
     let title = format!("Image slice at 90° of azimuth, white is {} 1/sr, {scale_name}", number(largest));
     let [width, _] = figure.size();
-    figure.text([0.5 * width, 24.0], &title, TITLE, palette.ink, TextAlign::Middle);
-    for ((function, values), panel) in
-        functions.iter().zip(all).zip(panels(figure, functions.len(), [66.0, 26.0, 22.0, 52.0]))
-    {
+    figure.fitted_text([0.5 * width, 24.0], &title, TITLE, palette.ink);
+    let mut places = panels(figure, functions.len(), [66.0, 26.0, 22.0, 52.0]);
+    if places.iter().any(|place| place[2] < SMALL_SLICE) {
+        places = panels(figure, functions.len(), [30.0, 26.0, 14.0, 26.0]);
+        let most = SMALL_SLICE - 1.0;
+        places.iter_mut().for_each(|place| *place = shrunk(*place, most));
+    }
+    for ((function, values), panel) in functions.iter().zip(all).zip(places) {
         let mut rgba = Vec::with_capacity(4 * values.len());
         for value in values {
             let value = if value.is_finite() { value } else { DVec3::ZERO };
@@ -131,19 +145,26 @@ pub fn slices(
             palette.ink,
             1.2,
         );
-        for degrees in [0.0, 5.0, 15.0, 30.0, 60.0, 90.0_f64] {
+        // Small panels have fewer ticks, and no titles of axes.
+        let is_small = side < SMALL_SLICE;
+        let ticks: &[f64] = if is_small { &[0.0, 90.0] } else { &[0.0, 5.0, 15.0, 30.0, 60.0, 90.0] };
+        for degrees in ticks.iter().copied() {
             let x = left + side * (degrees / 90.0).sqrt();
             figure.line(vec![[x, bottom], [x, bottom + 5.0]], palette.ink, 1.2);
             figure.text([x, bottom + 15.0], &number(degrees), TEXT, palette.ink, TextAlign::Middle);
         }
-        for degrees in [0.0, 30.0, 60.0, 90.0] {
+        let ticks: &[f64] = if is_small { &[0.0, 90.0] } else { &[0.0, 30.0, 60.0, 90.0] };
+        for degrees in ticks.iter().copied() {
             let y = bottom - side * degrees / 90.0;
             figure.line(vec![[left - 5.0, y], [left, y]], palette.ink, 1.2);
             figure.text([left - 9.0, y], &number(degrees), TEXT, palette.ink, TextAlign::End);
         }
-        figure.text([left + 0.5 * side, bottom + 36.0], "Half angle (degrees)", TEXT, palette.ink, TextAlign::Middle);
-        figure.text_upwards([left - 42.0, top + 0.5 * side], "Difference angle (degrees)", TEXT, palette.ink);
-        panel_label(figure, panel, function.label, side + 60.0);
+        if !is_small {
+            let middle = left + 0.5 * side;
+            figure.text([middle, bottom + 36.0], "Half angle (degrees)", TEXT, palette.ink, TextAlign::Middle);
+            figure.text_upwards([left - 42.0, top + 0.5 * side], "Difference angle (degrees)", TEXT, palette.ink);
+        }
+        panel_label(figure, panel, function.label, side + if is_small { 36.0 } else { 60.0 });
     }
     Ok(())
 }
@@ -161,14 +182,17 @@ pub fn spheres(
     let palette = figure.palette;
     let [width, _] = figure.size();
     let title = format!(
-        "Sphere, light {}° from the viewer to the upper left; a white diffuse surface that faces it is 1",
+        "Sphere, light {}° from the viewer; 1 is a white diffuse surface that faces it",
         number(settings.theta_i_deg)
     );
-    let title = figure.shortened(&title, TITLE, width - 20.0);
-    figure.text([0.5 * width, 24.0], &title, TITLE, palette.ink, TextAlign::Middle);
+    figure.fitted_text([0.5 * width, 24.0], &title, TITLE, palette.ink);
     let light = direction(settings.theta_i_deg.to_radians(), 0.75 * PI);
     for (function, panel) in functions.iter().zip(panels(figure, functions.len(), [18.0, 26.0, 18.0, 12.0])) {
-        let picture = sphere(function, light, (1.5 * panel[2]).clamp(32.0, 420.0) as u32)?;
+        let picture = sphere(
+            function,
+            light,
+            (1.5 * panel[2]).clamp(32.0, f64::from(settings.most_sphere_pixels.max(32))) as u32,
+        )?;
         figure.picture(panel, picture);
         panel_label(figure, panel, function.label, panel[2] + 30.0);
     }

@@ -1,8 +1,10 @@
 //! Polar plots in the plane of incidence.
 
-use crate::canvas::{PlotFigure, Rgb8, TextAlign};
+use crate::canvas::PlotFigure;
 use crate::curves::{TEXT, TITLE, grey, legend, line_width};
+use crate::palette::Rgb8;
 use crate::scale::{PlotScale, number};
+use crate::shape::{PolarPlace, TextAlign};
 use crate::{PlotError, PlotSettings, PlottedBsdf};
 use gonio_bsdf::sampling::direction;
 use std::f64::consts::PI;
@@ -49,17 +51,13 @@ pub fn draw(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>], settings: &P
         let (sin, cos) = degrees.to_radians().sin_cos();
         [center[0] + radius * distance * sin, center[1] - radius * distance * cos]
     };
-    figure.text(
-        [center[0], 24.0],
-        &format!(
-            "Plane of incidence, light at {}°: {}, mean of the channels",
-            number(settings.theta_i_deg),
-            settings.quantity()
-        ),
-        TITLE,
-        palette.ink,
-        TextAlign::Middle,
+    let title = format!(
+        "Plane of incidence, light at {}°: {}, mean of the channels",
+        number(settings.theta_i_deg),
+        settings.quantity()
     );
+    figure.fitted_text([center[0], 24.0], &title, TITLE, palette.ink);
+    figure.polar = Some(PolarPlace { center, radius });
     let ticks = settings.scale.ticks(largest);
     for tick in &ticks {
         let distance = settings.scale.position(*tick, largest);

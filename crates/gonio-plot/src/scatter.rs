@@ -1,9 +1,10 @@
 //! Directions drawn by importance sampling.
 
-use crate::canvas::{PlotFigure, TextAlign};
+use crate::canvas::PlotFigure;
 use crate::curves::{TEXT, TITLE};
 use crate::pictures::{panel_label, panels};
 use crate::scale::number;
+use crate::shape::TextAlign;
 use crate::{PlotError, PlotSettings, PlottedBsdf};
 use gonio_bsdf::sampling::SplitMix;
 use std::f64::consts::TAU;
@@ -23,7 +24,7 @@ pub fn draw(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>], settings: &P
         "{SAMPLES} sampled directions seen along the normal, viewer at {}°; cross: mirror direction",
         number(settings.theta_i_deg)
     );
-    figure.text([0.5 * width, 24.0], &title, TITLE, palette.ink, TextAlign::Middle);
+    figure.fitted_text([0.5 * width, 24.0], &title, TITLE, palette.ink);
     let wo = settings.light();
     for ((function, color), panel) in
         functions.iter().zip(palette.series).zip(panels(figure, functions.len(), [26.0, 30.0, 26.0, 40.0]))

@@ -1,14 +1,15 @@
 //! Lines of text as pixels, in a font from memory.
 
-use crate::canvas::Rgb8;
+use crate::palette::Rgb8;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
 use skrifa::{FontRef, MetadataProvider};
 use vello_cpu::kurbo::{Affine, BezPath};
 use vello_cpu::{Pixmap, RenderContext, Resources};
 
-/// The font of the plots. It has the characters of Latin-1 and some signs; others are drawn as a question mark.
-const INTER: &[u8] = include_bytes!("../../../assets/fonts/Inter-Regular.ttf");
+/// The font of the plots, a TrueType file. It has the characters of Latin-1 and some signs; others are drawn as a question mark.
+/// A static, so that a program that uses the font elsewhere too contains it once.
+pub static INTER: &[u8] = include_bytes!("../../../assets/fonts/Inter-Regular.ttf");
 /// Half of the height of a capital, in the size of the font.
 const HALF_CAPITAL: f64 = 0.364;
 /// The width of a character without a font, in its size.

@@ -6,7 +6,7 @@ use glam::DVec3;
 use gonio_bsdf::integrate::albedo_with_steps;
 use gonio_bsdf::merl::FILE_BYTES;
 use gonio_bsdf::{
-    Bsdf, GlslBrdfError, MerlTable, ModelSpec, NamedBsdf, NamedBsdfError, ParameterKind, ParameterValues,
+    Bsdf, BsdfSource, GlslBrdfError, MerlTable, ModelSpec, NamedBsdf, NamedBsdfError, ParameterKind, ParameterValues,
     embedded_glsl, fit_file, model_spec,
 };
 use gonio_light::brdf::{LOBE_CAP, SHININESS_MAX, effective_shininess};
@@ -55,7 +55,8 @@ impl PartialEq for MaterialBrdf {
 impl MaterialBrdf {
     /// The BRDF of a model or a file.
     pub fn new(named: NamedBsdf) -> Self {
-        let NamedBsdf { name, bsdf, glsl, values, table, .. } = named;
+        let NamedBsdf { name, bsdf, glsl, values, source, .. } = named;
+        let table = if let BsdfSource::Table(table) = source { Some(table) } else { None };
         let view = DVec3::new(FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2);
         let albedo = held(albedo_with_steps(bsdf.as_ref(), view, ALBEDO_STEPS), 1.0);
         let stand_in = stand_in(&values, albedo);

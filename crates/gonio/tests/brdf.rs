@@ -142,6 +142,15 @@ fn every_kind_is_plotted_in_both_formats() {
 }
 
 #[test]
+fn the_bench_is_not_opened_with_functions_that_it_cannot_hold() {
+    let lab = Lab::new();
+    lab.brdf(&["view", "wart"]).refused(&["unknown model `wart`"]);
+    lab.brdf(&["view", "missing.binary"]).refused(&["cannot read `missing.binary`"]);
+    let eight = [&["view"][..], &["lambert"; 8]].concat();
+    lab.brdf(&eight).refused(&["8 functions on the bench: expected at most 7"]);
+}
+
+#[test]
 fn bad_input_is_refused_in_one_sentence() {
     let lab = Lab::new();
     let refused = |args: &[&str], pieces: &[&str]| {
@@ -154,7 +163,7 @@ fn bad_input_is_refused_in_one_sentence() {
     );
     refused(&["plot", "ward", "-o", "x.gif"], &["expected a file that ends with .svg or .png"]);
     refused(&["plot", "ward", "-o", "x.svg", "--theta", "90"], &["90 degrees: expected 0 to less than 90"]);
-    refused(&["plot", "ward", "-o", "x.svg", "--kind", "fresnel"], &["it has no index of refraction above 1"]);
+    refused(&["plot", "ward", "-o", "x.svg", "--kind", "fresnel"], &["no function has an index of refraction above 1"]);
     refused(&["plot", "missing.brdf", "-o", "x.svg"], &["cannot read `missing.brdf`: no such file"]);
     refused(&["export", "rough-dielectric", "-o", "x.binary"], &["cannot hold a function that transmits light"]);
     refused(&["export", "ward-anisotropic", "-o", "x.binary"], &["cannot hold a function that is anisotropic"]);

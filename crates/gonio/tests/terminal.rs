@@ -86,6 +86,7 @@ fn arguments() {
         vec!["brdf", "show", EVIL],
         vec!["brdf", "check", EVIL],
         vec!["brdf", "plot", EVIL, "-o", "x.svg"],
+        vec!["brdf", "view", EVIL],
         vec!["brdf", "plot", "ward", "-o", EVIL],
         vec!["brdf", "export", EVIL, "-o", "x.csv"],
         vec!["brdf", "fit", EVIL, "-o", "x.toml"],

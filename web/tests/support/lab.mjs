@@ -206,10 +206,10 @@ export class Lab {
     return this.rest();
   }
 
-  /** Drops files on the picture, or in the middle of an exercise, all at once and in this order: each a `name`, and `text` or `bytes`. */
+  /** Drops files on the picture, or in the middle of an exercise or the bench, all at once and in this order: each a `name`, and `text` or `bytes`. */
   async drop(...files) {
-    const { size, exercise } = await this.state();
-    const [x, y] = exercise.open ? size.map((side) => side / 2) : await this.middle("pane-0");
+    const { size, exercise, bench } = await this.state();
+    const [x, y] = exercise.open || bench.open ? size.map((side) => side / 2) : await this.middle("pane-0");
     const packed = files.map(({ name, text, bytes }) => ({ name, base64: Buffer.from(bytes ?? text).toString("base64") }));
     await this.page.evaluate(({ packed, x, y }) => {
       const dataTransfer = new DataTransfer();

@@ -133,6 +133,8 @@ const BELOW_SHELLS: &[&str] = &[
     "gonio-render",
     "gonio-glsl",
     "gonio-interpreter",
+    "gonio-bsdf",
+    "gonio-plot",
     "gonio-check",
     "gonio-exercises",
 ];

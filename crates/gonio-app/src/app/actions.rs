@@ -28,7 +28,10 @@ impl App {
                 }
             }
             Action::Save(product) => {
-                let name = product.file_name(&self.session.title);
+                let name = match product {
+                    Product::PlotSvg | Product::PlotPng => self.bench.file_name(product),
+                    _ => product.file_name(&self.session.title),
+                };
                 if self.platform.choose_place(product, &name, ctx) == FileDialog::Unavailable {
                     self.session.asking = Some(PathField { saves: Some(product), text: name });
                 }
@@ -101,6 +104,7 @@ impl App {
                 }
             }
             Action::Dismiss(id) => self.session.messages.dismiss(id),
+            Action::ShowBench => self.bench.open(),
             Action::ShowExercise => self.exercise.is_open = true,
             Action::ListExercises => self.exercise.list(),
             Action::StartExercise(exercise) => self.begin_exercise(ctx, Start { exercise, files: Vec::new() }),
@@ -138,6 +142,7 @@ impl App {
             Product::Picture | Product::SizedPicture => {
                 saving::encode_png(&self.shown(size)?).map_err(|error| error.to_string())
             }
+            Product::PlotSvg | Product::PlotPng => self.bench.product(product),
             Product::Light => {
                 let pane = self.document.panes.current;
                 let light =

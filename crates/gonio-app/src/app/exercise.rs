@@ -28,7 +28,13 @@ impl App {
 
     /// The purpose of files that are opened now.
     pub(super) fn purpose(&self) -> Purpose {
-        if self.exercise.is_open { Purpose::Exercise } else { Purpose::Scene }
+        if self.exercise.is_open {
+            Purpose::Exercise
+        } else if self.bench.is_open {
+            Purpose::Bench
+        } else {
+            Purpose::Scene
+        }
     }
 
     /// Opens a student's files in place of those for the same purpose. Reports files that were ignored.

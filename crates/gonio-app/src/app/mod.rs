@@ -1,11 +1,14 @@
 //! The application: one frame from files, keys and panels to the picture.
 
 mod actions;
+mod bench;
 mod exercise;
 pub mod loader;
 
 use crate::action::Action;
+use crate::app::bench::with_places;
 use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names};
+use crate::bench::BenchView;
 use crate::document::{Document, History};
 use crate::exercise::ExerciseView;
 use crate::files::{Layered, short};
@@ -50,6 +53,7 @@ pub struct App {
     platform: Box<dyn Platform>,
     pane_renderer: Option<PaneRenderer>,
     exercise: ExerciseView,
+    bench: BenchView,
     /// Tells when a sketch is on the screen. The full picture waits for that, because drawing it may delay the sketch.
     sketched: Option<FrameShown>,
 }
@@ -104,6 +108,7 @@ impl App {
             platform,
             pane_renderer,
             exercise: ExerciseView::default(),
+            bench: BenchView::default(),
             sketched: None,
         };
         let mut files = app.files.clone();
@@ -126,6 +131,7 @@ impl App {
     pub fn resume(&mut self, ctx: &egui::Context, gl: Option<Gl>) {
         theme::install(ctx);
         self.exercise.release();
+        self.bench.release();
         self.session.shaders.iter_mut().for_each(OwnShaders::release);
         self.pane_renderer = None;
         match gl.map(PaneRenderer::new) {
@@ -153,7 +159,8 @@ impl App {
 
     /// The state as JSON: [`exported::state`].
     pub fn state(&self, ctx: &egui::Context) -> serde_json::Value {
-        with_exercise(exported::state(ctx, &self.document, &self.session, &self.history), &self.exercise)
+        let state = exported::state(ctx, &self.document, &self.session, &self.history);
+        with_places(state, &self.exercise, &self.bench)
     }
 
     /// Starts to load `inputs`.
@@ -175,6 +182,10 @@ impl App {
         if self.exercise.is_open {
             self.session.traced.iter_mut().for_each(TracedPane::stop);
             return self.exercise_ui(ui);
+        }
+        if self.bench.is_open {
+            self.session.traced.iter_mut().for_each(TracedPane::stop);
+            return self.bench_ui(ui);
         }
         self.advance(&ctx);
         self.take_traced();
@@ -289,8 +300,8 @@ impl App {
 
     /// Publishes the state.
     fn publish(&mut self, ctx: &egui::Context) {
-        let (document, session, history, exercise) = (&self.document, &self.session, &self.history, &self.exercise);
-        let state = || with_exercise(exported::state(ctx, document, session, history), exercise);
+        let (document, session, history) = (&self.document, &self.session, &self.history);
+        let state = || with_places(exported::state(ctx, document, session, history), &self.exercise, &self.bench);
         self.platform.publish(&state);
     }
 
@@ -312,6 +323,7 @@ impl App {
             }
             Event::Open(_) => {}
             Event::ExerciseFiles(files) => self.open_exercise_files(files),
+            Event::BenchFiles(files) => self.open_bench_files(ctx, files),
             Event::SaveTo(product, place) => self.save(product, &place),
             Event::Changed(paths) => self.changed_on_disk(ctx, paths),
             Event::Failed(error) => self.session.messages.report(MessageSeverity::Error, error),
@@ -455,12 +467,6 @@ impl App {
     }
 }
 
-/// The state with the part of the exercise.
-fn with_exercise(mut state: serde_json::Value, exercise: &ExerciseView) -> serde_json::Value {
-    state["exercise"] = exercise.state();
-    state
-}
-
 /// Whether shading or environment differ, which need other data on the GPU.
 fn is_seen_otherwise(before: &Scene, after: &Scene) -> bool {
     let environment = |scene: &Scene| scene.environment.as_ref().map(Arc::as_ptr);
@@ -482,6 +488,7 @@ impl eframe::App for App {
         let _ = self.exercise.flush_drafts(self.platform.as_mut());
         // Buffers and textures are freed while their context exists.
         self.exercise.release();
+        self.bench.release();
         self.session.shaders = None;
         self.pane_renderer = None;
     }

@@ -105,6 +105,11 @@ pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mu
         None if purpose == Purpose::Exercise => {
             ("Open", "Path of a file, folder or zip file; you can also drop files on the window", "Open")
         }
+        None if purpose == Purpose::Bench => (
+            "Open",
+            "Path of a .binary (MERL), .brdf, .glsl or .toml file; you can also drop files on the window",
+            "Open",
+        ),
         Some(_) => ("Save as", "Path of the file", "Save"),
         None => (
             "Open",

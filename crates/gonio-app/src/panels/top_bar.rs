@@ -11,6 +11,8 @@ use gonio_scene::files;
 
 /// Below this width (points) a menu contains the file actions.
 const NARROW: f32 = 560.0;
+/// Tooltip of the BRDF bench.
+const BENCH: &str = "BRDF bench: reflection functions plotted, compared and checked";
 /// Tooltip of the exercises.
 const EXERCISES: &str = "Shader exercises: edit, compare with the correct answer, and check";
 
@@ -24,6 +26,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
             menu(ui, "menu", text, "Files", |ui| {
                 entry(ui, "open", "Open...", "Open a model or a scene (Ctrl + O)", Action::ChooseFiles, actions);
                 entry(ui, "exercises", "Exercises", EXERCISES, Action::ShowExercise, actions);
+                entry(ui, "bench", "BRDF bench", BENCH, Action::ShowBench, actions);
                 ui.separator();
                 save_entries(ui, actions);
                 ui.separator();
@@ -48,6 +51,11 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
             exported::note(ui, &button, "exercises", WidgetRole::Button, "Exercises", "");
             if button.on_hover_text(EXERCISES).clicked() {
                 actions.push(Action::ShowExercise);
+            }
+            let button = ui.add(egui::Button::new("BRDF bench").frame_when_inactive(false));
+            exported::note(ui, &button, "bench", WidgetRole::Button, "BRDF bench", "");
+            if button.on_hover_text(BENCH).clicked() {
+                actions.push(Action::ShowBench);
             }
             ui.add_space(6.0);
         }
@@ -109,7 +117,7 @@ fn entry(ui: &mut Ui, id: &str, text: &str, tip: &str, action: Action, actions: 
 }
 
 fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
-    for product in Product::ALL {
+    for product in Product::OF_SCENE {
         let id = format!("save-{}", product.id());
         let tip = if product == Product::Picture { "Ctrl + S" } else { "" };
         entry(ui, &id, product.title(), tip, Action::Save(product), actions);

@@ -37,6 +37,8 @@ pub enum Purpose {
     Scene,
     /// A student's files for the open exercise.
     Exercise,
+    /// Functions for the BRDF bench.
+    Bench,
 }
 
 /// An event of the platform.
@@ -45,6 +47,8 @@ pub enum Event {
     Open(SceneInput),
     /// Files for the exercise, including those in folders and zip files.
     ExerciseFiles(Vec<ExerciseFile>),
+    /// Files of functions for the BRDF bench: names and contents.
+    BenchFiles(Vec<(String, Vec<u8>)>),
     /// The place to save something to.
     SaveTo(Product, String),
     /// Watched files changed.

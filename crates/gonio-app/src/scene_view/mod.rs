@@ -7,6 +7,7 @@ mod arrangement;
 mod axes;
 pub mod drawing;
 mod gizmos;
+mod lobe;
 pub mod navigation;
 mod observer;
 mod paint;

@@ -2,7 +2,7 @@
 
 use super::drawing::PaneRenderer;
 use super::paint::{picture_size, present};
-use super::{Projection, axes, gizmos, navigation, observer, paint, toolbar, vectors};
+use super::{Projection, axes, gizmos, lobe, navigation, observer, paint, toolbar, vectors};
 use crate::document::{Document, PaneArrangement, Panes};
 use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session, Tab};
@@ -10,7 +10,7 @@ use crate::step;
 use egui::{Color32, Pos2, Rect, Response, Sense, Ui, vec2};
 use gonio_gl::GlError;
 use gonio_render::Presentation;
-use gonio_scene::Scene;
+use gonio_scene::{Frame, Scene};
 
 /// Shows a pane's picture, and handles pointer and keys.
 pub fn show(
@@ -90,6 +90,11 @@ pub fn over(
     if let Some(shaders) = session.shaders.as_ref().filter(|shaders| is_here(shaders.pane)) {
         step::margin::marker(ui, rect, &shaders.stepper);
     }
+    // Below the arrows.
+    let pinned = lobe::at_pin(&session.probing, session.selection, &frame);
+    if let Some(lobe) = &pinned {
+        lobe::on_surface(ui, &projection, lobe);
+    }
     if let (Some(loaded), Some(frame)) = (pane_renderer.loaded(probed).cloned(), pane_renderer.frame(probed).cloned())
         && is_here(probed)
     {
@@ -100,6 +105,9 @@ pub fn over(
         aim(ui, &projection, document, &loaded);
     }
     gizmos::show(ui, index, &projection, &loaded, &frame, document, session);
+    if let Some(lobe) = &pinned {
+        lobe::inset(ui, &projection, lobe, (index, reflectance(&frame)));
+    }
     if document.panes.is_leading(index) {
         axes::show(ui, &projection, document, session);
         if let Some(place) = observer::place(rect).filter(|_| session.observer.open) {
@@ -108,6 +116,11 @@ pub fn over(
         toolbar::show(ui, rect, &frame, document, session);
     }
     Ok(())
+}
+
+/// The reflectance of a frame in a word.
+fn reflectance(frame: &Frame) -> &'static str {
+    frame.equation.brdf.as_ref().map_or(frame.equation.specular.name(), |brdf| brdf.kind.name())
 }
 
 /// The pane whose picture is at a place of the window: left of a wipe's divider the first of the pair.

@@ -27,7 +27,7 @@ pub fn show(ui: &Ui, projection: &Projection, probing: &Probing, selection: Sele
 }
 
 /// The light whose R and H are shown: the selected one, or else the one that contributes most.
-fn leading(probe: &Probe, selection: Selection) -> Option<&LightTerms> {
+pub(super) fn leading(probe: &Probe, selection: Selection) -> Option<&LightTerms> {
     let lights = &probe.terms.lights;
     if let Selection::Light(index) = selection
         && let Some(chosen) = lights.iter().find(|light| light.light == index)

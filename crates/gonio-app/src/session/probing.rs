@@ -13,7 +13,6 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 /// State of the probe.
-#[derive(Default)]
 pub struct Probing {
     /// Whether the pixel under the pointer is probed.
     pub follows: bool,
@@ -21,11 +20,28 @@ pub struct Probing {
     pub pinned: Option<[f64; 2]>,
     /// The place under the pointer, in the same units.
     pub hovered: Option<[f64; 2]>,
+    /// Whether the lobe of the light that is reflected at a pinned pixel is shown.
+    pub shows_lobe: bool,
     /// The pane that is probed.
     pub pane: usize,
     geometry: Option<Arc<ReferenceGeometry>>,
     building: Option<Building>,
     reading: Option<Arc<Reading>>,
+}
+
+impl Default for Probing {
+    fn default() -> Self {
+        Probing {
+            follows: false,
+            pinned: None,
+            hovered: None,
+            shows_lobe: true,
+            pane: 0,
+            geometry: None,
+            building: None,
+            reading: None,
+        }
+    }
 }
 
 /// A hierarchy that is being built, and its scene.
@@ -96,7 +112,7 @@ impl Probing {
 
     /// Forgets everything about the previous scene.
     pub fn forget(&mut self) {
-        *self = Probing { follows: self.follows, ..Probing::default() };
+        *self = Probing { follows: self.follows, shows_lobe: self.shows_lobe, ..Probing::default() };
     }
 
     /// Reads the place again if the pixel, the scene or its time changed. `gpu` returns OpenGL's value

@@ -150,7 +150,7 @@ fn tweak() -> FontTweak {
 fn install_fonts(ctx: &egui::Context) {
     let mut fonts = FontDefinitions::empty();
     for (name, data) in [
-        ("text", font!("Inter-Regular.ttf")),
+        ("text", FontData::from_static(gonio_plot::text::INTER).tweak(tweak())),
         (BOLD, font!("Inter-SemiBold.ttf")),
         ("code", font!("JetBrainsMono-Regular.ttf")),
         (MATH, font!("KaTeX-Main.ttf")),

@@ -2,7 +2,7 @@
 
 use crate::exported::{self, WidgetRole};
 use crate::theme::colors::{AXIS_X, AXIS_Y, AXIS_Z, Tint};
-use egui::{DragValue, Rect, Response, Sense, TextStyle, Ui, UiBuilder, pos2, vec2};
+use egui::{DragValue, Rect, Response, Sense, Slider, TextStyle, Ui, UiBuilder, pos2, vec2};
 use gonio_light::is_noise;
 use std::ops::RangeInclusive;
 
@@ -116,6 +116,26 @@ impl<'a> NumberField<'a> {
         response.on_hover_ui(|ui| {
             ui.label(tip);
         })
+    }
+
+    /// Shows the field with a slider before it, over the rest of the line. Returns whether the value was changed.
+    pub fn show_with_slider(self, ui: &mut Ui, value: &mut f64, logarithmic: bool) -> bool {
+        let before = *value;
+        let mut slid = before;
+        let gap = ui.spacing().item_spacing.x;
+        ui.spacing_mut().slider_width = (ui.available_width() - self.width - 2.0 * gap).clamp(40.0, 320.0);
+        let slider = Slider::new(&mut slid, self.range.clone()).logarithmic(logarithmic).show_value(false);
+        let response = ui.add(slider);
+        exported::note(ui, &response, &format!("{}-slider", self.id), WidgetRole::Number, self.label, slid);
+        if response.changed() {
+            // Three digits are as fine as a slider; written and read, they are short in every text.
+            let size = if logarithmic { slid.abs() } else { self.range.end() - self.range.start() };
+            let decimals = (2.0 - size.max(1e-12).log10().floor()).clamp(0.0, 14.0) as usize;
+            let rounded = format!("{slid:.decimals$}").parse().unwrap_or(slid);
+            *value = rounded.clamp(*self.range.start(), *self.range.end());
+        }
+        self.show(ui, value);
+        *value != before
     }
 
     /// Shows the field for an f32.

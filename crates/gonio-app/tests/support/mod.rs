@@ -177,6 +177,8 @@ impl Window {
         self.steps(2);
     }
 
+    // Not every file of tests uses it.
+    #[allow(dead_code)]
     pub fn drag(&mut self, from: Pos2, way: Vec2) {
         self.move_to(from);
         self.button(from, true);

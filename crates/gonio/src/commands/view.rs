@@ -61,7 +61,7 @@ pub fn run(args: &ViewArgs) -> Result<CommandOutcome, CliError> {
         state: args.state.clone(),
         program: std::env::current_exe().ok(),
         shaders: args.shaders.files(),
-        exercise: None,
+        ..WindowOptions::default()
     };
     desktop::run(window).map_err(CliError::new)?;
     Ok(CommandOutcome::Done)

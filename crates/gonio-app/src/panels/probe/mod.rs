@@ -98,6 +98,10 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
             if button(ui, "probe-unpin", icon, tip, pinned).clicked() {
                 probing.pinned = None;
             }
+            let tip = "Show or hide the lobe at a pinned pixel: the light that is reflected in each direction";
+            if button(ui, "probe-lobe", icons::FLASHLIGHT, tip, pinned).clicked() {
+                probing.shows_lobe = !probing.shows_lobe;
+            }
             let tip = "Copy all numbers as JSON";
             if button(ui, "probe-copy-json", icons::CODE, tip, reading.is_some()).clicked()
                 && let Some(reading) = reading

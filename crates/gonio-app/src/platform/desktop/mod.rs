@@ -18,6 +18,7 @@ use crate::saving::Product;
 use crate::session::Settings;
 use crate::{Adjust, App, SceneOpening};
 use drafts::DraftFolder;
+use gonio_bsdf::NamedBsdf;
 use gonio_gl::Gl;
 use gonio_mesh::Limits;
 use gonio_scene::files::{BUILTIN, DiskAndInput, FileSource, Sandbox};
@@ -50,6 +51,8 @@ pub struct WindowOptions {
     pub shaders: Option<ShaderFiles>,
     /// An exercise to open at the start.
     pub exercise: Option<Start>,
+    /// Functions on the BRDF bench, which is opened at the start; without any, those of a new bench.
+    pub bench: Option<Vec<NamedBsdf>>,
 }
 
 /// Opens the window, and returns when it is closed. An error is one sentence: no display, no OpenGL.
@@ -92,6 +95,9 @@ pub fn run_within(
         let mut app = App::with_options(&creation.egui_ctx, gl.clone(), platform, opening);
         if let Some(start) = options.exercise {
             app.begin_exercise(&creation.egui_ctx, start);
+        }
+        if let Some(functions) = options.bench {
+            app.begin_bench(functions);
         }
         Ok(around(app, gl))
     };

@@ -15,6 +15,7 @@ pub fn in_thread(paths: Vec<String>, purpose: Purpose, access: Access, sender: S
         let event = match purpose {
             Purpose::Scene => scene_input(paths, access).map(Event::Open),
             Purpose::Exercise => read_exercise_files(&paths).map(Event::ExerciseFiles),
+            Purpose::Bench => read_bench_files(&paths).map(Event::BenchFiles),
         };
         let event = event.unwrap_or_else(Event::Failed);
         // The window may be closed by now.
@@ -88,6 +89,19 @@ fn read_exercise_files(paths: &[String]) -> Result<Vec<ExerciseFile>, String> {
             paths.join(", ")
         )),
     }
+}
+
+/// Largest file of the bench: a measured BRDF has 35 MB.
+const MOST_BENCH_BYTES: u64 = 64 * 1024 * 1024;
+
+/// Reads files of functions. An error is one sentence.
+fn read_bench_files(paths: &[String]) -> Result<Vec<(String, Vec<u8>)>, String> {
+    let read = |path: &String| {
+        let bytes = Disk.read_within(Path::new(path), MOST_BENCH_BYTES);
+        let bytes = bytes.map_err(|error| format!("`{path}` cannot be read: {error}"))?;
+        Ok((path.clone(), bytes.into_vec()))
+    };
+    paths.iter().map(read).collect()
 }
 
 /// Reads a file, or the files in a zip file.

@@ -102,6 +102,8 @@ impl Web {
             let event = match (unpacked(files).await, purpose) {
                 (Ok(memory), Purpose::Scene) => scene_input(memory, page).map(Event::Open),
                 (Ok(memory), Purpose::Exercise) => exercise_files(&memory).map(Event::ExerciseFiles),
+                (Ok(memory), Purpose::Bench) => exercise_files(&memory)
+                    .map(|files| Event::BenchFiles(files.into_iter().map(|file| (file.name, file.bytes)).collect())),
                 (Err(error), _) => Err(error),
             };
             let event = event.unwrap_or_else(Event::Failed);

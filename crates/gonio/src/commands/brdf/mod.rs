@@ -6,6 +6,7 @@ mod fit;
 mod functions;
 mod models;
 mod plot;
+mod view;
 
 use crate::error::{CliError, CommandOutcome};
 use crate::options::GeneralOptions;
@@ -18,6 +19,7 @@ Examples:
   gonio brdf list
   gonio brdf show ward
   gonio brdf plot phong-normalised blinn-normalised ward -o lobes.svg
+  gonio brdf view ggx measured.binary
   gonio brdf check ward:c=0.5,b=1
   gonio brdf export ggx:alpha=0.2 -o ggx.binary
   gonio brdf fit ggx.binary --model ward,ggx -o fit.toml
@@ -31,6 +33,7 @@ pub enum BrdfCommand {
     List(models::ListArgs),
     Show(models::ShowArgs),
     Plot(plot::PlotArgs),
+    View(view::ViewArgs),
     Check(check::CheckArgs),
     Export(export::ExportArgs),
     Fit(fit::FitArgs),
@@ -43,6 +46,7 @@ impl BrdfCommand {
             BrdfCommand::List(args) => &args.general,
             BrdfCommand::Show(args) => &args.general,
             BrdfCommand::Plot(args) => &args.general,
+            BrdfCommand::View(args) => &args.general,
             BrdfCommand::Check(args) => &args.general,
             BrdfCommand::Export(args) => &args.general,
             BrdfCommand::Fit(args) => &args.general,
@@ -55,6 +59,7 @@ pub fn run(command: &BrdfCommand, reporter: &Reporter) -> Result<CommandOutcome,
         BrdfCommand::List(_) => models::list(reporter),
         BrdfCommand::Show(args) => models::show(args, reporter),
         BrdfCommand::Plot(args) => plot::run(args, reporter),
+        BrdfCommand::View(args) => view::run(args, reporter),
         BrdfCommand::Check(args) => check::run(args, reporter),
         BrdfCommand::Export(args) => export::run(args, reporter),
         BrdfCommand::Fit(args) => fit::run(args, reporter),

@@ -32,7 +32,7 @@ Kinds:
   sphere       a sphere lit by one light.
   albedo       the share of light that is scattered, over the angle of incidence.
   reciprocity  the difference when light and viewer change places.
-  fresnel      reflectance of the first model's index of refraction.
+  fresnel      reflectance of the first model that has an index of refraction.
   samples      directions drawn by importance sampling.")]
 pub struct PlotArgs {
     /// Models or files, with values of their parameters; at most seven.
@@ -144,6 +144,7 @@ pub fn run(args: &PlotArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         with_cosine: args.cosine,
         theme: args.theme,
         size: args.size.map_or_else(|| default_size(args.kind, functions.len()), |(width, height)| [width, height]),
+        ..PlotSettings::default()
     };
     let busy = reporter.busy("plotting");
     let bytes = format.draw(&functions, &settings)?;
