@@ -18,12 +18,14 @@ pub(super) enum Attempt {
     Right,
     /// Only whether it is right with the direction of the sun turned round.
     Turned,
+    /// Only whether it is right with a white material.
+    White,
 }
 
 impl Attempt {
     /// Whether only right programs count.
     pub fn is_of_right(self) -> bool {
-        matches!(self, Attempt::Right | Attempt::Turned)
+        matches!(self, Attempt::Right | Attempt::Turned | Attempt::White)
     }
 }
 
@@ -47,9 +49,10 @@ pub(super) fn first_conclusion<'a>(
             }
             return Ok(one.diagnosis(Found::Endless, methods(one.task)[0]));
         };
-        // With open strengths, a picture without light is like any other.
+        // With open strengths, a picture without light is like any other; a white material is bright everywhere.
         let is_lit = one.task.model.is_lit();
-        if attempt.is_of_right() && is_lit && (is_black(&seen) || is_flat(&seen)) {
+        let is_of_strengths = matches!(attempt, Attempt::Right | Attempt::Turned);
+        if is_of_strengths && is_lit && (is_black(&seen) || is_flat(&seen)) {
             continue;
         }
         match one.right(&seen, &likely)? {
@@ -68,7 +71,7 @@ pub(super) fn first_conclusion<'a>(
         match attempt {
             Attempt::Whole => wrong.push((one, seen)),
             Attempt::Single => others.push((one, seen)),
-            Attempt::Right | Attempt::Turned => {}
+            Attempt::Right | Attempt::Turned | Attempt::White => {}
         }
     }
     if let Some(right) = with_unused_terms {

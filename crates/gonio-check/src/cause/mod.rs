@@ -187,10 +187,11 @@ pub fn diagnose(
     programs.push((&assigned, of_values));
     programs.extend((named.bindings != assigned.bindings).then_some((&named, of_values)));
     let switched: Vec<Program> = programs.iter().flat_map(|(one, _)| assign::with_other_switches(one)).collect();
-    // The sun's direction is a convention too.
-    let turned: Vec<&Program> =
-        programs.iter().filter(|(_, attempt)| *attempt == Attempt::Whole).map(|(one, _)| *one).collect();
-    programs.extend(turned.into_iter().map(|one| (one, Attempt::Turned)));
+    // The sun's direction is a convention too, and so is which of several colours is the object's.
+    let all = programs.clone();
+    let whole = all.iter().filter(|(_, attempt)| *attempt == Attempt::Whole);
+    programs.extend(whole.map(|(one, _)| (*one, Attempt::Turned)));
+    programs.extend(all.iter().map(|(one, _)| (*one, Attempt::White)));
     programs.extend(switched.iter().map(|one| (one, Attempt::Right)));
     let is_new = |other: &&Program| other.bindings != assigned.bindings;
     programs.extend(others.iter().filter(is_new).map(|one| (one, Attempt::Single)));
@@ -199,8 +200,10 @@ pub fn diagnose(
     let diagnosing = |one| {
         let (program, attempt): (&Program, Attempt) = one;
         let mut parameterisation = Parameterisation::new(task, &program.bindings, &program.declared, constants);
-        if attempt == Attempt::Turned {
-            parameterisation = parameterisation.with_turned_sun()?;
+        match attempt {
+            Attempt::Turned => parameterisation = parameterisation.with_turned_sun()?,
+            Attempt::White => parameterisation = parameterisation.with_white_material(&program.bindings)?,
+            _ => {}
         }
         let count = if parameterisation.second == Second::None { of_one } else { of_one + of_two };
         let applied = |mut scene: TestScene| {

@@ -257,7 +257,10 @@ impl Judging<'_> {
             is_uniform && !bound.declared.name.starts_with("gl_") && !is_named(bound)
         };
         let assumed = diagnosis.bindings.bound.iter().filter(is_open);
-        let assumed: Vec<String> = assumed.map(assumption).collect();
+        let mut assumed: Vec<String> = assumed.map(assumption).collect();
+        if diagnosis.parameterisation.white_material {
+            assumed.push("all but one of the object's colours are white".to_owned());
+        }
         verdict.summary = match (assumed.is_empty(), verdict.peculiarities.is_empty()) {
             (false, _) => format!("right in every test scene, provided that {}", assumed.join(", ")),
             (true, true) => "right in every scene".to_owned(),

@@ -101,6 +101,8 @@ pub struct Parameterisation {
     sun: Option<Sun>,
     /// Whether the up direction is not an input, so that the program assumes Y.
     upright: bool,
+    /// Whether the material is white although several inputs give its colour.
+    pub white_material: bool,
 }
 
 /// Whether a role determines the up direction of the camera.
@@ -245,6 +247,7 @@ impl Parameterisation {
             other_light: constants.other_light.filter(|_| lit_from_outside),
             sun,
             upright: task.model.is_of_places() && !has(&determines_up),
+            white_material: false,
         }
     }
 
@@ -253,6 +256,17 @@ impl Parameterisation {
     pub fn with_turned_sun(&self) -> Option<Self> {
         let Some(Sun::Given { points_to_light }) = self.sun else { return None };
         Some(Parameterisation { sun: Some(Sun::Given { points_to_light: !points_to_light }), ..self.clone() })
+    }
+
+    /// Returns the same with a white material, if several inputs give the colour of the object, such as a texture and a
+    /// colour: the program around the shaders sets one of them, and leaves the others white.
+    pub fn with_white_material(&self, bindings: &Bindings) -> Option<Self> {
+        let count_of = |role: Role| bindings.bound.iter().filter(|bound| bound.role == role).count();
+        let is_textured = count_of(Role::DiffuseTexture) > 0;
+        // Beside another colour, the material's ambient one belongs to another term.
+        let count = count_of(Role::MaterialColor) + count_of(Role::MaterialDiffuse);
+        let count = if is_textured { 1 + count + count_of(Role::MaterialAmbient) } else { count };
+        (self.material && count > 1).then(|| Parameterisation { material: false, white_material: true, ..self.clone() })
     }
 
     /// Returns the lights of right answers: an ambient term without a light may belong to each light or to none.
