@@ -199,22 +199,24 @@ fn models_and_files_are_materials() {
         lab.run(&[&fixed, option].concat()).good();
         lab.picture(name).to_rgb8()
     };
-    let expected = draw("model.png", "cpu", &["--brdf", model]);
-    for (name, backend, option) in [
-        ("gl.png", "gl", ["--brdf", model]),
-        ("fit.png", "cpu", ["--brdf-file", "fit.toml"]),
-        ("fit-gl.png", "gl", ["--brdf-file", "fit.toml"]),
-        ("table.png", "cpu", ["--brdf-file", "ggx.binary"]),
-        ("table-gl.png", "gl", ["--brdf-file", "ggx.binary"]),
-    ] {
-        let picture = draw(name, backend, &option);
-        let differs = |(a, b): (&u8, &u8)| a.abs_diff(*b) > 3;
-        let count = picture.as_raw().iter().zip(expected.as_raw()).filter(|(a, b)| differs((*a, *b))).count();
-        // Outlines, and the table's resolution towards the horizon.
-        assert!(count < 3 * 80 * 60 / 100, "{name}: {count} values differ");
+    let by_reference = draw("model.png", "cpu", &["--brdf", model]);
+    let by_opengl = draw("model-gl.png", "gl", &["--brdf", model]);
+    let differing = |a: &image::RgbImage, b: &image::RgbImage| {
+        a.as_raw().iter().zip(b.as_raw()).filter(|(a, b)| a.abs_diff(**b) > 3).count()
+    };
+    let percent = 3 * 80 * 60 / 100;
+    // The renderers smooth outlines differently, which are many in a small picture.
+    assert!(differing(&by_reference, &by_opengl) < 6 * percent, "{}", differing(&by_reference, &by_opengl));
+    for (backend, expected) in [("cpu", &by_reference), ("gl", &by_opengl)] {
+        for file in ["fit.toml", "ggx.binary"] {
+            let picture = draw("file.png", backend, &["--brdf-file", file]);
+            // The table's resolution towards the horizon.
+            let count = differing(&picture, expected);
+            assert!(count < 3 * percent, "{file}, {backend}: {count} values differ");
+        }
     }
     let plain = draw("plain.png", "cpu", &[]);
-    assert!(plain != expected);
+    assert!(differing(&plain, &by_reference) > 20 * percent);
     let at = ["probe", "builtin:suzanne", "--size", "80x60", "--at", "40,17", "--brdf-file", "fit.toml"];
     let page = lab.run(&at).good();
     assert!(
