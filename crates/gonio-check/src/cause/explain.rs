@@ -40,6 +40,11 @@ pub struct Explanation {
 /// The fitted strengths of ambient, diffuse and specular light in red, green and blue.
 pub type Strengths = [Option<[f64; 3]>; 3];
 
+/// Whether a fitted strength is that of a term that is not there.
+pub(crate) fn is_absent(strength: Option<[f64; 3]>) -> bool {
+    strength.is_some_and(|strength| strength.iter().all(|channel| *channel < 1e-3))
+}
+
 /// Gives a scene the strengths that are constants of the program, and the colour that these have in common.
 pub(super) fn strengthen(strengths: &Strengths, scene: &mut TestScene) {
     let brightest = |strength: &[f64; 3]| strength.iter().copied().fold(0.0, f64::max);

@@ -46,6 +46,7 @@ use crate::testbench::TestScene;
 use budget::Budget;
 use conclusion::{Attempt, first_conclusion};
 use edit::{Editor, TextFix, Trial};
+pub(crate) use explain::is_absent;
 use explain::{Explainer, Explanation, LightingMethod, Singly, Strengths};
 use gonio_glsl::{Checked, Parsed, Span, Stage};
 use methods::{Hints, methods};
@@ -103,9 +104,6 @@ pub struct Diagnosis {
     /// Whether a right program draws diffuse light in steps.
     pub has_steps: bool,
 }
-
-/// Strengths below this are those of a term that is not there.
-pub(crate) const ABSENT: f64 = 1e-3;
 
 /// Most methods that are searched for causes by all repairs.
 const MOST_METHODS: usize = 2;
@@ -342,18 +340,14 @@ impl Diagnosing<'_> {
         hypothesis: &Hypothesis,
         strengths: Strengths,
     ) -> Result<[Option<(Stage, Span)>; 2], String> {
-        let is_absent = |strength: &Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < ABSENT));
-        if !self.task.model.is_lit() || method.model == self.task.model && !strengths.iter().any(is_absent) {
+        let is_any_absent = strengths.into_iter().any(is_absent);
+        if !self.task.model.is_lit() || method.model == self.task.model && !is_any_absent {
             return Ok([None; 2]);
         }
         let exponent = self.parameterisation.written_exponent.unwrap_or(1.0);
         let mut samples: Vec<SceneSamples> = self.scenes[..self.of_one].iter().map(|(_, one)| one.clone()).collect();
         samples.iter_mut().for_each(|samples| explain::strengthen(&strengths, &mut samples.scene));
-        let of = |is_asked: &dyn Fn(Stage) -> bool| {
-            place::of_sum(self.program, &samples, self.solutions, (method.model, hypothesis, exponent), is_asked)
-        };
-        let of_light = if method.model == ModelSolution::Gouraud { Stage::Vertex } else { Stage::Fragment };
-        Ok([of(&|stage| stage == of_light)?, of(&|_| true)?])
+        place::of_light(self.program, &samples, self.solutions, (method.model, hypothesis, exponent))
     }
 
     /// The diagnosis of a wrong program.

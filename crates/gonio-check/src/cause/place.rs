@@ -124,23 +124,27 @@ pub(super) fn places(
     Ok(found)
 }
 
-/// Where a program computes the sum of all light of a model solution with a hypothesis; in the stages that are asked.
+/// Where a program computes the sum of all light of a model solution with a hypothesis: in the stage where the model
+/// computes the light, and in any.
 ///
 /// # Errors
 /// The interpreter cannot run a model solution; a test ensures that it can.
-pub(super) fn of_sum(
+pub(super) fn of_light(
     program: &Program,
     samples: &[SceneSamples],
     solutions: &ModelSolutions,
     (model, hypothesis, exponent): (ModelSolution, &Hypothesis, f32),
-    is_asked: impl Fn(Stage) -> bool,
-) -> Result<Option<(Stage, Span)>, String> {
+) -> Result<[Option<(Stage, Span)>; 2], String> {
     let given = &samples[..samples.len().min(TELLING)];
     let put_out = assigned(solutions, (model, hypothesis), given, exponent)?;
     let exprs = STAGES.map(|stage| program.numbers(stage));
     let observed = observe(&Runner::new(program, given), &[], 0..given.len(), [&exprs[0], &exprs[1]]);
-    let asked = put_out.iter().filter(|(_, of)| is_asked(of.stage)).map(|(name, of)| (name.as_str(), of));
-    Ok(last_with(program, &observed, asked).map(|seen| (seen.stage, expression(program, seen).span)))
+    let of_model = if model == ModelSolution::Gouraud { Stage::Vertex } else { Stage::Fragment };
+    let last = |is_asked: &dyn Fn(Stage) -> bool| {
+        let asked = put_out.iter().filter(|(_, of)| is_asked(of.stage)).map(|(name, of)| (name.as_str(), of));
+        last_with(program, &observed, asked).map(|seen| (seen.stage, expression(program, seen).span))
+    };
+    Ok([last(&|stage| stage == of_model), last(&|_| true)])
 }
 
 fn expression<'a>(program: &'a Program, seen: &Recorded) -> &'a SourceExpression {

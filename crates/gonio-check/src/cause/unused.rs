@@ -1,6 +1,6 @@
 //! Terms that a program computes and never uses.
 
-use super::explain::Strengths;
+use super::explain::{Strengths, is_absent};
 use super::model::{AnswerMethod, Mistakes, Model, STAGES, Space, observe};
 use super::observed::{DIFFUSE_NAMES, SPECULAR_NAMES};
 use super::program::{Change, Program, Runner};
@@ -15,7 +15,7 @@ impl Diagnosing<'_> {
     /// For ambient, diffuse and specular: whether a right program assigns the term to variables, and none of them has an
     /// influence on the picture. The ambient term is constant and cannot be recognised.
     pub(super) fn unused_terms(&self, method: AnswerMethod, strengths: Strengths) -> Result<[bool; 3], String> {
-        let is_absent = |term: usize| strengths[term].is_some_and(|strength| strength.iter().all(|s| *s < 1e-3));
+        let is_absent = |term: usize| is_absent(strengths[term]);
         let terms: Vec<(usize, &[&str])> =
             [(1, &DIFFUSE_NAMES[..]), (2, &SPECULAR_NAMES)].into_iter().filter(|(term, _)| is_absent(*term)).collect();
         let mut unused = [false; 3];

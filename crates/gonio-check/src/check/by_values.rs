@@ -4,7 +4,9 @@
 use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
 use crate::cause::search::Found;
-use crate::cause::{ABSENT, AnswerMethod, Diagnosis, DiagnosisDepth, Space, answer_methods, diagnose, peculiarities};
+use crate::cause::{
+    AnswerMethod, Diagnosis, DiagnosisDepth, Space, answer_methods, diagnose, is_absent, peculiarities,
+};
 use crate::comparison::{
     Evidence, MOST_FOR_WRONG, PLACES, PossibleAnswer, Prepared, RightAnswer, ShaderChecker, Task, bound, declared,
     endless_verdict, named as mistake_named, peculiarities_of, report_violations,
@@ -290,7 +292,6 @@ impl Judging<'_> {
         };
         let of_stage = word.and_then(|word| mistake_named(word, 1.0)).map(|found| at(found, of_light));
         let mut found: Vec<FoundMistake> = of_stage.into_iter().collect();
-        let is_absent = |strength: Option<[f64; 3]>| strength.is_some_and(|s| s.iter().all(|s| *s < ABSENT));
         for term in (0..3).filter(|term| self.is_due(diagnosis, *term) && is_absent(diagnosis.strengths[*term])) {
             let missing = crate::mistakes::find(&format!("{}-missing", TERMS[term]));
             found.extend(missing.map(|mistake| {
@@ -421,7 +422,8 @@ fn named(cause: &ProvenCause, submission: &Submission) -> Option<Vec<FoundMistak
     )
 }
 
-fn placed(found: FoundMistake, (stage, span): (Stage, Span), submission: &Submission) -> FoundMistake {
+/// The mistake with its file, line and the text of the line.
+pub(super) fn placed(found: FoundMistake, (stage, span): (Stage, Span), submission: &Submission) -> FoundMistake {
     let text: &StageText = if stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
     let (file, line, _) = text.place(span.line, span.column);
     found.at(file, Some(line), text.line(span.line).unwrap_or_default())

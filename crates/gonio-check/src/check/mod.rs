@@ -163,13 +163,7 @@ fn check_files(
             (verdict, evidence, Vec::new())
         }
     };
-    let place = |found: &mut FoundMistake, place: Place| {
-        let text = if place.stage == Stage::Vertex { &submission.vertex } else { &submission.fragment };
-        let (file, line, _) = text.place(place.span.line, place.span.column);
-        found.file = Some(file.to_owned());
-        found.line = Some(line);
-        found.quoted = text.line(place.span.line).map(str::to_owned);
-    };
+    let placed = |found: FoundMistake, at: Place| by_values::placed(found, (at.stage, at.span), &submission);
     if verdict.verdict == Outcome::Wrong
         && verdict.mistakes.is_empty()
         && task.model.is_lit()
@@ -179,12 +173,12 @@ fn check_files(
     }
     for found in verdict.mistakes.iter_mut().filter(|_| task.model == ModelSolution::Panorama) {
         if let Some(at) = source.line(&found.id) {
-            place(found, at);
+            *found = placed(found.clone(), at);
         }
     }
     for (id, at, sentence) in source.in_source_only() {
-        let Some(mut found) = in_source(id, sentence, task.model) else { continue };
-        place(&mut found, at);
+        let Some(found) = in_source(id, sentence, task.model) else { continue };
+        let found = placed(found, at);
         if verdict.verdict == Outcome::Correct {
             verdict.verdict = Outcome::Wrong;
             verdict.summary = format!("{}; the picture is right here only by chance", found.name);

@@ -15,8 +15,6 @@ pub struct Place {
     pub stage: Stage,
     /// The position in the shader.
     pub span: Span,
-    /// The confidence that the mistake is made there, 0 to 1.
-    pub confidence: f32,
 }
 
 /// The analysis of a pair of shaders.
@@ -59,7 +57,7 @@ impl Analysis {
     #[must_use]
     pub fn line(&self, id: &str) -> Option<Place> {
         match panorama::answer(&self.reading, id) {
-            Answer::At(node, confidence) => self.place(node, confidence),
+            Answer::At(node, _) => self.place(node),
             Answer::Not | Answer::Silent => None,
         }
     }
@@ -78,7 +76,7 @@ impl Analysis {
     /// Returns the mistakes that no picture shows: id, place, and a sentence for the student.
     #[must_use]
     pub fn in_source_only(&self) -> Vec<(&'static str, Place, String)> {
-        let found = power_under_maximum(&self.reading).and_then(|node| self.place(node, 1.0));
+        let found = power_under_maximum(&self.reading).and_then(|node| self.place(node));
         let sentence = "`pow` of a negative number is undefined: move `max` inside, \
                         `pow(max(dot(R, V), 0.0), shininess)`";
         found.map(|place| ("specular-power-of-negative", place, sentence.to_owned())).into_iter().collect()
@@ -108,12 +106,12 @@ impl Analysis {
         let (call, _) = self.reading.lookups().into_iter().find(|(call, at)| by_itself(*call) && jumps(*at))?;
         let sentence = "with mipmaps a seam would appear behind the camera, where u jumps from 1 to 0; \
                         `textureLod(panorama, place, 0.0)` avoids it";
-        Some((self.place(call, 1.0)?, sentence.to_owned()))
+        Some((self.place(call)?, sentence.to_owned()))
     }
 
-    fn place(&self, node: Id, confidence: f32) -> Option<Place> {
+    fn place(&self, node: Id) -> Option<Place> {
         let node = self.reading.graph.node(node);
-        (node.span.line > 0).then_some(Place { stage: node.stage, span: node.span, confidence })
+        (node.span.line > 0).then_some(Place { stage: node.stage, span: node.span })
     }
 }
 
