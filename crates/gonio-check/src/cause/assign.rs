@@ -284,7 +284,25 @@ fn choose_matrices(program: &mut Program, samples: &[SceneSamples], models: &[Mo
         chosen[at + 1..].fill(0);
     }
     program.bindings.bound = best.1;
+    if best.0 == 0 {
+        choose_each_matrix(program, samples, models, matrices);
+    }
     best.0
+}
+
+/// Assigns roles to matrices one by one, so that most values are right: a mistake may leave no vertex in place.
+fn choose_each_matrix(program: &mut Program, samples: &[SceneSamples], models: &[Model], matrices: &[usize]) {
+    for at in matrices.iter().chain(matrices) {
+        let mut best = (score(program, samples, models), program.bindings.bound[*at].role);
+        for role in MATRICES {
+            program.bindings.bound[*at].role = role;
+            let score = score(program, samples, models);
+            if score > best.0 {
+                best = (score, role);
+            }
+        }
+        program.bindings.bound[*at].role = best.1;
+    }
 }
 
 /// Whether an input is the second argument of `pow`.

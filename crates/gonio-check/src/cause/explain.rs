@@ -117,8 +117,9 @@ fn telling(
     seen: &Planes,
     count: usize,
 ) -> Option<(usize, Vec<usize>)> {
+    // White is any brightness from 1 on.
     let brightness = |point: usize| -> f32 {
-        let sum: f32 = seen.iter().map(|plane| plane[point]).sum();
+        let sum: f32 = seen.iter().map(|plane| plane[point].clamp(0.0, 1.0)).sum();
         if sum.is_finite() { sum } else { 0.0 }
     };
     let mut first = 0;
@@ -138,7 +139,11 @@ fn telling(
     let all = scenes[scene].1.places.len();
     let mut places: Vec<usize> = (0..all.min(count / 2)).collect();
     let mut brightest: Vec<usize> = (places.len()..all).collect();
-    brightest.sort_by(|a, b| brightness(first + b).total_cmp(&brightness(first + a)));
+    let shades = |point: &usize| seen.iter().any(|plane| plane[first + point] < WHITE);
+    brightest.sort_by(|a, b| {
+        let bright = brightness(first + b).total_cmp(&brightness(first + a));
+        shades(b).cmp(&shades(a)).then(bright)
+    });
     places.extend(brightest.iter().take(count - places.len()));
     Some((scene, places))
 }
@@ -153,6 +158,8 @@ pub(super) const MOST_WHOLE: usize = 240;
 const MOST_LIKE_ONE: usize = 40;
 /// Brightness that no 8-bit picture shows.
 const DARKEST: f32 = 0.002;
+/// Brightness that pictures may have limited to 1.
+const WHITE: f32 = 0.999;
 /// With more mistakes that explain a picture equally well, none is named.
 const MOST_ALTERNATIVES: usize = 4;
 /// Most sets of peculiarities with which pairs are tried.

@@ -181,18 +181,36 @@ impl Observer<'_> {
             let all = proven.iter().map(|repair| &observed[repair.of]).filter(is_it);
             all.max_by_key(|other| self.tokens(other)).map(|last| last.expr)
         };
+        // A varying is wrong where the vertex shader computes it.
+        let is_of_vertex = |seen: &Observed, repair: &Repair| {
+            let of = |repair: &Repair| repair.quantity().map(|q| &self.model.quantities[q]);
+            let Some(varying) = of(repair).filter(|q| seen.stage == Stage::Fragment && q.interpolated) else {
+                return false;
+            };
+            let in_vertex = proven.iter().filter(|other| observed[other.of].stage == Stage::Vertex);
+            is_name(self.text(seen)) && in_vertex.filter_map(of).any(|q| q.name == varying.name)
+        };
         // A wrong name is wrong where its value is computed; a right value of another kind where it is used.
         let is_elsewhere = |seen: &Observed, repair: &Repair| {
+            if is_of_vertex(seen, repair) {
+                return true;
+            }
             if let Some(last) = set_last(seen, repair) {
                 return seen.expr != last;
             }
+            // A constant is wrong where it is computed.
+            let is_constant = seen.values.is_constant() && !self.is_input(seen);
+            if is_constant && !is_name(self.text(seen)) {
+                return false;
+            }
+            let of_constant = is_constant && seen.defined_at.is_some();
             let is_name = is_name(self.text(seen));
             let is_of_kind = repair.quantity().is_none_or(|q| {
                 let right = &self.model.quantities[q].values;
                 let is_vector = seen.values.is_parallel(right, 1.0) || seen.values.is_parallel(right, -1.0);
                 is_vector || seen.values.is_clamped(right) || right.is_power_of(&seen.values)
             });
-            let is_use = seen.is_given() && !is_of_kind;
+            let is_use = seen.is_given() && !is_of_kind && !of_constant;
             is_use != is_name
                 && proven.iter().map(|repair| &observed[repair.of]).any(|other| {
                     other.expr != seen.expr
@@ -291,8 +309,10 @@ impl Observer<'_> {
             };
             let unlikely = (cause.is_right_elsewhere, cause.is_computed_elsewhere);
             let name = (cause.mistakes.is_empty(), cause.distance.min(2), cause.relation);
-            // A part of an expression that is the mistake itself.
-            let is_part = cause.distance > 0 && wrong.iter().any(is_within);
+            // A part of an expression that is the mistake itself, or a number within a formula.
+            let is_number = cause.text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+            let is_part = cause.distance > 0 && wrong.iter().any(is_within)
+                || is_number && !self.runner.program.is_set_or_returned(cause.stage, cause.expr);
             let is_after = earlier.iter().any(|wrong| *wrong < (cause.stage, cause.expr));
             let is_of_length =
                 cause.relation == Relation::Length && self.runner.program.is_whole_value(cause.stage, cause.expr);

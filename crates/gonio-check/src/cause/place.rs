@@ -109,7 +109,7 @@ pub(super) fn places(
         let changed: Vec<&(String, Recorded)> = wrong.iter().filter(|one| !is_right(one)).collect();
         let (direct, after): (Vec<_>, Vec<_>) = changed.into_iter().partition(|(name, _)| variables.contains(name));
         let first =
-            |of: &[&(String, Recorded)]| of.iter().find_map(|(name, one)| first_with(program, &observed, name, one));
+            |of: &[&(String, Recorded)]| of.iter().find_map(|(name, one)| first_with(&observed, name, one));
         // What is put out may be a right vector, which is computed earlier.
         let is_put_out = variables.iter().any(|name| OUTPUTS.contains(&name.as_str()));
         let all = || direct.iter().chain(&after).map(|(name, one)| (name.as_str(), one));
@@ -160,10 +160,9 @@ fn has(seen: &Recorded, name: &str, of: &Recorded) -> bool {
     seen.stage == of.stage && !seen.values.is_constant() && is_same
 }
 
-/// The first expression with the values of a variable.
-fn first_with<'a>(program: &Program, observed: &'a [Recorded], name: &str, of: &Recorded) -> Option<&'a Recorded> {
-    let first_token = |seen: &&Recorded| expression(program, seen).tokens.first;
-    observed.iter().filter(|seen| has(seen, name, of)).min_by_key(first_token)
+/// The first expression that gets the values of a variable when the program runs.
+fn first_with<'a>(observed: &'a [Recorded], name: &str, of: &Recorded) -> Option<&'a Recorded> {
+    observed.iter().filter(|seen| has(seen, name, of)).min_by_key(|seen| seen.order)
 }
 
 /// The last expression that computes what is put out.

@@ -4,13 +4,14 @@ use super::answer::Space;
 use super::model::ModelProgram;
 use super::program::{Program, SceneTextures};
 use super::samples::SceneSamples;
+use super::shown::with_parts;
 use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use crate::testbench::TestScene;
 use gonio_glsl::Stage;
 use gonio_interpreter::{CompiledStage, Fragment, InputRate, PointValues, RunOptions, StageInputs, interpolate, run};
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
 /// One compiled program for all hypotheses of a model solution.
@@ -20,6 +21,8 @@ pub(crate) struct AllHypotheses {
     program: Program,
     /// For each stage, the changeable lines and the inputs that select their variants.
     ways: [Vec<(usize, usize)>; 2],
+    /// Those of the vertex shader on which `gl_Position` depends, by their index among its changeable lines.
+    of_position: Vec<usize>,
     /// The inputs that are the written exponent.
     exponent: [Option<usize>; 2],
 }
@@ -94,9 +97,12 @@ impl AllHypotheses {
             let input = |line: usize| program.stage(stage).input(&hypotheses.uniform(line)).map(|input| (line, input));
             (0..hypotheses.variables.len()).filter_map(input).collect()
         };
-        let ways = [of(Stage::Vertex), of(Stage::Fragment)];
+        let ways: [Vec<(usize, usize)>; 2] = [of(Stage::Vertex), of(Stage::Fragment)];
         let exponent = [Stage::Vertex, Stage::Fragment].map(|stage| program.stage(stage).input("written_exponent"));
-        Ok(AllHypotheses { hypotheses, program, ways, exponent })
+        let position = with_parts(&BTreeSet::from(["gl_Position".to_owned()]), &hypotheses);
+        let is_of_position = |at: &usize| position.contains(&hypotheses.variables[ways[0][*at].0]);
+        let of_position = (0..ways[0].len()).filter(is_of_position).collect();
+        Ok(AllHypotheses { hypotheses, program, ways, of_position, exponent })
     }
 
     fn choices(&self, stage: Stage, hypothesis: &Hypothesis) -> Vec<i32> {
@@ -169,6 +175,11 @@ struct OfVertices {
 struct SceneModel {
     samples: SceneSamples,
     lit: Vec<LitInputs>,
+    /// The inputs of the vertex shader for positions, where the light is computed in view space: the camera keeps its own
+    /// matrices.
+    in_world: Option<StageInputs>,
+    /// The positions with them, by the choices on which they depend.
+    positions: RefCell<HashMap<Vec<i32>, Vec<[f32; 4]>>>,
 }
 
 /// Predicts pictures for one program: with its parameterisation, in its test scenes.
@@ -254,7 +265,8 @@ impl Predictor {
             let lit =
                 lit.flat_map(|lit| lights.each().iter().map(move |(light, is_changed)| (lit, *light, *is_changed)));
             let lit = lit.map(|(lit, light, changed)| lit_inputs(&scene, &samples, lit, light, changed)).collect();
-            SceneModel { samples, lit }
+            let in_world = (space == Space::View).then(|| all.program.vertex_inputs(&samples));
+            SceneModel { samples, lit, in_world, positions: RefCell::default() }
         });
         let scenes = scenes.collect();
         Predictor { all, lights, has_own_ambient: parameterisation.own_ambient, open, scenes }
@@ -318,10 +330,7 @@ impl Predictor {
                 kept.clear();
             }
             for (copy, choices) in new.iter().enumerate() {
-                let clip = position.map_or_else(Vec::new, |position| {
-                    let at = |point: usize| std::array::from_fn(|c| position.float(c, copy * points + point));
-                    (0..points).map(at).collect()
-                });
+                let clip = clip_positions(position, copy * points..(copy + 1) * points);
                 let range = copy * places.len()..(copy + 1) * places.len();
                 let varyings = (0..program.fragment.inputs.len()).filter_map(|input| match fragment.values(input)? {
                     PointValues::Each { components, .. } => {
@@ -335,6 +344,25 @@ impl Predictor {
         }
         let kept = lit.vertices.borrow();
         choices.iter().filter_map(|choices| kept.get(choices).cloned()).collect()
+    }
+
+    /// `gl_Position` at each vertex with some choices in the vertex shader.
+    fn positions(&self, scene: &SceneModel, choices: &[i32], of_light: &OfVertices) -> Vec<[f32; 4]> {
+        let Some(in_world) = &scene.in_world else { return of_light.clip.clone() };
+        let mut only: Vec<i32> = vec![0; choices.len()];
+        self.all.of_position.iter().for_each(|at| only[*at] = choices[*at]);
+        let mut known = scene.positions.borrow_mut();
+        if let Some(known) = known.get(&only) {
+            return known.clone();
+        }
+        let stage = &self.all.program.vertex;
+        let points = scene.samples.vertices();
+        let mut inputs = repeated(in_world, stage, 1);
+        self.all.choose(Stage::Vertex, &[&only], points, &mut inputs);
+        let result = run(stage, &inputs, &RunOptions { textures: &SceneTextures, ..RunOptions::default() });
+        let new = clip_positions(result.output(stage, "gl_Position"), 0..points);
+        known.insert(only, new.clone());
+        new
     }
 
     /// Predicts one scene.
@@ -362,7 +390,8 @@ impl Predictor {
             let of = |stage: Stage| -> Vec<Vec<i32>> {
                 applied.iter().map(|hypothesis| self.all.choices(stage, hypothesis)).collect()
             };
-            let vertices = self.of_vertices(scene, lit, &of(Stage::Vertex));
+            let of_vertex = of(Stage::Vertex);
+            let vertices = self.of_vertices(scene, lit, &of_vertex);
             let mut inputs = StageInputs::new(&program.fragment, count * hypotheses.len());
             for (input, values) in &lit.uniforms {
                 inputs.set(*input, values.clone());
@@ -380,7 +409,7 @@ impl Predictor {
             let Some(colour) = colour.and_then(|at| fragment.outputs.get(at)) else { continue };
             for (at, (made, vertices)) in made.iter_mut().zip(&vertices).enumerate() {
                 if made.clip.is_empty() {
-                    made.clip.clone_from(&vertices.clip);
+                    made.clip = self.positions(scene, &of_vertex[at], vertices);
                 }
                 let to = match lit.lit {
                     Lit::Known => &mut made.known,
@@ -402,6 +431,11 @@ impl Predictor {
         }
         made
     }
+}
+
+fn clip_positions(position: Option<&PointValues>, points: std::ops::Range<usize>) -> Vec<[f32; 4]> {
+    let at = |position: &PointValues, point: usize| std::array::from_fn(|c| position.float(c, point));
+    position.map_or_else(Vec::new, |position| points.map(|point| at(position, point)).collect())
 }
 
 fn of_term(open: &mut Vec<(Option<usize>, Planes)>, term: Option<usize>, black: impl Fn() -> Planes) -> &mut Planes {

@@ -114,6 +114,14 @@ impl Program {
         is_set && after.is_some_and(|text| text.trim_start().starts_with([';', ',']))
     }
 
+    /// Whether an expression is all that a variable is set to, or that a function returns.
+    #[must_use]
+    pub fn is_set_or_returned(&self, stage: Stage, expr: ExprId) -> bool {
+        let Some(span) = self.stage(stage).source.expression(expr).map(|expr| expr.span) else { return false };
+        let before = self.texts[stage as usize].get(..span.start as usize).unwrap_or_default().trim_end();
+        self.is_whole_value(stage, expr) || before.ends_with("return")
+    }
+
     /// The output of the fragment shader that is the colour.
     #[must_use]
     pub fn colour_output(&self) -> Option<usize> {

@@ -16,6 +16,8 @@ pub(super) struct Recorded {
     pub stage: Stage,
     pub expr: ExprId,
     pub occurrence: u32,
+    /// Its number in the order of evaluation in its stage.
+    pub order: usize,
     pub values: Values,
 }
 
@@ -26,18 +28,18 @@ pub(super) fn observe(
     scenes: std::ops::Range<usize>,
     watched: [&[ExprId]; 2],
 ) -> Vec<Recorded> {
-    let mut found = BTreeMap::<(usize, ExprId, u32), Values>::new();
+    let mut found = BTreeMap::<(usize, ExprId, u32), (usize, Values)>::new();
     for scene in scenes {
         let result = runner.run(scene, changes, watched);
         for (stage, run) in STAGES.into_iter().zip([&*result.vertex, &result.fragment]) {
             let (all, first) = (runner.points(stage), runner.first_point(stage, scene));
-            for evaluation in &run.evaluations {
+            for (order, evaluation) in run.evaluations.iter().enumerate() {
                 let size = match &evaluation.values {
                     PointValues::Same(components) => components.len(),
                     PointValues::Each { components, .. } => components.len(),
                 };
                 let key = (stage as usize, evaluation.expr, evaluation.occurrence);
-                let values = found.entry(key).or_insert_with(|| Values::absent(size, all));
+                let (_, values) = found.entry(key).or_insert_with(|| (order, Values::absent(size, all)));
                 if values.size != size {
                     continue;
                 }
@@ -51,6 +53,12 @@ pub(super) fn observe(
             }
         }
     }
-    let recorded = |((stage, expr, occurrence), values)| Recorded { stage: STAGES[stage], expr, occurrence, values };
+    let recorded = |((stage, expr, occurrence), (order, values))| Recorded {
+        stage: STAGES[stage],
+        expr,
+        occurrence,
+        order,
+        values,
+    };
     found.into_iter().map(recorded).collect()
 }

@@ -139,7 +139,7 @@ fn first_of_same(shown: &[&Quantity], hypotheses: &Hypotheses) -> BTreeSet<Strin
 }
 
 /// The variables in these names, and all that they are computed from.
-fn with_parts(names: &BTreeSet<String>, hypotheses: &Hypotheses) -> BTreeSet<String> {
+pub(super) fn with_parts(names: &BTreeSet<String>, hypotheses: &Hypotheses) -> BTreeSet<String> {
     let mut variables = BTreeSet::new();
     let mut open: Vec<String> = names.iter().flat_map(|name| identifiers(name)).map(str::to_owned).collect();
     while let Some(variable) = open.pop() {

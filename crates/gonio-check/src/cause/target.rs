@@ -19,6 +19,8 @@ const MOST_DIFFERENT: f32 = 0.008;
 const MOST_DIFFERENT_AT_FEW: f32 = 0.07;
 /// Scenes that are compared before all are.
 const FIRST_SCENES: usize = 3;
+/// Brightness with which a picture is black, whatever the strengths.
+const DARKEST: f32 = 1e-3;
 /// A term with a smaller strength is missing.
 const FAINTEST: f64 = 2e-3;
 
@@ -192,8 +194,8 @@ impl Fit {
             }
             (sum / f64::from(counted.max(1))).sqrt() as f32
         };
-        // With open strengths, a dark picture is as good as a bright one.
-        let scale = if first.open.is_empty() { 1.0 } else { (2.0 * root_mean_square).min(1.0) };
+        // With open strengths, a dark picture is as good as a bright one; a black one has no light.
+        let scale = if first.open.is_empty() { 1.0 } else { (2.0 * root_mean_square).clamp(DARKEST, 1.0) };
         for channel in 0..3 {
             let seen = &seen[channel][..count];
             let mut right: Vec<f32> = scenes.iter().flat_map(|scene| &scene.known[channel]).copied().collect();
@@ -204,8 +206,9 @@ impl Fit {
                 })
                 .collect();
             let planes: Vec<&[f32]> = open.iter().map(Vec::as_slice).collect();
-            // Errors are in parts of large values. A value of 1 may have been limited to it.
-            let weight = |s: f32| if s == 1.0 { 0.0 } else { (0.05 + f64::from(s.abs())).powi(-2) };
+            // Errors are in parts of large values. A value of 1 may have been limited to it, unless all are.
+            let is_white = seen.iter().all(|s| *s == 1.0);
+            let weight = |s: f32| if s == 1.0 && !is_white { 0.0 } else { (0.05 + f64::from(s.abs())).powi(-2) };
             let fitted = if planes.is_empty() { Vec::new() } else { weighted_strengths(weight, seen, &right, &planes) };
             let known = right.clone();
             for (((term, _), plane), strength) in first.open.iter().zip(&open).zip(&fitted) {

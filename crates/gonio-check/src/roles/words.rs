@@ -65,8 +65,11 @@ const MEANINGS: &[(&str, &str)] = &[
     ("exponent exponant exposant exp expo", "exponent"),
     ("power pow puissance", "power"),
     ("gamma", "gamma"),
-    ("refraction refract refractive refr refrac réfraction", "refraction"),
-    ("index indice indices idx", "index"),
+    (
+        "refraction refract refractive refr refrac réfraction refraktion brechung brechungs refraccion refracción",
+        "refraction",
+    ),
+    ("index indice índice indices idx", "index"),
     ("ior", "refraction index"),
     ("ratio rapport", "ratio"),
     ("eta", "refraction ratio"),

@@ -295,10 +295,9 @@ pub fn isolated(whole: &[TestScene]) -> Vec<TestScene> {
     all
 }
 
-/// Returns the scenes for mirrors and glass.
+/// Returns the scenes for mirrors and glass. Those that distinguish most come first: roles are found in the first one.
 pub fn mirrored() -> Vec<TestScene> {
     vec![
-        TestScene { shape: TestShape::Sphere, ..base("front", "a sphere in the middle") },
         TestScene {
             world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.6, 1.2, 0.3]),
             eye: Vec3::new(1.9, 1.1, 2.0),
@@ -320,6 +319,7 @@ pub fn mirrored() -> Vec<TestScene> {
             refraction_index: 1.33,
             ..base("turned", "another camera, rotated and tilted")
         },
+        TestScene { shape: TestShape::Sphere, ..base("front", "a sphere in the middle") },
     ]
 }
 

@@ -3,7 +3,7 @@
 //!
 //! Unlike the number of right values, this does not change much where the program has a mistake.
 
-use super::probe::{Influence, Input, Probe, Varied, differ, is_exponent, powers, spread};
+use super::probe::{Influence, Input, Probe, differ, is_exponent, powers, spread};
 use crate::cause::program::{Program, Runner};
 use crate::cause::samples::SceneSamples;
 use crate::cause::search::see;
@@ -134,15 +134,12 @@ pub(in crate::cause) fn by_influence(
         give(at, &[Role::Shininess]);
     }
     let mut of_diffuse = None;
-    for at in these(&|kind| matches!(kind, Influence::Linear { .. })) {
+    let linear = these(&|kind| matches!(kind, Influence::Linear { .. }));
+    for (at, of_term) in terms(&mut probe, &linear, &kinds, &places) {
         let is_colour = kinds[at] == Influence::Linear { is_colour: true };
-        let is_whole = is_colour && {
-            let dark = Varied { inputs: vec![(at, vec![0.0; all[at].base.len()])], ..Varied::default() };
-            probe.colours(&dark).is_some_and(|colours| colours.iter().all(|x| x.is_nan() || x.abs() <= 1e-4))
-        };
-        let wanted = match is_whole {
-            true => &[Role::MaterialColor, Role::LightColor(0)],
-            false => roles_of_term(probe.term(at, &places), is_colour),
+        let wanted = match of_term {
+            None => &[Role::MaterialColor, Role::LightColor(0)],
+            Some(term) => roles_of_term(term, is_colour),
         };
         if give(at, wanted) == Role::DiffuseStrength(0) {
             of_diffuse = Some(at);
@@ -189,6 +186,37 @@ pub(in crate::cause) fn by_influence(
     };
     let found = of_places.into_iter().map(with_places);
     found.filter(|program| program.bindings != assigned.bindings).collect()
+}
+
+/// The term of each input in which the colour is linear: 0 for ambient, 1 for diffuse and 2 for specular light; `None` for
+/// a colour of the whole object.
+fn terms(
+    probe: &mut Probe<'_>,
+    linear: &[usize],
+    kinds: &[Influence],
+    places: &[usize],
+) -> Vec<(usize, Option<usize>)> {
+    let mut found = Vec::new();
+    for at in linear.iter().copied() {
+        let is_colour = kinds[at] == Influence::Linear { is_colour: true };
+        let is_whole = is_colour && probe.is_dark_without(at);
+        found.push((at, if is_whole { None } else { Some(probe.term(at, places)) }));
+    }
+    // Of several that are ambient, all but one are of diffuse light without its cosine: what the light's place changes, or
+    // else the name, tells which.
+    for is_colour in [false, true] {
+        let is_ambient =
+            |(at, term): &(usize, Option<usize>)| *term == Some(0) && kinds[*at] == Influence::Linear { is_colour };
+        let mut ambient: Vec<usize> = (0..found.len()).filter(|index| is_ambient(&found[*index])).collect();
+        if ambient.len() > 1 {
+            ambient.sort_by_cached_key(|index| {
+                let at = found[*index].0;
+                (probe.depends_on_light(at, places), !probe.is_named(at, 'a'), probe.is_named(at, 'd'))
+            });
+            ambient[1..].iter().for_each(|index| found[*index].1 = Some(1));
+        }
+    }
+    found
 }
 
 /// The roles of a factor of a term: a number or a colour.

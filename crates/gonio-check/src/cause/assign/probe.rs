@@ -52,6 +52,7 @@ pub(super) struct Varied {
     pub has_other_normals: bool,
     pub has_other_eye: bool,
     pub has_other_exponent: bool,
+    pub has_other_light: bool,
     pub diffuse: Option<f32>,
 }
 
@@ -84,6 +85,9 @@ impl<'a> Probe<'a> {
         }
         if varied.has_other_exponent {
             samples.scene.shininess *= 1.5;
+        }
+        if varied.has_other_light {
+            samples.scene.light.position += Vec3::new(0.5, 0.4, 0.3);
         }
         samples.scene.light.diffuse = varied.diffuse.unwrap_or(samples.scene.light.diffuse);
         samples
@@ -202,6 +206,24 @@ impl<'a> Probe<'a> {
             || self.depends(at, &Varied { has_other_eye: true, ..Varied::default() })
             || places.len() > 1 && places.iter().all(|place| self.depends(at, &self.moved(*place)));
         if is_specular { 2 } else { 1 }
+    }
+
+    /// Whether the slope of an input depends on where the light is.
+    pub fn depends_on_light(&mut self, at: usize, places: &[usize]) -> bool {
+        self.depends(at, &Varied { has_other_light: true, ..Varied::default() })
+            || places.iter().any(|place| self.depends(at, &self.moved(*place)))
+    }
+
+    /// Whether the object is black without an input.
+    pub fn is_dark_without(&mut self, at: usize) -> bool {
+        let dark = Varied { inputs: vec![(at, vec![0.0; self.inputs[at].base.len()])], ..Varied::default() };
+        self.colours(&dark).is_some_and(|colours| colours.iter().all(|x| x.is_nan() || x.abs() <= 1e-4))
+    }
+
+    /// Whether the last word of an input's name is a letter.
+    pub fn is_named(&self, at: usize, letter: char) -> bool {
+        let name = &self.inputs[at].members[0].name;
+        name.rsplit(['.', '_']).next().is_some_and(|word| word.chars().eq([letter]))
     }
 
     /// A place moved elsewhere.
