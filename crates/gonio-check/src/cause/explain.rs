@@ -357,13 +357,14 @@ impl Candidate {
         let strengths = self.draws(seen, hypothesis, required)?;
         let mistakes = hypothesis.mistakes.iter().map(|mistake| self.fine.all.hypotheses.mistakes[*mistake]);
         let (harmless, mut mistakes): (Vec<_>, Vec<_>) = mistakes.partition(|mistake| mistake.harmless);
-        let of_lights = match self.fine.lights {
-            Lights::First => Some("second-light-missing"),
-            Lights::Second => Some("lights-overwritten"),
-            Lights::EachAmbient => Some("ambient-twice"),
-            _ => None,
+        // A light that is used in place of the other one is not missing besides.
+        let all = &self.fine.all.hypotheses;
+        let is_of_other = |line: &usize| {
+            all.text_of(&all.variables[*line], hypothesis).is_some_and(|text| text.contains("other_light_pos"))
         };
-        mistakes.extend(of_lights.and_then(crate::mistakes::find));
+        if !hypothesis.choices.keys().any(is_of_other) {
+            mistakes.extend(self.fine.lights.mistake().and_then(crate::mistakes::find));
+        }
         let has = |id: &str| harmless.iter().any(|mistake| mistake.id == id);
         let method = AnswerMethod {
             model: self.method.model,
@@ -426,8 +427,7 @@ impl Explainer<'_> {
             }
             for lights in self.parameterisation.wrong_lights() {
                 let candidate = Candidate::new(self, *method, *lights, seen)?;
-                let is_light = matches!(lights, Lights::First | Lights::Second | Lights::EachAmbient);
-                match is_light {
+                match lights.mistake().is_some() {
                     true => {
                         let sets = candidate.peculiarities(self.is_likely);
                         found.extend(sets.iter().find_map(|set| candidate.explanation(seen, set, self.required)));
@@ -471,6 +471,17 @@ impl Explainer<'_> {
             }
             if !found.is_empty() {
                 break;
+            }
+        }
+        // A mistake beside a light that is missing.
+        for method in self.methods {
+            for lights in self.parameterisation.wrong_lights().iter().copied().filter(|lights| lights.mistake().is_some()) {
+                let candidate = Candidate::new(self, *method, lights, seen)?;
+                for which in [Which::Suspects, Which::Allowed] {
+                    if found.is_empty() {
+                        self.singles(&candidate, which, seen, &mut found);
+                    }
+                }
             }
         }
         Ok(simplest(found))

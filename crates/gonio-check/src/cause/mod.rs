@@ -367,7 +367,7 @@ impl Diagnosing<'_> {
         for explanation in explanations {
             // With a second light that is off, or wrong, the scenes are those of both.
             let scenes = match explanation.lights {
-                Lights::WrongInSecond => &self.scenes[self.of_one..],
+                Lights::WrongInSecond | Lights::Second => &self.scenes[self.of_one..],
                 _ => &self.scenes[..self.of_one],
             };
             let samples: Vec<SceneSamples> = scenes.iter().map(|(_, samples)| samples.clone()).collect();

@@ -167,7 +167,10 @@ impl Observer<'_> {
         let set_last = |seen: &Observed, repair: &Repair| {
             let is_of_length = match repair.make {
                 Make::Unit => true,
-                Make::Quantity(q) => seen.values.is_parallel(&self.model.quantities[q].values, 1.0),
+                Make::Quantity(q) => {
+                    let right = &self.model.quantities[q].values;
+                    seen.values.is_parallel(right, 1.0) && right.unit().is_same(right)
+                }
                 _ => false,
             };
             if !is_of_length {
@@ -331,6 +334,7 @@ impl Observer<'_> {
             )
         };
         all.sort_by_key(rank);
+        if std::env::var("DBG").is_ok() { for c in all.iter().take(6) { eprintln!("DBG {:?} {:?} {:?} {} {:?} ids {:?} explained {} given {} else {} rank {:?}", c.stage, c.span.line, c.text, c.should, c.relation, c.mistakes.iter().map(|m| &m.id).collect::<Vec<_>>(), c.is_explained, c.is_given, c.is_computed_elsewhere, rank(c)); } }
         all
     }
 

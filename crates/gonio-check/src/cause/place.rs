@@ -3,7 +3,7 @@
 
 use super::explain::{Explanation, strengthen};
 use super::model::Space;
-use super::observed::{SCALED, is_name};
+use super::observed::{SCALED, is_assignment, is_name};
 use super::prediction::ModelSolutions;
 use super::program::{Program, Runner};
 use super::recording::{Recorded, STAGES, TELLING, observe};
@@ -78,25 +78,15 @@ pub(super) fn places(
     explanation: &Explanation,
     exponent: f32,
 ) -> Result<Vec<MistakePlace>, String> {
+    let of_lights = of_lights(program, samples, solutions, explanation, exponent)?;
     let given = &samples[..samples.len().min(TELLING)];
-    let in_space = |samples: &SceneSamples| {
-        let mut samples = samples.clone();
-        if let (Lights::WrongInSecond, Some(other)) = (explanation.lights, samples.scene.other) {
-            samples.scene.light = other;
-        }
-        strengthen(&explanation.strengths, &mut samples.scene);
-        if explanation.space == Space::View {
-            samples.scene = samples.scene.in_view_space();
-        }
-        samples
-    };
-    let samples: Vec<SceneSamples> = given.iter().map(in_space).collect();
+    let samples: Vec<SceneSamples> = given.iter().map(|samples| as_explained(samples, explanation)).collect();
     let model = explanation.method.model;
     let all = solutions.hypotheses(model);
     let wrong = assigned(solutions, (model, &explanation.hypothesis), &samples, exponent)?;
     let exprs = STAGES.map(|stage| program.numbers(stage));
     let observed = observe(&Runner::new(program, given), &[], 0..given.len(), [&exprs[0], &exprs[1]]);
-    let mut found = Vec::new();
+    let mut found: Vec<MistakePlace> = of_lights.into_iter().collect();
     for WrongValues { mistake, variables } in mistakes_of(&all, &explanation.hypothesis) {
         // What would be right but for this mistake.
         let mut others = explanation.hypothesis.clone();
@@ -145,6 +135,54 @@ pub(super) fn of_light(
         last_with(program, &observed, asked).map(|seen| (seen.stage, expression(program, seen).span))
     };
     Ok([last(&|stage| stage == of_model), last(&|_| true)])
+}
+
+/// Where a program adds up the light of several lights: the last assignment of a sum that lacks a light, or that has only
+/// one.
+///
+/// # Errors
+/// The interpreter cannot run a model solution; a test ensures that it can.
+fn of_lights(
+    program: &Program,
+    samples: &[SceneSamples],
+    solutions: &ModelSolutions,
+    explanation: &Explanation,
+    exponent: f32,
+) -> Result<Option<MistakePlace>, String> {
+    let id = explanation.lights.mistake();
+    let Some(mistake) = explanation.mistakes.iter().find(|mistake| Some(mistake.id.as_str()) == id) else {
+        return Ok(None);
+    };
+    let given = &samples[..samples.len().min(TELLING)];
+    let samples: Vec<SceneSamples> = given.iter().map(|samples| as_explained(samples, explanation)).collect();
+    let of = (explanation.method.model, &explanation.hypothesis);
+    let put_out = assigned(solutions, of, &samples, exponent)?;
+    let exprs = STAGES.map(|stage| program.numbers(stage));
+    let observed = observe(&Runner::new(program, given), &[], 0..given.len(), [&exprs[0], &exprs[1]]);
+    let sums: Vec<&(String, Recorded)> =
+        put_out.iter().filter(|(name, _)| ["lit", "colour"].contains(&name.as_str())).collect();
+    let is_it = |seen: &&Recorded| sums.iter().any(|(name, of)| has(seen, name, of));
+    let text = |seen: &&Recorded| program.text(seen.stage, seen.expr);
+    let set = observed.iter().filter(|seen| is_assignment(text(seen))).filter(is_it);
+    let others = observed.iter().filter(|seen| !is_name(text(seen))).filter(is_it);
+    let found = set.max_by_key(|seen| seen.order).or_else(|| others.min_by_key(|seen| seen.order));
+    Ok(found.map(|seen| {
+        let span = expression(program, seen).span;
+        MistakePlace { mistake, stage: seen.stage, span, is_direct: true }
+    }))
+}
+
+/// Points of a scene as the model solution of an explanation sees them.
+fn as_explained(samples: &SceneSamples, explanation: &Explanation) -> SceneSamples {
+    let mut samples = samples.clone();
+    if let (Lights::WrongInSecond | Lights::Second, Some(other)) = (explanation.lights, samples.scene.other) {
+        samples.scene.light = other;
+    }
+    strengthen(&explanation.strengths, &mut samples.scene);
+    if explanation.space == Space::View {
+        samples.scene = samples.scene.in_view_space();
+    }
+    samples
 }
 
 fn expression<'a>(program: &'a Program, seen: &Recorded) -> &'a SourceExpression {

@@ -67,6 +67,16 @@ impl Lights {
             Lights::WrongInFirst => &[(0, true), (1, false)],
         }
     }
+
+    /// The mistake, by its id, if these lights are one themselves.
+    pub fn mistake(self) -> Option<&'static str> {
+        match self {
+            Lights::First => Some("second-light-missing"),
+            Lights::Second => Some("lights-overwritten"),
+            Lights::EachAmbient => Some("ambient-twice"),
+            _ => None,
+        }
+    }
 }
 
 /// The parameterisation of a program: whether its quantities are inputs that can be varied, and the values of the
