@@ -255,7 +255,7 @@ pub(crate) const SLIPS: &[Slip] = &[
     listed("terms-multiplied", Site::Sum, plain_sum),
     listed("diffuse-times-specular", Site::Sum, plain_sum),
     listed("attenuation-added", Site::Sum, |a, p| plain_sum(a, p) && a.lights == 1),
-    listed("albedo-squared", Site::Sum, coloured_sum),
+    listed("albedo-squared", Site::Sum, |a, p| coloured_sum(a, p) && !a.writes.material),
     listed("albedo-missing", Site::Sum, |a, p| plain_sum(a, p) && !a.writes.material),
     listed("albedo-added", Site::Sum, |a, p| plain_sum(a, p) && a.lights == 1),
     unlisted("attenuation-twice", Site::Sum, plain_sum),

@@ -144,7 +144,11 @@ const TABLE: &[(&str, Kind, [&str; 6])] = &[
 
 /// The names of one program.
 #[derive(Clone, Debug)]
-pub(crate) struct Names(BTreeMap<&'static str, String>);
+pub(crate) struct Names {
+    by_key: BTreeMap<&'static str, String>,
+    /// Whether only values tell what the inputs are.
+    pub are_meaningless: bool,
+}
 
 impl Names {
     /// Chooses the names of all keys: mostly of one dialect, with a prefix for each kind in some programs.
@@ -152,14 +156,13 @@ impl Names {
         let prefixed = random.chance(0.15);
         // Some programs name everything that is visible outside as the lab does.
         let lab_outside = dialect != Dialect::Lab && random.chance(if dialect == Dialect::Short { 0.8 } else { 0.35 });
-        // Names without any meaning, which only values can tell apart.
-        let meaningless = random.chance(0.02);
+        let are_meaningless = random.chance(0.02);
         let (mut names, mut used) = (BTreeMap::new(), Vec::<(bool, String)>::new());
         for (index, (key, kind, all)) in TABLE.iter().enumerate() {
             let outside = matches!(kind, Attribute | Uniform | Member);
             let column = if outside && lab_outside { Dialect::Lab } else { dialect };
             let mut name = all[column as usize].to_owned();
-            if outside && meaningless && *kind != Member {
+            if outside && are_meaningless && *kind != Member {
                 name = format!("{}{index}", if *kind == Attribute { "in" } else { "un" });
             } else if prefixed {
                 let bare = name.trim_start_matches("u_").trim_start_matches("v_").to_owned();
@@ -180,11 +183,11 @@ impl Names {
             used.push((is_member, name.clone()));
             names.insert(*key, name);
         }
-        Names(names)
+        Names { by_key: names, are_meaningless }
     }
 
     pub fn get(&self, key: &str) -> &str {
-        self.0.get(key).map_or("unnamed", String::as_str)
+        self.by_key.get(key).map_or("unnamed", String::as_str)
     }
 }
 
