@@ -334,7 +334,6 @@ impl Observer<'_> {
             )
         };
         all.sort_by_key(rank);
-        if std::env::var("DBG").is_ok() { for c in all.iter().take(6) { eprintln!("DBG {:?} {:?} {:?} {} {:?} ids {:?} explained {} given {} else {} rank {:?}", c.stage, c.span.line, c.text, c.should, c.relation, c.mistakes.iter().map(|m| &m.id).collect::<Vec<_>>(), c.is_explained, c.is_given, c.is_computed_elsewhere, rank(c)); } }
         all
     }
 

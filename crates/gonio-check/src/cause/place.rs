@@ -17,6 +17,9 @@ use std::collections::BTreeSet;
 /// The sum of all light, and what is put out of it.
 const OUTPUTS: [&str; 4] = ["lit", "colour", "v_col", "FragColor"];
 
+/// The position on the screen.
+const POSITION: &str = "gl_Position";
+
 /// A mistake with the place where the program makes it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MistakePlace {
@@ -83,7 +86,17 @@ pub(super) fn places(
     let samples: Vec<SceneSamples> = given.iter().map(|samples| as_explained(samples, explanation)).collect();
     let model = explanation.method.model;
     let all = solutions.hypotheses(model);
-    let wrong = assigned(solutions, (model, &explanation.hypothesis), &samples, exponent)?;
+    // With the light in view space, positions on the screen still come from M, V and P.
+    let with_camera = |hypothesis: &Hypothesis| {
+        let mut found = assigned(solutions, (model, hypothesis), &samples, exponent)?;
+        if explanation.space == Space::View {
+            let in_world = assigned(solutions, (model, hypothesis), given, exponent)?;
+            found.retain(|(name, _)| name != POSITION);
+            found.extend(in_world.into_iter().filter(|(name, _)| name == POSITION));
+        }
+        Ok::<_, String>(found)
+    };
+    let wrong = with_camera(&explanation.hypothesis)?;
     let exprs = STAGES.map(|stage| program.numbers(stage));
     let observed = observe(&Runner::new(program, given), &[], 0..given.len(), [&exprs[0], &exprs[1]]);
     let mut found: Vec<MistakePlace> = of_lights.into_iter().collect();
@@ -91,12 +104,13 @@ pub(super) fn places(
         // What would be right but for this mistake.
         let mut others = explanation.hypothesis.clone();
         others.choices.retain(|line, _| !variables.contains(&all.variables[*line]));
-        let right = assigned(solutions, (model, &others), &samples, exponent)?;
+        let right = with_camera(&others)?;
         let is_right = |(name, seen): &(String, Recorded)| {
             let is_it = |(known, of): &&(String, Recorded)| known == name && of.stage == seen.stage;
             right.iter().find(is_it).is_some_and(|(_, of)| of.values.is_same(&seen.values))
         };
-        let changed: Vec<&(String, Recorded)> = wrong.iter().filter(|one| !is_right(one)).collect();
+        let mut changed: Vec<&(String, Recorded)> = wrong.iter().filter(|one| !is_right(one)).collect();
+        changed.sort_by_key(|(_, one)| (one.stage, one.order));
         let (direct, after): (Vec<_>, Vec<_>) = changed.into_iter().partition(|(name, _)| variables.contains(name));
         let first =
             |of: &[&(String, Recorded)]| of.iter().find_map(|(name, one)| first_with(&observed, name, one));
@@ -104,7 +118,10 @@ pub(super) fn places(
         let is_put_out = variables.iter().any(|name| OUTPUTS.contains(&name.as_str()));
         let all = || direct.iter().chain(&after).map(|(name, one)| (name.as_str(), one));
         let last = is_put_out.then(|| last_with(program, &observed, all())).flatten();
-        let direct = || first(&direct).map(|seen| (seen, true));
+        let constant = || {
+            direct.iter().find_map(|(_, one)| first_constant(program, &observed, one)).map(|seen| (seen, true))
+        };
+        let direct = || first(&direct).map(|seen| (seen, true)).or_else(constant);
         let place = last.map(|seen| (seen, true)).or_else(direct).or_else(|| first(&after).map(|seen| (seen, false)));
         if let Some((seen, is_direct)) = place {
             let span = expression(program, seen).span;
@@ -201,6 +218,16 @@ fn has(seen: &Recorded, name: &str, of: &Recorded) -> bool {
 /// The first expression that gets the values of a variable when the program runs.
 fn first_with<'a>(observed: &'a [Recorded], name: &str, of: &Recorded) -> Option<&'a Recorded> {
     observed.iter().filter(|seen| has(seen, name, of)).min_by_key(|seen| seen.order)
+}
+
+/// The first expression that computes a constant, or the first number that a variable is set to.
+fn first_constant<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded) -> Option<&'a Recorded> {
+    let is_it = |seen: &&Recorded| {
+        let text = program.text(seen.stage, seen.expr);
+        let is_computed = text.contains('(') || program.is_set_or_returned(seen.stage, seen.expr) && !is_name(text);
+        seen.stage == of.stage && is_computed && seen.values.is_constant() && seen.values.is_same(&of.values)
+    };
+    observed.iter().filter(is_it).min_by_key(|seen| seen.order)
 }
 
 /// The last expression that computes what is put out.

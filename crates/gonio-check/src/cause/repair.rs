@@ -131,10 +131,21 @@ impl Observer<'_> {
             let size = seen.values.size;
             let length = (text(seen).1 - text(seen).0) as f32;
             let is_literal = self.is_literal(seen);
+            // `vec3(ambient)` is as right as the number, and may only lack a colour.
+            let grey = if seen.is.is_none() { seen.values.grey() } else { None };
+            let is_right_grey = grey.is_some_and(|grey| self.recognise(seen.stage, &grey).is_some());
             let mut push = |relation: Relation, should: String, make: Make, extra: f32| {
                 let quantity = if let Make::Quantity(index) = make { Some(&model.quantities[index]) } else { None };
                 // A literal stands for a constant, unless a known mistake writes it instead of a quantity.
                 let is_bold = is_literal && quantity.is_none_or(|q| !q.values.is_constant());
+                let is_of_number = match make {
+                    Make::Over(_) => true,
+                    Make::Times(by) => model.quantities[by].values.size == 1,
+                    _ => false,
+                };
+                if is_right_grey && is_of_number {
+                    return;
+                }
                 // A right quantity may be used where another one belongs.
                 if is_right && relation > Relation::Length || is_bold && relation != Relation::Known {
                     return;

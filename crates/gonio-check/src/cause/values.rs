@@ -209,6 +209,16 @@ impl Values {
         self.size == 1 && self.is_same(&other.map(1, |_, b, to| to[0] = b[0].max(0.0).powf(exponent)))
     }
 
+    /// The numbers of colours whose channels are all equal; `None` for others.
+    #[must_use]
+    pub fn grey(&self) -> Option<Values> {
+        let is_grey = |point: usize| {
+            let at = self.at(point);
+            !self.present[point] || at.iter().all(|x| *x == at[0])
+        };
+        (self.size == 3 && (0..self.points()).all(is_grey)).then(|| self.map(1, |_, from, to| to[0] = from[0]))
+    }
+
     /// The vectors with length 1.
     #[must_use]
     pub fn unit(&self) -> Values {

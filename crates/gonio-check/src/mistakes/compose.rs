@@ -30,6 +30,13 @@ impl Hypothesis {
     }
 }
 
+/// Programs that limit the cosine of the highlight, of diffuse light, or both to 1.
+const LIMITED: [&[(&str, &str)]; 3] = [
+    &[("cos_phi", "clamp(cos_highlight, 0.0, 1.0)")],
+    &[("cos_theta", "clamp(dot(N, L), 0.0, 1.0)")],
+    &[("cos_phi", "clamp(cos_highlight, 0.0, 1.0)"), ("cos_theta", "clamp(dot(N, L), 0.0, 1.0)")],
+];
+
 /// A model solution with all its hypotheses.
 pub struct Hypotheses {
     /// The model solution.
@@ -79,10 +86,24 @@ impl Hypotheses {
                     continue;
                 }
                 let choices = change.iter().map(|(variable, text)| all.choice(variable, text)).collect();
-                all.singles.push(Hypothesis { choices, mistakes: vec![index] });
+                let single = Hypothesis { choices, mistakes: vec![index] };
+                let limits = if mistake.exceeds_one && model.is_lit() { &LIMITED[..] } else { &[] };
+                let limited: Vec<Hypothesis> = limits.iter().map(|limit| all.limited(&single, limit)).collect();
+                all.singles.push(single);
+                all.singles.extend(limited);
             }
         }
         all
+    }
+
+    /// A mistake in a program that limits cosines.
+    fn limited(&mut self, single: &Hypothesis, limits: &[(&str, &str)]) -> Hypothesis {
+        let mut limited = single.clone();
+        for (variable, text) in limits {
+            let (line, way) = self.choice(variable, text);
+            limited.choices.entry(line).or_insert(way);
+        }
+        limited
     }
 
     /// Returns the line and the variant of a change, and adds the variant if it is new.
@@ -191,7 +212,9 @@ mod tests {
     fn every_change_applies() {
         for model in ModelSolution::ALL {
             let hypotheses = Hypotheses::for_model(model);
-            let ways: usize = super::super::for_model(model).map(|mistake| mistake.change.len()).sum();
+            let limited = |mistake: &Mistake| if mistake.exceeds_one && model.is_lit() { 1 + LIMITED.len() } else { 1 };
+            let ways: usize =
+                super::super::for_model(model).map(|mistake| mistake.change.len() * limited(mistake)).sum();
             assert_eq!(hypotheses.singles.len(), ways, "{model:?}");
             assert!(ways > 3, "{model:?}");
         }

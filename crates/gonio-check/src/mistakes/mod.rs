@@ -37,6 +37,9 @@ pub struct Mistake {
     /// Whether its picture is not a sum of terms, so that only one common factor can be fitted.
     #[serde(default)]
     pub whole: bool,
+    /// Whether it makes cosines exceed 1, so that its picture depends on whether the program limits them.
+    #[serde(default)]
+    pub exceeds_one: bool,
     /// Other ids whose pictures are the same in principle.
     #[serde(default)]
     pub looks_the_same_as: Vec<String>,
