@@ -260,7 +260,7 @@ pub fn cell_middle(cell: usize) -> HalfAngles {
 }
 
 /// Whether turning both directions about the normal changes nothing, by a few pairs of them.
-fn is_isotropic(bsdf: &dyn Bsdf) -> bool {
+pub(crate) fn is_isotropic(bsdf: &dyn Bsdf) -> bool {
     if bsdf.is_isotropic() {
         return true;
     }

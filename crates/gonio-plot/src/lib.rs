@@ -6,6 +6,7 @@
 //! | [`curves`] | values over an angle, directional albedo, reciprocity error, Fresnel factors |
 //! | [`lobe`] | values of all directions, as a surface |
 //! | [`pictures`] | the image slice of half and difference angle, lit spheres |
+//! | [`mod@residuals`] | a fit beside its target and their difference |
 //! | [`scatter`] | directions drawn by importance sampling |
 //! | [`shape`] | the parts of a plot as data, for any painter |
 //! | [`canvas`], [`text`] | shapes and text on SVG and pixels |
@@ -24,6 +25,7 @@ pub mod lobe;
 pub mod palette;
 pub mod pictures;
 pub mod polar;
+pub mod residuals;
 pub mod scale;
 pub mod scatter;
 pub mod shape;
@@ -31,6 +33,7 @@ pub mod text;
 
 pub use canvas::PlotFigure;
 pub use palette::palette;
+pub use residuals::residuals;
 pub use shape::{PlacedPicture, PlotShape, PolarPlace, TextAlign};
 
 use gonio_bsdf::Bsdf;
