@@ -99,7 +99,9 @@ fn damaged_files_are_refused_with_a_sentence() {
     let mut nan = good.clone();
     nan[12 + 8 * 5..12 + 8 * 6].copy_from_slice(&f64::NAN.to_le_bytes());
     nan[12 + 8 * 7..12 + 8 * 8].copy_from_slice(&f64::INFINITY.to_le_bytes());
-    assert_eq!(refused(&nan), "2 of 4374000 values are not finite numbers, the first one is value 5");
+    assert_eq!(refused(&nan), "2 of 4374000 values are not numbers below 3e38, the first one is value 5");
+    nan[12 + 8 * 5..12 + 8 * 6].copy_from_slice(&1e300_f64.to_le_bytes());
+    assert_eq!(refused(&nan), "2 of 4374000 values are not numbers below 3e38, the first one is value 5");
     let mut empty = good.clone();
     for eight in empty[12..].as_chunks_mut::<8>().0 {
         *eight = (-1.0_f64).to_le_bytes();
@@ -231,6 +233,8 @@ fn errors_of_brdf_files_have_their_places() {
         edited("vec3 BRDF(", "vec3 brdf("),
         format!("12:1: the function `{}` is missing", gonio_bsdf::glsl::SIGNATURE)
     );
+    let twice = edited("::end shader", "void main() {}\n::end shader");
+    assert!(twice.starts_with("12:1: ") && twice.contains("`main`"), "{twice}");
     assert!(edited("* lobe;", "* lob;").starts_with("16:47: "), "{}", edited("* lobe;", "* lob;"));
     assert!(
         edited("float lobe =", "float lobe = =").starts_with("15:18: "),

@@ -159,6 +159,9 @@ fn lobes_are_ordered_and_limits_named() {
     let value = |name: &str| fitted.spec.values.number(name);
     assert!((value("k1") - 6.0).abs() < 0.1 && (value("b1") - 0.4).abs() < 0.01 && (value("z1") + 0.9).abs() < 0.02);
     assert!((value("k2") - 90.0).abs() < 1.0 && (value("b2") - 0.1).abs() < 0.01 && fitted.at_limit.is_empty());
+    // Ward's lobe has no Fresnel factor, so the metal's needs a colour above 1.
+    let bright = fit(&target("ggx:a=0.1,f0=0.9/0.6/0.3,alpha=0.3"), &ModelSpec::parse("ward").unwrap()).unwrap();
+    assert_eq!(bright.at_limit, ["b (red)"]);
     // A mirror is narrower than Ward's narrowest lobe.
     let narrow = fit(&target("ggx:f0=0.9,alpha=0.01"), &ModelSpec::parse("ward-anisotropic").unwrap()).unwrap();
     assert!(narrow.at_limit.contains(&"cx, cy".to_owned()), "{:?}", narrow.at_limit);
@@ -210,6 +213,8 @@ fn impossible_fits_are_refused() {
     }
     let sparse = MerlTable::read(&bytes).unwrap();
     assert!(matches!(FitTarget::of_table(&sparse), Err(FitError::TooFewValues { values: 0 })));
+    let black = FitTarget::of_table(&table("lambert:a=0")).err().unwrap();
+    assert_eq!(black.to_string(), "all values are 0: there is nothing to fit");
     // A function without finite values.
     let text = "vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(0.0 / (N.z - 1.0)); }";
     let nan = NamedBsdf::of_file("nan.glsl", text.as_bytes(), "").unwrap();

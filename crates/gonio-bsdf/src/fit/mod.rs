@@ -105,6 +105,8 @@ pub enum FitError {
         /// Pairs of directions with a value.
         values: usize,
     },
+    /// The target is 0 everywhere.
+    Black,
     /// The method did not start: the model has no finite value.
     Failed {
         /// The model.
@@ -123,6 +125,7 @@ impl fmt::Display for FitError {
             Self::TooFewValues { values } => {
                 write!(f, "only {values} finite values between the normal and 10 degrees above the horizon")
             }
+            Self::Black => write!(f, "all values are 0: there is nothing to fit"),
             Self::Failed { model } => {
                 write!(f, "the fit of `{model}` failed: the model has no finite value at the start")
             }

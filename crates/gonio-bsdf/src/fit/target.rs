@@ -37,7 +37,7 @@ impl FitTarget {
     ///
     /// # Errors
     ///
-    /// Too few cells with a value.
+    /// Too few cells with a value, or with one above 0.
     pub fn of_table(table: &MerlTable) -> Result<Self, FitError> {
         let points = |steps| {
             let cells: Vec<(usize, HalfAngles)> = cells(steps).collect();
@@ -53,7 +53,7 @@ impl FitTarget {
     ///
     /// # Errors
     ///
-    /// A function that transmits light, or that has too few finite values.
+    /// A function that transmits light, or that has too few finite values, or only 0.
     pub fn of_function(bsdf: &dyn Bsdf) -> Result<Self, FitError> {
         if bsdf.transmits() {
             return Err(FitError::Transmits);
@@ -79,7 +79,11 @@ impl FitTarget {
 
     fn with_enough_values(self) -> Result<Self, FitError> {
         let values = self.coarse.len();
-        if values < LEAST_VALUES { Err(FitError::TooFewValues { values }) } else { Ok(self) }
+        if values < LEAST_VALUES {
+            return Err(FitError::TooFewValues { values });
+        }
+        let is_black = self.fine.iter().all(|point| point.target == DVec3::ZERO);
+        if is_black { Err(FitError::Black) } else { Ok(self) }
     }
 }
 

@@ -145,13 +145,19 @@ fn percent(fit: &BsdfFit) -> f64 {
     100.0 * fit.rms / fit.signal_rms.max(f64::MIN_POSITIVE)
 }
 
-/// The model with its values to four decimals.
+/// The model with its values to four digits.
 fn rounded(fit: &BsdfFit) -> String {
     let mut spec = fit.spec.clone();
     for (parameter, value) in fit.spec.values.iter() {
-        spec.values.set_value(&parameter.name, value.map(|channel| (channel * 1e4).round() / 1e4));
+        spec.values.set_value(&parameter.name, value.map(four_digits));
     }
     spec.text()
+}
+
+/// A number to four digits, of which at most eight decimals.
+fn four_digits(value: f64) -> f64 {
+    let power = 10_f64.powi((3 - value.abs().max(1e-8).log10().floor() as i32).clamp(0, 8));
+    (value * power).round() / power
 }
 
 fn fit_report(fit: &BsdfFit) -> Value {
