@@ -29,7 +29,7 @@ const MOST_BYTES: u64 = 2 * FILE_BYTES as u64;
 pub fn read_brdf_file(path: &Path, files: &dyn FileSource) -> Result<FileBytes, Error> {
     files.read_within(path, MOST_BYTES).map_err(|error| match FileRefusal::in_error(&error) {
         Some(FileRefusal::OverLimit(OverLimit { needed: Some(bytes), left: MOST_BYTES, .. })) => {
-            Error::new(ErrorKind::FileTooLarge, MerlError::Length { bytes: *bytes as usize })
+            Error::new(ErrorKind::InvalidData, MerlError::Length { bytes: *bytes as usize })
         }
         _ => error,
     })

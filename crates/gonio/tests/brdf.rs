@@ -25,6 +25,16 @@ vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
 }
 ";
 
+const NAMED_AS_BUILT_IN: &str = "\
+analytic
+::begin parameters
+float sin 0 1 0.5
+::end parameters
+::begin shader
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(sin * sin(dot(N, L))); }
+::end shader
+";
+
 #[test]
 fn models_are_listed_and_shown() {
     let lab = Lab::new();
@@ -206,8 +216,29 @@ fn bad_input_is_refused_in_one_sentence() {
         &["cut.binary: the file is truncated: it has 12 of 34992012 bytes"],
     );
     refused(&["check", "cut.binary"], &["cut.binary: the file is truncated"]);
+    // Longer than what is read of any file.
+    std::fs::File::create(lab.path("long.binary")).unwrap().set_len(80_000_000).unwrap();
+    let too_long = "the file is too long: it has 80000000 bytes, expected 34992012";
+    refused(&["check", "long.binary"], &["long.binary", too_long]);
+    let material = ["render", "builtin:cube", "-o", "x.png", "--brdf-file", "long.binary"];
+    lab.run(&material).refused(&["long.binary", too_long]);
     lab.write("typo.glsl", HALF_LAMBERT.replace("vec3(0.5", "vec4(0.5"));
     refused(&["check", "typo.glsl"], &["typo.glsl:4:"]);
+    // A parameter may have the name of a built-in function.
+    lab.write("named.brdf", NAMED_AS_BUILT_IN);
+    let drawn = [
+        "render",
+        "builtin:cube",
+        "--size",
+        "40x30",
+        "--backend",
+        "gl",
+        "-o",
+        "named.png",
+        "--brdf-file",
+        "named.brdf",
+    ];
+    lab.run(&drawn).good();
     lab.write("endless.glsl", HALF_LAMBERT.replace("return", "while (true) {} return"));
     refused(&["check", "endless.glsl"], &["endless.glsl:4:5: the function does not end"]);
     lab.write("noise.dat", [0x80, 0xff, 0x00]);
