@@ -257,6 +257,23 @@ fn errors_of_brdf_files_have_their_places() {
 }
 
 #[test]
+fn checks_say_where_a_function_has_no_value() {
+    let text = "vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(L.z > 0.99999 ? sqrt(-1.0) : 0.1); }";
+    let named = NamedBsdf::of_file("a.glsl", text.as_bytes(), "").unwrap();
+    let results = check(named.bsdf.as_ref());
+    let explanation = |property: &str| {
+        let result = results.iter().find(|result| result.property == property).unwrap();
+        assert!(!result.passed, "{property}");
+        result.explanation.as_str()
+    };
+    let energy = "the scattered light is infinite or not a number at an angle of incidence of 0.0 degrees";
+    assert_eq!(explanation("energy"), energy);
+    let positivity =
+        "2 of 2929 values are infinite or not a number, first with light at 0.0 and viewer at 28.6 degrees";
+    assert_eq!(explanation("positivity"), positivity);
+}
+
+#[test]
 fn no_damaged_brdf_file_panics() {
     let text = function("two-lobes.brdf");
     for end in 0..text.len() {

@@ -395,6 +395,16 @@ mod tests {
     }
 
     #[test]
+    fn nothing_is_drawn_below_a_logarithmic_axis() {
+        let settings = PlotSettings { kind: PlotKind::Cartesian, scale: PlotScale::Log, ..PlotSettings::default() };
+        let figure = with_functions(&["phong:c=200"], |functions| figure(functions, &settings)).unwrap();
+        let lines = figure.lines(figure.palette.series[0]);
+        let curve = lines.iter().max_by_key(|line| line.len()).unwrap();
+        // 0.5 cos^200 is above 1e-5 up to 18.68 degrees from the mirror direction; 8 points are a degree.
+        assert_eq!(curve.len(), 299);
+    }
+
+    #[test]
     fn both_formats_show_both_themes() {
         for theme in PlotTheme::ALL {
             let settings =
