@@ -147,6 +147,8 @@ fn energy(bsdf: &dyn Bsdf) -> CheckedProperty {
             "at most {:.1} % of the light is scattered, at an angle of incidence of {theta:.1} degrees",
             100.0 * worst.0
         )
+    } else if worst.0.is_nan() {
+        format!("the scattered light is infinite or not a number at an angle of incidence of {theta:.1} degrees")
     } else {
         format!(
             "{:.3} times the light that arrives is scattered at an angle of incidence of {theta:.1} degrees: energy is not conserved",
@@ -157,7 +159,10 @@ fn energy(bsdf: &dyn Bsdf) -> CheckedProperty {
 }
 
 fn positivity(bsdf: &dyn Bsdf) -> CheckedProperty {
-    let pairs = pairs(bsdf);
+    let mut pairs = pairs(bsdf);
+    // Exactly at the normal, angles between projections have no value.
+    let slanted = direction(0.5, 1.0);
+    pairs.extend([(DVec3::Z, slanted), (slanted, DVec3::Z), (DVec3::Z, DVec3::Z)]);
     let mut smallest = (f64::INFINITY, None);
     let (mut not_finite, mut place) = (0_usize, None);
     for ((wi, wo), value) in pairs.iter().zip(bsdf.evaluate_all(&pairs)) {
@@ -169,8 +174,12 @@ fn positivity(bsdf: &dyn Bsdf) -> CheckedProperty {
         }
     }
     let passed = not_finite == 0 && smallest.0 >= 0.0;
-    let explanation = if not_finite > 0 {
-        format!("{not_finite} of {} values are infinite or not a number", pairs.len())
+    let explanation = if let Some((wi, wo)) = place {
+        let (light, viewer) = (angles_deg(wi).0, angles_deg(wo).0);
+        format!(
+            "{not_finite} of {} values are infinite or not a number, first with light at {light:.1} and viewer at {viewer:.1} degrees",
+            pairs.len()
+        )
     } else if passed {
         "no value is negative".to_owned()
     } else {

@@ -47,26 +47,35 @@ pub fn embedded_glsl(text: &str, values: &ParameterValues) -> Result<String, Gls
     let lines = translated.text.lines().take(before + own_lines).filter(is_own);
     let kept = lines.collect::<Vec<_>>().join("\n");
     let mut names = global_names(&parsed.unit.items);
-    names.extend(kept.lines().filter_map(defined_name).map(str::to_owned));
+    names.called.extend(kept.lines().filter_map(defined_name).map(str::to_owned));
     Ok(renamed(&kept, &names))
 }
 
-/// The names of functions, variables and structs.
-fn global_names(items: &[Item]) -> BTreeSet<String> {
-    let mut names = BTreeSet::new();
+/// The names of a text.
+#[derive(Default)]
+struct GlobalNames {
+    /// Functions, structs and macros.
+    called: BTreeSet<String>,
+    /// A variable may have the name of a built-in function.
+    variables: BTreeSet<String>,
+}
+
+fn global_names(items: &[Item]) -> GlobalNames {
+    let mut names = GlobalNames::default();
     for item in items {
         match item {
             Item::Function(function) if function.name != "main" => {
-                names.insert(function.name.clone());
+                names.called.insert(function.name.clone());
             }
             Item::Declaration(Declaration { ty, declarators, .. }) => {
-                let structs = ty.definition.iter().map(|definition| definition.name.clone());
-                names.extend(structs.chain(declarators.iter().map(|declarator| declarator.name.clone())));
+                names.called.extend(ty.definition.iter().map(|definition| definition.name.clone()));
+                names.variables.extend(declarators.iter().map(|declarator| declarator.name.clone()));
             }
             _ => {}
         }
     }
-    names.remove("");
+    names.called.remove("");
+    names.variables.remove("");
     names
 }
 
@@ -83,7 +92,7 @@ fn is_of_word(c: char) -> bool {
 
 /// The text with a prefix before each of these names, and before names in capitals, which shaders use for constants. What
 /// follows a dot is a component.
-fn renamed(text: &str, names: &BTreeSet<String>) -> String {
+fn renamed(text: &str, names: &GlobalNames) -> String {
     let mut result = String::with_capacity(text.len() + text.len() / 4);
     let mut rest = text;
     let mut before = ' ';
@@ -92,7 +101,9 @@ fn renamed(text: &str, names: &BTreeSet<String>) -> String {
         let end = rest.find(|other: char| is_of_word(other) != is_word).unwrap_or(rest.len());
         let (part, after) = rest.split_at(end);
         let is_constant = part.len() > 1 && !part.chars().any(|c| c.is_ascii_lowercase()) && !c.is_ascii_digit();
-        if is_word && before != '.' && (names.contains(part) || is_constant) {
+        let is_call = after.trim_start().starts_with('(');
+        let is_name = names.called.contains(part) || (names.variables.contains(part) && !is_call);
+        if is_word && before != '.' && (is_name || is_constant) {
             result.push_str(PREFIX);
         }
         result.push_str(part);
@@ -141,6 +152,15 @@ mod tests {
             assert!(embedded.contains(expected), "{expected} in {embedded}");
         }
         assert!(embedded.contains("float(2)") || embedded.contains("2.0"), "{embedded}");
+    }
+
+    #[test]
+    fn a_variable_may_have_the_name_of_a_built_in_function() {
+        let text = "const float sin = 0.5;\n\
+                    vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(sin * sin (L.x)); }\n";
+        let embedded = embed(text).unwrap();
+        // The translation to GLSL ES gives it another name.
+        assert!(embedded.contains("sin_ * sin (L.x)"), "{embedded}");
     }
 
     #[test]

@@ -65,7 +65,9 @@ impl GlslBrdf {
         let at = |span: Span, message: String| {
             let line = span.line.saturating_sub(LINES_BEFORE);
             if line > body_lines {
-                let message = format!("the function `{SIGNATURE}` is missing");
+                // The call of `BRDF`, unless the text has a `main` of its own.
+                let is_call = message.contains("BRDF");
+                let message = if is_call { format!("the function `{SIGNATURE}` is missing") } else { message };
                 return GlslBrdfError { line: first_line, column: 1, message };
             }
             GlslBrdfError { line: line.max(1) + first_line - 1, column: span.column, message }

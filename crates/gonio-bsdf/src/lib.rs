@@ -14,7 +14,7 @@
 //! | [`merl`], [`half_angles`] | the tables of the MERL database |
 //! | [`explorer`] | the `.brdf` files of BRDF Explorer |
 //! | [`named_bsdf`] | any of them with its name; exports |
-//! | [`mod@fit`], [`fit_file`] | fits of models to tables, and their files |
+//! | [`mod@fit`], [`fit_file`] | fits of models to tables and other functions, and their files |
 //! | [`sampling`] | directions from random numbers, with their densities |
 //!
 //! Nothing here opens a file or prints.
@@ -39,7 +39,7 @@ pub mod sampling;
 pub use bsdf::{Bsdf, BsdfSample};
 pub use check::{CheckedProperty, check};
 pub use embedded_glsl::embedded_glsl;
-pub use fit::{BsdfFit, FitError, FitResidual, fit};
+pub use fit::{BsdfFit, FitError, FitResidual, FitTarget, fit};
 pub use glsl::{GlslBrdf, GlslBrdfError};
 pub use gonio_light::DVec3;
 pub use merl::{MerlError, MerlTable};

@@ -60,7 +60,7 @@ pub enum MerlError {
         /// Bytes of the file.
         bytes: usize,
     },
-    /// Values are infinite or not a number.
+    /// Values are infinite, not a number, or beyond `f32`.
     NotFinite {
         /// How many.
         count: usize,
@@ -90,7 +90,7 @@ impl fmt::Display for MerlError {
             }
             Self::Length { bytes } => write!(f, "the file is too long: it has {bytes} bytes, expected {FILE_BYTES}"),
             Self::NotFinite { count, first } => {
-                write!(f, "{count} of {} values are not finite numbers, the first one is value {first}", 3 * CELLS)
+                write!(f, "{count} of {} values are not numbers below 3e38, the first one is value {first}", 3 * CELLS)
             }
             Self::Empty => write!(f, "all values are negative, which means missing"),
             Self::Unsuitable { reason } => write!(f, "a MERL table cannot hold a function that {reason}"),
@@ -105,7 +105,7 @@ impl MerlTable {
     ///
     /// # Errors
     ///
-    /// Another size than that of the format, values that are not finite, or none at all.
+    /// Another size than that of the format, values that `f32` cannot hold, or none at all.
     pub fn read(bytes: &[u8]) -> Result<Self, MerlError> {
         let Some((header, body)) = bytes.split_first_chunk::<12>() else {
             return Err(MerlError::NoHeader { bytes: bytes.len() });
@@ -123,12 +123,13 @@ impl MerlTable {
         let mut first = None;
         for (index, eight) in body.as_chunks::<8>().0.iter().enumerate() {
             let raw = f64::from_le_bytes(*eight);
-            if !raw.is_finite() {
+            let value = if raw < 0.0 { -1.0 } else { (raw * SCALES[(index / CELLS).min(2)]) as f32 };
+            if !(raw.is_finite() && value.is_finite()) {
                 not_finite += 1;
                 first.get_or_insert(index);
             }
             missing += usize::from(raw < 0.0);
-            values.push(if raw < 0.0 { -1.0 } else { (raw * SCALES[(index / CELLS).min(2)]) as f32 });
+            values.push(value);
         }
         if let Some(first) = first {
             return Err(MerlError::NotFinite { count: not_finite, first });
@@ -260,7 +261,7 @@ pub fn cell_middle(cell: usize) -> HalfAngles {
 }
 
 /// Whether turning both directions about the normal changes nothing, by a few pairs of them.
-fn is_isotropic(bsdf: &dyn Bsdf) -> bool {
+pub(crate) fn is_isotropic(bsdf: &dyn Bsdf) -> bool {
     if bsdf.is_isotropic() {
         return true;
     }

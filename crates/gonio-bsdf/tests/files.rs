@@ -99,7 +99,9 @@ fn damaged_files_are_refused_with_a_sentence() {
     let mut nan = good.clone();
     nan[12 + 8 * 5..12 + 8 * 6].copy_from_slice(&f64::NAN.to_le_bytes());
     nan[12 + 8 * 7..12 + 8 * 8].copy_from_slice(&f64::INFINITY.to_le_bytes());
-    assert_eq!(refused(&nan), "2 of 4374000 values are not finite numbers, the first one is value 5");
+    assert_eq!(refused(&nan), "2 of 4374000 values are not numbers below 3e38, the first one is value 5");
+    nan[12 + 8 * 5..12 + 8 * 6].copy_from_slice(&1e300_f64.to_le_bytes());
+    assert_eq!(refused(&nan), "2 of 4374000 values are not numbers below 3e38, the first one is value 5");
     let mut empty = good.clone();
     for eight in empty[12..].as_chunks_mut::<8>().0 {
         *eight = (-1.0_f64).to_le_bytes();
@@ -231,6 +233,8 @@ fn errors_of_brdf_files_have_their_places() {
         edited("vec3 BRDF(", "vec3 brdf("),
         format!("12:1: the function `{}` is missing", gonio_bsdf::glsl::SIGNATURE)
     );
+    let twice = edited("::end shader", "void main() {}\n::end shader");
+    assert!(twice.starts_with("12:1: ") && twice.contains("`main`"), "{twice}");
     assert!(edited("* lobe;", "* lob;").starts_with("16:47: "), "{}", edited("* lobe;", "* lob;"));
     assert!(
         edited("float lobe =", "float lobe = =").starts_with("15:18: "),
@@ -250,6 +254,23 @@ fn errors_of_brdf_files_have_their_places() {
     assert!(error(&huge).starts_with("1:1: the file has 2097161 bytes"));
     let many: String = (0..300).map(|i| format!("bool p{i} 0\n")).collect();
     assert_eq!(edited("bool doubled 0\n", &many), "261:1: more than 256 parameters");
+}
+
+#[test]
+fn checks_say_where_a_function_has_no_value() {
+    let text = "vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(L.z > 0.99999 ? sqrt(-1.0) : 0.1); }";
+    let named = NamedBsdf::of_file("a.glsl", text.as_bytes(), "").unwrap();
+    let results = check(named.bsdf.as_ref());
+    let explanation = |property: &str| {
+        let result = results.iter().find(|result| result.property == property).unwrap();
+        assert!(!result.passed, "{property}");
+        result.explanation.as_str()
+    };
+    let energy = "the scattered light is infinite or not a number at an angle of incidence of 0.0 degrees";
+    assert_eq!(explanation("energy"), energy);
+    let positivity =
+        "2 of 2929 values are infinite or not a number, first with light at 0.0 and viewer at 28.6 degrees";
+    assert_eq!(explanation("positivity"), positivity);
 }
 
 #[test]

@@ -30,6 +30,8 @@ fn values_at_the_mirror_direction() {
     is(value("blinn-normalised:b=1,c=2", FRAC_PI_4, FRAC_PI_4), 4.0 * 6.0 / (8.0 * PI * 2.5));
     is(value("lafortune:b=0.4,k=20", FRAC_PI_4, FRAC_PI_4), 0.4);
     is(value("lafortune-2:a=0,b1=0.4,k1=6,b2=0.1,k2=20", FRAC_PI_4, FRAC_PI_4), (0.4 * 8.0 + 0.1 * 22.0) / (2.0 * PI));
+    let three = "lafortune-3:a=0.3,b1=0.4,k1=6,b2=0.1,k2=20,b3=0.2,k3=100";
+    is(value(three, FRAC_PI_4, FRAC_PI_4), 0.3 / PI + (0.4 * 8.0 + 0.1 * 22.0 + 0.2 * 102.0) / (2.0 * PI));
     is(value("ward:b=0.4,c=0.2", FRAC_PI_4, FRAC_PI_4), 0.4 / (4.0 * PI * 0.04 * cos));
     // |L + V|^2 / (N.(L + V))^4 = 4 cos^2 / (2 cos)^4.
     is(value("ward-normalised:b=0.4,c=0.2", FRAC_PI_4, FRAC_PI_4), 0.4 / (PI * 0.04) / (4.0 * cos * cos));
@@ -76,6 +78,29 @@ fn values_off_the_mirror_direction() {
     let lobe = (11.0_f64 * 21.0).sqrt() / (8.0 * PI) * 0.2;
     let diffuse = 28.0 / (23.0 * PI) * 0.3 * 0.8 * (31.0_f64 / 32.0).powi(2);
     is(value("ashikhmin-shirley:rd=0.3,rs=0.2,nu=10,nv=20", 0.0, 0.0), lobe + diffuse);
+}
+
+#[test]
+fn the_principled_model_is_burleys() {
+    // Both at the normal: all Fresnel weights are 0. Diffuse: 1 and 1.25 (1 (1 / 2 - 0.5) + 0.5) by halves.
+    let diffuse = 0.7 * 0.6 / PI * (0.5 + 0.5 * 0.625);
+    // D = 1 / (pi roughness^4), G = 1 / (1 + 1)^2, F = 0.3 * 0.6 + 0.7 * 0.08 * 0.5.
+    let specular = (0.18 + 0.028) / (4.0 * PI * 0.4_f64.powi(4));
+    // alpha = 0.1 + 0.3 (0.001 - 0.1), D = (alpha^2 - 1) / (pi alpha^2 ln alpha^2), F = 0.04, G = 1/4.
+    let squared = 0.070_3_f64.powi(2);
+    let clearcoat = 0.8 * 0.25 * 0.25 * 0.04 * (squared - 1.0) / (PI * squared * squared.ln());
+    let all = "baseColor=0.6,metallic=0.3,subsurface=0.5,roughness=0.4,sheen=1,clearcoat=0.8,clearcoatGloss=0.3";
+    is(value(&format!("disney:{all}"), 0.0, 0.0), diffuse + specular + clearcoat);
+    // Mirror direction at 60 degrees: all weights are 1/32, V.H = 1/2, the retro-reflection is 0.5 + 2 roughness / 4.
+    let theta = 60_f64.to_radians();
+    let (weight, a2) = (1.0 / 32.0, 0.5_f64.powi(4));
+    let diffuse = 0.6 / PI * (1.0 + (0.75 - 1.0) * weight) * (1.0 + (0.75 - 1.0) * weight);
+    let sheen = 0.9 * weight;
+    // The widths are a / sqrt(0.55) along the tangent and a sqrt(0.55) across; D holds their product.
+    let smith = 1.0 / (0.5 + (0.75 * a2 / 0.55 + 0.25).sqrt());
+    let specular = (0.04 + 0.96 * weight) / (PI * a2) * smith * smith;
+    let found = value("disney:baseColor=0.6,roughness=0.5,anisotropic=0.5,sheen=0.9,sheenTint=0", theta, theta);
+    assert!((found - (diffuse + sheen + specular)).abs() < 1e-12, "{found}, not {}", diffuse + sheen + specular);
 }
 
 #[test]

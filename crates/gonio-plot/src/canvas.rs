@@ -61,6 +61,19 @@ impl PlotFigure {
         &self.pictures
     }
 
+    /// This plot with another one of the same width below it.
+    pub fn above(mut self, below: Self) -> Self {
+        let [_, down] = self.size();
+        self.shapes.extend(below.shapes.into_iter().map(|shape| shape.lowered(down)));
+        let lowered = |mut placed: PlacedPicture| {
+            placed.place[1] += down;
+            placed
+        };
+        self.pictures.extend(below.pictures.into_iter().map(lowered));
+        self.size[1] += below.size[1];
+        self
+    }
+
     /// A line through points.
     pub fn line(&mut self, points: Vec<[f64; 2]>, color: Rgb8, width: f64) {
         if points.len() > 1 {

@@ -44,9 +44,9 @@ pub fn legend(figure: &mut PlotFigure, labels: &[(&str, Rgb8)]) -> f64 {
     const ROW: f64 = 22.0;
     let [width, height] = figure.size();
     let most = width - 40.0;
-    let mut rows: Vec<Vec<(String, Rgb8, f64)>> = vec![Vec::new()];
+    let mut rows: Vec<Vec<(String, Rgb8, f64, f64)>> = vec![Vec::new()];
     let mut used = 0.0;
-    for (label, color) in labels {
+    for (index, (label, color)) in labels.iter().enumerate() {
         let label = figure.shortened(label, TEXT, most - 40.0);
         let entry = 34.0 + figure.text_width(&label, TEXT) + 18.0;
         if used + entry > most && used > 0.0 {
@@ -55,16 +55,16 @@ pub fn legend(figure: &mut PlotFigure, labels: &[(&str, Rgb8)]) -> f64 {
         }
         used += entry;
         if let Some(row) = rows.last_mut() {
-            row.push((label, *color, entry));
+            row.push((label, *color, line_width(index, labels.len()), entry));
         }
     }
     let top = height - 10.0 - ROW * rows.len() as f64;
     for (index, row) in rows.into_iter().enumerate() {
-        let total: f64 = row.iter().map(|entry| entry.2).sum::<f64>() - 18.0;
+        let total: f64 = row.iter().map(|entry| entry.3).sum::<f64>() - 18.0;
         let mut x = 0.5 * (width - total);
         let y = top + ROW * (index as f64 + 0.5);
-        for (label, color, entry) in row {
-            figure.line(vec![[x, y], [x + 26.0, y]], color, 3.0);
+        for (label, color, line_width, entry) in row {
+            figure.line(vec![[x, y], [x + 26.0, y]], color, line_width);
             figure.text([x + 34.0, y], &label, TEXT, figure.palette.ink, TextAlign::Start);
             x += entry;
         }
@@ -107,8 +107,9 @@ fn draw(figure: &mut PlotFigure, curves: &[Curve], axes: &Axes) -> Result<(), Pl
     let frame = vec![[left, top], [right, top], [right, bottom], [left, bottom], [left, top]];
     figure.line(frame, palette.ink, 1.2);
     for (index, curve) in curves.iter().enumerate() {
-        // Values that are not finite interrupt the curve.
-        for part in curve.points.split(|point| !point[1].is_finite()) {
+        // Values that are not finite, or below the axis, interrupt the curve.
+        let is_off = |[_, value]: &[f64; 2]| !value.is_finite() || *value < axes.scale.least(axes.top);
+        for part in curve.points.split(is_off) {
             let points = part.iter().map(|[x, value]| [x_of(*x), y_of(*value)]).collect();
             figure.line(points, curve.color, line_width(index, curves.len()));
         }
@@ -231,7 +232,9 @@ fn largest(curves: &[Curve]) -> f64 {
 pub fn albedos(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Result<(), PlotError> {
     let mut curves = Vec::new();
     for (function, color) in functions.iter().zip(figure.palette.series) {
-        let points = angles([0.0, 89.0], 44).into_iter().chain([89.5]).map(|theta| {
+        // Some albedos bend within the last degrees.
+        let thetas = angles([0.0, 84.0], 42).into_iter().chain(angles([85.0, 89.0], 4)).chain([89.5]);
+        let points = thetas.map(|theta| {
             let w = direction(theta.to_radians(), 0.0);
             [theta, grey(albedo_with_steps(function.bsdf, w, 48))]
         });
@@ -273,7 +276,7 @@ pub fn reciprocity(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Re
                 let size = a.abs().max(b.abs());
                 if size > 1e-6 { (a - b).abs() / size } else { 0.0 }
             });
-            [theta, errors.fold(0.0, f64::max)]
+            [theta, errors.fold(LEAST_ERROR, f64::max)]
         });
         curves.push(Curve { label: function.label.to_owned(), color, points: points.collect() });
     }
@@ -297,7 +300,9 @@ pub fn reciprocity(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Re
 ///
 /// No function has such an index.
 pub fn fresnel(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Result<(), PlotError> {
-    let ior = functions.iter().find_map(|function| function.ior.filter(|ior| *ior > 1.0)).ok_or(PlotError::NoIndex)?;
+    let with_index = functions.iter().find_map(|function| Some((function, function.ior.filter(|ior| *ior > 1.0)?)));
+    let (function, ior) = with_index.ok_or(PlotError::NoIndex)?;
+    let of = if functions.len() > 1 { format!(", as of {}", function.label) } else { String::new() };
     let eta = 1.0 / ior;
     let series = figure.palette.series;
     let xs = angles([0.0, 90.0], 900);
@@ -314,7 +319,7 @@ pub fn fresnel(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Result
     ];
     let brewster = brewster_angle_rad(eta).to_degrees();
     let axes = Axes {
-        title: format!("Reflectance of a smooth boundary from air to index {}", number(ior)),
+        title: format!("Reflectance of a smooth boundary from air to index {}{of}", number(ior)),
         x_label: "Angle of incidence (degrees)",
         y_label: "Reflectance (no unit)".to_owned(),
         x: [0.0, 90.0],

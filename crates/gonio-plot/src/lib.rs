@@ -6,6 +6,7 @@
 //! | [`curves`] | values over an angle, directional albedo, reciprocity error, Fresnel factors |
 //! | [`lobe`] | values of all directions, as a surface |
 //! | [`pictures`] | the image slice of half and difference angle, lit spheres |
+//! | [`mod@residuals`] | a fit beside its target and their difference |
 //! | [`scatter`] | directions drawn by importance sampling |
 //! | [`shape`] | the parts of a plot as data, for any painter |
 //! | [`canvas`], [`text`] | shapes and text on SVG and pixels |
@@ -24,6 +25,7 @@ pub mod lobe;
 pub mod palette;
 pub mod pictures;
 pub mod polar;
+pub mod residuals;
 pub mod scale;
 pub mod scatter;
 pub mod shape;
@@ -31,6 +33,7 @@ pub mod text;
 
 pub use canvas::PlotFigure;
 pub use palette::palette;
+pub use residuals::residuals;
 pub use shape::{PlacedPicture, PlotShape, PolarPlace, TextAlign};
 
 use gonio_bsdf::Bsdf;
@@ -389,6 +392,16 @@ mod tests {
         let expected = bottom - (bottom - top) / std::f64::consts::PI / 0.4;
         assert!(curve.len() > 1400 && curve.iter().all(|point| (point[1] - expected).abs() < 1e-9), "{expected}");
         assert!(curve[0][0] >= frame[0][0] && curve[curve.len() - 1][0] <= frame[1][0]);
+    }
+
+    #[test]
+    fn nothing_is_drawn_below_a_logarithmic_axis() {
+        let settings = PlotSettings { kind: PlotKind::Cartesian, scale: PlotScale::Log, ..PlotSettings::default() };
+        let figure = with_functions(&["phong:c=200"], |functions| figure(functions, &settings)).unwrap();
+        let lines = figure.lines(figure.palette.series[0]);
+        let curve = lines.iter().max_by_key(|line| line.len()).unwrap();
+        // 0.5 cos^200 is above 1e-5 up to 18.68 degrees from the mirror direction; 8 points are a degree.
+        assert_eq!(curve.len(), 299);
     }
 
     #[test]

@@ -38,6 +38,11 @@ impl PlotScale {
         }
     }
 
+    /// The least value on an axis that ends at `largest`: 0 has no place on a logarithmic one.
+    pub fn least(self, largest: f64) -> f64 {
+        if self == PlotScale::Log { largest / 10_f64.powf(DECADES) * (1.0 - 1e-9) } else { f64::NEG_INFINITY }
+    }
+
     /// A value at or above `value` at which an axis may end.
     pub fn end(self, value: f64) -> f64 {
         if !(value.is_finite() && value > 0.0) {
@@ -87,9 +92,12 @@ fn hint(most: usize) -> impl KeyPointHint {
     BoldPoints(most)
 }
 
-/// A value as text of at most four digits.
+/// A value as text of at most four digits, with a minus sign of the font.
 pub fn number(value: f64) -> String {
     let size = value.abs();
+    if value < 0.0 {
+        return format!("\u{2212}{}", number(size));
+    }
     if size == 0.0 {
         return "0".to_owned();
     }
@@ -134,6 +142,6 @@ mod tests {
     #[test]
     fn numbers_are_short() {
         let texts = [0.0, 0.3, 1.0, 45.0, 1500.0, 2e-5, 3.183_098_86, 2.5e7, -0.25].map(number);
-        assert_eq!(texts, ["0", "0.3", "1", "45", "1500", "2e-5", "3.183", "2.5e7", "-0.25"]);
+        assert_eq!(texts, ["0", "0.3", "1", "45", "1500", "2e-5", "3.183", "2.5e7", "\u{2212}0.25"]);
     }
 }

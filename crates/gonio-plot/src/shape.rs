@@ -64,6 +64,17 @@ pub enum PlotShape {
     },
 }
 
+impl PlotShape {
+    /// The same shape `down` pixels lower.
+    pub fn lowered(mut self, down: f64) -> Self {
+        match &mut self {
+            Self::Line { points, .. } | Self::Area { points, .. } => points.iter_mut().for_each(|[_, y]| *y += down),
+            Self::Dot { center: [_, y], .. } | Self::Text { at: [_, y], .. } => *y += down,
+        }
+        self
+    }
+}
+
 /// A picture with its place. All pictures lie below all shapes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedPicture {

@@ -1,24 +1,40 @@
 //! A BRDF that belongs to a material: a model with parameters, or a function or table from a file.
 
-use crate::files::{self, FileSource};
+use crate::files::{self, FileBytes, FileRefusal, FileSource, OverLimit};
 use crate::scene_file::MaterialOverride;
 use glam::DVec3;
 use gonio_bsdf::integrate::albedo_with_steps;
 use gonio_bsdf::merl::FILE_BYTES;
 use gonio_bsdf::{
-    Bsdf, BsdfSource, GlslBrdfError, MerlTable, ModelSpec, NamedBsdf, NamedBsdfError, ParameterKind, ParameterValues,
-    embedded_glsl, fit_file, model_spec,
+    Bsdf, BsdfSource, GlslBrdfError, MerlError, MerlTable, ModelSpec, NamedBsdf, NamedBsdfError, ParameterKind,
+    ParameterValues, embedded_glsl, fit_file, model_spec,
 };
 use gonio_light::brdf::{LOBE_CAP, SHININESS_MAX, effective_shininess};
 use gonio_light::{ShadingPoint, Surface};
 use gonio_mesh::{Diagnostic, Material, ReadError};
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::fmt;
+use std::io::{Error, ErrorKind};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Most bytes of a file. A table has 35 MB; a larger file is read to say how large it is.
+/// Most bytes of a file. A table has 35 MB; a file up to twice as large is read to say how large it is.
 const MOST_BYTES: u64 = 2 * FILE_BYTES as u64;
+
+/// Reads the file of a function.
+///
+/// # Errors
+///
+/// As [`FileSource::read_within`]. A file that is too long for every format has a message of its own.
+pub fn read_brdf_file(path: &Path, files: &dyn FileSource) -> Result<FileBytes, Error> {
+    files.read_within(path, MOST_BYTES).map_err(|error| match FileRefusal::in_error(&error) {
+        Some(FileRefusal::OverLimit(OverLimit { needed: Some(bytes), left: MOST_BYTES, .. })) => {
+            Error::new(ErrorKind::InvalidData, MerlError::Length { bytes: *bytes as usize })
+        }
+        _ => error,
+    })
+}
+
 /// Steps of the quadrature of the albedo: 1.5 degrees, as only a colour is needed.
 const ALBEDO_STEPS: u32 = 60;
 
@@ -201,7 +217,7 @@ impl BrdfLibrary {
         let Some(text) = material.brdf_file.as_ref().filter(|_| self.lacks(material)) else { return Ok(()) };
         let (file, settings) = model_spec::split(text);
         let path = files::resolve(base, file);
-        let bytes = files.read_within(&path, MOST_BYTES).map_err(|e| files::failed(&e).in_file(file))?;
+        let bytes = read_brdf_file(&path, files).map_err(|e| files::failed(&e).in_file(file))?;
         let named = NamedBsdf::of_file(file, &bytes, settings).map_err(|error| read_error(file, error))?;
         diagnostics.extend(named.warnings.iter().map(|warning| Diagnostic::warning(warning.clone()).in_file(file)));
         self.known.push((Named::File(text.clone()), Arc::new(MaterialBrdf::new(named))));

@@ -25,6 +25,16 @@ vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)
 }
 ";
 
+const NAMED_AS_BUILT_IN: &str = "\
+analytic
+::begin parameters
+float sin 0 1 0.5
+::end parameters
+::begin shader
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(sin * sin(dot(N, L))); }
+::end shader
+";
+
 #[test]
 fn models_are_listed_and_shown() {
     let lab = Lab::new();
@@ -102,7 +112,8 @@ fn exports_are_read_again_and_fitted() {
     let fit =
         ["fit", "ward.binary", "--model", "lambert,ward", "-o", "fit.toml", "--residuals", "residuals.png", "--json"];
     let fitted = lab.brdf(&fit).good().json();
-    assert_eq!(lab.picture("residuals.png").width(), 900);
+    let residuals = lab.picture("residuals.png");
+    assert_eq!((residuals.width(), residuals.height()), (900, 800));
     assert_eq!((&fitted["fits"][0]["model"], &fitted["fits"][1]["model"]), (&"ward".into(), &"lambert".into()));
     let c = fitted["fits"][0]["parameters"][2]["value"].as_f64().unwrap();
     assert!((c / 0.2 - 1.0).abs() < 0.02, "{c}");
@@ -115,6 +126,28 @@ fn exports_are_read_again_and_fitted() {
     let quiet = lab.brdf(&["fit", "ward.binary", "--model", "lambert", "-o", "fit.toml", "--quiet"]).good();
     assert_eq!((quiet.text(), quiet.stderr.as_str()), ("", ""));
     assert_eq!(lab.picture("slice.png").width(), 900);
+}
+
+/// A function as the target of a fit; without `--model`, anisotropic ones are tried where the target is anisotropic.
+#[test]
+fn functions_are_fitted_as_measurements_are() {
+    let lab = Lab::new();
+    lab.brdf(&["export", "ward-anisotropic:a=0.1,b=0.4,cx=0.15,cy=0.4", "-o", "brushed.brdf"]).good();
+    let models = |target: &str| {
+        let fitted = lab.brdf(&["fit", target, "-o", "fit.toml", "--residuals", "r.svg", "--json"]).good().json();
+        let names = fitted["fits"].as_array().unwrap().iter().map(|fit| fit["model"].as_str().unwrap().to_owned());
+        (fitted["isotropic"].as_bool().unwrap(), names.collect::<Vec<_>>())
+    };
+    let (is_isotropic, names) = models("brushed.brdf:cx=0.2");
+    assert!(!is_isotropic && names.len() == 3 && names[0] == "ward-anisotropic", "{names:?}");
+    let shown = lab.brdf(&["show", "fit.toml", "--json"]).good().json();
+    let value = |name: &str| {
+        let parameters = shown["parameters"].as_array().unwrap();
+        parameters.iter().find(|p| p["name"] == name).unwrap()["value"].as_f64().unwrap()
+    };
+    assert!((value("cx") - 0.2).abs() < 0.004 && (value("cy") - 0.4).abs() < 0.008);
+    let (is_isotropic, names) = models("ggx:alpha=0.3,f0=0.8");
+    assert!(is_isotropic && names.len() == 4 && names[0] == "ggx", "{names:?}");
 }
 
 #[test]
@@ -172,14 +205,40 @@ fn bad_input_is_refused_in_one_sentence() {
     refused(&["fit", "missing.binary", "-o", "x.toml", "--residuals", "x.gif"], &["unknown format of `x.gif`"]);
     refused(&["fit", "missing.binary", "-o", "-", "--residuals", "x.svg", "--json"], &["both write to stdout"]);
     refused(&["fit", "missing.binary", "-o", "x.toml", "--model", "wart"], &["unknown model `wart`"]);
+    refused(&["fit", "rough-dielectric", "-o", "x.toml"], &["a function that transmits light cannot be fitted"]);
+    refused(
+        &["fit", "lambert", "-o", "x.toml", "--model", "ward,phong-printed"],
+        &["`phong-printed` cannot be fitted: expected one of lambert"],
+    );
     lab.write("cut.binary", [90_i32, 90, 180].map(i32::to_le_bytes).concat());
     refused(
         &["fit", "cut.binary", "-o", "x.toml"],
         &["cut.binary: the file is truncated: it has 12 of 34992012 bytes"],
     );
     refused(&["check", "cut.binary"], &["cut.binary: the file is truncated"]);
+    // Longer than what is read of any file.
+    std::fs::File::create(lab.path("long.binary")).unwrap().set_len(80_000_000).unwrap();
+    let too_long = "the file is too long: it has 80000000 bytes, expected 34992012";
+    refused(&["check", "long.binary"], &["long.binary", too_long]);
+    let material = ["render", "builtin:cube", "-o", "x.png", "--brdf-file", "long.binary"];
+    lab.run(&material).refused(&["long.binary", too_long]);
     lab.write("typo.glsl", HALF_LAMBERT.replace("vec3(0.5", "vec4(0.5"));
     refused(&["check", "typo.glsl"], &["typo.glsl:4:"]);
+    // A parameter may have the name of a built-in function.
+    lab.write("named.brdf", NAMED_AS_BUILT_IN);
+    let drawn = [
+        "render",
+        "builtin:cube",
+        "--size",
+        "40x30",
+        "--backend",
+        "gl",
+        "-o",
+        "named.png",
+        "--brdf-file",
+        "named.brdf",
+    ];
+    lab.run(&drawn).good();
     lab.write("endless.glsl", HALF_LAMBERT.replace("return", "while (true) {} return"));
     refused(&["check", "endless.glsl"], &["endless.glsl:4:5: the function does not end"]);
     lab.write("noise.dat", [0x80, 0xff, 0x00]);

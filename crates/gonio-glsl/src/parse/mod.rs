@@ -182,7 +182,7 @@ impl<'p> Parser<'p> {
     }
 
     fn stray<T>(&mut self) -> Parse<T> {
-        let message = format!("unexpected {}", self.found());
+        let message = format!("unexpected character `{}`", self.token().text.escape_debug());
         self.fail(self.token().span, "stray-character", message)
     }
 

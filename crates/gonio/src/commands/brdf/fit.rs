@@ -1,6 +1,6 @@
-//! `gonio brdf fit`: models fitted to a measured BRDF.
+//! `gonio brdf fit`: models fitted to a measured BRDF or another function.
 
-use super::functions::{file_error, parameters_json, read};
+use super::functions::{open, parameters_json};
 use super::plot::PlotFormat;
 use crate::error::{CliError, CommandOutcome};
 use crate::options::GeneralOptions;
@@ -9,18 +9,20 @@ use crate::report::Reporter;
 use crate::terminal::TerminalPage;
 use clap::Args;
 use gonio_bsdf::models::model;
-use gonio_bsdf::{BsdfFit, FitResidual, MerlTable, ModelSpec, ModelSpecError, NamedBsdfError, fit, fit_file};
-use gonio_plot::{PlotKind, PlotScale, PlotSettings, PlottedBsdf, default_size};
+use gonio_bsdf::{BsdfFit, BsdfSource, FitError, FitTarget, ModelSpec, ModelSpecError, NamedBsdf, fit, fit_file};
+use gonio_plot::{PlotTheme, PlottedBsdf, residuals};
 use serde_json::{Value, json};
 
-/// Fit models to a measured BRDF, best first.
+/// Fit models to a measured BRDF or to another function, best first.
 #[derive(Args, Debug)]
 #[command(after_long_help = "\
 Examples:
   gonio brdf fit measured.binary -o fit.toml
   gonio brdf fit measured.binary --model ward,ggx,disney -o fit.toml
   gonio brdf fit measured.binary -o fit.toml --residuals residuals.png
-      Also image slices of the measured BRDF, the best fit, and their difference.
+      Also image slices and lit spheres of the measured BRDF, the best fit, and their difference.
+  gonio brdf fit brushed.brdf:roughness=0.3 --model ward-anisotropic,disney -o fit.toml
+      A function of BRDF Explorer as the target: it may be anisotropic, which measured tables are not.
   gonio brdf plot measured.binary fit.toml -o sphere.png --kind sphere
       Spheres of the measured BRDF and of the best fit.
 
@@ -28,25 +30,23 @@ The error is the root mean square of the difference of (f cos)^(1/3), over all d
 horizon; the percentage compares it with (f cos)^(1/3) itself. The method is Levenberg and Marquardt's, from several starting \
 points.
 
-Models: lambert, phong, phong-normalised, blinn, blinn-normalised, lafortune-normalised, lafortune-2, lafortune-3, ward, ward-normalised, cook-torrance, \
-beckmann, ggx, oren-nayar, ashikhmin-shirley, disney.")]
+Models: lambert, phong, phong-normalised, blinn, blinn-normalised, lafortune-normalised, lafortune-2, lafortune-3, ward, \
+ward-normalised, ward-anisotropic, cook-torrance, beckmann, ggx, oren-nayar, ashikhmin-shirley, disney.
+
+A MERL table is isotropic by its format, so an anisotropic model gets two equal widths from it. An anisotropic function \
+determines both. Without --model, models that suit the target are fitted.")]
 pub struct FitArgs {
-    /// A measured BRDF: MERL .binary.
-    #[arg(value_name = "FILE")]
-    pub file: String,
-    /// Models to fit.
-    #[arg(
-        long,
-        value_name = "MODEL,...",
-        value_delimiter = ',',
-        help_heading = "Comparison options",
-        default_value = "blinn-normalised,ward,beckmann,ggx"
-    )]
+    /// The target: a measured BRDF (MERL .binary), or another file or model, with values of its parameters.
+    #[arg(value_name = "TARGET")]
+    pub target: String,
+    /// Models to fit; by default blinn-normalised, ward, beckmann and ggx, or for an anisotropic target ward-anisotropic,
+    /// ashikhmin-shirley and disney.
+    #[arg(long, value_name = "MODEL,...", value_delimiter = ',', help_heading = "Comparison options")]
     pub model: Vec<String>,
     /// File to write, .toml; as a MODEL of other commands it stands for the best fit. - is stdout.
     #[arg(long, short, required = true, value_name = "FILE", help_heading = "Output options")]
     pub output: OutputPath,
-    /// Draw image slices of the table, the best fit and their difference to this file, .svg or .png.
+    /// Draw slices and spheres of the target, the best fit and their difference to this file, .svg or .png.
     #[arg(long, value_name = "FILE", help_heading = "Output options")]
     pub residuals: Option<OutputPath>,
     #[command(flatten)]
@@ -60,34 +60,36 @@ pub fn run(args: &FitArgs, reporter: &Reporter) -> Result<CommandOutcome, CliErr
     check_stdout(outputs, reporter)?;
     args.output.check_writable()?;
     args.residuals.iter().try_for_each(OutputPath::check_writable)?;
-    let specs = args.model.iter().map(|name| match model(name.trim()) {
-        Some(model) => Ok(ModelSpec::new(model)),
-        None => Err(CliError::new(ModelSpecError::UnknownModel { name: name.clone() }.to_string())),
-    });
-    let specs: Vec<ModelSpec> = specs.collect::<Result<_, _>>()?;
-    let bytes = read(&args.file, reporter)?;
-    let table = MerlTable::read(&bytes).map_err(|error| file_error(&args.file, &NamedBsdfError::Merl(error)))?;
-    let warning = table.scale_warning();
-    warning.iter().for_each(|warning| reporter.warning(format!("{}: {warning}", args.file)));
+    let mut specs = specs(&args.model)?;
+    let named = open(&args.target, reporter)?;
+    let of_target = |error: FitError| CliError::new(format!("{}: {error}", named.name));
     let busy = reporter.busy("fitting");
-    let fits = specs.iter().map(|spec| fit(&table, spec)).collect::<Result<Vec<_>, _>>();
-    let mut fits = fits.map_err(|error| CliError::new(format!("{}: {error}", args.file)))?;
+    let target = match &named.source {
+        BsdfSource::Table(table) => FitTarget::of_table(table),
+        _ => FitTarget::of_function(named.bsdf.as_ref()),
+    };
+    let target = target.map_err(of_target)?;
+    if specs.is_empty() {
+        specs = default_models(&target).iter().filter_map(|name| model(name)).map(ModelSpec::new).collect();
+    }
+    let mut fits = specs.iter().map(|spec| fit(&target, spec)).collect::<Result<Vec<_>, _>>().map_err(of_target)?;
     drop(busy);
     fits.sort_by(|a, b| a.rms.total_cmp(&b.rms));
     let mut files = OutputFiles::new();
     if let (Some(output), Some(format), Some(best)) = (&args.residuals, residual_format, fits.first()) {
-        files.add_output(output, residuals(&table, &args.file, best, format)?)?;
+        files.add_output(output, draw_residuals(&named, best, format)?)?;
     }
     files.add_output(&args.output, fit_file::write(&fits).into_bytes())?;
     files.commit()?;
     if reporter.json() {
         reporter.report(&json!({
             "command": "brdf fit",
-            "file": args.file,
+            "target": named.name,
+            "isotropic": target.is_isotropic(),
             "fits": fits.iter().map(fit_report).collect::<Vec<_>>(),
             "output": args.output.to_string(),
             "residuals": args.residuals.as_ref().map(ToString::to_string),
-            "warnings": warning,
+            "warnings": named.warnings,
         }))?;
     } else {
         let page = page(&fits);
@@ -111,17 +113,31 @@ fn page(fits: &[BsdfFit]) -> TerminalPage {
     page
 }
 
-/// Draws the table, the fit and their difference.
-fn residuals(table: &MerlTable, name: &str, fit: &BsdfFit, format: PlotFormat) -> Result<Vec<u8>, CliError> {
-    let fitted = fit.spec.build();
-    let residual = FitResidual { table, fitted: fitted.as_ref() };
-    let label = rounded(fit);
+/// The models that are named.
+fn specs(names: &[String]) -> Result<Vec<ModelSpec>, CliError> {
+    let one = |name: &String| match model(name.trim()) {
+        Some(model) => Ok(ModelSpec::new(model)),
+        None => Err(CliError::new(ModelSpecError::UnknownModel { name: name.clone() }.to_string())),
+    };
+    names.iter().map(one).collect()
+}
+
+/// The models that are fitted where none is named.
+fn default_models(target: &FitTarget) -> &'static [&'static str] {
+    if target.is_isotropic() {
+        &["blinn-normalised", "ward", "beckmann", "ggx"]
+    } else {
+        &["ward-anisotropic", "ashikhmin-shirley", "disney"]
+    }
+}
+
+/// Draws the target, the fit and their difference.
+fn draw_residuals(named: &NamedBsdf, fit: &BsdfFit, format: PlotFormat) -> Result<Vec<u8>, CliError> {
+    let (fitted, label) = (fit.spec.build(), rounded(fit));
     let plotted = |label, bsdf| PlottedBsdf { label, bsdf, ior: None };
-    let functions = [plotted(name, table), plotted(&label, fitted.as_ref()), plotted("absolute difference", &residual)];
-    let kind = PlotKind::Slice;
-    let size = default_size(kind, functions.len());
-    let settings = PlotSettings { kind, scale: PlotScale::CubeRoot, size, ..PlotSettings::default() };
-    format.draw(&functions, &settings)
+    let figure =
+        residuals(plotted(&named.name, named.bsdf.as_ref()), plotted(&label, fitted.as_ref()), PlotTheme::Light);
+    format.write(figure)
 }
 
 /// The error relative to the measured values.
@@ -129,13 +145,19 @@ fn percent(fit: &BsdfFit) -> f64 {
     100.0 * fit.rms / fit.signal_rms.max(f64::MIN_POSITIVE)
 }
 
-/// The model with its values to four decimals.
+/// The model with its values to four digits.
 fn rounded(fit: &BsdfFit) -> String {
     let mut spec = fit.spec.clone();
     for (parameter, value) in fit.spec.values.iter() {
-        spec.values.set_value(&parameter.name, value.map(|channel| (channel * 1e4).round() / 1e4));
+        spec.values.set_value(&parameter.name, value.map(four_digits));
     }
     spec.text()
+}
+
+/// A number to four digits, of which at most eight decimals.
+fn four_digits(value: f64) -> f64 {
+    let power = 10_f64.powi((3 - value.abs().max(1e-8).log10().floor() as i32).clamp(0, 8));
+    (value * power).round() / power
 }
 
 fn fit_report(fit: &BsdfFit) -> Value {

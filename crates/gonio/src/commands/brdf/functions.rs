@@ -4,14 +4,11 @@ use crate::error::CliError;
 use crate::options::LimitOptions;
 use crate::output::OutputPath;
 use crate::report::Reporter;
-use gonio_bsdf::merl::FILE_BYTES;
 use gonio_bsdf::models::model;
 use gonio_bsdf::{ModelSpec, NamedBsdf, NamedBsdfError, ParameterKind, ParameterValues, model_spec};
+use gonio_scene::read_brdf_file;
 use serde_json::{Value, json};
 use std::path::Path;
-
-/// Most bytes of a file. A table has 35 MB; a larger file is read to say how large it is.
-const MOST_BYTES: u64 = 2 * FILE_BYTES as u64;
 
 /// Opens a model or a file, and prints warnings about it.
 pub fn open(text: &str, reporter: &Reporter) -> Result<NamedBsdf, CliError> {
@@ -34,7 +31,7 @@ fn names_a_file(name: &str) -> bool {
 /// Reads a file, or stdin for `-`.
 pub fn read(name: &str, reporter: &Reporter) -> Result<Vec<u8>, CliError> {
     let files = LimitOptions::default().files([name], reporter);
-    let bytes = files.read_within(Path::new(name), MOST_BYTES);
+    let bytes = read_brdf_file(Path::new(name), &files);
     let bytes = bytes.map_err(|error| CliError::io(format!("cannot read `{name}`"), &error))?;
     Ok(bytes.into_vec())
 }

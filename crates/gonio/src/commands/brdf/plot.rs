@@ -6,7 +6,10 @@ use crate::options::{GeneralOptions, values};
 use crate::output::{OutputKind, OutputPath, check_stdout};
 use crate::report::Reporter;
 use clap::Args;
-use gonio_plot::{PlotKind, PlotScale, PlotSettings, PlotTheme, PlottedAngle, PlottedBsdf, default_size, png, svg};
+use gonio_plot::{
+    PlotError, PlotFigure, PlotKind, PlotScale, PlotSettings, PlotTheme, PlottedAngle, PlottedBsdf, default_size,
+    figure,
+};
 use serde_json::json;
 
 /// Plot one or several functions.
@@ -118,10 +121,15 @@ impl PlotFormat {
 
     /// Draws a plot.
     pub fn draw(self, functions: &[PlottedBsdf<'_>], settings: &PlotSettings) -> Result<Vec<u8>, CliError> {
-        let bytes = match self {
-            PlotFormat::Svg => svg(functions, settings).map(String::into_bytes),
-            PlotFormat::Png => png(functions, settings),
-        };
+        self.write(figure(functions, settings))
+    }
+
+    /// Writes a plot.
+    pub fn write(self, figure: Result<PlotFigure, PlotError>) -> Result<Vec<u8>, CliError> {
+        let bytes = figure.and_then(|figure| match self {
+            PlotFormat::Svg => figure.svg().map(String::into_bytes),
+            PlotFormat::Png => figure.png(),
+        });
         bytes.map_err(|error| CliError::new(error.to_string()))
     }
 }
