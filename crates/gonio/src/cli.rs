@@ -24,6 +24,7 @@ Window:
 
 Models:
   convert      Convert a model to OBJ with MTL, PLY or GLB
+  unwrap       Give a model new texture coordinates: charts packed into one square
 
 Environments:
   environment  Convert between panoramas and cubemaps; check their orientation
@@ -98,6 +99,7 @@ pub enum Command {
     Scene(Box<commands::scene::SceneArgs>),
     Serve(commands::serve::ServeArgs),
     Tour(commands::tour::TourArgs),
+    Unwrap(commands::unwrap::UnwrapArgs),
     View(Box<commands::view::ViewArgs>),
     Completions(commands::about::CompletionsArgs),
     Man(commands::about::ManArgs),
@@ -122,6 +124,7 @@ impl Command {
             Command::Scene(_) => "scene",
             Command::Serve(_) => "serve",
             Command::Tour(_) => "tour",
+            Command::Unwrap(_) => "unwrap",
             Command::View(_) => "view",
             Command::Completions(_) => "completions",
             Command::Man(_) => "man",
@@ -146,6 +149,7 @@ impl Command {
             Command::Scene(args) => &args.general,
             Command::Serve(args) => &args.general,
             Command::Tour(args) => &args.general,
+            Command::Unwrap(args) => &args.general,
             Command::View(args) => &args.general,
             Command::Completions(_) | Command::Man(_) | Command::Licenses(_) => return GeneralOptions::default(),
         };
@@ -172,6 +176,7 @@ impl Command {
                 check_folder(&args.output, "`gonio tour`")?;
                 commands::tour::run(args, reporter)
             }
+            Command::Unwrap(args) => commands::unwrap::run(args, reporter),
             Command::View(args) => commands::view::run(args),
             Command::Completions(args) => commands::about::completions(args, &mut self::command()),
             Command::Man(args) => commands::about::man(args, self::command(), reporter),
@@ -256,9 +261,10 @@ mod tests {
 
     #[test]
     fn every_option_has_one_of_a_few_headings() {
-        const HEADINGS: [&str; 20] = [
+        const HEADINGS: [&str; 21] = [
             GENERAL,
             "Animation options",
+            "Atlas options",
             "Camera options",
             "Check options",
             "Comparison options",

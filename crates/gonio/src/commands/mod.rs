@@ -15,4 +15,5 @@ pub mod serve;
 pub mod simplify;
 pub mod tour;
 pub mod trace;
+pub mod unwrap;
 pub mod view;
