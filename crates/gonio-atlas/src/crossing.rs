@@ -46,6 +46,9 @@ pub(crate) fn find_overlap(chart: &ChartMesh, plane: &[DVec2]) -> Option<(usize,
     None
 }
 
+/// The sum of the angles around a vertex may exceed a full turn by this much where edges of the border coincide.
+const ROUNDING: f64 = 1e-9;
+
 /// Edges with a common end are not compared with each other, so the angles between them are.
 ///
 /// The triangles around a vertex must not add up to more than a full turn, and where several fans of triangles meet, the
@@ -73,7 +76,7 @@ fn overlap_around_vertex(chart: &ChartMesh, plane: &[DVec2]) -> Option<(usize, u
     rays.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
     for around in rays.chunk_by(|a, b| a.0 == b.0) {
         let alternate = around.windows(2).all(|pair| pair[0].2 != pair[1].2);
-        if turns[around[0].0 as usize] > TAU || (around.len() > 2 && !alternate) {
+        if turns[around[0].0 as usize] > TAU + ROUNDING || (around.len() > 2 && !alternate) {
             let other = around.iter().find(|ray| ray.3 != around[0].3)?;
             return Some((around[0].3 as usize, other.3 as usize));
         }

@@ -45,6 +45,18 @@ impl Faces {
         Faces { corners, positions, normals, areas, neighbours }
     }
 
+    /// Disconnects triangles whose normals differ by more than an angle: a chart bent over a sharp edge would be stretched.
+    pub fn cut_sharp_edges(&mut self, limit_cos: f64) {
+        for t in 0..self.len() {
+            for k in 0..3 {
+                let other = self.neighbours[t][k];
+                if other != NONE && self.normals[t].dot(self.normals[other as usize]) < limit_cos {
+                    self.neighbours[t][k] = NONE;
+                }
+            }
+        }
+    }
+
     pub fn len(&self) -> usize {
         self.corners.len()
     }

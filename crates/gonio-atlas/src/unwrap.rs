@@ -26,7 +26,8 @@ pub enum UvSource {
 /// How a mesh is unwrapped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnwrapSettings {
-    /// The largest angle between a triangle's normal and the axis of its chart, in radians, above 0 and below pi / 2.
+    /// The largest angle between a triangle's normal and the axis of its chart, and between two triangles at an edge within
+    /// a chart, in radians, above 0 and below pi / 2. Charts of less than a five-hundredth of the surface may bend further.
     pub angle_limit_rad: f64,
     /// The distance between charts as a share of the side, 0 to 0.25. Half of it stays free along the sides.
     pub margin: f64,
@@ -92,7 +93,7 @@ pub fn unwrap(
     settings: &UnwrapSettings,
     progress: &(dyn Fn(f64) -> bool + Sync),
 ) -> Result<AtlasUv, UnwrapError> {
-    let faces = Faces::new(mesh);
+    let mut faces = Faces::new(mesh);
     if faces.areas.iter().all(|area| *area == 0.0) {
         return Err(UnwrapError::NoArea);
     }
@@ -100,6 +101,7 @@ pub fn unwrap(
     step(0.1)?;
     if settings.source == UvSource::New {
         let limit_cos = settings.angle_limit_rad.clamp(0.01, 1.56).cos();
+        faces.cut_sharp_edges(limit_cos);
         let segmentation = charts::segment(&faces, limit_cos);
         step(0.3)?;
         let charts = flatten_all(&faces, segmentation, &|share| step(0.3 + 0.3 * share))?;

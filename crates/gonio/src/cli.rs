@@ -25,6 +25,7 @@ Window:
 Models:
   convert      Convert a model to OBJ with MTL, PLY or GLB
   unwrap       Give a model new texture coordinates: charts packed into one square
+  bake         Bake materials, normals or light into textures for new coordinates
 
 Environments:
   environment  Convert between panoramas and cubemaps; check their orientation
@@ -84,6 +85,7 @@ pub enum Command {
     Simplify(Box<commands::simplify::SimplifyArgs>),
     Probe(Box<commands::probe::ProbeArgs>),
     Frame(Box<commands::frame::FrameArgs>),
+    Bake(Box<commands::bake::BakeArgs>),
     Convert(commands::convert::ConvertArgs),
     /// Convert between panoramas and cubemaps; check their orientation.
     #[command(subcommand)]
@@ -115,6 +117,7 @@ impl Command {
             Command::Simplify(_) => "simplify",
             Command::Probe(_) => "probe",
             Command::Frame(_) => "frame",
+            Command::Bake(_) => "bake",
             Command::Convert(_) => "convert",
             Command::Environment(_) => "environment",
             Command::Brdf(_) => "brdf",
@@ -140,6 +143,7 @@ impl Command {
             Command::Simplify(args) => &args.general,
             Command::Probe(args) => &args.general,
             Command::Frame(args) => &args.general,
+            Command::Bake(args) => &args.general,
             Command::Convert(args) => &args.general,
             Command::Environment(command) => command.general(),
             Command::Brdf(command) => command.general(),
@@ -164,6 +168,7 @@ impl Command {
             Command::Simplify(args) => commands::simplify::run(args, reporter),
             Command::Probe(args) => commands::probe::run(args, reporter),
             Command::Frame(args) => commands::frame::run(args, reporter),
+            Command::Bake(args) => commands::bake::run(args, reporter),
             Command::Convert(args) => commands::convert::run(args, reporter),
             Command::Environment(command) => commands::environment::run(command, reporter),
             Command::Brdf(command) => commands::brdf::run(command, reporter),

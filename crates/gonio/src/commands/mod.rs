@@ -1,6 +1,7 @@
 //! The commands, one module each.
 
 pub mod about;
+pub mod bake;
 pub mod brdf;
 pub mod convert;
 pub mod diff;

@@ -114,6 +114,21 @@ pub fn texture_size(text: &str) -> Result<u32, String> {
     }
 }
 
+/// Parses the number of samples of a texel: a square, so that they form a grid.
+pub fn texel_samples(text: &str) -> Result<u32, String> {
+    match text.trim().parse::<u32>() {
+        Ok(n) if (1..=256).contains(&n) && n.isqrt().pow(2) == n => Ok(n),
+        _ => {
+            Err(format!("invalid number of samples `{text}`: expected a square number, 1 to 256, for example 4 or 16"))
+        }
+    }
+}
+
+/// Parses a number of rays.
+pub fn rays(text: &str) -> Result<u32, String> {
+    whole(text, 1..=65_536)
+}
+
 /// Parses the distance between charts as a share of the side.
 pub fn margin(text: &str) -> Result<f64, String> {
     number_in(text, |value| (0.0..=0.25).contains(&value), "a share of the side, 0 to 0.25")
