@@ -65,7 +65,7 @@ pub(crate) fn pack(
     }
     let count = outlines.len() as f64;
     let mut margin = margin.min(0.5 / count.sqrt());
-    loop {
+    for _ in 0..MARGIN_ATTEMPTS {
         let cells = ((8.0 * count.sqrt()) as usize).next_power_of_two().clamp(COARSE_CELLS, MOST_CELLS);
         let packer = Packer::new(&upright, total, margin);
         if let Some(placements) = packer.search(cells, go_on)? {
@@ -75,6 +75,27 @@ pub(crate) fn pack(
         }
         margin *= 0.5;
     }
+    Some((in_equal_squares(outlines), 0.0))
+}
+
+/// Smaller margins that are tried before charts get one square each.
+const MARGIN_ATTEMPTS: usize = 6;
+
+/// Gives each outline a square of its own, all of the same size: always possible.
+fn in_equal_squares(outlines: &[Outline]) -> Vec<Placement> {
+    let per_side = (outlines.len() as f64).sqrt().ceil();
+    let range = |outline: &Outline| {
+        let points = || outline.border.iter().map(|edge| edge[0]);
+        (points().fold(DVec2::MAX, DVec2::min), points().fold(DVec2::MIN, DVec2::max))
+    };
+    let largest = outlines.iter().map(range).map(|(low, high)| (high - low).max_element()).fold(0.0, f64::max);
+    let scale = if largest > 0.0 { 0.9 / (per_side * largest) } else { 0.0 };
+    let place = |(index, outline): (usize, &Outline)| {
+        let corner = DVec2::new(index as f64 % per_side, (index as f64 / per_side).floor()) + 0.05;
+        let low = if outline.border.is_empty() { DVec2::ZERO } else { range(outline).0 };
+        Placement { angle_rad: 0.0, scale, offset: corner / per_side - scale * low }
+    };
+    outlines.iter().enumerate().map(place).collect()
 }
 
 /// Turns an outline so that its bounding rectangle has the least area, which one of the rectangles with a side along the

@@ -210,6 +210,19 @@ fn charts_in_texture(mesh: &Mesh, faces: &Faces) -> Segmentation {
     Segmentation { chart_of, count: count as usize }
 }
 
+/// The length of a chart's edges in space by that in the texture. A chart that is nearly a line in the texture would become
+/// longer than any other if its area were to count alone.
+fn edge_scale(faces: &Faces, triangles: &[u32], corners: &[[DVec2; 3]]) -> f64 {
+    let (mut in_space, mut in_texture) = (0.0, 0.0);
+    for (&t, corners) in triangles.iter().zip(corners) {
+        for k in 0..3 {
+            in_space += faces.edge_length(t as usize, k);
+            in_texture += corners[k].distance(corners[(k + 1) % 3]);
+        }
+    }
+    in_space / in_texture
+}
+
 /// Those charts in the plane, each with the area of its surface. Mirrored ones stay mirrored; one without an area in the
 /// texture stays a point.
 fn charts_of_texture(mesh: &Mesh, faces: &Faces, segmentation: Segmentation) -> Vec<FlatChart> {
@@ -222,7 +235,7 @@ fn charts_of_texture(mesh: &Mesh, faces: &Faces, segmentation: Segmentation) -> 
         let area: f64 = triangles.iter().map(|&t| faces.areas[t as usize]).sum();
         let mut corners: Vec<[DVec2; 3]> = triangles.iter().map(|&t| [0, 1, 2].map(|k| place(t, k))).collect();
         let own: f64 = corners.iter().map(|c| crate::flatten::signed_area(*c).abs()).sum();
-        let scale = (area / own).sqrt();
+        let scale = (area / own).sqrt().min(2.0 * edge_scale(faces, &triangles, &corners));
         let scale = if scale.is_finite() { scale } else { 0.0 };
         corners.iter_mut().flatten().for_each(|p| *p *= scale);
         let mut border = Vec::new();
@@ -232,6 +245,10 @@ fn charts_of_texture(mesh: &Mesh, faces: &Faces, segmentation: Segmentation) -> 
                     border.push([corners[k], corners[(k + 1) % 3]]);
                 }
             }
+        }
+        // A closed surface whose texture is one point has no border.
+        if border.is_empty() {
+            border.extend(corners.first().map(|corners| [corners[0]; 2]));
         }
         FlatChart { triangles, corners, outline: Outline { border, area } }
     };

@@ -74,7 +74,8 @@ impl MapKind {
 pub struct BakeSettings {
     /// Texels along a side, 1 to 16384.
     pub size: u32,
-    /// Samples along a side of a texel, at least 1.
+    /// Samples along a side of a texel, at least 1. Textures are filtered over the distance between samples, so that one is
+    /// enough for them; more smooth the borders of materials and shadows, and soften magnified textures.
     pub grid: u32,
     /// Rays of each texel for ambient occlusion.
     pub occlusion_rays: u32,
@@ -86,7 +87,7 @@ pub struct BakeSettings {
 
 impl Default for BakeSettings {
     fn default() -> Self {
-        BakeSettings { size: 1024, grid: 2, occlusion_rays: 64, occlusion_distance: f64::INFINITY, cage_distance: 0.0 }
+        BakeSettings { size: 1024, grid: 1, occlusion_rays: 64, occlusion_distance: f64::INFINITY, cage_distance: 0.0 }
     }
 }
 

@@ -57,7 +57,9 @@ pub struct BakeArgs {
     #[command(flatten)]
     pub atlas: AtlasOptions,
     /// Samples of each texel: a square number.
-    #[arg(long, value_name = "N", help_heading = "Picture options", default_value = "4", value_parser = values::texel_samples)]
+    ///
+    /// One is enough for textures, which are filtered; more smooth the borders of materials and shadows.
+    #[arg(long, value_name = "N", help_heading = "Picture options", default_value = "1", value_parser = values::texel_samples)]
     pub samples: u32,
     /// Rays of each texel for ambient occlusion.
     #[arg(long, value_name = "N", help_heading = "Light options", default_value = "64", value_parser = values::rays)]
