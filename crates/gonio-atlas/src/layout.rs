@@ -33,11 +33,29 @@ pub fn draw_layout(atlas: &AtlasUv, size: u32) -> EncodedPicture<u8> {
     canvas.reduced(size)
 }
 
+/// Draws a checker of `squares` x `squares` squares as a square of `size` pixels, sRGB. Columns differ in hue and rows in
+/// brightness, so that a place of a surface shows where in the texture it is.
+pub fn draw_checker(size: u32, squares: u32) -> EncodedPicture<u8> {
+    let square = |i: u32| u64::from(i) * u64::from(squares) / u64::from(size.max(1));
+    let mut rgba = Vec::with_capacity(4 * size as usize * size as usize);
+    for (y, x) in (0..size).flat_map(|y| (0..size).map(move |x| (y, x))) {
+        let (column, row) = (square(x), square(y));
+        let share = |i: u64| i as f32 / squares.max(1) as f32;
+        let lightness = if (column + row) % 2 == 0 { 0.84 } else { 0.56 } - 0.12 * share(row);
+        rgba.extend(oklab_color(lightness, std::f32::consts::TAU * share(column)).map(|c| (c + 0.5) as u8));
+        rgba.push(255);
+    }
+    EncodedPicture { width: size, height: size, rgba }
+}
+
 /// A colour for a chart: hues turned by the golden angle, so that successive charts differ, in three brightnesses.
 fn chart_color(chart: u32) -> [f32; 3] {
     let hue = (chart as f32 * 137.508).rem_euclid(360.0).to_radians();
-    let lightness = [0.70, 0.62, 0.76][chart as usize % 3];
-    // OKLab (B. Ottosson, 2020) to linear sRGB, at a chroma that sRGB has at all hues.
+    oklab_color([0.70, 0.62, 0.76][chart as usize % 3], hue)
+}
+
+/// OKLab (B. Ottosson, 2020) to sRGB, 0 to 255, at a chroma that sRGB has at all hues.
+fn oklab_color(lightness: f32, hue: f32) -> [f32; 3] {
     let (a, b) = (0.105 * hue.cos(), 0.105 * hue.sin());
     let l = (lightness + 0.396_337_78 * a + 0.215_803_76 * b).powi(3);
     let m = (lightness - 0.105_561_346 * a - 0.063_854_17 * b).powi(3);

@@ -2,17 +2,21 @@
 
 use crate::commands::convert::{Converted, ModelFormat, Textures};
 use crate::error::{CliError, CommandOutcome};
-use crate::options::{GeneralOptions, LimitOptions, values};
-use crate::output::{OutputFiles, OutputPath};
+use crate::loading;
+use crate::options::{GeneralOptions, LimitOptions, SceneOptions, values};
+use crate::output::{OutputFiles, OutputPath, color_tag};
 use crate::report::{Reporter, Times};
 use crate::terminal::TerminalPage;
 use clap::Args;
 use gonio_atlas::{AtlasUv, UnwrapSettings, UvReport, UvSource, layout, unwrap, uv_report};
 use gonio_image::encode::png::{ColorTag, encode8};
 use gonio_mesh::write::ply::PlyEncoding;
-use gonio_mesh::{Diagnostic, Mesh};
+use gonio_mesh::{Diagnostic, Material, Mesh};
+use gonio_reference::ReferenceScene;
 use gonio_scene::model_file::ModelFile;
+use gonio_scene::{BoundTexture, ColorSpace, DisplayMap, SceneMaterial, Texture};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Give a model new texture coordinates: charts without overlaps, packed into one square.
 #[derive(Args, Debug)]
@@ -20,6 +24,8 @@ use std::path::PathBuf;
 Examples:
   gonio unwrap model.obj -o unwrapped.obj --layout layout.png
       New texture coordinates for all objects of the model in one atlas, and a picture of it.
+  gonio unwrap model.obj --checker checker.png
+      A picture of the model with a checker, whose squares show how the new coordinates stretch it.
   gonio unwrap model.obj --keep-uvs --layout layout.png
       A report on the model's own coordinates: overlaps, stretch, coverage. Nothing else is written.
   gonio unwrap model.obj -o packed.glb --repack --margin-texels 8 --size 2048
@@ -44,6 +50,9 @@ pub struct UnwrapArgs {
     /// Picture of the atlas to write, --size pixels along a side.
     #[arg(long, help_heading = "Output options", value_name = "FILE.png")]
     pub layout: Option<PathBuf>,
+    /// Picture of the model to write, with a checker in the new coordinates.
+    #[arg(long, help_heading = "Output options", value_name = "FILE.png")]
+    pub checker: Option<PathBuf>,
     #[command(flatten)]
     pub limits: LimitOptions,
     #[command(flatten)]
@@ -122,7 +131,8 @@ pub fn run(args: &UnwrapArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
     let output = args.output.clone().map(OutputPath::File);
     let format = args.output.as_deref().map(ModelFormat::of_path).transpose()?;
     args.atlas.settings()?;
-    for path in output.iter().filter_map(OutputPath::file).chain(args.layout.as_deref()) {
+    for path in output.iter().filter_map(OutputPath::file).chain(args.layout.as_deref()).chain(args.checker.as_deref())
+    {
         crate::output::atomic::check_writable(path)?;
     }
     let files = args.limits.files([args.input.as_str()], reporter);
@@ -154,6 +164,10 @@ pub fn run(args: &UnwrapArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
         let picture = times.measure("layout", || layout::draw_layout(&atlas, args.atlas.size));
         written.add(path, &encode8(&picture, ColorTag::Srgb)?)?;
     }
+    if let Some(path) = &args.checker {
+        let _busy = reporter.busy("drawing the checker");
+        written.add(path, &times.measure("checker", || checker_picture(args, &atlas, reporter))?)?;
+    }
     reporter.diagnostics(&diagnostics);
     written.commit()?;
     reporter.verbose_times(&times);
@@ -174,12 +188,36 @@ fn print_report(
             "input": args.input,
             "output": args.output,
             "layout": args.layout,
+            "checker": args.checker,
             "uv": report,
             "warnings": diagnostics,
             "times_ms": times.to_json(),
         }));
     }
     if args.general.quiet { Ok(()) } else { reporter.text(&text(report)) }
+}
+
+/// Squares along a side of the checker, and texels along a side.
+const CHECKER: (u32, u32) = (32, 1024);
+
+/// Draws the model with a checker in the atlas, as PNG.
+fn checker_picture(args: &UnwrapArgs, atlas: &AtlasUv, reporter: &Reporter) -> Result<Vec<u8>, CliError> {
+    let options = SceneOptions { limits: args.limits.clone(), size: Some((1024, 768)), ..SceneOptions::default() };
+    let mut scene = loading::load_scene(std::slice::from_ref(&args.input), &options, reporter)?;
+    let (squares, size) = CHECKER;
+    let rgba = layout::draw_checker(size, squares).rgba;
+    scene.textures = vec![Arc::new(Texture::new("checker", size, size, rgba, ColorSpace::Srgb))];
+    for mesh in &mut scene.meshes {
+        *mesh = Arc::new(mesh.with_corner_tex_coords(&atlas.tex_coords));
+    }
+    let material = Material { diffuse: [1.0; 3], specular: [0.0; 3], ..Material::default() };
+    let mut material = SceneMaterial::from(material);
+    material.maps.diffuse = Some(BoundTexture::plain(0));
+    scene.materials = vec![material; scene.materials.len()];
+    let frame = scene.frame(0.0);
+    let rendered = ReferenceScene::new(&scene).render(&frame, None, &|_| ());
+    let map = DisplayMap::for_view(None, &frame);
+    Ok(encode8(&rendered.picture.encode8(&map), color_tag(&map))?)
 }
 
 /// The textures belong to the old coordinates.
