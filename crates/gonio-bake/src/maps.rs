@@ -281,11 +281,14 @@ pub struct BakedMap {
 }
 
 impl BakedMap {
+    fn is_color(&self) -> bool {
+        matches!(self.kind, MapKind::Diffuse | MapKind::Specular | MapKind::Emitted | MapKind::Id)
+    }
+
     /// The number that the colours in the file are multiplied by: 1, or the largest value of a channel if that is more, as a
     /// PNG ends at 1. A material has it as the colour that multiplies its texture.
     pub fn factor(&self) -> f32 {
-        let is_color = matches!(self.kind, MapKind::Diffuse | MapKind::Specular | MapKind::Emitted);
-        let values = self.texels.values.iter().filter(|_| is_color).flat_map(|v| &v[..3]);
+        let values = self.texels.values.iter().filter(|_| self.is_color()).flat_map(|v| &v[..3]);
         values.copied().filter(|v| v.is_finite()).fold(1.0, f32::max)
     }
 
@@ -301,16 +304,17 @@ impl BakedMap {
             let image = Image { width: size, height: size, pixels: rows };
             return Ok(encode_exr(&image, ExrPrecision::Float)?.bytes);
         }
-        let data = |v: f32| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
-        let (tag, channel): (ColorTag, fn(f32, fn(f32) -> u8) -> u8) = match self.kind {
-            MapKind::Normal => (ColorTag::Untagged, |v, data| data(0.5 * v + 0.5)),
-            MapKind::AmbientOcclusion => (ColorTag::Untagged, |v, data| data(v)),
-            _ => (ColorTag::Srgb, |v, _| srgb::ENCODER.encode(v.clamp(0.0, 1.0))),
-        };
+        let tag = if self.is_color() { ColorTag::Srgb } else { ColorTag::Untagged };
         let factor = self.factor();
-        let rgba = rows.iter().flat_map(|&[r, g, b, _]| {
-            let [r, g, b] = if self.kind == MapKind::Normal { unit([r, g, b]) } else { [r, g, b].map(|v| v / factor) };
-            [channel(r, data), channel(g, data), channel(b, data), 255]
+        let data = |v: f32| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+        let encoded = |[r, g, b, _]: [f32; 4]| match self.kind {
+            MapKind::Normal => unit([r, g, b]).map(|v| data(0.5 * v + 0.5)),
+            MapKind::AmbientOcclusion => [r, g, b].map(data),
+            _ => [r, g, b].map(|v| srgb::ENCODER.encode((v / factor).clamp(0.0, 1.0))),
+        };
+        let rgba = rows.into_iter().flat_map(|texel| {
+            let [r, g, b] = encoded(texel);
+            [r, g, b, 255]
         });
         encode8(&EncodedPicture { width: size, height: size, rgba: rgba.collect() }, tag)
     }
