@@ -128,11 +128,21 @@ fn no_level_has_a_dark_seam() {
     }
 }
 
-/// The normals of a sphere of 28,800 triangles on one of 512, as a renderer sees them.
+/// The normals of a sphere of 28,800 triangles on one of 512, as a renderer sees them. With one normal per triangle the map
+/// has to bend them by up to 8 degrees; interpolated ones are radial without a map, and must stay so.
 #[test]
 fn normals_of_a_finer_sphere() {
-    let scene_of = |frequency| one_object(sphere::sphere(frequency).unwrap(), Material::default());
-    let (coarse, fine) = (scene_of(8), scene_of(60));
+    let sphere = sphere::sphere(8).unwrap();
+    let flat = gonio_mesh::normals::make_flat(&sphere);
+    for (name, coarse) in [("smooth", sphere), ("flat", flat)] {
+        let mean = mean_error_of_sphere(one_object(coarse, Material::default()));
+        assert!(mean <= 1.0, "{name}: {mean} degrees");
+    }
+}
+
+/// The mean angle between the normals of a fine sphere's picture and those of a coarse one's with its baked map, in degrees.
+fn mean_error_of_sphere(coarse: Scene) -> f64 {
+    let fine = one_object(sphere::sphere(60).unwrap(), Material::default());
     let settings = BakeSettings { size: 512, cage_distance: 0.05, ..BakeSettings::default() };
     let baked = bake(&coarse, MapKind::Normal, settings, Some(&fine));
     let coarse_with_map = rebuilt(&coarse, &baked);
@@ -146,8 +156,8 @@ fn normals_of_a_finer_sphere() {
     let vector = |p: [f32; 4]| DVec3::new(p[0].into(), p[1].into(), p[2].into());
     let both = a.into_iter().zip(b).filter(|(a, b)| a[3] > 0.0 && b[3] > 0.0);
     let errors: Vec<f64> = both.map(|(a, b)| vector(a).angle_between(vector(b)).to_degrees()).collect();
-    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
-    assert!(errors.len() > 5000 && mean <= 1.0, "{mean} degrees over {} pixels", errors.len());
+    assert!(errors.len() > 5000, "{} pixels", errors.len());
+    errors.iter().sum::<f64>() / errors.len() as f64
 }
 
 /// The floor of a room: a square of side 2 below another one.
