@@ -5,8 +5,8 @@
 //! generation", SIGGRAPH 2002) in the form of a Dirichlet energy minus an area (P. Mullen, Y. Tong, P. Alliez,
 //! M. Desbrun, "Spectral conformal parameterization", 2008, equation 2), which keeps angles, and a few rounds of the
 //! local/global method (L. Liu, L. Zhang, Y. Xu, C. Gotsman, S. Gortler, "A local/global approach to mesh
-//! parameterization", 2008, as rigid as possible), which keeps areas too. A map that overlaps itself is rejected for the
-//! one before it.
+//! parameterization", 2008, as rigid as possible), which keeps areas too. Of those that do not overlap themselves,
+//! the one with the least distortion is taken.
 
 use crate::faces::{Faces, NONE};
 use crate::solver::PlaneOperator;
@@ -62,8 +62,9 @@ impl ChartMesh {
     }
 }
 
-/// Returns the place in the plane of each vertex of a chart, counter-clockwise triangles, with the area of the surface: the
-/// last step that `is_good` accepts. `Err` is what `is_good` says about the projection if it accepts none.
+/// Returns the place in the plane of each vertex of a chart, counter-clockwise triangles, with the area of the surface: of
+/// the maps that `is_good` accepts the one with the least distortion. `Err` is what `is_good` says about the last one if it
+/// accepts none.
 pub(crate) fn flatten<E>(
     faces: &Faces,
     chart: &ChartMesh,
@@ -74,19 +75,20 @@ pub(crate) fn flatten<E>(
     let axis = normals.sum::<DVec3>().normalize_or(DVec3::Z);
     let flatness = chart.triangles.iter().map(|&t| faces.normals[t as usize].dot(axis)).fold(1.0, f64::min);
     let projected = with_area(chart, project(faces, chart, axis), area);
-    if flatness <= FLAT_COS {
-        let shapes = Shapes::new(faces, chart);
-        let conformal = with_area(chart, shapes.conformal(chart, &projected), area);
-        let start = if is_good(&conformal).is_ok() { Some(conformal) } else { None };
-        let rigid = with_area(chart, shapes.rigid(chart, start.as_ref().unwrap_or(&projected)), area);
-        if is_good(&rigid).is_ok() {
-            return Ok(rigid);
-        }
-        if let Some(conformal) = start {
-            return Ok(conformal);
-        }
+    if flatness > FLAT_COS {
+        return is_good(&projected).map(|()| projected);
     }
-    is_good(&projected).map(|()| projected)
+    let shapes = Shapes::new(faces, chart);
+    let conformal = with_area(chart, shapes.conformal(chart, &projected), area);
+    let start = if is_good(&conformal).is_ok() { &conformal } else { &projected };
+    let rigid = with_area(chart, shapes.rigid(chart, start), area);
+    let mut maps = [rigid, conformal, projected].map(|map| (shapes.distortion(chart, &map), map));
+    maps.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let [(_, best), (_, second), (_, last)] = maps;
+    match [best, second].into_iter().find(|map| is_good(map).is_ok()) {
+        Some(map) => Ok(map),
+        None => is_good(&last).map(|()| last),
+    }
 }
 
 fn project(faces: &Faces, chart: &ChartMesh, axis: DVec3) -> Vec<DVec2> {
@@ -145,6 +147,27 @@ impl Shapes {
             is_same
         });
         Shapes { flat, weights, edges }
+    }
+
+    /// The symmetric Dirichlet energy (J. Smith, S. Schaefer, "Bijective parameterization with free boundaries", 2015): the mean
+    /// over the surface of s1² + s2² + 1/s1² + 1/s2² for the singular values of each triangle's map; 4 without distortion,
+    /// infinite if a triangle is turned over or collapses.
+    fn distortion(&self, chart: &ChartMesh, plane: &[DVec2]) -> f64 {
+        let (mut energy, mut area) = (0.0, 0.0);
+        for (corners, flat) in chart.corners.iter().zip(&self.flat) {
+            let [a, b, c] = corners.map(|i| plane[i as usize]);
+            let (length, tip) = (flat[1].x, flat[2]);
+            let along = (b - a) / length;
+            let across = (c - a - along * tip.x) / tip.y;
+            let determinant = along.perp_dot(across);
+            if determinant.is_nan() || determinant <= 0.0 {
+                return f64::INFINITY;
+            }
+            let squares = along.length_squared() + across.length_squared();
+            energy += length * tip.y * squares * (1.0 + 1.0 / (determinant * determinant));
+            area += length * tip.y;
+        }
+        energy / area
     }
 
     /// The least-squares conformal map, with the two border vertices farthest apart pinned where they are.

@@ -65,38 +65,78 @@ pub(crate) fn pack(
     }
     let count = outlines.len() as f64;
     let mut margin = margin.min(0.5 / count.sqrt());
-    for _ in 0..MARGIN_ATTEMPTS {
-        let cells = ((8.0 * count.sqrt()) as usize).next_power_of_two().clamp(COARSE_CELLS, MOST_CELLS);
-        let packer = Packer::new(&upright, total, margin);
-        if let Some(placements) = packer.search(cells, go_on)? {
-            let turned = placements.into_iter().zip(&upright);
-            let turned = turned.map(|(p, (_, angle))| Placement { angle_rad: p.angle_rad + angle, ..p });
-            return Some((turned.collect(), margin));
+    let with_angles = |placements: Vec<Placement>| -> Vec<Placement> {
+        let turned = placements.into_iter().zip(&upright);
+        turned.map(|(p, (_, angle))| Placement { angle_rad: p.angle_rad + angle, ..p }).collect()
+    };
+    if outlines.len() <= MOST_BY_OUTLINE {
+        for _ in 0..MARGIN_ATTEMPTS {
+            let cells = ((8.0 * count.sqrt()) as usize).next_power_of_two().clamp(COARSE_CELLS, MOST_CELLS);
+            let packer = Packer::new(&upright, total, margin);
+            if let Some(placements) = packer.search(cells, go_on)? {
+                return Some((with_angles(placements), margin));
+            }
+            margin *= 0.5;
         }
-        margin *= 0.5;
     }
-    Some((in_equal_squares(outlines), 0.0))
+    margin = margin.min(0.25 / count.sqrt());
+    Some((with_angles(in_shelves(&upright, margin)), margin))
 }
 
-/// Smaller margins that are tried before charts get one square each.
+/// Smaller margins that are tried before charts are put on shelves.
 const MARGIN_ATTEMPTS: usize = 6;
 
-/// Gives each outline a square of its own, all of the same size: always possible.
-fn in_equal_squares(outlines: &[Outline]) -> Vec<Placement> {
-    let per_side = (outlines.len() as f64).sqrt().ceil();
-    let range = |outline: &Outline| {
+/// More charts than this are not packed by their outlines: they are a few texels each.
+const MOST_BY_OUTLINE: usize = 20_000;
+
+/// Puts the bounding boxes of outlines on shelves, the highest first, at the largest scale at which all fit. With a margin of at
+/// most 0.25 / sqrt(n) there always is one.
+fn in_shelves(upright: &[(Outline, f64)], margin: f64) -> Vec<Placement> {
+    let range = |(outline, _): &(Outline, f64)| {
         let points = || outline.border.iter().map(|edge| edge[0]);
-        (points().fold(DVec2::MAX, DVec2::min), points().fold(DVec2::MIN, DVec2::max))
+        let low = points().fold(DVec2::MAX, DVec2::min);
+        (low, (points().fold(DVec2::MIN, DVec2::max) - low).max(DVec2::ZERO))
     };
-    let largest = outlines.iter().map(range).map(|(low, high)| (high - low).max_element()).fold(0.0, f64::max);
-    let scale = if largest > 0.0 { 0.9 / (per_side * largest) } else { 0.0 };
-    let place = |(index, outline): (usize, &Outline)| {
-        let corner = DVec2::new(index as f64 % per_side, (index as f64 / per_side).floor()) + 0.05;
-        let low = if outline.border.is_empty() { DVec2::ZERO } else { range(outline).0 };
-        Placement { angle_rad: 0.0, scale, offset: corner / per_side - scale * low }
+    let boxes: Vec<(DVec2, DVec2)> = upright.iter().map(range).collect();
+    let mut order: Vec<usize> = (0..boxes.len()).collect();
+    order.sort_by(|&a, &b| boxes[b].1.y.total_cmp(&boxes[a].1.y).then(a.cmp(&b)));
+    let place_all = |scale: f64| {
+        let mut placements = vec![Placement::default(); boxes.len()];
+        let (mut at, mut height) = (DVec2::splat(0.5 * margin), 0.0_f64);
+        for &index in &order {
+            let (low, size) = (boxes[index].0, scale * boxes[index].1);
+            if at.x + size.x > 1.0 - 0.5 * margin {
+                at = DVec2::new(0.5 * margin, at.y + height + margin);
+                height = 0.0;
+            }
+            if (at + size).max_element() > 1.0 - 0.5 * margin {
+                return None;
+            }
+            placements[index] = Placement { angle_rad: 0.0, scale, offset: at - scale * low };
+            at.x += size.x + margin;
+            height = height.max(size.y);
+        }
+        Some(placements)
     };
-    outlines.iter().enumerate().map(place).collect()
+    let largest = boxes.iter().map(|(_, size)| size.max_element()).fold(0.0, f64::max);
+    let mut scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
+    let mut best = None;
+    while best.is_none() && scale > 0.0 {
+        scale *= 0.5;
+        best = place_all(scale);
+    }
+    let mut step = 0.5 * scale;
+    for _ in 0..SHELF_ROUNDS {
+        if let Some(placements) = place_all(scale + step) {
+            (scale, best) = (scale + step, Some(placements));
+        }
+        step *= 0.5;
+    }
+    best.unwrap_or_else(|| vec![Placement::default(); boxes.len()])
 }
+
+/// Rounds of bisection of the scale of shelves: to 0.1 %.
+const SHELF_ROUNDS: usize = 10;
 
 /// Turns an outline so that its bounding rectangle has the least area, which one of the rectangles with a side along the
 /// convex hull has (H. Freeman, R. Shapira, 1975); wider than high. Returns the angle too.
@@ -215,11 +255,12 @@ impl<'a> Packer<'a> {
     /// Places all outlines at the scale at which they cover a share of the square, if they fit.
     fn place_all(&self, coverage: f64, cells: usize) -> Option<Vec<Placement>> {
         let scale = (coverage / self.total_area).sqrt();
-        let mut grid = PackingGrid::new(cells, self.margin);
+        let is_crowded = self.order.len() > MANY_CHARTS;
+        let mut grid = PackingGrid::new(cells, self.margin, is_crowded);
         let mut placements = vec![Placement::default(); self.outlines.len()];
         for &index in &self.order {
             let outline = &self.outlines[index].0;
-            placements[index] = grid.place(outline, scale, if self.order.len() > MANY_CHARTS { 2 } else { 4 })?;
+            placements[index] = grid.place(outline, scale, if is_crowded { 2 } else { 4 })?;
         }
         Some(placements)
     }
@@ -233,7 +274,10 @@ struct PackingGrid {
     /// Cells that are taken, or nearer to a chart than the margin.
     taken: Bitmap,
     free_run: Vec<usize>,
-    /// The row at which a small rectangle was last placed: the square only becomes fuller.
+    /// Whether there are so many charts that rows are not searched again for boxes of the same size.
+    is_crowded: bool,
+    /// The row at which a box of a size was last placed. The square only becomes fuller, so that a small box, which is
+    /// filled, cannot be placed lower.
     last_row: HashMap<(usize, usize), usize>,
     scratch: Vec<u64>,
 }
@@ -252,9 +296,10 @@ struct Stamp {
 const SMALL: usize = 3;
 
 impl PackingGrid {
-    fn new(cells: usize, margin: f64) -> Self {
+    fn new(cells: usize, margin: f64, is_crowded: bool) -> Self {
         PackingGrid {
             cells,
+            is_crowded,
             margin: margin * cells as f64,
             taken: Bitmap::new(cells, cells),
             free_run: vec![cells; cells],
@@ -275,7 +320,8 @@ impl PackingGrid {
         }
         let (_, y, x, stamp) = best?;
         let rows = self.taken.add_with_margin(&stamp.cells, x, y, self.margin);
-        for row in rows {
+        // An old length is an upper bound; keeping it up to date takes longer than it saves where rows are remembered.
+        for row in rows.filter(|_| !self.is_crowded) {
             self.free_run[row] = self.taken.longest_free_run(row);
         }
         let cells = self.cells as f64;
@@ -312,9 +358,11 @@ impl PackingGrid {
         let (width, height) = (stamp.cells.width, stamp.cells.height);
         let last_x = self.cells.checked_sub(edge + width)?;
         let last_y = self.cells.checked_sub(edge + height)?.min(limit.saturating_sub(height + 1));
-        let key = (width, height);
-        let is_small = width <= SMALL && height <= SMALL;
-        let first_y = if is_small { self.last_row.get(&key).copied().unwrap_or(edge) } else { edge };
+        // Boxes of about the same size: hundreds of exact sizes would each search the rows from the bottom.
+        let class = |side: usize| if self.is_crowded { side.ilog2() as usize } else { side };
+        let key = (class(width), class(height));
+        let is_remembered = self.is_crowded || (width <= SMALL && height <= SMALL);
+        let first_y = if is_remembered { self.last_row.get(&key).copied().unwrap_or(edge) } else { edge };
         let mut outside = Bitmap::new(self.cells, 1);
         outside.set_run(0, 0, edge);
         outside.set_run(0, last_x + 1, self.cells);
@@ -334,7 +382,7 @@ impl PackingGrid {
                 blocked != full.row(0)
             });
             if is_free {
-                if is_small {
+                if is_remembered {
                     self.last_row.insert(key, y);
                 }
                 let word = blocked.iter().zip(full.row(0)).position(|(b, f)| b != f)?;

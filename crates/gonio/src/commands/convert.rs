@@ -95,7 +95,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     let written = {
         let _busy = reporter.busy("writing the model");
         let encoding = if args.ascii { PlyEncoding::Ascii } else { PlyEncoding::Binary };
-        Converted::new(&mut model, textures, &args.output, format, encoding)?
+        ConvertedModel::new(&mut model, textures, &args.output, format, encoding)?
     };
     diagnostics.extend(written.diagnostics);
     reporter.diagnostics(&diagnostics);
@@ -124,7 +124,7 @@ fn format_of(args: &ConvertArgs) -> Result<ModelFormat, CliError> {
 }
 
 /// A converted model.
-pub struct Converted {
+pub struct ConvertedModel {
     /// The bytes of the file that OUT names.
     pub main: Vec<u8>,
     /// The files beside it that it refers to.
@@ -132,7 +132,7 @@ pub struct Converted {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-impl Converted {
+impl ConvertedModel {
     /// Writes a model for `output`, naming its textures relative to that file's folder.
     pub fn new(
         model: &mut Model,
@@ -140,7 +140,7 @@ impl Converted {
         output: &OutputPath,
         format: ModelFormat,
         encoding: PlyEncoding,
-    ) -> Result<Converted, CliError> {
+    ) -> Result<ConvertedModel, CliError> {
         Ok(match format {
             ModelFormat::Obj => obj_files(model, textures, output),
             ModelFormat::Ply => ply_files(model, textures, output, encoding),
@@ -154,7 +154,7 @@ fn path_of(output: &OutputPath) -> &Path {
     output.file().unwrap_or(Path::new("stdout"))
 }
 
-fn obj_files(model: &mut Model, textures: Textures, output: &OutputPath) -> Converted {
+fn obj_files(model: &mut Model, textures: Textures, output: &OutputPath) -> ConvertedModel {
     let path = path_of(output);
     textures.name_for(model, path);
     let files = write::obj::write(model, &format!("{}.mtl", stem_of(path)));
@@ -163,21 +163,21 @@ fn obj_files(model: &mut Model, textures: Textures, output: &OutputPath) -> Conv
         beside.push((path.with_file_name(&files.mtl_name), files.mtl));
     }
     beside.extend(image_files(model, &files.images, path));
-    Converted { main: files.obj, beside, diagnostics: files.diagnostics }
+    ConvertedModel { main: files.obj, beside, diagnostics: files.diagnostics }
 }
 
-fn ply_files(model: &mut Model, textures: Textures, output: &OutputPath, encoding: PlyEncoding) -> Converted {
+fn ply_files(model: &mut Model, textures: Textures, output: &OutputPath, encoding: PlyEncoding) -> ConvertedModel {
     let path = path_of(output);
     textures.name_for(model, path);
     let files = write::ply::write(model, &stem_of(path), encoding);
     let beside = image_files(model, &files.images, path).collect();
-    Converted { main: files.ply, beside, diagnostics: files.diagnostics }
+    ConvertedModel { main: files.ply, beside, diagnostics: files.diagnostics }
 }
 
-fn glb_file(model: &Model, textures: &Textures, output: &OutputPath) -> Result<Converted, CliError> {
+fn glb_file(model: &Model, textures: &Textures, output: &OutputPath) -> Result<ConvertedModel, CliError> {
     let glb = write::glb::write(model, &mut |map| textures.bytes(&map.path))
         .map_err(|error| CliError::new(format!("`{output}` cannot be written: {error}")))?;
-    Ok(Converted { main: glb.bytes, beside: Vec::new(), diagnostics: glb.diagnostics })
+    Ok(ConvertedModel { main: glb.bytes, beside: Vec::new(), diagnostics: glb.diagnostics })
 }
 
 /// Writes the model, after the files that it refers to.

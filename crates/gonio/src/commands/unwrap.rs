@@ -1,6 +1,6 @@
 //! `gonio unwrap`: new texture coordinates for a model. The work is `gonio-atlas`'s; this module has the options and files.
 
-use crate::commands::convert::{Converted, ModelFormat, Textures};
+use crate::commands::convert::{ConvertedModel, ModelFormat, Textures};
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
 use crate::options::{GeneralOptions, LimitOptions, SceneOptions, values};
@@ -153,7 +153,7 @@ pub fn run(args: &UnwrapArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
             drop_textures(&mut file, &mut diagnostics);
         }
         let textures = Textures::find(&file, &files, &mut diagnostics);
-        let converted = Converted::new(&mut file.model, textures, output, format, PlyEncoding::Binary)?;
+        let converted = ConvertedModel::new(&mut file.model, textures, output, format, PlyEncoding::Binary)?;
         diagnostics.extend(converted.diagnostics);
         for (path, bytes) in converted.beside.iter().rev() {
             written.add(path, bytes)?;
