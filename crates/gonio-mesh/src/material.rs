@@ -156,6 +156,21 @@ impl Material {
         maps.into_iter().chain(physical.into_iter().flatten()).flatten()
     }
 
+    /// Removes all textures; numbers that they multiplied stay.
+    pub fn drop_textures(&mut self) {
+        self.diffuse_map = None;
+        self.specular_map = None;
+        self.emitted_map = None;
+        self.shininess_map = None;
+        self.opacity_map = None;
+        self.normal_map = None;
+        self.bump_map = None;
+        if let Some(physical) = &mut self.metallic_roughness {
+            physical.metallic_map = None;
+            physical.roughness_map = None;
+        }
+    }
+
     /// Returns all textures of the material for modification.
     pub fn textures_mut(&mut self) -> impl Iterator<Item = &mut TextureMap> {
         let physical = self.metallic_roughness.as_mut().map(|m| [&mut m.metallic_map, &mut m.roughness_map]);

@@ -125,6 +125,22 @@ impl Mesh {
         self.triangle(t).map(|i| Vec3::from(self.positions[i]))
     }
 
+    /// Returns a place for each vertex, equal for equal positions (0 and -0 are equal), numbered from 0 in the order of
+    /// their first vertices; and the number of places.
+    pub fn places(&self) -> (Vec<u32>, usize) {
+        crate::weld::places(&self.positions)
+    }
+
+    /// Returns the mesh with new texture coordinates, one for each index; vertices whose corners differ are split.
+    /// Tangents are dropped, because they belong to the old coordinates. Missing coordinates are 0.
+    pub fn with_corner_tex_coords(&self, tex_coords: &[[f32; 2]]) -> Mesh {
+        let bare = Mesh { tex_coords: Vec::new(), tangents: Vec::new(), ..self.clone() };
+        let mut of_corner = tex_coords.to_vec();
+        of_corner.resize(self.indices.len(), [0.0; 2]);
+        let (mesh, tex_coords) = crate::weld::split_by_corner_values(&bare, &of_corner);
+        Mesh { tex_coords, ..mesh }
+    }
+
     /// Returns the mesh with three separate vertices for each triangle, in the order of the indices.
     pub fn unshared(&self) -> Mesh {
         fn gather<T: Copy>(values: &[T], indices: &[u32]) -> Vec<T> {

@@ -24,6 +24,8 @@ Window:
 
 Models:
   convert      Convert a model to OBJ with MTL, PLY or GLB
+  unwrap       Give a model new texture coordinates: charts packed into one square
+  bake         Bake materials, normals or light into textures for new coordinates
 
 Environments:
   environment  Convert between panoramas and cubemaps; check their orientation
@@ -83,6 +85,7 @@ pub enum Command {
     Simplify(Box<commands::simplify::SimplifyArgs>),
     Probe(Box<commands::probe::ProbeArgs>),
     Frame(Box<commands::frame::FrameArgs>),
+    Bake(Box<commands::bake::BakeArgs>),
     Convert(commands::convert::ConvertArgs),
     /// Convert between panoramas and cubemaps; check their orientation.
     #[command(subcommand)]
@@ -98,6 +101,7 @@ pub enum Command {
     Scene(Box<commands::scene::SceneArgs>),
     Serve(commands::serve::ServeArgs),
     Tour(commands::tour::TourArgs),
+    Unwrap(commands::unwrap::UnwrapArgs),
     View(Box<commands::view::ViewArgs>),
     Completions(commands::about::CompletionsArgs),
     Man(commands::about::ManArgs),
@@ -113,6 +117,7 @@ impl Command {
             Command::Simplify(_) => "simplify",
             Command::Probe(_) => "probe",
             Command::Frame(_) => "frame",
+            Command::Bake(_) => "bake",
             Command::Convert(_) => "convert",
             Command::Environment(_) => "environment",
             Command::Brdf(_) => "brdf",
@@ -122,6 +127,7 @@ impl Command {
             Command::Scene(_) => "scene",
             Command::Serve(_) => "serve",
             Command::Tour(_) => "tour",
+            Command::Unwrap(_) => "unwrap",
             Command::View(_) => "view",
             Command::Completions(_) => "completions",
             Command::Man(_) => "man",
@@ -137,6 +143,7 @@ impl Command {
             Command::Simplify(args) => &args.general,
             Command::Probe(args) => &args.general,
             Command::Frame(args) => &args.general,
+            Command::Bake(args) => &args.general,
             Command::Convert(args) => &args.general,
             Command::Environment(command) => command.general(),
             Command::Brdf(command) => command.general(),
@@ -146,6 +153,7 @@ impl Command {
             Command::Scene(args) => &args.general,
             Command::Serve(args) => &args.general,
             Command::Tour(args) => &args.general,
+            Command::Unwrap(args) => &args.general,
             Command::View(args) => &args.general,
             Command::Completions(_) | Command::Man(_) | Command::Licenses(_) => return GeneralOptions::default(),
         };
@@ -160,6 +168,7 @@ impl Command {
             Command::Simplify(args) => commands::simplify::run(args, reporter),
             Command::Probe(args) => commands::probe::run(args, reporter),
             Command::Frame(args) => commands::frame::run(args, reporter),
+            Command::Bake(args) => commands::bake::run(args, reporter),
             Command::Convert(args) => commands::convert::run(args, reporter),
             Command::Environment(command) => commands::environment::run(command, reporter),
             Command::Brdf(command) => commands::brdf::run(command, reporter),
@@ -172,6 +181,7 @@ impl Command {
                 check_folder(&args.output, "`gonio tour`")?;
                 commands::tour::run(args, reporter)
             }
+            Command::Unwrap(args) => commands::unwrap::run(args, reporter),
             Command::View(args) => commands::view::run(args),
             Command::Completions(args) => commands::about::completions(args, &mut self::command()),
             Command::Man(args) => commands::about::man(args, self::command(), reporter),
@@ -256,9 +266,10 @@ mod tests {
 
     #[test]
     fn every_option_has_one_of_a_few_headings() {
-        const HEADINGS: [&str; 20] = [
+        const HEADINGS: [&str; 21] = [
             GENERAL,
             "Animation options",
+            "Atlas options",
             "Camera options",
             "Check options",
             "Comparison options",

@@ -67,6 +67,12 @@ fn exercises_are_started_completely() {
 }
 
 #[test]
+fn models_are_unwrapped_and_baked_completely() {
+    all_or_none(|_| {}, &["unwrap", "builtin:still-life", "-o", "a.obj", "--layout", "a.png", "--size", "64"]);
+    all_or_none(|_| {}, &["bake", "builtin:still-life", "-o", "new/baked", "--size", "64"]);
+}
+
+#[test]
 fn models_are_converted_completely() {
     // A texture in the model becomes a file of its own.
     let prepare = |lab: &Lab| {

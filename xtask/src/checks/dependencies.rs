@@ -27,6 +27,8 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-light", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-mesh", may_know: &["gonio-light"], tests_may_know: &[] },
     Rule { krate: "gonio-image", may_know: &["gonio-light"], tests_may_know: &[] },
+    // Texture coordinates of meshes, and a picture of them.
+    Rule { krate: "gonio-atlas", may_know: &["gonio-mesh", "gonio-image"], tests_may_know: &[] },
     Rule { krate: "gonio-environment", may_know: &["gonio-light", "gonio-image"], tests_may_know: &[] },
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
@@ -45,6 +47,8 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-gallery", may_know: BELOW_GALLERY, tests_may_know: &[] },
     // It compares pictures by both equations, and writes a page like the gallery's.
     Rule { krate: "gonio-simplify", may_know: BELOW_SIMPLIFY, tests_may_know: &[] },
+    // Pictures of a scene's surfaces instead of its views.
+    Rule { krate: "gonio-bake", may_know: BELOW_BAKING, tests_may_know: &["gonio-reference"] },
     Rule { krate: "gonio-plot", may_know: BELOW_PLOTS, tests_may_know: &[] },
     // It measures the checker, so neither knows the other.
     Rule { krate: "gonio-submissions", may_know: &["gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
@@ -93,6 +97,7 @@ const BELOW_GALLERY: &[&str] = &[
 ];
 const BELOW_SIMPLIFY: &[&str] =
     &["gonio-light", "gonio-image", "gonio-scene", "gonio-reference", "gonio-trace", "gonio-gallery"];
+const BELOW_BAKING: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-scene", "gonio-atlas"];
 /// It sets text as the window does.
 const BELOW_PLOTS: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "vello_cpu"];
 const BELOW_CHECK: &[&str] = &[
@@ -150,6 +155,8 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-gl",
     "gonio-render",
     "gonio-gallery",
+    "gonio-atlas",
+    "gonio-bake",
     "gonio-simplify",
     "gonio-glsl",
     "gonio-interpreter",

@@ -6,6 +6,7 @@ use crate::options::{GeneralOptions, LimitOptions, values};
 use crate::output::{OutputFiles, OutputKind, OutputPath, check_stdout};
 use crate::report::Reporter;
 use clap::Args;
+use gonio_mesh::write::ply::PlyEncoding;
 use gonio_mesh::write::{self, ImageFile};
 use gonio_mesh::{Diagnostic, EmbeddedImage, FilePlace, Model};
 use gonio_scene::files::FileSource;
@@ -66,6 +67,16 @@ impl ModelFormat {
     }
 }
 
+impl ModelFormat {
+    /// The format of a file by its extension.
+    pub fn of_path(path: &Path) -> Result<Self, CliError> {
+        let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+        Self::ALL.iter().copied().find(|format| format.name() == extension).ok_or_else(|| {
+            CliError::new(format!("`{}` cannot be written: expected an extension .obj, .ply or .glb", path.display()))
+        })
+    }
+}
+
 pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let format = format_of(args)?;
     if args.ascii && format != ModelFormat::Ply {
@@ -83,11 +94,8 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     let mut model = std::mem::take(&mut file.model);
     let written = {
         let _busy = reporter.busy("writing the model");
-        match format {
-            ModelFormat::Obj => obj_files(&mut model, textures, &args.output),
-            ModelFormat::Ply => ply_files(&mut model, textures, args),
-            ModelFormat::Glb => glb_file(&model, &textures, &args.output)?,
-        }
+        let encoding = if args.ascii { PlyEncoding::Ascii } else { PlyEncoding::Binary };
+        ConvertedModel::new(&mut model, textures, &args.output, format, encoding)?
     };
     diagnostics.extend(written.diagnostics);
     reporter.diagnostics(&diagnostics);
@@ -112,20 +120,33 @@ fn format_of(args: &ConvertArgs) -> Result<ModelFormat, CliError> {
     let Some(path) = args.output.file() else {
         return args.format.ok_or_else(|| CliError::new("stdout has no extension; add --format obj, ply or glb"));
     };
-    let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-    let by_name = ModelFormat::ALL.iter().copied().find(|format| format.name() == extension);
-    args.format.or(by_name).ok_or_else(|| {
-        CliError::new(format!("`{}` cannot be written: expected an extension .obj, .ply or .glb", path.display()))
-    })
+    args.format.map_or_else(|| ModelFormat::of_path(path), Ok)
 }
 
 /// A converted model.
-struct Converted {
+pub struct ConvertedModel {
     /// The bytes of the file that OUT names.
-    main: Vec<u8>,
+    pub main: Vec<u8>,
     /// The files beside it that it refers to.
-    beside: Vec<(PathBuf, Vec<u8>)>,
-    diagnostics: Vec<Diagnostic>,
+    pub beside: Vec<(PathBuf, Vec<u8>)>,
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl ConvertedModel {
+    /// Writes a model for `output`, naming its textures relative to that file's folder.
+    pub fn new(
+        model: &mut Model,
+        textures: Textures,
+        output: &OutputPath,
+        format: ModelFormat,
+        encoding: PlyEncoding,
+    ) -> Result<ConvertedModel, CliError> {
+        Ok(match format {
+            ModelFormat::Obj => obj_files(model, textures, output),
+            ModelFormat::Ply => ply_files(model, textures, output, encoding),
+            ModelFormat::Glb => glb_file(model, &textures, output)?,
+        })
+    }
 }
 
 /// The path that files beside the output are named after; those of stdout are in the current folder.
@@ -133,7 +154,7 @@ fn path_of(output: &OutputPath) -> &Path {
     output.file().unwrap_or(Path::new("stdout"))
 }
 
-fn obj_files(model: &mut Model, textures: Textures, output: &OutputPath) -> Converted {
+fn obj_files(model: &mut Model, textures: Textures, output: &OutputPath) -> ConvertedModel {
     let path = path_of(output);
     textures.name_for(model, path);
     let files = write::obj::write(model, &format!("{}.mtl", stem_of(path)));
@@ -142,22 +163,21 @@ fn obj_files(model: &mut Model, textures: Textures, output: &OutputPath) -> Conv
         beside.push((path.with_file_name(&files.mtl_name), files.mtl));
     }
     beside.extend(image_files(model, &files.images, path));
-    Converted { main: files.obj, beside, diagnostics: files.diagnostics }
+    ConvertedModel { main: files.obj, beside, diagnostics: files.diagnostics }
 }
 
-fn ply_files(model: &mut Model, textures: Textures, args: &ConvertArgs) -> Converted {
-    let path = path_of(&args.output);
-    let encoding = if args.ascii { write::ply::PlyEncoding::Ascii } else { write::ply::PlyEncoding::Binary };
+fn ply_files(model: &mut Model, textures: Textures, output: &OutputPath, encoding: PlyEncoding) -> ConvertedModel {
+    let path = path_of(output);
     textures.name_for(model, path);
     let files = write::ply::write(model, &stem_of(path), encoding);
     let beside = image_files(model, &files.images, path).collect();
-    Converted { main: files.ply, beside, diagnostics: files.diagnostics }
+    ConvertedModel { main: files.ply, beside, diagnostics: files.diagnostics }
 }
 
-fn glb_file(model: &Model, textures: &Textures, output: &OutputPath) -> Result<Converted, CliError> {
+fn glb_file(model: &Model, textures: &Textures, output: &OutputPath) -> Result<ConvertedModel, CliError> {
     let glb = write::glb::write(model, &mut |map| textures.bytes(&map.path))
         .map_err(|error| CliError::new(format!("`{output}` cannot be written: {error}")))?;
-    Ok(Converted { main: glb.bytes, beside: Vec::new(), diagnostics: glb.diagnostics })
+    Ok(ConvertedModel { main: glb.bytes, beside: Vec::new(), diagnostics: glb.diagnostics })
 }
 
 /// Writes the model, after the files that it refers to.

@@ -1,6 +1,7 @@
 //! The commands, one module each.
 
 pub mod about;
+pub mod bake;
 pub mod brdf;
 pub mod convert;
 pub mod diff;
@@ -15,4 +16,5 @@ pub mod serve;
 pub mod simplify;
 pub mod tour;
 pub mod trace;
+pub mod unwrap;
 pub mod view;

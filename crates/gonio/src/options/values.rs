@@ -2,6 +2,7 @@
 //! those of scene files.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use gonio_atlas::raster::MOST_TEXELS;
 use gonio_bsdf::{MODELS, ModelSpec, ModelSpecError};
 use gonio_light::brdf::BrdfKind;
 use gonio_scene::color_value::Color;
@@ -103,6 +104,39 @@ pub fn cubemap_size(text: &str) -> Result<u32, String> {
         Ok(n) if (1..=MAX_CUBEMAP_SIZE).contains(&n) => Ok(n),
         _ => Err(format!("invalid cubemap size `{text}`: expected 1 to {MAX_CUBEMAP_SIZE}")),
     }
+}
+
+/// Parses the number of texels along a side of an atlas.
+pub fn texture_size(text: &str) -> Result<u32, String> {
+    match text.trim().parse() {
+        Ok(n) if (1..=MOST_TEXELS).contains(&n) => Ok(n),
+        _ => Err(format!("invalid size `{text}`: expected texels along a side, 1 to {MOST_TEXELS}")),
+    }
+}
+
+/// Parses the number of samples of a texel: a square, so that they form a grid.
+pub fn texel_samples(text: &str) -> Result<u32, String> {
+    match text.trim().parse::<u32>() {
+        Ok(n) if (1..=256).contains(&n) && n.isqrt().pow(2) == n => Ok(n),
+        _ => {
+            Err(format!("invalid number of samples `{text}`: expected a square number, 1 to 256, for example 4 or 16"))
+        }
+    }
+}
+
+/// Parses a number of rays.
+pub fn rays(text: &str) -> Result<u32, String> {
+    whole(text, 1..=65_536)
+}
+
+/// Parses the distance between charts as a share of the side.
+pub fn margin(text: &str) -> Result<f64, String> {
+    number_in(text, |value| (0.0..=0.25).contains(&value), "a share of the side, 0 to 0.25")
+}
+
+/// Parses the largest angle between a triangle and the axis of its chart, in degrees.
+pub fn chart_angle(text: &str) -> Result<f64, String> {
+    number_in(text, |value| (1.0..=89.0).contains(&value), "1 to 89 degrees")
 }
 
 /// Parses a full field of view in degrees.

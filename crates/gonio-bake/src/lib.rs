@@ -1,0 +1,21 @@
+//! Bakes what a scene's surfaces show into textures for new texture coordinates.
+//!
+//! | module | content |
+//! |---|---|
+//! | [`surface`] | all objects of a scene as one mesh in world space, and its materials at any point |
+//! | [`texels`] | the samples of each texel; texels beside a chart continue it |
+//! | `rays` | rays against the surface: occlusion, shadows, finer models |
+//! | [`maps`] | the quantities that can be baked |
+//! | [`model`] | the model with the baked textures in place of its own |
+//!
+//! Nothing here opens a file or prints. The result does not depend on the number of threads.
+#![forbid(unsafe_code)]
+
+pub mod maps;
+pub mod model;
+mod rays;
+pub mod surface;
+pub mod texels;
+
+pub use maps::{BakeSettings, BakedMap, Baker, MapKind};
+pub use surface::SceneSurface;

@@ -1,0 +1,331 @@
+//! The samples of each texel of an atlas, and what lies between the charts.
+
+use glam::{DVec2, DVec3, DVec4};
+use rayon::prelude::*;
+
+/// Rows that are baked together.
+const BAND: usize = 16;
+
+/// A point of a surface, as a texel sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct TexelSample {
+    /// Triangle of the mesh.
+    pub triangle: usize,
+    /// Barycentric coordinates.
+    pub weights: DVec3,
+    /// Change of the weights to the next sample on the right, and to the one above.
+    pub steps: [DVec3; 2],
+    /// A number of its own for each sample of the atlas, for random directions.
+    pub seed: u32,
+}
+
+/// A square of texels, first row at the **bottom** (v = 0).
+#[derive(Clone, Debug)]
+pub struct BakedTexels {
+    /// Texels along a side.
+    pub size: u32,
+    /// `size * size` values.
+    pub values: Vec<[f32; 4]>,
+    /// Whether a triangle touches the texel.
+    pub covered: Vec<bool>,
+}
+
+/// Bakes `evaluate` into a square of `size` x `size` texels: the mean over a grid of `grid` x `grid` samples of those on a
+/// triangle; for a texel that a triangle touches without covering a sample, the value at the point nearest to its centre.
+///
+/// `tex_coords` has three for each triangle; triangles for which `is_used` is false are left out, and so are texels
+/// outside of the square. `go_on` gets the share done, from any thread; `None` if it returned false.
+pub fn bake_texels(
+    tex_coords: &[[f32; 2]],
+    is_used: impl Fn(usize) -> bool + Sync,
+    size: u32,
+    grid: u32,
+    evaluate: impl Fn(&TexelSample) -> DVec4 + Sync,
+    go_on: &(dyn Fn(f64) -> bool + Sync),
+) -> Option<BakedTexels> {
+    let side = size as usize;
+    let triangles: Vec<TexelTriangle> = (0..tex_coords.len() / 3)
+        .filter(|&t| is_used(t))
+        .filter_map(|t| TexelTriangle::new(t, [0, 1, 2].map(|k| tex_coords[3 * t + k]), size, grid))
+        .collect();
+    let bands = side.div_ceil(BAND);
+    let mut in_band: Vec<Vec<u32>> = vec![Vec::new(); bands];
+    for (index, triangle) in triangles.iter().enumerate() {
+        for band in &mut in_band[triangle.low[1] / BAND..=triangle.high[1] / BAND] {
+            band.push(index as u32);
+        }
+    }
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    let baked: Option<Vec<Band>> = in_band
+        .par_iter()
+        .enumerate()
+        .map(|(number, members)| {
+            let rows = BAND * number..(BAND * (number + 1)).min(side);
+            let mut band = Band::new(rows, side, grid);
+            let members = || members.iter().map(|&index| &triangles[index as usize]);
+            members().for_each(|triangle| band.add_samples(triangle, &evaluate));
+            band.finish(members(), &evaluate);
+            let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+            go_on(done as f64 / bands as f64).then_some(band)
+        })
+        .collect();
+    let (mut values, mut covered) = (Vec::with_capacity(side * side), Vec::with_capacity(side * side));
+    for band in baked? {
+        values.extend(band.sums.iter().map(|sum| sum.as_vec4().to_array()));
+        covered.extend(band.counts.iter().map(|count| *count > 0));
+    }
+    Some(BakedTexels { size, values, covered })
+}
+
+/// A triangle in texels.
+struct TexelTriangle {
+    triangle: usize,
+    corners: [DVec2; 3],
+    /// Weights at a point: `origin + x * steps[0] + y * steps[1]`.
+    origin: DVec3,
+    per_texel: [DVec3; 2],
+    steps: [DVec3; 2],
+    /// The texels that it may touch.
+    low: [usize; 2],
+    high: [usize; 2],
+}
+
+impl TexelTriangle {
+    /// `None` without an area in the texture, or outside of it.
+    fn new(triangle: usize, tex_coords: [[f32; 2]; 3], size: u32, grid: u32) -> Option<Self> {
+        let corners = tex_coords.map(|uv| DVec2::from(uv.map(f64::from)) * f64::from(size));
+        let [a, b, c] = corners;
+        let area = (b - a).perp_dot(c - a);
+        if !area.is_finite() || area == 0.0 {
+            return None;
+        }
+        // The gradient of a corner's weight is the opposite edge, turned, by twice the area.
+        let along_x = DVec3::new(b.y - c.y, c.y - a.y, a.y - b.y) / area;
+        let along_y = DVec3::new(c.x - b.x, a.x - c.x, b.x - a.x) / area;
+        let origin = DVec3::X - a.x * along_x - a.y * along_y;
+        let most = f64::from(size) - 1.0;
+        let low = a.min(b).min(c).floor();
+        let high = a.max(b).max(c).floor();
+        if low.max_element() > most || high.min_element() < 0.0 || !origin.is_finite() {
+            return None;
+        }
+        let held = |v: DVec2| v.clamp(DVec2::ZERO, DVec2::splat(most)).to_array().map(|c| c as usize);
+        let per_texel = [along_x, along_y];
+        let steps = per_texel.map(|step| step / f64::from(grid));
+        Some(TexelTriangle { triangle, corners, origin, per_texel, steps, low: held(low), high: held(high) })
+    }
+
+    fn weights(&self, p: DVec2) -> DVec3 {
+        self.origin + p.x * self.per_texel[0] + p.y * self.per_texel[1]
+    }
+
+    /// The point of the triangle that is nearest to a point outside of it.
+    fn nearest(&self, p: DVec2) -> DVec2 {
+        let on_edge = |k: usize| {
+            let (a, b) = (self.corners[k], self.corners[(k + 1) % 3]);
+            let along = ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+            if along.is_finite() { a + along * (b - a) } else { a }
+        };
+        let points = [0, 1, 2].map(on_edge);
+        points.into_iter().min_by(|a, b| a.distance_squared(p).total_cmp(&b.distance_squared(p))).unwrap_or(p)
+    }
+}
+
+/// Some rows while they are baked.
+struct Band {
+    rows: std::ops::Range<usize>,
+    side: usize,
+    grid: u32,
+    sums: Vec<DVec4>,
+    counts: Vec<u32>,
+}
+
+impl Band {
+    fn new(rows: std::ops::Range<usize>, side: usize, grid: u32) -> Self {
+        let count = rows.len() * side;
+        Band { rows, side, grid, sums: vec![DVec4::ZERO; count], counts: vec![0; count] }
+    }
+
+    /// The texels of this band that a triangle may touch: column, row, index.
+    fn texels(&self, triangle: &TexelTriangle) -> impl Iterator<Item = (usize, usize, usize)> + use<> {
+        let (first, side) = (self.rows.start, self.side);
+        let columns = triangle.low[0]..=triangle.high[0];
+        let rows = triangle.low[1].max(first)..=triangle.high[1].min(self.rows.end - 1);
+        rows.flat_map(move |y| columns.clone().map(move |x| (x, y, (y - first) * side + x)))
+    }
+
+    fn add_samples(&mut self, triangle: &TexelTriangle, evaluate: &impl Fn(&TexelSample) -> DVec4) {
+        let grid = self.grid;
+        for (x, y, index) in self.texels(triangle) {
+            for (row, column) in (0..grid).flat_map(|row| (0..grid).map(move |column| (row, column))) {
+                let offset = (DVec2::new(column.into(), row.into()) + 0.5) / f64::from(grid);
+                let weights = triangle.weights(DVec2::new(x as f64, y as f64) + offset);
+                if weights.min_element() >= 0.0 {
+                    let seed = ((y * self.side + x) as u32).wrapping_mul(grid * grid).wrapping_add(row * grid + column);
+                    let sample = TexelSample { triangle: triangle.triangle, weights, steps: triangle.steps, seed };
+                    self.sums[index] += evaluate(&sample);
+                    self.counts[index] += 1;
+                }
+            }
+        }
+    }
+
+    /// Divides the sums, and fills texels that are touched only.
+    fn finish<'t>(
+        &mut self,
+        triangles: impl Iterator<Item = &'t TexelTriangle>,
+        evaluate: &impl Fn(&TexelSample) -> DVec4,
+    ) {
+        let mut nearest: Vec<Option<(f64, TexelSample)>> = vec![None; self.sums.len()];
+        for triangle in triangles {
+            for (x, y, index) in self.texels(triangle) {
+                if self.counts[index] > 0 {
+                    continue;
+                }
+                let center = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+                let point = triangle.nearest(center);
+                let distance = point.distance_squared(center);
+                let touches = (point - center).abs().max_element() <= 0.5;
+                if touches && nearest[index].is_none_or(|(least, _)| distance < least) {
+                    let weights = triangle.weights(point).max(DVec3::ZERO);
+                    let weights = weights / weights.element_sum();
+                    let seed = (y * self.side + x) as u32;
+                    let sample = TexelSample { triangle: triangle.triangle, weights, steps: triangle.steps, seed };
+                    nearest[index] = Some((distance, sample));
+                }
+            }
+        }
+        for (index, nearest) in nearest.into_iter().enumerate() {
+            if let Some((_, sample)) = nearest {
+                (self.sums[index], self.counts[index]) = (evaluate(&sample), 1);
+            } else if self.counts[index] > 0 {
+                self.sums[index] /= f64::from(self.counts[index]);
+            }
+        }
+    }
+}
+
+impl BakedTexels {
+    /// Gives every texel that no triangle touches the value of the nearest one that a triangle touches. A lookup
+    /// between texels, or in a smaller level, near a chart then reads colours of that chart only, never a background.
+    ///
+    /// The nearest texels are exact: the distances along columns, then the lower envelope of parabolas along rows
+    /// (P. F. Felzenszwalb, D. P. Huttenlocher, "Distance transforms of sampled functions", 2012).
+    pub fn fill_background(&mut self) {
+        if !self.covered.contains(&true) {
+            return;
+        }
+        let side = self.size as usize;
+        let row_of = self.nearest_rows();
+        let nearest: Vec<u32> = (0..side).into_par_iter().flat_map_iter(|y| nearest_in_row(y, side, &row_of)).collect();
+        self.values = nearest.par_iter().map(|&index| self.values[index as usize]).collect();
+    }
+
+    /// For each texel the row of the nearest covered texel of its column; `u32::MAX` where the column has none.
+    fn nearest_rows(&self) -> Vec<u32> {
+        let side = self.size as usize;
+        let mut rows = vec![u32::MAX; side * side];
+        let pass = |rows: &mut Vec<u32>, order: &mut dyn Iterator<Item = usize>| {
+            let mut last = vec![u32::MAX; side];
+            for y in order {
+                for (x, last) in last.iter_mut().enumerate() {
+                    let index = y * side + x;
+                    if self.covered[index] {
+                        *last = y as u32;
+                    }
+                    let distance = |row: u32| if row == u32::MAX { u32::MAX } else { row.abs_diff(y as u32) };
+                    if distance(*last) < distance(rows[index]) {
+                        rows[index] = *last;
+                    }
+                }
+            }
+        };
+        pass(&mut rows, &mut (0..side));
+        pass(&mut rows, &mut (0..side).rev());
+        rows
+    }
+
+    /// The texels with their first row at the top, as image files have them.
+    pub fn rows_from_top(&self) -> Vec<[f32; 4]> {
+        self.values.chunks(self.size.max(1) as usize).rev().flatten().copied().collect()
+    }
+}
+
+/// The index of the nearest covered texel for each texel of row `y`.
+fn nearest_in_row(y: usize, side: usize, row_of: &[u32]) -> Vec<u32> {
+    let row = &row_of[y * side..][..side];
+    let height = |x: usize| (f64::from(row[x]) - y as f64).powi(2);
+    // Parabolas of the envelope: their column, and where each begins.
+    let mut envelope: Vec<(usize, f64)> = Vec::new();
+    for x in (0..side).filter(|&x| row[x] != u32::MAX) {
+        let mut start = f64::NEG_INFINITY;
+        while let Some(&(other, other_start)) = envelope.last() {
+            let (a, b) = (other as f64, x as f64);
+            start = ((height(x) + b * b) - (height(other) + a * a)) / (2.0 * (b - a));
+            if start > other_start {
+                break;
+            }
+            envelope.pop();
+            start = f64::NEG_INFINITY;
+        }
+        envelope.push((x, start));
+    }
+    let mut current = 0;
+    let index = |x: usize| {
+        while envelope.get(current + 1).is_some_and(|(_, start)| *start < x as f64) {
+            current += 1;
+        }
+        let column = envelope.get(current).map_or(x, |(column, _)| *column);
+        row[column].saturating_mul(side as u32).saturating_add(column as u32)
+    };
+    (0..side).map(index).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the plain definition, on a pattern without order.
+    #[test]
+    fn the_background_continues_the_nearest_texel() {
+        let size = 37_u32;
+        let is_covered = |i: u32| (i.wrapping_mul(2_654_435_761) >> 24) < 4;
+        let covered: Vec<bool> = (0..size * size).map(is_covered).collect();
+        let values = (0..size * size).map(|i| [i as f32, 0.0, 0.0, 1.0]).collect();
+        let mut texels = BakedTexels { size, values, covered: covered.clone() };
+        texels.fill_background();
+        let place = |i: u32| ((i % size) as i64, (i / size) as i64);
+        let distance = |i: u32, j: u32| {
+            let ((x, y), (u, v)) = (place(i), place(j));
+            (x - u).pow(2) + (y - v).pow(2)
+        };
+        for i in 0..size * size {
+            let least = (0..size * size).filter(|&j| covered[j as usize]).map(|j| distance(i, j)).min();
+            let found = texels.values[i as usize][0] as u32;
+            assert!(covered[found as usize] && Some(distance(i, found)) == least, "texel {i}: {found}");
+        }
+    }
+
+    /// A linear function is its value at the mean of the samples; at texels that are wholly covered, at the centre.
+    #[test]
+    fn a_linear_function_is_baked_exactly() {
+        let tex_coords = [[0.1, 0.1], [0.9, 0.1], [0.9, 0.9], [0.1, 0.1], [0.9, 0.9], [0.1, 0.9]];
+        let place = |sample: &TexelSample| -> DVec2 {
+            let corner = |k: usize| DVec2::from(tex_coords[3 * sample.triangle + k].map(f64::from));
+            sample.weights.x * corner(0) + sample.weights.y * corner(1) + sample.weights.z * corner(2)
+        };
+        let evaluate = |sample: &TexelSample| place(sample).extend(0.0).extend(1.0);
+        let baked = bake_texels(&tex_coords, |_| true, 20, 2, evaluate, &|_| true).unwrap_or_else(|| unreachable!());
+        for y in 0..20 {
+            for x in 0..20 {
+                let index = y * 20 + x;
+                assert_eq!(baked.covered[index], (2..18).contains(&x) && (2..18).contains(&y), "{x} {y}");
+                if (3..17).contains(&x) && (3..17).contains(&y) {
+                    let [u, v, ..] = baked.values[index];
+                    assert!((u - (x as f32 + 0.5) / 20.0).abs() < 1e-6, "{x} {y}: {u}");
+                    assert!((v - (y as f32 + 0.5) / 20.0).abs() < 1e-6, "{x} {y}: {v}");
+                }
+            }
+        }
+    }
+}

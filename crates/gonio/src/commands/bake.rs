@@ -1,0 +1,271 @@
+//! `gonio bake`: textures for new texture coordinates. The work is `gonio-bake`'s; this module has the options and files.
+
+use crate::commands::unwrap::{self, AtlasOptions};
+use crate::error::{CliError, CommandOutcome};
+use crate::loading;
+use crate::options::{GeneralOptions, LimitOptions, SceneOptions, values};
+use crate::output::{OutputFiles, check_folder};
+use crate::report::{Reporter, Times};
+use clap::{ArgAction, Args};
+use gonio_atlas::{AtlasUv, UvReport, layout, uv_report};
+use gonio_bake::model::{MapFile, baked_model};
+use gonio_bake::{BakeSettings, BakedMap, Baker, MapKind, SceneSurface};
+use gonio_image::encode::png::{ColorTag, encode8};
+use gonio_mesh::{Diagnostic, write};
+use gonio_scene::Scene;
+use gonio_scene::scene_file::LightSpec;
+use std::path::{Path, PathBuf};
+
+/// Bake materials, normals or light into textures for new texture coordinates.
+#[derive(Args, Debug)]
+#[command(after_long_help = "\
+Examples:
+  gonio bake still_life.obj -o baked
+      All diffuse colours and textures of the model in one picture: baked/still_life.obj, .mtl, .glb and still_life_diffuse.png.
+  gonio bake coarse.obj -o baked --from fine.obj --what normal
+      A normal map (MikkTSpace, green up) from a finer model.
+  gonio bake scene.toml -o baked --what diffuse,light,ambient-occlusion --size 2048
+      Several maps of all objects of a scene; light is linear OpenEXR.
+  gonio bake model.obj -o baked --keep-uvs --what ambient-occlusion
+      For the model's own texture coordinates, which must not overlap.
+
+MODEL itself never changes. The textures that --what names are used by the materials of the baked model; ambient-occlusion, \
+light, position and id are pictures beside it. Texels beside a chart continue it as far as the next chart, so that no filter \
+reads a background.
+
+Maps: diffuse, specular, normal, ambient-occlusion, light, position, emitted, id.
+
+Exit codes: 0 success, 2 error.")]
+pub struct BakeArgs {
+    /// Models or scenes (.toml); several become one atlas. builtin:NAME is a built-in model or scene.
+    #[arg(required = true, value_name = "MODEL")]
+    pub inputs: Vec<String>,
+    /// Folder to write to, created or updated.
+    #[arg(long, short, required = true, value_name = "DIR", help_heading = "Output options")]
+    pub output: PathBuf,
+    /// Maps to bake.
+    #[arg(long, value_name = "MAP,...", help_heading = "Output options", value_delimiter = ',', default_value = "diffuse",
+          value_parser = values::named(MapKind::ALL, MapKind::name))]
+    pub what: Vec<MapKind>,
+    /// Take the values from this finer model in the same place.
+    #[arg(long, value_name = "MODEL", help_heading = "Input options")]
+    pub from: Option<String>,
+    /// Distance to either side within which --from is searched, in world units; by default a twentieth of the model's diagonal.
+    #[arg(long, value_name = "DISTANCE", help_heading = "Input options", requires = "from", value_parser = values::distance,
+          allow_negative_numbers = true)]
+    pub cage: Option<f64>,
+    #[command(flatten)]
+    pub atlas: AtlasOptions,
+    /// Samples of each texel: a square number.
+    ///
+    /// One is enough for textures, which are filtered; more smooth the borders of materials and shadows.
+    #[arg(long, value_name = "N", help_heading = "Picture options", default_value = "1", value_parser = values::texel_samples)]
+    pub samples: u32,
+    /// Rays of each texel for ambient occlusion.
+    #[arg(long, value_name = "N", help_heading = "Light options", default_value = "64", value_parser = values::rays)]
+    pub occlusion_rays: u32,
+    /// Length of these rays in world units; without it they have no end.
+    #[arg(long, value_name = "DISTANCE", help_heading = "Light options", value_parser = values::distance,
+          allow_negative_numbers = true)]
+    pub occlusion_distance: Option<f64>,
+    /// A light that replaces the scene's lights, for the map `light`; repeat it for several. Keys as for `gonio render`.
+    #[arg(long, value_name = "KIND KEY=VALUE ...", help_heading = "Light options", action = ArgAction::Append,
+          value_parser = LightSpec::from_option_text)]
+    pub light: Vec<LightSpec>,
+    /// Objects cast shadows in the map `light`; =false switches that off.
+    #[arg(long, value_name = "BOOL", help_heading = "Light options", num_args = 0..=1, require_equals = true,
+          default_missing_value = "true")]
+    pub shadows: Option<bool>,
+    #[command(flatten)]
+    pub limits: LimitOptions,
+    #[command(flatten)]
+    pub general: GeneralOptions,
+}
+
+impl BakeArgs {
+    fn load(&self, inputs: &[String], reporter: &Reporter) -> Result<Scene, CliError> {
+        let options = SceneOptions {
+            light: self.light.clone(),
+            shadows: self.shadows,
+            limits: self.limits.clone(),
+            ..SceneOptions::default()
+        };
+        loading::load_scene(inputs, &options, reporter)
+    }
+
+    fn settings(&self, surface: &SceneSurface) -> BakeSettings {
+        let diagonal = surface.mesh.bounds().map_or(0.0, |bounds| f64::from(bounds.size().length()));
+        BakeSettings {
+            size: self.atlas.size,
+            grid: self.samples.isqrt(),
+            occlusion_rays: self.occlusion_rays,
+            occlusion_distance: self.occlusion_distance.unwrap_or(f64::INFINITY),
+            cage_distance: self.cage.unwrap_or(0.05 * diagonal),
+        }
+    }
+}
+
+/// Makes the folder.
+pub fn run(args: &BakeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
+    let times = Times::default();
+    check_folder(&args.output, "`gonio bake`")?;
+    if args.output.exists() && !args.output.is_dir() {
+        return Err(CliError::new(format!("`{}` is a file; name a folder with -o", args.output.display())));
+    }
+    args.atlas.settings()?;
+    let scene = {
+        let _busy = reporter.busy("reading the model");
+        times.measure("load", || args.load(&args.inputs, reporter))?
+    };
+    let finer = args.from.as_ref().map(|from| args.load(std::slice::from_ref(from), reporter)).transpose()?;
+    let mut diagnostics = scene.diagnostics.clone();
+    let surface = SceneSurface::new(&scene);
+    let stem = stem(&args.inputs);
+    let atlas = times.measure("unwrap", || args.atlas.unwrap(&surface.mesh, &args.inputs.join(", "), reporter))?;
+    let report = times.measure("measure", || uv_report(&surface.mesh, &atlas, args.atlas.size));
+    if report.overlapping_texels > 0 {
+        diagnostics.push(Diagnostic::warning(format!(
+            "charts overlap in {} texels, which can hold the colours of one of them only",
+            report.overlapping_texels
+        )));
+    }
+    let maps = bake_maps(args, &scene, finer.as_ref(), &surface, &atlas, &times, reporter)?;
+    let outputs = {
+        let _busy = reporter.busy("writing the files");
+        let made = Files { args, scene: &scene, surface: &surface, atlas: &atlas, stem: &stem };
+        times.measure("write", || made.write(&maps, &mut diagnostics))?
+    };
+    reporter.diagnostics(&diagnostics);
+    reporter.verbose_times(&times);
+    print_report(args, &report, &outputs, &diagnostics, &times, reporter)?;
+    Ok(CommandOutcome::Done)
+}
+
+fn bake_maps(
+    args: &BakeArgs,
+    scene: &Scene,
+    finer: Option<&Scene>,
+    surface: &SceneSurface,
+    atlas: &AtlasUv,
+    times: &Times,
+    reporter: &Reporter,
+) -> Result<Vec<BakedMap>, CliError> {
+    let frame = scene.frame(0.0);
+    let finer = finer.map(|finer| (finer, SceneSurface::new(finer)));
+    let mut baker = Baker::new(scene, &frame, surface, atlas, args.settings(surface));
+    if let Some((scene, surface)) = &finer {
+        baker = baker.from_finer(scene, surface);
+    }
+    let mut maps: Vec<BakedMap> = Vec::new();
+    for &kind in &args.what {
+        if maps.iter().any(|map| map.kind == kind) {
+            continue;
+        }
+        let progress = reporter.progress(kind.name());
+        let baked = times.measure("bake", || {
+            baker.bake(kind, &|share| {
+                progress.set(share);
+                true
+            })
+        });
+        maps.push(baked.ok_or_else(|| CliError::new("baking was stopped"))?);
+    }
+    Ok(maps)
+}
+
+/// The name of the first input without folders and extension.
+fn stem(inputs: &[String]) -> String {
+    let first = inputs.first().map_or("", |input| input.strip_prefix("builtin:").unwrap_or(input));
+    let name = Path::new(first).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let name = name.split('.').next().unwrap_or_default().to_owned();
+    if name.is_empty() || name == "-" { "model".to_owned() } else { name }
+}
+
+/// The files of a baked model.
+struct Files<'a> {
+    args: &'a BakeArgs,
+    scene: &'a Scene,
+    surface: &'a SceneSurface,
+    atlas: &'a AtlasUv,
+    stem: &'a str,
+}
+
+impl Files<'_> {
+    /// Writes all files or none; returns their paths.
+    fn write(&self, maps: &[BakedMap], diagnostics: &mut Vec<Diagnostic>) -> Result<Vec<String>, CliError> {
+        let name = |kind: MapKind| format!("{}_{}.{}", self.stem, kind.name(), kind.extension());
+        let pictures: Vec<(String, Vec<u8>)> =
+            maps.iter().map(|map| Ok((name(map.kind), map.encode()?))).collect::<Result<_, CliError>>()?;
+        let named: Vec<MapFile> =
+            maps.iter().map(|map| MapFile { kind: map.kind, name: name(map.kind), factor: map.factor() }).collect();
+        let baked = baked_model(self.scene, self.surface, self.atlas, &named);
+        if !baked.lost.is_empty() {
+            diagnostics.push(Diagnostic::warning(format!(
+                "textures were not baked and are left out, as they belong to the old coordinates: {}",
+                baked.lost.join(", ")
+            )));
+        }
+        let obj = write::obj::write(&baked.model, &format!("{}.mtl", self.stem));
+        let bytes_of = |file: &str| pictures.iter().find(|(name, _)| name == file).map(|(_, bytes)| bytes.clone());
+        let glb = write::glb::write(&baked.model, &mut |map| bytes_of(&map.path))
+            .map_err(|error| CliError::new(format!("`{}.glb` cannot be written: {error}", self.stem)))?;
+        diagnostics.extend(obj.diagnostics);
+        diagnostics.extend(glb.diagnostics);
+        let layout = layout::draw_layout(self.atlas, self.args.atlas.size);
+        let mut files = pictures.clone();
+        files.push((format!("{}_layout.png", self.stem), encode8(&layout, ColorTag::Srgb)?));
+        files.push((obj.mtl_name, obj.mtl));
+        files.push((format!("{}.glb", self.stem), glb.bytes));
+        files.push((format!("{}.obj", self.stem), obj.obj));
+        self.commit(files)
+    }
+
+    fn commit(&self, files: Vec<(String, Vec<u8>)>) -> Result<Vec<String>, CliError> {
+        let mut written = OutputFiles::new();
+        written.make_folder(&self.args.output)?;
+        let mut paths = Vec::new();
+        for (name, bytes) in files {
+            let path = self.args.output.join(name);
+            self.check_not_input(&path)?;
+            written.add(&path, &bytes)?;
+            paths.push(path.display().to_string());
+        }
+        written.commit()?;
+        Ok(paths)
+    }
+
+    /// The original must stay as it is.
+    fn check_not_input(&self, path: &Path) -> Result<(), CliError> {
+        let Ok(target) = path.canonicalize() else { return Ok(()) };
+        let is_read = |input: &String| Path::new(input).canonicalize().is_ok_and(|input| input == target);
+        if self.args.inputs.iter().chain(&self.args.from).any(is_read) {
+            return Err(CliError::new(format!(
+                "`{}` would replace the model that is baked; name another folder with -o",
+                path.display()
+            )));
+        }
+        Ok(())
+    }
+}
+
+fn print_report(
+    args: &BakeArgs,
+    report: &UvReport,
+    outputs: &[String],
+    diagnostics: &[Diagnostic],
+    times: &Times,
+    reporter: &Reporter,
+) -> Result<(), CliError> {
+    if reporter.json() {
+        return reporter.report(&serde_json::json!({
+            "command": "bake",
+            "inputs": args.inputs,
+            "outputs": outputs,
+            "maps": args.what.iter().map(|kind| kind.name()).collect::<Vec<_>>(),
+            "uv": report,
+            "warnings": diagnostics,
+            "times_ms": times.to_json(),
+        }));
+    }
+    if args.general.quiet { Ok(()) } else { reporter.text(&unwrap::text(report)) }
+}
