@@ -384,7 +384,7 @@ impl Writer<'_> {
         if found.is_some()
             || mine.next().is_some()
             || !declares
-            || size == 1 && !matches!(role, Role::Shininess | Role::RefractionIndex)
+            || size == 1 && !matches!(role, Role::Shininess | Role::RefractionIndex | Role::Roughness)
         {
             return found;
         }

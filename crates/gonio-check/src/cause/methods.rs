@@ -17,7 +17,7 @@ pub(super) fn methods(task: &Task) -> Vec<AnswerMethod> {
         if model != ModelSolution::Gouraud {
             all.push(AnswerMethod { normal_kept: true, ..plain(model) });
         }
-        if model.is_lit() && task.required[2] {
+        if model.has_exponent() && task.required[2] {
             let half: Vec<AnswerMethod> = all.iter().filter(|method| method.model == model).copied().collect();
             all.extend(half.into_iter().map(|method| AnswerMethod { half_vector: true, ..method }));
         }
@@ -84,8 +84,8 @@ impl<'a> Hints<'a> {
     /// light.
     pub fn methods(&self, program: &Program) -> Vec<LightingMethod> {
         let model = match (self.task.model.is_lit(), self.is_gouraud()) {
-            (true, true) => ModelSolution::Gouraud,
-            (true, false) => ModelSolution::Phong,
+            (true, true) if self.task.model.has_exponent() => ModelSolution::Gouraud,
+            (true, false) if self.task.model.has_exponent() => ModelSolution::Phong,
             _ => self.task.model,
         };
         let in_view = program.bindings.bound.iter().any(|bound| {

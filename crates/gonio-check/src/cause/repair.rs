@@ -213,7 +213,7 @@ impl Observer<'_> {
 
     /// Products and quotients with scalars and colours of the equation.
     fn scaled(&self, seen: &Observed, push: &mut impl FnMut(Relation, String, Make, f32)) {
-        const FACTORS: [&str; 9] = [
+        const FACTORS: [&str; 14] = [
             "attenuation",
             "materialColour",
             "light.ambient_strength",
@@ -223,6 +223,11 @@ impl Observer<'_> {
             "cos_theta",
             "shininess",
             "spec",
+            "PI",
+            "roughness",
+            "root",
+            "gauss",
+            "cos_view",
         ];
         for (index, quantity) in self.model.quantities.iter().enumerate() {
             let is_factor = quantity.stage == seen.stage && quantity.mistake.is_none() && !quantity.interpolated;
@@ -230,7 +235,7 @@ impl Observer<'_> {
             if !is_factor || !FACTORS.contains(&name) || quantity.values.size > seen.values.size {
                 continue;
             }
-            let unusual = if ["cos_theta", "spec", "shininess", "d"].contains(&name) { 2.0 } else { 0.0 };
+            let unusual = if ["cos_theta", "spec", "shininess", "d", "gauss", "cos_view"].contains(&name) { 2.0 } else { 0.0 };
             push(Relation::Factor, format!("* {name}"), Make::Times(index), unusual);
             push(Relation::Factor, format!("/ {name}"), Make::Over(index), unusual + 0.2);
         }

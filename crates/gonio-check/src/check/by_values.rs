@@ -107,7 +107,7 @@ impl Judging<'_> {
             verdict.summary = "right in every scene".to_owned();
             return Ok((verdict, Some(evidence)));
         }
-        Ok((unexplained(verdict, &bindings), Some(evidence)))
+        Ok((unexplained(self.task, verdict, &bindings), Some(evidence)))
     }
 
     fn diagnosis(&self, checker: &ShaderChecker) -> Option<Diagnosis> {
@@ -195,7 +195,7 @@ impl Judging<'_> {
         let Some((verdict, evidence)) = self.pictures(checker, diagnosis)? else { return Ok(endless()) };
         let fixes = diagnosis.fixes.clone();
         if mistakes.is_empty() && !matches!(diagnosis.found, Found::Right(_)) {
-            let verdict = unexplained(verdict, &diagnosis.bindings);
+            let verdict = unexplained(self.task, verdict, &diagnosis.bindings);
             return Ok(Judged { verdict, evidence: Some(evidence), fixes });
         }
         Ok(match mistakes.is_empty() {
@@ -353,8 +353,11 @@ impl Judging<'_> {
 }
 
 /// The verdict on a wrong program without a named mistake: unsure while the meaning of an input is unknown.
-fn unexplained(mut verdict: Verdict, bindings: &Bindings) -> Verdict {
-    let unknown = bindings.unknown.iter().filter(|declared| declared.kind == VariableKind::Uniform);
+fn unexplained(task: &Task, mut verdict: Verdict, bindings: &Bindings) -> Verdict {
+    // Another model of the surface, of which the exercise knows nothing.
+    let is_other = |bound: &&Bound| bound.role == Role::Roughness && !task.model.has_roughness();
+    let others = bindings.bound.iter().filter(is_other).map(|bound| &bound.declared);
+    let unknown = bindings.unknown.iter().chain(others).filter(|declared| declared.kind == VariableKind::Uniform);
     let unknown: Vec<String> = unknown.map(|declared| format!("`{}`", declared.name)).collect();
     if !unknown.is_empty() {
         verdict.verdict = Outcome::Unsure;
