@@ -29,10 +29,10 @@ void main() {
     vec3 V = normalize(to_eye);
     vec3 H = normalize(L + V);
     float cos_theta = max(dot(N, L), 0.0);
+    float cos_view = max(dot(N, V), 0.0001);
     float cos_delta = dot(N, H);
     float tan_squared = 1.0 / (cos_delta * cos_delta) - 1.0;
     float gauss = exp(-tan_squared / (roughness * roughness));
-    float cos_view = max(dot(N, V), 0.0001);
     float root = sqrt(max(dot(N, L), 0.0001) * cos_view);
     float ward = gauss / (4.0 * PI * roughness * roughness * root);
     float d = length(to_light);
