@@ -403,6 +403,7 @@ impl Model {
         });
         quantities.iter_mut().filter(|q| has_space(&q.name)).for_each(|q| q.space = space);
         let mut model = Model { method, space, quantities };
+        model.leave_out_the_dark();
         model.add_intermediate();
         model.interpolate(samples);
         if space == Space::World {
@@ -428,6 +429,26 @@ impl Model {
             ..*quantity
         });
         Model { method: self.method, space: self.space, quantities: quantities.collect() }
+    }
+
+    /// Leaves out where light or eye are behind the surface: there, what the cosine makes 0 afterwards may be anything.
+    fn leave_out_the_dark(&mut self) {
+        const NEAREST: f32 = 2e-3;
+        if !self.method.model.has_roughness() {
+            return;
+        }
+        self.quantities.retain(|quantity| quantity.name != "cut");
+        let of = |name: &str| self.right(name, Stage::Fragment, false);
+        let (Some(normal), Some(to_light), Some(to_eye)) = (of("N"), of("L"), of("V")) else { return };
+        let is_lit = |point: usize| {
+            let cosine = |to: &Values| -> f32 { normal.at(point).iter().zip(to.at(point)).map(|(a, b)| a * b).sum() };
+            cosine(to_light) > NEAREST && cosine(to_eye) > NEAREST
+        };
+        let lit: Vec<bool> = (0..normal.points()).map(is_lit).collect();
+        let is_masked = |quantity: &&mut Quantity| ["root", "divisor", "ward", "specular_brdf", "brdf"].contains(&quantity.name.as_str());
+        for quantity in self.quantities.iter_mut().filter(is_masked) {
+            quantity.values.present.iter_mut().zip(&lit).for_each(|(present, lit)| *present &= lit);
+        }
     }
 
     /// Adds values that the model solutions compute within a line.

@@ -153,8 +153,10 @@ impl<'a> Search<'a> {
         (most, end): (usize, usize),
     ) -> Vec<ProvenCause> {
         let repairs = self.at.repairs(observed);
-        let (known, others): (Vec<Repair>, Vec<Repair>) =
+        let (mut known, others): (Vec<Repair>, Vec<Repair>) =
             repairs.into_iter().partition(|repair| repair.relation == Relation::Known);
+        // The earliest tell most, and the runs may not be enough for all.
+        known.sort_by_key(|repair| observed[repair.of].depth);
         let end = (self.runs + most).min(end);
         let mut proven = self.proven(base, observed, &known, end);
         // Earlier expressions, from the inputs on. A variable may be set to a right vector where a unit one belongs.

@@ -4,7 +4,7 @@ use super::model::{Quantity, Space};
 use super::repair::{Make, Repair};
 
 /// The variables of the model solutions, and what they are.
-const WORDS: [(&str, &str); 63] = [
+const WORDS: [(&str, &str); 69] = [
     ("world_position", "the position"),
     ("world_place", "the position"),
     ("model_position", "the position in model space"),
@@ -58,6 +58,12 @@ const WORDS: [(&str, &str); 63] = [
     ("PI", "pi"),
     ("cos_delta", "the cosine between normal and half vector"),
     ("tan_squared", "the squared tangent of the angle between normal and half vector"),
+    ("tangent", "the tangent of the angle between normal and half vector"),
+    ("delta", "the angle between normal and half vector"),
+    ("alpha_squared", "the square of the roughness"),
+    ("exponent", "the exponent of Ward's model"),
+    ("normalisation", "the normalisation of Ward's model, 4 pi alpha^2"),
+    ("divisor", "the normalisation of Ward's model times the root of the cosines"),
     ("gauss", "the exponential of Ward's model"),
     ("cos_view", "the cosine between normal and eye"),
     ("root", "the root of the cosines of light and eye"),
