@@ -50,7 +50,7 @@ pub(crate) struct Observer<'a> {
 /// Names of the diffuse term.
 pub(super) const DIFFUSE_NAMES: [&str; 2] = ["cos_theta", "diffuse"];
 /// Names of the specular term.
-pub(super) const SPECULAR_NAMES: [&str; 3] = ["spec", "specular", "ward"];
+pub(super) const SPECULAR_NAMES: [&str; 2] = ["spec", "specular"];
 /// The terms of the light equation, with and without their strengths.
 pub(super) const TERMS: [&str; 5] = ["ambient", "diffuse", "specular", "cos_theta", "spec"];
 /// Quantities that contain a strength, which may be a constant of the program.

@@ -170,8 +170,9 @@ impl Observer<'_> {
                 } else {
                     Relation::Other
                 };
+                // Ward's term contains cosines of its own.
                 let drops = |names: &[&str], others: &[&str]| {
-                    names.contains(&quantity.name.as_str()) && contains_any(seen, others)
+                    !model.method.model.has_roughness() && names.contains(&quantity.name.as_str()) && contains_any(seen, others)
                 };
                 if drops(&DIFFUSE_NAMES, &SPECULAR_NAMES) || drops(&SPECULAR_NAMES, &DIFFUSE_NAMES) {
                     continue;
@@ -213,7 +214,7 @@ impl Observer<'_> {
 
     /// Products and quotients with scalars and colours of the equation.
     fn scaled(&self, seen: &Observed, push: &mut impl FnMut(Relation, String, Make, f32)) {
-        const FACTORS: [&str; 14] = [
+        const FACTORS: [&str; 11] = [
             "attenuation",
             "materialColour",
             "light.ambient_strength",
@@ -225,17 +226,18 @@ impl Observer<'_> {
             "spec",
             "PI",
             "roughness",
-            "root",
-            "gauss",
-            "cos_view",
         ];
         for (index, quantity) in self.model.quantities.iter().enumerate() {
+            // A number is part of the BRDF.
+            if self.model.method.model.has_roughness() && seen.values.is_constant() && !quantity.values.is_constant() {
+                continue;
+            }
             let is_factor = quantity.stage == seen.stage && quantity.mistake.is_none() && !quantity.interpolated;
             let name = quantity.name.as_str();
             if !is_factor || !FACTORS.contains(&name) || quantity.values.size > seen.values.size {
                 continue;
             }
-            let unusual = if ["cos_theta", "spec", "shininess", "d", "gauss", "cos_view"].contains(&name) { 2.0 } else { 0.0 };
+            let unusual = if ["cos_theta", "spec", "shininess", "d"].contains(&name) { 2.0 } else { 0.0 };
             push(Relation::Factor, format!("* {name}"), Make::Times(index), unusual);
             push(Relation::Factor, format!("/ {name}"), Make::Over(index), unusual + 0.2);
         }

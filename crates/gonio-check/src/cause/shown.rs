@@ -48,7 +48,8 @@ impl Shown {
         let mut right: BTreeSet<String> = BTreeSet::new();
         for answer in answers(method) {
             let model = Model::new(solutions, answer, Space::World, &samples, written_exponent, Mistakes::These(&[]))?;
-            let shown = model.quantities.iter().filter(|quantity| is_observed(&observed, quantity, false));
+            // The view matrix is called V too.
+            let shown = model.quantities.iter().filter(|q| q.values.size <= 4 && is_observed(&observed, q, false));
             right.extend(first_of_same(&shown.collect::<Vec<_>>(), hypotheses));
         }
         let variables = with_parts(&right, hypotheses);
