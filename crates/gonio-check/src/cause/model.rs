@@ -315,6 +315,21 @@ fn inputs(stage: Stage, samples: &[SceneSamples], model: ModelSolution) -> Vec<Q
     all
 }
 
+/// Quantities of Ward's model that may be anything where light or eye are behind the surface.
+const IN_FRONT: [&str; 11] = [
+    "cos_delta",
+    "delta",
+    "tan_squared",
+    "tangent",
+    "exponent",
+    "gauss",
+    "root",
+    "divisor",
+    "ward",
+    "specular_brdf",
+    "brdf",
+];
+
 impl Model {
     /// Evaluates a method at all points. It computes the light in a space, in which its mistakes are made.
     ///
@@ -445,7 +460,7 @@ impl Model {
             cosine(to_light) > NEAREST && cosine(to_eye) > NEAREST
         };
         let lit: Vec<bool> = (0..normal.points()).map(is_lit).collect();
-        let is_masked = |quantity: &&mut Quantity| ["root", "divisor", "ward", "specular_brdf", "brdf"].contains(&quantity.name.as_str());
+        let is_masked = |quantity: &&mut Quantity| IN_FRONT.contains(&quantity.name.as_str());
         for quantity in self.quantities.iter_mut().filter(is_masked) {
             quantity.values.present.iter_mut().zip(&lit).for_each(|(present, lit)| *present &= lit);
         }

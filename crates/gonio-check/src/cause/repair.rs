@@ -227,11 +227,11 @@ impl Observer<'_> {
             "PI",
             "roughness",
         ];
+        // The numbers of a normalisation are no place for a factor that is missing elsewhere.
+        if self.model.method.model.has_roughness() && seen.values.is_constant() {
+            return;
+        }
         for (index, quantity) in self.model.quantities.iter().enumerate() {
-            // A number is part of the BRDF.
-            if self.model.method.model.has_roughness() && seen.values.is_constant() && !quantity.values.is_constant() {
-                continue;
-            }
             let is_factor = quantity.stage == seen.stage && quantity.mistake.is_none() && !quantity.interpolated;
             let name = quantity.name.as_str();
             if !is_factor || !FACTORS.contains(&name) || quantity.values.size > seen.values.size {

@@ -321,7 +321,10 @@ impl Judging<'_> {
             let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
             let cause = cause.map(|at| causes.remove(at));
             // Pictures do not tell some mistakes apart, but the wrong values may.
-            let place_of = |mistake: &Mistake| diagnosis.places.iter().find(|place| place.mistake.id == mistake.id);
+            let place_of = |mistake: &Mistake| {
+                let places = diagnosis.places.iter().filter(|place| place.mistake.id == mistake.id);
+                places.max_by_key(|place| (place.is_direct, std::cmp::Reverse(place.span.start)))
+            };
             let rank = |mistake: &&Mistake| {
                 let has_value = place_of(mistake).is_some_and(|place| place.is_direct);
                 (mistake.id == NOT_PUT_OUT, !has_value)
@@ -343,6 +346,10 @@ impl Judging<'_> {
             let new =
                 FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
             found.push(match (cause, place_of(mistake)) {
+                // The mistake's own wrong value, where the proof is what is computed from it.
+                (Some(cause), Some(place)) if cause.distance > 0 && place.is_direct => {
+                    placed(new, (place.stage, place.span), self.submission)
+                }
                 (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
                 (None, Some(place)) => placed(new, (place.stage, place.span), self.submission),
                 (None, None) => new,
