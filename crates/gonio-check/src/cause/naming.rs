@@ -103,9 +103,13 @@ fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool 
 /// likeliest first.
 fn structural(should: &str, terms: &[&str], model: ModelSolution) -> Vec<&'static str> {
     match should {
-        "* cos_theta" if model.has_roughness() => return vec!["specular-light-cosine-missing", "diffuse-without-cosine"],
+        "* cos_theta" if model.has_roughness() => {
+            return vec!["specular-light-cosine-missing", "diffuse-without-cosine"];
+        }
         "/ cos_theta" if model.has_roughness() => return vec!["specular-light-cosine-twice"],
-        "* PI" if model.has_roughness() => return vec!["lamp-missing", "specular-lamp-missing", "diffuse-lamp-missing"],
+        "* PI" if model.has_roughness() => {
+            return vec!["lamp-missing", "specular-lamp-missing", "diffuse-lamp-missing"];
+        }
         "/ PI" if model.has_roughness() => return vec!["specular-pi-missing", "diffuse-pi-missing"],
         _ => {}
     }

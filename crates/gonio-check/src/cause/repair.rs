@@ -172,7 +172,9 @@ impl Observer<'_> {
                 };
                 // Ward's term contains cosines of its own.
                 let drops = |names: &[&str], others: &[&str]| {
-                    !model.method.model.has_roughness() && names.contains(&quantity.name.as_str()) && contains_any(seen, others)
+                    !model.method.model.has_roughness()
+                        && names.contains(&quantity.name.as_str())
+                        && contains_any(seen, others)
                 };
                 if drops(&DIFFUSE_NAMES, &SPECULAR_NAMES) || drops(&SPECULAR_NAMES, &DIFFUSE_NAMES) {
                     continue;

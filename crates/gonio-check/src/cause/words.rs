@@ -129,9 +129,9 @@ mod tests {
     #[test]
     fn every_quantity_but_matrices_has_words() {
         let samples: Vec<SceneSamples> = scene::lit().into_iter().take(1).map(SceneSamples::new).collect();
-        for model in
-            ModelSolution::ALL.into_iter().filter(|model| model.is_lit() || *model == ModelSolution::Reflection || *model == ModelSolution::Refraction)
-        {
+        for model in ModelSolution::ALL.into_iter().filter(|model| {
+            model.is_lit() || *model == ModelSolution::Reflection || *model == ModelSolution::Refraction
+        }) {
             let method = AnswerMethod::new(model);
             let model =
                 Model::new(&ModelSolutions::default(), method, Space::World, &samples, 1.0, Mistakes::These(&[]))

@@ -312,6 +312,8 @@ impl Judging<'_> {
         };
         let mut found = self.beside_right_values(diagnosis);
         found.retain(|missing| !is_explained(missing));
+        // In a long formula, the proof is often a value that is computed from the mistake's own wrong value.
+        let is_long = self.task.model.has_roughness();
         let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
         for at in 0..first.mistakes.len() {
             // The alternative that the program itself shows, if it shows one.
@@ -322,8 +324,11 @@ impl Judging<'_> {
             let cause = cause.map(|at| causes.remove(at));
             // Pictures do not tell some mistakes apart, but the wrong values may.
             let place_of = |mistake: &Mistake| {
-                let places = diagnosis.places.iter().filter(|place| place.mistake.id == mistake.id);
-                places.max_by_key(|place| (place.is_direct, std::cmp::Reverse(place.span.start)))
+                let mut places = diagnosis.places.iter().filter(|place| place.mistake.id == mistake.id);
+                match is_long {
+                    true => places.max_by_key(|place| (place.is_direct, std::cmp::Reverse(place.span.start))),
+                    false => places.next(),
+                }
             };
             let rank = |mistake: &&Mistake| {
                 let has_value = place_of(mistake).is_some_and(|place| place.is_direct);
@@ -346,8 +351,7 @@ impl Judging<'_> {
             let new =
                 FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
             found.push(match (cause, place_of(mistake)) {
-                // The mistake's own wrong value, where the proof is what is computed from it.
-                (Some(cause), Some(place)) if cause.distance > 0 && place.is_direct => {
+                (Some(cause), Some(place)) if is_long && cause.distance > 0 && place.is_direct => {
                     placed(new, (place.stage, place.span), self.submission)
                 }
                 (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),

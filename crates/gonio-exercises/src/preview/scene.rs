@@ -135,7 +135,8 @@ pub fn scenes(exercise: &Exercise) -> Vec<PreviewScene> {
         "ex09" | "ex10" => vec![mirrored(PreviewShape::Smooth), mirrored(PreviewShape::Torus)],
         id => {
             let task = Task::find(id);
-            let lamp = task.map_or(TestLight { attenuation: [1.0, 0.0, 0.0], ..LAB_LIGHT }, |task| task.lamp(LAB_LIGHT));
+            let lamp =
+                task.map_or(TestLight { attenuation: [1.0, 0.0, 0.0], ..LAB_LIGHT }, |task| task.lamp(LAB_LIGHT));
             let position = task.map_or(LAB_LIGHT.position, |task| task.light_position);
             let light = TestLight { position, ..lamp };
             let lab = if task.is_some_and(|task| task.attenuated) { one_sphere(light) } else { three_spheres(light) };
