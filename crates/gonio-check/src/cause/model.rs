@@ -8,6 +8,7 @@ use super::program::{Change, Program, Runner};
 pub(super) use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::{SceneSamples, interpolated};
 use super::values::Values;
+use super::ward;
 use crate::mistakes::{Hypotheses, Mistake, ModelSolution};
 use crate::roles::{Meaning, Role};
 use crate::testbench::numbers;
@@ -315,21 +316,6 @@ fn inputs(stage: Stage, samples: &[SceneSamples], model: ModelSolution) -> Vec<Q
     all
 }
 
-/// Quantities of Ward's model that may be anything where light or eye are behind the surface.
-const IN_FRONT: [&str; 11] = [
-    "cos_delta",
-    "delta",
-    "tan_squared",
-    "tangent",
-    "exponent",
-    "gauss",
-    "root",
-    "divisor",
-    "ward",
-    "specular_brdf",
-    "brdf",
-];
-
 impl Model {
     /// Evaluates a method at all points. It computes the light in a space, in which its mistakes are made.
     ///
@@ -418,7 +404,9 @@ impl Model {
         });
         quantities.iter_mut().filter(|q| has_space(&q.name)).for_each(|q| q.space = space);
         let mut model = Model { method, space, quantities };
-        model.leave_out_the_dark();
+        if method.model.has_roughness() {
+            ward::leave_out_the_dark(&mut model);
+        }
         model.add_intermediate();
         model.interpolate(samples);
         if space == Space::World {
@@ -444,26 +432,6 @@ impl Model {
             ..*quantity
         });
         Model { method: self.method, space: self.space, quantities: quantities.collect() }
-    }
-
-    /// Leaves out where light or eye are behind the surface: there, what the cosine makes 0 afterwards may be anything.
-    fn leave_out_the_dark(&mut self) {
-        const NEAREST: f32 = 2e-3;
-        if !self.method.model.has_roughness() {
-            return;
-        }
-        self.quantities.retain(|quantity| quantity.name != "cut");
-        let of = |name: &str| self.right(name, Stage::Fragment, false);
-        let (Some(normal), Some(to_light), Some(to_eye)) = (of("N"), of("L"), of("V")) else { return };
-        let is_lit = |point: usize| {
-            let cosine = |to: &Values| -> f32 { normal.at(point).iter().zip(to.at(point)).map(|(a, b)| a * b).sum() };
-            cosine(to_light) > NEAREST && cosine(to_eye) > NEAREST
-        };
-        let lit: Vec<bool> = (0..normal.points()).map(is_lit).collect();
-        let is_masked = |quantity: &&mut Quantity| IN_FRONT.contains(&quantity.name.as_str());
-        for quantity in self.quantities.iter_mut().filter(is_masked) {
-            quantity.values.present.iter_mut().zip(&lit).for_each(|(present, lit)| *present &= lit);
-        }
     }
 
     /// Adds values that the model solutions compute within a line.
