@@ -351,12 +351,7 @@ impl Judging<'_> {
             let new =
                 FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
             found.push(match (cause, place_of(mistake)) {
-                (Some(cause), Some(place))
-                    if is_long
-                        && place.is_direct
-                        && (cause.distance > 0
-                            || (place.stage, place.span.start) < (cause.stage, cause.span.start)) =>
-                {
+                (Some(cause), Some(place)) if is_long && cause.distance > 0 && place.is_direct => {
                     placed(new, (place.stage, place.span), self.submission)
                 }
                 (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
