@@ -405,7 +405,7 @@ impl Model {
         quantities.iter_mut().filter(|q| has_space(&q.name)).for_each(|q| q.space = space);
         let mut model = Model { method, space, quantities };
         if method.model.has_roughness() {
-            ward::leave_out_the_dark(&mut model);
+            model.leave_out_behind();
         }
         model.add_intermediate();
         model.interpolate(samples);
@@ -432,6 +432,17 @@ impl Model {
             ..*quantity
         });
         Model { method: self.method, space: self.space, quantities: quantities.collect() }
+    }
+
+    /// Leaves out the places at which quantities of Ward's model may be anything. Its own switch between them is none.
+    fn leave_out_behind(&mut self) {
+        self.quantities.retain(|quantity| quantity.name != "cut");
+        let of = |name: &str| self.right(name, Stage::Fragment, false);
+        let (Some(normal), Some(to_light), Some(to_eye)) = (of("N"), of("L"), of("V")) else { return };
+        let in_front = ward::in_front(normal, to_light, to_eye);
+        for quantity in self.quantities.iter_mut().filter(|quantity| ward::is_open_behind(&quantity.name)) {
+            quantity.values.present.iter_mut().zip(&in_front).for_each(|(present, in_front)| *present &= in_front);
+        }
     }
 
     /// Adds values that the model solutions compute within a line.

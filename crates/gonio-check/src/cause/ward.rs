@@ -1,8 +1,6 @@
 //! Ward's model where light or eye are behind the surface: programs return 0 there, or keep the cosines above 0.
 
-use super::model::{Model, Quantity};
 use super::values::Values;
-use gonio_glsl::Stage;
 
 /// Quantities that may be anything there, because a cosine makes them 0 afterwards.
 const IN_FRONT: [&str; 11] = [
@@ -22,35 +20,28 @@ const IN_FRONT: [&str; 11] = [
 /// Cosines below this one count as behind.
 const LEAST_COSINE: f32 = 2e-3;
 
-/// Whether light and eye are in front of the surface, at each place.
-fn is_in_front(model: &Model) -> Option<Vec<bool>> {
-    let of = |name: &str| model.right(name, Stage::Fragment, false);
-    let (normal, to_light, to_eye) = (of("N")?, of("L")?, of("V")?);
+/// Whether a quantity may be anything where light or eye are behind the surface.
+pub(super) fn is_open_behind(name: &str) -> bool {
+    IN_FRONT.contains(&name)
+}
+
+/// Whether light and eye are in front of the surface, at each point.
+pub(super) fn in_front(normal: &Values, to_light: &Values, to_eye: &Values) -> Vec<bool> {
     let cosine =
         |point: usize, to: &Values| -> f32 { normal.at(point).iter().zip(to.at(point)).map(|(a, b)| a * b).sum() };
     let is_it = |point: usize| cosine(point, to_light) > LEAST_COSINE && cosine(point, to_eye) > LEAST_COSINE;
-    Some((0..normal.points()).map(is_it).collect())
-}
-
-/// Leaves out the places at which a quantity may be anything. The model's own switch between both is none.
-pub(super) fn leave_out_the_dark(model: &mut Model) {
-    model.quantities.retain(|quantity| quantity.name != "cut");
-    let Some(in_front) = is_in_front(model) else { return };
-    let is_open = |quantity: &&mut Quantity| IN_FRONT.contains(&quantity.name.as_str());
-    for quantity in model.quantities.iter_mut().filter(is_open) {
-        quantity.values.present.iter_mut().zip(&in_front).for_each(|(present, in_front)| *present &= in_front);
-    }
+    (0..normal.points()).map(is_it).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::model::{AnswerMethod, Mistakes, Space};
-    use super::super::prediction::ModelSolutions;
-    use super::super::samples::SceneSamples;
-    use super::*;
+    use crate::cause::model::{AnswerMethod, Mistakes, Model, Space};
+    use crate::cause::prediction::ModelSolutions;
+    use crate::cause::samples::SceneSamples;
     use crate::mistakes::ModelSolution;
     use crate::testbench::scene;
     use glam::{DVec3, Vec3};
+    use gonio_glsl::Stage;
     use gonio_light::ShadingPoint;
     use gonio_light::brdf::ward::lobe_of_roughness;
 
