@@ -34,6 +34,7 @@ const SUBMISSIONS = {
   ex08: [`${CORPUS}/ex08/wrong/keeps-translation`],
   ex09: [`${CORPUS}/ex09/correct/unnormalised-view`, `${CORPUS}/ex09/wrong/normal-m`],
   ex10: [`${CORPUS}/ex10/wrong/ratio-inverted`],
+  ex12: [`${CORPUS}/ex12/correct/eye-space`, `${CORPUS}/ex12/wrong/no-root`],
   ex11: [`${HOST}/reference.txt`, `${HOST}/texture-name-as-unit.txt`, `${HOST}/stride-wrong.txt`],
 };
 

@@ -333,6 +333,33 @@ fn a_mistake_in_no_list_gets_its_line_and_the_right_quantity() {
     assert!(cause.text.contains("un6 + p") && cause.should.contains("from the surface to the eye"), "{cause:?}");
 }
 
+/// What is right in the corpus's first answer to exercise 12, and what is in no list.
+const BESIDE_WARD: [(&str, &str); 5] = [
+    ("sqrt(NL * NV)", "sqrt(NL * NV * NV)"),
+    ("exp(-tan2 / a2)", "exp2(-tan2 / a2)"),
+    ("4.0 * PI * a2", "4.0 * PI * (a2 + 0.1)"),
+    ("normalize(L + V)", "normalize(L + 2.0 * V)"),
+    ("dot(N, H)", "dot(N, H) * dot(N, H)"),
+];
+
+#[test]
+fn mistakes_with_wards_model_in_no_list_get_their_lines() {
+    let all = submissions::submissions("correct");
+    let case = all.iter().find(|case| case.name == "ex12/correct/one-function").unwrap();
+    let right = Submission::gather(case.files.clone()).unwrap();
+    let [vertex, fragment] = [right.vertex.text, right.fragment.text];
+    let mut missed = Vec::new();
+    for (is, becomes) in BESIDE_WARD {
+        let line = 1 + fragment[..fragment.find(is).unwrap()].matches('\n').count() as u32;
+        let diagnosis = of_exercise("ex12", &vertex, &fragment.replacen(is, becomes, 1));
+        let found = if let Found::Causes(_) = diagnosis.found { lines(&diagnosis) } else { Vec::new() };
+        if !diagnosis.explanations.is_empty() || found != [line] {
+            missed.push((becomes, diagnosis.explanations.len(), found, line));
+        }
+    }
+    assert!(missed.is_empty(), "{missed:?}");
+}
+
 #[test]
 fn two_mistakes_have_their_lines_if_one_or_both_are_in_no_list() {
     let vertex = IN_VIEW_SPACE

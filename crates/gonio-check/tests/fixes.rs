@@ -157,7 +157,8 @@ fn catalogue(model: ModelSolution) -> Vec<(String, [String; 2])> {
 #[test]
 fn mistakes_of_the_catalogue_get_fixes() {
     let (mut fixed, mut all, mut missed) = (0, 0, Vec::new());
-    for (exercise, model) in [("ex07", ModelSolution::Phong), ("ex05", ModelSolution::Gouraud)] {
+    let models = [ModelSolution::Phong, ModelSolution::Gouraud, ModelSolution::Ward];
+    for (exercise, model) in ["ex07", "ex05", "ex12"].into_iter().zip(models) {
         for (id, [vertex, fragment]) in catalogue(model).into_iter().step_by(6) {
             let Ok(diagnosis) = diagnosed(exercise, &vertex, &fragment) else { continue };
             if !matches!(diagnosis.found, Found::Causes(_)) {

@@ -81,11 +81,12 @@ fn own_pairs() -> Vec<Pair> {
 }
 
 /// Pairs that cannot be compared in this way, with the reason.
-const NOT_COMPARED: [(&str, &str); 4] = [
+const NOT_COMPARED: [(&str, &str); 5] = [
     ("dialects/06-legacy-120", "the translation renames the built-in attributes"),
     ("dialects/07-block-450", "gl_VertexID: the driver draws without indices"),
     ("dialects/12-texture-named", "the translation renames the uniform `texture`"),
     ("dialects/22-compat-330", "the translation renames the built-in attributes"),
+    ("ex12/wrong/degrees", "the tangent of up to 90 radians, whose poles magnify the last bit of the arc cosine"),
 ];
 
 /// A third of the pairs, which were not looked at while the interpreter was written.

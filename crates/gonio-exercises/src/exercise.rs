@@ -204,6 +204,7 @@ const FOLDERS: &[Folder] = &[
     folder!("ex09-reflection": "exercise.toml" "reference.frag" "reference.vert" "reflection.svg" "start.frag" "start.vert" "text.md"),
     folder!("ex10-refraction": "exercise.toml" "reference.frag" "reference.vert" "refraction.svg" "start.frag" "start.vert" "text.md"),
     folder!("ex11-texture-unit": "exercise.toml" "host/attribute-not-enabled.txt" "host/mipmaps-missing.txt" "host/offset-wrong.txt" "host/reference.txt" "host/stride-wrong.txt" "host/texture-name-as-unit.txt" "host/unbound-unit.txt" "host/uniform-before-use-program.txt" "host/wrong-target.txt" "start.frag" "start.vert" "text.md" "texture-units.svg"),
+    folder!("ex12-which-brdf": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md" "ward.svg"),
     folder!("s1-panorama-to-cubemap": "exercise.toml" "faces.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
 ];
 

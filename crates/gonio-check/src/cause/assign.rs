@@ -32,7 +32,7 @@ const NORMAL_MATRICES: [Role; 4] = [Role::NormalMatrix, Role::NormalMatrixOfMode
 const VECTORS: [Role; 4] = [Role::MaterialColor, Role::LightPos(0), Role::ViewPos, Role::LightPosInView(0)];
 
 /// In the order in which programs usually declare them.
-const NUMBERS: [Role; 9] = [
+const NUMBERS: [Role; 10] = [
     Role::AmbientStrength(0),
     Role::DiffuseStrength(0),
     Role::SpecularStrength(0),
@@ -42,6 +42,7 @@ const NUMBERS: [Role; 9] = [
     Role::AttenuationQuadratic(0),
     Role::RefractionIndex,
     Role::RefractionRatio,
+    Role::Roughness,
 ];
 const LIGHT_POSITIONS: [Role; 2] = [Role::LightPos(0), Role::LightPosInView(0)];
 const NORMALS: [Role; 2] = [Role::NormalMatrix, Role::NormalMatrixOfModelView];

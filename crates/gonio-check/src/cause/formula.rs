@@ -59,7 +59,7 @@ pub(crate) struct Definitions {
 }
 
 /// Definitions that the model solutions do not write, where `V` is a direction.
-const OF_DIRECTIONS: [(&str, &str); 8] = [
+const OF_DIRECTIONS: [(&str, &str); 9] = [
     ("minus_L", "-L"),
     ("x", "dot(N, L)"),
     ("x", "dot(N, V)"),
@@ -68,6 +68,7 @@ const OF_DIRECTIONS: [(&str, &str); 8] = [
     ("x", "L + V"),
     ("H", "normalize(L + V)"),
     ("d", "distance(light_pos, world_position)"),
+    ("ward", "gauss / divisor"),
 ];
 
 /// The same where `V` is the view matrix.
@@ -99,6 +100,7 @@ const IN_VIEW: [(&str, &str, Space); 8] = [
 
 const HEADER: &str = "#version 330 core
 vec3 N, L, R, H, I, world_position, world_normal, v_normal, position, normal, light_pos, u_view_pos, to_eye, to_light;
+float gauss, divisor;
 vec4 world_place; uniform mat4 M, P, itM;
 ";
 
@@ -384,7 +386,7 @@ impl Writer<'_> {
         if found.is_some()
             || mine.next().is_some()
             || !declares
-            || size == 1 && !matches!(role, Role::Shininess | Role::RefractionIndex)
+            || size == 1 && !matches!(role, Role::Shininess | Role::RefractionIndex | Role::Roughness)
         {
             return found;
         }

@@ -17,7 +17,7 @@ pub(super) fn methods(task: &Task) -> Vec<AnswerMethod> {
         if model != ModelSolution::Gouraud {
             all.push(AnswerMethod { normal_kept: true, ..plain(model) });
         }
-        if model.is_lit() && task.required[2] {
+        if model.has_exponent() && task.required[2] {
             let half: Vec<AnswerMethod> = all.iter().filter(|method| method.model == model).copied().collect();
             all.extend(half.into_iter().map(|method| AnswerMethod { half_vector: true, ..method }));
         }
@@ -65,16 +65,20 @@ impl<'a> Hints<'a> {
         self.task.model.is_lit() && computes(0) && !computes(1)
     }
 
+    /// Whether some value depends on a condition.
+    fn has_choice(&self) -> bool {
+        let has_it = |text: &str| ["if", "?", "step", "sign"].iter().any(|word| text.contains(word));
+        self.texts.iter().any(|text| has_it(text))
+    }
+
     /// Whether a peculiarity of right answers may be that of the program.
     pub fn is_likely(&self, id: &str) -> bool {
         let has_highlight = self.task.required[2] || self.uses(0, "pow") || self.uses(1, "pow");
         match id {
             "specular-half-vector" => has_highlight && !self.uses(0, "reflect") && !self.uses(1, "reflect"),
             "normal-kept-unnormalised" => !self.uses(0, "normalize"),
-            "specular-gated" => {
-                let has_choice = |text: &str| ["if", "?", "step", "sign"].iter().any(|word| text.contains(word));
-                has_highlight && self.texts.iter().any(|text| has_choice(text))
-            }
+            "specular-gated" => has_highlight && self.has_choice(),
+            "specular-held" => !self.has_choice(),
             "specular-cosine-weighted" | "specular-not-coloured" => has_highlight,
             _ => true,
         }
@@ -84,8 +88,8 @@ impl<'a> Hints<'a> {
     /// light.
     pub fn methods(&self, program: &Program) -> Vec<LightingMethod> {
         let model = match (self.task.model.is_lit(), self.is_gouraud()) {
-            (true, true) => ModelSolution::Gouraud,
-            (true, false) => ModelSolution::Phong,
+            (true, true) if self.task.model.has_exponent() => ModelSolution::Gouraud,
+            (true, false) if self.task.model.has_exponent() => ModelSolution::Phong,
             _ => self.task.model,
         };
         let in_view = program.bindings.bound.iter().any(|bound| {

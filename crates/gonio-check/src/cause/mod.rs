@@ -33,6 +33,7 @@ mod steps;
 pub(crate) mod target;
 mod unused;
 pub(crate) mod values;
+mod ward;
 pub(crate) mod words;
 
 pub(crate) use answer::{AnswerMethod, Space, peculiarities};

@@ -8,7 +8,8 @@ use super::program::{Change, Program, Runner};
 pub(super) use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::{SceneSamples, interpolated};
 use super::values::Values;
-use crate::mistakes::{Hypotheses, Mistake};
+use super::ward;
+use crate::mistakes::{Hypotheses, Mistake, ModelSolution};
 use crate::roles::{Meaning, Role};
 use crate::testbench::numbers;
 use glam::{Mat3, Vec3};
@@ -245,7 +246,7 @@ pub(super) fn assignments(text: &str, map: &SourceMap) -> Vec<(String, TokenRang
 }
 
 /// Inputs of the light equation, by the names that the model solutions give them.
-pub(super) const INPUTS: [(&str, Role, &str); 18] = [
+pub(super) const INPUTS: [(&str, Role, &str); 19] = [
     ("light_pos", Role::LightPos(0), "vec3"),
     ("u_view_pos", Role::ViewPos, "vec3"),
     ("materialColour", Role::MaterialColor, "vec3"),
@@ -256,6 +257,7 @@ pub(super) const INPUTS: [(&str, Role, &str); 18] = [
     ("light.linear", Role::AttenuationLinear(0), "float"),
     ("light.quadratic", Role::AttenuationQuadratic(0), "float"),
     ("shininess", Role::Shininess, "float"),
+    ("roughness", Role::Roughness, "float"),
     ("refractionIndice", Role::RefractionIndex, "float"),
     ("M", Role::Model, "mat4"),
     ("V", Role::View, "mat4"),
@@ -266,7 +268,7 @@ pub(super) const INPUTS: [(&str, Role, &str); 18] = [
     ("P * V * M", Role::ModelViewProjection, "mat4"),
 ];
 
-fn inputs(stage: Stage, samples: &[SceneSamples]) -> Vec<Quantity> {
+fn inputs(stage: Stage, samples: &[SceneSamples], model: ModelSolution) -> Vec<Quantity> {
     let count = |samples: &SceneSamples| match stage {
         Stage::Vertex => samples.vertices(),
         Stage::Fragment => samples.places.len(),
@@ -285,7 +287,12 @@ fn inputs(stage: Stage, samples: &[SceneSamples]) -> Vec<Quantity> {
             all.push(Quantity { name: name.to_owned(), stage, space, values, ..Quantity::default() });
         }
     };
-    for (name, role, ty) in INPUTS {
+    let is_read = |role: Role| match role {
+        Role::Shininess => !model.has_roughness(),
+        Role::Roughness => model.has_roughness(),
+        _ => true,
+    };
+    for (name, role, ty) in INPUTS.into_iter().filter(|(_, role, _)| is_read(*role)) {
         push(name, Space::World, &|samples| {
             let mut numbers = numbers(role, ty, &samples.scene)?;
             numbers.truncate(match ty {
@@ -397,13 +404,16 @@ impl Model {
         });
         quantities.iter_mut().filter(|q| has_space(&q.name)).for_each(|q| q.space = space);
         let mut model = Model { method, space, quantities };
+        if method.model.has_roughness() {
+            model.leave_out_behind();
+        }
         model.add_intermediate();
         model.interpolate(samples);
         if space == Space::World {
             model.add_views(samples);
         }
         for stage in [Stage::Vertex, Stage::Fragment] {
-            model.quantities.extend(inputs(stage, given));
+            model.quantities.extend(inputs(stage, given, method.model));
         }
         Ok(model)
     }
@@ -422,6 +432,17 @@ impl Model {
             ..*quantity
         });
         Model { method: self.method, space: self.space, quantities: quantities.collect() }
+    }
+
+    /// Leaves out the places at which quantities of Ward's model may be anything. Its own switch between them is none.
+    fn leave_out_behind(&mut self) {
+        self.quantities.retain(|quantity| quantity.name != "cut");
+        let of = |name: &str| self.right(name, Stage::Fragment, false);
+        let (Some(normal), Some(to_light), Some(to_eye)) = (of("N"), of("L"), of("V")) else { return };
+        let in_front = ward::in_front(normal, to_light, to_eye);
+        for quantity in self.quantities.iter_mut().filter(|quantity| ward::is_open_behind(&quantity.name)) {
+            quantity.values.present.iter_mut().zip(&in_front).for_each(|(present, in_front)| *present &= in_front);
+        }
     }
 
     /// Adds values that the model solutions compute within a line.

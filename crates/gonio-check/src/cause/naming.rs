@@ -101,7 +101,18 @@ fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool 
 
 /// The mistakes that a missing or superfluous factor or summand may be, in an expression that contains these terms: the
 /// likeliest first.
-fn structural(should: &str, terms: &[&str]) -> Vec<&'static str> {
+fn structural(should: &str, terms: &[&str], model: ModelSolution) -> Vec<&'static str> {
+    match should {
+        "* cos_theta" if model.has_roughness() => {
+            return vec!["specular-light-cosine-missing", "diffuse-without-cosine"];
+        }
+        "/ cos_theta" if model.has_roughness() => return vec!["specular-light-cosine-twice"],
+        "* PI" if model.has_roughness() => {
+            return vec!["lamp-missing", "specular-lamp-missing", "diffuse-lamp-missing"];
+        }
+        "/ PI" if model.has_roughness() => return vec!["specular-pi-missing", "diffuse-pi-missing"],
+        _ => {}
+    }
     let has = |names: &[&str]| terms.iter().any(|term| names.contains(term));
     let (both, of_diffuse, of_specular) = ("attenuation-missing", "diffuse-not-attenuated", "specular-not-attenuated");
     if should == "* attenuation" {
@@ -239,7 +250,7 @@ impl Observer<'_> {
             }
             let explains = |mistake: &Mistake| explaining.iter().any(|known| known.id == mistake.id);
             if names.is_empty() {
-                let of_form = structural(&repair.should, &self.terms_within(observed, seen));
+                let of_form = structural(&repair.should, &self.terms_within(observed, seen), self.model.method.model);
                 let all: Vec<&'static Mistake> = of_form.iter().filter_map(|id| crate::mistakes::find(id)).collect();
                 let chosen = all.iter().copied().find(|mistake| explains(mistake));
                 names.extend(chosen.or(all.first().copied()).map(|mistake| (4, mistake)));

@@ -182,7 +182,17 @@ impl Observer<'_> {
                         && interpolated(&other.values, self.runner.samples).is_same(&seen.values)
                 })
             };
-            here.last().or_else(argument).or_else(varying)
+            // Assigned in a branch, where the other has another value.
+            let in_branch = || {
+                (0..observed.len()).filter(computed).rfind(|of| {
+                    let other = &observed[*of];
+                    other.stage == seen.stage
+                        && tokens[*of].1 < tokens[at].0
+                        && !other.values.is_constant()
+                        && other.values.is_same(&seen.values)
+                })
+            };
+            here.last().or_else(argument).or_else(varying).or_else(in_branch)
         };
         let reads: Vec<Option<usize>> = (0..observed.len())
             .map(|at| {

@@ -15,7 +15,7 @@ pub(super) fn products<'q>(push: &mut impl FnMut(&str, Values), of: &dyn Fn(&str
     };
     let scaled =
         |a: &Values, b: &Values| a.map(1, |point, a, to| to[0] = a[0] * b.at(point).first().copied().unwrap_or(1.0));
-    for term in ["ambient", "diffuse", "specular", "cos_theta", "spec", "lit", "attenuated"] {
+    for term in ["ambient", "diffuse", "specular", "cos_theta", "spec", "ward", "lit", "attenuated"] {
         let Some(values) = of(term) else { continue };
         let grey = values.map(3, |_, a, to| to.fill(a[0]));
         push(term, grey);

@@ -181,8 +181,11 @@ impl Observer<'_> {
                 } else {
                     Relation::Other
                 };
+                // Ward's term contains cosines of its own.
                 let drops = |names: &[&str], others: &[&str]| {
-                    names.contains(&quantity.name.as_str()) && contains_any(seen, others)
+                    !model.method.model.has_roughness()
+                        && names.contains(&quantity.name.as_str())
+                        && contains_any(seen, others)
                 };
                 if drops(&DIFFUSE_NAMES, &SPECULAR_NAMES) || drops(&SPECULAR_NAMES, &DIFFUSE_NAMES) {
                     continue;
@@ -224,7 +227,7 @@ impl Observer<'_> {
 
     /// Products and quotients with scalars and colours of the equation.
     fn scaled(&self, seen: &Observed, push: &mut impl FnMut(Relation, String, Make, f32)) {
-        const FACTORS: [&str; 9] = [
+        const FACTORS: [&str; 11] = [
             "attenuation",
             "materialColour",
             "light.ambient_strength",
@@ -234,7 +237,13 @@ impl Observer<'_> {
             "cos_theta",
             "shininess",
             "spec",
+            "PI",
+            "roughness",
         ];
+        // The numbers of a normalisation are no place for a factor that is missing elsewhere.
+        if self.model.method.model.has_roughness() && seen.values.is_constant() {
+            return;
+        }
         for (index, quantity) in self.model.quantities.iter().enumerate() {
             let is_factor = quantity.stage == seen.stage && quantity.mistake.is_none() && !quantity.interpolated;
             let name = quantity.name.as_str();

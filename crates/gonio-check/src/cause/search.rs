@@ -28,8 +28,8 @@ pub enum Found {
 
 /// Most runs of a search.
 const MOST_RUNS: usize = 600;
-/// Most statements of a search, all points together.
-const MOST_STATEMENTS: u64 = 6_000_000;
+/// Most statements of a search for each run, all points together.
+const MOST_STATEMENTS: u64 = 10_000;
 /// Most runs for two causes, besides those for one.
 const MOST_RUNS_OF_PAIR: usize = 800;
 /// Most runs for the second of two causes.
@@ -92,6 +92,11 @@ impl<'a> Search<'a> {
         Search { at, target, explanations, runs: 0, statements: 0 }
     }
 
+    /// Ward's model has more quantities, each of which may stand at each place.
+    fn most_runs(&self) -> usize {
+        if self.at.model.method.model.has_roughness() { 3 * MOST_RUNS } else { MOST_RUNS }
+    }
+
     /// The number of runs of single scenes so far.
     #[must_use]
     pub fn runs(&self) -> usize {
@@ -126,7 +131,8 @@ impl<'a> Search<'a> {
             let mistakes: Vec<&'static Mistake> = explaining(0).into_iter().chain(explaining(1)).collect();
             return self.pair(&observed, &mistakes).unwrap_or(Found::Nothing);
         }
-        let single = self.causes(&[], &observed, &explaining(0), tried, (MOST_RUNS, MOST_RUNS));
+        let most = self.most_runs();
+        let single = self.causes(&[], &observed, &explaining(0), tried, (most, most));
         let single = if single.is_empty() { Found::Nothing } else { Found::Causes(vec![single]) };
         // A sum of wrong terms is not where the mistake is.
         let is_itself = matches!(&single, Found::Causes(groups) if groups[0].iter().any(|cause| cause.distance == 0));
@@ -153,8 +159,10 @@ impl<'a> Search<'a> {
         (most, end): (usize, usize),
     ) -> Vec<ProvenCause> {
         let repairs = self.at.repairs(observed);
-        let (known, others): (Vec<Repair>, Vec<Repair>) =
+        let (mut known, others): (Vec<Repair>, Vec<Repair>) =
             repairs.into_iter().partition(|repair| repair.relation == Relation::Known);
+        // The earliest tell most, and the runs may not be enough for all.
+        known.sort_by_key(|repair| observed[repair.of].depth);
         let end = (self.runs + most).min(end);
         let mut proven = self.proven(base, observed, &known, end);
         // Earlier expressions, from the inputs on. A variable may be set to a right vector where a unit one belongs.
@@ -340,7 +348,7 @@ impl<'a> Search<'a> {
         let Some(before) = self.see(base, 0..1) else { return proven };
         let mut dearest = f32::INFINITY;
         for repair in repairs {
-            if self.runs > end || self.statements > MOST_STATEMENTS || repair.cost > dearest {
+            if self.runs > end || self.statements > MOST_STATEMENTS * self.most_runs() as u64 || repair.cost > dearest {
                 break;
             }
             let Some(change) = repair.change(observed, self.at.model) else { continue };

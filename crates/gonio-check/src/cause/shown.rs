@@ -48,7 +48,8 @@ impl Shown {
         let mut right: BTreeSet<String> = BTreeSet::new();
         for answer in answers(method) {
             let model = Model::new(solutions, answer, Space::World, &samples, written_exponent, Mistakes::These(&[]))?;
-            let shown = model.quantities.iter().filter(|quantity| is_observed(&observed, quantity, false));
+            // The view matrix is called V too.
+            let shown = model.quantities.iter().filter(|q| q.values.size <= 4 && is_observed(&observed, q, false));
             right.extend(first_of_same(&shown.collect::<Vec<_>>(), hypotheses));
         }
         let variables = with_parts(&right, hypotheses);
@@ -59,6 +60,9 @@ impl Shown {
 
     /// Whether the program uses the half vector; `None` if its values do not tell.
     pub fn half_vector(&self) -> Option<bool> {
+        if !self.method.model.has_exponent() {
+            return None;
+        }
         let has = |names: &[&str]| names.iter().any(|name| self.right.contains(*name));
         match (has(&["H", "dot(N, H)", "L + V"]), has(&["R", "dot(R, V)"])) {
             (true, false) => Some(true),
@@ -101,7 +105,7 @@ impl Shown {
 }
 
 fn answers(method: LightingMethod) -> impl Iterator<Item = AnswerMethod> {
-    let highlights = if method.model.is_lit() { &[false, true][..] } else { &[false] };
+    let highlights = if method.model.has_exponent() { &[false, true][..] } else { &[false] };
     highlights
         .iter()
         .map(move |half_vector| AnswerMethod { half_vector: *half_vector, ..AnswerMethod::new(method.model) })

@@ -85,7 +85,7 @@ impl Values {
         made
     }
 
-    /// The root mean square of all numbers; 0 if there are none.
+    /// The root mean square of all present numbers; 0 if there are none.
     #[must_use]
     pub fn root_mean_square(&self) -> f32 {
         *self.root_mean_square.get_or_init(|| self.compute_root_mean_square())
@@ -93,7 +93,8 @@ impl Values {
 
     fn compute_root_mean_square(&self) -> f32 {
         let (mut sum, mut count) = (0.0_f64, 0_u32);
-        for x in self.numbers.iter().filter(|x| x.is_finite()) {
+        let present = (0..self.points()).filter(|point| self.present[*point]);
+        for x in present.flat_map(|point| self.at(point)).filter(|x| x.is_finite()) {
             sum += f64::from(*x) * f64::from(*x);
             count += 1;
         }
@@ -159,7 +160,9 @@ impl Values {
         if self.size != other.size || self.points() != other.points() {
             return None;
         }
-        let first = self.numbers.iter().zip(&other.numbers).filter(|(a, b)| a.is_finite() && b.is_finite()).take(64);
+        let both = (0..self.points()).filter(|point| self.present[*point] && other.present[*point]);
+        let pairs = both.flat_map(|point| self.at(point).iter().zip(other.at(point)));
+        let first = pairs.filter(|(a, b)| a.is_finite() && b.is_finite()).take(64);
         let (a, b) = first.max_by(|x, y| x.1.abs().total_cmp(&y.1.abs()))?;
         let factor = Some(a / b).filter(|factor| factor.is_finite() && factor.abs() > 1e-4)?;
         self.is_scaled(other, factor).then_some(factor)

@@ -4,7 +4,7 @@ use super::model::{Quantity, Space};
 use super::repair::{Make, Repair};
 
 /// The variables of the model solutions, and what they are.
-const WORDS: [(&str, &str); 51] = [
+const WORDS: [(&str, &str); 69] = [
     ("world_position", "the position"),
     ("world_place", "the position"),
     ("model_position", "the position in model space"),
@@ -54,6 +54,24 @@ const WORDS: [(&str, &str); 51] = [
     ("light.linear", "the linear constant of the attenuation"),
     ("light.quadratic", "the quadratic constant of the attenuation"),
     ("shininess", "the shininess"),
+    ("roughness", "the roughness"),
+    ("PI", "pi"),
+    ("cos_delta", "the cosine between normal and half vector"),
+    ("tan_squared", "the squared tangent of the angle between normal and half vector"),
+    ("tangent", "the tangent of the angle between normal and half vector"),
+    ("delta", "the angle between normal and half vector"),
+    ("alpha_squared", "the square of the roughness"),
+    ("exponent", "the exponent of Ward's model"),
+    ("normalisation", "the normalisation of Ward's model, 4 pi alpha^2"),
+    ("divisor", "the normalisation of Ward's model times the root of the cosines"),
+    ("gauss", "the exponential of Ward's model"),
+    ("cos_view", "the cosine between normal and eye"),
+    ("root", "the root of the cosines of light and eye"),
+    ("diffuse_brdf", "the diffuse BRDF"),
+    ("specular_brdf", "Ward's specular BRDF"),
+    ("brdf", "the sum of the diffuse and the specular BRDF"),
+    ("irradiance", "the light of the lamp that the surface receives"),
+    ("ward", "Ward's specular BRDF without its strength"),
     ("refractionIndice", "the index of refraction"),
     ("ratio", "the ratio of the indices of refraction"),
 ];
@@ -111,9 +129,9 @@ mod tests {
     #[test]
     fn every_quantity_but_matrices_has_words() {
         let samples: Vec<SceneSamples> = scene::lit().into_iter().take(1).map(SceneSamples::new).collect();
-        for model in
-            [ModelSolution::Phong, ModelSolution::Gouraud, ModelSolution::Reflection, ModelSolution::Refraction]
-        {
+        for model in ModelSolution::ALL.into_iter().filter(|model| {
+            model.is_lit() || *model == ModelSolution::Reflection || *model == ModelSolution::Refraction
+        }) {
             let method = AnswerMethod::new(model);
             let model =
                 Model::new(&ModelSolutions::default(), method, Space::World, &samples, 1.0, Mistakes::These(&[]))

@@ -107,7 +107,7 @@ impl Judging<'_> {
             verdict.summary = "right in every scene".to_owned();
             return Ok((verdict, Some(evidence)));
         }
-        Ok((unexplained(verdict, &bindings), Some(evidence)))
+        Ok((unexplained(self.task, verdict, &bindings), Some(evidence)))
     }
 
     fn diagnosis(&self, checker: &ShaderChecker) -> Option<Diagnosis> {
@@ -195,7 +195,7 @@ impl Judging<'_> {
         let Some((verdict, evidence)) = self.pictures(checker, diagnosis)? else { return Ok(endless()) };
         let fixes = diagnosis.fixes.clone();
         if mistakes.is_empty() && !matches!(diagnosis.found, Found::Right(_)) {
-            let verdict = unexplained(verdict, &diagnosis.bindings);
+            let verdict = unexplained(self.task, verdict, &diagnosis.bindings);
             return Ok(Judged { verdict, evidence: Some(evidence), fixes });
         }
         Ok(match mistakes.is_empty() {
@@ -312,6 +312,8 @@ impl Judging<'_> {
         };
         let mut found = self.beside_right_values(diagnosis);
         found.retain(|missing| !is_explained(missing));
+        // In a long formula, the proof is often a value that is computed from the mistake's own wrong value.
+        let is_long = self.task.model.has_roughness();
         let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
         for at in 0..first.mistakes.len() {
             // The alternative that the program itself shows, if it shows one.
@@ -321,7 +323,13 @@ impl Judging<'_> {
             let cause = causes.iter().position(|cause| cause.mistakes.iter().take(1 + cause.equals).any(|m| is_one(m)));
             let cause = cause.map(|at| causes.remove(at));
             // Pictures do not tell some mistakes apart, but the wrong values may.
-            let place_of = |mistake: &Mistake| diagnosis.places.iter().find(|place| place.mistake.id == mistake.id);
+            let place_of = |mistake: &Mistake| {
+                let mut places = diagnosis.places.iter().filter(|place| place.mistake.id == mistake.id);
+                match is_long {
+                    true => places.max_by_key(|place| (place.is_direct, std::cmp::Reverse(place.span.start))),
+                    false => places.next(),
+                }
+            };
             let rank = |mistake: &&Mistake| {
                 let has_value = place_of(mistake).is_some_and(|place| place.is_direct);
                 (mistake.id == NOT_PUT_OUT, !has_value)
@@ -343,6 +351,9 @@ impl Judging<'_> {
             let new =
                 FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
             found.push(match (cause, place_of(mistake)) {
+                (Some(cause), Some(place)) if is_long && cause.distance > 0 && place.is_direct => {
+                    placed(new, (place.stage, place.span), self.submission)
+                }
                 (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
                 (None, Some(place)) => placed(new, (place.stage, place.span), self.submission),
                 (None, None) => new,
@@ -353,8 +364,11 @@ impl Judging<'_> {
 }
 
 /// The verdict on a wrong program without a named mistake: unsure while the meaning of an input is unknown.
-fn unexplained(mut verdict: Verdict, bindings: &Bindings) -> Verdict {
-    let unknown = bindings.unknown.iter().filter(|declared| declared.kind == VariableKind::Uniform);
+fn unexplained(task: &Task, mut verdict: Verdict, bindings: &Bindings) -> Verdict {
+    // Another model of the surface, of which the exercise knows nothing.
+    let is_other = |bound: &&Bound| bound.role == Role::Roughness && !task.model.has_roughness();
+    let others = bindings.bound.iter().filter(is_other).map(|bound| &bound.declared);
+    let unknown = bindings.unknown.iter().chain(others).filter(|declared| declared.kind == VariableKind::Uniform);
     let unknown: Vec<String> = unknown.map(|declared| format!("`{}`", declared.name)).collect();
     if !unknown.is_empty() {
         verdict.verdict = Outcome::Unsure;

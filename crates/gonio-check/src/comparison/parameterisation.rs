@@ -10,6 +10,9 @@ use glam::{Mat3, Vec3};
 /// The exponent in the lab's programs.
 const USUAL_EXPONENT: f32 = 32.0;
 
+/// Ward's alpha in the lab.
+const USUAL_ROUGHNESS: f32 = 0.2;
+
 /// The exponents with which a highlight shows in the test scenes.
 const EXPONENTS: std::ops::RangeInclusive<f32> = 2.0..=128.0;
 
@@ -95,6 +98,7 @@ pub struct Parameterisation {
     pub own_ambient: bool,
     light_position: Option<Vec3>,
     shininess: Option<f32>,
+    roughness: Option<f32>,
     /// The exponent written in the source, which mistakes of the catalogue call `written_exponent`.
     pub written_exponent: Option<f32>,
     attenuation: [Option<f32>; 3],
@@ -235,6 +239,7 @@ impl Parameterisation {
                 Some(exponent) if EXPONENTS.contains(&exponent) && !is_of_the_lab(declared) => Some(exponent),
                 _ => fixed(has(&|role| role == Role::Shininess), None, USUAL_EXPONENT),
             },
+            roughness: fixed(has(&|role| role == Role::Roughness), None, USUAL_ROUGHNESS),
             written_exponent: constants.shininess,
             attenuation: std::array::from_fn(|degree| {
                 let is_given = has(&|role| match role {
@@ -374,6 +379,7 @@ impl Parameterisation {
             test_scene.up = Vec3::Y;
         }
         test_scene.shininess = self.shininess.unwrap_or(test_scene.shininess);
+        test_scene.roughness = self.roughness.unwrap_or(test_scene.roughness);
         test_scene.refraction_index = self.refraction_index.unwrap_or(test_scene.refraction_index);
         for (constant, fixed) in test_scene.light.attenuation.iter_mut().zip(self.attenuation) {
             *constant = fixed.unwrap_or(*constant);

@@ -1,7 +1,7 @@
 //! The tasks that exercises set for a pair of shaders.
 
 use crate::mistakes::ModelSolution;
-use crate::testbench::{TestScene, scene};
+use crate::testbench::{TestLight, TestScene, scene};
 use glam::Vec3;
 
 /// The task that an exercise sets.
@@ -20,6 +20,9 @@ pub struct Task {
     /// The position of the lab's own light, for programs with a constant position.
     pub light_position: Vec3,
 }
+
+/// The strength of a normalised highlight, in parts of one that is 1 at its brightest.
+const NORMALISED: f32 = 0.5;
 
 const LAMP: Vec3 = Vec3::new(0.5, 0.5, -0.7);
 
@@ -59,6 +62,11 @@ pub const TASKS: &[Task] = &[
     task("ex08", ModelSolution::Skybox, None, [false; 3]),
     task("ex09", ModelSolution::Reflection, None, [false; 3]),
     task("ex10", ModelSolution::Refraction, None, [false; 3]),
+    Task {
+        attenuated: true,
+        light_position: Vec3::new(1.0, 2.0, 1.5),
+        ..task("ex12", ModelSolution::Ward, None, [true, true, true])
+    },
     task("s1", ModelSolution::Panorama, None, [false; 3]),
 ];
 
@@ -80,11 +88,19 @@ impl Task {
         TASKS.iter().find(|task| task.exercise == exercise)
     }
 
+    /// Returns a light as this exercise has it: with or without attenuation, and with a highlight that reflects no more light than
+    /// arrives if it is normalised.
+    pub fn lamp(&self, light: TestLight) -> TestLight {
+        let attenuation = if self.attenuated { light.attenuation } else { [1.0, 0.0, 0.0] };
+        let specular = if self.model.has_roughness() { NORMALISED * light.specular } else { light.specular };
+        TestLight { attenuation, specular, ..light }
+    }
+
     /// Returns the test scenes: complete ones, then those for programs with several lights, then those with one term
     /// alone. Also returns the number of scenes of the first and second kind.
     pub fn test_scenes(&self) -> (Vec<TestScene>, [usize; 2]) {
         let mut all = match self.model {
-            ModelSolution::Phong | ModelSolution::Gouraud => scene::lit(),
+            ModelSolution::Phong | ModelSolution::Gouraud | ModelSolution::Ward => scene::lit(),
             ModelSolution::Reflection | ModelSolution::Refraction => scene::mirrored(),
             ModelSolution::Skybox => scene::skies(),
             ModelSolution::Camera | ModelSolution::Places => scene::cameras(),
@@ -99,10 +115,8 @@ impl Task {
             all.extend(by_two);
             all.extend(isolated);
         }
-        if !self.attenuated {
-            for light in all.iter_mut().flat_map(|s| std::iter::once(&mut s.light).chain(&mut s.other)) {
-                light.attenuation = [1.0, 0.0, 0.0];
-            }
+        for light in all.iter_mut().flat_map(|s| std::iter::once(&mut s.light).chain(&mut s.other)) {
+            *light = self.lamp(*light);
         }
         (all, [whole, of_two])
     }

@@ -57,9 +57,10 @@ pub fn term_of(id: &str) -> Option<&'static str> {
 }
 
 /// The files of the catalogue: one for all lighting exercises, and those of single exercises.
-const TEXTS: [&str; 3] = [
+const TEXTS: [&str; 4] = [
     include_str!("../../../../exercises/mistakes.toml"),
     include_str!("../../../../exercises/ex01-camera/mistakes.toml"),
+    include_str!("../../../../exercises/ex12-which-brdf/mistakes.toml"),
     include_str!("../../../../exercises/s1-panorama-to-cubemap/mistakes.toml"),
 ];
 
@@ -97,6 +98,8 @@ pub enum ModelSolution {
     Phong,
     /// The light equation per vertex.
     Gouraud,
+    /// The light equation per fragment, with Ward's BRDF instead of Phong's highlight.
+    Ward,
     /// A mirror.
     Reflection,
     /// Glass with one refracting surface.
@@ -119,9 +122,10 @@ macro_rules! shader {
 
 impl ModelSolution {
     /// All model solutions with mistakes of their own.
-    pub const ALL: [ModelSolution; 7] = [
+    pub const ALL: [ModelSolution; 8] = [
         ModelSolution::Phong,
         ModelSolution::Gouraud,
+        ModelSolution::Ward,
         ModelSolution::Reflection,
         ModelSolution::Refraction,
         ModelSolution::Skybox,
@@ -134,6 +138,7 @@ impl ModelSolution {
         match self {
             ModelSolution::Phong => [shader!("phong.vert"), shader!("phong.frag")],
             ModelSolution::Gouraud => [shader!("gouraud.vert"), shader!("gouraud.frag")],
+            ModelSolution::Ward => [shader!("phong.vert"), shader!("ward.frag")],
             ModelSolution::Reflection => [shader!("mirror.vert"), shader!("reflection.frag")],
             ModelSolution::Refraction => [shader!("mirror.vert"), shader!("refraction.frag")],
             ModelSolution::Skybox => [shader!("skybox.vert"), shader!("skybox.frag")],
@@ -145,7 +150,17 @@ impl ModelSolution {
 
     /// Whether it computes light from lights.
     pub fn is_lit(self) -> bool {
+        matches!(self, ModelSolution::Phong | ModelSolution::Gouraud | ModelSolution::Ward)
+    }
+
+    /// Whether its highlight is a power of a cosine: that of the reflected direction or, as well, of the half vector.
+    pub fn has_exponent(self) -> bool {
         matches!(self, ModelSolution::Phong | ModelSolution::Gouraud)
+    }
+
+    /// Whether its highlight depends on a roughness.
+    pub fn has_roughness(self) -> bool {
+        self == ModelSolution::Ward
     }
 
     /// Whether its colour is a cubemap lookup.

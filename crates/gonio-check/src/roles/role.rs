@@ -94,6 +94,8 @@ pub enum Role {
     LightCount,
     /// The exponent of the specular term.
     Shininess,
+    /// The roughness of a surface: the RMS slope, Ward's alpha.
+    Roughness,
     /// The object's colour.
     MaterialColor,
     /// The material's ambient reflectance.
@@ -138,7 +140,7 @@ enum Named {
 
 use Named::{Light, Plain};
 
-const NAMES: [(&str, Named); 61] = [
+const NAMES: [(&str, Named); 62] = [
     ("position", Plain(Role::Position)),
     ("normal", Plain(Role::Normal)),
     ("tex-coord", Plain(Role::TexCoord)),
@@ -183,6 +185,7 @@ const NAMES: [(&str, Named); 61] = [
     ("attenuation", Light(Role::Attenuation)),
     ("light-count", Plain(Role::LightCount)),
     ("shininess", Plain(Role::Shininess)),
+    ("roughness", Plain(Role::Roughness)),
     ("material-color", Plain(Role::MaterialColor)),
     ("material-ambient", Plain(Role::MaterialAmbient)),
     ("material-diffuse", Plain(Role::MaterialDiffuse)),
@@ -334,7 +337,7 @@ mod tests {
 
     #[test]
     fn role_names_survive_a_round_trip() {
-        assert_eq!(Role::all().count(), 61);
+        assert_eq!(Role::all().count(), 62);
         for role in Role::all() {
             assert_eq!(role.to_string().parse(), Ok(role));
             let third = role.with_light(2);

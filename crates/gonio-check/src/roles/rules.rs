@@ -100,6 +100,7 @@ const SCALARS: &[Rule] = &[
     rule(&["specular", "power"], &["strength"], |_| Role::Shininess),
     rule(&["power"], &["light", "ambient", "diffuse"], |_| Role::Shininess),
     rule(&["shininess"], &[], |_| Role::Shininess),
+    rule(&["roughness"], &[], |_| Role::Roughness),
     rule(&["ambient"], &[], Role::AmbientStrength),
     rule(&["diffuse"], &[], Role::DiffuseStrength),
     rule(&["specular"], &[], Role::SpecularStrength),

@@ -62,6 +62,7 @@ const MEANINGS: &[(&str, &str)] = &[
         "shininess shine shiny shinines shinyness shinness shinniness gloss glossiness brillance brilliance brillo glanz ns",
         "shininess",
     ),
+    ("roughness rough rugosite rugosité rauheit rauigkeit rugosidad aspereza", "roughness"),
     ("exponent exponant exposant exp expo", "exponent"),
     ("power pow puissance", "power"),
     ("gamma", "gamma"),
@@ -114,7 +115,7 @@ const MEANINGS: &[(&str, &str)] = &[
     (
         "shadow shadows property properties props depth bone bones joint prev previous fog near far radius cutoff cut \
          off inner outer cos angle use has is enable enabled show min max bias offset scale scaling threshold mouse width height aspect fov noise \
-         roughness rough metallic metalness metal ao occlusion alpha opacity transparency background bg clear ground line \
+         metallic metalness metal ao occlusion alpha opacity transparency background bg clear ground line \
          outline edge border wire selected highlight hover mode type flag id kernel blur exposure mix blend irradiance \
          prefilter prefiltered brdf lut displacement parallax reverse reversed bool toggle rotation rot \
          translation blinn toon speed velocity step steps",

@@ -77,6 +77,7 @@ pub fn numbers(role: Role, glsl_type: &str, test_scene: &TestScene) -> Option<Ve
         Role::Attenuation(index) => light_of(index).attenuation.to_vec(),
         Role::LightCount => vec![if test_scene.other.is_some() { 2.0 } else { 1.0 }],
         Role::Shininess => grey(test_scene.shininess),
+        Role::Roughness => grey(test_scene.roughness),
         Role::MaterialColor | Role::MaterialAmbient | Role::MaterialDiffuse | Role::MaterialSpecular => match glsl_type
         {
             "float" => vec![1.0],

@@ -72,6 +72,8 @@ pub struct TestScene {
     pub material: Vec3,
     /// The exponent of the highlight.
     pub shininess: f32,
+    /// The roughness of the surface: Ward's alpha, an RMS slope.
+    pub roughness: f32,
     /// The object's refractive index against air.
     pub refraction_index: f32,
     /// The time in seconds.
@@ -173,6 +175,7 @@ fn base(name: &str, shows: &'static str) -> TestScene {
         other: None,
         material: Vec3::new(0.5, 0.6, 0.8),
         shininess: 32.0,
+        roughness: 0.3,
         refraction_index: 1.52,
         time: 0.0,
     }
@@ -216,6 +219,7 @@ pub fn lit() -> Vec<TestScene> {
             target: Vec3::new(-0.2, 0.1, -0.3),
             light: TestLight { position: Vec3::new(-1.2, 1.0, -2.2), ambient: 0.25, ..LAB_LIGHT },
             shininess: 6.0,
+            roughness: 0.5,
             ..base("behind", "the light behind the object")
         },
     ];
@@ -246,6 +250,7 @@ pub fn lit() -> Vec<TestScene> {
         light: TestLight { position: Vec3::new(1.2, 0.6, 1.4), ambient: 0.2, ..LAB_LIGHT },
         material: Vec3::new(0.85, 0.4, 0.15),
         shininess: 12.0,
+        roughness: 0.4,
         ..base("coloured", "another material with a strong colour")
     });
     // The scenes that distinguish most come first: hypotheses are ranked in them.
@@ -267,6 +272,7 @@ pub fn lit_by_two() -> Vec<TestScene> {
         light: TestLight { position: Vec3::new(1.9, 1.2, 0.6), ..LAB_LIGHT },
         other: Some(other),
         shininess: 8.0,
+        roughness: 0.45,
         ..base("two lights", "two lights with different positions and strengths")
     };
     let mut second = both.clone();

@@ -57,7 +57,12 @@ impl UserInputs {
         }
         let attributes = attributes(&bindings, &mut warnings);
         let (mut samplers, mut uniforms) = (Vec::new(), Vec::new());
-        let known = bindings.bound.iter().map(|Bound { declared, role, how }| (declared, Some((*role, *how))));
+        // Materials have a shininess; their roughness is the user's to set.
+        let is_known = |role: &Role, how: &How| *role != Role::Roughness || *how == How::NamesFile;
+        let known = bindings
+            .bound
+            .iter()
+            .map(|Bound { declared, role, how }| (declared, is_known(role, how).then_some((*role, *how))));
         let all = known.chain(bindings.unknown.iter().map(|declared| (declared, None)));
         for (declared, role) in all.filter(|(declared, _)| declared.kind == VariableKind::Uniform) {
             if declared.glsl_type.contains("sampler") {

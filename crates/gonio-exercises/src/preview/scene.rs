@@ -119,6 +119,7 @@ impl PreviewScene {
             other: None,
             material: Vec3::new(0.5, 0.6, 0.8),
             shininess: 32.0,
+            roughness: 0.2,
             refraction_index: 1.52,
             time,
         };
@@ -134,15 +135,12 @@ pub fn scenes(exercise: &Exercise) -> Vec<PreviewScene> {
         "ex09" | "ex10" => vec![mirrored(PreviewShape::Smooth), mirrored(PreviewShape::Torus)],
         id => {
             let task = Task::find(id);
-            let attenuation =
-                if task.is_some_and(|task| task.attenuated) { LAB_LIGHT.attenuation } else { [1.0, 0.0, 0.0] };
-            let light = TestLight {
-                position: task.map_or(LAB_LIGHT.position, |task| task.light_position),
-                attenuation,
-                ..LAB_LIGHT
-            };
-            let lab = if id == "ex07" { one_sphere(light) } else { three_spheres(light) };
-            vec![lab, stretched(TestLight { attenuation, ..LAB_LIGHT })]
+            let lamp =
+                task.map_or(TestLight { attenuation: [1.0, 0.0, 0.0], ..LAB_LIGHT }, |task| task.lamp(LAB_LIGHT));
+            let position = task.map_or(LAB_LIGHT.position, |task| task.light_position);
+            let light = TestLight { position, ..lamp };
+            let lab = if task.is_some_and(|task| task.attenuated) { one_sphere(light) } else { three_spheres(light) };
+            vec![lab, stretched(lamp)]
         }
     }
 }
@@ -180,7 +178,7 @@ fn landmarks() -> PreviewScene {
 /// The lab's field of view in degrees: 45 radians.
 const LAB_FOV_DEG: f32 = 58.3;
 
-/// The scene of exercise 07.
+/// The scene of exercises 07 and 12.
 fn one_sphere(light: TestLight) -> PreviewScene {
     let model = Mat4::from_translation(Vec3::new(0.0, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
     let objects = vec![PreviewObject { shape: PreviewShape::Smooth, world_from_model: model }];

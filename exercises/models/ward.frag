@@ -1,0 +1,59 @@
+#version 330 core
+in vec3 world_position;
+in vec3 v_normal;
+in vec3 model_position;
+
+struct Light {
+    vec3 light_pos;
+    float ambient_strength;
+    float diffuse_strength;
+    float specular_strength;
+    float constant;
+    float linear;
+    float quadratic;
+};
+uniform Light light;
+uniform float roughness; // Ward's alpha
+uniform vec3 materialColour;
+uniform vec3 u_view_pos;
+uniform vec3 other_light_pos; // of a light other than the one that is computed here
+
+out vec4 FragColor;
+
+void main() {
+    float PI = 3.14159265;
+    vec3 N = normalize(v_normal);
+    vec3 to_light = light.light_pos - world_position;
+    vec3 L = normalize(to_light);
+    vec3 to_eye = u_view_pos - world_position;
+    vec3 V = normalize(to_eye);
+    vec3 H = normalize(L + V);
+    float cos_theta = max(dot(N, L), 0.0);
+    float cos_view = max(dot(N, V), 0.0001);
+    float cut = min(dot(N, L), dot(N, V)) > 0.0 ? 1.0 : 0.0;
+    float cos_delta = dot(N, H);
+    float tan_squared = 1.0 / (cos_delta * cos_delta) - 1.0;
+    float gauss = exp(-tan_squared / (roughness * roughness));
+    float root = sqrt(max(dot(N, L), 0.0001) * cos_view);
+    float ward = cut * gauss / (4.0 * PI * roughness * roughness * root);
+    float d = length(to_light);
+    float attenuation = 1.0 / (light.constant + light.linear * d + light.quadratic * d * d);
+    float diffuse = light.diffuse_strength * cos_theta;
+    float specular = light.specular_strength * PI * ward * cos_theta;
+    float ambient = light.ambient_strength;
+    float attenuated = attenuation * (diffuse + specular);
+    float lit = ambient + attenuated;
+    vec3 colour = materialColour * lit;
+    // What programs compute on the way, and nothing here reads.
+    float delta = acos(min(cos_delta, 1.0));
+    float tangent = sqrt(max(tan_squared, 0.0));
+    float alpha_squared = roughness * roughness;
+    float exponent = -tan_squared / alpha_squared;
+    float normalisation = 4.0 * PI * alpha_squared;
+    float divisor = normalisation * root;
+    float diffuse_brdf = light.diffuse_strength / PI;
+    float specular_brdf = light.specular_strength * ward;
+    float brdf = diffuse_brdf + specular_brdf;
+    float irradiance = attenuation * PI * cos_theta;
+    FragColor = vec4(colour, 1.0);
+}
