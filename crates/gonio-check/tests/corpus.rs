@@ -1,6 +1,6 @@
 //! Checks the submissions of crates/gonio-check/corpus: the mistake that is named, and its line in the source.
 //!
-//! Tolerances: no false alarm at all; 97 % of single mistakes and 85 % of pairs are named, 84 % of the named ones at
+//! Tolerances: no false alarm at all; 97 % of single mistakes and 85 % of pairs are named, 86 % of the named ones at
 //! their line. The project set them.
 #![allow(clippy::unwrap_used)]
 
@@ -96,7 +96,7 @@ fn mistakes_are_named() {
     assert!(reaches(0.95, called), "{report}");
     assert!(reaches(0.97, single), "{report}");
     assert!(reaches(0.85, pairs), "{report}");
-    assert!(reaches(0.84, lines), "{report}");
+    assert!(reaches(0.86, lines), "{report}");
 }
 
 #[test]

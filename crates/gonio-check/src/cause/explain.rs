@@ -475,7 +475,9 @@ impl Explainer<'_> {
         }
         // A mistake beside a light that is missing.
         for method in self.methods {
-            for lights in self.parameterisation.wrong_lights().iter().copied().filter(|lights| lights.mistake().is_some()) {
+            for lights in
+                self.parameterisation.wrong_lights().iter().copied().filter(|lights| lights.mistake().is_some())
+            {
                 let candidate = Candidate::new(self, *method, lights, seen)?;
                 for which in [Which::Suspects, Which::Allowed] {
                     if found.is_empty() {

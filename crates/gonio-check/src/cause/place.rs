@@ -112,15 +112,13 @@ pub(super) fn places(
         let mut changed: Vec<&(String, Recorded)> = wrong.iter().filter(|one| !is_right(one)).collect();
         changed.sort_by_key(|(_, one)| (one.stage, one.order));
         let (direct, after): (Vec<_>, Vec<_>) = changed.into_iter().partition(|(name, _)| variables.contains(name));
-        let first =
-            |of: &[&(String, Recorded)]| of.iter().find_map(|(name, one)| first_with(&observed, name, one));
+        let first = |of: &[&(String, Recorded)]| of.iter().find_map(|(name, one)| first_with(&observed, name, one));
         // What is put out may be a right vector, which is computed earlier.
         let is_put_out = variables.iter().any(|name| OUTPUTS.contains(&name.as_str()));
         let all = || direct.iter().chain(&after).map(|(name, one)| (name.as_str(), one));
         let last = is_put_out.then(|| last_with(program, &observed, all())).flatten();
-        let constant = || {
-            direct.iter().find_map(|(_, one)| first_constant(program, &observed, one)).map(|seen| (seen, true))
-        };
+        let constant =
+            || direct.iter().find_map(|(_, one)| first_constant(program, &observed, one)).map(|seen| (seen, true));
         let direct = || first(&direct).map(|seen| (seen, true)).or_else(constant);
         let place = last.map(|seen| (seen, true)).or_else(direct).or_else(|| first(&after).map(|seen| (seen, false)));
         if let Some((seen, is_direct)) = place {
