@@ -234,7 +234,7 @@ mod tests {
         for (dialect, seed) in dialects.into_iter().flat_map(|dialect| (0..20).map(move |seed| (dialect, seed))) {
             let names = Names::draw(dialect, &mut Random::new(seed));
             let of = |members: bool| {
-                names.0.iter().filter(move |(key, _)| key.starts_with("m_") == members).map(|(_, name)| name)
+                names.by_key.iter().filter(move |(key, _)| key.starts_with("m_") == members).map(|(_, name)| name)
             };
             let unique = [true, false].map(|members| of(members).collect::<std::collections::BTreeSet<_>>().len());
             assert_eq!(unique.iter().sum::<usize>(), TABLE.len(), "{dialect:?} {seed}");
