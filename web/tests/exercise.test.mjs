@@ -20,7 +20,7 @@ const text = (name) => readFile(join(EXERCISES, name), "utf8");
 const GREEN = "#version 330 core\nout vec4 FragColor;\nvoid main() { FragColor = vec4(0.0, 1.0, 0.0, 1.0); }\n";
 
 /** With room for the whole list of exercises. */
-const tall = { viewport: { width: 1280, height: 1100 } };
+const tall = { viewport: { width: 1280, height: 1200 } };
 
 /** Begins an exercise, and waits for its picture where it has one. */
 async function begin(lab, id) {

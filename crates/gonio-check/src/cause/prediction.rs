@@ -4,7 +4,6 @@ use super::answer::Space;
 use super::model::ModelProgram;
 use super::program::{Program, SceneTextures};
 use super::samples::SceneSamples;
-use super::shown::with_parts;
 use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use crate::testbench::TestScene;
@@ -99,7 +98,7 @@ impl AllHypotheses {
         };
         let ways: [Vec<(usize, usize)>; 2] = [of(Stage::Vertex), of(Stage::Fragment)];
         let exponent = [Stage::Vertex, Stage::Fragment].map(|stage| program.stage(stage).input("written_exponent"));
-        let position = with_parts(&BTreeSet::from(["gl_Position".to_owned()]), &hypotheses);
+        let position = hypotheses.with_parts(&BTreeSet::from(["gl_Position".to_owned()]));
         let is_of_position = |at: &usize| position.contains(&hypotheses.variables[ways[0][*at].0]);
         let of_position = (0..ways[0].len()).filter(is_of_position).collect();
         Ok(AllHypotheses { hypotheses, program, ways, of_position, exponent })

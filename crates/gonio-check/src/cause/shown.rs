@@ -52,7 +52,7 @@ impl Shown {
             let shown = model.quantities.iter().filter(|q| q.values.size <= 4 && is_observed(&observed, q, false));
             right.extend(first_of_same(&shown.collect::<Vec<_>>(), hypotheses));
         }
-        let variables = with_parts(&right, hypotheses);
+        let variables = hypotheses.with_parts(&right);
         let program = program.clone();
         let solutions = Rc::clone(solutions);
         Ok(Shown { solutions, program, samples, method, written_exponent, right, variables, suspects: OnceCell::new() })
@@ -130,7 +130,7 @@ fn is_observed(observed: &[Recorded], quantity: &Quantity, is_scaled: bool) -> b
 /// plain copy is no evidence.
 fn first_of_same(shown: &[&Quantity], hypotheses: &Hypotheses) -> BTreeSet<String> {
     let is_copy = |quantity: &&&Quantity| {
-        let parts = with_parts(&BTreeSet::from([quantity.name.clone()]), hypotheses);
+        let parts = hypotheses.with_parts(&BTreeSet::from([quantity.name.clone()]));
         let is_original = |other: &&Quantity| {
             other.name != quantity.name
                 && parts.contains(&other.name)
@@ -142,27 +142,7 @@ fn first_of_same(shown: &[&Quantity], hypotheses: &Hypotheses) -> BTreeSet<Strin
     shown.iter().filter(|quantity| !is_copy(quantity)).map(|quantity| quantity.name.clone()).collect()
 }
 
-/// The variables in these names, and all that they are computed from.
-pub(super) fn with_parts(names: &BTreeSet<String>, hypotheses: &Hypotheses) -> BTreeSet<String> {
-    let mut variables = BTreeSet::new();
-    let mut open: Vec<String> = names.iter().flat_map(|name| identifiers(name)).map(str::to_owned).collect();
-    while let Some(variable) = open.pop() {
-        if let Some(text) = hypotheses.text_of(&variable, &Hypothesis::default())
-            && variables.insert(variable.clone())
-        {
-            // Beside `P`, `V` is the view matrix and not the direction to the eye.
-            let is_product = text.contains("P * V");
-            open.extend(identifiers(text).filter(|part| !is_product || *part != "V").map(str::to_owned));
-        }
-    }
-    variables
-}
-
 /// Whether a hypothesis changes none of these variables.
 fn is_free(variables: &BTreeSet<String>, hypotheses: &Hypotheses, hypothesis: &Hypothesis) -> bool {
     hypothesis.choices.keys().all(|line| !variables.contains(&hypotheses.variables[*line]))
-}
-
-fn identifiers(text: &str) -> impl Iterator<Item = &str> {
-    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }

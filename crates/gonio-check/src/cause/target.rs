@@ -206,9 +206,8 @@ impl Fit {
                 })
                 .collect();
             let planes: Vec<&[f32]> = open.iter().map(Vec::as_slice).collect();
-            // Errors are in parts of large values. A value of 1 may have been limited to it, unless all are.
-            let is_white = seen.iter().all(|s| *s == 1.0);
-            let weight = |s: f32| if s == 1.0 && !is_white { 0.0 } else { (0.05 + f64::from(s.abs())).powi(-2) };
+            // Errors are in parts of large values. A value of 1 may have been limited to it.
+            let weight = |s: f32| if s == 1.0 { 0.0 } else { (0.05 + f64::from(s.abs())).powi(-2) };
             let fitted = if planes.is_empty() { Vec::new() } else { weighted_strengths(weight, seen, &right, &planes) };
             let known = right.clone();
             for (((term, _), plane), strength) in first.open.iter().zip(&open).zip(&fitted) {

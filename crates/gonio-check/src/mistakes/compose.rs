@@ -5,7 +5,7 @@
 //! hundred mistakes. So there is one program, and a hypothesis is a few integers.
 
 use super::{Mistake, ModelSolution};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 /// A hypothesis about a program: changes to different lines of a model solution, mistakes or harmless peculiarities.
@@ -58,6 +58,10 @@ fn assignment(line: &str) -> Option<(&str, &str)> {
     let code = line.split("//").next()?.trim();
     let (left, right) = code.strip_suffix(';')?.split_once(" = ")?;
     Some((left.split_whitespace().last()?, right))
+}
+
+fn identifiers(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }
 
 impl Hypotheses {
@@ -133,6 +137,22 @@ impl Hypotheses {
             self.alternatives.get(line)?.get(way).map(String::as_str)
         });
         chosen.or_else(|| self.values.get(variable).map(String::as_str))
+    }
+
+    /// Returns the variables in these names, and all that they are computed from.
+    pub fn with_parts(&self, names: &BTreeSet<String>) -> BTreeSet<String> {
+        let mut variables = BTreeSet::new();
+        let mut open: Vec<String> = names.iter().flat_map(|name| identifiers(name)).map(str::to_owned).collect();
+        while let Some(variable) = open.pop() {
+            if let Some(text) = self.text_of(&variable, &Hypothesis::default())
+                && variables.insert(variable.clone())
+            {
+                // Beside `P`, `V` is the view matrix and not the direction to the eye.
+                let is_product = text.contains("P * V");
+                open.extend(identifiers(text).filter(|part| !is_product || *part != "V").map(str::to_owned));
+            }
+        }
+        variables
     }
 
     /// Returns a vertex and a fragment shader for all hypotheses, `#version 330 core`. With all uniforms `way_...` at
