@@ -202,25 +202,6 @@ impl Observer<'_> {
         for (seen, of) in observed.iter_mut().zip(&reads) {
             seen.defined_at = *of;
         }
-        // A name that is set in several places, such as the branches of an `if`.
-        let function = |seen: &Observed| {
-            self.runner.program.stage(seen.stage).source.expressions[seen.expr.0 as usize].function.as_deref()
-        };
-        let set_in: Vec<Vec<usize>> = (0..observed.len())
-            .map(|at| {
-                let seen = &observed[at];
-                let sets_it = |of: &usize| {
-                    let other = &observed[*of];
-                    let rest = self.text(other).strip_prefix(self.text(seen)).map(str::trim_start);
-                    other.is_assignment
-                        && other.stage == seen.stage
-                        && function(other) == function(seen)
-                        && rest.is_some_and(|rest| rest.starts_with(['=', '+', '-', '*', '/']))
-                };
-                let is_merged = is_read[at] && !is_given[at] && reads[at].is_none();
-                if is_merged { (0..observed.len()).filter(sets_it).collect() } else { Vec::new() }
-            })
-            .collect();
         for _ in 0..DEEPEST {
             let mut is_changed = false;
             for at in 0..observed.len() {
@@ -239,10 +220,7 @@ impl Observer<'_> {
                 };
                 let depth = match reads[at] {
                     Some(of) => observed[of].depth + 1,
-                    None => {
-                        let of = inside().chain(set_in[at].iter().copied());
-                        1 + of.map(|other| observed[other].depth).max().unwrap_or(0)
-                    }
+                    None => 1 + inside().map(|other| observed[other].depth).max().unwrap_or(0),
                 };
                 let depth = depth.min(DEEPEST);
                 is_changed |= observed[at].depth != depth;

@@ -81,7 +81,6 @@ pub(super) fn places(
     explanation: &Explanation,
     exponent: f32,
 ) -> Result<Vec<MistakePlace>, String> {
-    let of_lights = of_lights(program, samples, solutions, explanation, exponent)?;
     let given = &samples[..samples.len().min(TELLING)];
     let samples: Vec<SceneSamples> = given.iter().map(|samples| as_explained(samples, explanation)).collect();
     let model = explanation.method.model;
@@ -99,7 +98,7 @@ pub(super) fn places(
     let wrong = with_camera(&explanation.hypothesis)?;
     let exprs = STAGES.map(|stage| program.numbers(stage));
     let observed = observe(&Runner::new(program, given), &[], 0..given.len(), [&exprs[0], &exprs[1]]);
-    let mut found: Vec<MistakePlace> = of_lights.into_iter().collect();
+    let mut found: Vec<MistakePlace> = of_lights(program, explanation, &wrong, &observed).into_iter().collect();
     for WrongValues { mistake, variables } in mistakes_of(&all, &explanation.hypothesis) {
         // What would be right but for this mistake.
         let mut others = explanation.hypothesis.clone();
@@ -153,38 +152,23 @@ pub(super) fn of_light(
 }
 
 /// Where a program adds up the light of several lights: the last assignment of a sum that lacks a light, or that has only
-/// one.
-///
-/// # Errors
-/// The interpreter cannot run a model solution; a test ensures that it can.
+/// one. `wrong` are the values of the model solution with the mistakes, `observed` those of the program.
 fn of_lights(
     program: &Program,
-    samples: &[SceneSamples],
-    solutions: &ModelSolutions,
     explanation: &Explanation,
-    exponent: f32,
-) -> Result<Option<MistakePlace>, String> {
-    let id = explanation.lights.mistake();
-    let Some(mistake) = explanation.mistakes.iter().find(|mistake| Some(mistake.id.as_str()) == id) else {
-        return Ok(None);
-    };
-    let given = &samples[..samples.len().min(TELLING)];
-    let samples: Vec<SceneSamples> = given.iter().map(|samples| as_explained(samples, explanation)).collect();
-    let of = (explanation.method.model, &explanation.hypothesis);
-    let put_out = assigned(solutions, of, &samples, exponent)?;
-    let exprs = STAGES.map(|stage| program.numbers(stage));
-    let observed = observe(&Runner::new(program, given), &[], 0..given.len(), [&exprs[0], &exprs[1]]);
+    wrong: &[(String, Recorded)],
+    observed: &[Recorded],
+) -> Option<MistakePlace> {
+    let id = explanation.lights.mistake()?;
+    let mistake = explanation.mistakes.iter().find(|mistake| mistake.id == id)?;
     let sums: Vec<&(String, Recorded)> =
-        put_out.iter().filter(|(name, _)| ["lit", "colour"].contains(&name.as_str())).collect();
+        wrong.iter().filter(|(name, _)| ["lit", "colour"].contains(&name.as_str())).collect();
     let is_it = |seen: &&Recorded| sums.iter().any(|(name, of)| has(seen, name, of));
     let text = |seen: &&Recorded| program.text(seen.stage, seen.expr);
     let set = observed.iter().filter(|seen| is_assignment(text(seen))).filter(is_it);
     let others = observed.iter().filter(|seen| !is_name(text(seen))).filter(is_it);
     let found = set.max_by_key(|seen| seen.order).or_else(|| others.min_by_key(|seen| seen.order));
-    Ok(found.map(|seen| {
-        let span = expression(program, seen).span;
-        MistakePlace { mistake, stage: seen.stage, span, is_direct: true }
-    }))
+    found.map(|seen| MistakePlace { mistake, stage: seen.stage, span: expression(program, seen).span, is_direct: true })
 }
 
 /// Points of a scene as the model solution of an explanation sees them.
