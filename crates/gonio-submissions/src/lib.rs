@@ -134,8 +134,10 @@ impl Sketch {
     }
 
     fn fits(&self, answer: &Answer, slip: &Slip) -> bool {
-        // `a * b * position` is right with P V and M, and without the names nothing says that they are others.
-        let is_product = slip.site == Site::ClipPosition && slip.key.ends_with("-matrix-missing");
+        // `a * b * position` is right with P V and M, and `a * b * c * position` in the order in which it is written: without the
+        // names nothing says that they are others.
+        let is_product = slip.site == Site::ClipPosition
+            && (slip.key.ends_with("-matrix-missing") || slip.key.starts_with("matrix-order"));
         (slip.fits)(answer, &self.plan) && !(is_product && self.names.are_meaningless)
     }
 

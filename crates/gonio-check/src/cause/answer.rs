@@ -12,6 +12,15 @@ pub enum Space {
     View,
 }
 
+/// A model solution that may explain a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LightingMethod {
+    /// The model solution.
+    pub model: ModelSolution,
+    /// The space in which it computes the light.
+    pub space: Space,
+}
+
 /// The method of a right answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct AnswerMethod {

@@ -1,11 +1,13 @@
 //! Draws a conclusion from several sets of roles that the inputs of a program may have.
 
 use super::budget::Budget;
-use super::explain::{Singly, is_black, is_flat};
+use super::diagnosing::Diagnosing;
+use super::explain::Singly;
+use super::few_places::{is_black, is_flat};
 use super::methods::methods;
 use super::search::Found;
 use super::target::Agreement;
-use super::{Diagnosing, Diagnosis, DiagnosisDepth};
+use super::{Diagnosis, DiagnosisDepth};
 
 /// What is tried with one set of roles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,15 +90,18 @@ pub(super) fn first_conclusion<'a>(
             Singly::Unexplained(tried) => unexplained.push(tried),
         }
     }
-    // A mistake may hide the space of the normals and of the light.
+    // A mistake may hide the space of the normals and of the light. With fewer known roles, most terms are black.
+    let unknown = |one: &Diagnosing<'_>| one.program.bindings.unknown.len();
+    let fewest = wrong.iter().map(|(one, _)| unknown(one)).min();
+    others.retain(|(one, _)| fewest.is_none_or(|fewest| unknown(one) <= fewest));
     for (one, seen) in &others {
-        if let Singly::Explained(found) = one.explaining(&one.scenes, &budget, |explainer| explainer.singly(seen))?
-            && !found.is_empty()
-        {
-            return one.wrong(found);
+        match one.explaining(&one.scenes, &budget, |explainer| explainer.singly(seen))? {
+            Singly::Explained(found) if !found.is_empty() => return one.wrong(found),
+            Singly::Explained(_) => unexplained.push(Vec::new()),
+            Singly::Unexplained(tried) => unexplained.push(tried),
         }
     }
-    for ((one, seen), tried) in wrong.iter().zip(&unexplained) {
+    for ((one, seen), tried) in wrong.iter().chain(&others).zip(&unexplained) {
         let explanations = one.explaining(&one.scenes, &budget, |explainer| explainer.by_pairs(tried, seen))?;
         if !explanations.is_empty() {
             return one.wrong(explanations);

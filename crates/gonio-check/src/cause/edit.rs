@@ -9,7 +9,7 @@ use super::repair::{Make, Relation, Repair};
 use super::samples::interpolated;
 use super::scope::{Level, Readable, Scopes, expression_at, level_of};
 use super::search::see;
-use super::target::RightPicture;
+use super::target::Seen;
 use super::values::Values;
 use crate::roles::NamesFile;
 use gonio_glsl::ast::{BinaryOp, UnaryOp};
@@ -53,8 +53,6 @@ pub fn edited(text: &str, stage: Stage, edits: &[TextEdit]) -> Option<String> {
 pub(crate) struct Trial<'a> {
     /// The student's program.
     pub at: Observer<'a>,
-    /// The right picture.
-    pub target: &'a RightPicture,
     /// The texts of both stages.
     pub texts: [&'a str; 2],
     /// Names given by the student.
@@ -62,11 +60,11 @@ pub(crate) struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    /// Whether every scene is right with a fix.
+    /// The picture of all scenes with a fix; `None` if the new text does not compile, or a run does not end.
     #[must_use]
-    pub fn is_right(&self, fix: &TextFix) -> bool {
+    pub fn picture(&self, fix: &TextFix) -> Option<Seen> {
         let new = STAGES.map(|stage| edited(self.texts[stage as usize], stage, fix));
-        let [Some(vertex), Some(fragment)] = &new else { return false };
+        let [Some(vertex), Some(fragment)] = &new else { return None };
         let stages = [(Stage::Vertex, vertex), (Stage::Fragment, fragment)].map(|(stage, text)| {
             let mut parsed = gonio_glsl::parse(text);
             let checked = gonio_glsl::check(&mut parsed, stage);
@@ -76,17 +74,15 @@ impl Trial<'_> {
             parsed.problems.iter().chain(&checked.problems).any(|problem| problem.severity == Severity::Error)
         };
         if stages.iter().any(has_error) {
-            return false;
+            return None;
         }
         let [v, f] = &stages;
-        let Ok(mut program) = Program::new((&v.0, &v.1), (&f.0, &f.1), [vertex, fragment], self.names) else {
-            return false;
-        };
+        let mut program = Program::new((&v.0, &v.1), (&f.0, &f.1), [vertex, fragment], self.names).ok()?;
         let known = self.at.runner.program;
         program.bindings.adopt(&known.bindings);
         program.declared.adopt(&known.declared);
         let runner = Runner::new(&program, self.at.runner.samples);
-        see(&runner, &[], 0..runner.samples.len()).is_some_and(|seen| self.target.agrees(&seen).is_some())
+        see(&runner, &[], 0..runner.samples.len())
     }
 }
 
@@ -286,6 +282,11 @@ impl<'a> Editor<'a> {
     }
 }
 
+/// Whether a quantity is a unit vector.
+fn is_unit(values: &Values) -> bool {
+    values.size == 3 && values.unit().is_same(values)
+}
+
 /// The level that an expression must have where it stands, to need no parentheses.
 fn level_around(scopes: &Scopes<'_>, tokens: TokenRange) -> Level {
     struct Finder(TokenRange, Level);
@@ -351,11 +352,21 @@ impl Maker<'_> {
             Make::Quantity(index) => {
                 let Some(quantity) = self.model.quantities.get(index) else { return Vec::new() };
                 let mut all = self.writer.options(&quantity.name, quantity.values.size, quantity.space);
+                if self.values(self.expr).is_some_and(|own| own.is_reciprocal(&quantity.values)) {
+                    all.push(Formula::new(
+                        style.binary(&style.number("1.0"), "/", &own.within(Level::Sign)),
+                        Level::Product,
+                    ));
+                }
                 // Where a value is the right one up to its sign or length, the student's own text stays.
                 match cause.relation {
                     Relation::Sign => all.push(self.negative(self.expr)),
                     Relation::Length => all.push(self.unit()),
                     Relation::Clamp => all.push(self.not_negative()),
+                    // The direction of the student's own vector may be right by another method.
+                    Relation::Known if is_unit(&quantity.values) && !self.values(self.expr).is_some_and(is_unit) => {
+                        all.push(self.unit());
+                    }
                     _ => {}
                 }
                 all

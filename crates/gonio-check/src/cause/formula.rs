@@ -6,7 +6,7 @@ use super::observed::has_space;
 use super::program::Program;
 use super::scope::{Level, Readable, Scopes, expression_at, level_of, size_of};
 use super::values::Values;
-use crate::roles::{Bound, Role, VariableKind};
+use crate::roles::{Bound, Declared, Role, VariableKind};
 use crate::submission::without_comments;
 use gonio_glsl::ast::{Call, Literal, UnaryOp};
 use gonio_glsl::{Expr, ExprKind, Item, Parsed, Stage, StatementKind, TokenRange};
@@ -59,7 +59,9 @@ pub(crate) struct Definitions {
 }
 
 /// Definitions that the model solutions do not write, where `V` is a direction.
-const OF_DIRECTIONS: [(&str, &str); 9] = [
+const OF_DIRECTIONS: [(&str, &str); 11] = [
+    ("V", "normalize(to_eye)"),
+    ("to_eye", "u_view_pos - world_position"),
     ("minus_L", "-L"),
     ("x", "dot(N, L)"),
     ("x", "dot(N, V)"),
@@ -360,7 +362,8 @@ impl Writer<'_> {
             return None;
         }
         let of = |bound: &Bound| -> Option<Formula> {
-            let text = bound.declared.name.as_str();
+            let text = self.element(&bound.declared);
+            let text = text.as_str();
             let is_attribute = bound.declared.kind == VariableKind::Attribute;
             let is_here = self.scopes.is_readable(text, self.place);
             let text = match (bound.declared.glsl_type.as_str(), size) {
@@ -395,6 +398,19 @@ impl Writer<'_> {
         let is_word = usual.0.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
         (is_word && self.scopes.is_free(usual.0))
             .then(|| Formula { needs: vec![format!("{} {}", usual.2, usual.0)], ..Formula::new(usual.0, Level::Whole) })
+    }
+
+    /// The text of an input: of an array, the element with the index that is used at this place, or the first.
+    fn element(&self, declared: &Declared) -> String {
+        let index = || self.scopes.index_at(self.place).unwrap_or("0");
+        let name = declared.name.as_str();
+        if declared.array > 1 {
+            return format!("{name}[{}]", index());
+        }
+        match name.split_once("[0]") {
+            Some((array, member)) => format!("{array}[{}]{member}", index()),
+            None => name.to_owned(),
+        }
     }
 
     /// Texts by the definitions of a quantity.

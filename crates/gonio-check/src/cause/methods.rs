@@ -1,7 +1,7 @@
 //! The ways to solve a task, and which of them a program takes.
 
+use super::answer::LightingMethod;
 use super::answer::{AnswerMethod, Highlight, Space, Uncoloured};
-use super::explain::LightingMethod;
 use super::program::Program;
 use crate::comparison::Task;
 use crate::mistakes::ModelSolution;

@@ -316,6 +316,9 @@ fn inputs(stage: Stage, samples: &[SceneSamples], model: ModelSolution) -> Vec<Q
     all
 }
 
+/// The vectors from the eye in the model solutions of mirrors and glass, and those to the eye.
+const OPPOSITE: [(&str, &str); 2] = [("from_eye", "to_eye"), ("I", "V")];
+
 impl Model {
     /// Evaluates a method at all points. It computes the light in a space, in which its mistakes are made.
     ///
@@ -407,6 +410,7 @@ impl Model {
         if method.model.has_roughness() {
             model.leave_out_behind();
         }
+        model.add_vectors_to_eye();
         model.add_intermediate();
         model.interpolate(samples);
         if space == Space::World {
@@ -443,6 +447,17 @@ impl Model {
         for quantity in self.quantities.iter_mut().filter(|quantity| ward::is_open_behind(&quantity.name)) {
             quantity.values.present.iter_mut().zip(&in_front).for_each(|(present, in_front)| *present &= in_front);
         }
+    }
+
+    /// Adds the vectors to the eye of mirrors and glass, which compute the opposite ones, with their known wrong values.
+    fn add_vectors_to_eye(&mut self) {
+        let opposite = |quantity: &Quantity| {
+            let (_, name) = OPPOSITE.iter().find(|(of, _)| *of == quantity.name)?;
+            let values = quantity.values.map(3, |_, a, to| to.iter_mut().zip(a).for_each(|(to, a)| *to = -a));
+            Some(Quantity { name: (*name).to_owned(), values, ..quantity.clone() })
+        };
+        let of_eye: Vec<Quantity> = self.quantities.iter().filter_map(opposite).collect();
+        self.quantities.extend(of_eye);
     }
 
     /// Adds values that the model solutions compute within a line.

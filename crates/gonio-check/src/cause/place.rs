@@ -1,7 +1,7 @@
 //! Where a program makes the mistakes that explain its picture, if no repair proves a place: at the first expression that
 //! has the wrong values of the mistake. Where it computes the light, if only the stage or a missing term is wrong.
 
-use super::explain::{Explanation, strengthen};
+use super::explanation::{Explanation, strengthen};
 use super::model::Space;
 use super::observed::{SCALED, is_assignment, is_name};
 use super::prediction::ModelSolutions;

@@ -4,7 +4,7 @@ use super::observed::Observed;
 use super::values::Values;
 use gonio_glsl::ast::{Declaration, Expr, ExprKind, Function, Statement, StatementKind};
 use gonio_glsl::walk::{Visitor, walk_unit};
-use gonio_glsl::{Checked, Parsed, Stage, TokenRange};
+use gonio_glsl::{Checked, Parsed, Span, Stage, TokenRange};
 use gonio_glsl::{Storage, SymbolKind, Type};
 use gonio_interpreter::{ExprId, SourceMap};
 
@@ -182,6 +182,31 @@ impl<'a> Scopes<'a> {
         let root = name.split(['.', '[']).next().unwrap_or(name);
         let mut named = self.checked.symbols.iter().enumerate().filter(|(_, symbol)| symbol.name == root);
         named.any(|(id, symbol)| symbol.kind == SymbolKind::Global && self.is_visible(id, place))
+    }
+
+    /// The variable that is the index of uniforms, if one can be read at a place.
+    #[must_use]
+    pub fn index_at(&self, place: TokenRange) -> Option<&'a str> {
+        struct Indices(Vec<(TokenRange, Span)>);
+        impl Visitor for Indices {
+            fn expression(&mut self, expr: &Expr) -> bool {
+                if let ExprKind::Index { index, .. } = &expr.kind
+                    && matches!(index.kind, ExprKind::Name(_))
+                {
+                    self.0.push((index.tokens, index.span));
+                }
+                true
+            }
+        }
+        let mut indices = Indices(Vec::new());
+        walk_unit(&self.parsed.unit, &mut indices);
+        let mut readable = indices.0.into_iter().filter(|(tokens, _)| {
+            self.used(*tokens).all(|id| {
+                let is_local = matches!(self.checked.symbols[id].kind, SymbolKind::Local | SymbolKind::Param);
+                is_local && self.is_visible(id, place)
+            })
+        });
+        readable.next().map(|(_, span)| self.parsed.text(span))
     }
 
     /// The values that a vertex shader hands on, by the last assignment to each output.

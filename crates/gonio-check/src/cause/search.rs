@@ -1,6 +1,6 @@
 //! The search for causes: expressions that, with another value, make the whole picture right.
 
-use super::explain::Explanation;
+use super::explanation::Explanation;
 use super::model::Model;
 use super::naming::ProvenCause;
 use super::observed::{DEEPEST, Observed, Observer, is_name};
@@ -53,6 +53,15 @@ impl Found {
                 (groups.len() - 1) + 2 * unsound + if self.is_rooted() { 0 } else { 4 }
             }
             Found::Nothing => usize::MAX,
+        }
+    }
+
+    /// Whether each error is a wrong value of the mistake itself, and not one computed from it.
+    pub(super) fn is_at_mistakes(&self) -> bool {
+        match self {
+            Found::Right(_) | Found::Endless => true,
+            Found::Causes(groups) => groups.iter().all(|group| group.iter().any(|cause| cause.distance == 0)),
+            Found::Nothing => false,
         }
     }
 
@@ -135,9 +144,8 @@ impl<'a> Search<'a> {
         let single = self.causes(&[], &observed, &explaining(0), tried, (most, most));
         let single = if single.is_empty() { Found::Nothing } else { Found::Causes(vec![single]) };
         // A sum of wrong terms is not where the mistake is.
-        let is_itself = matches!(&single, Found::Causes(groups) if groups[0].iter().any(|cause| cause.distance == 0));
         if tried == Tried::Known
-            && !is_itself
+            && !single.is_at_mistakes()
             && let Some(found) = self.at_each_read(&observed, &explaining(0))
         {
             return found;

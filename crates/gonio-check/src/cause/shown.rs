@@ -1,7 +1,7 @@
 //! The quantities that a program computes, right or as a known mistake makes them: where a quantity is right, no mistake
 //! is made with it or with what it is computed from.
 
-use super::explain::LightingMethod;
+use super::answer::LightingMethod;
 use super::model::{AnswerMethod, Mistakes, Model, Quantity, Recorded, STAGES, Space, TELLING, observe};
 use super::observed::SCALED;
 use super::prediction::ModelSolutions;

@@ -1,6 +1,6 @@
 //! Recognises toon shading: diffuse light in steps is a choice, as long as each step is one of the right cosine.
 
-use super::Diagnosing;
+use super::diagnosing::Diagnosing;
 use super::methods::methods;
 use super::model::{Mistakes, Model, Space};
 use super::target::Seen;

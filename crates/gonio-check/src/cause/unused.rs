@@ -1,12 +1,13 @@
 //! Terms that a program computes and never uses.
 
-use super::explain::{Strengths, is_absent};
+use super::diagnosing::Diagnosing;
+use super::explanation::{Strengths, is_absent};
 use super::model::{AnswerMethod, Mistakes, Model, STAGES, Space, observe};
 use super::observed::{DIFFUSE_NAMES, SPECULAR_NAMES};
 use super::program::{Change, Program, Runner};
+use super::recording::Recorded;
 use super::samples::SceneSamples;
 use super::search::see;
-use super::{Diagnosing, recording::Recorded};
 
 /// Places in the first scene at which values are compared.
 const PLACES: usize = 64;

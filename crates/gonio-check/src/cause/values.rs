@@ -189,6 +189,12 @@ impl Values {
         self.size == 1 && self.agrees(other, |a, b| (a[0].max(0.0) - b[0].max(0.0)).abs() <= tolerance)
     }
 
+    /// Whether these numbers are 1 over the others.
+    #[must_use]
+    pub fn is_reciprocal(&self, other: &Values) -> bool {
+        self.size == 1 && self.agrees(other, |a, b| (a[0] * b[0] - 1.0).abs() <= TOLERANCE)
+    }
+
     /// Whether these are a multiple of the others plus a constant that is not 0.
     #[must_use]
     pub fn is_affine_of(&self, other: &Values) -> bool {

@@ -413,7 +413,17 @@ fn wrong(mut verdict: Verdict, mistakes: Vec<FoundMistake>) -> Verdict {
 /// The causes that together make every scene right, by name where they have one.
 fn proven(groups: &[Vec<ProvenCause>], submission: &Submission) -> Vec<FoundMistake> {
     let causes = groups.iter().filter_map(|group| group.first());
-    causes.flat_map(|cause| named(cause, submission).unwrap_or_else(|| vec![unlisted(cause, submission)])).collect()
+    let all = causes.flat_map(|cause| named(cause, submission).unwrap_or_else(|| vec![unlisted(cause, submission)]));
+    let mut found: Vec<FoundMistake> = Vec::new();
+    for mistake in all {
+        let is_same = |known: &FoundMistake| {
+            known.name == mistake.name && (&known.file, known.line) == (&mistake.file, mistake.line)
+        };
+        if !found.iter().any(is_same) {
+            found.push(mistake);
+        }
+    }
+    found
 }
 
 fn unlisted(cause: &ProvenCause, submission: &Submission) -> FoundMistake {

@@ -4,7 +4,7 @@ use super::{
     Comparison, Evidence, Lights, Parameterisation, Prepared, Second, ShaderChecker, Task, conclusion,
     drawn_unless_endless, predict, properties,
 };
-use crate::cause::explain::Strengths;
+use crate::cause::explanation::Strengths;
 use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::roles::{self, Bindings};
 use crate::testbench::{Atlas, Testbench};
