@@ -56,6 +56,14 @@ impl Found {
         }
     }
 
+    /// How far the earliest cause is from the program's inputs.
+    fn depth(&self) -> u32 {
+        match self {
+            Found::Causes(groups) => groups.iter().flatten().map(|cause| cause.depth).min().unwrap_or(u32::MAX),
+            _ => u32::MAX,
+        }
+    }
+
     /// Whether each error is a wrong value of the mistake itself, and not one computed from it.
     pub(super) fn is_at_mistakes(&self) -> bool {
         match self {
@@ -147,6 +155,7 @@ impl<'a> Search<'a> {
         if tried == Tried::Known
             && !single.is_at_mistakes()
             && let Some(found) = self.at_each_read(&observed, &explaining(0))
+            && found.depth() < single.depth()
         {
             return found;
         }
