@@ -80,8 +80,8 @@ fn diagnosed(exercise: &str, vertex: &str, fragment: &str) -> Result<Diagnosis, 
 }
 
 /// The lines that the first fix writes, of both stages.
-fn new_lines(vertex: &str, fragment: &str) -> Vec<String> {
-    let diagnosis = diagnosed("ex07", vertex, fragment).unwrap();
+fn new_lines(exercise: &str, vertex: &str, fragment: &str) -> Vec<String> {
+    let diagnosis = diagnosed(exercise, vertex, fragment).unwrap();
     let Some(fix) = diagnosis.fixes.first() else { return Vec::new() };
     let mut new = Vec::new();
     for (stage, text) in [(Stage::Vertex, vertex), (Stage::Fragment, fragment)] {
@@ -100,7 +100,7 @@ fn the_programs_without_a_mistake_need_no_fix() {
 }
 
 /// What is right, what a student wrote instead, and the line of the fix.
-const KINDS: [(&str, &str, &str, &str); 10] = [
+const KINDS: [(&str, &str, &str, &str); 12] = [
     ("sign of a difference", "l = light_pos - place", "l = place - light_pos", "vec3 l = light_pos - place;"),
     ("superfluous sign", "reflect(-L, N)", "-reflect(-L, N)", "reflect(-L, N)"),
     ("length", "L = normalize(l)", "L = l", "vec3 L = normalize(l);"),
@@ -115,6 +115,13 @@ const KINDS: [(&str, &str, &str, &str); 10] = [
     ("missing factor", "specular = specular_strength * shine", "specular = shine", "specular_strength"),
     ("superfluous factor", "ambient = ambient_strength", "ambient = att * ambient_strength", "ambient_strength"),
     ("missing summand", "quadratic * d * d)", "quadratic * d)", "quadratic * d * d)"),
+    ("interpolated normal", "N = normalize(n)", "N = n", "vec3 N = normalize(n);"),
+    (
+        "reciprocal",
+        "att = 1.0f / (constant + linear * d + quadratic * d * d)",
+        "att = 1.0f + 0.14f * d + 0.07f * d * d",
+        "float att = 1.0f / (1.0f + 0.14f * d + 0.07f * d * d);",
+    ),
     ("gamma", "vec4(sum, 1.0f)", "vec4(pow(sum, vec3(1.0f / 2.2f)), 1.0f)", "colour = vec4(sum, 1.0f);"),
 ];
 
@@ -123,7 +130,7 @@ fn each_kind_of_mistake_gets_an_edit_in_the_students_style() {
     let mut missed = Vec::new();
     for (kind, right, wrong, expected) in KINDS {
         assert!(FRAGMENT.contains(right), "{kind}");
-        let lines = new_lines(VERTEX, &FRAGMENT.replace(right, wrong));
+        let lines = new_lines("ex07", VERTEX, &FRAGMENT.replace(right, wrong));
         if lines.len() != 1 || !lines[0].contains(expected) {
             missed.push((kind, lines));
         }
@@ -132,9 +139,55 @@ fn each_kind_of_mistake_gets_an_edit_in_the_students_style() {
 }
 
 #[test]
+fn a_fix_reads_the_elements_of_arrays_with_the_index_of_its_place() {
+    let (head, body) = FRAGMENT.split_once("    vec3 l = ").unwrap();
+    let mut head = head.to_owned();
+    for name in
+        ["light_pos", "ambient_strength", "diffuse_strength", "specular_strength", "constant", "linear", "quadratic"]
+    {
+        head = head.replacen(&format!("{name};"), &format!("{name}[2];"), 1).replacen(
+            &format!("{name},"),
+            &format!("{name}[2],"),
+            1,
+        );
+    }
+    let mut body = format!("vec3 all = vec3(0.0f);\nfor (int i = 0; i < 2; i++) {{\n    vec3 l = {body}");
+    for name in
+        ["light_pos", "ambient_strength", "diffuse_strength", "specular_strength", "constant", "linear", "quadratic"]
+    {
+        body = body.replacen(name, &format!("{name}[i]"), 1);
+    }
+    let lights = format!("{head}{body}")
+        .replace("    colour = vec4(sum, 1.0f);", "    all += sum;\n}\ncolour = vec4(all, 1.0f);");
+    assert!(matches!(diagnosed("ex07", VERTEX, &lights).unwrap().found, Found::Right(_)), "{lights}");
+    let right = "1.0f / (constant[i] + linear[i] * d + quadratic[i] * d * d)";
+    assert!(lights.contains(right), "{lights}");
+    let lines = new_lines("ex07", VERTEX, &lights.replace(right, "1.0f / d"));
+    assert_eq!(lines, [format!("float att = {right};")]);
+}
+
+#[test]
+fn a_mirror_gets_the_direction_to_the_eye() {
+    let fragment = "#version 330 core
+in vec3 place;
+in vec3 n;
+uniform vec3 u_view_pos;
+uniform samplerCube cubemapSampler;
+out vec4 colour;
+void main() {
+    vec3 N = normalize(n);
+    vec3 E = normalize(u_view_pos);
+    vec3 R = 2.0f * dot(N, E) * N - E;
+    colour = vec4(texture(cubemapSampler, R).rgb, 1.0f);
+}
+";
+    assert_eq!(new_lines("ex09", VERTEX, fragment), ["vec3 E = normalize(u_view_pos - place);"]);
+}
+
+#[test]
 fn a_uniform_that_a_fix_needs_is_declared() {
     let vertex = VERTEX.replace("uniform mat4 itM;\n", "").replace("mat3(itM)", "mat3(M)").replace("330 core", "130");
-    let lines = new_lines(&vertex, FRAGMENT);
+    let lines = new_lines("ex07", &vertex, FRAGMENT);
     assert_eq!(lines, ["uniform mat4 itM;", "n = mat3(itM) * normal;"]);
 }
 
