@@ -1,0 +1,45 @@
+//! Textures of the pictures: noise that depends on the place only.
+
+use glam::{DVec2, IVec2};
+
+/// A number in `[0, 1)` for a cell of a grid.
+pub fn cell(at: IVec2, seed: u32) -> f64 {
+    let mut h = (at.x as u32).wrapping_mul(0x9E37_79B1)
+        ^ (at.y as u32).wrapping_mul(0x85EB_CA77)
+        ^ seed.wrapping_mul(0xC2B2_AE3D);
+    for _ in 0..2 {
+        h ^= h >> 16;
+        h = h.wrapping_mul(0x7FEB_352D);
+        h ^= h >> 15;
+        h = h.wrapping_mul(0x846C_A68B);
+    }
+    f64::from(h ^ h >> 16) / 4_294_967_296.0
+}
+
+/// Values of the cells, smoothly interpolated, in `[0, 1)`.
+pub fn smooth(at: DVec2, seed: u32) -> f64 {
+    let floor = at.floor();
+    let (f, i) = (at - floor, floor.as_ivec2());
+    let f = f * f * (3.0 - 2.0 * f);
+    let at = |x: i32, y: i32| cell(i + IVec2::new(x, y), seed);
+    let row = |y: i32| at(0, y) + (at(1, y) - at(0, y)) * f.x;
+    row(0) + (row(1) - row(0)) * f.y
+}
+
+/// The sum of `octaves` of [`smooth`], each twice as fine and half as strong, in `[0, 1)`.
+pub fn fractal(at: DVec2, octaves: u32, seed: u32) -> f64 {
+    let (mut sum, mut weight, mut at) = (0.0, 0.5, at);
+    for octave in 0..octaves {
+        sum += weight * smooth(at, seed.wrapping_add(octave));
+        weight *= 0.5;
+        // Turned, so that the octaves' grids do not coincide.
+        at = DVec2::new(1.6 * at.x - 1.2 * at.y, 1.2 * at.x + 1.6 * at.y);
+    }
+    sum / (1.0 - 2.0 * weight)
+}
+
+/// 0 below `from`, 1 above `to`, smooth between.
+pub fn step(from: f64, to: f64, x: f64) -> f64 {
+    let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
