@@ -5,12 +5,14 @@ mod interference;
 mod phosphorescence;
 mod polarisation;
 mod relativity;
+mod transmission;
 
 use crate::station::Station;
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 
 /// All stations, in the lecture's order (Appendix 5).
 pub const STATIONS: &[Station] = &[
+    transmission::STATION,
     polarisation::STATION,
     phosphorescence::STATION,
     interference::STATION,

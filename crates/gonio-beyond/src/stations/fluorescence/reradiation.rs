@@ -97,8 +97,7 @@ impl ReradiationMatrix {
 
     /// The part of it that has another wavelength than before.
     pub fn fluorescence(&self, light: &WideSpectrum) -> WideSpectrum {
-        let all = self.apply(light);
-        std::array::from_fn(|to| all[to] - self.0[to][to] * light[to])
+        std::array::from_fn(|to| self.0[to][..to].iter().zip(light).map(|(entry, light)| entry * light).sum())
     }
 }
 
