@@ -2,6 +2,7 @@
 
 mod fluorescence;
 mod interference;
+mod nonlinear;
 mod phosphorescence;
 mod polarisation;
 mod relativity;
@@ -17,6 +18,7 @@ pub const STATIONS: &[Station] = &[
     phosphorescence::STATION,
     interference::STATION,
     fluorescence::STATION,
+    nonlinear::STATION,
     relativity::STATION,
 ];
 

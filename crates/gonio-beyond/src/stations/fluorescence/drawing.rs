@@ -19,7 +19,7 @@ struct LitColors {
 }
 
 /// The sheet on a desk.
-pub struct Drawing {
+pub struct HighlighterDrawing {
     camera: Pinhole,
     /// In the order of [`inks::ALL`].
     colors: [LitColors; 6],
@@ -32,7 +32,7 @@ const SHEET: DVec2 = DVec2::new(1.42, 1.0);
 /// Radiance of the lamp's light in the middle of the sheet, per unit of its power.
 const LAMP: f64 = 42.0;
 
-impl Drawing {
+impl HighlighterDrawing {
     /// The drawing with values of the parameters.
     pub fn new(values: &ParameterValues) -> Self {
         let lamp = super::lamp(values).map(|light| LAMP * light);
@@ -138,7 +138,7 @@ fn covers(at: DVec2) -> [f64; 5] {
     [yellow, green, orange, pink, blue]
 }
 
-impl Drawing {
+impl HighlighterDrawing {
     /// Radiance by a mix of lit colours.
     fn lit(&self, colors: LitColors, lamp: f64) -> DVec3 {
         colors.lamp * lamp + colors.room * self.room
@@ -155,7 +155,7 @@ impl Drawing {
     }
 }
 
-impl ImagePlane for Drawing {
+impl ImagePlane for HighlighterDrawing {
     fn light(&self, at: DVec2, _: &mut Sampler) -> DVec3 {
         let ray = self.camera.ray(at);
         let Some(distance) = ray.plane(DVec3::ZERO, DVec3::Y) else { return DVec3::ZERO };

@@ -6,7 +6,7 @@ mod reradiation;
 
 use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
-use drawing::{Drawing, MatrixPicture};
+use drawing::{HighlighterDrawing, MatrixPicture};
 use gonio_bsdf::{BsdfParameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
@@ -42,7 +42,7 @@ pub const STATION: Station = Station {
             name: "drawing",
             caption: "A drawing with highlighters below an ultraviolet lamp.",
             output: filmic(0.6),
-            image_plane: |values| Box::new(Drawing::new(values)),
+            image_plane: |values| Box::new(HighlighterDrawing::new(values)),
         },
         StationPicture {
             name: "matrix",

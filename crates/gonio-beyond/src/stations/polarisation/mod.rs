@@ -11,7 +11,7 @@ use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
 use gonio_plot::{PlotError, PlotFigure};
 use mueller::{UNPOLARISED, boundary, degree_of_polarisation, polarised, polariser};
-use pond::{Pond, Shown};
+use pond::{Pond, PondValue};
 
 /// The station.
 pub const STATION: Station = Station {
@@ -42,13 +42,13 @@ pub const STATION: Station = Station {
             name: "pond",
             caption: "A pond through a polarising filter. The marks on its rim show its axis.",
             output: filmic(-0.3),
-            image_plane: |values| Box::new(Pond::new(values, Shown::Light)),
+            image_plane: |values| Box::new(Pond::new(values, PondValue::Light)),
         },
         StationPicture {
             name: "degree",
             caption: "The degree of polarisation of the light from the pond, from dark blue (0) to yellow (1).",
             output: super::PLAIN,
-            image_plane: |values| Box::new(Pond::new(values, Shown::Degree)),
+            image_plane: |values| Box::new(Pond::new(values, PondValue::Degree)),
         },
     ],
     plot,

@@ -10,7 +10,7 @@ use gonio_trace::Sampler;
 
 /// The value of each pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shown {
+pub enum PondValue {
     /// Light behind the filter.
     Light,
     /// The degree of polarisation of the light that arrives at the filter, in false colour.
@@ -19,7 +19,7 @@ pub enum Shown {
 
 /// The scene with values of the parameters.
 pub struct Pond {
-    shown: Shown,
+    shown: PondValue,
     camera: Pinhole,
     index: f64,
     ripples: f64,
@@ -46,7 +46,7 @@ const RIM: f64 = 0.035;
 
 impl Pond {
     /// The scene.
-    pub fn new(values: &ParameterValues, shown: Shown) -> Self {
+    pub fn new(values: &ParameterValues, shown: PondValue) -> Self {
         Self {
             shown,
             camera: Pinhole::new(DVec3::new(0.0, EYE, 0.0), DVec3::new(0.0, EYE - 1.37, -3.0), 54.0),
@@ -256,7 +256,7 @@ fn caustic(at: DVec2) -> f64 {
 impl ImagePlane for Pond {
     fn light(&self, at: DVec2, _: &mut Sampler) -> DVec3 {
         let parts = self.arriving(&self.camera.ray(at));
-        if self.shown == Shown::Degree {
+        if self.shown == PondValue::Degree {
             // The luminance is the weight of each part.
             let weight = |color: DVec3| color.dot(DVec3::new(0.2126, 0.7152, 0.0722));
             return false_color(degree_of_polarisation(parts.iter().map(|(color, s)| *s * weight(*color)).sum()));
