@@ -16,6 +16,16 @@ pub fn cell(at: IVec2, seed: u32) -> f64 {
     f64::from(h ^ h >> 16) / 4_294_967_296.0
 }
 
+/// Eight independent numbers in `[0, 1)` for a cell of a grid, in steps of 1/256: cheaper than [`cell`] eight times.
+pub fn cell_numbers(at: IVec2, seed: u32) -> [f64; 8] {
+    let place = u64::from(at.x as u32) | u64::from(at.y as u32) << 32;
+    // The finaliser of SplitMix64 (G. L. Steele et al., OOPSLA 2014).
+    let mut h = place ^ u64::from(seed).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    h = (h ^ h >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    h = (h ^ h >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+    (h ^ h >> 31).to_le_bytes().map(|byte| f64::from(byte) / 256.0)
+}
+
 /// Values of the cells, smoothly interpolated, in `[0, 1)`.
 pub fn smooth(at: DVec2, seed: u32) -> f64 {
     let floor = at.floor();

@@ -2,7 +2,7 @@
 
 use super::mueller::{UNPOLARISED, boundary, change_of_basis, degree_of_polarisation, polarised, polariser};
 use crate::camera::{Pinhole, Ray};
-use crate::noise::{cell, fractal, smooth, step};
+use crate::noise::{cell, cell_numbers, fractal, smooth, step};
 use crate::station::ImagePlane;
 use glam::{DVec2, DVec3, DVec4, IVec2};
 use gonio_bsdf::ParameterValues;
@@ -111,7 +111,7 @@ impl Pond {
 
     /// The radiance of the bottom in a direction below the water.
     fn bottom(&self, ray: &Ray) -> DVec3 {
-        const STEPS: usize = 14;
+        const STEPS: usize = 9;
         let down = -ray.direction.y.min(-0.05);
         let (start, end) = ((DEPTH - HIGHEST_STONE) / down, (DEPTH + 0.005) / down);
         let along = |index: usize| start + (end - start) * index as f64 / STEPS as f64;
@@ -189,21 +189,21 @@ fn stone(at: DVec2, layer: u32) -> (f64, f64) {
     let (mut highest, mut number) = (0.0, 0.0);
     for (x, y) in (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y))) {
         let here = base + IVec2::new(x, y);
-        let random = |seed: u32| cell(here, 100 * layer + seed);
+        let random = cell_numbers(here, 100 + layer);
         // Some cells have no stone of the large layers.
-        if layer < 2 && random(6) < [0.45, 0.25][layer as usize] {
+        if layer < 2 && random[5] < [0.45, 0.25][layer as usize] {
             continue;
         }
-        let center = here.as_dvec2() + 0.5 + 0.5 * DVec2::new(random(1) - 0.5, random(2) - 0.5);
+        let center = here.as_dvec2() + 0.5 + 0.5 * DVec2::new(random[0] - 0.5, random[1] - 0.5);
         if (place - center).length_squared() > 0.44 {
             continue;
         }
-        let turned = DVec2::from_angle(std::f64::consts::PI * random(3)).rotate(place - center);
-        let radii = DVec2::new(0.42 + 0.24 * random(4), 0.34 + 0.14 * random(5));
+        let turned = DVec2::from_angle(std::f64::consts::PI * random[2]).rotate(place - center);
+        let radii = DVec2::new(0.42 + 0.24 * random[3], 0.34 + 0.14 * random[4]);
         let square = 1.0 - (turned / radii).length_squared();
-        let height = square.max(0.0).powf(0.6) * size * (0.28 + 0.22 * random(7));
+        let height = square.max(0.0).powf(0.6) * size * (0.28 + 0.22 * random[6]);
         if height > highest {
-            (highest, number) = (height, random(8) * 0.999 + 1e-4);
+            (highest, number) = (height, random[7]);
         }
     }
     (number, highest)
