@@ -47,11 +47,11 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-gallery", may_know: BELOW_GALLERY, tests_may_know: &[] },
     // It compares pictures by both equations, and writes a page like the gallery's.
     Rule { krate: "gonio-simplify", may_know: BELOW_SIMPLIFY, tests_may_know: &[] },
-    // Light that the rendering equation leaves out, with plots of its laws.
-    Rule { krate: "gonio-beyond", may_know: BELOW_BEYOND, tests_may_know: &[] },
     // Pictures of a scene's surfaces instead of its views.
     Rule { krate: "gonio-bake", may_know: BELOW_BAKING, tests_may_know: &["gonio-reference"] },
     Rule { krate: "gonio-plot", may_know: BELOW_PLOTS, tests_may_know: &[] },
+    // Light that the rendering equation leaves out, with plots of its laws.
+    Rule { krate: "gonio-beyond", may_know: BELOW_BEYOND, tests_may_know: &[] },
     // It measures the checker, so neither knows the other.
     Rule { krate: "gonio-submissions", may_know: &["gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
@@ -99,10 +99,10 @@ const BELOW_GALLERY: &[&str] = &[
 ];
 const BELOW_SIMPLIFY: &[&str] =
     &["gonio-light", "gonio-image", "gonio-scene", "gonio-reference", "gonio-trace", "gonio-gallery"];
-const BELOW_BEYOND: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "gonio-plot", "gonio-trace"];
 const BELOW_BAKING: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-scene", "gonio-atlas"];
 /// It sets text as the window does.
 const BELOW_PLOTS: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "vello_cpu"];
+const BELOW_BEYOND: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "gonio-plot", "gonio-trace"];
 const BELOW_CHECK: &[&str] = &[
     "gonio-light",
     "gonio-mesh",
