@@ -61,7 +61,7 @@ fn a_film_has_its_frames() {
 fn bad_values_are_refused_before_anything_is_written() {
     let lab = Lab::new();
     std::fs::write(lab.path("file"), "").unwrap();
-    let cases: [(&[&str], &[&str]); 10] = [
+    let cases: [(&[&str], &[&str]); 16] = [
         (&["nothing", "-o", "out"], &["nothing", "polarisation"]),
         (&["polarisation"], &["-o DIR"]),
         (&["polarisation", "-o", "-"], &["several files"]),
@@ -72,6 +72,12 @@ fn bad_values_are_refused_before_anything_is_written() {
         (&["polarisation", "-o", "out", "--time", "1"], &["`time`", "angle"]),
         (&["polarisation", "-o", "out", "--picture", "lake"], &["`lake`", "pond, degree"]),
         (&["polarisation", "-o", "out", "--frames", "0"], &["`0`"]),
+        (&["polarisation", "-o", "out", "--samples", "3"], &["`3`", "1, 2, 4, 8 or 16"]),
+        (&["polarisation", "-o", "out", "--size", "0x4"], &["0x4 has no pixels"]),
+        (&["polarisation", "-o", "out", "--seed", "-1"], &["`-1`"]),
+        (&["polarisation", "-o", "out", "--threads", "0"], &["`0`"]),
+        (&["phosphorescence", "-o", "out", "--time", "nan"], &["`nan`", "from -2 to 60"]),
+        (&["phosphorescence", "-o", "out", "--time", "-3"], &["`-3`", "from -2 to 60"]),
     ];
     for (args, pieces) in cases {
         lab.run(&[&["beyond"][..], args].concat()).refused(pieces);
