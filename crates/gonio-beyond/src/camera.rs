@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 pub struct Ray {
     /// The origin.
     pub origin: DVec3,
-    /// The direction, unit.
+    /// The direction: unit where nothing else is stated. Distances are multiples of its length.
     pub direction: DVec3,
 }
 
@@ -23,7 +23,30 @@ impl Ray {
         (distance.is_finite() && distance > 1e-9).then_some(distance)
     }
 
-    /// The distances at which the line of the ray enters and leaves a sphere.
+    /// The distance at which the ray enters a box with sides along the axes, and the normal there; none from inside.
+    pub fn block(&self, low: DVec3, high: DVec3) -> Option<(f64, DVec3)> {
+        let (a, b) = ((low - self.origin) / self.direction, (high - self.origin) / self.direction);
+        let (near, far) = (a.min(b), a.max(b));
+        let (enter, leave) = (near.max_element(), far.min_element());
+        if !(enter < leave && enter > 0.0) {
+            return None;
+        }
+        let axis = near.max_position();
+        let mut normal = DVec3::ZERO;
+        normal[axis] = -self.direction[axis].signum();
+        Some((enter, normal))
+    }
+
+    /// The distances at which the line of the ray enters and leaves a vertical cylinder around `center` (x and z).
+    pub fn cylinder(&self, center: DVec2, radius: f64) -> Option<[f64; 2]> {
+        let [origin, direction] = [self.origin, self.direction].map(|v| DVec2::new(v.x, v.z));
+        let to_center = center - origin;
+        let (a, b) = (direction.length_squared(), to_center.dot(direction));
+        let root = b * b - a * (to_center.length_squared() - radius * radius);
+        (root > 0.0 && a > 1e-12).then(|| [(b - root.sqrt()) / a, (b + root.sqrt()) / a])
+    }
+
+    /// The distances at which the line of the ray, whose direction is unit, enters and leaves a sphere.
     pub fn sphere(&self, center: DVec3, radius: f64) -> Option<[f64; 2]> {
         let to_center = center - self.origin;
         let along = to_center.dot(self.direction);

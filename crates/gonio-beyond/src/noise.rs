@@ -48,6 +48,27 @@ pub fn fractal(at: DVec2, octaves: u32, seed: u32) -> f64 {
     sum / (1.0 - 2.0 * weight)
 }
 
+/// A train of waves: the angle of its direction, its length in m, its steepness.
+pub type WaveTrain = (f64, f64, f64);
+
+/// The slope of water with waves. `visible`: the share of a train of a length that is drawn, 0 where it is smaller than a pixel.
+pub fn wave_slope(at: DVec2, trains: &[WaveTrain], seed: u32, visible: impl Fn(f64) -> f64) -> DVec2 {
+    let slope = |(index, &(angle, length, steepness)): (usize, &WaveTrain)| {
+        let direction = DVec2::from_angle(angle);
+        let bend = 1.6 * smooth(at * 0.9, seed + index as u32);
+        let phase = (direction.dot(at) / length + bend) * std::f64::consts::TAU;
+        direction * (steepness * phase.cos() * visible(length))
+    };
+    trains.iter().enumerate().map(slope).sum()
+}
+
+/// Bright lines as waves gather sunlight on a bottom, 0 to 1.
+pub fn gathered_light(at: DVec2, seed: u32) -> f64 {
+    let warp = DVec2::new(smooth(at * 2.6, seed), smooth(at * 2.6, seed + 1)) * 0.45;
+    let line = |scale: f64, seed: u32| (1.0 - 4.4 * (fractal((at + warp) * scale, 2, seed) - 0.5).abs()).max(0.0);
+    (line(3.1, seed + 2) * line(4.3, seed + 3)).powi(2)
+}
+
 /// 0 below `from`, 1 above `to`, smooth between.
 pub fn step(from: f64, to: f64, x: f64) -> f64 {
     let t = ((x - from) / (to - from)).clamp(0.0, 1.0);

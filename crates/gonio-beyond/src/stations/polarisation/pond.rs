@@ -2,7 +2,7 @@
 
 use super::mueller::{UNPOLARISED, boundary, change_of_basis, degree_of_polarisation, polarised, polariser};
 use crate::camera::{Pinhole, Ray};
-use crate::noise::{cell, cell_numbers, fractal, smooth, step};
+use crate::noise::{WaveTrain, cell, cell_numbers, fractal, gathered_light, smooth, step, wave_slope};
 use crate::station::ImagePlane;
 use glam::{DVec2, DVec3, DVec4, IVec2};
 use gonio_bsdf::ParameterValues;
@@ -92,20 +92,10 @@ impl Pond {
 
     /// The normal of the water.
     fn normal(&self, at: DVec2, distance: f64) -> DVec3 {
-        let mut slope = DVec2::ZERO;
-        // Trains of waves: direction, wavelength in m, steepness.
-        for (index, (angle, length, steepness)) in
-            [(0.3, 0.9, 0.014), (1.1, 0.53, 0.011), (-0.7, 0.37, 0.010), (2.0, 0.22, 0.007), (0.8, 0.15, 0.006)]
-                .into_iter()
-                .enumerate()
-        {
-            let direction = DVec2::from_angle(angle);
-            let bend = 1.6 * smooth(at * 0.9, 40 + index as u32);
-            let phase = (direction.dot(at) / length + bend) * std::f64::consts::TAU;
-            // Waves smaller than a pixel are left out.
-            slope += direction * steepness * phase.cos() * step(220.0 * length, 20.0 * length, distance * 8.0);
-        }
-        slope *= self.ripples * (0.4 + 1.2 * smooth(at * 0.45, 50));
+        const WAVES: [WaveTrain; 5] =
+            [(0.3, 0.9, 0.014), (1.1, 0.53, 0.011), (-0.7, 0.37, 0.010), (2.0, 0.22, 0.007), (0.8, 0.15, 0.006)];
+        let visible = |length: f64| step(220.0 * length, 20.0 * length, distance * 8.0);
+        let slope = wave_slope(at, &WAVES, 40, visible) * self.ripples * (0.4 + 1.2 * smooth(at * 0.45, 50));
         DVec3::new(-slope.x, 1.0, -slope.y).normalize()
     }
 
@@ -141,7 +131,7 @@ impl Pond {
         let sun = (DVec3::new(self.to_sun.x, 0.0, self.to_sun.z) / self.index).with_y(0.85).normalize();
         let depth = -point.y;
         let caustics = 0.55
-            + 1.9 * self.ripples.min(1.0) * caustic(at + DVec2::new(sun.x, sun.z) * depth)
+            + 1.9 * self.ripples.min(1.0) * gathered_light(at + DVec2::new(sun.x, sun.z) * depth, 31)
             + 0.45 * (1.0 - self.ripples.min(1.0));
         let crevice = step(-DEPTH - 0.01, -DEPTH + 0.07, point.y);
         let light = SUNLIT * (normal.normalize().dot(sun).max(0.0) * caustics * (0.25 + 0.75 * crevice))
@@ -244,13 +234,6 @@ fn stone_albedo(at: DVec2) -> DVec3 {
     let vein = (fractal(at * 14.0, 3, (number * 900.0) as u32) - 0.5).abs();
     let bright = 0.25 * step(0.035, 0.0, vein) * f64::from(u8::from(number > 0.55));
     color * grain + bright
-}
-
-/// Lines of focused light on the bottom, 0 to 1.
-fn caustic(at: DVec2) -> f64 {
-    let warp = DVec2::new(smooth(at * 2.6, 31), smooth(at * 2.6, 32)) * 0.45;
-    let line = |scale: f64, seed: u32| (1.0 - 2.0 * (fractal((at + warp) * scale, 2, seed) - 0.5).abs() * 2.2).max(0.0);
-    (line(3.1, 33) * line(4.3, 34)).powi(2).min(1.0)
 }
 
 impl ImagePlane for Pond {

@@ -160,13 +160,9 @@ fn floor(point: DVec3, distance: f64) -> Hit {
 
 /// A column with flutes.
 fn column(ray: &Ray, center: DVec2) -> Option<Hit> {
-    let (origin, direction) = (DVec2::new(ray.origin.x, ray.origin.z), DVec2::new(ray.direction.x, ray.direction.z));
-    let to_center = center - origin;
-    let (a, b) = (direction.length_squared(), to_center.dot(direction));
-    let root = b * b - a * (to_center.length_squared() - RADIUS * RADIUS);
-    let distance = (b - root.max(0.0).sqrt()) / a;
+    let distance = ray.cylinder(center, RADIUS)?[0];
     let point = ray.at(distance);
-    if root <= 0.0 || distance <= 0.0 || !(0.0..HEIGHT).contains(&point.y) {
+    if distance <= 0.0 || !(0.0..HEIGHT).contains(&point.y) {
         return None;
     }
     let out = (DVec2::new(point.x, point.z) - center) / RADIUS;
@@ -180,16 +176,8 @@ fn column(ray: &Ray, center: DVec2) -> Option<Hit> {
 
 /// A block of marble.
 fn block(ray: &Ray, low: DVec3, high: DVec3) -> Option<Hit> {
-    let (a, b) = ((low - ray.origin) / ray.direction, (high - ray.origin) / ray.direction);
-    let (near, far) = (a.min(b), a.max(b));
-    let (enter, leave) = (near.max_element(), far.min_element());
-    if !(enter < leave && enter > 0.0) {
-        return None;
-    }
-    let axis = near.max_position();
-    let mut normal = DVec3::ZERO;
-    normal[axis] = -ray.direction[axis].signum();
-    Some(Hit { distance: enter, normal, material: Material::Marble, tone: 0.96 })
+    let (distance, normal) = ray.block(low, high)?;
+    Some(Hit { distance, normal, material: Material::Marble, tone: 0.96 })
 }
 
 impl ImagePlane for Colonnade {

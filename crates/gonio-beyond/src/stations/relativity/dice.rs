@@ -1,7 +1,7 @@
 //! The picture of a body that passes: a row of dice on a road.
 
 use super::lorentz::{Effects, ShiftedColors, doppler_factor, gamma};
-use crate::camera::Pinhole;
+use crate::camera::{Pinhole, Ray};
 use crate::noise::{fractal, smooth, step};
 use crate::station::ImagePlane;
 use glam::{DVec2, DVec3};
@@ -44,28 +44,14 @@ impl Dice {
         }
     }
 
-    /// A ray in the frame of the dice, where they are at rest: origin, direction in that frame per unit in the camera's.
-    fn in_frame(&self, direction: DVec3) -> (DVec3, DVec3) {
+    /// A ray in the frame of the dice, where they are at rest. Its direction is a unit of the camera's frame.
+    fn in_frame(&self, direction: DVec3) -> Ray {
         let gamma = gamma(self.effects.speed);
         let origin = DVec3::new(gamma * (EYE.x - self.place), EYE.y, EYE.z);
         // Light that arrives now left a place at distance s at the time -s; without that, everything is seen as it is now.
         let drift = if self.effects.aberration { self.effects.speed } else { 0.0 };
-        (origin, DVec3::new(gamma * (direction.x + drift), direction.y, direction.z))
+        Ray { origin, direction: DVec3::new(gamma * (direction.x + drift), direction.y, direction.z) }
     }
-}
-
-/// The distance to a box from -half to half about `center`, and the normal there.
-fn meet(origin: DVec3, direction: DVec3, center: DVec3, half: DVec3) -> Option<(f64, DVec3)> {
-    let (a, b) = ((center - half - origin) / direction, (center + half - origin) / direction);
-    let (near, far) = (a.min(b), a.max(b));
-    let (enter, leave) = (near.max_element(), far.min_element());
-    if !(enter < leave && enter > 1e-6) {
-        return None;
-    }
-    let axis = near.max_position();
-    let mut normal = DVec3::ZERO;
-    normal[axis] = -direction[axis].signum();
-    Some((enter, normal))
 }
 
 /// Whether a place on a face, from -1 to 1, lies on a pip, from 0 (no) to 1.
@@ -96,13 +82,13 @@ fn face_count(normal: DVec3) -> u32 {
 impl ImagePlane for Dice {
     fn light(&self, at: DVec2, _: &mut Sampler) -> DVec3 {
         let ray = self.camera.ray(at);
-        let (origin, direction) = self.in_frame(ray.direction);
+        let inside = self.in_frame(ray.direction);
         let middle = |index: i32| DVec3::new(APART * f64::from(index), HALF, -AWAY);
         let hits = (-ROW..=ROW).filter_map(|index| {
-            meet(origin, direction, middle(index), DVec3::splat(HALF)).map(|(t, normal)| (t, normal, index))
+            inside.block(middle(index) - HALF, middle(index) + HALF).map(|(t, normal)| (t, normal, index))
         });
         if let Some((distance, normal, index)) = hits.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            let point = (origin + direction * distance - middle(index)) / HALF;
+            let point = (inside.at(distance) - middle(index)) / HALF;
             let face = if normal.x != 0.0 {
                 DVec2::new(point.z, point.y)
             } else if normal.y != 0.0 {

@@ -2,7 +2,7 @@
 
 use super::{ABSORBED, meet};
 use crate::camera::{Pinhole, Ray};
-use crate::noise::{cell, fractal, smooth, step};
+use crate::noise::{WaveTrain, cell, fractal, gathered_light, step, wave_slope};
 use crate::station::ImagePlane;
 use glam::{DVec2, DVec3, IVec2};
 use gonio_bsdf::ParameterValues;
@@ -35,18 +35,10 @@ impl Diver {
     }
 
     fn normal(&self, at: DVec2, distance: f64) -> DVec3 {
-        let mut slope = DVec2::ZERO;
-        for (index, (angle, length, steepness)) in
-            [(0.2, 2.1, 0.022), (1.4, 1.3, 0.020), (-0.9, 0.8, 0.016), (2.3, 0.47, 0.012), (0.9, 0.31, 0.009)]
-                .into_iter()
-                .enumerate()
-        {
-            let direction = DVec2::from_angle(angle);
-            let bend = 1.5 * smooth(at * 0.7, 600 + index as u32);
-            let phase = (direction.dot(at) / length + bend) * std::f64::consts::TAU;
-            slope += direction * steepness * phase.cos() * step(90.0 * length, 12.0 * length, distance);
-        }
-        slope *= self.ripples;
+        const WAVES: [WaveTrain; 5] =
+            [(0.2, 2.1, 0.022), (1.4, 1.3, 0.020), (-0.9, 0.8, 0.016), (2.3, 0.47, 0.012), (0.9, 0.31, 0.009)];
+        let visible = |length: f64| step(90.0 * length, 12.0 * length, distance);
+        let slope = wave_slope(at, &WAVES, 600, visible) * self.ripples;
         DVec3::new(-slope.x, -1.0, -slope.y).normalize()
     }
 
@@ -93,9 +85,7 @@ impl Diver {
         }
         let joint = 1.0 - 0.35 * step(0.44, 0.47, within) * fine;
         // The sun's light, gathered into lines by the ripples.
-        let warp = DVec2::new(smooth(face * 1.3, 615), smooth(face * 1.3, 616)) * 0.7;
-        let line = |scale: f64, seed: u32| (1.0 - 4.2 * (fractal((face + warp) * scale, 2, seed) - 0.5).abs()).max(0.0);
-        let caustic = (line(1.5, 617) * line(2.1, 618)).powi(2) * self.ripples.min(1.0);
+        let caustic = gathered_light(0.5 * face, 615) * self.ripples.min(1.0);
         let facing = if wall == 0 { 0.80 } else { 0.30 };
         let light = facing * (0.62 + 2.6 * caustic) + 0.22;
         albedo * joint * light * (-self.absorption * (distance + 0.7 * -point.y)).exp()

@@ -148,7 +148,7 @@ fn next(ray: &Ray) -> Next {
         }
     };
     for (radius, low) in [(OUTER, 0.0), (INNER, BOTTOM)] {
-        for distance in cylinder(ray, radius).into_iter().flatten() {
+        for distance in ray.cylinder(DVec2::ZERO, radius).into_iter().flatten() {
             let point = ray.at(distance);
             if (low..HEIGHT).contains(&point.y) {
                 nearer(distance, DVec3::new(point.x, 0.0, point.z).normalize());
@@ -168,14 +168,6 @@ fn next(ray: &Ray) -> Next {
         Some((pencil, light)) if pencil < distance => Next::Opaque(pencil, light),
         _ => found,
     }
-}
-
-/// The distances to a cylinder around the y axis.
-fn cylinder(ray: &Ray, radius: f64) -> Option<[f64; 2]> {
-    let (origin, direction) = (DVec2::new(ray.origin.x, ray.origin.z), DVec2::new(ray.direction.x, ray.direction.z));
-    let (a, b) = (direction.length_squared(), origin.dot(direction));
-    let root = b * b - a * (origin.length_squared() - radius * radius);
-    (root > 0.0 && a > 1e-12).then(|| [(-b - root.sqrt()) / a, (-b + root.sqrt()) / a])
 }
 
 /// The lamp is a large window to the upper left, behind the camera.
