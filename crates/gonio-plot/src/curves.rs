@@ -18,25 +18,46 @@ pub const TEXT: f64 = 12.0;
 pub const TITLE: f64 = 14.0;
 
 /// A curve with its label.
-struct Curve {
-    label: String,
-    color: Rgb8,
-    points: Vec<[f64; 2]>,
+#[derive(Clone, Debug)]
+pub struct PlotCurve {
+    /// The text in the legend.
+    pub label: String,
+    /// The colour of the line.
+    pub color: Rgb8,
+    /// Places along x with their values; a value that is not finite interrupts the curve.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// The ticks along the horizontal axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum XTicks {
+    /// Round angles in degrees.
+    Angles,
+    /// Round numbers.
+    Numbers,
 }
 
 /// The texts and ranges of the axes.
-struct Axes {
-    title: String,
-    x_label: &'static str,
-    y_label: String,
-    x: [f64; 2],
-    /// The largest value.
-    top: f64,
-    scale: PlotScale,
+#[derive(Clone, Debug)]
+pub struct PlotAxes {
+    /// The text above.
+    pub title: String,
+    /// The quantity along x with its unit.
+    pub x_label: &'static str,
+    /// The quantity along y with its unit.
+    pub y_label: String,
+    /// The ends of the horizontal axis.
+    pub x: [f64; 2],
+    /// The ticks of the horizontal axis.
+    pub x_ticks: XTicks,
+    /// The value at the top; a linear axis begins at 0.
+    pub top: f64,
+    /// The scale of the values.
+    pub scale: PlotScale,
     /// A vertical line with its text.
-    mark: Option<(f64, String)>,
+    pub mark: Option<(f64, String)>,
     /// A horizontal line.
-    level: Option<f64>,
+    pub level: Option<f64>,
 }
 
 /// Draws the legend at the bottom and returns the y above which there is room.
@@ -72,7 +93,12 @@ pub fn legend(figure: &mut PlotFigure, labels: &[(&str, Rgb8)]) -> f64 {
     top
 }
 
-fn draw(figure: &mut PlotFigure, curves: &[Curve], axes: &Axes) -> Result<(), PlotError> {
+/// Draws curves with their axes and legend.
+///
+/// # Errors
+///
+/// A curve without finite values.
+pub fn draw(figure: &mut PlotFigure, curves: &[PlotCurve], axes: &PlotAxes) -> Result<(), PlotError> {
     if let Some(empty) = curves.iter().find(|curve| !curve.points.iter().any(|point| point[1].is_finite())) {
         return Err(PlotError::Nothing(empty.label.clone()));
     }
@@ -90,7 +116,11 @@ fn draw(figure: &mut PlotFigure, curves: &[Curve], axes: &Axes) -> Result<(), Pl
         figure.line(vec![[left, y], [right, y]], palette.grid, 1.0);
         figure.text([left - 8.0, y], &number(tick), TEXT, palette.ink, TextAlign::End);
     }
-    for tick in angle_ticks(axes.x, right - left) {
+    let x_ticks = match axes.x_ticks {
+        XTicks::Angles => angle_ticks(axes.x, right - left),
+        XTicks::Numbers => linear_ticks(axes.x[0], axes.x[1], 8),
+    };
+    for tick in x_ticks {
         let x = x_of(tick);
         figure.line(vec![[x, top], [x, bottom]], palette.grid, 1.0);
         figure.text([x, bottom + 15.0], &number(tick), TEXT, palette.ink, TextAlign::Middle);
@@ -192,7 +222,7 @@ pub fn values(
     for (function, color) in functions.iter().zip(figure.palette.series) {
         let values = function.bsdf.evaluate_all(&pairs);
         let points = xs.iter().zip(&pairs).zip(values).map(|((x, (wi, _)), f)| [*x, grey(f) * settings.factor(*wi)]);
-        curves.push(Curve { label: function.label.to_owned(), color, points: points.collect() });
+        curves.push(PlotCurve { label: function.label.to_owned(), color, points: points.collect() });
     }
     let incidence = number(settings.theta_i_deg);
     let title = match settings.over {
@@ -206,11 +236,12 @@ pub fn values(
         PlottedAngle::ThetaO => Some((settings.theta_i_deg, "mirror direction".to_owned())),
         _ => None,
     };
-    let axes = Axes {
+    let axes = PlotAxes {
         title,
         x_label,
         y_label: format!("{}, mean of the channels", settings.quantity()),
         x: range,
+        x_ticks: XTicks::Angles,
         top: settings.scale.end(largest(&curves)),
         scale: settings.scale,
         mark,
@@ -219,7 +250,7 @@ pub fn values(
     draw(figure, &curves, &axes)
 }
 
-fn largest(curves: &[Curve]) -> f64 {
+fn largest(curves: &[PlotCurve]) -> f64 {
     let values = curves.iter().flat_map(|curve| &curve.points).map(|point| point[1]);
     values.filter(|value| value.is_finite()).fold(0.0, f64::max)
 }
@@ -238,13 +269,14 @@ pub fn albedos(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Result
             let w = direction(theta.to_radians(), 0.0);
             [theta, grey(albedo_with_steps(function.bsdf, w, 48))]
         });
-        curves.push(Curve { label: function.label.to_owned(), color, points: points.collect() });
+        curves.push(PlotCurve { label: function.label.to_owned(), color, points: points.collect() });
     }
-    let axes = Axes {
+    let axes = PlotAxes {
         title: "Directional albedo: the share of light that is scattered".to_owned(),
         x_label: "Angle of incidence (degrees)",
         y_label: "Albedo, mean of the channels".to_owned(),
         x: [0.0, 90.0],
+        x_ticks: XTicks::Angles,
         top: PlotScale::Linear.end(largest(&curves).max(1.1)),
         scale: PlotScale::Linear,
         mark: None,
@@ -278,13 +310,14 @@ pub fn reciprocity(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Re
             });
             [theta, errors.fold(LEAST_ERROR, f64::max)]
         });
-        curves.push(Curve { label: function.label.to_owned(), color, points: points.collect() });
+        curves.push(PlotCurve { label: function.label.to_owned(), color, points: points.collect() });
     }
-    let axes = Axes {
+    let axes = PlotAxes {
         title: "Reciprocity: the largest relative difference of f(wi, wo) and f(wo, wi)".to_owned(),
         x_label: "Angle of incidence (degrees)",
         y_label: "Relative difference, 1e-5 or more (no unit)".to_owned(),
         x: [0.0, 90.0],
+        x_ticks: XTicks::Angles,
         // Five powers of ten, from the rounding up.
         top: PlotScale::Log.end(largest(&curves).max(LEAST_ERROR * 1e5)),
         scale: PlotScale::Log,
@@ -306,7 +339,7 @@ pub fn fresnel(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Result
     let eta = 1.0 / ior;
     let series = figure.palette.series;
     let xs = angles([0.0, 90.0], 900);
-    let curve = |label: &str, color: usize, value: &dyn Fn(f64) -> f64| Curve {
+    let curve = |label: &str, color: usize, value: &dyn Fn(f64) -> f64| PlotCurve {
         label: label.to_owned(),
         color: series[color],
         points: xs.iter().map(|x| [*x, value(x.to_radians().cos())]).collect(),
@@ -318,11 +351,12 @@ pub fn fresnel(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Result
         curve("Schlick's approximation", 3, &|cos| schlick(cos, f0_from_index(eta))),
     ];
     let brewster = brewster_angle_rad(eta).to_degrees();
-    let axes = Axes {
+    let axes = PlotAxes {
         title: format!("Reflectance of a smooth boundary from air to index {}{of}", number(ior)),
         x_label: "Angle of incidence (degrees)",
         y_label: "Reflectance (no unit)".to_owned(),
         x: [0.0, 90.0],
+        x_ticks: XTicks::Angles,
         top: 1.0,
         scale: PlotScale::Linear,
         mark: Some((brewster, format!("Brewster's angle {brewster:.2}°"))),

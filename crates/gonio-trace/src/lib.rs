@@ -58,3 +58,4 @@ pub use oddities::TraceOddity;
 pub use path::Technique;
 pub use refinement::{Refinement, RefinementStatus};
 pub use render::{TraceGoal, TraceScene, TraceSettings};
+pub use sampler::Sampler;

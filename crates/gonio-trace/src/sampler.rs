@@ -16,7 +16,7 @@ const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;
 
 /// The random numbers of one sample of one pixel.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Sampler {
+pub struct Sampler {
     /// Of the pixel.
     seed: u32,
     /// The number of the sample in its pixel, its bits reversed.

@@ -16,6 +16,7 @@ Pictures:
   render       Draw a model or a scene: one picture, debug views or an animation
   trace        Trace the paths of light: shadows and light between surfaces
   simplify     Simplify the rendering equation step by step to the light equation
+  beyond       Show what the rendering equation leaves out: polarisation, interference, ...
   tour         Draw every technique on several models: a contact sheet and a web page
   serve        Serve gonio as a web page on this machine
 
@@ -83,6 +84,7 @@ pub enum Command {
     Render(Box<commands::render::RenderArgs>),
     Trace(Box<commands::trace::TraceArgs>),
     Simplify(Box<commands::simplify::SimplifyArgs>),
+    Beyond(Box<commands::beyond::BeyondArgs>),
     Probe(Box<commands::probe::ProbeArgs>),
     Frame(Box<commands::frame::FrameArgs>),
     Bake(Box<commands::bake::BakeArgs>),
@@ -115,6 +117,7 @@ impl Command {
             Command::Render(_) => "render",
             Command::Trace(_) => "trace",
             Command::Simplify(_) => "simplify",
+            Command::Beyond(_) => "beyond",
             Command::Probe(_) => "probe",
             Command::Frame(_) => "frame",
             Command::Bake(_) => "bake",
@@ -141,6 +144,7 @@ impl Command {
             Command::Render(args) => &args.general,
             Command::Trace(args) => &args.general,
             Command::Simplify(args) => &args.general,
+            Command::Beyond(args) => &args.general,
             Command::Probe(args) => &args.general,
             Command::Frame(args) => &args.general,
             Command::Bake(args) => &args.general,
@@ -166,6 +170,7 @@ impl Command {
             Command::Render(args) => commands::render::run(args, reporter),
             Command::Trace(args) => commands::trace::run(args, reporter),
             Command::Simplify(args) => commands::simplify::run(args, reporter),
+            Command::Beyond(args) => commands::beyond::run(args, reporter),
             Command::Probe(args) => commands::probe::run(args, reporter),
             Command::Frame(args) => commands::frame::run(args, reporter),
             Command::Bake(args) => commands::bake::run(args, reporter),

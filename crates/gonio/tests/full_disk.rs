@@ -134,6 +134,12 @@ fn the_steps_of_a_simplification_are_written_completely() {
 }
 
 #[test]
+fn a_station_is_written_completely() {
+    let small = ["--size", "48x32", "--samples", "1", "--frames", "2"];
+    all_or_none(|_| {}, &[&["beyond", "phosphorescence", "-o", "new/out"][..], &small].concat());
+}
+
+#[test]
 fn the_tour_is_written_completely() {
     all_or_none(|_| {}, &["tour", "-o", "new/tour", "--scale", "0.05", "--backend", "cpu"]);
 }

@@ -78,6 +78,8 @@ fn arguments() {
         vec!["trace", "builtin:cube", "-o", EVIL],
         vec!["trace", "builtin:cube", "-o", "x.png", "--camera", EVIL],
         vec!["simplify", "builtin:cube", "-o", "x", "--camera", EVIL],
+        vec!["beyond", "polarisation", "-o", "x", "--set", EVIL],
+        vec!["beyond", "polarisation", "-o", "x", "--picture", EVIL],
         vec!["unwrap", EVIL],
         vec!["unwrap", "builtin:cube", "-o", EVIL],
         vec!["bake", EVIL, "-o", "x"],

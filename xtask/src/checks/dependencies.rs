@@ -50,6 +50,8 @@ pub const RULES: &[Rule] = &[
     // Pictures of a scene's surfaces instead of its views.
     Rule { krate: "gonio-bake", may_know: BELOW_BAKING, tests_may_know: &["gonio-reference"] },
     Rule { krate: "gonio-plot", may_know: BELOW_PLOTS, tests_may_know: &[] },
+    // Light that the rendering equation leaves out, with plots of its laws.
+    Rule { krate: "gonio-beyond", may_know: BELOW_BEYOND, tests_may_know: &[] },
     // It measures the checker, so neither knows the other.
     Rule { krate: "gonio-submissions", may_know: &["gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
@@ -100,6 +102,7 @@ const BELOW_SIMPLIFY: &[&str] =
 const BELOW_BAKING: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-scene", "gonio-atlas"];
 /// It sets text as the window does.
 const BELOW_PLOTS: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "vello_cpu"];
+const BELOW_BEYOND: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "gonio-plot", "gonio-trace"];
 const BELOW_CHECK: &[&str] = &[
     "gonio-light",
     "gonio-mesh",
@@ -158,6 +161,7 @@ const COMMAND_LINE: &[&str] = &[
     "gonio-atlas",
     "gonio-bake",
     "gonio-simplify",
+    "gonio-beyond",
     "gonio-glsl",
     "gonio-interpreter",
     "gonio-bsdf",

@@ -2,6 +2,7 @@
 
 pub mod about;
 pub mod bake;
+pub mod beyond;
 pub mod brdf;
 pub mod convert;
 pub mod diff;

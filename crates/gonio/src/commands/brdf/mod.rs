@@ -3,7 +3,7 @@
 mod check;
 mod export;
 mod fit;
-mod functions;
+pub mod functions;
 mod models;
 mod plot;
 mod view;

@@ -1,0 +1,29 @@
+//! Beyond the rendering equation: phenomena of light that the equation leaves out, each as a small station with its law,
+//! pictures, a plot and checks.
+//!
+//! | module | content |
+//! |---|---|
+//! | `station` | the description of a station: texts, parameters, pictures, plot, checks |
+//! | `stations` | the stations, each a folder or a file |
+//! | `refinement` | a picture that begins coarse and becomes finer |
+//! | `page` | a station's page as Markdown |
+//! | `bands`, `complex` | spectra in bands with their colours; complex amplitudes of waves |
+//! | `camera`, `noise` | rays, shapes and textures of the pictures |
+//!
+//! It opens no file. Pictures are functions of a point of the image plane, so that every shell can refine them.
+
+#![forbid(unsafe_code)]
+
+mod bands;
+mod camera;
+mod complex;
+mod noise;
+mod page;
+mod refinement;
+mod station;
+mod stations;
+
+pub use page::{StationFiles, page};
+pub use refinement::PictureRefinement;
+pub use station::{ImagePlane, LawCheck, Station, StationPicture};
+pub use stations::{STATIONS, station};
