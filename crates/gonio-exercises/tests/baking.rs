@@ -228,9 +228,14 @@ fn two_mistakes_are_both_named() {
         ["light-baked", "parts-not-baked"],
     ];
     let mut missed = Vec::new();
-    let mut all = 0;
+    let (mut all, mut number) = (0, 0);
     for (first, a) in PAIRED.iter().enumerate() {
         for b in PAIRED[first + 1..].iter().filter(|b| !hidden.contains(&[*a, **b])) {
+            number += 1;
+            // A third of the pairs, spread evenly, takes a third of the time.
+            if number % 3 != 0 {
+                continue;
+            }
             all += 1;
             // A later change of the library cannot find the text that an earlier one replaced.
             let mut found = lab.ids(&changed(&lab.right, &[b, a]).files());

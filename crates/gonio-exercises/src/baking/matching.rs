@@ -264,18 +264,38 @@ impl Shape {
         self.normal != DVec3::ZERO
     }
 
-    /// The triangles that this one may be a part of: those within reach of its middle or its corners that face the same line.
+    /// The triangles that are nearest to a point of this one and face the same way; none if a point is out of their reach.
     fn within(&self, others: &[(usize, Shape)], reach: f64) -> Vec<usize> {
-        let [a, b, c] = self.corners;
-        let middle = (a + b + c) / 3.0;
-        let tested = [middle, 0.5 * (middle + a), 0.5 * (middle + b), 0.5 * (middle + c)];
         let touches = |other: &Shape| {
             let apart = self.low.cmpgt(other.high + reach).any() || other.low.cmpgt(self.high + reach).any();
             !apart && other.normal.dot(self.normal).abs() > 0.7
         };
         let candidates: Vec<&(usize, Shape)> = others.iter().filter(|(_, other)| touches(other)).collect();
-        let is_covered = |at: &DVec3| candidates.iter().any(|(_, other)| other.nearest(*at).0.distance(*at) <= reach);
-        if tested.iter().all(is_covered) { candidates.iter().map(|(t, _)| *t).collect() } else { Vec::new() }
+        let mut found = Vec::new();
+        for at in self.grid() {
+            let distance = |other: &Shape| other.nearest(at).0.distance_squared(at);
+            let near = candidates.iter().map(|(t, other)| (distance(other), *t)).min_by(|a, b| a.0.total_cmp(&b.0));
+            match near {
+                Some((distance, t)) if distance <= reach * reach => found.push(t),
+                _ => return Vec::new(),
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// Points all over the triangle.
+    fn grid(&self) -> impl Iterator<Item = DVec3> {
+        const STEPS: u32 = 5;
+        let [a, b, c] = self.corners;
+        (0..=STEPS).flat_map(move |i| {
+            (0..=STEPS - i).map(move |j| {
+                // A little inside, where no neighbour is as near.
+                let share = |k: u32| (f64::from(k) + 0.2) / (f64::from(STEPS) + 0.6);
+                share(i) * a + share(j) * b + share(STEPS - i - j) * c
+            })
+        })
     }
 
     /// The nearest point of the triangle and its weights (Ericson, *Real-Time Collision Detection*, 5.1.5, by projection
