@@ -102,9 +102,9 @@ const CHANGES: &[(&str, Change)] = &[
         case.move_texels(|x, y| (last - x, y));
     }),
     ("picture-turned", |case| case.move_texels(|x, y| (y, x))),
-    ("srgb-applied-twice", |case| case.recolor(|color, ..| color.map(encoded_twice))),
-    ("srgb-not-applied", |case| case.recolor(|color, ..| color.map(not_encoded))),
-    ("tone-curve-applied", |case| case.recolor(|color, ..| color.map(|c| 0.6 * c.powf(0.8)))),
+    ("srgb-applied-twice", |case| case.recolor(|color, _, _| color.map(encoded_twice))),
+    ("srgb-not-applied", |case| case.recolor(|color, _, _| color.map(not_encoded))),
+    ("tone-curve-applied", |case| case.recolor(|color, _, _| color.map(|c| 0.6 * c.powf(0.8)))),
     ("light-baked", |case| {
         case.recolor(|color, at, case| [0, 1, 2].map(|k| color[k] * (0.1 + 0.6 * case.light[at][k])));
     }),
@@ -114,7 +114,7 @@ const CHANGES: &[(&str, Change)] = &[
             [0, 1, 2].map(|k| color[k] * (0.1 + 0.4 * light[k]) + 0.25 * (light[0] / 1.5).clamp(0.0, 1.0).powi(3))
         });
     }),
-    ("picture-empty", |case| case.recolor(|..| [0.0; 3])),
+    ("picture-empty", |case| case.recolor(|_, _, _| [0.0; 3])),
     ("other-map-baked", |case| case.recolor(|_, at, case| case.emitted[at])),
     ("parts-not-baked", |case| {
         let id = case.id_of(part(case, "Wood"));
