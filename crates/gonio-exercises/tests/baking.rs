@@ -172,7 +172,7 @@ fn mistakes_in_the_layout_are_named() {
     let ids =
         |recipe: Recipe, change: &dyn Fn(&mut gonio_atlas::AtlasUv)| lab.ids(&with_layout(recipe, change).files());
     let recipe = Recipe::default();
-    let close = Recipe { unwrap: unwrapped(0.0, 66.0), ..recipe };
+    let close = Recipe { unwrap: unwrapped(0.0005, 66.0), ..recipe };
     assert_eq!(ids(close, &|_| ()), ["charts-too-close"]);
     let kept = Recipe { unwrap: UnwrapSettings { source: UvSource::Kept, ..recipe.unwrap }, ..recipe };
     assert_eq!(ids(kept, &|_| ()), ["old-tex-coords-kept"]);
@@ -263,7 +263,7 @@ fn other_answers_are_described() {
     for (files, piece) in [
         (vec![picture.clone()], "there is no model among the files"),
         (of_given(&[".png"]), "there is no model among the files"),
-        (vec![SourceFile::new("a.obj", "hello\n")], "no triangles"),
+        (vec![SourceFile::new("a.obj", "hello\n")], "a.obj: this is not an OBJ file"),
         (vec![SourceFile::new("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")], "a.obj"),
         (vec![SourceFile::new("a.glb", b"glTF".as_slice())], "a.glb"),
         (vec![SourceFile::new("a.obj", ""); 5], "there are 5 models"),

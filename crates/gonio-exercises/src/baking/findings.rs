@@ -345,7 +345,8 @@ impl Examination<'_> {
         }
         let is_empty = findings.mistakes.iter().any(|m| m.id == "picture-empty");
         let is_conflicting = right.conflicts as f64 > OVERLAP * right.covered as f64;
-        if !is_empty && !findings.is_unexplained && !is_conflicting {
+        // Where colours are unknown, a shadow cannot be told from the background.
+        if !is_empty && colors.is_explained && !is_conflicting {
             self.seam_findings(chosen, right, turn, findings);
             self.size_findings(own, right, findings);
         }
