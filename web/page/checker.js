@@ -6,21 +6,31 @@ import * as application from "./gonio.js";
 let checker;
 
 /** Instantiates the module that the page has compiled, with both halves. */
-function begin({ first, rest, images }) {
+function begin({ first, rest }) {
   const load = () => {};
   const instance = new WebAssembly.Instance(first, Object.assign(application.moduleImports(), { rest: { load } }));
   if (rest !== undefined) new WebAssembly.Instance(rest, { primary: instance.exports });
   application.moduleReady(instance, first);
   checker = new application.PageChecker(new OffscreenCanvas(1, 1));
-  for (const { name, bytes } of images) checker.give_image(name, bytes);
 }
 
-function check({ exercise, files, asTheLab }) {
+const given = new Set();
+
+/** The built-in files that a check of an exercise reads and that were not given yet. */
+function needs({ exercise }) {
+  return checker.needed_files(exercise).filter((path) => !given.has(path));
+}
+
+function check({ exercise, files, builtin, asTheLab }) {
+  for (const { path, bytes } of builtin) {
+    checker.give_file(path, bytes);
+    given.add(path);
+  }
   return checker.check(exercise, files.map(({ name }) => name), files.map(({ bytes }) => bytes), asTheLab);
 }
 
 /** The requests. An error is one sentence. */
-const DO = { begin, check };
+const DO = { begin, needs, check };
 
 self.onmessage = ({ data: { what, ...asked } }) => {
   try {

@@ -4,10 +4,6 @@ import { restModule } from "./rest.js";
 
 /** Seconds that a check may take, as on the command line. */
 const PATIENCE = 30;
-/** Sample images that OpenGL programs may name. */
-const IMAGES = ["checker.png", "planks.png", "tiles.png"];
-const FOLDER = "models/textures/";
-
 /** The arguments of `prepare`. */
 let page;
 /** An idle worker with compiled programs, ready for the next check. */
@@ -19,10 +15,10 @@ export function prepare(module, urls, endless) {
   page = { module, urls, endless };
 }
 
-async function fetchImage(name) {
-  const response = await fetch(page.urls(FOLDER + name), { credentials: "same-origin" });
+async function fetchBuiltin(path) {
+  const response = await fetch(page.urls(path), { credentials: "same-origin" });
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
-  return { name, bytes: new Uint8Array(await response.arrayBuffer()) };
+  return { path, bytes: new Uint8Array(await response.arrayBuffer()) };
 }
 
 /** A worker that handles one request at a time. */
@@ -35,8 +31,7 @@ class Checker {
 
   /** Initialises it. */
   async begin() {
-    const [rest, ...images] = await Promise.all([restModule(), ...IMAGES.map(fetchImage)]);
-    await this.ask("begin", { first: page.module, rest, images });
+    await this.ask("begin", { first: page.module, rest: await restModule() });
   }
 
   ask(what, asked) {
@@ -81,7 +76,8 @@ export function begin(exercise, files, asTheLab = false) {
       checker = new Checker();
       await checker.begin();
     }
-    return within(checker.ask("check", { exercise, files, asTheLab }), () => {
+    const builtin = await Promise.all((await checker.ask("needs", { exercise })).map(fetchBuiltin));
+    return within(checker.ask("check", { exercise, files, builtin, asTheLab }), () => {
       end();
       return page.endless(exercise, PATIENCE);
     });

@@ -35,6 +35,7 @@ const SUBMISSIONS = {
   ex09: [`${CORPUS}/ex09/correct/unnormalised-view`, `${CORPUS}/ex09/wrong/normal-m`],
   ex10: [`${CORPUS}/ex10/wrong/ratio-inverted`],
   ex12: [`${CORPUS}/ex12/correct/eye-space`, `${CORPUS}/ex12/wrong/no-root`],
+  ex13: ["assets/models/still_life.obj"],
   ex11: [`${HOST}/reference.txt`, `${HOST}/texture-name-as-unit.txt`, `${HOST}/stride-wrong.txt`],
 };
 

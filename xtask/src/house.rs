@@ -16,9 +16,9 @@ pub const MOST_CYCLES: usize = 0;
 /// Limit on the number of files that git tracks. Path tracing and its pictures are two crates of 50 files;
 /// generated submissions, causes by values, stepping through shaders and users' own shaders are about as many; models of
 /// reflection, one file each, and their plots are 55, the bench for them in the window 20, materials of scenes 10, and
-/// exercise 12 and its submissions 12; texture atlases and baking are two crates of about 20; phenomena beyond the rendering equation
-/// are 40, a folder each.
-pub const MOST_TRACKED_FILES: usize = 1540;
+/// exercise 12 and its submissions 12, exercise 13 is 20; texture atlases and baking are two crates of about 20, and baking in the
+/// window 15; phenomena beyond the rendering equation are 40, a folder each.
+pub const MOST_TRACKED_FILES: usize = 1600;
 
 /// Blocks of `unsafe` code and the number of files that contain them.
 pub fn unsafe_blocks(files: &[TextFile]) -> (usize, usize) {

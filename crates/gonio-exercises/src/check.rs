@@ -1,5 +1,6 @@
 //! Checks a student's files, for every kind of exercise.
 
+use crate::baking::{self, Original, original::FetchedFiles};
 use crate::buffers::{self, Expected};
 use crate::cubemap;
 use crate::exercise::{Exercise, ExerciseKind};
@@ -20,21 +21,26 @@ pub const GOAL: &str = "goal.png";
 pub struct Checker {
     shaders: ShaderChecker,
     images: BTreeMap<String, Arc<GlProgramImage>>,
+    fetched: FetchedFiles,
 }
 
 impl Checker {
     /// Creates a checker for this OpenGL context.
     pub fn new(gl: &Gl) -> Self {
-        Checker { shaders: ShaderChecker::new(gl), images: BTreeMap::new() }
+        Checker { shaders: ShaderChecker::new(gl), images: BTreeMap::new(), fetched: FetchedFiles::default() }
     }
 
-    /// Adds an image that GL programs may use: PNG, JPEG, BMP, TGA or GIF. Needed on the web, where no images are built in.
+    /// Adds a built-in file by its path below `assets`. Needed on the web, where no files are built in, for
+    /// [`Exercise::needed_files`].
     ///
     /// # Errors
-    /// The reason why the image cannot be read.
-    pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
-        let image = GlProgramImage::decode(name, bytes).map_err(|error| format!("{name}: {error}"))?;
-        self.images.insert(name.to_owned(), Arc::new(image));
+    /// An image that GL programs may use cannot be read; the reason.
+    pub fn give_file(&mut self, path: &str, bytes: Vec<u8>) -> Result<(), String> {
+        if let Some(name) = path.strip_prefix(gl_program::IMAGE_FOLDER) {
+            let image = GlProgramImage::decode(name, &bytes).map_err(|error| format!("{name}: {error}"))?;
+            self.images.insert(name.to_owned(), Arc::new(image));
+        }
+        self.fetched.0.insert(path.to_owned(), bytes.into());
         Ok(())
     }
 
@@ -75,6 +81,7 @@ fn whole(
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     match exercise.kind {
         ExerciseKind::Buffers => return Ok((buffers(exercise, files), None)),
+        ExerciseKind::Baking => return Ok((baked(exercise, &files, &checker.fetched), None)),
         ExerciseKind::GlProgram => {
             let files_here = checker.host_files();
             return Ok((host_program(checker.shaders.gl(), exercise, files, &files_here, feedback)?, None));
@@ -122,6 +129,16 @@ fn answers<'a>(files: &'a [SourceFile], endings: &[&str]) -> Vec<&'a SourceFile>
     };
     let fitting: Vec<&SourceFile> = files.iter().filter(|file| fits(&file.name)).collect();
     if fitting.is_empty() && files.len() == 1 { files.iter().collect() } else { fitting }
+}
+
+/// Checks a baked model against the exercise's own.
+fn baked(exercise: &Exercise, files: &[SourceFile], fetched: &FetchedFiles) -> Verdict {
+    let is_own = |file: &&SourceFile| file.name.rsplit(['/', '\\']).next() != Some(GOAL);
+    let files: Vec<SourceFile> = files.iter().filter(is_own).cloned().collect();
+    match Original::load(exercise, fetched) {
+        Ok(original) => baking::check(exercise, &files, &original),
+        Err(reason) => Verdict::new(&exercise.id, Outcome::Unsure, reason),
+    }
 }
 
 /// Checks a vertex buffer against the exercise's models.

@@ -1,5 +1,6 @@
 //! The exercises: texts, start files and references, all of them built into the program.
 
+use crate::gl_program;
 use gonio_check::feedback::Feedback;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -17,6 +18,8 @@ pub enum ExerciseKind {
     GlProgram,
     /// Six faces of a cubemap, or a shader that makes them.
     Faces,
+    /// A model with a baked texture.
+    Baking,
 }
 
 /// The inputs of an exercise.
@@ -65,6 +68,8 @@ struct Declaration {
     #[serde(default)]
     inputs: Inputs,
     #[serde(default)]
+    given: Vec<String>,
+    #[serde(default)]
     feedback: Feedback,
     #[serde(default = "shown")]
     show_reference: bool,
@@ -95,6 +100,8 @@ pub struct Exercise {
     pub look_for: Vec<LookFor>,
     /// The inputs.
     pub inputs: Inputs,
+    /// Built-in files that are handed out, by their paths below `assets`: those of a model, which is the first.
+    pub given: Vec<String>,
     /// How much of a verdict is shown, unless the command line asks for another level.
     pub feedback: Feedback,
     /// Whether students may see the reference solution, its values and its pictures.
@@ -124,6 +131,21 @@ impl Exercise {
     pub fn pictures(&self) -> impl Iterator<Item = (&'static str, &'static [u8])> {
         let of_this = PICTURES.iter().filter(|(folder, ..)| *folder == self.folder);
         of_this.map(|(_, name, bytes)| (*name, *bytes))
+    }
+
+    /// The name under which a built-in file is handed out: its path below the model's folder.
+    pub fn given_name(path: &str) -> &str {
+        path.strip_prefix("models/").unwrap_or(path)
+    }
+
+    /// Built-in files that a check reads, by their paths below `assets`. A web page fetches them first.
+    pub fn needed_files(&self) -> Vec<String> {
+        match self.kind {
+            ExerciseKind::GlProgram => {
+                gl_program::IMAGES.iter().map(|name| format!("{}{name}", gl_program::IMAGE_FOLDER)).collect()
+            }
+            _ => self.given.clone(),
+        }
     }
 
     /// The files of the reference solution.
@@ -177,6 +199,7 @@ fn read(folder: &'static str, files: &'static [(&'static str, &'static str)]) ->
         builds_on: declared.builds_on,
         look_for: declared.look_for,
         inputs: declared.inputs,
+        given: declared.given,
         feedback: declared.feedback,
         shows_reference: declared.show_reference,
         files,
@@ -187,14 +210,22 @@ type Folder = (&'static str, &'static [(&'static str, &'static str)]);
 
 macro_rules! folder {
     ($folder:literal: $($name:literal)*) => {
-        ($folder, &[$(($name, include_str!(concat!("../../../exercises/", $folder, "/", $name)))),*])
+        folder!($folder: $($name)*; not_on_the_web)
+    };
+    // References that only the command line shows are left out of the page.
+    ($folder:literal: $($name:literal)*; not_on_the_web $($beside:literal)*) => {
+        ($folder, &[
+            $(($name, include_str!(concat!("../../../exercises/", $folder, "/", $name))),)*
+            $(#[cfg(not(target_arch = "wasm32"))]
+            ($beside, include_str!(concat!("../../../exercises/", $folder, "/", $beside))),)*
+        ])
     };
 }
 
 /// Folders and their files, in order.
 const FOLDERS: &[Folder] = &[
     folder!("ex01-camera": "camera.svg" "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
-    folder!("ex02-object-reader": "exercise.toml" "models/bracket.obj" "models/cube.obj" "models/fence.obj" "models/gem.obj" "models/house.obj" "models/objects.obj" "models/pyramid.obj" "models/tent.obj" "models/wedge.obj" "reference/obj_reader.cpp" "reference/obj_reader.py" "start/obj_reader.cpp" "start/obj_reader.py" "text.md"),
+    folder!("ex02-object-reader": "exercise.toml" "models/bracket.obj" "models/cube.obj" "models/fence.obj" "models/gem.obj" "models/house.obj" "models/objects.obj" "models/pyramid.obj" "models/tent.obj" "models/wedge.obj" "start/obj_reader.cpp" "start/obj_reader.py" "text.md"; not_on_the_web "reference/obj_reader.cpp" "reference/obj_reader.py"),
     folder!("ex03-gouraud-diffuse": "exercise.toml" "normal.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
     folder!("ex04-phong-diffuse": "exercise.toml" "gouraud-and-phong.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
     folder!("ex05-gouraud-specular": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md" "vectors.svg"),
@@ -205,6 +236,7 @@ const FOLDERS: &[Folder] = &[
     folder!("ex10-refraction": "exercise.toml" "reference.frag" "reference.vert" "refraction.svg" "start.frag" "start.vert" "text.md"),
     folder!("ex11-texture-unit": "exercise.toml" "host/attribute-not-enabled.txt" "host/mipmaps-missing.txt" "host/offset-wrong.txt" "host/reference.txt" "host/stride-wrong.txt" "host/texture-name-as-unit.txt" "host/unbound-unit.txt" "host/uniform-before-use-program.txt" "host/wrong-target.txt" "start.frag" "start.vert" "text.md" "texture-units.svg"),
     folder!("ex12-which-brdf": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md" "ward.svg"),
+    folder!("ex13-baking": "exercise.toml" "text.md"; not_on_the_web "reference.py"),
     folder!("s1-panorama-to-cubemap": "exercise.toml" "faces.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
 ];
 
@@ -271,7 +303,7 @@ mod tests {
         let mut compared = 0;
         for exercise in all() {
             let handed_out: Vec<(&str, &str)> = exercise.start_files().collect();
-            assert!(handed_out.len() >= 2, "{}", exercise.id);
+            assert!(handed_out.len() + exercise.given.len() >= 2, "{}", exercise.id);
             for (name, _) in &handed_out {
                 assert!(!name.contains("reference") && !name.ends_with(".toml"), "{}: {name}", exercise.id);
             }

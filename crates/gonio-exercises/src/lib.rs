@@ -1,6 +1,7 @@
 //! The exercises: their texts, checkers for every kind of answer, previews, and reports on verdicts.
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+pub mod baking;
 pub mod buffers;
 mod check;
 pub mod class;

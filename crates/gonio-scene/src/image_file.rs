@@ -42,6 +42,12 @@ pub(crate) fn memory(bytes: &[u8], name: &str) -> Option<u64> {
     Some(if decoder.color_type() == ColorType::Rgba8 { rgba } else { decoder.total_bytes() + rgba })
 }
 
+/// Width and height of a picture file by its header; `None` if that cannot be read.
+pub fn picture_size(bytes: &[u8], name: &str) -> Option<[u32; 2]> {
+    let (width, height) = reader(bytes, name).ok()?.into_decoder().ok()?.dimensions();
+    Some([width, height])
+}
+
 /// Decodes a picture in the format that its content shows, or its name's extension if the content shows none (TGA).
 pub(crate) fn decode(bytes: &[u8], name: &str) -> Result<Decoded, String> {
     if bytes.is_empty() {

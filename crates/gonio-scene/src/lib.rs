@@ -42,6 +42,7 @@ pub use asset_cache::AssetCache;
 pub use camera::Camera;
 pub use environment::{LoadedEnvironment, Surroundings};
 pub use frame::{Background, Frame, LightShape};
+pub use image_file::picture_size;
 pub use material_brdf::{MaterialBrdf, read_brdf_file};
 pub use picture::{DisplayMap, Picture};
 pub use scene::{BoundTexture, Maps, Object, ObjectPart, Scene, SceneMaterial};

@@ -42,9 +42,14 @@ impl PageChecker {
         Ok(PageChecker { checker: Checker::new(&Gl::of_window(functions)), context })
     }
 
-    /// Adds an image file that OpenGL programs may name. An error is one sentence.
-    pub fn give_image(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
-        self.checker.give_image(name, bytes)
+    /// The built-in files that a check of an exercise reads, by their paths below `assets`.
+    pub fn needed_files(&self, exercise: &str) -> Vec<String> {
+        exercise::find(exercise).map_or_else(Vec::new, |exercise| exercise.needed_files())
+    }
+
+    /// Adds such a file. An error is one sentence.
+    pub fn give_file(&mut self, path: &str, bytes: &[u8]) -> Result<(), String> {
+        self.checker.give_file(path, bytes.to_vec())
     }
 
     /// Checks files, given by `names` and `contents`, each a `Uint8Array`. Returns the verdict as JSON, as `gonio lab check --json`

@@ -24,7 +24,7 @@ fn hand_in(lab: &Lab, exercise: &str, folder: &str, from: &str, to: &str) {
 fn exercises_are_listed_shown_and_started_once() {
     let lab = Lab::new();
     let run = lab.run(&["lab", "list"]).good();
-    for word in ["ex01", "ex07", "ex11", "ex12", "s1", "The light equation", "Which BRDF?"] {
+    for word in ["ex01", "ex07", "ex11", "ex12", "ex13", "s1", "The light equation", "Which BRDF?"] {
         assert!(run.text().contains(word), "{word}");
     }
     assert!(lab.run(&["lab", "show", "4"]).good().text().contains("gonio lab check ex04"));

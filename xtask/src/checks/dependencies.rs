@@ -126,6 +126,8 @@ const BELOW_EXERCISES: &[&str] = &[
     "gonio-render",
     "gonio-glsl",
     "gonio-interpreter",
+    "gonio-atlas",
+    "gonio-bake",
     "gonio-check",
     "gonio-submissions",
 ];

@@ -53,7 +53,7 @@ pub fn request(work: &Work, content: &[SourceFile]) -> CheckRequest {
     let endings: &[&str] = match work.exercise.kind {
         ExerciseKind::GlProgram => &[".txt"],
         ExerciseKind::Buffers => &buffers::ENDINGS,
-        ExerciseKind::Shaders | ExerciseKind::Faces => &[],
+        ExerciseKind::Shaders | ExerciseKind::Faces | ExerciseKind::Baking => &[],
     };
     let is_one = |name: &str| endings.iter().any(|ending| name.to_ascii_lowercase().ends_with(ending));
     let in_editor = work.files.get(work.current).map(|file| file.name.as_str()).filter(|name| is_one(name));

@@ -22,7 +22,10 @@ pub fn show(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper) -> Option<Exerc
     let marks = work.marks(work.current);
     let jump = work.jump.take_if(|(file, _)| *file == work.current).map(|(_, line)| line);
     let (current, error) = (work.current, work.program.unusable.as_deref());
-    if let Some(file) = work.files.get_mut(current) {
+    if !work.files.iter().any(OpenFile::is_shown) {
+        // The text and the figures are on a page of their own.
+        ui.add(Label::new(RichText::new("The exercise has no files to edit: drop yours here.").weak()).wrap());
+    } else if let Some(file) = work.files.get_mut(current) {
         let of = Code { id: file.id(), name: &file.name.clone(), marks: &marks, jump, is_fixed: file.locked };
         if let Some(line) = code::show(ui, &of, &mut file.text, error, stepper) {
             work.jump = Some((current, line));

@@ -124,6 +124,10 @@ fn without_picture(kind: ExerciseKind) -> &'static str {
             "This exercise is a list of OpenGL calls. Fix it and press Check: gonio executes it call by call. On the command \
              line: `gonio lab check ex11 FILE.txt`."
         }
+        ExerciseKind::Baking => {
+            "Bake the model, in Blender or with `gonio bake`. Drop the folder's files here (.obj, .mtl and .png, or .glb) and \
+             press Check to see which parts have the right colours."
+        }
         ExerciseKind::Shaders | ExerciseKind::Faces => {
             "The answer is six cube faces. Write the shader that draws them, or drop the six pictures that your own \
              program made, and press Check."

@@ -17,7 +17,8 @@ pub struct Mistake {
     pub id: String,
     /// The mistake in half a sentence.
     pub name: String,
-    /// The model solutions in which it can be made.
+    /// The model solutions in which it can be made; none for mistakes in files of another kind.
+    #[serde(default)]
     pub models: Vec<ModelSolution>,
     /// Whether it is right, although the source differs.
     #[serde(default)]
@@ -44,6 +45,7 @@ pub struct Mistake {
     #[serde(default)]
     pub looks_the_same_as: Vec<String>,
     /// Ways to make it: the variables of the model solution and the values assigned instead.
+    #[serde(default)]
     pub change: Vec<BTreeMap<String, String>>,
 }
 

@@ -62,12 +62,17 @@ pub fn reference() -> Result<GlProgram, GlError> {
     })
 }
 
+/// The images that GL programs may use, and their folder below `assets`.
+pub const IMAGES: [&str; 3] = ["checker.png", "planks.png", "tiles.png"];
+/// See [`IMAGES`].
+pub const IMAGE_FOLDER: &str = "models/textures/";
+
 /// The exercise's shaders, and the images that are part of gonio: none on the web, where they are fetched.
 pub fn exercise_files() -> GlProgramFiles {
     let mut files = GlProgramFiles::default();
     files.shaders.insert("start.vert".to_owned(), START_VERTEX.to_owned());
     files.shaders.insert("start.frag".to_owned(), START_FRAGMENT.to_owned());
-    for name in ["checker.png", "planks.png", "tiles.png"] {
+    for name in IMAGES {
         if let Some(image) = GlProgramImage::built_in(name) {
             files.images.insert(name.to_owned(), Arc::new(image));
         }

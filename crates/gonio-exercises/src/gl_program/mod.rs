@@ -10,7 +10,7 @@ mod program;
 mod signature;
 mod suspects;
 
-pub use check::{check, check_bytes, check_program, exercise_files, for_context, reference};
+pub use check::{IMAGE_FOLDER, IMAGES, check, check_bytes, check_program, exercise_files, for_context, reference};
 pub use compare::SIDE;
 pub use findings::{GlProgramFindings, GlProgramMistake, GlProgramWarning};
 pub use gonio_render::gl_program::{

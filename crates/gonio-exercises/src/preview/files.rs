@@ -1,5 +1,6 @@
 //! Files that are added to an exercise: the use of each, and the files that it replaces.
 
+use crate::baking;
 use crate::buffers;
 use crate::cubemap;
 use crate::exercise::{Exercise, ExerciseKind};
@@ -22,6 +23,10 @@ pub struct FileUse {
     pub gl_program: bool,
     /// Whether it is a picture of one or several faces.
     pub picture: bool,
+    /// Whether it is a model with a baked texture.
+    pub model: bool,
+    /// Whether it belongs to such a model: its materials, a texture.
+    pub model_part: bool,
 }
 
 /// Files sorted by their use.
@@ -44,6 +49,7 @@ pub fn is_answer(exercise: &Exercise, file: &SourceFile) -> bool {
         // Any text could be meant as a GL program: it counts if most of its lines can be read.
         ExerciseKind::GlProgram => found.gl_program && is_gl_program(file),
         ExerciseKind::Buffers => found.buffer && buffers::read_buffer(&file.name, &file.bytes).is_ok(),
+        ExerciseKind::Baking => found.model,
         ExerciseKind::Shaders | ExerciseKind::Faces => found.vertex || found.fragment || found.picture,
     }
 }
@@ -52,7 +58,7 @@ pub fn is_answer(exercise: &Exercise, file: &SourceFile) -> bool {
 pub fn is_complete(exercise: &Exercise, files: &[SourceFile]) -> bool {
     let of_files = files.iter().filter(|file| is_answer(exercise, file));
     let all = of_files.filter_map(|file| use_of(exercise, file).ok()?).fold(FileUse::default(), FileUse::with);
-    all.vertex && all.fragment || all.buffer || all.gl_program || all.picture
+    all.vertex && all.fragment || all.buffer || all.gl_program || all.picture || all.model
 }
 
 fn is_gl_program(file: &SourceFile) -> bool {
@@ -105,6 +111,8 @@ pub fn is_replaced(exercise: &Exercise, open: &SourceFile, taken: &[(&SourceFile
         || (old.fragment && new.fragment)
         || (old.names && new.names)
         || (old.buffer && new.buffer)
+        || (old.model && new.model)
+        || (old.model_part && new.model)
         || (old_shader && new.picture)
         || (old.picture && (new_shader || other_pictures))
 }
@@ -118,6 +126,8 @@ impl FileUse {
             buffer: self.buffer || other.buffer,
             gl_program: self.gl_program || other.gl_program,
             picture: self.picture || other.picture,
+            model: self.model || other.model,
+            model_part: self.model_part || other.model_part,
         }
     }
 }
@@ -131,6 +141,10 @@ fn use_of(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, Str
     let ending = name.rsplit_once('.').map_or("", |(_, ending)| ending).to_ascii_lowercase();
     if is_handed_out(exercise, file) {
         return Ok(None);
+    }
+    if exercise.kind == ExerciseKind::Baking && baking::is_part(name) {
+        let model = baking::is_model(name);
+        return Ok(Some(FileUse { model, model_part: !model, ..FileUse::default() }));
     }
     let is_model = |format: &Format| format.extension() == ending;
     if Format::ALL.iter().any(is_model) || (ending == "toml" && !name.eq_ignore_ascii_case("names.toml")) {
@@ -152,7 +166,7 @@ fn use_of(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, Str
                 Holds { vertex, fragment, names } => Some(FileUse { vertex, fragment, names, ..FileUse::default() }),
             }
         }
-        ExerciseKind::Buffers | ExerciseKind::GlProgram => None,
+        ExerciseKind::Buffers | ExerciseKind::GlProgram | ExerciseKind::Baking => None,
     };
     found.map(Some).ok_or_else(|| {
         let reads = what_it_reads(exercise.kind);
@@ -174,6 +188,7 @@ fn what_it_reads(kind: ExerciseKind) -> &'static str {
         ExerciseKind::Faces => "a vertex and a fragment shader, or six faces as pictures",
         ExerciseKind::Buffers => "a vertex buffer (.csv, .tsv, .json, or raw floats as .bin, .raw or .f32)",
         ExerciseKind::GlProgram => "GL programs (.txt)",
+        ExerciseKind::Baking => "a model with its materials and its picture (.obj, .mtl and .png, or .glb)",
     }
 }
 
@@ -210,14 +225,14 @@ mod tests {
         SourceFile::new(name, bytes.as_ref())
     }
 
-    /// The use of a file as letters: v, f, n, b, h, p; `-` for other text, nothing for a file that was handed out.
+    /// The use of a file as letters: v, f, n, b, h, p, m, t; `-` for other text, nothing for a file that was handed out.
     fn letters(exercise: &str, name: &str, bytes: impl AsRef<[u8]>) -> String {
         let exercise = exercise::find(exercise).unwrap();
         match use_of(exercise, &file(name, bytes)) {
             Ok(Some(FileUse::NOTHING)) => "-".into(),
-            Ok(Some(u)) => [u.vertex, u.fragment, u.names, u.buffer, u.gl_program, u.picture]
+            Ok(Some(u)) => [u.vertex, u.fragment, u.names, u.buffer, u.gl_program, u.picture, u.model, u.model_part]
                 .iter()
-                .zip("vfnbhp".chars())
+                .zip("vfnbhpmt".chars())
                 .filter_map(|(is, letter)| is.then_some(letter))
                 .collect(),
             Ok(None) => String::new(),
@@ -226,8 +241,16 @@ mod tests {
     }
 
     impl FileUse {
-        const NOTHING: FileUse =
-            FileUse { vertex: false, fragment: false, names: false, buffer: false, gl_program: false, picture: false };
+        const NOTHING: FileUse = FileUse {
+            vertex: false,
+            fragment: false,
+            names: false,
+            buffer: false,
+            gl_program: false,
+            picture: false,
+            model: false,
+            model_part: false,
+        };
     }
 
     #[test]
@@ -248,6 +271,10 @@ mod tests {
             ("ex02", "cube.bin", b"\0\0\0\0", "b"),
             ("ex02", "reader.lua", b"print(1)", "-"),
             ("ex02", "models/cube.obj", b"v 0 0 0", ""),
+            ("ex13", "mine/baked.obj", b"v 0 0 0", "m"),
+            ("ex13", "baked.glb", b"glTF", "m"),
+            ("ex13", "baked.mtl", b"newmtl a", "t"),
+            ("ex13", "baked.png", PNG, "t"),
             ("ex11", "mine.txt", b"glDrawArrays", "h"),
             ("ex11", "start.vert", VERTEX.as_bytes(), ""),
         ] {
@@ -302,6 +329,10 @@ mod tests {
         assert_eq!(left("s1", &faces, &[file("new/posx.png", PNG)]), ["negx.png"]);
         assert_eq!(left("s1", &faces, &[file("cross.png", PNG)]), [""; 0]);
         assert_eq!(left("s1", &faces, &[file("a.frag", FRAGMENT)]), [""; 0]);
+        // A new model replaces the open one with its picture; a new picture alone replaces the one of its name.
+        let baked = ["baked.obj", "baked.mtl", "baked.png"].map(|name| file(name, "x"));
+        assert_eq!(left("ex13", &baked, &[file("other.glb", "x")]), [""; 0]);
+        assert_eq!(left("ex13", &baked, &[file("new/baked.png", "y")]), ["baked.obj", "baked.mtl"]);
         // Only one buffer is checked at a time, but many GL programs can be open.
         let buffers = [file("start/obj_reader.py", "print()"), file("cube.csv", "1")];
         assert_eq!(left("ex02", &buffers, &[file("gem.json", "[]")]), ["start/obj_reader.py"]);

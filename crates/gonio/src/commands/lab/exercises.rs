@@ -7,8 +7,9 @@ use crate::output::{OutputFiles, OutputPath, check_folder};
 use crate::report::Reporter;
 use crate::terminal::{Style, TerminalPage};
 use clap::Args;
-use gonio_exercises::exercise::{self as exercises, Exercise};
+use gonio_exercises::exercise::{self as exercises, Exercise, ExerciseKind};
 use gonio_exercises::{GOAL, preview};
+use gonio_scene::files::builtin;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -114,11 +115,13 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     check_folder(&args.folder, "`gonio lab start`")?;
     let texts = exercise.start_files().map(|(name, text)| (name, text.as_bytes()));
     let mut set = OutputFiles::new();
-    let mut written = add_all(&mut set, texts.chain(exercise.pictures()), &args.folder)?;
+    let given = exercise.given.iter().filter_map(|path| Some((Exercise::given_name(path), builtin(path)?)));
+    let mut written = add_all(&mut set, texts.chain(exercise.pictures()).chain(given), &args.folder)?;
     let goal = args.folder.join(GOAL);
-    let mut is_drawn = exercise.shows_reference && preview::is_drawn(exercise) && !goal.exists();
+    let has_goal = preview::is_drawn(exercise) || exercise.kind == ExerciseKind::Baking;
+    let mut is_drawn = exercise.shows_reference && has_goal && !goal.exists();
     if is_drawn {
-        match draw::goal(exercise) {
+        match draw::goal(exercise, reporter) {
             Ok(picture) => {
                 set.add(&goal, &picture)?;
                 written.push(GOAL.to_owned());

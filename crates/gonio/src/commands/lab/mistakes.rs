@@ -37,7 +37,12 @@ pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<CommandOutcome, C
 
 /// The catalogue's mistakes, and those that are not changes of a line.
 fn all() -> Vec<Mistake> {
-    mistakes::all().iter().cloned().chain(structural()).collect()
+    mistakes::all()
+        .iter()
+        .cloned()
+        .chain(structural())
+        .chain(gonio_exercises::baking::mistakes().iter().cloned())
+        .collect()
 }
 
 fn list(reporter: &Reporter) -> Result<CommandOutcome, CliError> {

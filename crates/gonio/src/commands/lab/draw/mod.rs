@@ -8,22 +8,25 @@ use crate::backend;
 use crate::capture::{self, CaptureRecorder};
 use crate::commands::frame::{self, Shown};
 use crate::error::{CliError, CommandOutcome};
-use crate::options::{GeneralOptions, values};
-use crate::output::{OutputKind, OutputPath, check_stdout};
+use crate::loading;
+use crate::options::{GeneralOptions, SceneOptions, values};
+use crate::output::{OutputKind, OutputPath, check_stdout, color_tag};
 use crate::report::Reporter;
 use crate::terminal::TerminalPage;
 use clap::Args;
 use gonio_check::submission::SourceFile;
-use gonio_exercises::exercise::ExerciseKind;
+use gonio_exercises::exercise::{Exercise, ExerciseKind};
 use gonio_exercises::gl_program::{self, GlProgram};
 use gonio_exercises::preview;
 use gonio_gl::HeadlessContext;
 use gonio_gl::trace::Severity;
 use gonio_image::EncodedPicture;
-use gonio_image::encode::png::{self, ColorTag};
+use gonio_image::encode::png::{self, ColorTag, encode8};
+use gonio_reference::ReferenceScene;
 use gonio_render::gl_program::{GlProgramOptions, GlProgramRun};
+use gonio_scene::DisplayMap;
+use gonio_scene::files::BUILTIN;
 use serde_json::json;
-pub use shaders::goal;
 use show::ShownStage;
 use std::path::PathBuf;
 
@@ -140,6 +143,26 @@ pub fn run(args: &DrawArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         ExerciseKind::Shaders if preview::is_drawn(exercise) => shaders::run(args, exercise, submitted, reporter),
         _ => Err(CliError::new(format!("{} has no picture to draw", exercise.id))),
     }
+}
+
+/// The picture that the right answer draws, as PNG; an error if it cannot be drawn here.
+pub fn goal(exercise: &'static Exercise, reporter: &Reporter) -> Result<Vec<u8>, CliError> {
+    match exercise.kind {
+        ExerciseKind::Baking => given_model(exercise, reporter),
+        _ => shaders::goal(exercise),
+    }
+}
+
+/// The model that the exercise hands out, by the CPU reference and without highlights, which no texture contains.
+fn given_model(exercise: &Exercise, reporter: &Reporter) -> Result<Vec<u8>, CliError> {
+    let model = exercise.given.first().ok_or_else(|| CliError::new(format!("{} has no model", exercise.id)))?;
+    let options = SceneOptions { size: Some((512, 512)), ..SceneOptions::default() };
+    let mut scene = loading::load_scene(&[format!("{BUILTIN}{model}")], &options, reporter)?;
+    scene.materials.iter_mut().for_each(|material| material.material.specular = [0.0; 3]);
+    let frame = scene.frame(0.0);
+    let rendered = ReferenceScene::new(&scene).render(&frame, None, &|_| ());
+    let map = DisplayMap::for_view(None, &frame);
+    Ok(encode8(&rendered.picture.encode8(&map), color_tag(&map))?)
 }
 
 /// A context without a window.
