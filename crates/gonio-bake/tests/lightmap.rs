@@ -36,7 +36,7 @@ fn cornell_box() -> (Scene, Frame) {
         (quad([-1.0, -1.0, -1.0], x, y), white.clone(), DMat4::IDENTITY),
         (quad([-1.0, -1.0, 1.0], back(z), y), red, DMat4::IDENTITY),
         (quad([1.0, -1.0, -1.0], z, y), green, DMat4::IDENTITY),
-        (quad([-0.3, 0.98, -0.3], [0.6, 0.0, 0.0], [0.0, 0.0, 0.6]), lamp, DMat4::IDENTITY),
+        (quad([-0.28, 0.98, -0.3], [0.56, 0.0, 0.0], [0.0, 0.0, 0.6]), lamp, DMat4::IDENTITY),
         block([-0.3, 0.0, 0.3], w, h),
         block([0.3, 0.0, -0.3], back(w), h),
         block([0.3, 0.0, 0.3], back(d), h),
