@@ -40,7 +40,14 @@ pub fn run(places: &Places) -> Result<bool, String> {
         let mut found: Vec<(&str, Value)> = Vec::new();
         for unwrapper in &unwrappers {
             let out = places.out.join(format!("unwrapped-{}-{name}.obj", unwrapper.name));
-            let seconds = (unwrapper.run)(&model, &out)?;
+            let seconds = match (unwrapper.run)(&model, &out) {
+                Ok(seconds) => seconds,
+                Err(error) if found.is_empty() => return Err(error),
+                Err(error) => {
+                    println!("{name}: {error}");
+                    continue;
+                }
+            };
             let report = report(places, &out)?;
             let number = |key: &str| report[key].as_f64().unwrap_or(f64::NAN);
             rows.push(vec![
@@ -120,7 +127,9 @@ fn answer(command: &mut Command, prefix: &str) -> Result<Vec<String>, String> {
     let text = String::from_utf8_lossy(&output.stdout);
     let line = text.lines().find_map(|line| line.strip_prefix(prefix)).filter(|_| output.status.success());
     let words = line.map(|line| line.split_whitespace().map(str::to_owned).collect());
-    words.ok_or_else(|| format!("{name} failed: {text}{}", String::from_utf8_lossy(&output.stderr).trim()))
+    words.ok_or_else(|| {
+        format!("{name} failed: {}: {text}{}", output.status, String::from_utf8_lossy(&output.stderr).trim())
+    })
 }
 
 fn xatlas(python: &Path, model: &Path, out: &Path) -> Result<f64, String> {

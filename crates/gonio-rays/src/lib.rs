@@ -132,13 +132,13 @@ mod tests {
         let mut mesh = Mesh::default();
         for i in 0..300 {
             let middle = place + point(4.0);
-            mesh.positions.extend([(); 3].map(|()| (middle + point(1.0)).as_vec3().to_array()));
+            mesh.positions.extend([(); 3].map(|()| (middle + point(2.0)).as_vec3().to_array()));
             mesh.indices.extend([3 * i, 3 * i + 1, 3 * i + 2]);
         }
         let Some(rays) = RayMesh::new(&mesh) else { unreachable!("there are triangles") };
         let mut hits = 0;
         for _ in 0..500 {
-            let (origin, direction) = (place + point(8.0), point(1.0).normalize_or(DVec3::X));
+            let (origin, direction) = (place + point(5.0), point(1.0).normalize_or(DVec3::X));
             let all = (0..300).filter_map(|t| Some((distance(&mesh, t, origin, direction)?, t)));
             let nearest = all.min_by(|a, b| a.0.total_cmp(&b.0));
             let found = rays.first_hit(origin, direction, 100.0);
@@ -152,6 +152,6 @@ mod tests {
                 assert!(!rays.is_blocked(origin, direction, direction, distance - 0.1));
             }
         }
-        assert!(hits > 100, "{hits}");
+        assert!(hits > 50, "{hits}");
     }
 }
