@@ -1,4 +1,4 @@
-//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|trace|interpret|bench|window`. `cargo xtask bench` builds
+//! Measures gonio: `gonio-bench render|render-large|frame|lights|obj|environment|trace|unwrap|interpret|bench|window`. `cargo xtask bench` builds
 //! everything and runs it. Each benchmark prints a table and writes `target/bench/NAME.json`.
 //!
 //! Times are medians of alternating runs, so that other load on the machine affects all sides alike.
@@ -15,6 +15,7 @@ mod peers;
 mod render;
 mod screen;
 mod trace;
+mod unwrap;
 mod window;
 mod window_process;
 
@@ -40,6 +41,7 @@ const BENCHES: &[(&str, Bench)] = &[
     ("obj", obj::run),
     ("environment", environment::run),
     ("trace", trace::run),
+    ("unwrap", unwrap::run),
     ("interpret", interpret::run),
     ("bench", bench_redraw::run),
     ("window", window::run),

@@ -31,6 +31,7 @@ cargo xtask bench [NAME...]  run benchmarks; without a name, all of them
     obj                      reading OBJ files of 1 and 5 million triangles, against tobj and others
     environment              converting a panorama to a cubemap, against OpenCV and ffmpeg
     trace                    paths per CPU second and their error, against Mitsuba 3; needs `pip install mitsuba`
+    unwrap                   texture coordinates of several models, their speed and that of a bake, against xatlas and Blender
     bench                    a frame of the BRDF bench when the angle of incidence changes
     window                   dragging a light in the window, against the renderer alone; needs Xvfb
 cargo xtask bench web        the page in headless Chromium against a three.js page: first frame, memory

@@ -7,7 +7,7 @@
 
 use crate::faces::{Faces, NONE};
 use glam::DVec3;
-use std::cmp::Ordering;
+use gonio_mesh::ByCost;
 use std::collections::{BinaryHeap, HashMap, HashSet};
 
 /// Rounds of balancing. After three the borders hardly move.
@@ -51,33 +51,8 @@ pub(crate) fn segment(faces: &Faces, limit_cos: f64) -> Segmentation {
     merge(faces, segmentation, limit_cos)
 }
 
-/// A triangle that may join a chart; the cheapest comes first, then the one with the lowest numbers.
-struct Candidate {
-    cost: f64,
-    triangle: u32,
-    chart: u32,
-}
-
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Candidate {}
-
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Candidate {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let key = |c: &Candidate| (c.triangle, c.chart);
-        other.cost.total_cmp(&self.cost).then_with(|| key(other).cmp(&key(self)))
-    }
-}
+/// A triangle that may join a chart: (triangle, chart).
+type Candidate = ByCost<(u32, u32)>;
 
 struct Growth<'a> {
     faces: &'a Faces,
@@ -120,8 +95,8 @@ impl<'a> Growth<'a> {
         let chart = self.axes.len() as u32;
         let mut sum = DVec3::ZERO;
         self.axes.push(self.faces.normals[seed as usize]);
-        self.heap.push(Candidate { cost: 0.0, triangle: seed, chart });
-        while let Some(Candidate { triangle, .. }) = self.heap.pop() {
+        self.heap.push(Candidate { cost: 0.0, of: (seed, chart) });
+        while let Some(Candidate { of: (triangle, _), .. }) = self.heap.pop() {
             let t = triangle as usize;
             if self.chart_of[t] != NONE {
                 continue;
@@ -141,7 +116,7 @@ impl<'a> Growth<'a> {
         for neighbour in self.faces.neighbours[triangle as usize] {
             if neighbour != NONE && self.chart_of[neighbour as usize] == NONE {
                 let cost = self.cost(neighbour as usize, chart);
-                self.heap.push(Candidate { cost, triangle: neighbour, chart });
+                self.heap.push(Candidate { cost, of: (neighbour, chart) });
             }
         }
     }
@@ -164,10 +139,10 @@ impl<'a> Growth<'a> {
         self.chart_of.fill(NONE);
         for (chart, seed) in seeds.into_iter().enumerate() {
             if let Some(seed) = seed {
-                self.heap.push(Candidate { cost: -1.0, triangle: seed, chart: chart as u32 });
+                self.heap.push(Candidate { cost: -1.0, of: (seed, chart as u32) });
             }
         }
-        while let Some(Candidate { triangle, chart, .. }) = self.heap.pop() {
+        while let Some(Candidate { of: (triangle, chart), .. }) = self.heap.pop() {
             let t = triangle as usize;
             let fits = self.faces.normals[t].dot(self.axes[chart as usize]) >= self.limit_cos;
             if self.chart_of[t] == NONE && fits {

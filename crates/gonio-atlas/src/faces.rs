@@ -47,11 +47,17 @@ impl Faces {
 
     /// Disconnects triangles whose normals differ by more than an angle: a chart bent over a sharp edge would be stretched.
     pub fn cut_sharp_edges(&mut self, limit_cos: f64) {
-        for t in 0..self.len() {
-            for k in 0..3 {
-                let other = self.neighbours[t][k];
-                if other != NONE && self.normals[t].dot(self.normals[other as usize]) < limit_cos {
-                    self.neighbours[t][k] = NONE;
+        let normals = std::mem::take(&mut self.normals);
+        self.cut_between(|a, b| normals[a].dot(normals[b]) < limit_cos);
+        self.normals = normals;
+    }
+
+    /// Disconnects neighbours.
+    pub fn cut_between(&mut self, is_cut: impl Fn(usize, usize) -> bool) {
+        for (t, neighbours) in self.neighbours.iter_mut().enumerate() {
+            for other in neighbours.iter_mut().filter(|other| **other != NONE) {
+                if is_cut(t, *other as usize) {
+                    *other = NONE;
                 }
             }
         }

@@ -24,7 +24,7 @@ pub enum UvSource {
 }
 
 /// How a mesh is unwrapped.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct UnwrapSettings {
     /// The largest angle between a triangle's normal and the axis of its chart, and between two triangles at an edge within
     /// a chart, in radians, above 0 and below pi / 2. Charts of less than a five-hundredth of the surface may bend further.
@@ -33,12 +33,20 @@ pub struct UnwrapSettings {
     pub margin: f64,
     /// The texture coordinates to start from.
     pub source: UvSource,
+    /// Texels per unit of length in each part of the mesh, relative to the other parts, > 0; 1 for parts beyond its length. Does
+    /// not apply to [`UvSource::Kept`].
+    pub density_of_part: Vec<f64>,
 }
 
 impl Default for UnwrapSettings {
     /// 66 degrees and a margin of 0.01: the values of Blender's smart projection in the course's appendix.
     fn default() -> Self {
-        UnwrapSettings { angle_limit_rad: 66_f64.to_radians(), margin: 0.01, source: UvSource::New }
+        UnwrapSettings {
+            angle_limit_rad: 66_f64.to_radians(),
+            margin: 0.01,
+            source: UvSource::New,
+            density_of_part: Vec::new(),
+        }
     }
 }
 
@@ -81,8 +89,8 @@ impl std::error::Error for UnwrapError {}
 
 /// Unwraps a mesh. `progress` gets the share done, 0 to 1, from any thread; it returns whether to go on.
 ///
-/// All triangles of the mesh, whatever their part, share one atlas with equal texel density: the area of a chart in the
-/// atlas is proportional to its area in space. Edges of more than two triangles, or of two with opposite orientation,
+/// All triangles of the mesh, whatever their part, share one atlas with equal texel density, unless the settings weight it: the
+/// area of a chart in the atlas is proportional to its area in space. Parts of different density share no chart. Edges of more than two triangles, or of two with opposite orientation,
 /// are cut.
 ///
 /// # Errors
@@ -97,6 +105,10 @@ pub fn unwrap(
     if faces.areas.iter().all(|area| *area == 0.0) {
         return Err(UnwrapError::NoArea);
     }
+    let density = triangle_densities(mesh, &settings.density_of_part);
+    if settings.source != UvSource::Kept && !settings.density_of_part.is_empty() {
+        faces.cut_between(|a, b| density[a] != density[b]);
+    }
     let step = |share: f64| if progress(share) { Ok(()) } else { Err(UnwrapError::Stopped) };
     step(0.1)?;
     if settings.source == UvSource::New {
@@ -104,7 +116,8 @@ pub fn unwrap(
         faces.cut_sharp_edges(limit_cos);
         let segmentation = charts::segment(&faces, limit_cos);
         step(0.3)?;
-        let charts = flatten_all(&faces, segmentation, &|share| step(0.3 + 0.3 * share))?;
+        let mut charts = flatten_all(&faces, segmentation, &|share| step(0.3 + 0.3 * share))?;
+        charts.iter_mut().for_each(|chart| chart.scale_to(&density));
         return assemble(&faces, &charts, settings.margin, &|share| progress(0.6 + 0.4 * share));
     }
     if mesh.tex_coords.len() != mesh.positions.len() {
@@ -116,7 +129,8 @@ pub fn unwrap(
         let tex_coords = mesh.indices.iter().map(|&vertex| mesh.tex_coords[vertex as usize]).collect();
         return Ok(AtlasUv { tex_coords, chart_of_triangle: chart_of, chart_count: segmentation.count, margin: 0.0 });
     }
-    let charts = charts_of_texture(mesh, &faces, segmentation);
+    let mut charts = charts_of_texture(mesh, &faces, segmentation);
+    charts.iter_mut().for_each(|chart| chart.scale_to(&density));
     assemble(&faces, &charts, settings.margin, &|share| progress(0.3 + 0.7 * share))
 }
 
@@ -126,6 +140,28 @@ struct FlatChart {
     /// Three places for each triangle.
     corners: Vec<[DVec2; 3]>,
     outline: Outline,
+}
+
+impl FlatChart {
+    /// Scales it to the density of its triangles.
+    fn scale_to(&mut self, density: &[f64]) {
+        let scale = self.triangles.first().map_or(1.0, |&t| density[t as usize]);
+        if scale != 1.0 {
+            self.corners.iter_mut().flatten().for_each(|p| *p *= scale);
+            self.outline.border.iter_mut().flatten().for_each(|p| *p *= scale);
+            self.outline.area *= scale * scale;
+        }
+    }
+}
+
+/// The density of each triangle.
+fn triangle_densities(mesh: &Mesh, of_part: &[f64]) -> Vec<f64> {
+    let mut densities = vec![1.0; mesh.triangle_count()];
+    for (part, &density) in mesh.parts.iter().zip(of_part) {
+        let triangles = densities.iter_mut().skip(part.first_triangle).take(part.triangle_count);
+        triangles.for_each(|own| *own = density);
+    }
+    densities
 }
 
 /// Flattens all charts, and divides those that overlap themselves until none does.

@@ -3,7 +3,7 @@
 
 use gonio_atlas::raster::for_each_texel;
 use gonio_atlas::{AtlasUv, UnwrapError, UnwrapSettings, UvSource, unwrap, uv_report};
-use gonio_mesh::{Limits, Mesh, NoSidecars, obj, sphere};
+use gonio_mesh::{Limits, Mesh, NoSidecars, Part, obj, sphere};
 use std::path::Path;
 
 const SIZE: u32 = 1024;
@@ -168,6 +168,39 @@ fn kept_coordinates_stay_and_repacked_charts_stay_whole() {
     assert_eq!(packed.chart_of_triangle, kept.chart_of_triangle);
     let margin = uv_report(&mesh, &packed, SIZE).margin_texels;
     assert!((margin - 10.24).abs() < 1e-9, "{margin}");
+}
+
+/// Two squares side by side, parts of one mesh with a common edge.
+fn two_parts() -> Mesh {
+    let positions = (0..6).map(|i| [(i % 3) as f32, (i / 3) as f32, 0.0]).collect();
+    let part = |material, first_triangle| Part { material, first_triangle, triangle_count: 2, ..Part::default() };
+    Mesh {
+        positions,
+        tex_coords: (0..6).map(|i| [(i % 3) as f32 / 2.0, (i / 3) as f32 / 2.0]).collect(),
+        indices: vec![0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4],
+        parts: vec![part(0, 0), part(1, 2)],
+        ..Mesh::default()
+    }
+}
+
+/// Parts of other density have a chart of their own, whose edges are longer by that factor.
+#[test]
+fn density_is_equal_unless_it_is_weighted() {
+    let mesh = two_parts();
+    for source in [UvSource::New, UvSource::Repacked] {
+        for (density_of_part, charts, ratio) in [(vec![], 1, 1.0), (vec![3.0, 3.0], 1, 1.0), (vec![1.0, 2.5], 2, 2.5)] {
+            let name = format!("{source:?}, {density_of_part:?}");
+            let atlas =
+                unwrap(&mesh, &UnwrapSettings { source, density_of_part, ..Default::default() }, &|_| true).unwrap();
+            assert_eq!(atlas.chart_count, charts, "{name}");
+            let edge = |corner: usize| {
+                let [a, b] = [0, 1].map(|k| atlas.tex_coords[corner + k].map(f64::from));
+                (a[0] - b[0]).hypot(a[1] - b[1])
+            };
+            assert!((edge(6) / edge(0) - ratio).abs() < 1e-5, "{name}: {} and {}", edge(6), edge(0));
+            assert_eq!(uv_report(&mesh, &atlas, SIZE).overlapping_texels, 0, "{name}");
+        }
+    }
 }
 
 /// Two triangles with the same coordinates, half of the square: every texel is covered twice, and the report says so.

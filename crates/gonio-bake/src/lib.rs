@@ -4,7 +4,6 @@
 //! |---|---|
 //! | [`surface`] | all objects of a scene as one mesh in world space, and its materials at any point |
 //! | [`texels`] | the samples of each texel; texels beside a chart continue it |
-//! | `rays` | rays against the surface: occlusion, shadows, finer models |
 //! | [`maps`] | the quantities that can be baked |
 //! | [`model`] | the model with the baked textures in place of its own |
 //!
@@ -13,9 +12,8 @@
 
 pub mod maps;
 pub mod model;
-mod rays;
 pub mod surface;
 pub mod texels;
 
-pub use maps::{BakeSettings, BakedMap, Baker, MapKind};
+pub use maps::{BakeSettings, BakedMap, Baker, LightAt, LitPoint, MapKind};
 pub use surface::SceneSurface;

@@ -1,15 +1,15 @@
 //! The quantities that can be baked.
 
-use crate::rays::RayMesh;
 use crate::surface::{SceneSurface, tangent_frame};
-use crate::texels::{BakedTexels, TexelSample, bake_texels};
+use crate::texels::{BakedTexels, Border, TexelSample, bake_texels};
 use glam::{DVec3, DVec4};
 use gonio_atlas::AtlasUv;
 use gonio_image::encode::exr::{ExrPrecision, encode as encode_exr};
 use gonio_image::encode::png::{ColorTag, encode8};
 use gonio_image::{EncodedPicture, Image, ImageError, srgb};
-use gonio_light::{ShadingPoint, Surface, light};
+use gonio_light::{ShadingPoint, Surface, color, light};
 use gonio_mesh::{Mesh, tangents};
+use gonio_rays::RayMesh;
 use gonio_scene::scene::ShadowCaster;
 use gonio_scene::{Frame, Scene};
 use std::f64::consts::TAU;
@@ -26,7 +26,8 @@ pub enum MapKind {
     Normal,
     /// The share of the hemisphere, weighted by the cosine, from which no surface is met: data.
     AmbientOcclusion,
-    /// The light that `k_d` is multiplied by: the ambient colour, and the diffuse terms of all lights. Linear.
+    /// The light that `k_d` is multiplied by, which is the irradiance by pi: the ambient colour and the diffuse terms of all
+    /// lights, or what [`Baker::with_light`] says. Linear.
     Light,
     /// The position in world space. Linear.
     Position,
@@ -91,6 +92,22 @@ impl Default for BakeSettings {
     }
 }
 
+/// A point of a surface whose light is wanted, world space.
+#[derive(Clone, Copy, Debug)]
+pub struct LitPoint {
+    /// The position.
+    pub position: DVec3,
+    /// Unit normal of the triangle, on either side.
+    pub geometric_normal: DVec3,
+    /// Unit normal, with the material's normal map, on the side whose light counts.
+    pub normal: DVec3,
+    /// A number of its own for each point of the atlas, for random numbers.
+    pub number: u32,
+}
+
+/// Returns the light that `k_d` is multiplied by at a point, linear RGB, and the variance of its luminance.
+pub type LightAt<'a> = dyn Fn(&LitPoint) -> (DVec3, f64) + Sync + 'a;
+
 /// Bakes the maps of one surface.
 pub struct Baker<'a> {
     scene: &'a Scene,
@@ -99,6 +116,7 @@ pub struct Baker<'a> {
     atlas: &'a AtlasUv,
     settings: BakeSettings,
     finer: Option<FinerModel<'a>>,
+    light_at: Option<&'a LightAt<'a>>,
     /// The mesh with the atlas's coordinates and their tangents.
     tangent_mesh: Option<Mesh>,
     /// For rays to lights and into the hemisphere.
@@ -132,7 +150,17 @@ impl<'a> Baker<'a> {
         atlas: &'a AtlasUv,
         settings: BakeSettings,
     ) -> Self {
-        Baker { scene, frame, surface, atlas, settings, finer: None, tangent_mesh: None, blockers: None }
+        Baker {
+            scene,
+            frame,
+            surface,
+            atlas,
+            settings,
+            finer: None,
+            light_at: None,
+            tangent_mesh: None,
+            blockers: None,
+        }
     }
 
     /// Takes all values from a finer model, where one is within the cage distance along the normal.
@@ -142,23 +170,35 @@ impl<'a> Baker<'a> {
         self
     }
 
+    /// Takes the map [`MapKind::Light`] from a function instead of the light equation.
+    #[must_use]
+    pub fn with_light(mut self, light_at: &'a LightAt<'a>) -> Self {
+        self.light_at = Some(light_at);
+        self
+    }
+
     /// Bakes a map; the background is filled. `None` if `go_on`, which gets the share done, returned false.
     pub fn bake(&mut self, kind: MapKind, go_on: &(dyn Fn(f64) -> bool + Sync)) -> Option<BakedMap> {
         if kind == MapKind::Normal && self.tangent_mesh.is_none() {
             let unwrapped = self.surface.mesh.with_corner_tex_coords(&self.atlas.tex_coords);
             self.tangent_mesh = tangents::with_tangents(&unwrapped);
         }
-        if matches!(kind, MapKind::AmbientOcclusion | MapKind::Light) && self.blockers.is_none() {
+        let needs_rays = kind == MapKind::AmbientOcclusion
+            || (kind == MapKind::Light && self.light_at.is_none() && self.frame.shadows);
+        if needs_rays && self.blockers.is_none() {
             self.blockers = self.blocking_mesh().and_then(|mesh| RayMesh::new(&mesh)).map(|rays| Blockers { rays });
         }
         let this = &*self;
-        let evaluate = |sample: &TexelSample| this.value(kind, sample).extend(1.0);
+        let evaluate = |sample: &TexelSample| this.value(kind, sample);
         let is_used = |t: usize| this.atlas.chart_of_triangle[t].is_some();
         let Self { settings: BakeSettings { size, grid, .. }, .. } = *this;
         let evaluate: &(dyn Fn(&TexelSample) -> DVec4 + Sync) = &evaluate;
-        let mut texels = bake_texels(&this.atlas.tex_coords, is_used, size, grid, evaluate, go_on)?;
+        // Only a texture is known beyond the surface.
+        let is_material = matches!(kind, MapKind::Diffuse | MapKind::Specular | MapKind::Emitted);
+        let border = if is_material && this.finer.is_none() { Border::Continued } else { Border::Nearest };
+        let mut texels = bake_texels(&this.atlas.tex_coords, is_used, size, grid, border, evaluate, go_on)?;
         texels.fill_background();
-        Some(BakedMap { kind, texels })
+        Some(BakedMap { kind, texels, is_noisy: kind == MapKind::Light && this.light_at.is_some() })
     }
 
     /// The triangles that block light: of the finer model if there is one.
@@ -179,18 +219,28 @@ impl<'a> Baker<'a> {
     fn origin(&self, sample: &TexelSample) -> Origin<'_> {
         let own = Origin { scene: self.scene, surface: self.surface, sample: *sample };
         let Some(finer) = &self.finer else { return own };
-        let position = self.surface.position(sample.weights, sample.triangle);
         let normal = self.surface.smooth_normal(sample.weights, sample.triangle);
         let cage = self.settings.cage_distance;
-        let Some(hit) = finer.rays.first_hit(position + cage * normal, -normal, 2.0 * cage) else { return own };
-        // How fast a ray moves over the other surface is not known, so its textures are not blurred.
-        let sample = TexelSample { triangle: hit.triangle, weights: hit.weights, steps: [DVec3::ZERO; 2], ..*sample };
+        let ray =
+            |weights: DVec3, normal: DVec3| (self.surface.position(weights, sample.triangle) + cage * normal, -normal);
+        let (start, direction) = ray(sample.weights, normal);
+        let Some(hit) = finer.rays.first_hit(start, direction, 2.0 * cage) else { return own };
+        // Where the rays of the neighbouring samples meet the plane of that triangle (H. Igehy, "Tracing ray differentials", 1999).
+        let in_plane = |(start, direction)| finer.surface.weights_in_plane(hit.triangle, start, direction);
+        let here = in_plane((start, direction));
+        let steps = sample.steps.map(|step| {
+            let weights = sample.weights + step;
+            let there = in_plane(ray(weights, self.surface.smooth_normal(weights, sample.triangle)));
+            here.zip(there).map_or(DVec3::ZERO, |(here, there)| there - here)
+        });
+        let sample = TexelSample { triangle: hit.triangle, weights: hit.weights, steps, ..*sample };
         Origin { scene: finer.scene, surface: finer.surface, sample }
     }
 
-    fn value(&self, kind: MapKind, sample: &TexelSample) -> DVec3 {
+    /// The value, and the variance of its luminance.
+    fn value(&self, kind: MapKind, sample: &TexelSample) -> DVec4 {
         let Origin { scene, surface, sample: at } = self.origin(sample);
-        match kind {
+        let exact = match kind {
             MapKind::Diffuse => surface.surface(scene, &at).diffuse,
             MapKind::Specular => surface.surface(scene, &at).specular,
             MapKind::Emitted => surface.surface(scene, &at).emitted,
@@ -198,8 +248,15 @@ impl<'a> Baker<'a> {
             MapKind::Id => part_color(surface.part(at.triangle)),
             MapKind::Normal => self.tangent_normal(sample, surface.normal(scene, &at)),
             MapKind::AmbientOcclusion => DVec3::splat(self.openness(surface, &at)),
-            MapKind::Light => self.light(surface, scene, &at),
-        }
+            MapKind::Light => match self.light_at {
+                Some(light_at) => {
+                    let (light, variance) = light_at(&lit_point(surface, scene, &at));
+                    return light.extend(variance);
+                }
+                None => self.light(surface, scene, &at),
+            },
+        };
+        exact.extend(0.0)
     }
 
     /// A normal in the tangent space of the atlas; straight up where that has no direction.
@@ -234,8 +291,7 @@ impl<'a> Baker<'a> {
 
     /// `L_ambient + sum diff L_i att_i spot_i v_i <N.L_i>`; shadows if the frame has them.
     fn light(&self, surface: &SceneSurface, scene: &Scene, at: &TexelSample) -> DVec3 {
-        let position = surface.position(at.weights, at.triangle);
-        let (normal, facet) = (surface.normal(scene, at), surface.geometric_normal(at.triangle));
+        let LitPoint { position, normal, geometric_normal: facet, .. } = lit_point(surface, scene, at);
         let point = ShadingPoint::new(position, normal, facet, position + normal);
         let white = Surface { ambient: DVec3::ONE, diffuse: DVec3::ONE, ..Surface::default() };
         let equation = &self.frame.equation;
@@ -245,6 +301,15 @@ impl<'a> Baker<'a> {
             if blockers.rays.is_blocked(position, facet, terms.l, terms.distance) { 0.0 } else { 1.0 }
         });
         equation.ambient(&white, light::ambient_color(&self.frame.lights)) + sums.diffuse
+    }
+}
+
+fn lit_point(surface: &SceneSurface, scene: &Scene, at: &TexelSample) -> LitPoint {
+    LitPoint {
+        position: surface.position(at.weights, at.triangle),
+        geometric_normal: surface.geometric_normal(at.triangle),
+        normal: surface.normal(scene, at),
+        number: at.seed,
     }
 }
 
@@ -276,8 +341,10 @@ fn part_color(part: usize) -> DVec3 {
 pub struct BakedMap {
     /// The quantity.
     pub kind: MapKind,
-    /// Linear values; alpha 1.
+    /// Linear values; the fourth number is the variance of the luminance.
     pub texels: BakedTexels,
+    /// Whether the values are estimates with noise.
+    pub is_noisy: bool,
 }
 
 impl BakedMap {
@@ -298,12 +365,11 @@ impl BakedMap {
     ///
     /// A map without texels.
     pub fn encode(&self) -> Result<Vec<u8>, ImageError> {
-        let size = self.texels.size;
         let rows = self.texels.rows_from_top();
         if self.kind.extension() == "exr" {
-            let image = Image { width: size, height: size, pixels: rows };
-            return Ok(encode_exr(&image, ExrPrecision::Float)?.bytes);
+            return self.exr(rows.into_iter().map(|[r, g, b, _]| [r, g, b]));
         }
+        let size = self.texels.size;
         let tag = if self.is_color() { ColorTag::Srgb } else { ColorTag::Untagged };
         let factor = self.factor();
         let data = |v: f32| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
@@ -317,6 +383,36 @@ impl BakedMap {
             [r, g, b, 255]
         });
         encode8(&EncodedPicture { width: size, height: size, rgba: rgba.collect() }, tag)
+    }
+
+    /// The standard error of each texel's luminance as an OpenEXR file; `None` without noise.
+    ///
+    /// # Errors
+    ///
+    /// A map without texels.
+    pub fn encode_standard_error(&self) -> Option<Result<Vec<u8>, ImageError>> {
+        let rows = self.texels.rows_from_top();
+        self.is_noisy.then(|| self.exr(rows.into_iter().map(|[.., variance]| [variance.max(0.0).sqrt(); 3])))
+    }
+
+    fn exr(&self, rows: impl Iterator<Item = [f32; 3]>) -> Result<Vec<u8>, ImageError> {
+        let (width, height) = (self.texels.size, self.texels.size);
+        let image = Image { width, height, pixels: rows.map(|[r, g, b]| [r, g, b, 1.0]).collect() };
+        Ok(encode_exr(&image, ExrPrecision::Float)?.bytes)
+    }
+
+    /// The root of the mean variance of the texels that charts cover, relative to their mean luminance; 0 for a black map, `None`
+    /// without noise.
+    pub fn relative_error(&self) -> Option<f64> {
+        let texels = self.texels.values.iter().zip(&self.texels.covered).filter(|(_, covered)| **covered);
+        let (mut light, mut variance, mut count) = (0.0, 0.0, 0.0);
+        for (&[r, g, b, v], _) in texels {
+            light += color::luminance(DVec3::new(r.into(), g.into(), b.into()));
+            variance += f64::from(v);
+            count += 1.0;
+        }
+        let relative = if light > 0.0 { (variance * count).sqrt() / light } else { 0.0 };
+        self.is_noisy.then_some(relative)
     }
 }
 

@@ -3,8 +3,10 @@
 use crate::maps::MapKind;
 use crate::surface::SceneSurface;
 use gonio_atlas::AtlasUv;
-use gonio_mesh::{Material, Model, TextureMap, Wrap};
-use gonio_scene::Scene;
+use gonio_image::EncodedPicture;
+use gonio_image::encode::png::{ColorTag, encode8};
+use gonio_mesh::{EmbeddedImage, Material, Model, TextureMap, Wrap};
+use gonio_scene::{BoundTexture, Scene, SceneMaterial};
 
 /// A baked map's file.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,23 +19,50 @@ pub struct MapFile {
     pub factor: f32,
 }
 
+/// Where a model has the coordinates of an atlas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtlasSet {
+    /// In place of its own.
+    Only,
+    /// As a second set, for formats that have one (glTF); its own coordinates and textures stay.
+    Second,
+}
+
 /// Returns the model of a surface with the coordinates of an atlas, in world space. Each material keeps its numbers, but those
 /// that were baked are the map's factor, which multiplies its texture.
 ///
-/// Textures that were not baked are left out, as they belong to other coordinates; `lost` returns their names. Vertex colours
-/// are dropped if the diffuse colour was baked, as the texture contains them.
-pub fn baked_model(scene: &Scene, surface: &SceneSurface, atlas: &AtlasUv, maps: &[MapFile]) -> BakedModel {
-    let mut mesh = surface.mesh.with_corner_tex_coords(&atlas.tex_coords);
+/// With [`AtlasSet::Only`], textures that were not baked are left out, as they belong to other coordinates; `lost` returns their
+/// names. With [`AtlasSet::Second`], colours and normals stay, as pictures inside of the model. Vertex colours are dropped if the
+/// diffuse colour was baked, as the texture contains them.
+pub fn baked_model(
+    scene: &Scene,
+    surface: &SceneSurface,
+    atlas: &AtlasUv,
+    maps: &[MapFile],
+    set: AtlasSet,
+) -> BakedModel {
+    let mut mesh = match set {
+        AtlasSet::Only => surface.mesh.with_corner_tex_coords(&atlas.tex_coords),
+        AtlasSet::Second => surface.mesh.with_second_corner_tex_coords(&atlas.tex_coords),
+    };
     let find = |kind: MapKind| maps.iter().find(|file| file.kind == kind);
     if find(MapKind::Diffuse).is_some() {
         mesh.colors = Vec::new();
     }
     let mut lost = Vec::new();
-    let materials =
-        scene.materials.iter().map(|material| baked_material(&material.material, &find, &mut lost)).collect();
+    let mut kept = KeptTextures { scene, images: Vec::new(), number: vec![None; scene.textures.len()] };
+    let materials = (scene.materials.iter())
+        .map(|own| {
+            let mut material = baked_material(&own.material, &find, set, &mut lost);
+            if set == AtlasSet::Second {
+                kept.restore(own, &mut material);
+            }
+            material
+        })
+        .collect();
     lost.sort_unstable();
     lost.dedup();
-    BakedModel { model: Model { materials, mesh, ..Model::default() }, lost }
+    BakedModel { model: Model { materials, mesh, images: kept.images, ..Model::default() }, lost }
 }
 
 /// A model with baked textures.
@@ -47,13 +76,15 @@ pub struct BakedModel {
 fn baked_material<'f>(
     own: &Material,
     find: &impl Fn(MapKind) -> Option<&'f MapFile>,
+    set: AtlasSet,
     lost: &mut Vec<&'static str>,
 ) -> Material {
+    let leaves_out = |kind| set == AtlasSet::Only && find(kind).is_none();
     let had = [
-        ("diffuse", own.diffuse_map.is_some() && find(MapKind::Diffuse).is_none()),
-        ("specular", own.specular_map.is_some() && find(MapKind::Specular).is_none()),
-        ("emitted", own.emitted_map.is_some() && find(MapKind::Emitted).is_none()),
-        ("normal", (own.normal_map.is_some() || own.bump_map.is_some()) && find(MapKind::Normal).is_none()),
+        ("diffuse", own.diffuse_map.is_some() && leaves_out(MapKind::Diffuse)),
+        ("specular", own.specular_map.is_some() && leaves_out(MapKind::Specular)),
+        ("emitted", own.emitted_map.is_some() && leaves_out(MapKind::Emitted)),
+        ("normal", (own.normal_map.is_some() || own.bump_map.is_some()) && leaves_out(MapKind::Normal)),
         ("opacity", own.opacity_map.is_some()),
         ("shininess", own.shininess_map.is_some() || own.metallic_roughness.as_ref().is_some_and(has_maps)),
     ];
@@ -64,7 +95,8 @@ fn baked_material<'f>(
     material.metallic_roughness = None;
     material.sources = Vec::new();
     material.unused = Vec::new();
-    let map = |file: &MapFile| TextureMap { wrap: [Wrap::Clamp; 2], ..TextureMap::new(&file.name) };
+    let on_second_set = set == AtlasSet::Second;
+    let map = |file: &MapFile| TextureMap { wrap: [Wrap::Clamp; 2], on_second_set, ..TextureMap::new(&file.name) };
     let replace = |kind, color: &mut [f32; 3], texture: &mut Option<TextureMap>| {
         if let Some(file) = find(kind) {
             (*color, *texture) = ([file.factor; 3], Some(map(file)));
@@ -75,6 +107,43 @@ fn baked_material<'f>(
     replace(MapKind::Emitted, &mut material.emitted, &mut material.emitted_map);
     material.normal_map = find(MapKind::Normal).map(map);
     material
+}
+
+/// The scene's textures that a model keeps.
+struct KeptTextures<'s> {
+    scene: &'s Scene,
+    images: Vec<EmbeddedImage>,
+    /// The number of each texture of the scene among the images.
+    number: Vec<Option<usize>>,
+}
+
+impl KeptTextures<'_> {
+    /// Gives a material its own textures where no map was baked.
+    fn restore(&mut self, own: &SceneMaterial, material: &mut Material) {
+        let restore = |kept: &mut Self, bound: &Option<BoundTexture>, map: &mut Option<TextureMap>| {
+            if let (None, Some(bound)) = (map.as_ref(), bound) {
+                *map = kept.map(bound);
+            }
+        };
+        restore(self, &own.maps.diffuse, &mut material.diffuse_map);
+        restore(self, &own.maps.specular, &mut material.specular_map);
+        restore(self, &own.maps.emitted, &mut material.emitted_map);
+        restore(self, &own.maps.normal, &mut material.normal_map);
+    }
+
+    /// `None` for a texture that the scene lacks.
+    fn map(&mut self, bound: &BoundTexture) -> Option<TextureMap> {
+        let texture = self.scene.textures.get(bound.texture)?;
+        if self.number[bound.texture].is_none() {
+            let (width, height, rgba) = (texture.width, texture.height, texture.rgba.clone());
+            let bytes = encode8(&EncodedPicture { width, height, rgba }, ColorTag::Untagged).ok()?;
+            self.number[bound.texture] = Some(self.images.len());
+            self.images.push(EmbeddedImage { name: texture.name.clone(), bytes });
+        }
+        let BoundTexture { scale, rotation, offset, wrap, .. } = *bound;
+        let embedded = self.number[bound.texture];
+        Some(TextureMap { embedded, scale, rotation, offset, wrap, ..TextureMap::new(&texture.name) })
+    }
 }
 
 fn has_maps(physical: &gonio_mesh::MetallicRoughness) -> bool {

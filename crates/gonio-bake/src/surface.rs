@@ -98,6 +98,8 @@ impl SceneSurface {
                 let [r, g, b, _] = self.mesh.colors[i];
                 DVec3::from([r, g, b].map(f64::from))
             })
+            // Beyond a triangle they may end.
+            .max(DVec3::ZERO)
         };
         material.surface(color, |_, bound| self.texel(scene, bound, sample))
     }
@@ -127,6 +129,17 @@ impl SceneSurface {
     /// The position of a sample.
     pub fn position(&self, weights: DVec3, triangle: usize) -> DVec3 {
         self.interpolate(weights, triangle, |i| DVec3::from(self.mesh.positions[i].map(f64::from)))
+    }
+
+    /// Where a line meets the plane of a triangle, in barycentric coordinates, which may be outside of the triangle; `None` where it
+    /// runs along the plane, or the triangle has no area.
+    pub(crate) fn weights_in_plane(&self, triangle: usize, start: DVec3, direction: DVec3) -> Option<DVec3> {
+        let [a, b, c] = self.mesh.triangle(triangle).map(|i| DVec3::from(self.mesh.positions[i].map(f64::from)));
+        let normal = (b - a).cross(c - a);
+        let p = start + direction * ((a - start).dot(normal) / direction.dot(normal));
+        let share = |from: DVec3, to: DVec3| (from - p).cross(to - p).dot(normal) / normal.length_squared();
+        let weights = DVec3::new(share(b, c), share(c, a), share(a, b));
+        weights.is_finite().then_some(weights)
     }
 
     /// The unit normal of a triangle; zero without an area.

@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3, DVec4};
 use rayon::prelude::*;
 
-/// Rows that are baked together.
-const BAND: usize = 16;
+/// Rows that are baked together: few, as a traced row takes long, and progress is told and a stop noticed between bands.
+const BAND: usize = 4;
 
 /// A point of a surface, as a texel sees it.
 #[derive(Clone, Copy, Debug)]
@@ -24,14 +24,38 @@ pub struct TexelSample {
 pub struct BakedTexels {
     /// Texels along a side.
     pub size: u32,
-    /// `size * size` values.
+    /// `size * size` values: three channels, and the variance of the noise in them.
     pub values: Vec<[f32; 4]>,
-    /// Whether a triangle touches the texel.
+    /// Whether the value is that of a triangle, not of the background.
     pub covered: Vec<bool>,
 }
 
-/// Bakes `evaluate` into a square of `size` x `size` texels: the mean over a grid of `grid` x `grid` samples of those on a
-/// triangle; for a texel that a triangle touches without covering a sample, the value at the point nearest to its centre.
+/// The value of a texel that a triangle touches, but whose centre no triangle covers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Border {
+    /// That at the point of a triangle nearest to the centre.
+    Nearest,
+    /// That at the centre, in the plane of the nearest triangle: for functions that have a value beyond it, such as textures. A
+    /// bilinear lookup at the edge of a chart then reads a smooth function. It reads texels up to one texel away, so these count too.
+    Continued,
+}
+
+impl Border {
+    /// How far from a triangle, in texels along either axis, the centres of its texels lie at most.
+    fn reach(self) -> f64 {
+        match self {
+            Border::Nearest => 0.5,
+            Border::Continued => 1.0,
+        }
+    }
+}
+
+/// Weights beyond this are not continued: the triangle is a sliver, and its plane tells nothing about its surroundings.
+const MOST_CONTINUED: f64 = -1.0;
+
+/// Bakes `evaluate` (three channels, and the variance of the noise in them, independent for each sample) into a square of `size` x
+/// `size` texels: the mean over a grid of `grid` x `grid` samples of those on a
+/// triangle; for a texel that a triangle touches without covering a sample, what `border` says.
 ///
 /// `tex_coords` has three for each triangle; triangles for which `is_used` is false are left out, and so are texels
 /// outside of the square. `go_on` gets the share done, from any thread; `None` if it returned false.
@@ -40,13 +64,14 @@ pub fn bake_texels(
     is_used: impl Fn(usize) -> bool + Sync,
     size: u32,
     grid: u32,
+    border: Border,
     evaluate: impl Fn(&TexelSample) -> DVec4 + Sync,
     go_on: &(dyn Fn(f64) -> bool + Sync),
 ) -> Option<BakedTexels> {
     let side = size as usize;
     let triangles: Vec<TexelTriangle> = (0..tex_coords.len() / 3)
         .filter(|&t| is_used(t))
-        .filter_map(|t| TexelTriangle::new(t, [0, 1, 2].map(|k| tex_coords[3 * t + k]), size, grid))
+        .filter_map(|t| TexelTriangle::new(t, [0, 1, 2].map(|k| tex_coords[3 * t + k]), size, grid, border))
         .collect();
     let bands = side.div_ceil(BAND);
     let mut in_band: Vec<Vec<u32>> = vec![Vec::new(); bands];
@@ -64,7 +89,7 @@ pub fn bake_texels(
             let mut band = Band::new(rows, side, grid);
             let members = || members.iter().map(|&index| &triangles[index as usize]);
             members().for_each(|triangle| band.add_samples(triangle, &evaluate));
-            band.finish(members(), &evaluate);
+            band.finish(members(), border, &evaluate);
             let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             go_on(done as f64 / bands as f64).then_some(band)
         })
@@ -92,7 +117,7 @@ struct TexelTriangle {
 
 impl TexelTriangle {
     /// `None` without an area in the texture, or outside of it.
-    fn new(triangle: usize, tex_coords: [[f32; 2]; 3], size: u32, grid: u32) -> Option<Self> {
+    fn new(triangle: usize, tex_coords: [[f32; 2]; 3], size: u32, grid: u32, border: Border) -> Option<Self> {
         let corners = tex_coords.map(|uv| DVec2::from(uv.map(f64::from)) * f64::from(size));
         let [a, b, c] = corners;
         let area = (b - a).perp_dot(c - a);
@@ -104,8 +129,9 @@ impl TexelTriangle {
         let along_y = DVec3::new(c.x - b.x, a.x - c.x, b.x - a.x) / area;
         let origin = DVec3::X - a.x * along_x - a.y * along_y;
         let most = f64::from(size) - 1.0;
-        let low = a.min(b).min(c).floor();
-        let high = a.max(b).max(c).floor();
+        let beyond = border.reach() - 0.5;
+        let low = (a.min(b).min(c) - beyond).floor();
+        let high = (a.max(b).max(c) + beyond).floor();
         if low.max_element() > most || high.min_element() < 0.0 || !origin.is_finite() {
             return None;
         }
@@ -174,6 +200,7 @@ impl Band {
     fn finish<'t>(
         &mut self,
         triangles: impl Iterator<Item = &'t TexelTriangle>,
+        border: Border,
         evaluate: &impl Fn(&TexelSample) -> DVec4,
     ) {
         let mut nearest: Vec<Option<(f64, TexelSample)>> = vec![None; self.sums.len()];
@@ -185,10 +212,14 @@ impl Band {
                 let center = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
                 let point = triangle.nearest(center);
                 let distance = point.distance_squared(center);
-                let touches = (point - center).abs().max_element() <= 0.5;
+                let touches = (point - center).abs().max_element() <= border.reach();
                 if touches && nearest[index].is_none_or(|(least, _)| distance < least) {
-                    let weights = triangle.weights(point).max(DVec3::ZERO);
-                    let weights = weights / weights.element_sum();
+                    let continued = Some(triangle.weights(center))
+                        .filter(|weights| border == Border::Continued && weights.min_element() >= MOST_CONTINUED);
+                    let weights = continued.unwrap_or_else(|| {
+                        let weights = triangle.weights(point).max(DVec3::ZERO);
+                        weights / weights.element_sum()
+                    });
                     let seed = (y * self.side + x) as u32;
                     let sample = TexelSample { triangle: triangle.triangle, weights, steps: triangle.steps, seed };
                     nearest[index] = Some((distance, sample));
@@ -199,7 +230,8 @@ impl Band {
             if let Some((_, sample)) = nearest {
                 (self.sums[index], self.counts[index]) = (evaluate(&sample), 1);
             } else if self.counts[index] > 0 {
-                self.sums[index] /= f64::from(self.counts[index]);
+                let count = f64::from(self.counts[index]);
+                self.sums[index] /= DVec4::new(count, count, count, count * count);
             }
         }
     }
@@ -315,15 +347,16 @@ mod tests {
             sample.weights.x * corner(0) + sample.weights.y * corner(1) + sample.weights.z * corner(2)
         };
         let evaluate = |sample: &TexelSample| place(sample).extend(0.0).extend(1.0);
-        let baked = bake_texels(&tex_coords, |_| true, 20, 2, evaluate, &|_| true).unwrap_or_else(|| unreachable!());
-        for y in 0..20 {
-            for x in 0..20 {
+        for (border, covered, exact) in [(Border::Nearest, 2..18, 2..18), (Border::Continued, 1..19, 1..19)] {
+            let baked = bake_texels(&tex_coords, |_| true, 20, 2, border, evaluate, &|_| true);
+            let baked = baked.unwrap_or_else(|| unreachable!());
+            for (y, x) in (0..20).flat_map(|y| (0..20).map(move |x| (y, x))) {
                 let index = y * 20 + x;
-                assert_eq!(baked.covered[index], (2..18).contains(&x) && (2..18).contains(&y), "{x} {y}");
-                if (3..17).contains(&x) && (3..17).contains(&y) {
+                assert_eq!(baked.covered[index], covered.contains(&x) && covered.contains(&y), "{border:?}: {x} {y}");
+                if exact.contains(&x) && exact.contains(&y) {
                     let [u, v, ..] = baked.values[index];
-                    assert!((u - (x as f32 + 0.5) / 20.0).abs() < 1e-6, "{x} {y}: {u}");
-                    assert!((v - (y as f32 + 0.5) / 20.0).abs() < 1e-6, "{x} {y}: {v}");
+                    assert!((u - (x as f32 + 0.5) / 20.0).abs() < 1e-6, "{border:?}: {x} {y}: {u}");
+                    assert!((v - (y as f32 + 0.5) / 20.0).abs() < 1e-6, "{border:?}: {x} {y}: {v}");
                 }
             }
         }

@@ -3,7 +3,7 @@
 
 use glam::{DMat4, DVec3};
 use gonio_atlas::{AtlasUv, UnwrapSettings, unwrap};
-use gonio_bake::model::{MapFile, baked_model};
+use gonio_bake::model::{AtlasSet, MapFile, baked_model};
 use gonio_bake::texels::BakedTexels;
 use gonio_bake::{BakeSettings, BakedMap, Baker, MapKind, SceneSurface};
 use gonio_light::color::{ColorEncoding, OutputTransform};
@@ -59,7 +59,7 @@ fn texture(map: &BakedMap) -> Texture {
 /// The scene with the baked model in place of its objects.
 fn rebuilt(scene: &Scene, baked: &Baked) -> Scene {
     let file = MapFile { kind: baked.map.kind, name: "baked".into(), factor: baked.map.factor() };
-    let model = baked_model(scene, &baked.surface, &baked.atlas, &[file]).model;
+    let model = baked_model(scene, &baked.surface, &baked.atlas, &[file], AtlasSet::Only).model;
     let mut whole = Scene { objects: Vec::new(), meshes: Vec::new(), materials: Vec::new(), ..scene.clone() };
     whole.textures = vec![Arc::new(texture(&baked.map))];
     let mut mesh = model.mesh.clone();
@@ -99,18 +99,19 @@ fn share_of_equal_pixels(a: &Scene, b: &Scene, frame: &gonio_scene::Frame) -> f6
     equal as f64 / (a.len() / 4) as f64
 }
 
-/// Issue 20 asks for 2/255 in 99 % of the pixels, at about one texel per pixel. The still life has 98.9: the hard edges of its
-/// checker, whose texels are a little larger than those of the atlas, lie between other texels.
+/// Issue 20 asks for 2/255 in 99 % of the pixels, at about one texel per pixel: the floor of the still life, 8 x 8 units with 91
+/// texels each, covers 551,000 of 1600 x 1200 pixels. (In smaller pictures both textures are minified, from other levels.) What
+/// differs lies along the hard edges of its checker.
 #[test]
 fn a_picture_with_the_baked_texture_is_the_same() {
-    for (name, least) in [("builtin:still-life", 0.985), ("builtin:suzanne", 0.99)] {
+    for name in ["builtin:still-life", "builtin:suzanne"] {
         let scene = builtin(name);
         let mut frame = scene.frame(0.0);
-        (frame.width, frame.height, frame.samples) = (960, 720, 1);
+        (frame.width, frame.height, frame.samples) = (1600, 1200, 1);
         frame.equation.specular = Specular::None;
         let baked = bake(&scene, MapKind::Diffuse, BakeSettings::default(), None);
         let share = share_of_equal_pixels(&scene, &rebuilt(&scene, &baked), &frame);
-        assert!(share >= least, "{name}: {share}");
+        assert!(share >= 0.99, "{name}: {share}");
     }
 }
 
@@ -159,6 +160,34 @@ fn mean_error_of_sphere(coarse: Scene) -> f64 {
     let errors: Vec<f64> = both.map(|(a, b)| vector(a).angle_between(vector(b)).to_degrees()).collect();
     assert!(errors.len() > 5000, "{} pixels", errors.len());
     errors.iter().sum::<f64>() / errors.len() as f64
+}
+
+/// A square with a texture whose texels are white and black in turn, 8 of them for each texel of the map: in the map of the square
+/// itself, and of a coarser one above it, every texel is as bright as half of them.
+#[test]
+fn minified_textures_are_filtered() {
+    let square = |height: f32| Mesh {
+        positions: vec![[0.0, 0.0, height], [1.0, 0.0, height], [1.0, 1.0, height], [0.0, 1.0, height]],
+        normals: vec![[0.0, 0.0, 1.0]; 4],
+        tex_coords: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+        indices: vec![0, 1, 2, 0, 2, 3],
+        ..Mesh::default()
+    };
+    let mut scene = one_object(square(0.0), Material { diffuse: [1.0; 3], ..Material::default() });
+    let texels = (0..256 * 256).flat_map(|i| [[0, 0, 0, 255], [255; 4]][(i % 256 + i / 256) % 2]).collect();
+    scene.textures = vec![Arc::new(Texture::new("checker", 256, 256, texels, ColorSpace::Srgb))];
+    scene.materials[0].maps.diffuse = Some(BoundTexture::plain(0));
+    let coarse = one_object(square(0.1), Material::default());
+    let settings = BakeSettings { size: 32, cage_distance: 0.2, ..BakeSettings::default() };
+    for (name, baked) in [
+        ("itself", bake(&scene, MapKind::Diffuse, settings, None)),
+        ("coarser", bake(&coarse, MapKind::Diffuse, settings, Some(&scene))),
+    ] {
+        let values = || baked.map.texels.values.iter().zip(&baked.map.texels.covered).filter(|(_, covered)| **covered);
+        let farthest = values().map(|(value, _)| (value[0] - 0.5).abs()).fold(0.0, f32::max);
+        // Mip levels are sRGB of 8 bits.
+        assert!(farthest < 0.01 && values().count() > 800, "{name}: {farthest}");
+    }
 }
 
 /// The floor of a room: a square of side 2 below another one.

@@ -35,6 +35,11 @@ named_enum! {
     what "tone map";
 }
 
+/// Luminance of a colour (IEC 61966-2-1): 1 for white.
+pub fn luminance(linear: DVec3) -> f64 {
+    linear.dot(DVec3::new(0.2126, 0.7152, 0.0722))
+}
+
 /// The whole way from linear light to the picture: exposure in stops, tone map, encoding.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct OutputTransform {

@@ -87,10 +87,7 @@ fn in_gamut(rgb: DVec3, luminance: f64) -> DVec3 {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-
-    fn luminance_of(rgb: DVec3) -> f64 {
-        rgb.dot(DVec3::new(0.2126, 0.7152, 0.0722))
-    }
+    use crate::color::luminance;
 
     #[test]
     fn a_spectrum_is_linear_between_its_samples() {
@@ -120,7 +117,7 @@ mod tests {
                 let rgb = s.color_of_light().unwrap();
                 assert_eq!(rgb.max_position(), strongest, "{line}: {rgb}");
                 assert!(rgb.min_element().abs() < 1e-12, "{line}: {rgb}");
-                assert!((luminance_of(rgb) - 1.0).abs() < 1e-3, "{line}: {rgb}");
+                assert!((luminance(rgb) - 1.0).abs() < 1e-3, "{line}: {rgb}");
             }
         }
         assert_eq!(Spectrum::new(vec![[800.0, 1.0], [900.0, 1.0]]).color_of_light(), None);

@@ -4,6 +4,7 @@
 //! library, a buffer) are requested from a [`Sidecars`], which the caller implements for a disk, an archive or a web
 //! page.
 
+mod by_cost;
 pub mod collada;
 pub mod compression;
 pub mod diagnostic;
@@ -31,6 +32,7 @@ pub mod topology;
 mod weld;
 pub mod write;
 
+pub use by_cost::ByCost;
 pub use diagnostic::{Cause, Diagnostic, FilePlace, ReadError, Severity};
 pub use format::Format;
 pub use input::{Limits, MissingSidecar, NoSidecars, Sidecar, SidecarUse, Sidecars};

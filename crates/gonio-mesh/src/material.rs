@@ -236,6 +236,8 @@ pub struct TextureMap {
     pub texel: TexelRule,
     /// `-bm`: the strength of a normal or bump map.
     pub bump_multiplier: f32,
+    /// It belongs to [`crate::Mesh::second_tex_coords`].
+    pub on_second_set: bool,
     /// The line in the material file that refers to it, from 1.
     pub line: Option<u64>,
 }
@@ -252,6 +254,7 @@ impl TextureMap {
             wrap: [Wrap::Repeat; 2],
             texel: TexelRule::default(),
             bump_multiplier: 1.0,
+            on_second_set: false,
             line: None,
         }
     }

@@ -12,6 +12,8 @@ pub struct Mesh {
     pub normals: Vec<[f32; 3]>,
     /// Coordinates with u to the right and v **up** (0 is the last row of the image), as in OBJ and OpenGL.
     pub tex_coords: Vec<[f32; 2]>,
+    /// A second set, which only glTF stores and no reader fills: a reader's set is the one that the material's textures use.
+    pub second_tex_coords: Vec<[f32; 2]>,
     /// Unit tangent and handedness (+1 or -1): bitangent = w * cross(normal, tangent).
     pub tangents: Vec<[f32; 4]>,
     /// Linear RGBA.
@@ -135,10 +137,21 @@ impl Mesh {
     /// Tangents are dropped, because they belong to the old coordinates. Missing coordinates are 0.
     pub fn with_corner_tex_coords(&self, tex_coords: &[[f32; 2]]) -> Mesh {
         let bare = Mesh { tex_coords: Vec::new(), tangents: Vec::new(), ..self.clone() };
-        let mut of_corner = tex_coords.to_vec();
-        of_corner.resize(self.indices.len(), [0.0; 2]);
-        let (mesh, tex_coords) = crate::weld::split_by_corner_values(&bare, &of_corner);
+        let (mesh, tex_coords) = bare.split_by_tex_coords(tex_coords);
         Mesh { tex_coords, ..mesh }
+    }
+
+    /// Returns the mesh with a second set of texture coordinates, one for each index; vertices whose corners differ are split.
+    /// Missing coordinates are 0.
+    pub fn with_second_corner_tex_coords(&self, tex_coords: &[[f32; 2]]) -> Mesh {
+        let (mesh, second_tex_coords) = self.split_by_tex_coords(tex_coords);
+        Mesh { second_tex_coords, ..mesh }
+    }
+
+    fn split_by_tex_coords(&self, of_corner: &[[f32; 2]]) -> (Mesh, Vec<[f32; 2]>) {
+        let mut of_corner = of_corner.to_vec();
+        of_corner.resize(self.indices.len(), [0.0; 2]);
+        crate::weld::split_by_corner_values(self, &of_corner)
     }
 
     /// Returns the mesh with three separate vertices for each triangle, in the order of the indices.
@@ -150,6 +163,7 @@ impl Mesh {
             positions: gather(&self.positions, &self.indices),
             normals: gather(&self.normals, &self.indices),
             tex_coords: gather(&self.tex_coords, &self.indices),
+            second_tex_coords: gather(&self.second_tex_coords, &self.indices),
             tangents: gather(&self.tangents, &self.indices),
             colors: gather(&self.colors, &self.indices),
             indices: (0..self.indices.len() as u32).collect(),

@@ -8,9 +8,8 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-use crate::{Mesh, normals};
+use crate::{ByCost, Mesh, normals};
 use glam::{DMat3, DVec3};
-use std::cmp::Ordering;
 use std::collections::{BinaryHeap, HashSet};
 use std::ops::Add;
 use surface::CollapsingSurface;
@@ -45,37 +44,8 @@ fn is_faceted(mesh: &Mesh) -> bool {
     2 * distinct.len() > 7 * places
 }
 
-/// An edge that may collapse: `from` onto `onto`.
-struct Candidate {
-    cost: f64,
-    from: u32,
-    onto: u32,
-    /// The versions of both ends when the cost was computed.
-    versions: [u32; 2],
-}
-
-impl PartialEq for Candidate {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Candidate {}
-
-impl PartialOrd for Candidate {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Candidate {
-    /// The cheapest is the greatest, for the heap; equal costs are in the order of the vertices, so that the result is
-    /// the same on every machine.
-    fn cmp(&self, other: &Self) -> Ordering {
-        let key = |c: &Candidate| (c.from, c.onto);
-        other.cost.total_cmp(&self.cost).then_with(|| key(other).cmp(&key(self)))
-    }
-}
+/// An edge that may collapse, `from` onto `onto`, and the versions of both when the cost was computed.
+type Candidate = ByCost<([u32; 2], [u32; 2])>;
 
 /// Collapses edges until enough are gone or no more can; returns whether any did.
 fn pass(surface: &mut CollapsingSurface, quadrics: &mut [Quadric], triangles: usize) -> bool {
@@ -88,7 +58,7 @@ fn pass(surface: &mut CollapsingSurface, quadrics: &mut [Quadric], triangles: us
     }
     let mut any = false;
     while surface.live > triangles {
-        let Some(Candidate { from, onto, versions: seen, .. }) = heap.pop() else { break };
+        let Some(Candidate { of: ([from, onto], seen), .. }) = heap.pop() else { break };
         if seen != [versions[from as usize], versions[onto as usize]] || !surface.collapse(from, onto) {
             continue;
         }
@@ -114,7 +84,7 @@ fn candidate(
     let sum = *quadrics.get(from as usize)? + *quadrics.get(onto as usize)?;
     let cost = sum.error_at(*surface.places.get(onto as usize)?);
     let versions = [*versions.get(from as usize)?, *versions.get(onto as usize)?];
-    Some(Candidate { cost, from, onto, versions })
+    Some(Candidate { cost, of: ([from, onto], versions) })
 }
 
 /// The sum of weighted squared distances of a point p from planes: `p^T A p + 2 b.p + c` (Garland and Heckbert 1997,

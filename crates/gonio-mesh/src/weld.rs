@@ -162,6 +162,7 @@ pub(crate) fn split_by_corner_values<T: Copy + PartialEq>(mesh: &Mesh, value_of_
         positions: gather(&mesh.positions, &made_of),
         normals: gather(&mesh.normals, &made_of),
         tex_coords: gather(&mesh.tex_coords, &made_of),
+        second_tex_coords: gather(&mesh.second_tex_coords, &made_of),
         tangents: gather(&mesh.tangents, &made_of),
         colors: gather(&mesh.colors, &made_of),
         indices,

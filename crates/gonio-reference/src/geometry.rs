@@ -5,12 +5,8 @@ use glam::{DMat3, DMat4, DVec3, Vec3A};
 use gonio_light::{Surfaces, vector};
 use gonio_mesh::Mesh;
 use gonio_scene::{Object, Scene};
-use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::leaf_collapser::collapse;
-use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
-use obvhs::ploc::PlocBuilder;
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -254,25 +250,8 @@ impl Tree {
                 Aabb::new(rounded_down(a.min(b).min(c)), -rounded_down(-a.max(b).max(c)))
             })
             .collect();
-        // Quality pays off over a million samples, but building is on one thread.
-        let parameters =
-            if triangles.len() < 200_000 { BvhBuildParams::medium_build() } else { BvhBuildParams::very_fast_build() };
-        let bvh = build(&boxes, &parameters);
-        Some(Tree { bvh, center, scale })
+        Some(Tree { bvh: gonio_rays::build_tree(&boxes), center, scale })
     }
-}
-
-/// Same as `obvhs::bvh2::builder::build_bvh2`, without its clock, which the web does not have.
-fn build(boxes: &[Aabb], parameters: &BvhBuildParams) -> Bvh2 {
-    let p = parameters;
-    let order: Vec<u32> = (0..boxes.len() as u32).collect();
-    let mut builder = PlocBuilder::with_capacity(boxes.len());
-    let mut bvh = builder.build(p.ploc_search_distance, boxes, order, p.sort_precision, p.search_depth_threshold);
-    let mut optimizer = ReinsertionOptimizer::default();
-    optimizer.run(&mut bvh, p.reinsertion_batch_ratio, None);
-    collapse(&mut bvh, p.max_prims_per_leaf.clamp(1, 255), p.collapse_traversal_cost);
-    optimizer.run(&mut bvh, p.reinsertion_batch_ratio * p.post_collapse_reinsertion_batch_ratio_multiplier, None);
-    bvh
 }
 
 /// Whether view rays go through the inside of an object.

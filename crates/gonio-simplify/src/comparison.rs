@@ -8,7 +8,7 @@
 use crate::staircase::TracedPicture;
 use glam::DVec3;
 use gonio_image::flip::{PIXELS_PER_DEGREE, flip, mean};
-use gonio_light::color::{OutputTransform, srgb_decode};
+use gonio_light::color::{OutputTransform, luminance, srgb_decode};
 use gonio_scene::{DisplayMap, Picture};
 use serde::Serialize;
 
@@ -49,11 +49,6 @@ pub struct LargestDifference {
     pub before: DVec3,
     /// Mean of the square in the second one.
     pub after: DVec3,
-}
-
-/// Luminance of linear sRGB (IEC 61966-2-1).
-pub fn luminance(rgb: DVec3) -> f64 {
-    rgb.dot(DVec3::new(0.2126, 0.7152, 0.0722))
 }
 
 /// A pixel's light.

@@ -54,7 +54,7 @@ impl Tint {
 
     /// Light with a spectrum of its own, as bright as the colour.
     pub fn with_light(self, table: u32, luminance: f64) -> Self {
-        let scale = crate::film::luminance(self.rgb.as_dvec3()) / luminance;
+        let scale = gonio_light::color::luminance(self.rgb.as_dvec3()) / luminance;
         if scale.is_finite() { Tint { table: Some(table), scale: scale as f32, ..self } } else { self }
     }
 
@@ -172,12 +172,12 @@ mod tests {
             let mut sampler = Sampler::new(1, 0, i);
             let wavelengths = ColorMode::Spectral.wavelengths(&mut sampler, &spectra);
             let rgb = ColorMode::Spectral.rgb(ColorMode::Spectral.light(&tint, &wavelengths), &wavelengths);
-            let y = crate::film::luminance(rgb.as_dvec3());
+            let y = gonio_light::color::luminance(rgb.as_dvec3());
             sum += y;
             squares += y * y;
         }
         let mean = sum / f64::from(count);
-        let expected = crate::film::luminance(glam::DVec3::new(2.0, 1.0, 0.1));
+        let expected = gonio_light::color::luminance(glam::DVec3::new(2.0, 1.0, 0.1));
         assert!((mean / expected - 1.0).abs() < 0.01, "{mean} instead of {expected}");
         // Half of the wavelengths are chosen for the line, so paths miss it in one case of 16, and vary with its shape.
         let deviation = (squares / f64::from(count) - mean * mean).sqrt();

@@ -16,8 +16,9 @@
 //! Weighted First-order Regression for Denoising Monte Carlo Renderings*, EGSR 2016.
 
 use crate::features::Features;
-use crate::film::{Film, PixelSums, luminance};
+use crate::film::{Film, PixelSums};
 use glam::{DVec3, Vec3};
+use gonio_light::color::luminance;
 use gonio_scene::Picture;
 use rayon::prelude::*;
 

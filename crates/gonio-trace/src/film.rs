@@ -1,6 +1,7 @@
 //! The sums of a picture's samples, and the error that they leave.
 
 use glam::DVec3;
+use gonio_light::color::luminance;
 use gonio_scene::Picture;
 
 /// Sums of all samples of each pixel.
@@ -41,11 +42,6 @@ pub struct ErrorEstimate {
     pub relative: f64,
     /// The bound that the true value stays below with a probability of 95 %, as far as the samples tell.
     pub upper: f64,
-}
-
-/// Luminance of linear sRGB (IEC 61966-2-1).
-pub(crate) fn luminance(rgb: DVec3) -> f64 {
-    rgb.dot(DVec3::new(0.2126, 0.7152, 0.0722))
 }
 
 impl PixelSums {

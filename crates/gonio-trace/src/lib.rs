@@ -15,6 +15,7 @@
 //! | `overlap` | light sources in the same place as other surfaces |
 //! | `path`, `film`, `render` | one path; the sums of pixels; all pixels |
 //! | `contributions` | where the light of one pixel comes from |
+//! | `surface_light` | the light at one point of a surface |
 //! | `refinement` | a picture that begins coarse, for windows |
 //! | `oddities` | what a scene has that a trace survives |
 //! | `features`, `denoise` | what a picture shows without its light; a picture without its noise |
@@ -44,6 +45,7 @@ mod rules;
 mod sampler;
 mod sampling;
 mod spectra;
+mod surface_light;
 mod tree;
 mod upsampling;
 mod wavelengths;
@@ -59,3 +61,4 @@ pub use path::Technique;
 pub use refinement::{Refinement, RefinementStatus};
 pub use render::{TraceGoal, TraceScene, TraceSettings};
 pub use sampler::Sampler;
+pub use surface_light::{SurfaceLight, SurfacePoint};

@@ -1,10 +1,10 @@
 //! What is odd about a scene, and what its picture makes of it.
 
-use crate::film::luminance;
 use crate::lights::LightOrigin;
 use crate::render::TraceScene;
 use glam::{DVec3, Vec3};
 use gonio_light::LightKind;
+use gonio_light::color::luminance;
 use std::fmt::{Display, Formatter};
 
 /// Something that a trace survives. Displayed, it is one sentence.

@@ -1,9 +1,9 @@
-//! One path of light, followed from the eye.
+//! One path of light, followed from the eye or from a surface.
 //!
 //! At each place the light of one source that is sampled there, and the light that the next direction happens to find,
 //! are added with the weights of multiple importance sampling. Long paths end by Russian roulette.
 
-use crate::bsdf::{Bsdf, Scattering};
+use crate::bsdf::{Bsdf, Scattered, Scattering};
 use crate::choice::Vantage;
 use crate::color::Tint;
 use crate::diffuse::{Diffuse, Scatter};
@@ -78,97 +78,150 @@ const MOST_HOLES: u32 = 256;
 /// Point lights that are added up at the first surface, at most; of more, one is chosen.
 const MOST_SUMMED: usize = 1024;
 
+/// A path, as far as it has been followed.
+struct Path {
+    /// The way to the next surface.
+    ray: Ray,
+    throughput: Vec4,
+    found: Found,
+    /// The density of the last direction; none for single directions, which no sample of a light finds.
+    last: Option<f32>,
+    /// Where that direction was chosen.
+    from: Vantage,
+    travelled: f32,
+    /// Only light sources count on this part of the way.
+    to_sources: bool,
+    medium: Option<u32>,
+    /// Product of the squared ratios of indices: not a loss, so roulette must not count it as one.
+    refraction_scale: f32,
+    /// Surfaces that scattered it.
+    depth: u32,
+}
+
+impl Path {
+    fn new(ray: Ray) -> Self {
+        Path {
+            ray,
+            throughput: Vec4::ONE,
+            found: Found { light: Vec4::ZERO, hit: false },
+            last: None,
+            from: Vantage::open(ray.origin),
+            travelled: 0.0,
+            to_sources: false,
+            medium: None,
+            refraction_scale: 1.0,
+            depth: 0,
+        }
+    }
+}
+
 impl World<'_> {
     /// The light that comes along a ray from the eye.
     pub fn follow(
         &self,
-        mut ray: Ray,
+        ray: Ray,
         sampler: &mut Sampler,
         wavelengths: &mut Wavelengths,
         recorder: &mut impl Recorder,
     ) -> Found {
-        let mut found = Found { light: Vec4::ZERO, hit: false };
-        let mut throughput = Vec4::ONE;
-        // The density of the last direction; none for single directions, which no sample of a light finds.
-        let mut last: Option<f32> = None;
-        // Where that direction was chosen.
-        let mut from = Vantage::open(ray.origin);
-        // Only light sources count on this part of the way.
-        let mut to_sources = false;
-        let mut medium: Option<u32> = None;
+        self.complete(Path::new(ray), sampler, wavelengths, recorder)
+    }
+
+    /// The light that a white, diffuse surface at `place` scatters, in the place of what is there. It is lit on the side of its
+    /// interpolated normal.
+    pub fn follow_from_white(&self, place: &Place, sampler: &mut Sampler, wavelengths: &mut Wavelengths) -> Vec4 {
+        let white = Scatter::Diffuse(Diffuse::new(place, place.normal, Vec4::ONE));
+        let choice = sampler.next_2d();
+        let next = white.sample(choice.x, sampler.next_2d());
+        let mut path = Path::new(Ray { origin: place.position, direction: -place.normal, reach: f32::INFINITY });
+        if !self.scatter_at(&mut path, place, None, &white, choice.y, next, sampler, wavelengths, &mut ()) {
+            return path.found.light;
+        }
+        self.complete(path, sampler, wavelengths, &mut ()).light
+    }
+
+    /// Follows a path to its end.
+    #[inline]
+    fn complete(
+        &self,
+        mut path: Path,
+        sampler: &mut Sampler,
+        wavelengths: &mut Wavelengths,
+        recorder: &mut impl Recorder,
+    ) -> Found {
         let mut holes = 0;
-        let mut travelled = 0.0;
-        // Product of the squared ratios of indices: not a loss, so roulette must not count it as one.
-        let mut refraction_scale = 1.0_f32;
-        let mut depth = 0;
         let exact = self.rules.are_exact();
         let unblocked = self.simplified.contains(Simplification::Shadows);
-        while depth < self.most_depth {
+        while path.depth < self.most_depth {
+            let ray = path.ray;
             let hit = self.geometry.tree.nearest(&ray);
-            if !self.lights.lamps.is_empty() && (last.is_none() || !unblocked) {
+            if !self.lights.lamps.is_empty() && (path.last.is_none() || !unblocked) {
                 let reach = hit.as_ref().map_or(ray.reach, |hit| hit.distance);
                 if let Some((lamp, distance, shines)) = self.lights.nearest_lamp(&Ray { reach, ..ray }) {
-                    found.hit = true;
-                    if let Some(body) = medium {
-                        throughput *= self.transmittance(body, distance, wavelengths);
+                    path.found.hit = true;
+                    if let Some(body) = path.medium {
+                        path.throughput *= self.transmittance(body, distance, wavelengths);
                     }
                     if shines {
-                        let way = travelled + distance;
-                        let light = self.seen_lamp(lamp, &from, ray.direction, way, last, wavelengths) * throughput;
-                        found.light += light;
-                        recorder.add(depth, self.lights.origins[self.lights.lamps[lamp].1], light);
+                        let way = path.travelled + distance;
+                        let seen = self.seen_lamp(lamp, &path.from, ray.direction, way, path.last, wavelengths);
+                        let light = seen * path.throughput;
+                        path.found.light += light;
+                        recorder.add(path.depth, self.lights.origins[self.lights.lamps[lamp].1], light);
                     }
                     break;
                 }
             }
             let Some(hit) = hit else {
                 // The eye's own rays show the background, which is not always the environment.
-                if found.hit {
-                    let weight = |density| self.weight_of_direction(last, density);
-                    let light = throughput * self.environment_light(&from, ray.direction, weight, wavelengths);
-                    found.light += light;
-                    recorder.add(depth, LightOrigin::Environment, light);
+                if path.found.hit {
+                    let weight = |density| self.weight_of_direction(path.last, density);
+                    let arriving = self.environment_light(&path.from, ray.direction, weight, wavelengths);
+                    let light = path.throughput * arriving;
+                    path.found.light += light;
+                    recorder.add(path.depth, LightOrigin::Environment, light);
                 }
                 break;
             };
             let place = self.geometry.place(self.materials.scene, &hit);
             let triangle = &self.geometry.triangles[hit.triangle as usize];
             let view = -ray.direction;
-            travelled += hit.distance;
+            path.travelled += hit.distance;
             // Inside of a body, known from where the path went in, or (the eye inside) from the back that it sees.
-            let inside = medium.or_else(|| {
+            let inside = path.medium.or_else(|| {
                 (place.geometric_normal.dot(view) < 0.0 && self.materials.is_clear(triangle.material))
                     .then_some(triangle.material)
             });
             if let Some(body) = inside {
-                throughput *= self.transmittance(body, hit.distance, wavelengths);
+                path.throughput *= self.transmittance(body, hit.distance, wavelengths);
             }
             if let Some(source) = triangle.light {
-                let weight = match (last, self.technique) {
+                let weight = match (path.last, self.technique) {
                     (None, _) | (_, Technique::Directions) => 1.0,
                     (Some(_), Technique::Lights) => 0.0,
                     (Some(_), Technique::Both) => {
                         let cos = place.geometric_normal.dot(view).abs();
-                        let density = self.lights.triangle_density(&self.light_rules, source, &from, travelled, cos);
-                        self.weight_of_direction(last, density)
+                        let rules = &self.light_rules;
+                        let density = self.lights.triangle_density(rules, source, &path.from, path.travelled, cos);
+                        self.weight_of_direction(path.last, density)
                     }
                 };
                 if weight > 0.0 && self.materials.emits {
                     let opacity = self.materials.opacity(triangle.material, place.uv);
                     let emitted = self.materials.emitted(triangle, place.uv);
-                    let light = throughput * self.materials.mode.light(&emitted, wavelengths) * (weight * opacity);
-                    found.light += light;
-                    recorder.add(depth, LightOrigin::Object(triangle.object as usize), light);
+                    let light = path.throughput * self.materials.mode.light(&emitted, wavelengths) * (weight * opacity);
+                    path.found.light += light;
+                    recorder.add(path.depth, LightOrigin::Object(triangle.object as usize), light);
                 }
             }
-            if to_sources {
+            if path.to_sources {
                 // What a hole lets through.
-                throughput *= 1.0 - self.materials.opacity(triangle.material, place.uv);
+                path.throughput *= 1.0 - self.materials.opacity(triangle.material, place.uv);
                 holes += 1;
-                if throughput == Vec4::ZERO || holes > MOST_HOLES {
+                if path.throughput == Vec4::ZERO || holes > MOST_HOLES {
                     break;
                 }
-                ray = Ray { origin: place.leave(ray.direction), direction: ray.direction, reach: f32::INFINITY };
+                path.ray = Ray { origin: place.leave(ray.direction), direction: ray.direction, reach: f32::INFINITY };
                 continue;
             }
             let only_diffuse =
@@ -178,10 +231,10 @@ impl World<'_> {
                 None => self.scatter(triangle.material, &place, view, wavelengths),
             };
             if let Some(term) = &self.materials.ambient {
-                let light =
-                    self.materials.ambient(term, triangle.material, &place, wavelengths) * bsdf.lit() * throughput;
-                found.light += light;
-                recorder.add(depth + 1, LightOrigin::Ambient, light);
+                let ambient = self.materials.ambient(term, triangle.material, &place, wavelengths);
+                let light = ambient * bsdf.lit() * path.throughput;
+                path.found.light += light;
+                recorder.add(path.depth + 1, LightOrigin::Ambient, light);
             }
             let choice = sampler.next_2d();
             let next = bsdf.sample(choice.x, sampler.next_2d());
@@ -190,69 +243,95 @@ impl World<'_> {
                 if holes > MOST_HOLES {
                     break;
                 }
-                throughput *= next.weight;
+                path.throughput *= next.weight;
                 // The place of the light sample stays the last one that scattered, and so does `travelled`.
-                ray = Ray { origin: place.leave(ray.direction), direction: ray.direction, reach: f32::INFINITY };
+                path.ray = Ray { origin: place.leave(ray.direction), direction: ray.direction, reach: f32::INFINITY };
                 continue;
             }
-            found.hit = true;
-            depth += 1;
-            let is_one_sided = exact && !bsdf.is_lit_behind();
-            let vantage = if is_one_sided { Vantage::of(&place, view) } else { Vantage::open(place.position) };
-            if bsdf.is_rough() && depth < self.most_depth {
-                let share = throughput / bsdf.probability_of_surface();
-                if depth == 1 && self.sums() {
-                    self.add_all(&mut found, &place, &bsdf, share, wavelengths, recorder);
-                } else if self.technique != Technique::Directions {
-                    let u = sampler.next_2d();
-                    let sample = self.lights.sample(self.geometry, &self.light_rules, &vantage, choice.y, u);
-                    self.add_direct(&mut found, &place, &bsdf, sample, share, depth, wavelengths, recorder);
-                } else {
-                    sampler.next_2d();
-                }
-            }
-            let Some(next) = next else { break };
-            throughput *= next.weight;
-            last = next.density.is_finite().then_some(next.density);
-            if let Some(density) = last {
-                if self.finds_environment && depth < self.most_depth {
-                    let weight = |light_density| power_heuristic(density, light_density);
-                    let light = throughput * self.environment_light(&vantage, next.direction, weight, wavelengths);
-                    found.light += light;
-                    recorder.add(depth, LightOrigin::Environment, light);
-                }
-                if bsdf.is_behind(next.direction) {
-                    break;
-                }
-            }
-            if next.kind == Scattering::Refracted {
-                let entering = place.geometric_normal.dot(next.direction) < 0.0;
-                medium = entering.then_some(triangle.material);
-                refraction_scale *= next.weight.max_element().max(1e-6);
-            }
-            if self.simplified.contains(Simplification::Interreflection) {
-                // Light on its way through a body does not come from another surface.
-                to_sources = medium.is_none();
-                if to_sources && last.is_some() && self.technique == Technique::Lights {
-                    break;
-                }
-            }
-            travelled = 0.0;
-            from = vantage;
-            ray = Ray { origin: place.leave(next.direction), direction: next.direction, reach: f32::INFINITY };
-            let survival = throughput.max_element() / refraction_scale;
-            if survival.is_nan() || survival <= 0.0 {
+            let body = Some(triangle.material);
+            if !self.scatter_at(&mut path, &place, body, &bsdf, choice.y, next, sampler, wavelengths, recorder) {
                 break;
             }
-            if depth >= ROULETTE_FROM && survival < 1.0 {
-                let keep = survival.max(0.05);
-                if sampler.next_1d() >= keep {
-                    break;
-                }
-                throughput /= keep;
+        }
+        path.found
+    }
+
+    /// Adds the light that a surface scatters along a path, and sends the path on in the direction `next`. `body` is what
+    /// refracted light enters there; `choice`, in `[0, 1)`, chooses the light. Returns whether the path goes on.
+    #[allow(clippy::too_many_arguments)]
+    #[inline(always)]
+    fn scatter_at(
+        &self,
+        path: &mut Path,
+        place: &Place,
+        body: Option<u32>,
+        bsdf: &Scatter,
+        choice: f32,
+        next: Option<Scattered>,
+        sampler: &mut Sampler,
+        wavelengths: &mut Wavelengths,
+        recorder: &mut impl Recorder,
+    ) -> bool {
+        let view = -path.ray.direction;
+        path.found.hit = true;
+        path.depth += 1;
+        let depth = path.depth;
+        let is_one_sided = self.rules.are_exact() && !bsdf.is_lit_behind();
+        let vantage = if is_one_sided { Vantage::of(place, view) } else { Vantage::open(place.position) };
+        if bsdf.is_rough() && depth < self.most_depth {
+            let share = path.throughput / bsdf.probability_of_surface();
+            if depth == 1 && self.sums() {
+                self.add_all(&mut path.found, place, bsdf, share, wavelengths, recorder);
+            } else if self.technique != Technique::Directions {
+                let u = sampler.next_2d();
+                let sample = self.lights.sample(self.geometry, &self.light_rules, &vantage, choice, u);
+                self.add_direct(&mut path.found, place, bsdf, sample, share, depth, wavelengths, recorder);
+            } else {
+                sampler.next_2d();
             }
         }
-        found
+        let Some(next) = next else { return false };
+        path.throughput *= next.weight;
+        path.last = next.density.is_finite().then_some(next.density);
+        if let Some(density) = path.last {
+            if self.finds_environment && depth < self.most_depth {
+                let weight = |light_density| power_heuristic(density, light_density);
+                let arriving = self.environment_light(&vantage, next.direction, weight, wavelengths);
+                let light = path.throughput * arriving;
+                path.found.light += light;
+                recorder.add(depth, LightOrigin::Environment, light);
+            }
+            if bsdf.is_behind(next.direction) {
+                return false;
+            }
+        }
+        if next.kind == Scattering::Refracted {
+            let entering = place.geometric_normal.dot(next.direction) < 0.0;
+            path.medium = body.filter(|_| entering);
+            path.refraction_scale *= next.weight.max_element().max(1e-6);
+        }
+        if self.simplified.contains(Simplification::Interreflection) {
+            // Light on its way through a body does not come from another surface.
+            path.to_sources = path.medium.is_none();
+            if path.to_sources && path.last.is_some() && self.technique == Technique::Lights {
+                return false;
+            }
+        }
+        path.travelled = 0.0;
+        path.from = vantage;
+        path.ray = Ray { origin: place.leave(next.direction), direction: next.direction, reach: f32::INFINITY };
+        let survival = path.throughput.max_element() / path.refraction_scale;
+        if survival.is_nan() || survival <= 0.0 {
+            return false;
+        }
+        if depth >= ROULETTE_FROM && survival < 1.0 {
+            let keep = survival.max(0.05);
+            if sampler.next_1d() >= keep {
+                return false;
+            }
+            path.throughput /= keep;
+        }
+        true
     }
 
     /// How a surface of any material scatters light.

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{RGB, TestScene, cuboid, matte, point, sphere, square};
+use common::{RGB, TestScene, cuboid, irradiance_below_square, matte, point, sphere, square};
 use glam::{DMat4, DVec3};
 use gonio_light::{Fresnel, Optics};
 use gonio_mesh::{Material, MetallicRoughness};
@@ -89,20 +89,6 @@ fn inverse_square() {
         // One pixel is not quite a point.
         assert_mean("point light", &scene, &RGB, 4, expected, 1e-4 * expected);
     }
-}
-
-/// The irradiance from a square lamp of radiance 1 at a point below its centre (Lambert's formula): each edge adds its
-/// angle times its tilt.
-fn irradiance_below_square(half: f64, height: f64) -> f64 {
-    let corners =
-        [(-half, -half), (half, -half), (half, half), (-half, half)].map(|(x, y)| DVec3::new(x, y, height).normalize());
-    let sum: f64 = (0..4)
-        .map(|i| {
-            let (a, b) = (corners[i], corners[(i + 1) % 4]);
-            a.cross(b).normalize().z * a.dot(b).acos()
-        })
-        .sum();
-    0.5 * sum.abs()
 }
 
 #[test]

@@ -74,6 +74,92 @@ fn a_baked_folder_is_complete_and_refers_to_itself() {
     }
 }
 
+/// The .glb has both sets; gonio reads the one that the materials use.
+#[test]
+fn second_coordinates_keep_the_first() {
+    let lab = Lab::new();
+    let model = asset("still_life.obj");
+    lab.run(&["unwrap", &model, "-o", "two.glb", "--second-uv", "--size", "256"]).good();
+    let report =
+        |file: &str| lab.run(&["unwrap", file, "--keep-uvs", "--size", "256", "--json"]).good().json()["uv"].clone();
+    // Rounding of 1 - v.
+    let near = |a: &serde_json::Value, b: &serde_json::Value| (a.as_f64().unwrap() - b.as_f64().unwrap()).abs() < 1e-4;
+    assert!(near(&report("two.glb")["coverage"], &report(&model)["coverage"]), "its textures are on the first set");
+    let bake = ["bake", &model, "-o", "out", "--second-uv", "--size", "256", "--what", "diffuse", "--json"];
+    let made = lab.run(&bake).good().json();
+    assert!(
+        near(&report("out/still_life.glb")["coverage"], &made["uv"]["coverage"]),
+        "the baked texture is on the second"
+    );
+    assert!(near(&report("out/still_life.obj")["coverage"], &made["uv"]["coverage"]), "the only set");
+    lab.run(&[
+        "bake",
+        &model,
+        "-o",
+        "kept",
+        "--second-uv",
+        "--size",
+        "64",
+        "--what",
+        "ambient-occlusion",
+        "--occlusion-rays",
+        "4",
+    ])
+    .good();
+    lab.render(&[&model, "-o", "before.png", "--size", "64x48"]).good();
+    lab.render(&["kept/still_life.glb", "-o", "after.png", "--size", "64x48"]).good();
+    let [before, after] = ["before.png", "after.png"].map(|name| lab.picture(name).to_rgb8().into_raw());
+    let other = before.iter().zip(&after).filter(|(a, b)| a.abs_diff(**b) > 4).count();
+    assert!(other < before.len() / 50, "{other} of {}: its textures stay", before.len());
+    lab.write("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    lab.run(&["unwrap", "bare.obj", "-o", "x.glb", "--second-uv"]).refused(&[
+        "bare.obj",
+        "no texture coordinates",
+        "--second-uv",
+    ]);
+    lab.run(&["unwrap", &model, "-o", "x.obj", "--second-uv"]).refused(&["--second-uv", ".glb", "one set"]);
+}
+
+#[test]
+fn densities_are_named() {
+    let lab = Lab::new();
+    lab.write("m.mtl", "newmtl red\nnewmtl blue\n");
+    let model = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\no one\nusemtl red\nf 1 2 3\nv 5 0 0\nv 6 0 0\nv 5 1 0\no two\nusemtl blue\nf 4 5 6\n";
+    lab.write("m.obj", model);
+    let coverage = |args: &[&str]| {
+        let args = [&["unwrap", "m.obj", "--json"], args].concat();
+        lab.run(&args).good().json()["uv"]["area_stretch"].as_f64().unwrap()
+    };
+    assert!((coverage(&[]) - 1.0).abs() < 1e-4);
+    // Of the area of the texture one triangle has 4/5, the other 1/5, and of the surface half each: the mean of 8/5 and 5/2.
+    for name in ["two", "blue"] {
+        let found = coverage(&["--density", &format!("{name}=2")]);
+        assert!((found - 2.05).abs() < 1e-3, "{name}: {found}");
+    }
+    lab.run(&["unwrap", "m.obj", "--density", "three=2"]).refused(&["`three`", "blue, one, red, two"]);
+    for bad in ["two", "two=0", "two=nan", "two=-1", "=2x"] {
+        lab.run(&["unwrap", "m.obj", "--density", bad]).refused(&[bad, "NAME=FACTOR"]);
+    }
+}
+
+/// A lightmap by the path tracer: the standard error beside it, the same bytes on one thread and on two.
+#[test]
+fn traced_lightmaps_have_their_error_beside_them() {
+    let lab = Lab::new();
+    let bake = |folder: &str, threads: &str| {
+        let paths = ["--traced", "--paths", "8", "--size", "32", "--what", "light", "--json", "--threads", threads];
+        lab.run(&[&["bake", "builtin:cube", "-o", folder], &paths[..]].concat()).good().json()
+    };
+    let (one, two) = (bake("one", "1"), bake("two", "2"));
+    assert!(one["light_error"].as_f64().unwrap() > 0.0);
+    assert_eq!(one["light_error"], two["light_error"]);
+    for file in ["cube_light.exr", "cube_light-error.exr"] {
+        assert_eq!(lab.read(&format!("one/{file}")), lab.read(&format!("two/{file}")), "{file}");
+    }
+    lab.run(&["bake", "builtin:cube", "-o", "x", "--traced"]).refused(&["--traced", "light", "--what"]);
+    lab.run(&["bake", "builtin:cube", "-o", "x", "--what", "light", "--paths", "0"]).refused(&["0", "paths"]);
+}
+
 #[test]
 fn bad_input_is_one_sentence_and_no_file() {
     let lab = Lab::new();

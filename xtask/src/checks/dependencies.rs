@@ -29,6 +29,8 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-image", may_know: &["gonio-light"], tests_may_know: &[] },
     // Texture coordinates of meshes, and a picture of them.
     Rule { krate: "gonio-atlas", may_know: &["gonio-mesh", "gonio-image"], tests_may_know: &[] },
+    // Rays against meshes, for renderers and for baking.
+    Rule { krate: "gonio-rays", may_know: &["gonio-mesh"], tests_may_know: &[] },
     Rule { krate: "gonio-environment", may_know: &["gonio-light", "gonio-image"], tests_may_know: &[] },
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
@@ -47,8 +49,8 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-gallery", may_know: BELOW_GALLERY, tests_may_know: &[] },
     // It compares pictures by both equations, and writes a page like the gallery's.
     Rule { krate: "gonio-simplify", may_know: BELOW_SIMPLIFY, tests_may_know: &[] },
-    // Pictures of a scene's surfaces instead of its views.
-    Rule { krate: "gonio-bake", may_know: BELOW_BAKING, tests_may_know: &["gonio-reference"] },
+    // Pictures of a scene's surfaces instead of its views. Traced light is a function that it is given: the page has no tracer.
+    Rule { krate: "gonio-bake", may_know: BELOW_BAKING, tests_may_know: &["gonio-reference", "gonio-trace"] },
     Rule { krate: "gonio-plot", may_know: BELOW_PLOTS, tests_may_know: &[] },
     // Light that the rendering equation leaves out, with plots of its laws.
     Rule { krate: "gonio-beyond", may_know: BELOW_BEYOND, tests_may_know: &[] },
@@ -82,7 +84,7 @@ pub const RULES: &[Rule] = &[
 
 const BELOW_SCENES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-bsdf"];
 const BELOW_PICTURES: &[&str] =
-    &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-bsdf", "gonio-scene"];
+    &["gonio-light", "gonio-mesh", "gonio-rays", "gonio-image", "gonio-environment", "gonio-bsdf", "gonio-scene"];
 const BELOW_RENDERER: &[&str] =
     &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-bsdf", "gonio-scene", "gonio-gl"];
 const BELOW_GALLERY: &[&str] = &[
@@ -99,7 +101,7 @@ const BELOW_GALLERY: &[&str] = &[
 ];
 const BELOW_SIMPLIFY: &[&str] =
     &["gonio-light", "gonio-image", "gonio-scene", "gonio-reference", "gonio-trace", "gonio-gallery"];
-const BELOW_BAKING: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-scene", "gonio-atlas"];
+const BELOW_BAKING: &[&str] = &["gonio-light", "gonio-mesh", "gonio-rays", "gonio-image", "gonio-scene", "gonio-atlas"];
 /// It sets text as the window does.
 const BELOW_PLOTS: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "vello_cpu"];
 const BELOW_BEYOND: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "gonio-plot", "gonio-trace"];

@@ -201,6 +201,27 @@ fn metal_and_textures_come_back() {
     assert!(again.images.iter().all(|image| image.bytes == PNG));
 }
 
+/// The reader takes the set that the material's textures use.
+#[test]
+fn second_texture_coordinates_are_written_and_read() {
+    let corners = [[0.5, 0.5], [0.75, 0.5], [0.5, 1.0], [0.0, 0.25], [0.25, 0.0], [0.0, 0.0]];
+    let mesh = quad().with_second_corner_tex_coords(&corners);
+    assert_eq!(mesh.positions.len(), 6, "corners that differ are split");
+    for (on_second_set, expected) in [(false, quad().tex_coords[1]), (true, corners[1])] {
+        let map = TextureMap { on_second_set, ..TextureMap::new("there.png") };
+        let material = Material { diffuse_map: Some(map), ..Material::default() };
+        let model = Model { mesh: mesh.clone(), ..with_materials(vec![material.clone(), material]) };
+        let (bytes, messages) = written(&model);
+        assert!(messages.is_empty(), "{messages:?}");
+        let json = chunks(&bytes).0;
+        let info = &json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+        assert_eq!(info["texCoord"].as_u64(), on_second_set.then_some(1));
+        assert!(json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"].is_u64());
+        let again = read(&bytes);
+        near(&again.mesh.tex_coords[again.mesh.indices[1] as usize], &expected);
+    }
+}
+
 #[test]
 fn a_file_read_and_written_is_the_same_model() {
     let first = rich().quiet();

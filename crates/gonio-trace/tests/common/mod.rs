@@ -179,3 +179,17 @@ pub fn cuboid(half: [f32; 3]) -> Mesh {
     }
     mesh
 }
+
+/// The irradiance from a square lamp of radiance 1 at a point below its centre (Lambert's formula): each edge adds its
+/// angle times its tilt.
+pub fn irradiance_below_square(half: f64, height: f64) -> f64 {
+    let corners =
+        [(-half, -half), (half, -half), (half, half), (-half, half)].map(|(x, y)| DVec3::new(x, y, height).normalize());
+    let sum: f64 = (0..4)
+        .map(|i| {
+            let (a, b) = (corners[i], corners[(i + 1) % 4]);
+            a.cross(b).normalize().z * a.dot(b).acos()
+        })
+        .sum();
+    0.5 * sum.abs()
+}

@@ -1,5 +1,6 @@
 //! `gonio bake`: textures for new texture coordinates. The work is `gonio-bake`'s; this module has the options and files.
 
+use crate::backend;
 use crate::commands::unwrap::{self, AtlasOptions};
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
@@ -7,14 +8,17 @@ use crate::options::{GeneralOptions, LimitOptions, SceneOptions, values};
 use crate::output::{OutputFiles, check_folder};
 use crate::report::{Reporter, Times};
 use clap::{ArgAction, Args};
+use glam::DVec3;
 use gonio_atlas::{AtlasUv, UvReport, layout, uv_report};
-use gonio_bake::model::{MapFile, baked_model};
-use gonio_bake::{BakeSettings, BakedMap, Baker, MapKind, SceneSurface};
+use gonio_bake::model::{AtlasSet, MapFile, baked_model};
+use gonio_bake::{BakeSettings, BakedMap, Baker, LitPoint, MapKind, SceneSurface};
 use gonio_image::encode::png::{ColorTag, encode8};
 use gonio_mesh::{Diagnostic, write};
-use gonio_scene::Scene;
 use gonio_scene::scene_file::LightSpec;
+use gonio_scene::{Frame, Scene};
+use gonio_trace::{Simplification, Simplifications, SurfacePoint, TraceScene, TraceSettings};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Bake materials, normals or light into textures for new texture coordinates.
 #[derive(Args, Debug)]
@@ -26,6 +30,10 @@ Examples:
       A normal map (MikkTSpace, green up) from a finer model.
   gonio bake scene.toml -o baked --what diffuse,light,ambient-occlusion --size 2048
       Several maps of all objects of a scene; light is linear OpenEXR.
+  gonio bake scene.toml -o baked --what light --traced --paths 1024
+      A lightmap by the path tracer: with soft shadows and with light between surfaces.
+  gonio bake model.glb -o baked --what diffuse --second-uv
+      The .glb keeps its own coordinates; the baked texture is on the second set. An .obj has one set: the new one.
   gonio bake model.obj -o baked --keep-uvs --what ambient-occlusion
       For the model's own texture coordinates, which must not overlap.
 
@@ -34,6 +42,8 @@ light, position and id are pictures beside it. Texels beside a chart continue it
 reads a background.
 
 Maps: diffuse, specular, normal, ambient-occlusion, light, position, emitted, id.
+
+The map light is the irradiance divided by pi, in linear RGB: a diffuse surface is as bright as k_d times the map. It has no other colour of the surface itself. With --traced, materials that emit light are light sources, and ambient light does not exist, as in `gonio trace`; the standard error of each texel is a file beside the map.
 
 Exit codes: 0 success, 2 error.")]
 pub struct BakeArgs {
@@ -77,9 +87,82 @@ pub struct BakeArgs {
           default_missing_value = "true")]
     pub shadows: Option<bool>,
     #[command(flatten)]
+    pub trace: LightTraceOptions,
+    #[command(flatten)]
     pub limits: LimitOptions,
     #[command(flatten)]
     pub general: GeneralOptions,
+}
+
+/// How the light of lightmaps is traced.
+#[derive(Args, Debug, Clone)]
+#[command(next_help_heading = "Trace options")]
+pub struct LightTraceOptions {
+    /// Trace the paths of the map `light`: shadows of lamps and light between surfaces, instead of the light equation.
+    #[arg(long, conflicts_with = "shadows")]
+    pub traced: bool,
+    /// Paths of each texel.
+    #[arg(long, value_name = "N", default_value = "256", requires = "traced", value_parser = values::paths,
+          allow_negative_numbers = true)]
+    pub paths: u32,
+    /// Surfaces that a path meets at most, the baked one included; 2 means direct light only.
+    #[arg(long, value_name = "N", default_value = "64", requires = "traced", value_parser = values::depth,
+          allow_negative_numbers = true)]
+    pub max_depth: u32,
+    /// Seed of the random numbers: another one gives other noise.
+    #[arg(long, value_name = "N", default_value = "0", requires = "traced", value_parser = values::seed,
+          allow_negative_numbers = true)]
+    pub seed: u64,
+    /// Trace red, green and blue instead of wavelengths: faster, less exact.
+    #[arg(long, requires = "traced")]
+    pub rgb: bool,
+    /// Threads, for all maps; all cores by default.
+    #[arg(long, value_name = "N", value_parser = values::threads, allow_negative_numbers = true)]
+    pub threads: Option<u16>,
+}
+
+impl LightTraceOptions {
+    fn settings(&self) -> TraceSettings {
+        let simplified =
+            if self.rgb { Simplifications::NONE.with(Simplification::Wavelengths) } else { Simplifications::NONE };
+        TraceSettings { simplified, most_depth: self.max_depth, seed: self.seed, ..TraceSettings::default() }
+    }
+}
+
+/// A scene that lights a map by paths.
+struct TracedLight {
+    scene: TraceScene,
+    settings: TraceSettings,
+    /// Of each sample of a texel.
+    paths: u32,
+    lost: AtomicU64,
+}
+
+impl TracedLight {
+    fn new(args: &BakeArgs, scene: &Scene, frame: &Frame, reporter: &Reporter) -> Self {
+        let _busy = reporter.busy("preparing the scene");
+        let ready = TraceScene::new(scene, frame);
+        ready.oddities().iter().for_each(|oddity| reporter.warning(oddity));
+        let paths = args.trace.paths.div_ceil(args.samples);
+        TracedLight { scene: ready, settings: args.trace.settings(), paths, lost: AtomicU64::new(0) }
+    }
+
+    fn at(&self, point: &LitPoint) -> (DVec3, f64) {
+        let LitPoint { position, geometric_normal, normal, number } = *point;
+        let point = SurfacePoint { position, geometric_normal, normal };
+        let light = self.scene.light_at(&self.settings, &point, number, self.paths);
+        self.lost.fetch_add(light.lost.into(), Ordering::Relaxed);
+        (light.radiance, light.variance)
+    }
+
+    fn warn_of_lost(&self, reporter: &Reporter) {
+        let lost = self.lost.load(Ordering::Relaxed);
+        if lost > 0 {
+            reporter.warning(format_args!(
+                "{lost} paths were not finite and count as black; the materials or lights are too bright for 32-bit floats"
+            ));
+        }
+    }
 }
 
 impl BakeArgs {
@@ -113,6 +196,10 @@ pub fn run(args: &BakeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         return Err(CliError::new(format!("`{}` is a file; name a folder with -o", args.output.display())));
     }
     args.atlas.settings()?;
+    if args.trace.traced && !args.what.contains(&MapKind::Light) {
+        return Err(CliError::new("--traced is about the map `light`; add it to --what"));
+    }
+    backend::limit_threads(args.trace.threads);
     let scene = {
         let _busy = reporter.busy("reading the model");
         times.measure("load", || args.load(&args.inputs, reporter))?
@@ -121,7 +208,9 @@ pub fn run(args: &BakeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
     let mut diagnostics = scene.diagnostics.clone();
     let surface = SceneSurface::new(&scene);
     let stem = stem(&args.inputs);
-    let atlas = times.measure("unwrap", || args.atlas.unwrap(&surface.mesh, &args.inputs.join(", "), reporter))?;
+    let names: Vec<&str> = scene.materials.iter().map(|material| material.material.name.as_str()).collect();
+    let atlas =
+        times.measure("unwrap", || args.atlas.unwrap(&surface.mesh, &names, &args.inputs.join(", "), reporter))?;
     let report = times.measure("measure", || uv_report(&surface.mesh, &atlas, args.atlas.size));
     if report.overlapping_texels > 0 {
         diagnostics.push(Diagnostic::warning(format!(
@@ -137,7 +226,8 @@ pub fn run(args: &BakeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
     };
     reporter.diagnostics(&diagnostics);
     reporter.verbose_times(&times);
-    print_report(args, &report, &outputs, &diagnostics, &times, reporter)?;
+    let made = Made { uv: &report, light_error: maps.iter().find_map(BakedMap::relative_error), outputs: &outputs };
+    print_report(args, &made, &diagnostics, &times, reporter)?;
     Ok(CommandOutcome::Done)
 }
 
@@ -152,9 +242,15 @@ fn bake_maps(
 ) -> Result<Vec<BakedMap>, CliError> {
     let frame = scene.frame(0.0);
     let finer = finer.map(|finer| (finer, SceneSurface::new(finer)));
+    let lit_scene = finer.as_ref().map_or(scene, |(finer, _)| *finer);
+    let traced = args.trace.traced.then(|| TracedLight::new(args, lit_scene, &frame, reporter));
+    let light_at = traced.as_ref().map(|traced| move |point: &LitPoint| traced.at(point));
     let mut baker = Baker::new(scene, &frame, surface, atlas, args.settings(surface));
     if let Some((scene, surface)) = &finer {
         baker = baker.from_finer(scene, surface);
+    }
+    if let Some(light_at) = &light_at {
+        baker = baker.with_light(light_at);
     }
     let mut maps: Vec<BakedMap> = Vec::new();
     for &kind in &args.what {
@@ -169,6 +265,9 @@ fn bake_maps(
             })
         });
         maps.push(baked.ok_or_else(|| CliError::new("baking was stopped"))?);
+    }
+    if let Some(traced) = &traced {
+        traced.warn_of_lost(reporter);
     }
     Ok(maps)
 }
@@ -198,21 +297,34 @@ impl Files<'_> {
             maps.iter().map(|map| Ok((name(map.kind), map.encode()?))).collect::<Result<_, CliError>>()?;
         let named: Vec<MapFile> =
             maps.iter().map(|map| MapFile { kind: map.kind, name: name(map.kind), factor: map.factor() }).collect();
-        let baked = baked_model(self.scene, self.surface, self.atlas, &named);
+        let model = |set| baked_model(self.scene, self.surface, self.atlas, &named, set);
+        let baked = model(AtlasSet::Only);
+        let second = self.args.atlas.second_uv.then(|| model(AtlasSet::Second));
         if !baked.lost.is_empty() {
             diagnostics.push(Diagnostic::warning(format!(
-                "textures were not baked and are left out, as they belong to the old coordinates: {}",
+                "textures were not baked and are left out{}, as they belong to the old coordinates: {}",
+                if second.is_some() { " of the .obj file" } else { "" },
                 baked.lost.join(", ")
             )));
         }
+        if let Some(second) = second.as_ref().filter(|second| !second.lost.is_empty()) {
+            let lost = second.lost.join(", ");
+            diagnostics.push(Diagnostic::warning(format!("textures that glTF cannot store are left out: {lost}")));
+        }
         let obj = write::obj::write(&baked.model, &format!("{}.mtl", self.stem));
         let bytes_of = |file: &str| pictures.iter().find(|(name, _)| name == file).map(|(_, bytes)| bytes.clone());
-        let glb = write::glb::write(&baked.model, &mut |map| bytes_of(&map.path))
+        let in_glb = second.as_ref().map_or(&baked.model, |second| &second.model);
+        let glb = write::glb::write(in_glb, &mut |map| bytes_of(&map.path))
             .map_err(|error| CliError::new(format!("`{}.glb` cannot be written: {error}", self.stem)))?;
         diagnostics.extend(obj.diagnostics);
         diagnostics.extend(glb.diagnostics);
         let layout = layout::draw_layout(self.atlas, self.args.atlas.size);
         let mut files = pictures.clone();
+        for map in maps {
+            if let Some(error) = map.encode_standard_error() {
+                files.push((format!("{}_{}-error.exr", self.stem, map.kind.name()), error?));
+            }
+        }
         files.push((format!("{}_layout.png", self.stem), encode8(&layout, ColorTag::Srgb)?));
         files.push((obj.mtl_name, obj.mtl));
         files.push((format!("{}.glb", self.stem), glb.bytes));
@@ -248,10 +360,17 @@ impl Files<'_> {
     }
 }
 
+/// The results that the report is about.
+struct Made<'a> {
+    uv: &'a UvReport,
+    /// [`BakedMap::relative_error`] of the lightmap.
+    light_error: Option<f64>,
+    outputs: &'a [String],
+}
+
 fn print_report(
     args: &BakeArgs,
-    report: &UvReport,
-    outputs: &[String],
+    made: &Made,
     diagnostics: &[Diagnostic],
     times: &Times,
     reporter: &Reporter,
@@ -260,12 +379,20 @@ fn print_report(
         return reporter.report(&serde_json::json!({
             "command": "bake",
             "inputs": args.inputs,
-            "outputs": outputs,
+            "outputs": made.outputs,
             "maps": args.what.iter().map(|kind| kind.name()).collect::<Vec<_>>(),
-            "uv": report,
+            "uv": made.uv,
+            "light_error": made.light_error,
             "warnings": diagnostics,
             "times_ms": times.to_json(),
         }));
     }
-    if args.general.quiet { Ok(()) } else { reporter.text(&unwrap::text(report)) }
+    if args.general.quiet {
+        return Ok(());
+    }
+    let mut page = unwrap::text(made.uv);
+    if let Some(error) = made.light_error {
+        page.line(format_args!("{:20}{:.2} % of the mean brightness", "error of light", 100.0 * error));
+    }
+    reporter.text(&page)
 }

@@ -7,11 +7,11 @@ use crate::options::{GeneralOptions, LimitOptions, SceneOptions, values};
 use crate::output::{OutputFiles, OutputPath, color_tag};
 use crate::report::{Reporter, Times};
 use crate::terminal::TerminalPage;
-use clap::Args;
+use clap::{ArgAction, Args};
 use gonio_atlas::{AtlasUv, UnwrapSettings, UvReport, UvSource, layout, unwrap, uv_report};
 use gonio_image::encode::png::{ColorTag, encode8};
 use gonio_mesh::write::ply::PlyEncoding;
-use gonio_mesh::{Diagnostic, Material, Mesh};
+use gonio_mesh::{Diagnostic, Material, Mesh, Part};
 use gonio_reference::ReferenceScene;
 use gonio_scene::model_file::ModelFile;
 use gonio_scene::{BoundTexture, ColorSpace, DisplayMap, SceneMaterial, Texture};
@@ -30,9 +30,13 @@ Examples:
       A report on the model's own coordinates: overlaps, stretch, coverage. Nothing else is written.
   gonio unwrap model.obj -o packed.glb --repack --margin-texels 8 --size 2048
       The model's own charts, packed again with equal texel density.
+  gonio unwrap model.obj -o unwrapped.obj --density head=2
+      Twice as many texels per unit of length in the part or material `head` as elsewhere.
+  gonio unwrap model.obj -o lightmapped.glb --second-uv
+      The model's own coordinates and textures stay; the new coordinates are a second set (TEXCOORD_1).
 
-The new coordinates do not fit the model's textures, so OUT has its materials without them, unless --keep-uvs is given. MODEL itself \
-never changes.
+The new coordinates do not fit the model's textures, so OUT has its materials without them, unless --keep-uvs or --second-uv is \
+given. Only .glb has a second set: OBJ and PLY have one. MODEL itself never changes.
 
 Charts hold triangles whose normals are within --angle-limit of the chart's axis, as in Blender's smart projection. They are laid flat \
 by least-squares conformal maps (Lévy et al., 2002) and then as rigidly as possible (Liu et al., 2008).
@@ -81,6 +85,13 @@ pub struct AtlasOptions {
     /// Keep the charts of the model's own texture coordinates, but pack them again.
     #[arg(long)]
     pub repack: bool,
+    /// Texels per unit of length in the parts or the material NAME, relative to all others; repeat it for several.
+    #[arg(long, value_name = "NAME=FACTOR", action = ArgAction::Append, value_parser = values::density,
+          conflicts_with = "keep_uvs")]
+    pub density: Vec<values::Density>,
+    /// Keep the model's own texture coordinates as the first set, with its textures; the atlas is the second set of the .glb file.
+    #[arg(long, conflicts_with = "keep_uvs")]
+    pub second_uv: bool,
 }
 
 impl AtlasOptions {
@@ -101,12 +112,50 @@ impl AtlasOptions {
             (_, true) => UvSource::Repacked,
             _ => UvSource::New,
         };
-        Ok(UnwrapSettings { angle_limit_rad: self.angle_limit.to_radians(), margin, source })
+        let angle_limit_rad = self.angle_limit.to_radians();
+        Ok(UnwrapSettings { angle_limit_rad, margin, source, density_of_part: Vec::new() })
+    }
+
+    /// The density of each part; a later option replaces an earlier one.
+    fn densities(&self, mesh: &Mesh, material_names: &[&str]) -> Result<Vec<f64>, CliError> {
+        let mut densities = vec![1.0; if self.density.is_empty() { 0 } else { mesh.parts.len() }];
+        for values::Density { name, factor } in &self.density {
+            let is_named =
+                |part: &Part| part.name == *name || material_names.get(part.material) == Some(&name.as_str());
+            let mut found = false;
+            for (density, _) in densities.iter_mut().zip(&mesh.parts).filter(|(_, part)| is_named(part)) {
+                (*density, found) = (*factor, true);
+            }
+            if !found {
+                let parts = mesh
+                    .parts
+                    .iter()
+                    .flat_map(|part| [Some(&part.name[..]), material_names.get(part.material).copied()]);
+                let mut known: Vec<&str> = parts.flatten().filter(|name| !name.is_empty()).collect();
+                known.sort_unstable();
+                known.dedup();
+                let known =
+                    if known.is_empty() { "it has no names".into() } else { format!("it has {}", known.join(", ")) };
+                return Err(CliError::new(format!("the model has no part and no material named `{name}`: {known}")));
+            }
+        }
+        Ok(densities)
     }
 
     /// Unwraps a mesh with a progress bar. Warns if the margin had to be reduced.
-    pub fn unwrap(&self, mesh: &Mesh, name: &str, reporter: &Reporter) -> Result<AtlasUv, CliError> {
-        let settings = self.settings()?;
+    pub fn unwrap(
+        &self,
+        mesh: &Mesh,
+        material_names: &[&str],
+        name: &str,
+        reporter: &Reporter,
+    ) -> Result<AtlasUv, CliError> {
+        if self.second_uv && mesh.tex_coords.is_empty() {
+            return Err(CliError::new(format!(
+                "{name}: the model has no texture coordinates that could be the first set; leave --second-uv out"
+            )));
+        }
+        let settings = UnwrapSettings { density_of_part: self.densities(mesh, material_names)?, ..self.settings()? };
         let progress = reporter.progress("unwrapping");
         let atlas = unwrap(mesh, &settings, &|share| {
             progress.set(share);
@@ -131,6 +180,9 @@ pub fn run(args: &UnwrapArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
     let output = args.output.clone().map(OutputPath::File);
     let format = args.output.as_deref().map(ModelFormat::of_path).transpose()?;
     args.atlas.settings()?;
+    if args.atlas.second_uv && format.is_some_and(|format| format != ModelFormat::Glb) {
+        return Err(CliError::new("--second-uv needs a .glb file: OBJ and PLY have one set of texture coordinates"));
+    }
     for path in output.iter().filter_map(OutputPath::file).chain(args.layout.as_deref()).chain(args.checker.as_deref())
     {
         crate::output::atomic::check_writable(path)?;
@@ -142,14 +194,19 @@ pub fn run(args: &UnwrapArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
     };
     let mut diagnostics = std::mem::take(&mut file.model.diagnostics);
     let mut model = std::mem::take(&mut file.model);
-    let atlas = times.measure("unwrap", || args.atlas.unwrap(&model.mesh, &args.input, reporter))?;
+    let names: Vec<&str> = model.materials.iter().map(|material| material.name.as_str()).collect();
+    let atlas = times.measure("unwrap", || args.atlas.unwrap(&model.mesh, &names, &args.input, reporter))?;
     let report = times.measure("measure", || uv_report(&model.mesh, &atlas, args.atlas.size));
     let mut written = OutputFiles::new();
     if let (Some(output), Some(format)) = (&output, format) {
         let _busy = reporter.busy("writing the model");
-        model.mesh = model.mesh.with_corner_tex_coords(&atlas.tex_coords);
+        model.mesh = if args.atlas.second_uv {
+            model.mesh.with_second_corner_tex_coords(&atlas.tex_coords)
+        } else {
+            model.mesh.with_corner_tex_coords(&atlas.tex_coords)
+        };
         file.model = model;
-        if !args.atlas.keep_uvs {
+        if !args.atlas.keep_uvs && !args.atlas.second_uv {
             drop_textures(&mut file, &mut diagnostics);
         }
         let textures = Textures::find(&file, &files, &mut diagnostics);

@@ -129,6 +129,25 @@ pub fn rays(text: &str) -> Result<u32, String> {
     whole(text, 1..=65_536)
 }
 
+/// The value of `--density`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Density {
+    /// Of parts or a material.
+    pub name: String,
+    /// Relative to all others.
+    pub factor: f64,
+}
+
+/// Parses a name and its texel density.
+pub fn density(text: &str) -> Result<Density, String> {
+    let expected = "expected NAME=FACTOR with a factor of 0.01 to 100, for example head=2";
+    let (name, factor) = text.rsplit_once('=').ok_or_else(|| format!("invalid density `{text}`: {expected}"))?;
+    match factor.trim().parse::<f64>() {
+        Ok(factor) if (0.01..=100.0).contains(&factor) => Ok(Density { name: name.to_owned(), factor }),
+        _ => Err(format!("invalid density `{text}`: {expected}")),
+    }
+}
+
 /// Parses the distance between charts as a share of the side.
 pub fn margin(text: &str) -> Result<f64, String> {
     number_in(text, |value| (0.0..=0.25).contains(&value), "a share of the side, 0 to 0.25")

@@ -260,6 +260,9 @@ impl<'m, 'i> TextureWriter<'m, 'i> {
             textures.len() - 1
         });
         let mut info = json!({ "index": texture });
+        if map.on_second_set {
+            info["texCoord"] = 1.into();
+        }
         if let Some(transform) = transform(map) {
             info["extensions"] = json!({ "KHR_texture_transform": transform });
         }

@@ -159,6 +159,7 @@ struct Arrays {
     normals: Option<usize>,
     tangents: Option<usize>,
     tex_coords: Option<usize>,
+    second_tex_coords: Option<usize>,
     colors: Option<usize>,
 }
 
@@ -167,13 +168,18 @@ impl Arrays {
         let count = mesh.positions.len();
         let fits = |length: usize| length == count && count > 0;
         let flipped = |[u, v]: &[f32; 2]| [*u, 1.0 - v];
+        let mut uv_view = |uvs: &[[f32; 2]]| fits(uvs.len()).then(|| buffer.vertices(uvs.iter().map(flipped)));
+        let tex_coords = uv_view(&mesh.tex_coords);
+        // Sets are numbered without gaps.
+        let second_tex_coords = tex_coords.and_then(|_| uv_view(&mesh.second_tex_coords));
         Arrays {
             positions: if count == 0 { 0 } else { buffer.vertices(mesh.positions.iter().copied()) },
             normals: fits(mesh.normals.len()).then(|| buffer.vertices(mesh.normals.iter().copied())),
             // Tangents are useless without normals.
             tangents: (fits(mesh.tangents.len()) && fits(mesh.normals.len()))
                 .then(|| buffer.vertices(mesh.tangents.iter().copied())),
-            tex_coords: fits(mesh.tex_coords.len()).then(|| buffer.vertices(mesh.tex_coords.iter().map(flipped))),
+            tex_coords,
+            second_tex_coords,
             colors: fits(mesh.colors.len()).then(|| buffer.vertices(mesh.colors.iter().copied())),
         }
     }
@@ -203,6 +209,7 @@ fn primitive(
         ("NORMAL", normals, "VEC3", 12),
         ("TANGENT", arrays.tangents.filter(|_| normals.is_some()), "VEC4", 16),
         ("TEXCOORD_0", arrays.tex_coords, "VEC2", 8),
+        ("TEXCOORD_1", arrays.second_tex_coords, "VEC2", 8),
         ("COLOR_0", arrays.colors, "VEC4", 16),
     ];
     for (name, view, kind, size) in vectors {

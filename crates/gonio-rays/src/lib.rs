@@ -1,4 +1,7 @@
-//! Rays against a mesh, in f32: the mesh is moved and scaled into the unit cube first.
+//! Rays against triangles: trees of boxes, and a mesh that is ready for rays.
+//!
+//! The reference tests triangles in f64 itself and takes the tree alone; the path tracer has a wider tree of its own.
+#![forbid(unsafe_code)]
 
 use glam::{DVec3, Vec3A};
 use gonio_mesh::Mesh;
@@ -13,14 +16,15 @@ use obvhs::triangle::Triangle;
 
 /// Where a ray meets a mesh.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct MeshHit {
+pub struct MeshHit {
+    /// Index of the triangle.
     pub triangle: usize,
     /// Barycentric coordinates.
     pub weights: DVec3,
 }
 
-/// A mesh, ready for rays.
-pub(crate) struct RayMesh {
+/// A mesh, ready for rays in f32: it is moved and scaled into the unit cube.
+pub struct RayMesh {
     bvh: Bvh2,
     /// In the order of the tree.
     triangles: Vec<Triangle>,
@@ -47,7 +51,7 @@ impl RayMesh {
             .collect();
         let boxes: Vec<Aabb> =
             own.iter().map(|t| Aabb::new(t.v0.min(t.v1).min(t.v2) - 1e-7, t.v0.max(t.v1).max(t.v2) + 1e-7)).collect();
-        let bvh = build(&boxes);
+        let bvh = build_tree(&boxes);
         let triangles = bvh.primitive_indices.iter().map(|&i| own[i as usize]).collect();
         Some(RayMesh { bvh, triangles, center, scale })
     }
@@ -86,8 +90,10 @@ impl RayMesh {
     }
 }
 
+/// Builds a tree over boxes, on one thread: a good one, above 200,000 boxes a quick one.
+///
 /// Same as `obvhs::bvh2::builder::build_bvh2`, without its clock, which the web does not have.
-fn build(boxes: &[Aabb]) -> Bvh2 {
+pub fn build_tree(boxes: &[Aabb]) -> Bvh2 {
     let p = if boxes.len() < 200_000 { BvhBuildParams::medium_build() } else { BvhBuildParams::very_fast_build() };
     let order: Vec<u32> = (0..boxes.len() as u32).collect();
     let mut builder = PlocBuilder::with_capacity(boxes.len());
@@ -95,5 +101,57 @@ fn build(boxes: &[Aabb]) -> Bvh2 {
     let mut optimizer = ReinsertionOptimizer::default();
     optimizer.run(&mut bvh, p.reinsertion_batch_ratio, None);
     collapse(&mut bvh, p.max_prims_per_leaf.clamp(1, 255), p.collapse_traversal_cost);
+    optimizer.run(&mut bvh, p.reinsertion_batch_ratio * p.post_collapse_reinsertion_batch_ratio_multiplier, None);
     bvh
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers in [0, 1) without order.
+    fn numbers() -> impl Iterator<Item = f64> {
+        (1_u32..).map(|i| f64::from(i.wrapping_mul(2_654_435_761) ^ i.wrapping_mul(40_503) << 9) / 4_294_967_296.0)
+    }
+
+    /// The distance at which a ray meets a triangle, by Cramer's rule.
+    fn distance(mesh: &Mesh, triangle: usize, origin: DVec3, direction: DVec3) -> Option<f64> {
+        let [a, b, c] = mesh.triangle_positions(triangle).map(|p| p.as_dvec3());
+        let (u, v, along) = (b - a, c - a, origin - a);
+        let (p, q) = (direction.cross(v), along.cross(u));
+        let [y, z, t] = [along.dot(p), direction.dot(q), v.dot(q)].map(|n| n / u.dot(p));
+        (y >= 0.0 && z >= 0.0 && y + z <= 1.0 && t > 0.0).then_some(t)
+    }
+
+    /// Small triangles far from the origin, against the plain definition.
+    #[test]
+    fn the_first_hit_is_the_nearest() {
+        let mut random = numbers();
+        let mut point = |size: f64| DVec3::from([(); 3].map(|()| size * (random.next().unwrap_or(0.0) - 0.5)));
+        let place = DVec3::new(1000.0, -500.0, 200.0);
+        let mut mesh = Mesh::default();
+        for i in 0..300 {
+            let middle = place + point(4.0);
+            mesh.positions.extend([(); 3].map(|()| (middle + point(2.0)).as_vec3().to_array()));
+            mesh.indices.extend([3 * i, 3 * i + 1, 3 * i + 2]);
+        }
+        let Some(rays) = RayMesh::new(&mesh) else { unreachable!("there are triangles") };
+        let mut hits = 0;
+        for _ in 0..500 {
+            let (origin, direction) = (place + point(5.0), point(1.0).normalize_or(DVec3::X));
+            let all = (0..300).filter_map(|t| Some((distance(&mesh, t, origin, direction)?, t)));
+            let nearest = all.min_by(|a, b| a.0.total_cmp(&b.0));
+            let found = rays.first_hit(origin, direction, 100.0);
+            assert_eq!(found.map(|hit| hit.triangle), nearest.map(|(_, t)| t), "{origin} {direction}");
+            if let (Some(hit), Some((distance, t))) = (found, nearest) {
+                hits += 1;
+                let corners = mesh.triangle_positions(t).map(|p| p.as_dvec3());
+                let at: DVec3 = hit.weights.to_array().into_iter().zip(corners).map(|(w, corner)| w * corner).sum();
+                assert!(at.distance(origin + distance * direction) < 1e-3, "{at}");
+                assert!(rays.is_blocked(origin, direction, direction, distance + 0.1));
+                assert!(!rays.is_blocked(origin, direction, direction, distance - 0.1));
+            }
+        }
+        assert!(hits > 50, "{hits}");
+    }
 }
