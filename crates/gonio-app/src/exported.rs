@@ -3,7 +3,8 @@
 //! Every widget is exported with a stable id; the page exposes the state as
 //! `window.gonio.state()`.
 
-use crate::document::{Document, History, Pane, PaneArrangement, Panes};
+use crate::baking;
+use crate::document::{BakedLook, Document, History, Pane, PaneArrangement, Panes};
 use crate::session::comparison::{DifferenceFacts, PaneFacts};
 use crate::session::probing::Reading;
 use crate::session::{MessageSeverity, OwnShaders, RecordedFrame, Selection, Session};
@@ -110,6 +111,7 @@ pub fn triangles(session: &Session) -> usize {
 /// | `selection`, `tab`, `help`, `asking` | the selection, the tab, whether the shortcuts are shown; the text of the path field, or null |
 /// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the observer's view is shown |
 /// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it is recorded |
+/// | `bake` | null, or the baking tab: [`crate::baking::state`] |
 /// | `undo`, `redo` | whether there is a step to undo, and one to redo |
 /// | `time`, `playing` | time of the scene in seconds, and whether it runs |
 /// | `dark`, `pixels_per_point`, `size` | theme and scale; the window's width and height in points |
@@ -144,6 +146,10 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
                 "view": pane.view.map(|v| v.to_string()),
                 "special": pane.special.map(|v| v.name()),
                 "overlays": pane.overlays,
+                "baked": pane.baked.map(|look| match look {
+                    BakedLook::Materials => "materials",
+                    BakedLook::Picture => "picture",
+                }),
             })
         })
         .collect();
@@ -171,6 +177,7 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
         "difference": session.comparison.difference.as_ref().map(difference),
         "recorded_frame": session.recorded_frame.as_ref().map(recorded_frame),
         "shaders": session.shaders.as_ref().map(shaders),
+        "bake": baking::state(session),
         "selection": selection,
         "probe": session.probing.reading().map(|reading| probe(reading, session)),
         "observer": session.observer.open,

@@ -7,15 +7,18 @@
 //! | `rays` | rays against the surface: occlusion, shadows, finer models |
 //! | [`maps`] | the quantities that can be baked |
 //! | [`model`] | the model with the baked textures in place of its own |
+//! | [`job`] | all of it, from a scene to files, with progress |
 //!
 //! Nothing here opens a file or prints. The result does not depend on the number of threads.
 #![forbid(unsafe_code)]
 
+pub mod job;
 pub mod maps;
 pub mod model;
 mod rays;
 pub mod surface;
 pub mod texels;
 
+pub use job::{BakeJob, BakeJobError, BakedAtlas, MapPicture};
 pub use maps::{BakeSettings, BakedMap, Baker, MapKind};
 pub use surface::SceneSurface;

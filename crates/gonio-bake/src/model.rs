@@ -24,16 +24,22 @@ pub struct MapFile {
 /// are dropped if the diffuse colour was baked, as the texture contains them.
 pub fn baked_model(scene: &Scene, surface: &SceneSurface, atlas: &AtlasUv, maps: &[MapFile]) -> BakedModel {
     let mut mesh = surface.mesh.with_corner_tex_coords(&atlas.tex_coords);
-    let find = |kind: MapKind| maps.iter().find(|file| file.kind == kind);
-    if find(MapKind::Diffuse).is_some() {
+    if maps.iter().any(|file| file.kind == MapKind::Diffuse) {
         mesh.colors = Vec::new();
     }
+    let (materials, lost) = baked_materials(scene, maps);
+    BakedModel { model: Model { materials, mesh, ..Model::default() }, lost }
+}
+
+/// The materials of [`baked_model`], one for each of the scene, and the kinds of textures that they lack.
+pub fn baked_materials(scene: &Scene, maps: &[MapFile]) -> (Vec<Material>, Vec<&'static str>) {
+    let find = |kind: MapKind| maps.iter().find(|file| file.kind == kind);
     let mut lost = Vec::new();
     let materials =
         scene.materials.iter().map(|material| baked_material(&material.material, &find, &mut lost)).collect();
     lost.sort_unstable();
     lost.dedup();
-    BakedModel { model: Model { materials, mesh, ..Model::default() }, lost }
+    (materials, lost)
 }
 
 /// A model with baked textures.

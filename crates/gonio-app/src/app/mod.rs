@@ -1,6 +1,7 @@
 //! The application: one frame from files, keys and panels to the picture.
 
 mod actions;
+mod baking;
 mod bench;
 mod exercise;
 pub mod loader;
@@ -8,6 +9,7 @@ pub mod loader;
 use crate::action::Action;
 use crate::app::bench::with_places;
 use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names};
+use crate::baking::Baking;
 use crate::bench::BenchView;
 use crate::document::{Document, History};
 use crate::exercise::ExerciseView;
@@ -82,6 +84,7 @@ impl App {
             }
         });
         session.settings = platform.settings();
+        session.baking = Baking::with_job(session.settings.bake.clone().unwrap_or_default());
         if let Some(dark) = session.settings.dark {
             ctx.set_theme(if dark { egui::Theme::Dark } else { egui::Theme::Light });
         }
@@ -133,6 +136,7 @@ impl App {
         self.exercise.release();
         self.bench.release();
         self.session.shaders.iter_mut().for_each(OwnShaders::release);
+        self.session.baking.release();
         self.pane_renderer = None;
         match gl.map(PaneRenderer::new) {
             Some(Ok(pane_renderer)) => {
@@ -210,6 +214,7 @@ impl App {
         if let Some(outcome) = self.loader.poll() {
             self.take(ctx, outcome);
         }
+        self.follow_bake(ctx);
         self.before_closing(ctx);
     }
 
@@ -378,6 +383,7 @@ impl App {
                 self.session.clock = Default::default();
                 self.session.selection = Default::default();
                 self.session.probing.forget();
+                self.forget_bake();
                 self.session.announcement = format!("opened {}", self.session.title);
                 self.document = Document::from_scene(loaded.settings.clone());
                 self.history = History::new(&self.document);
@@ -490,6 +496,7 @@ impl eframe::App for App {
         self.exercise.release();
         self.bench.release();
         self.session.shaders = None;
+        self.session.baking.release();
         self.pane_renderer = None;
     }
 
