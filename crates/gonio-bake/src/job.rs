@@ -149,7 +149,8 @@ impl BakeJob {
         let mut pictures = Vec::with_capacity(kinds.len());
         let mut files = Vec::new();
         for (index, &kind) in kinds.iter().enumerate() {
-            let go_on = |share| progress(kind.name(), share_of.step(1 + index, share));
+            let step = format!("baking {}", kind.name().replace('-', " "));
+            let go_on = |share| progress(&step, share_of.step(1 + index, share));
             let map = baker.bake(kind, &go_on).ok_or(BakeJobError::Stopped)?;
             let file = format!("{stem}_{}.{}", kind.name(), kind.extension());
             files.push((file.clone(), map.encode()?));

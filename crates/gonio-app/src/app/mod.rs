@@ -84,7 +84,7 @@ impl App {
             }
         });
         session.settings = platform.settings();
-        session.baking = Baking::with_job(session.settings.bake.clone().unwrap_or_default());
+        session.baking = Baking::with_job(session.settings.bake.clone());
         if let Some(dark) = session.settings.dark {
             ctx.set_theme(if dark { egui::Theme::Dark } else { egui::Theme::Light });
         }

@@ -78,8 +78,9 @@ struct Running {
 }
 
 impl Baking {
-    /// The state with these settings.
-    pub fn with_job(job: BakeJob) -> Self {
+    /// The state with kept settings; without any, or with ones that the panel does not offer, the defaults.
+    pub fn with_job(job: Option<BakeJob>) -> Self {
+        let job = job.filter(panel::is_offered).unwrap_or_default();
         Baking { job, ..Baking::default() }
     }
 

@@ -8,7 +8,7 @@ use crate::saving::Product;
 use crate::session::Session;
 use crate::theme::{self, colors, icons};
 use crate::widgets::{NumberField, SPACE, choice, grouped, heading, icon_button, row, toggle};
-use egui::{Align, Button, Grid, Label, Layout, ProgressBar, RichText, ScrollArea, Ui, WidgetInfo};
+use egui::{Align, Button, Grid, Label, Layout, ProgressBar, RichText, ScrollArea, Ui, WidgetInfo, vec2};
 use gonio_atlas::UvSource;
 use gonio_bake::{BakeJob, MapKind};
 use gonio_scene::Scene;
@@ -42,6 +42,8 @@ const LOOKS: [(Option<BakedLook>, &str, &str); 3] = [
         "The picture that the atlas shows, without any light: a map, the charts or the checker",
     ),
 ];
+/// Rays of each texel for ambient occlusion.
+const RAYS: std::ops::RangeInclusive<u32> = 1..=4096;
 /// Rows of the figures.
 type Figures = Vec<(&'static str, String, &'static str, bool)>;
 
@@ -65,13 +67,18 @@ fn description(kind: MapKind) -> &'static str {
     }
 }
 
+/// Whether the panel offers these settings: kept ones may be damaged.
+pub fn is_offered(job: &BakeJob) -> bool {
+    SIZES.iter().any(|(size, ..)| *size == job.size)
+        && GRIDS.iter().any(|(grid, ..)| *grid == job.grid)
+        && (0.0..=0.1).contains(&job.margin)
+        && RAYS.contains(&job.occlusion_rays)
+}
+
 /// Shows the panel. `has_atlas`: the atlas is below it, as there is no room beside the scene.
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, has_atlas: bool, actions: &mut Vec<Action>) {
     if has_atlas && session.baking.result().is_some() {
-        ui.horizontal(|ui| {
-            pages(ui, &mut session.baking);
-            close(ui, actions);
-        });
+        pages(ui, &mut session.baking, actions);
         if session.baking.shows_atlas {
             progress(ui, &session.baking, actions);
             super::view(ui, session);
@@ -93,9 +100,14 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, has_atl
 }
 
 /// The tabs of a narrow window.
-fn pages(ui: &mut Ui, baking: &mut Baking) {
+fn pages(ui: &mut Ui, baking: &mut Baking, actions: &mut Vec<Action>) {
     let options = [(false, "Settings", "What is baked, and how"), (true, "Atlas", "The charts over the baked maps")];
-    choice(ui, "bake-page", "Page", &mut baking.shows_atlas, &options, true);
+    ui.horizontal(|ui| {
+        choice(ui, "bake-page", "Page", &mut baking.shows_atlas, &options, true);
+        if baking.shows_atlas {
+            close(ui, actions);
+        }
+    });
 }
 
 /// The button that hides everything about baking.
@@ -112,10 +124,8 @@ fn settings(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     let has_tex_coords = session.loaded.as_deref().is_some_and(has_tex_coords);
     let baking = &mut session.baking;
     let is_running = baking.is_running();
-    ui.horizontal(|ui| {
-        ui.label(RichText::new("Bake textures").heading());
-        close(ui, actions);
-    });
+    start(ui, baking, triangles, actions);
+    ui.add_space(4.0);
     ui.add_enabled_ui(!is_running, |ui| {
         let job = &mut baking.job;
         maps(ui, job);
@@ -145,22 +155,25 @@ fn settings(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
         if job.maps.contains(&MapKind::AmbientOcclusion) {
             row(ui, "Rays", "Rays of each texel for ambient occlusion", |ui| {
                 let mut rays = f64::from(job.occlusion_rays);
-                let field = NumberField::new("bake-rays", "Rays").range(1.0..=4096.0).default(64.0).whole();
+                let field = NumberField::new("bake-rays", "Rays").default(64.0).whole();
+                let field = field.range(f64::from(*RAYS.start())..=f64::from(*RAYS.end()));
                 field.width(64.0).show(ui, &mut rays);
                 job.occlusion_rays = rays as u32;
             });
         }
     });
-    ui.add_space(6.0);
-    if is_running {
-        progress(ui, baking, actions);
-        return;
+}
+
+/// The button that starts a bake, or the progress of the one at work; at the top, so that a phone shows it.
+fn start(ui: &mut Ui, baking: &Baking, triangles: usize, actions: &mut Vec<Action>) {
+    if baking.is_running() {
+        return progress(ui, baking, actions);
     }
-    ui.horizontal_wrapped(|ui| {
-        let text = if baking.result.is_some() { "Bake again" } else { "Bake" };
+    ui.horizontal(|ui| {
+        let text = if baking.result.is_some() { "Bake again" } else { "Bake textures" };
         let fill = colors::ACCENT.of(ui).gamma_multiply(0.35);
         let can_start = !baking.job.maps.is_empty() && triangles > 0;
-        let button = Button::new(RichText::new(text).strong()).fill(fill).min_size(egui::vec2(110.0, 26.0));
+        let button = Button::new(RichText::new(text).strong()).fill(fill).min_size(vec2(120.0, 26.0));
         let button = ui.add_enabled(can_start, button);
         exported::note(ui, &button, "bake-start", WidgetRole::Button, text, "");
         if button.clicked() {
@@ -172,6 +185,7 @@ fn settings(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
             (count, _) => format!("{} triangles", grouped(count as u64, SPACE)),
         };
         ui.label(RichText::new(remark).small().weak());
+        close(ui, actions);
     });
     if let Some(error) = &baking.failed {
         let text = RichText::new(error).small().color(colors::ERROR.of(ui));
@@ -217,17 +231,20 @@ fn progress(ui: &mut Ui, baking: &Baking, actions: &mut Vec<Action>) {
     if let Some(left) = left {
         text += &format!(", about {}", duration(left));
     }
-    ui.horizontal(|ui| {
-        let width = (ui.available_width() - 66.0).max(60.0);
-        let bar = ui.add(ProgressBar::new(share as f32).desired_width(width).desired_height(10.0));
-        exported::note(ui, &bar, "bake-progress", WidgetRole::Text, "Progress", format!("{share:.3}"));
+    // The button first: the bar fills what is left.
+    let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
         let cancel = ui.button("Cancel");
         exported::note(ui, &cancel, "bake-cancel", WidgetRole::Button, "Cancel", "");
         if cancel.clicked() {
             actions.push(Action::CancelBake);
         }
+        let width = ui.available_width();
+        let bar = ui.add(ProgressBar::new(share as f32).desired_width(width).desired_height(10.0));
+        bar.widget_info(|| WidgetInfo::labeled(egui::Role::ProgressIndicator, true, &text));
+        exported::note(ui, &bar, "bake-progress", WidgetRole::Text, "Progress", format!("{share:.3}"));
     });
-    ui.label(RichText::new(text).small().weak());
+    ui.label(RichText::new(&text).small().weak());
 }
 
 /// `40 s left`.

@@ -130,11 +130,13 @@ impl BakedResult {
         places::place(&self.atlas, on_surface + probe.triangle - first, weights)
     }
 
-    /// The object of a triangle of the surface.
-    pub fn object_of(&self, triangle: usize) -> Option<&Object> {
-        let has =
-            |parts: &Vec<[usize; 3]>| parts.iter().any(|[_, count, first]| (*first..first + count).contains(&triangle));
-        self.scene.objects.get(self.parts.iter().position(has)?)
+    /// The name of the object of a triangle of the surface; of its part, if it has several.
+    pub fn name_of(&self, triangle: usize) -> Option<&str> {
+        let is_in = |[_, count, first]: &[usize; 3]| (*first..first + count).contains(&triangle);
+        let of_object = |(index, parts): (usize, &Vec<[usize; 3]>)| Some((index, parts.iter().position(is_in)?));
+        let (object, part) = self.parts.iter().enumerate().find_map(of_object)?;
+        let object = self.scene.objects.get(object)?;
+        Some(if object.parts.len() > 1 { &object.parts.get(part)?.name } else { &object.name })
     }
 
     /// `base` with the baked textures; `None` if its geometry is not the one that was baked. `background` is the picture of

@@ -238,7 +238,9 @@ fn point(response: &Response, square: Rect, result: &BakedResult, session: &mut 
 
 fn paint(ui: &Ui, canvas: Rect, square: Rect, result: &BakedResult, view: &mut AtlasView, place: Option<AtlasPlace>) {
     let painter = ui.painter_at(canvas);
-    painter.rect_filled(canvas, 6.0, ui.visuals().extreme_bg_color);
+    let visuals = ui.visuals();
+    // In the light theme the extreme is white, as bright maps are.
+    painter.rect_filled(canvas, 6.0, if visuals.dark_mode { visuals.extreme_bg_color } else { visuals.code_bg_color });
     let texture = view.texture(ui, result);
     let whole = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
     painter.image(texture.id(), square, whole, Color32::WHITE);
@@ -304,7 +306,7 @@ fn readout(ui: &mut Ui, result: &BakedResult, baking: &Baking, place: Option<Atl
 fn sentence(result: &BakedResult, background: AtlasBackground, place: AtlasPlace) -> String {
     let size = result.job.size;
     let [column, row] = (place.uv * f64::from(size)).to_array().map(|t| (t as u32).min(size.saturating_sub(1)));
-    let object = result.object_of(place.triangle).map_or(String::new(), |object| format!(" of {}", object.name));
+    let object = result.name_of(place.triangle).map_or(String::new(), |name| format!(" of {name}"));
     let mut text = format!("Texel {column}, {row}, chart {}{object}", grouped(u64::from(place.chart) + 1, SPACE));
     if let AtlasBackground::Map(index) = background
         && let Some(map) = result.atlas.pictures.get(index)

@@ -33,6 +33,8 @@ const ATLAS_SHARE: f32 = 0.56;
 const TEXTS_HEIGHT: f32 = 400.0;
 /// Font size of the tabs' names, and the range of gaps between them.
 const TAB_SIZE: f32 = 12.5;
+/// Font size with more tabs than usual, so that they stay in one line.
+const SMALL_TAB_SIZE: f32 = 11.5;
 const TAB_GAP: std::ops::RangeInclusive<f32> = 3.0..=14.0;
 
 /// The background of the panels. The window is cleared with it and panels draw no background, because filling half the window
@@ -87,8 +89,9 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
 /// The atlas at the left of the scene.
 fn atlas(ui: &mut Ui, session: &mut Session) {
     let inside = Frame::NONE.inner_margin(Margin::symmetric(8, 6));
-    let width = 0.5 * ui.available_width();
-    let panel = Panel::left("atlas").frame(inside).default_size(width).size_range(160.0..=2400.0);
+    let width = ui.available_width();
+    let most = (width - 120.0).max(160.0);
+    let panel = Panel::left("atlas").frame(inside).default_size(0.5 * width).size_range(160.0..=most);
     panel.show(ui, |ui| baking::view(ui, session));
 }
 
@@ -133,7 +136,8 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
 
 /// The tabs, side by side over the whole width; the selected one is underlined. It is not bold, so that the others do not move.
 fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
-    let font = FontId::proportional(TAB_SIZE);
+    let is_usual = session.shaders.is_none() && !session.baking.is_open;
+    let font = FontId::proportional(if is_usual { TAB_SIZE } else { SMALL_TAB_SIZE });
     let color = |ui: &Ui, chosen| if chosen { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
     let seen = || {
         Tab::ALL.into_iter().filter(|tab| match tab {
