@@ -3,7 +3,6 @@
 //! Every widget is exported with a stable id; the page exposes the state as
 //! `window.gonio.state()`.
 
-use crate::baking;
 use crate::document::{BakedLook, Document, History, Pane, PaneArrangement, Panes};
 use crate::session::comparison::{DifferenceFacts, PaneFacts};
 use crate::session::probing::Reading;
@@ -111,11 +110,11 @@ pub fn triangles(session: &Session) -> usize {
 /// | `selection`, `tab`, `help`, `asking` | the selection, the tab, whether the shortcuts are shown; the text of the path field, or null |
 /// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the observer's view is shown |
 /// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it is recorded |
-/// | `bake` | null, or the baking tab: [`crate::baking::state`] |
 /// | `undo`, `redo` | whether there is a step to undo, and one to redo |
 /// | `time`, `playing` | time of the scene in seconds, and whether it runs |
 /// | `dark`, `pixels_per_point`, `size` | theme and scale; the window's width and height in points |
 /// | `exercise`, `bench` | added by [`crate::App::state`]: the open exercise, its messages and its verdict; the BRDF bench |
+/// | `bake` | added by it too: null, or the tab of baking ([`crate::baking::state`]) |
 /// | `recent` | recently opened files |
 /// | `triangles`, `frame` | number in the scene; facts about the last picture: `pictures` and `frames` are constant when idle, |
 /// | | and `complete` is true then: the picture has all of the scene's samples |
@@ -177,7 +176,6 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
         "difference": session.comparison.difference.as_ref().map(difference),
         "recorded_frame": session.recorded_frame.as_ref().map(recorded_frame),
         "shaders": session.shaders.as_ref().map(shaders),
-        "bake": baking::state(session),
         "selection": selection,
         "probe": session.probing.reading().map(|reading| probe(reading, session)),
         "observer": session.observer.open,

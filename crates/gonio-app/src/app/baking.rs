@@ -15,9 +15,10 @@ impl App {
         self.session.tab = Tab::Bake;
     }
 
-    /// Hides settings and atlas. The result is kept.
+    /// Hides settings and atlas, and shows the scene's own materials. The result is kept.
     pub(super) fn close_bake(&mut self) {
         self.session.baking.is_open = false;
+        self.document.panes.list.iter_mut().for_each(|pane| pane.show_baked(None));
         self.session.tab = Tab::default();
     }
 

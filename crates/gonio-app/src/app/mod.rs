@@ -164,7 +164,7 @@ impl App {
     /// The state as JSON: [`exported::state`].
     pub fn state(&self, ctx: &egui::Context) -> serde_json::Value {
         let state = exported::state(ctx, &self.document, &self.session, &self.history);
-        with_places(state, &self.exercise, &self.bench)
+        with_places(state, &self.session, &self.exercise, &self.bench)
     }
 
     /// Starts to load `inputs`.
@@ -306,7 +306,8 @@ impl App {
     /// Publishes the state.
     fn publish(&mut self, ctx: &egui::Context) {
         let (document, session, history) = (&self.document, &self.session, &self.history);
-        let state = || with_places(exported::state(ctx, document, session, history), &self.exercise, &self.bench);
+        let state =
+            || with_places(exported::state(ctx, document, session, history), session, &self.exercise, &self.bench);
         self.platform.publish(&state);
     }
 
