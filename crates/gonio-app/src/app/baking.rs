@@ -11,7 +11,7 @@ const NOTHING_BAKED: &str = "nothing is baked yet: press Bake first";
 impl App {
     /// Shows the settings.
     pub(super) fn show_bake(&mut self) {
-        self.session.baking.is_open = true;
+        self.session.baking.open(self.session.settings.bake.as_deref());
         self.session.tab = Tab::Bake;
     }
 
@@ -26,7 +26,7 @@ impl App {
     pub(super) fn start_bake(&mut self, ctx: &egui::Context) {
         let Some(scene) = self.session.loaded.clone() else { return };
         let job = self.session.baking.job.clone();
-        self.session.settings.bake = Some(job.clone());
+        self.session.settings.bake = serde_json::to_string(&job).ok();
         self.platform.keep(&self.session.settings);
         let request = BakeRequest {
             scene,

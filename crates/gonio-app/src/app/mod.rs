@@ -9,7 +9,6 @@ pub mod loader;
 use crate::action::Action;
 use crate::app::bench::with_places;
 use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names};
-use crate::baking::Baking;
 use crate::bench::BenchView;
 use crate::document::{Document, History};
 use crate::exercise::ExerciseView;
@@ -84,7 +83,6 @@ impl App {
             }
         });
         session.settings = platform.settings();
-        session.baking = Baking::with_job(session.settings.bake.clone());
         if let Some(dark) = session.settings.dark {
             ctx.set_theme(if dark { egui::Theme::Dark } else { egui::Theme::Light });
         }

@@ -48,6 +48,7 @@ pub fn shows_atlas(session: &Session) -> bool {
 pub struct Baking {
     /// Whether its tab is there.
     pub is_open: bool,
+    was_open: bool,
     /// The settings of the next bake.
     pub job: BakeJob,
     /// The page of a narrow window: the atlas, or the settings.
@@ -78,10 +79,13 @@ struct Running {
 }
 
 impl Baking {
-    /// The state with kept settings; without any, or with ones that the panel does not offer, the defaults.
-    pub fn with_job(job: Option<BakeJob>) -> Self {
-        let job = job.filter(panel::is_offered).unwrap_or_default();
-        Baking { job, ..Baking::default() }
+    /// Shows the tab, at first with kept settings (JSON). Ones that the panel does not offer are replaced by defaults.
+    pub fn open(&mut self, kept: Option<&str>) {
+        if !self.was_open {
+            let job = kept.and_then(|kept| serde_json::from_str(kept).ok());
+            self.job = job.filter(panel::is_offered).unwrap_or_default();
+        }
+        (self.is_open, self.was_open) = (true, true);
     }
 
     /// The newest baked atlas.
@@ -112,8 +116,8 @@ impl Baking {
     /// Forgets everything about the scene, because another one was opened. Returns whether a bake was at work.
     pub fn forget(&mut self) -> bool {
         let was_running = self.cancel();
-        let (is_open, job) = (self.is_open, std::mem::take(&mut self.job));
-        *self = Baking { is_open, job, serial: self.serial, ..Baking::default() };
+        let (is_open, was_open, serial) = (self.is_open, self.was_open, self.serial);
+        *self = Baking { is_open, was_open, serial, job: std::mem::take(&mut self.job), ..Baking::default() };
         was_running
     }
 

@@ -1,19 +1,18 @@
 //! Settings that are kept between sessions.
 
-use gonio_bake::BakeJob;
 use serde::{Deserialize, Serialize};
 
 /// Settings on disk, or in the browser's storage.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
     /// Whether the theme is dark; `None` follows the system.
     pub dark: Option<bool>,
     /// Recently opened files, the latest first.
     pub recent: Vec<String>,
-    /// The settings of the last bake; `None` before the first.
+    /// The settings of the last bake as JSON, which is parsed when they are shown; `None` before the first.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub bake: Option<BakeJob>,
+    pub bake: Option<String>,
 }
 
 impl Settings {
@@ -54,7 +53,7 @@ mod tests {
 
     #[test]
     fn settings_survive_a_round_trip_and_damaged_ones_are_defaults() {
-        let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()], bake: Some(BakeJob::default()) };
+        let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()], bake: Some("{}".into()) };
         assert_eq!(Settings::from_text(&settings.to_text()), settings);
         assert_eq!(Settings::from_text("{\"dark\": 3}"), Settings::default());
         assert_eq!(Settings::from_text("{}"), Settings::default());

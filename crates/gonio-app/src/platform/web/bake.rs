@@ -6,7 +6,7 @@ use crate::baking::{BakeReply, BakeRequest, BakeTask};
 use gonio_atlas::AtlasUv;
 use gonio_bake::{BakedAtlas, MapKind, MapPicture};
 use gonio_image::EncodedPicture;
-use js_sys::{Array, Float32Array, Object, Reflect, Uint8Array, Uint32Array};
+use js_sys::{Array, Float32Array, Reflect, Uint8Array, Uint32Array};
 use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::rc::Rc;
