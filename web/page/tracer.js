@@ -1,5 +1,5 @@
 // Traces pictures in a worker, in a module of its own (`gonio-web-trace`). `tracing.js` starts it. The work is cut into slices, and
-// between two of them a newer request is taken.
+// between two of them a newer request is taken. A worker that gets a scene to bake does only that, in one piece.
 
 import * as module from "./gonio_trace.js";
 
@@ -18,6 +18,8 @@ let begun;
 /** The probed pixel, column and row, or undefined. */
 let pixel;
 let working = false;
+/** A promise that the module is loaded ahead of need. */
+let prepared = Promise.resolve();
 
 /** Lets messages arrive; a timer would wait for milliseconds. */
 const channel = new MessageChannel();
@@ -59,9 +61,14 @@ async function give(name, builtin) {
 
 /** Reads the request's scene with all files that it needs; whether all built-in ones have arrived. */
 async function open({ text, files, time, simplified, points, goal, builtin }) {
+  return read(files, builtin, () => tracer.open(text, time, simplified, points, goal));
+}
+
+/** Gives the tracer what `attempt` says is missing, until nothing is. */
+async function read(files, builtin, attempt) {
   for (const { name, bytes } of files) tracer.give_opened(name, bytes);
   for (let whole = true;;) {
-    const missing = tracer.open(text, time, simplified, points, goal);
+    const missing = attempt();
     if (missing.length === 0) return whole;
     const arrived = await Promise.all(missing.map((name) => give(name, builtin)));
     whole &&= arrived.every(Boolean);
@@ -151,9 +158,36 @@ async function work() {
   working = false;
 }
 
+/** Milliseconds between two messages about the progress of a bake. */
+const PROGRESS_INTERVAL = 60;
+
+/** Bakes a scene, and posts its progress and its result, or one sentence on why there is none. */
+async function bake({ url, job, stem, scene: { text, files, time, builtin } }) {
+  try {
+    await prepared;
+    await loaded(url);
+    await read(files, builtin, () => tracer.open_to_bake(text, time));
+    let sent = -Infinity;
+    const baked = tracer.bake(job, stem, (step, share) => {
+      const now = performance.now();
+      if (now - sent < PROGRESS_INTERVAL) return;
+      sent = now;
+      self.postMessage({ step, share });
+    });
+    const arrays = [baked, baked.layout, ...baked.pictures, ...baked.files].flatMap(Object.values).filter(ArrayBuffer.isView);
+    self.postMessage({ baked }, arrays.map(({ buffer }) => buffer));
+  } catch (error) {
+    self.postMessage({ failed: typeof error === "string" ? error : `the textures could not be baked: ${error?.message ?? error}` });
+  }
+}
+
 self.onmessage = ({ data }) => {
+  if (data.job !== undefined) {
+    bake(data);
+    return;
+  }
   if (data.load !== undefined) {
-    prepare(data);
+    prepared = prepare(data);
     return;
   }
   pixel = data.pixel;

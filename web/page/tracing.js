@@ -39,14 +39,14 @@ export function prefetch() {
 }
 
 /** Takes the idle worker or starts one. `receive` gets each picture, or `{ number, failed }` with one sentence. Returns an object:
- * `trace` requests a picture in place of the one before, `end` ends the worker. */
+ * `trace` requests a picture in place of the one before, or a bake; `end` ends the worker. */
 export function begin(receive) {
   const worker = idle ?? start();
   idle = undefined;
   worker.onmessage = ({ data }) => { if (data.loaded === undefined) receive(data); };
   worker.onerror = (event) => {
     event.preventDefault();
-    receive({ failed: `the scene could not be traced: ${event.message ?? "the worker did not start"}` });
+    receive({ failed: `the worker of the path tracer failed: ${event.message ?? "it did not start"}` });
   };
   const url = moduleUrl();
   return {

@@ -17,6 +17,7 @@ import "./parity.test.mjs";
 import "./check.test.mjs";
 import "./exercise.test.mjs";
 import "./bench.test.mjs";
+import "./bake.test.mjs";
 import "./trouble.test.mjs";
 import "./again.test.mjs";
 import "./rest.test.mjs";

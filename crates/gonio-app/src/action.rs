@@ -54,6 +54,14 @@ pub enum Action {
     RecordFrame,
     /// Shows the BRDF bench.
     ShowBench,
+    /// Shows the settings of baking.
+    ShowBake,
+    /// Hides them, and the atlas.
+    CloseBake,
+    /// Bakes textures.
+    StartBake,
+    /// Cancels the bake at work.
+    CancelBake,
     /// Shows the open exercise, or the list of exercises.
     ShowExercise,
     /// Shows the list of exercises.

@@ -3,7 +3,7 @@
 //! Every widget is exported with a stable id; the page exposes the state as
 //! `window.gonio.state()`.
 
-use crate::document::{Document, History, Pane, PaneArrangement, Panes};
+use crate::document::{BakedLook, Document, History, Pane, PaneArrangement, Panes};
 use crate::session::comparison::{DifferenceFacts, PaneFacts};
 use crate::session::probing::Reading;
 use crate::session::{MessageSeverity, OwnShaders, RecordedFrame, Selection, Session};
@@ -114,6 +114,7 @@ pub fn triangles(session: &Session) -> usize {
 /// | `time`, `playing` | time of the scene in seconds, and whether it runs |
 /// | `dark`, `pixels_per_point`, `size` | theme and scale; the window's width and height in points |
 /// | `exercise`, `bench` | added by [`crate::App::state`]: the open exercise, its messages and its verdict; the BRDF bench |
+/// | `bake` | added by it too: null, or the tab of baking ([`crate::baking::state`]) |
 /// | `recent` | recently opened files |
 /// | `triangles`, `frame` | number in the scene; facts about the last picture: `pictures` and `frames` are constant when idle, |
 /// | | and `complete` is true then: the picture has all of the scene's samples |
@@ -144,6 +145,10 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
                 "view": pane.view.map(|v| v.to_string()),
                 "special": pane.special.map(|v| v.name()),
                 "overlays": pane.overlays,
+                "baked": pane.baked.map(|look| match look {
+                    BakedLook::Materials => "materials",
+                    BakedLook::Picture => "picture",
+                }),
             })
         })
         .collect();

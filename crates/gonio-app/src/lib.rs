@@ -13,6 +13,7 @@
 //! | [`panels`] | the equation, the lists, the numbers: widgets over the document |
 //! | [`scene_view`] | the pictures of the scene, and what pointer and keys do there |
 //! | `step` | shaders, stepped through at a pixel |
+//! | [`baking`] | textures for new texture coordinates, and the atlas beside the model |
 //! | [`mod@bench`] | the BRDF bench: functions plotted, compared and checked |
 //! | [`exercise`] | an exercise: the student's files, their picture, the checker |
 //! | [`files`] | files that the user drops, chooses or links to |
@@ -26,6 +27,7 @@
 
 pub mod action;
 mod app;
+pub mod baking;
 pub mod bench;
 pub mod document;
 pub mod exercise;

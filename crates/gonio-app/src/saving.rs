@@ -6,6 +6,9 @@ use gonio_scene::files::BUILTIN;
 use gonio_scene::{SceneFile, SceneSettings, environment_file};
 use std::path::{Path, PathBuf};
 
+/// Follows the title in the names of a baked model's files, so that they do not replace the original's.
+pub const BAKED: &str = "_baked";
+
 /// Something to save.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Product {
@@ -21,11 +24,24 @@ pub enum Product {
     PlotSvg,
     /// The same as PNG.
     PlotPng,
+    /// The baked model as OBJ, with its other files beside it.
+    BakedObj,
+    /// The baked model as GLB.
+    BakedGlb,
+    /// All files of the baked model as ZIP.
+    BakedZip,
 }
 
 impl Product {
     /// The products of the scene view.
     pub const OF_SCENE: [Product; 4] = [Product::Picture, Product::SizedPicture, Product::Light, Product::Scene];
+
+    /// The products of a bake. A page cannot save several files at once.
+    pub const OF_BAKING: &'static [Product] = if cfg!(target_arch = "wasm32") {
+        &[Product::BakedZip, Product::BakedGlb]
+    } else {
+        &[Product::BakedObj, Product::BakedGlb, Product::BakedZip]
+    };
 
     /// Kebab-case, for widgets' ids.
     pub fn id(self) -> &'static str {
@@ -36,6 +52,9 @@ impl Product {
             Product::Scene => "scene",
             Product::PlotSvg => "plot-svg",
             Product::PlotPng => "plot-png",
+            Product::BakedObj => "baked-obj",
+            Product::BakedGlb => "baked-glb",
+            Product::BakedZip => "baked-zip",
         }
     }
 
@@ -48,6 +67,9 @@ impl Product {
             Product::Scene => "Scene (TOML)",
             Product::PlotSvg => "Plot (SVG)",
             Product::PlotPng => "Plot (PNG)",
+            Product::BakedObj => "OBJ and PNG",
+            Product::BakedGlb => "GLB",
+            Product::BakedZip => "ZIP",
         }
     }
 
@@ -58,16 +80,24 @@ impl Product {
             Product::PlotSvg => "svg",
             Product::Light => "exr",
             Product::Scene => "toml",
+            Product::BakedObj => "obj",
+            Product::BakedGlb => "glb",
+            Product::BakedZip => "zip",
         }
     }
 
     /// The proposed file name, from the title of the open scene.
     pub fn file_name(self, title: &str) -> String {
+        let baked = if Self::OF_BAKING.contains(&self) { BAKED } else { "" };
+        format!("{}{baked}.{}", Self::stem(title), self.extension())
+    }
+
+    /// The title of the open scene as the beginning of a file name.
+    pub fn stem(title: &str) -> String {
         let stem = title.split(" and ").next().unwrap_or(title);
         let stem = stem.split('.').next().unwrap_or(stem);
         let stem: String = stem.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
-        let stem = if stem.is_empty() { "scene" } else { stem.as_str() };
-        format!("{stem}.{}", self.extension())
+        if stem.is_empty() { "scene".to_owned() } else { stem }
     }
 }
 

@@ -79,6 +79,7 @@ const TABLE: &[Shortcut] = &[
     row(FILES, "Ctrl + O", "open files (or drop them on the window)")
         .on(Modifiers::COMMAND, Key::O, || Action::ChooseFiles),
     row(FILES, "Ctrl + Shift + S", "save the scene").on(SHIFTED, Key::S, || Action::Save(Product::Scene)),
+    row(FILES, "Ctrl + B", "bake textures").on(Modifiers::COMMAND, Key::B, || Action::ShowBake),
     row(FILES, "Ctrl + S", "save the picture").on(Modifiers::COMMAND, Key::S, || Action::Save(Product::Picture)),
     row(EXERCISE, "Ctrl + Enter", "check the shaders of an exercise"),
     row(EXERCISE, "Click on the picture, F9", "show each line's values at that pixel, or at the picture's middle"),
@@ -132,6 +133,7 @@ pub fn handle(ui: &Ui, document: &mut Document, session: &mut Session, actions: 
     if pressed(Key::Escape) {
         session.help = false;
         session.probing.pinned = None;
+        session.baking.picked = None;
         if let Some(shaders) = &mut session.shaders {
             shaders.stepper.unpin();
         }

@@ -27,8 +27,8 @@ pub fn draw_layout(atlas: &AtlasUv, size: u32) -> EncodedPicture<u8> {
             (0..3).for_each(|k| canvas.line(corners[k], corners[(k + 1) % 3], ink));
         }
     }
-    for (corners, t) in border_edges(atlas) {
-        canvas.line(corners[0], corners[1], color(t).map(|c| 0.35 * c + 165.0));
+    for (t, k) in border_edges(atlas) {
+        canvas.line(triangles[t][k], triangles[t][(k + 1) % 3], color(t).map(|c| 0.35 * c + 165.0));
     }
     canvas.reduced(size)
 }
@@ -68,8 +68,9 @@ fn oklab_color(lightness: f32, hue: f32) -> [f32; 3] {
     linear.map(|c| f32::from(gonio_image::srgb::ENCODER.encode(c.clamp(0.0, 1.0))))
 }
 
-/// Edges in the texture that belong to one triangle only, with that triangle.
-fn border_edges(atlas: &AtlasUv) -> Vec<([[f32; 2]; 2], usize)> {
+/// The borders of the charts: edges that belong to one triangle only in the texture, as that triangle and the corner, 0 to 2, at
+/// which its edge begins. Triangles without a chart have none.
+pub fn border_edges(atlas: &AtlasUv) -> Vec<(usize, usize)> {
     let triangles = atlas.tex_coords.as_chunks::<3>().0.iter().enumerate();
     let mut edges: Vec<([[u32; 2]; 2], usize, usize)> = triangles
         .filter(|(t, _)| atlas.chart_of_triangle[*t].is_some())
@@ -81,8 +82,7 @@ fn border_edges(atlas: &AtlasUv) -> Vec<([[f32; 2]; 2], usize)> {
         })
         .collect();
     edges.sort_unstable();
-    let single = edges.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() == 1);
-    single.map(|edge| (edge[0].0.map(|uv| uv.map(f32::from_bits)), edge[0].1)).collect()
+    edges.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() == 1).map(|edge| (edge[0].1, edge[0].2)).collect()
 }
 
 struct Canvas {

@@ -4,10 +4,10 @@ use crate::raster::for_each_texel;
 use crate::unwrap::AtlasUv;
 use glam::{DVec2, DVec3};
 use gonio_mesh::Mesh;
-use serde::Serialize;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// Figures about the texture coordinates of a mesh, for a texture of `size` x `size` texels.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct UvReport {
     /// Triangles of the mesh.
     pub triangles: usize,
@@ -18,12 +18,15 @@ pub struct UvReport {
     /// Side of the texture in texels.
     pub size: u32,
     /// The share of the texture that triangles cover, 0 to 1: the sum of their areas, so overlaps count twice.
+    #[serde(deserialize_with = "nan_from_null")]
     pub coverage: f64,
     /// Mean over the surface of the ratio of the larger to the smaller stretch of a triangle, at least 1: 1 keeps all
     /// angles.
+    #[serde(deserialize_with = "nan_from_null")]
     pub angle_stretch: f64,
     /// Mean over the surface of max(r, 1 / r), at least 1, where r is the share of a triangle in the area of all triangles
     /// in the texture, divided by its share in space: 1 keeps all areas.
+    #[serde(deserialize_with = "nan_from_null")]
     pub area_stretch: f64,
     /// Triangles without an area in the texture; they are left out of both means.
     pub collapsed_triangles: usize,
@@ -32,9 +35,15 @@ pub struct UvReport {
     /// Texels whose centres two or more triangles cover.
     pub overlapping_texels: usize,
     /// Texels per unit of length in space: the root of all texels by the whole area.
+    #[serde(deserialize_with = "nan_from_null")]
     pub texels_per_unit: f64,
     /// The distance between charts that was kept, in texels.
     pub margin_texels: f64,
+}
+
+/// JSON has no NaN, which a mesh without an area leads to: it is written as null.
+fn nan_from_null<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    Ok(Option::deserialize(from)?.unwrap_or(f64::NAN))
 }
 
 /// Returns the figures about texture coordinates of a mesh.

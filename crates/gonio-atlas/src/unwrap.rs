@@ -8,11 +8,13 @@ use crate::pack::{self, Outline, Placement};
 use glam::DVec2;
 use gonio_mesh::Mesh;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::fmt;
 
 /// The texture coordinates to start from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum UvSource {
     /// None: the mesh is cut into charts.
     #[default]

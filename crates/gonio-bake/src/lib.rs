@@ -6,14 +6,17 @@
 //! | [`texels`] | the samples of each texel; texels beside a chart continue it |
 //! | [`maps`] | the quantities that can be baked |
 //! | [`model`] | the model with the baked textures in place of its own |
+//! | [`job`] | all of it, from a scene to files, with progress |
 //!
 //! Nothing here opens a file or prints. The result does not depend on the number of threads.
 #![forbid(unsafe_code)]
 
+pub mod job;
 pub mod maps;
 pub mod model;
 pub mod surface;
 pub mod texels;
 
+pub use job::{BakeJob, BakeJobError, BakedAtlas, MapPicture};
 pub use maps::{BakeSettings, BakedMap, Baker, LightAt, LitPoint, MapKind};
 pub use surface::SceneSurface;

@@ -12,10 +12,12 @@ use gonio_mesh::{Mesh, tangents};
 use gonio_rays::RayMesh;
 use gonio_scene::scene::ShadowCaster;
 use gonio_scene::{Frame, Scene};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// A quantity of a surface that can be baked.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum MapKind {
     /// `k_d` with its texture and vertex colours: sRGB.
     #[default]
@@ -365,12 +367,16 @@ impl BakedMap {
     ///
     /// A map without texels.
     pub fn encode(&self) -> Result<Vec<u8>, ImageError> {
-        let rows = self.texels.rows_from_top();
         if self.kind.extension() == "exr" {
-            return self.exr(rows.into_iter().map(|[r, g, b, _]| [r, g, b]));
+            return self.exr(self.texels.rows_from_top().into_iter().map(|[r, g, b, _]| [r, g, b]));
         }
-        let size = self.texels.size;
         let tag = if self.is_color() { ColorTag::Srgb } else { ColorTag::Untagged };
+        encode8(&self.picture8(), tag)
+    }
+
+    /// The picture of 8 bits a channel in [`Self::encode`]'s PNG, first row at the top. Light and positions, whose file is not
+    /// a PNG, are clamped to 0..1.
+    pub fn picture8(&self) -> EncodedPicture<u8> {
         let factor = self.factor();
         let data = |v: f32| (v.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
         let encoded = |[r, g, b, _]: [f32; 4]| match self.kind {
@@ -378,11 +384,11 @@ impl BakedMap {
             MapKind::AmbientOcclusion => [r, g, b].map(data),
             _ => [r, g, b].map(|v| srgb::ENCODER.encode((v / factor).clamp(0.0, 1.0))),
         };
-        let rgba = rows.into_iter().flat_map(|texel| {
+        let rgba = self.texels.rows_from_top().into_iter().flat_map(|texel| {
             let [r, g, b] = encoded(texel);
             [r, g, b, 255]
         });
-        encode8(&EncodedPicture { width: size, height: size, rgba: rgba.collect() }, tag)
+        EncodedPicture { width: self.texels.size, height: self.texels.size, rgba: rgba.collect() }
     }
 
     /// The standard error of each texel's luminance as an OpenEXR file; `None` without noise.

@@ -45,10 +45,26 @@ pub fn baked_model(
         AtlasSet::Only => surface.mesh.with_corner_tex_coords(&atlas.tex_coords),
         AtlasSet::Second => surface.mesh.with_second_corner_tex_coords(&atlas.tex_coords),
     };
-    let find = |kind: MapKind| maps.iter().find(|file| file.kind == kind);
-    if find(MapKind::Diffuse).is_some() {
+    if maps.iter().any(|file| file.kind == MapKind::Diffuse) {
         mesh.colors = Vec::new();
     }
+    let BakedMaterials { materials, images, lost } = baked_materials(scene, maps, set);
+    BakedModel { model: Model { materials, mesh, images, ..Model::default() }, lost }
+}
+
+/// The materials of a model with baked textures.
+pub struct BakedMaterials {
+    /// One for each of the scene.
+    pub materials: Vec<Material>,
+    /// The pictures of textures that stay.
+    pub images: Vec<EmbeddedImage>,
+    /// The kinds of textures that the scene's materials have and these lack.
+    pub lost: Vec<&'static str>,
+}
+
+/// Returns the materials of [`baked_model`].
+pub fn baked_materials(scene: &Scene, maps: &[MapFile], set: AtlasSet) -> BakedMaterials {
+    let find = |kind: MapKind| maps.iter().find(|file| file.kind == kind);
     let mut lost = Vec::new();
     let mut kept = KeptTextures { scene, images: Vec::new(), number: vec![None; scene.textures.len()] };
     let materials = (scene.materials.iter())
@@ -62,7 +78,7 @@ pub fn baked_model(
         .collect();
     lost.sort_unstable();
     lost.dedup();
-    BakedModel { model: Model { materials, mesh, images: kept.images, ..Model::default() }, lost }
+    BakedMaterials { materials, images: kept.images, lost }
 }
 
 /// A model with baked textures.

@@ -57,7 +57,7 @@ fn right_answers_are_right_with_any_layout_margin_size_and_format() {
         [(0.01, 40.0, 512, 1), (0.02, 80.0, 1024, 2), (0.01, 66.0, 1024, 3), (0.004, 66.0, 1500, 1)]
     {
         let recipe = Recipe { unwrap: unwrapped(margin, degrees), size, grid };
-        let mut case = baked(recipe);
+        let mut case = baked(recipe.clone());
         lab.is_right(&format!("{recipe:?}"), &case.files());
         case.cut_margin(8);
         lab.is_right(&format!("{recipe:?} with a margin of 8"), &case.files());
@@ -171,16 +171,16 @@ fn mistakes_in_the_layout_are_named() {
     let lab = TestLab::new();
     let ids =
         |recipe: Recipe, change: &dyn Fn(&mut gonio_atlas::AtlasUv)| lab.ids(&with_layout(recipe, change).files());
-    let recipe = Recipe::default();
-    let close = Recipe { unwrap: unwrapped(0.0005, 66.0), ..recipe };
+    let close = Recipe { unwrap: unwrapped(0.0005, 66.0), ..Recipe::default() };
     assert_eq!(ids(close, &|_| ()), ["charts-too-close"]);
-    let kept = Recipe { unwrap: UnwrapSettings { source: UvSource::Kept, ..recipe.unwrap }, ..recipe };
+    let kept =
+        Recipe { unwrap: UnwrapSettings { source: UvSource::Kept, ..UnwrapSettings::default() }, ..Recipe::default() };
     assert_eq!(ids(kept, &|_| ()), ["old-tex-coords-kept"]);
     // Everything at one and a half times the size around the middle.
     let grown = |atlas: &mut gonio_atlas::AtlasUv| {
         atlas.tex_coords.iter_mut().flatten().for_each(|c| *c = 1.3 * (*c - 0.5) + 0.5);
     };
-    assert_eq!(ids(recipe, &grown), ["charts-outside"]);
+    assert_eq!(ids(Recipe::default(), &grown), ["charts-outside"]);
     let overlapping = |atlas: &mut gonio_atlas::AtlasUv| {
         let chart = |t: usize| atlas.chart_of_triangle[t];
         let moved: Vec<usize> = (0..atlas.chart_of_triangle.len()).filter(|&t| chart(t) > Some(3)).collect();
@@ -190,9 +190,9 @@ fn mistakes_in_the_layout_are_named() {
             }
         }
     };
-    assert_eq!(ids(recipe, &overlapping), ["charts-overlap"]);
-    assert_eq!(ids(Recipe { size: 64, ..recipe }, &|_| ()), ["picture-too-small"]);
-    let mut thin = baked(Recipe { size: 1024, ..recipe });
+    assert_eq!(ids(Recipe::default(), &overlapping), ["charts-overlap"]);
+    assert_eq!(ids(Recipe { size: 64, ..Recipe::default() }, &|_| ()), ["picture-too-small"]);
+    let mut thin = baked(Recipe { size: 1024, ..Recipe::default() });
     thin.cut_margin(1);
     assert_eq!(lab.ids(&thin.files()), ["margin-too-small"]);
 }

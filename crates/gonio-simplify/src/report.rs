@@ -2,10 +2,11 @@
 //!
 //! A sentence says what was measured, where, and, if nothing changed, which property of the scene explains it.
 
-use crate::comparison::{AmbientFit, LargestDifference, PictureComparison, luminance};
+use crate::comparison::{AmbientFit, LargestDifference, PictureComparison};
 use crate::formula::{changes, formula, plain, result, struck};
 use crate::staircase::{EquationPicture, SimplifiedPicture, Staircase, StaircaseSettings};
 use glam::DVec3;
+use gonio_light::color::luminance;
 use gonio_light::{DVec4, LightKind, Specular};
 use gonio_reference::ReferenceScene;
 use gonio_scene::{DisplayMap, Frame, LightShape, Scene, SceneMaterial};

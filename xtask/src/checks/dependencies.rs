@@ -59,11 +59,12 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
     Rule { krate: "gonio-exercises", may_know: BELOW_EXERCISES, tests_may_know: &[] },
     Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
-    // The page is the application, and the checker and the path tracer in workers beside it.
+    // The page is the application, and the checker and the path tracer in workers beside it; the tracer's worker bakes too.
     Rule {
         krate: "gonio-web",
         may_know: &[
             "gonio-app",
+            "gonio-bake",
             "gonio-gl",
             "gonio-check",
             "gonio-exercises",
@@ -149,6 +150,8 @@ const BELOW_SHELLS: &[&str] = &[
     "gonio-plot",
     "gonio-check",
     "gonio-exercises",
+    "gonio-atlas",
+    "gonio-bake",
 ];
 /// `gonio view` opens the window.
 const COMMAND_LINE: &[&str] = &[

@@ -105,6 +105,10 @@ impl App {
             }
             Action::Dismiss(id) => self.session.messages.dismiss(id),
             Action::ShowBench => self.bench.open(),
+            Action::ShowBake => self.show_bake(),
+            Action::CloseBake => self.close_bake(),
+            Action::StartBake => self.start_bake(ctx),
+            Action::CancelBake => self.cancel_bake(),
             Action::ShowExercise => self.exercise.is_open = true,
             Action::ListExercises => self.exercise.list(),
             Action::StartExercise(exercise) => self.begin_exercise(ctx, Start { exercise, files: Vec::new() }),
@@ -143,6 +147,7 @@ impl App {
                 saving::encode_png(&self.shown(size)?).map_err(|error| error.to_string())
             }
             Product::PlotSvg | Product::PlotPng => self.bench.product(product),
+            Product::BakedObj | Product::BakedGlb | Product::BakedZip => self.baked_product(product, folder),
             Product::Light => {
                 let pane = self.document.panes.current;
                 let light =

@@ -1,11 +1,12 @@
 //! The BRDF bench within the application.
 
 use super::App;
+use crate::baking;
 use crate::bench::{BenchFunctions, BenchView};
 use crate::exercise::ExerciseView;
 use crate::panels;
 use crate::platform::Purpose;
-use crate::session::MessageSeverity;
+use crate::session::{MessageSeverity, Session};
 use egui::Ui;
 use gonio_bsdf::NamedBsdf;
 
@@ -45,13 +46,15 @@ impl App {
     }
 }
 
-/// The state with the parts of the exercise and the bench.
+/// The state with the parts of the exercise, the bench and baking.
 pub(super) fn with_places(
     mut state: serde_json::Value,
+    session: &Session,
     exercise: &ExerciseView,
     bench: &BenchView,
 ) -> serde_json::Value {
     state["exercise"] = exercise.state();
     state["bench"] = bench.state();
+    state["bake"] = baking::state(session);
     state
 }

@@ -1,6 +1,7 @@
 //! The application: one frame from files, keys and panels to the picture.
 
 mod actions;
+mod baking;
 mod bench;
 mod exercise;
 pub mod loader;
@@ -133,6 +134,7 @@ impl App {
         self.exercise.release();
         self.bench.release();
         self.session.shaders.iter_mut().for_each(OwnShaders::release);
+        self.session.baking.release();
         self.pane_renderer = None;
         match gl.map(PaneRenderer::new) {
             Some(Ok(pane_renderer)) => {
@@ -160,7 +162,7 @@ impl App {
     /// The state as JSON: [`exported::state`].
     pub fn state(&self, ctx: &egui::Context) -> serde_json::Value {
         let state = exported::state(ctx, &self.document, &self.session, &self.history);
-        with_places(state, &self.exercise, &self.bench)
+        with_places(state, &self.session, &self.exercise, &self.bench)
     }
 
     /// Starts to load `inputs`.
@@ -210,6 +212,7 @@ impl App {
         if let Some(outcome) = self.loader.poll() {
             self.take(ctx, outcome);
         }
+        self.follow_bake(ctx);
         self.before_closing(ctx);
     }
 
@@ -301,7 +304,8 @@ impl App {
     /// Publishes the state.
     fn publish(&mut self, ctx: &egui::Context) {
         let (document, session, history) = (&self.document, &self.session, &self.history);
-        let state = || with_places(exported::state(ctx, document, session, history), &self.exercise, &self.bench);
+        let state =
+            || with_places(exported::state(ctx, document, session, history), session, &self.exercise, &self.bench);
         self.platform.publish(&state);
     }
 
@@ -378,6 +382,7 @@ impl App {
                 self.session.clock = Default::default();
                 self.session.selection = Default::default();
                 self.session.probing.forget();
+                self.forget_bake();
                 self.session.announcement = format!("opened {}", self.session.title);
                 self.document = Document::from_scene(loaded.settings.clone());
                 self.history = History::new(&self.document);
@@ -490,6 +495,7 @@ impl eframe::App for App {
         self.exercise.release();
         self.bench.release();
         self.session.shaders = None;
+        self.session.baking.release();
         self.pane_renderer = None;
     }
 

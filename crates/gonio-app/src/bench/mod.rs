@@ -24,6 +24,7 @@ mod state_json;
 mod toolbar;
 
 pub use functions::{BenchFunction, BenchFunctions};
+pub(crate) use job::Job;
 pub use plot::PlotRequest;
 
 use crate::action::Action;

@@ -3,7 +3,7 @@
 mod pane;
 
 pub use pane::{
-    DifferenceSettings, Pane, PaneArrangement, PaneOverlay, PaneReflectance, Panes, TruthSettings, VIEW_KEYS,
+    BakedLook, DifferenceSettings, Pane, PaneArrangement, PaneOverlay, PaneReflectance, Panes, TruthSettings, VIEW_KEYS,
 };
 
 use gonio_scene::SceneSettings;

@@ -71,6 +71,15 @@ impl Default for TruthSettings {
     }
 }
 
+/// Baked textures on the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BakedLook {
+    /// The materials of the baked model.
+    Materials,
+    /// The picture that the atlas shows, without light.
+    Picture,
+}
+
 /// Settings of one pane. `None` means: as in the scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pane {
@@ -94,6 +103,8 @@ pub struct Pane {
     pub overlays: Overlays,
     /// The traced picture in place of OpenGL's, without view and overlays.
     pub truth: Option<TruthSettings>,
+    /// The baked textures on the model, once there are any.
+    pub baked: Option<BakedLook>,
 }
 
 impl Pane {
@@ -110,6 +121,18 @@ impl Pane {
     /// Shows the traced picture, or OpenGL's.
     pub fn show_truth(&mut self, truth: Option<TruthSettings>) {
         (self.view, self.special, self.truth) = (None, None, truth);
+        if truth.is_some() {
+            // A worker that traces reads the scene's files again.
+            self.baked = None;
+        }
+    }
+
+    /// Shows the baked textures on the model, or the scene's own materials.
+    pub fn show_baked(&mut self, look: Option<BakedLook>) {
+        self.baked = look;
+        if look.is_some() {
+            self.truth = None;
+        }
     }
 
     /// Shows or hides an overlay. Returns whether it can be seen: over a traced picture none is drawn, and none changes.
@@ -166,6 +189,10 @@ impl Pane {
     pub fn words(&self) -> Vec<String> {
         let mut words: Vec<String> = Vec::new();
         words.extend(self.truth.map(|truth| traced(truth.simplified)));
+        words.extend(self.baked.map(|look| match look {
+            BakedLook::Materials => "baked".to_owned(),
+            BakedLook::Picture => "baked picture".to_owned(),
+        }));
         words.extend(self.shading.map(|s| written(s.name())));
         words.extend(self.detail.map(detail_name));
         words.extend(self.specular.map(|s| match s {

@@ -16,6 +16,7 @@ mod top_bar;
 pub use dialogs::{messages, path_field};
 
 use crate::action::Action;
+use crate::baking;
 use crate::document::{Document, History};
 use crate::exported::{self, WidgetRole};
 use crate::platform::Purpose;
@@ -26,10 +27,14 @@ use egui::{Color32, FontId, Frame, Margin, Panel, Rect, ScrollArea, Sense, Ui, V
 /// Below this width (points) the side panel is below the picture: a phone in portrait orientation.
 const NARROW: f32 = 720.0;
 const SIDE_WIDTH: f32 = 352.0;
+/// The share of a phone's height that the atlas has.
+const ATLAS_SHARE: f32 = 0.56;
 /// Least height of the texts of shaders with their values.
 const TEXTS_HEIGHT: f32 = 400.0;
 /// Font size of the tabs' names, and the range of gaps between them.
 const TAB_SIZE: f32 = 12.5;
+/// Font size with more tabs than usual, so that they stay in one line.
+const SMALL_TAB_SIZE: f32 = 11.5;
 const TAB_GAP: std::ops::RangeInclusive<f32> = 3.0..=14.0;
 
 /// The background of the panels. The window is cleared with it and panels draw no background, because filling half the window
@@ -58,12 +63,19 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
     }
     let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 8));
     if narrow {
-        let height = 0.42 * ui.available_height();
+        let is_atlas = session.tab == Tab::Bake && session.baking.shows_atlas && !is_landscape(ui);
+        let share = if is_atlas && baking::shows_atlas(session) { ATLAS_SHARE } else { 0.42 };
+        let height = share * ui.available_height();
         Panel::bottom("side").frame(inside).exact_size(height).show(ui, |ui| side(ui, document, session, actions));
+        if baking::shows_atlas(session) && is_landscape(ui) {
+            atlas(ui, session);
+        }
     } else {
         let panel = Panel::right("side").frame(inside).default_size(SIDE_WIDTH).size_range(280.0..=560.0);
         panel.show(ui, |ui| side(ui, document, session, actions));
-        if let Some(shaders) = session.shaders.as_mut().filter(|shaders| shaders.is_reading()) {
+        if baking::shows_atlas(session) {
+            atlas(ui, session);
+        } else if let Some(shaders) = session.shaders.as_mut().filter(|shaders| shaders.is_reading()) {
             let width = (0.52 * ui.available_width()).max(260.0);
             let panel = Panel::left("shader texts").frame(inside).default_size(width).size_range(240.0..=1200.0);
             panel.show(ui, |ui| shaders::texts(ui, shaders));
@@ -72,6 +84,21 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
     messages(ui, session, actions);
     dialogs::help(ui, session);
     path_field(ui, session, Purpose::Scene, actions);
+}
+
+/// The atlas at the left of the scene.
+fn atlas(ui: &mut Ui, session: &mut Session) {
+    let inside = Frame::NONE.inner_margin(Margin::symmetric(8, 6));
+    let width = ui.available_width();
+    let most = (width - 120.0).max(160.0);
+    let panel = Panel::left("atlas").frame(inside).default_size(0.5 * width).size_range(160.0..=most);
+    panel.show(ui, |ui| baking::view(ui, session));
+}
+
+/// Whether a narrow window has room for the atlas beside the scene.
+fn is_landscape(ui: &Ui) -> bool {
+    let size = ui.ctx().content_rect().size();
+    size.x > size.y
 }
 
 /// The tabs, and the panel of the selected one.
@@ -89,6 +116,10 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         });
         return;
     }
+    if session.tab == Tab::Bake {
+        let has_atlas = is_narrow && !is_landscape(ui);
+        return baking::panel(ui, document, session, has_atlas, actions);
+    }
     ScrollArea::vertical().id_salt(session.tab.title()).auto_shrink([false, false]).show(ui, |ui| match session.tab {
         Tab::Lights => lights::show(ui, document, session, actions),
         Tab::Objects => objects::show(ui, document, session, actions),
@@ -98,14 +129,23 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         Tab::Compare => compare::show(ui, document, session, actions),
         Tab::Frame => frame::show(ui, document, session, actions),
         Tab::Shaders => shaders::show(ui, session, document.panes.current, actions),
+        // It scrolls itself, below its tabs.
+        Tab::Bake => {}
     });
 }
 
 /// The tabs, side by side over the whole width; the selected one is underlined. It is not bold, so that the others do not move.
 fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
-    let font = FontId::proportional(TAB_SIZE);
+    let is_usual = session.shaders.is_none() && !session.baking.is_open;
+    let font = FontId::proportional(if is_usual { TAB_SIZE } else { SMALL_TAB_SIZE });
     let color = |ui: &Ui, chosen| if chosen { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
-    let seen = || Tab::ALL.into_iter().filter(|tab| *tab != Tab::Shaders || session.shaders.is_some());
+    let seen = || {
+        Tab::ALL.into_iter().filter(|tab| match tab {
+            Tab::Shaders => session.shaders.is_some(),
+            Tab::Bake => session.baking.is_open,
+            _ => true,
+        })
+    };
     let names: Vec<_> = seen()
         .map(|tab| ui.painter().layout_no_wrap(tab.title().into(), font.clone(), color(ui, session.tab == tab)))
         .collect();

@@ -13,6 +13,8 @@ use gonio_scene::files;
 const NARROW: f32 = 560.0;
 /// Tooltip of the BRDF bench.
 const BENCH: &str = "BRDF bench: reflection functions plotted, compared and checked";
+/// Tooltip of baking.
+const BAKE: &str = "Unwrap the model, and bake its colours, normals or light into textures (Ctrl + B)";
 /// Tooltip of the exercises.
 const EXERCISES: &str = "Shader exercises: edit, compare with the correct answer, and check";
 
@@ -38,7 +40,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
                 actions.push(Action::ChooseFiles);
             }
             let text = RichText::new(icons::FLOPPY_DISK).font(theme::icon_font(17.0));
-            menu(ui, "save", text, "Save the picture or the scene", |ui| save_entries(ui, actions));
+            menu(ui, "save", text, "Save the picture or the scene, bake textures", |ui| save_entries(ui, actions));
             menu(ui, "samples", "Samples".into(), "Built-in models and scenes", |ui| {
                 samples_entries(ui, actions);
             });
@@ -122,6 +124,8 @@ fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
         let tip = if product == Product::Picture { "Ctrl + S" } else { "" };
         entry(ui, &id, product.title(), tip, Action::Save(product), actions);
     }
+    ui.separator();
+    entry(ui, "bake", "Bake textures...", BAKE, Action::ShowBake, actions);
     ui.separator();
     entry(ui, "copy-picture", "Copy the picture", "", Action::CopyPicture, actions);
     let tip = "A link to this page with the scene in it: sample models, lights, camera and all settings";

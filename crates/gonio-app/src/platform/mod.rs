@@ -5,6 +5,7 @@ pub mod desktop;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 
+use crate::baking::{BakeRequest, BakeTask};
 use crate::files::{ExerciseFile, ShaderFiles};
 use crate::saving::Product;
 use crate::session::Settings;
@@ -168,6 +169,14 @@ pub trait Platform {
     /// Makes a tracer for the pictures of one pane, which repaints `ctx`.
     #[cfg(target_arch = "wasm32")]
     fn tracer(&mut self, ctx: &egui::Context) -> Box<dyn Tracer>;
+    /// Starts to bake a scene, beside the interface; repaints `ctx`.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn bake(&mut self, request: BakeRequest, ctx: &egui::Context) -> Box<dyn BakeTask> {
+        Box::new(desktop::bake::ThreadBake::start(request, ctx))
+    }
+    /// Starts to bake a scene, beside the interface; repaints `ctx`.
+    #[cfg(target_arch = "wasm32")]
+    fn bake(&mut self, request: BakeRequest, ctx: &egui::Context) -> Box<dyn BakeTask>;
     /// Publishes the state after a frame, for tests.
     fn publish(&mut self, state: &dyn Fn() -> Value) {
         let _ = state;

@@ -3,6 +3,7 @@
 use super::drawing::PaneRenderer;
 use super::paint::{picture_size, present};
 use super::{Projection, axes, gizmos, lobe, navigation, observer, paint, toolbar, vectors};
+use crate::baking;
 use crate::document::{Document, PaneArrangement, Panes};
 use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session, Tab};
@@ -91,7 +92,8 @@ pub fn over(
         step::margin::marker(ui, rect, &shaders.stepper);
     }
     // Below the arrows.
-    let pinned = lobe::at_pin(&session.probing, session.selection, &frame);
+    let is_probe = session.tab != Tab::Bake;
+    let pinned = lobe::at_pin(&session.probing, session.selection, &frame).filter(|_| is_probe);
     if let Some(lobe) = &pinned {
         lobe::on_surface(ui, &projection, lobe);
     }
@@ -99,8 +101,11 @@ pub fn over(
         && is_here(probed)
     {
         session.probing.update(ui.ctx(), &loaded, &frame, |x, y| pane_renderer.pixel(probed, x, y));
-        vectors::show(ui, &projection, &session.probing, session.selection);
+        if is_probe {
+            vectors::show(ui, &projection, &session.probing, session.selection);
+        }
     }
+    baking::mark(ui, &projection, &session.baking, &session.probing);
     if response.dragged() {
         aim(ui, &projection, document, &loaded);
     }
@@ -139,7 +144,8 @@ fn point(index: usize, response: &Response, session: &mut Session, is_users: boo
         [f64::from(local.x), f64::from(local.y)]
     };
     let probing = &mut session.probing;
-    probing.follows = session.tab == Tab::Probe;
+    let shows_texels = session.tab == Tab::Bake && session.baking.result().is_some();
+    probing.follows = session.tab == Tab::Probe || shows_texels;
     match response.hover_pos() {
         Some(place) => {
             probing.hovered = Some(share(place));
@@ -160,7 +166,10 @@ fn point(index: usize, response: &Response, session: &mut Session, is_users: boo
         }
         probing.pinned = Some(share(place));
         probing.pane = index;
-        session.tab = Tab::Probe;
+        session.baking.picked = None;
+        if !shows_texels {
+            session.tab = Tab::Probe;
+        }
         session.selection = Selection::None;
     }
 }

@@ -14,6 +14,7 @@ pub use own_shaders::OwnShaders;
 pub use probing::Probing;
 pub use settings::Settings;
 
+use crate::baking::Baking;
 use crate::saving::Product;
 use crate::truth::{PixelLight, TracedPane};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -94,6 +95,8 @@ pub struct Session {
     pub traced: Vec<TracedPane>,
     /// The user's own shaders, if there are any.
     pub shaders: Option<OwnShaders>,
+    /// Baking, and the newest baked atlas.
+    pub baking: Baking,
     /// Whether slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
     /// Whether something is being dragged, or time runs.
@@ -130,6 +133,7 @@ impl Default for Session {
             comparison: PaneComparison::default(),
             traced: Vec::new(),
             shaders: None,
+            baking: Baking::default(),
             adaptive: true,
             moving: false,
             unframed: false,
@@ -208,12 +212,23 @@ pub enum Tab {
     Frame,
     /// The user's own shaders; only if there are any.
     Shaders,
+    /// Baking; only once it was opened.
+    Bake,
 }
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Tab; 8] =
-        [Tab::Lights, Tab::Objects, Tab::Camera, Tab::Picture, Tab::Probe, Tab::Compare, Tab::Frame, Tab::Shaders];
+    pub const ALL: [Tab; 9] = [
+        Tab::Lights,
+        Tab::Objects,
+        Tab::Camera,
+        Tab::Picture,
+        Tab::Probe,
+        Tab::Compare,
+        Tab::Frame,
+        Tab::Shaders,
+        Tab::Bake,
+    ];
 
     /// The title.
     pub fn title(self) -> &'static str {
@@ -226,6 +241,7 @@ impl Tab {
             Tab::Compare => "Compare",
             Tab::Frame => "Frame",
             Tab::Shaders => "Shaders",
+            Tab::Bake => "Bake",
         }
     }
 
@@ -240,6 +256,7 @@ impl Tab {
             Tab::Compare => "The scene with up to four settings side by side",
             Tab::Frame => "The OpenGL calls that drew this picture",
             Tab::Shaders => "Your own shaders and the values of their uniforms",
+            Tab::Bake => "Textures for new texture coordinates, baked from the scene",
         }
     }
 }

@@ -10,6 +10,9 @@ pub struct Settings {
     pub dark: Option<bool>,
     /// Recently opened files, the latest first.
     pub recent: Vec<String>,
+    /// The settings of the last bake as JSON, which is parsed when they are shown; `None` before the first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bake: Option<String>,
 }
 
 impl Settings {
@@ -50,7 +53,7 @@ mod tests {
 
     #[test]
     fn settings_survive_a_round_trip_and_damaged_ones_are_defaults() {
-        let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()] };
+        let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()], bake: Some("{}".into()) };
         assert_eq!(Settings::from_text(&settings.to_text()), settings);
         assert_eq!(Settings::from_text("{\"dark\": 3}"), Settings::default());
         assert_eq!(Settings::from_text("{}"), Settings::default());

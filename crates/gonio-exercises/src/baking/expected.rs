@@ -6,7 +6,7 @@ use super::matching::Matching;
 use super::original::{Original, weighted};
 use glam::{DVec2, DVec3};
 use gonio_atlas::raster::for_each_texel;
-use gonio_bake::texels::{TexelSample, bake_texels};
+use gonio_bake::texels::{Border, TexelSample, bake_texels};
 use gonio_light::color::srgb_encode;
 
 /// No triangle.
@@ -115,7 +115,7 @@ impl Expected {
             });
         }
         let known = |sample: &TexelSample| value(sample).map_or(glam::DVec4::ZERO, weighted);
-        let baked = bake_texels(&layout.tex_coords, |_| true, side, 1, known, &|_| true);
+        let baked = bake_texels(&layout.tex_coords, |_| true, side, 1, Border::Nearest, known, &|_| true);
         let (filled, is_touched) = match baked {
             Some(mut baked) => {
                 for (value, touched) in baked.values.iter_mut().zip(&mut baked.covered) {

@@ -1,7 +1,7 @@
 //! A right answer, made by gonio-bake, and changes of it.
 
 use gonio_atlas::{AtlasUv, UnwrapSettings, unwrap};
-use gonio_bake::model::{MapFile, baked_model};
+use gonio_bake::model::{AtlasSet, MapFile, baked_model};
 use gonio_bake::{BakeSettings, BakedMap, Baker, MapKind, SceneSurface};
 use gonio_check::submission::SourceFile;
 use gonio_image::EncodedPicture;
@@ -14,7 +14,7 @@ use gonio_scene::{Scene, load};
 use std::path::Path;
 
 /// A layout and a size.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Recipe {
     pub unwrap: UnwrapSettings,
     pub size: u32,
@@ -74,7 +74,7 @@ pub fn with_layout(recipe: Recipe, change: &dyn Fn(&mut AtlasUv)) -> Case {
     let colors =
         |map: &BakedMap| map.texels.values.iter().map(|[r, g, b, _]| [*r, *g, *b].map(f64::from)).collect::<Vec<_>>();
     let file = MapFile { kind: MapKind::Diffuse, name: "baked.png".to_owned(), factor: 1.0 };
-    let model = baked_model(&scene, &surface, &atlas, &[file]).model;
+    let model = baked_model(&scene, &surface, &atlas, &[file], AtlasSet::Only).model;
     Case {
         recipe,
         model,

@@ -1,20 +1,67 @@
-//! The path tracer that the page's worker calls (`web/page/tracer.js`): a module of its own, loaded when a pane shows the traced
-//! picture. On other targets the program does nothing.
+//! The path tracer that the page's worker calls (`web/page/tracer.js`), and baking: a module of its own, loaded when a pane shows
+//! the traced picture or textures are baked. On other targets the program does nothing.
 
 #[cfg(target_arch = "wasm32")]
 mod tracer {
     use glam::DVec3;
+    use gonio_bake::{BakeJob, BakedAtlas};
     use gonio_light::Simplifications;
     use gonio_mesh::Limits;
     use gonio_scene::edit::{self, Edited};
     use gonio_scene::files::{FileBytes, FileSource, is_builtin, within};
     use gonio_scene::{Camera, Frame, Scene, load, toml_file};
     use gonio_trace::{Refinement, TraceScene, TraceSettings};
+    use js_sys::{Array, Float32Array, Object, Reflect, Uint8Array, Uint32Array};
+    use std::cell::RefCell;
     use std::collections::BTreeMap;
     use std::io::{Error, ErrorKind};
     use std::path::{Path, PathBuf};
     use std::sync::{Mutex, PoisonError};
     use wasm_bindgen::prelude::*;
+
+    thread_local! {
+        // JavaScript's functions belong to a thread, and baking asks for one that any may call; a worker has one.
+        static PROGRESS: RefCell<Option<js_sys::Function>> = const { RefCell::new(None) };
+    }
+
+    /// A baked atlas as an object.
+    fn object_of(atlas: BakedAtlas) -> Result<JsValue, JsValue> {
+        let BakedAtlas { uv, report, corners, layout, pictures, files, warnings } = atlas;
+        let object = |entries: &[(&str, JsValue)]| -> Result<JsValue, JsValue> {
+            let object = Object::new();
+            for (name, value) in entries {
+                Reflect::set(&object, &(*name).into(), value)?;
+            }
+            Ok(object.into())
+        };
+        let list = |items: Vec<Result<JsValue, JsValue>>| items.into_iter().collect::<Result<Array, _>>();
+        let bytes = |bytes: &[u8]| JsValue::from(Uint8Array::from(bytes));
+        let charts: Vec<u32> = uv.chart_of_triangle.iter().map(|chart| chart.unwrap_or(u32::MAX)).collect();
+        let maps = pictures.into_iter().map(|map| {
+            object(&[
+                ("kind", map.kind.name().into()),
+                ("file", map.file.into()),
+                ("factor", map.factor.into()),
+                ("size", map.picture.width.into()),
+                ("rgba", bytes(&map.picture.rgba)),
+            ])
+        });
+        let maps = list(maps.collect())?;
+        let files = files.iter().map(|(name, content)| object(&[("name", name.into()), ("bytes", bytes(content))]));
+        let report = serde_json::to_string(&report).map_err(|error| JsValue::from_str(&error.to_string()))?;
+        object(&[
+            ("texCoords", Float32Array::from(uv.tex_coords.as_flattened()).into()),
+            ("charts", Uint32Array::from(charts.as_slice()).into()),
+            ("chartCount", (uv.chart_count as f64).into()),
+            ("margin", uv.margin.into()),
+            ("report", report.into()),
+            ("corners", Float32Array::from(corners.as_flattened()).into()),
+            ("layout", object(&[("size", layout.width.into()), ("rgba", bytes(&layout.rgba))])?),
+            ("pictures", maps.into()),
+            ("files", list(files.collect())?.into()),
+            ("warnings", warnings.into_iter().map(JsValue::from).collect::<Array>().into()),
+        ])
+    }
 
     /// The scene's files: the user's by their paths, and built-in ones by their paths below `assets`.
     #[derive(Default)]
@@ -46,12 +93,14 @@ mod tracer {
         }
     }
 
-    /// Traces one picture after the other.
+    /// Traces one picture after the other, or bakes a scene.
     #[wasm_bindgen]
     #[derive(Default)]
     pub struct PageTracer {
         files: WorkerFiles,
         refinement: Option<Refinement>,
+        /// The scene to bake, and its time.
+        to_bake: Option<(Scene, f64)>,
     }
 
     #[wasm_bindgen]
@@ -84,12 +133,10 @@ mod tracer {
             goal: f64,
         ) -> Result<Vec<String>, String> {
             self.refinement = None;
-            let scene = self.read(text);
-            let missing = std::mem::take(&mut *self.files.missing.lock().unwrap_or_else(PoisonError::into_inner));
-            if !missing.is_empty() {
-                return Ok(missing);
-            }
-            let scene = scene?.at(time);
+            let scene = match self.read_whole(text)? {
+                Ok(scene) => scene.at(time),
+                Err(missing) => return Ok(missing),
+            };
             let settings = TraceSettings {
                 simplified: Simplifications::from_bits(simplified),
                 points_per_light,
@@ -99,6 +146,44 @@ mod tracer {
             let frame = Frame { width: 1, height: 1, ..scene.frame(time) };
             self.refinement = Some(Refinement::new(TraceScene::new(&scene, &frame), settings, goal));
             Ok(Vec::new())
+        }
+
+        /// Reads a scene file to bake at `time` in seconds. Returns the names of built-in files that are missing, as
+        /// [`PageTracer::open`] does.
+        pub fn open_to_bake(&mut self, text: &str, time: f64) -> Result<Vec<String>, String> {
+            match self.read_whole(text)? {
+                Ok(scene) => self.to_bake = Some((scene, time)),
+                Err(missing) => return Ok(missing),
+            }
+            Ok(Vec::new())
+        }
+
+        /// Bakes the scene of [`PageTracer::open_to_bake`]. `job` is a [`BakeJob`] as JSON; the files' names begin with `stem`.
+        /// `progress` gets the step at work and the share done. Returns an object, which `bake.rs` of gonio-app reads. An error
+        /// is one sentence.
+        pub fn bake(&mut self, job: &str, stem: &str, progress: js_sys::Function) -> Result<JsValue, String> {
+            let (scene, time) = self.to_bake.take().ok_or("there is no scene to bake")?;
+            let job: BakeJob = serde_json::from_str(job).map_err(|error| error.to_string())?;
+            PROGRESS.set(Some(progress));
+            let report = |step: &str, share: f64| {
+                PROGRESS.with_borrow(|progress| {
+                    if let Some(progress) = progress {
+                        // The page shows what arrives.
+                        let _ = progress.call2(&JsValue::NULL, &step.into(), &share.into());
+                    }
+                });
+                true
+            };
+            let baked = job.run(&scene, time, stem, &report).map_err(|error| error.to_string());
+            PROGRESS.set(None);
+            object_of(baked?).map_err(|error| format!("{error:?}"))
+        }
+
+        /// Reads a scene, or returns the names of built-in files that are missing.
+        fn read_whole(&self, text: &str) -> Result<Result<Scene, Vec<String>>, String> {
+            let scene = self.read(text);
+            let missing = std::mem::take(&mut *self.files.missing.lock().unwrap_or_else(PoisonError::into_inner));
+            if missing.is_empty() { Ok(Ok(scene?)) } else { Ok(Err(missing)) }
         }
 
         fn read(&self, text: &str) -> Result<Scene, String> {

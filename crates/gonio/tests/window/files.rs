@@ -226,3 +226,25 @@ fn own_shaders_are_stepped_through_at_a_pixel() {
     window.key("F10");
     window.wait("the last step", |s| s["shaders"]["step"]["line"] == 9);
 }
+
+#[test]
+fn a_baked_model_is_saved_with_its_files_and_can_be_drawn() {
+    let mut window = Window::open(1000, 760, &["builtin:still-life"]);
+    window.rest();
+    window.key("ctrl+b");
+    window.click("bake-size-512");
+    window.click("bake-start");
+    let state = window.wait("the atlas", |s| !s["bake"]["result"].is_null());
+    assert_eq!(state["bake"]["failed"], Value::Null);
+    window.rest();
+    window.click("save-baked-obj");
+    answer(&mut window, "mine.obj");
+    window.wait("the files", |s| s["announcement"] == "saved mine.obj");
+    for name in ["mine.obj", "still-life_baked.mtl", "still-life_baked_diffuse.png", "still-life_baked_layout.png"] {
+        assert!(window.path(name).is_file(), "{name}");
+    }
+    let mut gonio = Command::new(env!("CARGO_BIN_EXE_gonio"));
+    let drawn = gonio.args(["inspect", "mine.obj", "--json"]).current_dir(window.folder.path()).output().unwrap();
+    let report = String::from_utf8_lossy(&drawn.stdout);
+    assert!(drawn.status.success() && report.contains("still-life_baked_diffuse.png"), "{report}");
+}

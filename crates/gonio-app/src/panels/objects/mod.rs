@@ -17,7 +17,6 @@ use gonio_scene::settings::{Aim, CameraSettings};
 use gonio_scene::{Scene, files};
 
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
-    let _ = actions;
     let loaded = session.loaded.clone();
     if loaded.is_none() {
         return;
@@ -38,6 +37,15 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         apply(document, session, edit);
     }
     add(ui, document, session);
+    ui.add_space(8.0);
+    let icon = RichText::new(icons::CHECKERBOARD).font(theme::icon_font(15.0));
+    let bake = ui.button((icon, "Bake textures..."));
+    bake.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, "Bake textures..."));
+    exported::note(ui, &bake, "bake-textures", WidgetRole::Button, "Bake textures...", "");
+    let tip = "Unwrap the objects, and bake their colours, normals or light into textures (Ctrl + B)";
+    if bake.on_hover_text(tip).clicked() {
+        actions.push(Action::ShowBake);
+    }
 }
 
 /// The name with the number of triangles, over the whole line.

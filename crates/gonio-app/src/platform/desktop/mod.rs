@@ -1,5 +1,6 @@
 //! The desktop: a window of its own, files on disk.
 
+pub(super) mod bake;
 mod check;
 pub mod child;
 mod dialog;

@@ -1,5 +1,6 @@
 //! The browser: a canvas in a page, dropped files, and checks and traced pictures in workers beside the page.
 
+mod bake;
 mod document;
 mod trace;
 
@@ -8,6 +9,7 @@ pub use trace::PageTraces;
 use super::{
     CheckRequest, CheckResult, Event, FileDialog, FrameShown, MOMENT, Pending, Platform, Purpose, Ready, SceneInput,
 };
+use crate::baking::{BakeRequest, BakeTask};
 use crate::files::{ExerciseFile, GatheredInputs, Layered, MemoryFiles, gather, link, zip};
 use crate::saving::Product;
 use crate::session::Settings;
@@ -224,6 +226,10 @@ impl Platform for Web {
 
     fn tracer(&mut self, ctx: &egui::Context) -> Box<dyn Tracer> {
         self.traces.start(ctx)
+    }
+
+    fn bake(&mut self, request: BakeRequest, ctx: &egui::Context) -> Box<dyn BakeTask> {
+        self.traces.bake(&request, ctx)
     }
 
     fn settings(&self) -> Settings {

@@ -1,10 +1,13 @@
 //! Traced pictures of the page: by a worker per pane, with a module of its own.
 
 use super::message_of;
+use crate::baking::BakeRequest;
 use crate::truth::{ERROR_GOAL, PixelLight, REPAINT_DELAY, TraceFacts, TraceReply, TraceRequest, Tracer};
-use gonio_scene::{Picture, SceneFile};
+use gonio_scene::files::FileSource;
+use gonio_scene::{Picture, Scene, SceneFile};
 use js_sys::{Array, Float32Array, Float64Array, Function, Object, Reflect, Uint8Array, Uint32Array};
 use std::cell::RefCell;
+use std::path::PathBuf;
 use std::rc::Rc;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
@@ -28,9 +31,20 @@ impl PageTraces {
             slot.borrow_mut().take(&message);
             ctx.request_repaint_after(REPAINT_DELAY);
         });
-        let worker = self.0.call1(&JsValue::NULL, receive.as_ref()).map_err(|error| message_of(&error));
+        let worker = self.begin(&receive).map_err(|error| message_of(&error));
         Box::new(WorkerTracer { worker, answers, before: None, _receive: receive })
     }
+
+    /// Starts a worker, whose messages `receive` gets.
+    pub(super) fn begin(&self, receive: &Closure<dyn FnMut(JsValue)>) -> Result<JsValue, JsValue> {
+        self.0.call1(&JsValue::NULL, receive.as_ref())
+    }
+}
+
+/// Ends a worker.
+pub(super) fn end(worker: &JsValue) {
+    let end = Reflect::get(worker, &"end".into()).and_then(|end| end.dyn_into::<Function>());
+    let _ = end.and_then(|end| end.call0(&JsValue::NULL));
 }
 
 /// The newest answer to the newest request.
@@ -127,8 +141,7 @@ impl Tracer for WorkerTracer {
 impl Drop for WorkerTracer {
     fn drop(&mut self) {
         if let Ok(worker) = &self.worker {
-            let end = Reflect::get(worker, &"end".into()).and_then(|end| end.dyn_into::<Function>());
-            let _ = end.and_then(|end| end.call0(&JsValue::NULL));
+            end(worker);
         }
     }
 }
@@ -145,26 +158,42 @@ fn send(worker: &JsValue, number: f64, request: &TraceRequest, is_known: bool) -
     set(&message, "height", frame.height.into())?;
     set(&message, "camera", Float64Array::from([position, front, up, lens].concat().as_slice()).into())?;
     if !is_known {
-        let scene = Object::new();
-        set(&scene, "text", SceneFile::from(&request.scene.settings).to_toml_string().into())?;
-        let files = Array::new();
-        for path in &request.paths {
-            // Files that are not there were looked for in vain.
-            if let Ok(bytes) = request.files.read(path) {
-                let file = Object::new();
-                set(&file, "name", JsValue::from_str(&path.to_string_lossy()))?;
-                set(&file, "bytes", Uint8Array::from(&bytes[..]).into())?;
-                files.push(&file);
-            }
-        }
-        set(&scene, "files", files.into())?;
-        set(&scene, "time", frame.time.into())?;
+        let scene = described(&request.scene, frame.time, &*request.files, &request.paths)?;
         set(&scene, "simplified", request.settings.simplified.bits().into())?;
         set(&scene, "points", request.settings.points_per_light.into())?;
         set(&scene, "goal", ERROR_GOAL.into())?;
         set(&message, "scene", scene.into())?;
     }
     post(worker, &message, request.pixel)
+}
+
+/// Sends a scene to bake.
+pub(super) fn send_bake(worker: &JsValue, request: &BakeRequest) -> Result<(), JsValue> {
+    let message = Object::new();
+    let job = serde_json::to_string(&request.job).map_err(|error| JsValue::from_str(&error.to_string()))?;
+    set(&message, "job", job.into())?;
+    set(&message, "stem", JsValue::from_str(&request.stem))?;
+    set(&message, "scene", described(&request.scene, request.time, &*request.files, &request.paths)?.into())?;
+    post(worker, &message, None)
+}
+
+/// A scene at a time in seconds, with the files at `paths`, for a worker that reads it again.
+fn described(scene: &Scene, time: f64, source: &dyn FileSource, paths: &[PathBuf]) -> Result<Object, JsValue> {
+    let described = Object::new();
+    set(&described, "text", SceneFile::from(&scene.settings).to_toml_string().into())?;
+    let files = Array::new();
+    for path in paths {
+        // Files that are not there were looked for in vain.
+        if let Ok(bytes) = source.read(path) {
+            let file = Object::new();
+            set(&file, "name", JsValue::from_str(&path.to_string_lossy()))?;
+            set(&file, "bytes", Uint8Array::from(&bytes[..]).into())?;
+            files.push(&file);
+        }
+    }
+    set(&described, "files", files.into())?;
+    set(&described, "time", time.into())?;
+    Ok(described)
 }
 
 fn set(object: &Object, name: &str, value: JsValue) -> Result<(), JsValue> {

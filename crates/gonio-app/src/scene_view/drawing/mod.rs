@@ -147,6 +147,7 @@ impl PaneRenderer {
         };
         let pane = &mut self.panes[index];
         let time = session.clock.time;
+        pane.follow_bake(&session.baking, settings);
         pane.follow(&mut self.renderer, &mut self.details, base, session.generation, settings, time)?;
         let traced = settings.truth.and_then(|_| session.traced.get(index));
         // OpenGL's picture stands in until there is a traced one.

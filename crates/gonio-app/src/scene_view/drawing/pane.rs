@@ -1,7 +1,8 @@
 //! One pane's scene, its GPU data and its picture.
 
 use super::details::Details;
-use crate::document::Pane;
+use crate::baking::{AtlasBackground, BakedResult, Baking};
+use crate::document::{BakedLook, Pane};
 use crate::session::comparison::PaneFacts;
 use crate::session::{FrameFacts, OwnShaders};
 use gonio_gl::{Gl, GlError, GpuStatistics};
@@ -37,6 +38,8 @@ pub struct PaneDrawing {
     /// Seconds; counts only where objects move.
     time: f64,
     pub loaded: Option<Arc<Scene>>,
+    /// The baked textures on the model.
+    bake: Option<ShownBake>,
     /// Meshes at the pane's level of detail, with the generation of their scene; shown while others are created.
     detailed: Option<(u64, Vec<Arc<Mesh>>)>,
     pub uploaded: Option<(Arc<Scene>, GpuScene)>,
@@ -52,7 +55,40 @@ pub struct PaneDrawing {
     pub facts: PaneFacts,
 }
 
+/// A baked atlas on the model.
+#[derive(Clone)]
+struct ShownBake {
+    result: Arc<BakedResult>,
+    look: BakedLook,
+    /// The picture, for [`BakedLook::Picture`].
+    background: AtlasBackground,
+}
+
+impl ShownBake {
+    fn is_same(&self, other: &ShownBake) -> bool {
+        let is_same_picture = self.look == BakedLook::Materials || self.background == other.background;
+        Arc::ptr_eq(&self.result, &other.result) && self.look == other.look && is_same_picture
+    }
+}
+
 impl PaneDrawing {
+    /// Takes over the baked textures that the pane's settings ask for.
+    pub fn follow_bake(&mut self, baking: &Baking, settings: &Pane) {
+        let shown = settings.baked.zip(baking.result()).map(|(look, result)| ShownBake {
+            result: result.clone(),
+            look,
+            background: baking.view.background,
+        });
+        let is_same = match (&self.bake, &shown) {
+            (None, None) => true,
+            (Some(before), Some(now)) => before.is_same(now),
+            _ => false,
+        };
+        if !is_same {
+            (self.bake, self.uploaded) = (shown, None);
+        }
+    }
+
     /// Updates the pane's scene to the document's at `time`, with the pane's settings. GPU data are kept unless geometry or
     /// materials changed, so that moving a light uploads nothing. An object that moves gets another matrix.
     pub fn follow(
@@ -70,6 +106,8 @@ impl PaneDrawing {
             return Ok(());
         }
         let loaded = with_settings(base, settings);
+        let baked = self.bake.as_ref().and_then(|bake| bake.result.scene(&loaded, bake.look, bake.background));
+        let loaded = baked.map_or(loaded, Arc::new);
         let loaded = at_time(self.with_detail(loaded, details, generation, settings), time);
         let known = self.uploaded.as_ref().filter(|_| self.generation == generation);
         if !known.is_some_and(|(uploaded, _)| is_same_on_gpu(uploaded, &loaded)) {
