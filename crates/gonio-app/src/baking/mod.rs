@@ -23,10 +23,10 @@ mod view;
 pub use mark::show as mark;
 pub use panel::show as panel;
 pub use places::AtlasPlace;
-pub use result::BakedResult;
+pub use result::{AtlasBackground, BakedResult};
 pub use state_json::build as state;
 pub use task::{BakeReply, BakeRequest, BakeTask};
-pub use view::{AtlasBackground, show as view};
+pub use view::show as view;
 
 use crate::bench::Job;
 use crate::platform::Platform;

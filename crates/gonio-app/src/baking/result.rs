@@ -1,7 +1,6 @@
 //! A baked atlas with what its views need.
 
 use super::places::{self, AtlasPlace, TexelTriangles};
-use super::view::AtlasBackground;
 use crate::document::BakedLook;
 use glam::{DMat3, DVec2, DVec3};
 use gonio_atlas::layout;
@@ -12,6 +11,18 @@ use gonio_mesh::{AmbientRule, Material, Mesh, Wrap, tangents};
 use gonio_reference::Probe;
 use gonio_scene::{BoundTexture, ColorSpace, Object, Scene, SceneMaterial, Texture};
 use std::sync::{Arc, OnceLock};
+
+/// The picture below the outlines of the charts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum AtlasBackground {
+    /// Each chart in a colour of its own, with its triangles.
+    #[default]
+    Charts,
+    /// Squares that show stretch on the model.
+    Checker,
+    /// A map of the result, by its index.
+    Map(usize),
+}
 
 /// A baked atlas, and the scene with its textures.
 pub struct BakedResult {

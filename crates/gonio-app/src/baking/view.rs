@@ -1,7 +1,7 @@
 //! The atlas: its maps under the outlines of its charts, to zoom, to move and to point at.
 
 use super::places::AtlasPlace;
-use super::{BakedResult, Baking};
+use super::{AtlasBackground, BakedResult, Baking};
 use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::{colors, icons};
@@ -11,18 +11,6 @@ use egui::{
     Stroke, TextureFilter, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use glam::DVec2;
-
-/// What is below the outlines.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum AtlasBackground {
-    /// Each chart in a colour of its own, with its triangles.
-    #[default]
-    Charts,
-    /// Squares that show stretch on the model.
-    Checker,
-    /// A map of the result, by its index.
-    Map(usize),
-}
 
 /// The atlas as it is looked at.
 pub struct AtlasView {

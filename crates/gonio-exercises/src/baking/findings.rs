@@ -27,7 +27,7 @@ const LARGE_ENOUGH: u32 = 512;
 
 /// A mistake with its evidence.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Finding {
+pub struct BakeFinding {
     /// The mistake's id in the catalogue.
     pub id: &'static str,
     /// The share of the difference that it explains.
@@ -38,23 +38,23 @@ pub struct Finding {
     pub place: Option<(String, u32, String)>,
 }
 
-impl Finding {
+impl BakeFinding {
     /// A mistake without details.
     pub fn new(id: &'static str) -> Self {
-        Finding { id, share: 1.0, detail: String::new(), place: None }
+        BakeFinding { id, share: 1.0, detail: String::new(), place: None }
     }
 
     /// A mistake with a detail.
     pub fn of(id: &'static str, detail: impl Into<String>) -> Self {
-        Finding { detail: detail.into(), ..Finding::new(id) }
+        BakeFinding { detail: detail.into(), ..BakeFinding::new(id) }
     }
 }
 
 /// The findings about one answer.
 #[derive(Default)]
-pub struct Findings {
+pub struct BakeFindings {
     /// The mistakes, the most significant first.
-    pub mistakes: Vec<Finding>,
+    pub mistakes: Vec<BakeFinding>,
     /// Oddities that are right.
     pub warnings: Vec<String>,
     /// The parts of the original: name, colours.
@@ -66,17 +66,17 @@ pub struct Findings {
 }
 
 /// Examines an answer.
-pub fn examine(answer: &Answer, original: &Original) -> Findings {
-    let mut findings = Findings::default();
+pub fn examine(answer: &Answer, original: &Original) -> BakeFindings {
+    let mut findings = BakeFindings::default();
     let Some(matching) = Matching::new(&original.surface.mesh, &answer.mesh) else {
         let triangles = answer.mesh.triangle_count();
-        findings.mistakes.push(Finding::of("wrong-model", format!("{} has {triangles} triangles", answer.name)));
+        findings.mistakes.push(BakeFinding::of("wrong-model", format!("{} has {triangles} triangles", answer.name)));
         return findings;
     };
     findings.model(answer, &matching, original);
     let layout = UvLayout::new(answer, &matching, original);
     let Some(layout) = layout.filter(|layout| layout.collapsed_share(answer) < 0.5) else {
-        findings.mistakes.push(Finding::new("no-tex-coords"));
+        findings.mistakes.push(BakeFinding::new("no-tex-coords"));
         return findings;
     };
     let examination = Examination { answer, matching: &matching, original, layout: &layout };
@@ -84,7 +84,7 @@ pub fn examine(answer: &Answer, original: &Original) -> Findings {
     findings
 }
 
-impl Findings {
+impl BakeFindings {
     /// Geometry and normals.
     fn model(&mut self, answer: &Answer, matching: &Matching, original: &Original) {
         let mesh = &original.surface.mesh;
@@ -101,7 +101,7 @@ impl Findings {
         let missing = (0..mesh.parts.len()).filter(|&part| lost[part] > MISSING * whole(part));
         let names: Vec<&str> = missing.map(|part| original.part_name(part)).collect();
         if !names.is_empty() {
-            self.mistakes.push(Finding::of("parts-missing", names.join(", ")));
+            self.mistakes.push(BakeFinding::of("parts-missing", names.join(", ")));
         }
         let extra = matching.counterparts.iter().filter(|found| **found == Counterpart::Nothing).count();
         if 100 * extra > answer.mesh.triangle_count() {
@@ -109,9 +109,9 @@ impl Findings {
         }
         let placement = &matching.placement;
         if placement.is_mirrored() {
-            self.mistakes.push(Finding::new("model-mirrored"));
+            self.mistakes.push(BakeFinding::new("model-mirrored"));
         } else if !placement.has_same_axes() {
-            self.mistakes.push(Finding::new("axes-turned"));
+            self.mistakes.push(BakeFinding::new("axes-turned"));
         }
         if (placement.scale - 1.0).abs() > 1e-3 {
             self.warnings.push(format!("the model is {:.4} times as large as the original", 1.0 / placement.scale));
@@ -120,7 +120,7 @@ impl Findings {
             self.warnings.push("the model is in another place than the original".to_owned());
         }
         if answer.mesh.normals.is_empty() {
-            self.mistakes.push(Finding::new("normals-missing"));
+            self.mistakes.push(BakeFinding::new("normals-missing"));
         }
     }
 }
@@ -144,7 +144,7 @@ pub struct Candidate {
 }
 
 impl Examination<'_> {
-    fn run(&self, findings: &mut Findings) {
+    fn run(&self, findings: &mut BakeFindings) {
         let kept = self.layout.kept_parts(self.answer, self.matching, self.original);
         let parts = self.original.surface.mesh.parts.len();
         let pictures: Vec<usize> =
@@ -158,7 +158,7 @@ impl Examination<'_> {
         if area > LARGEST_AREA {
             // Baking all of them would take long, and most of the texels could not be judged.
             findings.mistakes.push(match kept.is_empty() {
-                true => Finding::of("charts-overlap", format!("their area is {area:.1} times that of the picture")),
+                true => BakeFinding::of("charts-overlap", format!("their area is {area:.1} times that of the picture")),
                 false => self.kept_coordinates(&kept, is_all_kept),
             });
             return;
@@ -187,7 +187,7 @@ impl Examination<'_> {
         let Some(right) = expected.get(&chosen.side) else { return };
         self.layout_findings(right, &kept, is_all_kept, findings);
         let is_judged = right.judged.len() * 20 >= right.covered && !right.judged.is_empty();
-        let mut of_colors = Findings::default();
+        let mut of_colors = BakeFindings::default();
         if is_judged {
             self.color_findings(chosen, right, &mut of_colors);
         }
@@ -229,22 +229,24 @@ impl Examination<'_> {
     }
 
     /// Findings about an answer without a picture of its own.
-    fn without_picture(&self, is_all_kept: bool, findings: &mut Findings) {
+    fn without_picture(&self, is_all_kept: bool, findings: &mut BakeFindings) {
         if let Some(reason) = self.answer.unreadable.first() {
             findings.unjudged = Some(reason.clone());
             return;
         }
         let missing = self.answer.materials.iter().find(|m| matches!(m.texture, TextureReference::Missing(_)));
         findings.mistakes.push(match missing {
-            Some(material) => {
-                Finding { detail: material.path.clone(), place: quoted(material), ..Finding::new("picture-missing") }
-            }
-            None if is_all_kept => Finding::new("nothing-baked"),
-            None => Finding::new("picture-missing"),
+            Some(material) => BakeFinding {
+                detail: material.path.clone(),
+                place: quoted(material),
+                ..BakeFinding::new("picture-missing")
+            },
+            None if is_all_kept => BakeFinding::new("nothing-baked"),
+            None => BakeFinding::new("picture-missing"),
         });
     }
 
-    fn layout_findings(&self, right: &Expected, kept: &[u16], is_all_kept: bool, findings: &mut Findings) {
+    fn layout_findings(&self, right: &Expected, kept: &[u16], is_all_kept: bool, findings: &mut BakeFindings) {
         let covered = right.covered.max(1) as f64;
         let conflicts = right.conflicts as f64 / covered;
         let is_conflict = conflicts > OVERLAP;
@@ -254,13 +256,13 @@ impl Examination<'_> {
             let both = right.conflicting.map(|pair| pair.map(|t| self.layout.part[t as usize]));
             let both: Vec<u16> = both.into_iter().flatten().flatten().collect();
             let detail = format!("{:.1} % of the texels, {}", 100.0 * conflicts, self.names(&both));
-            findings.mistakes.push(Finding::of("charts-overlap", detail));
+            findings.mistakes.push(BakeFinding::of("charts-overlap", detail));
         } else if right.overlaps as f64 / covered > OVERLAP {
             findings.warnings.push("charts overlap, but only where they have the same colour".to_owned());
         }
         let outside = self.share_outside();
         if outside > OVERLAP {
-            findings.mistakes.push(Finding::of("charts-outside", format!("{:.1} % of them", 100.0 * outside)));
+            findings.mistakes.push(BakeFinding::of("charts-outside", format!("{:.1} % of them", 100.0 * outside)));
         }
     }
 
@@ -270,9 +272,9 @@ impl Examination<'_> {
         names.join(", ")
     }
 
-    fn kept_coordinates(&self, kept: &[u16], is_all_kept: bool) -> Finding {
+    fn kept_coordinates(&self, kept: &[u16], is_all_kept: bool) -> BakeFinding {
         let detail = if is_all_kept { String::new() } else { self.names(kept) };
-        Finding::of("old-tex-coords-kept", detail)
+        BakeFinding::of("old-tex-coords-kept", detail)
     }
 
     /// The share of the charts' area that is outside of the unit square and was not moved into it.
@@ -295,7 +297,7 @@ impl Examination<'_> {
         if whole > 0.0 { outside / whole } else { 0.0 }
     }
 
-    fn color_findings(&self, chosen: &Candidate, right: &Expected, findings: &mut Findings) {
+    fn color_findings(&self, chosen: &Candidate, right: &Expected, findings: &mut BakeFindings) {
         let colors = &chosen.colors;
         let own = &self.answer.pictures[chosen.picture];
         let square = || SquarePicture::new(&own.texture, chosen.side, own.is_lossy);
@@ -308,28 +310,28 @@ impl Examination<'_> {
             match light::find(right, &square(), &emitted) {
                 Some((content, turned)) => {
                     turn = turned;
-                    findings.mistakes.extend(turn_id(turned).map(Finding::new));
-                    findings.mistakes.push(Finding::of(content_id(content), own.name.clone()));
+                    findings.mistakes.extend(turn_id(turned).map(BakeFinding::new));
+                    findings.mistakes.push(BakeFinding::of(content_id(content), own.name.clone()));
                 }
                 None => findings.is_unexplained = true,
             }
         } else {
-            findings.mistakes.extend(turn_id(turn).map(Finding::new));
+            findings.mistakes.extend(turn_id(turn).map(BakeFinding::new));
             findings.mistakes.extend(match colors.tone {
                 Tone::Plain => None,
-                Tone::Decoded => Some(Finding::new("srgb-applied-twice")),
-                Tone::Encoded => Some(Finding::new("srgb-not-applied")),
+                Tone::Decoded => Some(BakeFinding::new("srgb-applied-twice")),
+                Tone::Encoded => Some(BakeFinding::new("srgb-not-applied")),
             });
             let unbaked = colors.parts.iter().enumerate().filter(|(_, part)| part.is_unbaked());
             let names: Vec<&str> = unbaked.map(|(part, _)| self.original.part_name(part)).collect();
             if !names.is_empty() {
-                findings.mistakes.push(Finding::of("parts-not-baked", names.join(", ")));
+                findings.mistakes.push(BakeFinding::of("parts-not-baked", names.join(", ")));
             }
             let is_left = |part: &PartColors| !part.is_right() && !part.is_unbaked();
             let reaches_out = self.share_outside() > OVERLAP;
             if colors.parts.iter().any(is_left) && !reaches_out {
                 match self.wrong_outside(colors, right, &square()) {
-                    true => findings.mistakes.push(Finding::new("charts-outside")),
+                    true => findings.mistakes.push(BakeFinding::new("charts-outside")),
                     false => findings.is_unexplained = true,
                 }
             }
@@ -369,7 +371,7 @@ impl Examination<'_> {
         outside > 0 && share < 0.85 && inside > 0.95
     }
 
-    fn seam_findings(&self, chosen: &Candidate, right: &Expected, turn: Turn, findings: &mut Findings) {
+    fn seam_findings(&self, chosen: &Candidate, right: &Expected, turn: Turn, findings: &mut BakeFindings) {
         let texture = &self.answer.pictures[chosen.picture].texture;
         let unbaked: Vec<bool> = chosen.colors.parts.iter().map(PartColors::is_unbaked).collect();
         let is_judged = |t: u32| {
@@ -379,17 +381,17 @@ impl Examination<'_> {
         let seams = Seams::measure(self.answer, self.layout, right, texture, turn, &is_judged);
         let percent = |share: f64| format!("{:.0} % of a lookup at a border", 100.0 * share);
         if seams.other_chart > SEAM {
-            findings.mistakes.push(Finding::of("charts-too-close", percent(seams.other_chart)));
+            findings.mistakes.push(BakeFinding::of("charts-too-close", percent(seams.other_chart)));
         }
         if seams.background > SEAM {
-            findings.mistakes.push(Finding::of("margin-missing", percent(seams.background)));
+            findings.mistakes.push(BakeFinding::of("margin-missing", percent(seams.background)));
         } else if seams.background_of_quarter > SEAM {
-            findings.mistakes.push(Finding::of("margin-too-small", percent(seams.background_of_quarter)));
+            findings.mistakes.push(BakeFinding::of("margin-too-small", percent(seams.background_of_quarter)));
         }
     }
 
     /// The colours that a picture of this size cannot hold.
-    fn size_findings(&self, own: &super::answer::AnswerPicture, right: &Expected, findings: &mut Findings) {
+    fn size_findings(&self, own: &super::answer::AnswerPicture, right: &Expected, findings: &mut BakeFindings) {
         let (width, height) = (own.texture.width, own.texture.height);
         if width.min(height) >= LARGE_ENOUGH {
             return;
@@ -408,7 +410,7 @@ impl Examination<'_> {
         let share = lost as f64 / all.max(1) as f64;
         if share > BLURRED {
             let detail = format!("{width} x {height} texels, {:.0} % of the surface has another colour", 100.0 * share);
-            findings.mistakes.push(Finding::of("picture-too-small", detail));
+            findings.mistakes.push(BakeFinding::of("picture-too-small", detail));
         } else {
             findings
                 .warnings
@@ -416,7 +418,7 @@ impl Examination<'_> {
         }
     }
 
-    fn alpha_warning(&self, own: &super::answer::AnswerPicture, right: &Expected, findings: &mut Findings) {
+    fn alpha_warning(&self, own: &super::answer::AnswerPicture, right: &Expected, findings: &mut BakeFindings) {
         let texture = &own.texture;
         let is_clear = |texel: &super::expected::JudgedTexel| {
             let (side, index) = (right.side, texel.index);

@@ -21,7 +21,7 @@ const MOST_OTHER: usize = 20_000;
 
 /// How the answer's axes, unit and place differ: `original = scale * axes * answer + offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Placement {
+pub struct ModelPlacement {
     /// A permutation of the axes with signs.
     pub axes: DMat3,
     /// 1 in the same unit.
@@ -30,8 +30,8 @@ pub struct Placement {
     pub offset: DVec3,
 }
 
-impl Placement {
-    const SAME: Placement = Placement { axes: DMat3::IDENTITY, scale: 1.0, offset: DVec3::ZERO };
+impl ModelPlacement {
+    const SAME: ModelPlacement = ModelPlacement { axes: DMat3::IDENTITY, scale: 1.0, offset: DVec3::ZERO };
 
     fn apply(&self, position: DVec3) -> DVec3 {
         self.scale * (self.axes * position) + self.offset
@@ -62,7 +62,7 @@ pub enum Counterpart {
 /// The counterparts of all triangles.
 pub struct Matching {
     /// Where the answer is.
-    pub placement: Placement,
+    pub placement: ModelPlacement,
     /// For each triangle of the answer.
     pub counterparts: Vec<Counterpart>,
     /// Triangles of the original without a counterpart.
@@ -216,10 +216,10 @@ fn all_axes() -> impl Iterator<Item = DMat3> {
     })
 }
 
-fn find_placement(places: &Places, original: &Mesh, answer: &Mesh) -> Option<Placement> {
+fn find_placement(places: &Places, original: &Mesh, answer: &Mesh) -> Option<ModelPlacement> {
     let step = answer.positions.len().div_ceil(TESTED).max(1);
     let tested: Vec<DVec3> = answer.positions.iter().step_by(step).map(|p| vector(*p)).collect();
-    let share = |placement: &Placement| {
+    let share = |placement: &ModelPlacement| {
         let found = tested.iter().filter(|p| places.find(placement.apply(**p)).is_some()).count();
         found as f64 / tested.len().max(1) as f64
     };
@@ -227,12 +227,12 @@ fn find_placement(places: &Places, original: &Mesh, answer: &Mesh) -> Option<Pla
     let scale = f64::from(own.size().length()) / f64::from(other.size().length());
     let fitted = |axes: DMat3| {
         let offset = own.center().as_dvec3() - scale * (axes * other.center().as_dvec3());
-        Placement { axes, scale, offset }
+        ModelPlacement { axes, scale, offset }
     };
-    let about_origin = all_axes().map(|axes| Placement { axes, ..Placement::SAME });
-    let scaled = all_axes().map(|axes| Placement { axes, scale, offset: DVec3::ZERO });
+    let about_origin = all_axes().map(|axes| ModelPlacement { axes, ..ModelPlacement::SAME });
+    let scaled = all_axes().map(|axes| ModelPlacement { axes, scale, offset: DVec3::ZERO });
     let candidates = about_origin.chain(scaled).chain(all_axes().map(fitted));
-    let mut best: Option<(f64, Placement)> = None;
+    let mut best: Option<(f64, ModelPlacement)> = None;
     for placement in candidates.filter(|placement| placement.scale.is_finite()) {
         let share = share(&placement);
         if best.is_none_or(|(known, _)| share > known) {

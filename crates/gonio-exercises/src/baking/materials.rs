@@ -1,19 +1,23 @@
 //! The materials of an answer: which picture they show, and by which path.
 
 use super::answer::{AnswerMaterial, PathState, TextureReference};
-use super::findings::{Candidate, Examination, Finding, Findings};
+use super::findings::{BakeFinding, BakeFindings, Candidate, Examination};
 
 impl Examination<'_> {
     /// Paths and materials, given the baked picture and the one that most of the surface shows.
-    pub fn material_findings(&self, chosen: &Candidate, used: Option<usize>, findings: &mut Findings) {
+    pub fn material_findings(&self, chosen: &Candidate, used: Option<usize>, findings: &mut BakeFindings) {
         let answer = self.answer;
         if let Some((name, line)) = &answer.lost_library {
             let place = Some((answer.name.clone(), *line, format!("mtllib {name}")));
-            findings.mistakes.push(Finding { detail: name.clone(), place, ..Finding::new("material-library-missing") });
+            findings.mistakes.push(BakeFinding {
+                detail: name.clone(),
+                place,
+                ..BakeFinding::new("material-library-missing")
+            });
             return;
         }
         if !answer.has_materials {
-            findings.mistakes.push(Finding::new("material-library-missing"));
+            findings.mistakes.push(BakeFinding::new("material-library-missing"));
             return;
         }
         let mut is_used = vec![false; answer.materials.len()];
@@ -38,7 +42,7 @@ impl Examination<'_> {
                 (_, true) => ("old-textures-kept", String::new()),
                 (_, false) => ("materials-left", names.join(", ")),
             };
-            findings.mistakes.push(Finding { detail, place: quoted(first), ..Finding::new(id) });
+            findings.mistakes.push(BakeFinding { detail, place: quoted(first), ..BakeFinding::new(id) });
         }
         let paths = materials.iter().filter(|m| shows(m));
         let states = paths.filter_map(|m| match m.texture {
@@ -57,14 +61,17 @@ impl Examination<'_> {
                 PathState::Absolute => Some("texture-path-absolute"),
                 PathState::Elsewhere => Some("texture-path-broken"),
             };
-            let found = |id| Finding { detail: material.path.clone(), place: quoted(material), ..Finding::new(id) };
+            let found =
+                |id| BakeFinding { detail: material.path.clone(), place: quoted(material), ..BakeFinding::new(id) };
             findings.mistakes.extend(id.map(found));
         }
         if let Some(material) = materials.iter().find(|m| shows(m) && m.factor.iter().any(|f| (f - 1.0).abs() > 0.01)) {
             let [r, g, b] = material.factor;
             if r.max(g).max(b) - r.min(g).min(b) > 0.02 {
                 let detail = format!("{}: {r:.2} {g:.2} {b:.2}", material.name);
-                findings.mistakes.push(Finding { place: quoted(material), ..Finding::of("color-factor-left", detail) });
+                findings
+                    .mistakes
+                    .push(BakeFinding { place: quoted(material), ..BakeFinding::of("color-factor-left", detail) });
             } else {
                 findings.warnings.push(format!(
                     "material {} has a factor of {r:.2} beside its texture: programs that multiply them show it darker; \

@@ -1,7 +1,7 @@
 //! The verdict on a baked model.
 
 use super::answer::{Answer, is_model};
-use super::findings::{Finding, Findings, examine};
+use super::findings::{BakeFinding, BakeFindings, examine};
 use super::mistakes;
 use super::original::Original;
 use crate::exercise::Exercise;
@@ -21,8 +21,8 @@ pub fn check(exercise: &Exercise, files: &[SourceFile], original: &Original) -> 
     let mut models = if own.is_empty() { all } else { own };
     // An OBJ file is what the exercise asks for; a GLB beside it is another form of the same model.
     let is_obj = |file: &&SourceFile| file.name.to_ascii_lowercase().ends_with(".obj");
-    if models.iter().any(|file| is_obj(&file)) {
-        models.retain(|file| is_obj(&file));
+    if models.iter().any(&is_obj) {
+        models.retain(|file| is_obj(file));
     }
     match models.len() {
         0 => {
@@ -45,7 +45,7 @@ pub fn check(exercise: &Exercise, files: &[SourceFile], original: &Original) -> 
     verdicts.reduce(better).unwrap_or_else(|| unsure("there is no model among the files"))
 }
 
-fn in_words(exercise: &Exercise, answer: &Answer, findings: Findings) -> Verdict {
+fn in_words(exercise: &Exercise, answer: &Answer, findings: BakeFindings) -> Verdict {
     if let Some(reason) = findings.unjudged {
         return Verdict::new(&exercise.id, Outcome::Unsure, reason);
     }
@@ -76,7 +76,7 @@ fn in_words(exercise: &Exercise, answer: &Answer, findings: Findings) -> Verdict
     verdict
 }
 
-fn unexplained(findings: &Findings) -> String {
+fn unexplained(findings: &BakeFindings) -> String {
     let (all, right) = findings.parts.iter().fold((0, 0), |(a, r), (_, part)| (a + part.texels, r + part.right));
     let wrong: Vec<&str> =
         findings.parts.iter().filter(|(_, part)| !part.is_right()).map(|(name, _)| name.as_str()).collect();
@@ -87,7 +87,7 @@ fn unexplained(findings: &Findings) -> String {
     )
 }
 
-fn named(exercise: &Exercise, finding: &Finding) -> Option<FoundMistake> {
+fn named(exercise: &Exercise, finding: &BakeFinding) -> Option<FoundMistake> {
     let known = mistakes::find(finding.id)?;
     let name = match finding.detail.as_str() {
         "" => known.name.clone(),
