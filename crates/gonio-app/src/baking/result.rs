@@ -254,7 +254,7 @@ fn scene_materials(scene: &Scene, atlas: &BakedAtlas) -> (Vec<SceneMaterial>, Ve
     let texture_of = |kind| used.iter().position(|map| map.kind == kind).map(bound);
     let materials = baked_materials(scene, &files, AtlasSet::Only).materials;
     let materials = materials.into_iter().zip(&scene.materials).map(|(material, own)| {
-        let mut baked = SceneMaterial { optics: own.optics.clone(), ..SceneMaterial::from(material) };
+        let mut baked = SceneMaterial { optics: own.optics, ..SceneMaterial::from(material) };
         baked.maps.diffuse = texture_of(MapKind::Diffuse);
         baked.maps.specular = texture_of(MapKind::Specular);
         baked.maps.emitted = texture_of(MapKind::Emitted);

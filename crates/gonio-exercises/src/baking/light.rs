@@ -50,15 +50,18 @@ pub fn find(
 ) -> Option<(OtherContent, Turn)> {
     let step = expected.judged.len().div_ceil(TRIED).max(1);
     let some: Vec<JudgedTexel> = expected.judged.iter().step_by(step).copied().collect();
-    if let Some(content) = uniform(&some, picture) {
+    let content = uniform(&some, picture);
+    // Little of a scene glows, so its emitted light is almost one colour.
+    let emitted = matches!(content, None | Some(OtherContent::OneColor)).then(emitted);
+    let glows = |turn: &Turn| emitted.as_ref().is_some_and(|emitted| is_emission(emitted, &some, picture, *turn));
+    if let Some(turn) = Turn::all().find(glows) {
+        return Some((OtherContent::Emission, turn));
+    }
+    if let Some(content) = content {
         return Some((content, Turn::default()));
     }
-    let emitted = emitted();
     for turn in Turn::all() {
         let pairs: Vec<Pair> = some.iter().map(|texel| pair(expected, picture, turn, *texel)).collect();
-        if is_emission(&emitted, &some, picture, turn) {
-            return Some((OtherContent::Emission, turn));
-        }
         if is_curve(&pairs) {
             return Some((OtherContent::Curve, turn));
         }
@@ -154,7 +157,12 @@ fn light(pairs: &[Pair]) -> Option<OtherContent> {
     if seen.len() < 200 || share(seen.len(), colored.len()) < 0.1 || hues(&seen) < 3 {
         return None;
     }
-    let tint = tint(&seen);
+    // Highlights are bright and white.
+    let brightness = |pair: &Pair| pair.seen.element_sum() / pair.right.element_sum().max(1e-6);
+    let mut from_dark = seen.clone();
+    from_dark.sort_by(|a, b| brightness(a).total_cmp(&brightness(b)));
+    from_dark.truncate(seen.len() / 2);
+    let tint = tint(&from_dark);
     let mut factors = Vec::with_capacity(seen.len());
     let (mut lit, mut highlit) = (0, 0);
     for Pair { seen, right, .. } in seen.iter().copied() {

@@ -70,7 +70,7 @@ pub fn with_layout(recipe: Recipe, change: &dyn Fn(&mut AtlasUv)) -> Case {
     let settings = BakeSettings { size: recipe.size, grid: recipe.grid, ..BakeSettings::default() };
     let mut baker = Baker::new(&scene, &frame, &surface, &atlas, settings);
     let mut bake = |kind: MapKind| baker.bake(kind, &|_| true).unwrap();
-    let diffuse = bake(MapKind::Diffuse);
+    let (diffuse, id) = (bake(MapKind::Diffuse), bake(MapKind::Id));
     let colors =
         |map: &BakedMap| map.texels.values.iter().map(|[r, g, b, _]| [*r, *g, *b].map(f64::from)).collect::<Vec<_>>();
     let file = MapFile { kind: MapKind::Diffuse, name: "baked.png".to_owned(), factor: 1.0 };
@@ -79,10 +79,10 @@ pub fn with_layout(recipe: Recipe, change: &dyn Fn(&mut AtlasUv)) -> Case {
         recipe,
         model,
         picture: colors(&diffuse),
-        covered: diffuse.texels.covered.clone(),
+        covered: id.texels.covered.clone(),
         light: colors(&bake(MapKind::Light)),
         emitted: colors(&bake(MapKind::Emitted)),
-        ids: colors(&bake(MapKind::Id)),
+        ids: colors(&id),
         is_data: false,
         has_picture: true,
         has_library: true,
