@@ -1,5 +1,5 @@
 //! Baking in the window: settings, progress, the atlas, and the baked textures on the model.
-#![allow(missing_docs)]
+#![allow(missing_docs, clippy::unwrap_used)]
 
 mod support;
 
