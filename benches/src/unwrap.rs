@@ -21,10 +21,13 @@ const BAR_BAKE_S: f64 = 1.0;
 /// Issue 20: gonio covers at least as much as Blender on 4 of 5 models, with no more mean area stretch.
 const BAR_BETTER_THAN_BLENDER: f64 = 0.8;
 
-/// A program that unwraps a model; returns the seconds.
+/// Unwraps the model in the first file into the second; returns the seconds.
+type RunUnwrapper<'a> = dyn Fn(&Path, &Path) -> Result<f64, String> + 'a;
+
+/// A program that unwraps models.
 struct Unwrapper<'a> {
     name: &'static str,
-    run: Box<dyn Fn(&Path, &Path) -> Result<f64, String> + 'a>,
+    run: Box<RunUnwrapper<'a>>,
 }
 
 /// Measures, prints, and returns whether the requirements are met.
