@@ -31,7 +31,7 @@ pub fn smooth(at: DVec2, seed: u32) -> f64 {
     let floor = at.floor();
     let (f, i) = (at - floor, floor.as_ivec2());
     let f = f * f * (3.0 - 2.0 * f);
-    let at = |x: i32, y: i32| cell(i + IVec2::new(x, y), seed);
+    let at = |x: i32, y: i32| cell(i.wrapping_add(IVec2::new(x, y)), seed);
     let row = |y: i32| at(0, y) + (at(1, y) - at(0, y)) * f.x;
     row(0) + (row(1) - row(0)) * f.y
 }
@@ -73,4 +73,19 @@ pub fn gathered_light(at: DVec2, seed: u32) -> f64 {
 pub fn step(from: f64, to: f64, x: f64) -> f64 {
     let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn noise_stays_between_0_and_1_near_the_horizon() {
+        for far in [0.0, -7.3, 1e9, -1e12, 1e300] {
+            for at in [DVec2::new(far, 2.5), DVec2::new(2.5, far), DVec2::splat(far)] {
+                let values = [smooth(at, 1), fractal(at, 4, 2)];
+                assert!(values.iter().all(|value| (0.0..1.0).contains(value)), "{at}: {values:?}");
+            }
+        }
+    }
 }

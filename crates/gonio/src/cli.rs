@@ -271,7 +271,7 @@ mod tests {
 
     #[test]
     fn every_option_has_one_of_a_few_headings() {
-        const HEADINGS: [&str; 21] = [
+        const HEADINGS: [&str; 22] = [
             GENERAL,
             "Animation options",
             "Atlas options",
@@ -291,6 +291,7 @@ mod tests {
             "Server options",
             "Shader options",
             "Shading options",
+            "Station options",
             "Trace options",
             "Window options",
         ];

@@ -246,7 +246,7 @@ fn asphalt(at: DVec2) -> DVec3 {
         let place = at / size;
         let base = place.floor().as_ivec2();
         for (x, y) in (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y))) {
-            let here = base + IVec2::new(x, y);
+            let here = base.wrapping_add(IVec2::new(x, y));
             let center = here.as_dvec2() + DVec2::new(cell(here, seed), cell(here, seed + 10));
             let radius = 0.25 + 0.3 * cell(here, seed + 20);
             let offset = (place - center) / radius;

@@ -178,7 +178,7 @@ fn stone(at: DVec2, layer: u32) -> (f64, f64) {
     let base = place.floor().as_ivec2();
     let (mut highest, mut number) = (0.0, 0.0);
     for (x, y) in (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y))) {
-        let here = base + IVec2::new(x, y);
+        let here = base.wrapping_add(IVec2::new(x, y));
         let random = cell_numbers(here, 100 + layer);
         // Some cells have no stone of the large layers.
         if layer < 2 && random[5] < [0.45, 0.25][layer as usize] {
