@@ -216,6 +216,11 @@ impl Diagnosing<'_> {
         let mut of_methods: Vec<(Model, RightPicture)> = Vec::new();
         let mut best: Option<(Found, usize)> = None;
         for (at, tried) in known.chain(others) {
+            // A known mistake that hides a choice of the method may be at its own place only with another method.
+            let is_enough = |found: &Found| found.rank() == 0 && (tried == Tried::All || found.is_at_mistakes());
+            if best.as_ref().is_some_and(|(found, _)| is_enough(found)) {
+                break;
+            }
             if at == of_methods.len() {
                 let (method, space) = all[at];
                 let lighting = LightingMethod { model: method.model, space };
@@ -236,15 +241,9 @@ impl Diagnosing<'_> {
             let mut search = Search::new(Observer { runner: &runner, model }, target, &explanations);
             let found = search.run(tried);
             runs += search.runs();
-            // A known mistake that hides a choice of the method may be at its own place only with another method.
             let rank = |found: &Found| (found.rank(), tried == Tried::Known && !found.is_at_mistakes());
-            let (is_sufficient, is_better) =
-                (rank(&found) == (0, false), best.as_ref().is_none_or(|(known, _)| rank(&found) < rank(known)));
-            if is_better {
+            if best.as_ref().is_none_or(|(known, _)| rank(&found) < rank(known)) {
                 best = Some((found, at));
-            }
-            if is_sufficient || tried == Tried::All && best.as_ref().is_some_and(|(known, _)| known.rank() == 0) {
-                break;
             }
         }
         let is_rooted = best.as_ref().is_some_and(|(found, _)| found.is_rooted());
