@@ -360,7 +360,7 @@ impl Bench {
             pixels.push(pixel);
             fragments.push(Fragment { corners, screen, weights });
         }
-        let mut inputs = interpolate(vertex, &vertices, fragment, &fragments);
+        let mut inputs = interpolate(vertex, &vertices.outputs, fragment, &fragments);
         for (name, glsl_type, numbers) in &given {
             set_input(&mut inputs, fragment, name, values(glsl_type, numbers));
         }

@@ -421,13 +421,13 @@ pub fn varyings(vertex: &CompiledStage, fragment: &CompiledStage) -> Vec<Varying
 #[must_use]
 pub fn interpolate(
     vertex: &CompiledStage,
-    run: &StageRun,
+    outputs: &[PointValues],
     fragment: &CompiledStage,
     fragments: &[Fragment],
 ) -> StageInputs {
     let mut inputs = StageInputs::new(fragment, fragments.len());
     for varying in varyings(vertex, fragment) {
-        let Some(values) = run.outputs.get(varying.output) else { continue };
+        let Some(values) = outputs.get(varying.output) else { continue };
         let size = fragment.inputs[varying.input].size as usize;
         let is_float = crate::layout::scalar_of(&fragment.inputs[varying.input].ty) == gonio_glsl::Scalar::Float;
         let at = |fragment: usize, component: usize| -> u32 {
@@ -475,7 +475,7 @@ mod tests {
         inputs.set_named(&vertex, "x", PointValues::each(&[&[1.0, 2.0, 4.0]]));
         let vertices = run(&vertex, &inputs, &RunOptions::default());
         let place = Fragment::on_screen([0, 1, 2], [0.5, 0.25, 0.25], [1.0, 2.0, 4.0]);
-        let inputs = interpolate(&vertex, &vertices, &fragment, &[place]);
+        let inputs = interpolate(&vertex, &vertices.outputs, &fragment, &[place]);
         let result = run(&fragment, &inputs, &RunOptions::default());
         // 1 / (0.5 / 1 + 0.25 / 2 + 0.25 / 4) in space, 0.5 + 0.5 + 1 on the screen.
         let r = &result.outputs[0];

@@ -116,7 +116,7 @@ impl Program {
                 Fragment { corners: hit.triangle, screen: weights, weights }
             })
             .collect();
-        let mut inputs = interpolate(vertex, &vertices, fragment, &fragments);
+        let mut inputs = interpolate(vertex, &vertices.outputs, fragment, &fragments);
         self.set(fragment, &mut inputs, scene);
         let result = run(fragment, &inputs, &options);
         if result.ended.is_some() {

@@ -69,7 +69,13 @@ impl Explainer<'_> {
     /// Predictions at the places that exclude most pairs.
     fn at_fewest(&self, candidate: &Candidate, seen: &Seen) -> Result<AtFew, String> {
         let LightingMethod { model, space } = candidate.method;
-        AtFew::new(self.scenes, self.parameterisation, (&candidate.fine, space), seen, quick(model))
+        AtFew::new(
+            self.scenes,
+            self.parameterisation,
+            (&candidate.fine, space),
+            seen,
+            quick(model, candidate.fine.open().len()),
+        )
     }
 
     /// Explains a picture by single mistakes. All explanations are of the fewest peculiarities.

@@ -10,14 +10,15 @@ use crate::mistakes::{Hypothesis, ModelSolution};
 use crate::testbench::TestScene;
 
 /// Places of all hypotheses that are predicted together.
-const TOGETHER: usize = 2_048;
+const TOGETHER: usize = 16_384;
 /// Brightness that no 8-bit picture shows.
 const DARKEST: f32 = 0.002;
 /// Brightness that pictures may have limited to 1.
 const WHITE: f32 = 0.999;
-/// Places that exclude most pairs.
-pub(super) fn quick(model: ModelSolution) -> usize {
-    if model == ModelSolution::Gouraud { 4 } else { 8 }
+/// Places that exclude most pairs, if `open` strengths are fitted.
+pub(super) fn quick(model: ModelSolution, open: usize) -> usize {
+    let places = 3 + 2 * open;
+    places.min(if model == ModelSolution::Gouraud { 4 } else { 8 })
 }
 
 /// Places in the telling test scene that exclude most hypotheses: each has three vertices of its own.

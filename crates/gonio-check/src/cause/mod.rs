@@ -17,6 +17,7 @@ mod explain;
 pub mod explanation;
 mod few_places;
 pub(crate) mod formula;
+mod line_by_line;
 mod methods;
 pub(crate) mod model;
 pub mod naming;

@@ -1,6 +1,7 @@
 //! Predicts the colours and positions that a model solution computes with mistakes, at places of the test scenes.
 
 use super::answer::Space;
+use super::line_by_line::{LineByLine, Members, PointInputs};
 use super::model::ModelProgram;
 use super::program::{Program, SceneTextures};
 use super::samples::SceneSamples;
@@ -9,8 +10,8 @@ use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use crate::testbench::TestScene;
 use gonio_glsl::Stage;
 use gonio_interpreter::{CompiledStage, Fragment, InputRate, PointValues, RunOptions, StageInputs, interpolate, run};
-use std::cell::RefCell;
-use std::collections::{BTreeSet, HashMap};
+use std::cell::{OnceCell, RefCell};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
 /// One compiled program for all hypotheses of a model solution.
@@ -18,6 +19,8 @@ pub(crate) struct AllHypotheses {
     /// The hypotheses.
     pub hypotheses: Rc<Hypotheses>,
     program: Program,
+    /// Each stage line by line, unless it has branches or loops.
+    lines: [OnceCell<Option<LineByLine>>; 2],
     /// For each stage, the changeable lines and the inputs that select their variants.
     ways: [Vec<(usize, usize)>; 2],
     /// Those of the vertex shader on which `gl_Position` depends, by their index among its changeable lines.
@@ -37,6 +40,8 @@ pub struct ModelSolutions {
     programs: RefCell<HashMap<ProgramKey, Rc<ModelProgram>>>,
 }
 
+/// Hypotheses from which on a stage is evaluated line by line.
+const LEAST_BY_LINES: usize = 6;
 /// Most model solutions, as some method writes them, that are kept.
 const MOST_PROGRAMS: usize = 64;
 
@@ -101,12 +106,86 @@ impl AllHypotheses {
         let position = hypotheses.with_parts(&BTreeSet::from(["gl_Position".to_owned()]));
         let is_of_position = |at: &usize| position.contains(&hypotheses.variables[ways[0][*at].0]);
         let of_position = (0..ways[0].len()).filter(is_of_position).collect();
-        Ok(AllHypotheses { hypotheses, program, ways, of_position, exponent })
+        let lines = [OnceCell::new(), OnceCell::new()];
+        Ok(AllHypotheses { hypotheses, program, lines, ways, of_position, exponent })
+    }
+
+    /// A stage line by line, if that is faster for this number of hypotheses.
+    fn lines(&self, stage: Stage, count: usize) -> Option<&LineByLine> {
+        if count < LEAST_BY_LINES {
+            return None;
+        }
+        let new = || {
+            let names: Vec<String> =
+                self.ways[stage as usize].iter().map(|(line, _)| self.hypotheses.uniform(*line)).collect();
+            let texts = self.hypotheses.sources();
+            LineByLine::new(self.program.stage(stage), &texts[stage as usize], &names)
+        };
+        self.lines[stage as usize].get_or_init(new).as_ref()
     }
 
     fn choices(&self, stage: Stage, hypothesis: &Hypothesis) -> Vec<i32> {
         let way = |line: usize| hypothesis.choices.get(&line).copied().unwrap_or(0) as i32;
         self.ways[stage as usize].iter().map(|(line, _)| way(*line)).collect()
+    }
+
+    /// The outputs of the vertex shader at its points with each of several choices.
+    fn run_vertices(&self, inputs: &StageInputs, choices: &[Vec<i32>]) -> Vec<PointValues> {
+        let stage = &self.program.vertex;
+        let points = inputs.points();
+        if let Some(lines) = self.lines(Stage::Vertex, choices.len()) {
+            let (mut same, mut given) = (Vec::new(), PointInputs::new());
+            for input in 0..stage.inputs.len() {
+                match inputs.values(input) {
+                    Some(PointValues::Each { components, .. }) => given.push((input, components.clone())),
+                    Some(values) => same.push((input, values.clone())),
+                    None => {}
+                }
+            }
+            let given_of = vec![0; choices.len()];
+            return lines.run(&Members { points, choices, same: &same, given: &[&given], given_of: &given_of });
+        }
+        let mut inputs = repeated(inputs, stage, choices.len());
+        let choices: Vec<&[i32]> = choices.iter().map(Vec::as_slice).collect();
+        self.choose(Stage::Vertex, &choices, points, &mut inputs);
+        run(stage, &inputs, &RunOptions { textures: &SceneTextures, ..RunOptions::default() }).outputs
+    }
+
+    /// The outputs of the fragment shader at its points with each of several choices.
+    fn run_fragments(
+        &self,
+        points: usize,
+        choices: &[Vec<i32>],
+        uniforms: &[(usize, PointValues)],
+        vertices: &[Rc<OfVertices>],
+    ) -> Vec<PointValues> {
+        let stage = &self.program.fragment;
+        if let Some(lines) = self.lines(Stage::Fragment, choices.len()) {
+            let mut given: Vec<&PointInputs> = Vec::new();
+            let mut known: HashMap<*const OfVertices, u32> = HashMap::new();
+            let mut given_of = Vec::with_capacity(vertices.len());
+            for one in vertices {
+                let next = given.len() as u32;
+                let at = *known.entry(Rc::as_ptr(one)).or_insert(next);
+                if at == next {
+                    given.push(&one.varyings);
+                }
+                given_of.push(at);
+            }
+            return lines.run(&Members { points, choices, same: uniforms, given: &given, given_of: &given_of });
+        }
+        let mut inputs = StageInputs::new(stage, points * choices.len());
+        for (input, values) in uniforms {
+            inputs.set(*input, values.clone());
+        }
+        for (at, (input, first)) in vertices.first().into_iter().flat_map(|first| &first.varyings).enumerate() {
+            let of_all = |c: usize| vertices.iter().flat_map(|one| &one.varyings[at].1[c]).copied().collect();
+            let components = (0..first.len()).map(of_all).collect();
+            inputs.set(*input, PointValues::Each { components, written: None });
+        }
+        let choices: Vec<&[i32]> = choices.iter().map(Vec::as_slice).collect();
+        self.choose(Stage::Fragment, &choices, points, &mut inputs);
+        run(stage, &inputs, &RunOptions { textures: &SceneTextures, ..RunOptions::default() }).outputs
     }
 
     /// Selects variants, one after the other for `points` points each.
@@ -167,7 +246,7 @@ struct LitInputs {
 struct OfVertices {
     clip: Vec<[f32; 4]>,
     /// The varyings at the places, by the inputs of the fragment shader.
-    varyings: Vec<(usize, Vec<Vec<u32>>)>,
+    varyings: PointInputs,
 }
 
 /// A model solution in one test scene.
@@ -302,18 +381,16 @@ impl Predictor {
     /// Runs the vertex shader with each of several choices, all together.
     fn of_vertices(&self, scene: &SceneModel, lit: &LitInputs, choices: &[Vec<i32>]) -> Vec<Rc<OfVertices>> {
         let program = &self.all.program;
-        let mut new: Vec<&[i32]> = Vec::new();
+        let mut new: Vec<Vec<i32>> = Vec::new();
+        let mut known: HashSet<&[i32]> = HashSet::new();
         for choices in choices {
-            if !lit.vertices.borrow().contains_key(choices) && !new.contains(&choices.as_slice()) {
-                new.push(choices);
+            if !lit.vertices.borrow().contains_key(choices) && known.insert(choices) {
+                new.push(choices.clone());
             }
         }
         if !new.is_empty() {
             let points = scene.samples.vertices();
-            let mut inputs = repeated(&lit.vertex, &program.vertex, new.len());
-            self.all.choose(Stage::Vertex, &new, points, &mut inputs);
-            let options = RunOptions { textures: &SceneTextures, ..RunOptions::default() };
-            let vertex = run(&program.vertex, &inputs, &options);
+            let outputs = self.all.run_vertices(&lit.vertex, &new);
             // The places around each copy of the vertices.
             let shifted = |place: &Fragment, copy: usize| Fragment {
                 corners: place.corners.map(|corner| corner + (copy * points) as u32),
@@ -322,8 +399,8 @@ impl Predictor {
             let places = &scene.samples.places;
             let all: Vec<Fragment> =
                 (0..new.len()).flat_map(|copy| places.iter().map(move |place| shifted(place, copy))).collect();
-            let fragment = interpolate(&program.vertex, &vertex, &program.fragment, &all);
-            let position = vertex.output(&program.vertex, "gl_Position");
+            let fragment = interpolate(&program.vertex, &outputs, &program.fragment, &all);
+            let position = program.vertex.output("gl_Position").and_then(|at| outputs.get(at));
             let mut kept = lit.vertices.borrow_mut();
             if kept.len() > MOST_KEPT {
                 kept.clear();
@@ -338,7 +415,7 @@ impl Predictor {
                     PointValues::Same(_) => None,
                 });
                 let varyings = varyings.collect();
-                kept.insert(choices.to_vec(), Rc::new(OfVertices { clip, varyings }));
+                kept.insert(choices.clone(), Rc::new(OfVertices { clip, varyings }));
             }
         }
         let kept = lit.vertices.borrow();
@@ -391,21 +468,8 @@ impl Predictor {
             };
             let of_vertex = of(Stage::Vertex);
             let vertices = self.of_vertices(scene, lit, &of_vertex);
-            let mut inputs = StageInputs::new(&program.fragment, count * hypotheses.len());
-            for (input, values) in &lit.uniforms {
-                inputs.set(*input, values.clone());
-            }
-            for (at, (input, first)) in vertices.first().into_iter().flat_map(|first| &first.varyings).enumerate() {
-                let of_all = |c: usize| vertices.iter().flat_map(|one| &one.varyings[at].1[c]).copied().collect();
-                let components = (0..first.len()).map(of_all).collect();
-                inputs.set(*input, PointValues::Each { components, written: None });
-            }
-            let choices = of(Stage::Fragment);
-            let choices: Vec<&[i32]> = choices.iter().map(Vec::as_slice).collect();
-            self.all.choose(Stage::Fragment, &choices, count, &mut inputs);
-            let options = RunOptions { textures: &SceneTextures, ..RunOptions::default() };
-            let fragment = run(&program.fragment, &inputs, &options);
-            let Some(colour) = colour.and_then(|at| fragment.outputs.get(at)) else { continue };
+            let outputs = self.all.run_fragments(count, &of(Stage::Fragment), &lit.uniforms, &vertices);
+            let Some(colour) = colour.and_then(|at| outputs.get(at)) else { continue };
             for (at, (made, vertices)) in made.iter_mut().zip(&vertices).enumerate() {
                 if made.clip.is_empty() {
                     made.clip = self.positions(scene, &of_vertex[at], vertices);
@@ -443,4 +507,51 @@ fn of_term(open: &mut Vec<(Option<usize>, Planes)>, term: Option<usize>, black: 
         open.len() - 1
     });
     &mut open[at].1
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::comparison::Task;
+    use crate::source::SourceConstants;
+
+    /// The numbers of a prediction, with their bits.
+    fn bits(predicted: &Predicted) -> Vec<u32> {
+        let of_terms = predicted.open.iter().flat_map(|(_, planes)| planes);
+        let colours = predicted.known.iter().chain(of_terms).flatten().copied();
+        colours.chain(predicted.clip.iter().flatten().copied()).map(f32::to_bits).collect()
+    }
+
+    #[test]
+    fn line_by_line_hypotheses_have_the_values_of_the_whole_program() {
+        let solutions = ModelSolutions::default();
+        let tasks = ["ex01", "ex03", "ex06", "ex07", "ex08", "ex09", "ex10", "ex12"].map(|id| Task::find(id).unwrap());
+        for task in tasks {
+            let all = solutions.get(task.model).unwrap();
+            for stage in [Stage::Vertex, Stage::Fragment] {
+                assert!(all.lines(stage, LEAST_BY_LINES).is_some(), "{:?} {stage}", task.model);
+            }
+            let bindings = &all.program.bindings;
+            let mut parameterisation = Parameterisation::new(task, bindings, bindings, &SourceConstants::default());
+            // The strengths of open terms are predicted one by one.
+            parameterisation.to_find = [task.model.is_lit(); 3];
+            let scene = task.test_scenes().0.remove(0);
+            let samples = SceneSamples::new(scene.clone()).few(5);
+            for space in [Space::World, Space::View] {
+                let scenes = [(scene.clone(), samples.clone())];
+                let new = || Predictor::new(all.clone(), Lights::One, &parameterisation, space, scenes.clone());
+                let singles = &all.hypotheses.singles;
+                let apart = singles.iter().zip(singles.iter().skip(17)).filter_map(|(a, b)| a.and(b));
+                let both: Vec<Hypothesis> = singles.iter().cloned().chain(apart).collect();
+                assert!(both.len() > LEAST_BY_LINES);
+                let together = new().predict_each(0, &both.iter().collect::<Vec<_>>(), Sum::Terms);
+                let alone = new();
+                for (hypothesis, predicted) in both.iter().zip(&together) {
+                    let whole = alone.predict(0, hypothesis, Sum::Terms);
+                    assert_eq!(bits(predicted), bits(&whole), "{:?} {space:?} {hypothesis:?}", task.model);
+                }
+            }
+        }
+    }
 }

@@ -344,7 +344,7 @@ fn points(samples: &SceneSamples, stage: Stage) -> usize {
 }
 
 fn fragment_inputs(program: &Program, samples: &SceneSamples, vertex: &StageRun) -> StageInputs {
-    let mut inputs = interpolate(&program.vertex, vertex, &program.fragment, &samples.places);
+    let mut inputs = interpolate(&program.vertex, &vertex.outputs, &program.fragment, &samples.places);
     program.set_uniforms(&program.fragment, &mut inputs, &samples.scene);
     inputs
 }

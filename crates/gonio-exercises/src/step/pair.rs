@@ -190,7 +190,7 @@ impl SteppedPair {
     ) -> StageInputs {
         let (vertex, stage) = (&self.vertex.compiled, &self.fragment);
         let fragments: Vec<Fragment> = points.iter().map(|point| fragment_at(point.triangle, &point.place)).collect();
-        let mut inputs = gonio_interpreter::interpolate(vertex, &object.vertices, &stage.compiled, &fragments);
+        let mut inputs = gonio_interpreter::interpolate(vertex, &object.vertices.outputs, &stage.compiled, &fragments);
         for (index, values) in &object.fragment_uniforms {
             inputs.set(*index, values.clone());
         }

@@ -272,8 +272,18 @@ impl<'a> Machine<'a> {
             Instr::Whole { op, dst, to, a, n } => {
                 self.work += 32;
                 let written = (0..u32::from(n)).fold(LaneSet::FULL, |w, at| w.and(self.registers.written(a + at)));
-                let mut results = vec![[0_u32; 16]; LANES];
                 let mut input = [0_u32; 16];
+                let operands = (0..u32::from(n)).map(|at| self.registers.operand(a + at));
+                // A matrix is mostly that of all points.
+                if operands.clone().all(|operand| matches!(operand, Operand::Same(_))) {
+                    input.iter_mut().zip(operands).for_each(|(bits, operand)| *bits = operand.at(0));
+                    let result = arithmetic::apply_whole(op, &input[..usize::from(n).min(16)]);
+                    for at in 0..u32::from(to) {
+                        self.registers.set(dst + at, result[at as usize], written);
+                    }
+                    return;
+                }
+                let mut results = vec![[0_u32; 16]; LANES];
                 for lane in self.control.active().iter() {
                     for (at, bits) in input.iter_mut().enumerate().take(usize::from(n)) {
                         *bits = self.registers.operand(a + at as u32).at(lane);
