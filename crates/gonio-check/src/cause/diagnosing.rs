@@ -213,11 +213,13 @@ impl Diagnosing<'_> {
         let known = if explanations.is_empty() { 0 } else { all.len() };
         let known = (0..known).map(|at| (at, Tried::Known));
         let others = (0..all.len().min(MOST_METHODS)).map(|at| (at, Tried::All));
+        // Each of two mistakes has a cause.
+        let beside = explanations.first().map_or(0, |explanation| explanation.mistakes.len().saturating_sub(1));
         let mut of_methods: Vec<(Model, RightPicture)> = Vec::new();
         let mut best: Option<(Found, usize)> = None;
         for (at, tried) in known.chain(others) {
             // A known mistake that hides a choice of the method may be at its own place only with another method.
-            let is_enough = |found: &Found| found.rank() == 0 && (tried == Tried::All || found.is_at_mistakes());
+            let is_enough = |found: &Found| found.rank() <= beside && (tried == Tried::All || found.is_at_mistakes());
             if best.as_ref().is_some_and(|(found, _)| is_enough(found)) {
                 break;
             }

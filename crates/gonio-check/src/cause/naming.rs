@@ -1,6 +1,6 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
-use super::model::TELLING;
+use super::model::{Quantity, TELLING};
 use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, TERMS, is_name};
 use super::program::Change;
 use super::repair::{Make, Relation, Repair};
@@ -96,7 +96,19 @@ const MOST_OF_ONE: usize = 2;
 fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool {
     let name = |index: usize| at.model.quantities[index].name.as_str();
     let is_sum = |index: usize| ["attenuated", "lit", "colour", "FragColor"].contains(&name(index));
-    seen.is.is_some_and(|is| TERMS.contains(&name(is))) && repair.quantity().is_some_and(is_sum)
+    // In the object's colour, a term has three numbers.
+    let is_coloured = || {
+        let of_term = |q: &&Quantity| q.stage == seen.stage && q.mistake.is_none() && TERMS.contains(&q.name.as_str());
+        let Some(colour) = at.model.right("materialColour", seen.stage, false) else { return false };
+        let coloured = |term: &Quantity| {
+            term.values.map(3, |point, from, to| {
+                to.iter_mut().zip(colour.at(point)).for_each(|(to, channel)| *to = from[0] * channel);
+            })
+        };
+        at.model.quantities.iter().filter(of_term).any(|term| seen.values.factor_of(&coloured(term)).is_some())
+    };
+    let is_term = seen.is.map_or_else(is_coloured, |is| TERMS.contains(&name(is)));
+    is_term && repair.quantity().is_some_and(is_sum)
 }
 
 /// The mistakes that a missing or superfluous factor or summand may be, in an expression that contains these terms: the

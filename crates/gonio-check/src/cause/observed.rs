@@ -196,7 +196,10 @@ impl Observer<'_> {
         };
         let reads: Vec<Option<usize>> = (0..observed.len())
             .map(|at| {
-                ((is_read[at] || calls[at].is_some()) && !is_given[at]).then(|| definition(at, observed)).flatten()
+                // A constant may be a right one by chance.
+                let is_set = || observed[at].values.is_constant() && !self.is_input(&observed[at]);
+                let is_defined = (is_read[at] || calls[at].is_some()) && (!is_given[at] || is_set());
+                is_defined.then(|| definition(at, observed)).flatten()
             })
             .collect();
         for (seen, of) in observed.iter_mut().zip(&reads) {

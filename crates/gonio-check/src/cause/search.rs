@@ -254,8 +254,13 @@ impl<'a> Search<'a> {
                 continue;
             }
             let Some(both) = second.repair.change(&again, self.at.model) else { continue };
-            let firsts = self.at.causes(&[both], observed, std::slice::from_ref(first), explaining);
+            let firsts = self.at.causes(&[both.clone()], observed, std::slice::from_ref(first), explaining);
             let name = |group: &[ProvenCause]| Some(group.first()?.mistakes.first()?.id.clone());
+            // Beside the second, the first is at the best of its places too.
+            let firsts = match is_explained && name(&firsts) != name(&seconds) {
+                true => self.at_best_place(&both, firsts, explaining),
+                false => firsts,
+            };
             let is_same = match (firsts.first(), seconds.first()) {
                 (Some(a), Some(b)) => name(&firsts) == name(&seconds) && (a.is_sound() || a.is_same_value(b)),
                 _ => false,
@@ -275,6 +280,22 @@ impl<'a> Search<'a> {
             best.get_or_insert(found);
         }
         best
+    }
+
+    /// The places of a known mistake beside another change, the best first; those that are known if there are no others.
+    fn at_best_place(
+        &mut self,
+        other: &Change,
+        known: Vec<ProvenCause>,
+        explaining: &[&'static Mistake],
+    ) -> Vec<ProvenCause> {
+        let base = [other.clone()];
+        let mut observed = self.at.observe(&base, 0..self.at.runner.samples.len());
+        self.at.interpret(&mut observed);
+        let end = self.runs + MOST_RUNS_OF_SECOND;
+        let found = self.causes(&base, &observed, explaining, Tried::Known, (MOST_RUNS_OF_SECOND, end));
+        let name = |causes: &[ProvenCause]| causes.first().and_then(|cause| cause.mistakes.first()).map(|m| &m.id);
+        if name(&found) == name(&known) { found } else { known }
     }
 
     /// The causes beside a first one with which the mistakes that `explain` finds explain the picture.
@@ -358,11 +379,26 @@ impl<'a> Search<'a> {
         gains.into_iter().map(|(_, repair)| repair).collect()
     }
 
+    /// The scene in which the light of the right picture differs most from place to place.
+    fn most_telling(&self) -> usize {
+        let right = self.at.model.right("FragColor", Stage::Fragment, false);
+        let spread = |scene: &usize| {
+            let of = |scene| self.at.runner.first_point(Stage::Fragment, scene);
+            let light = |point| right.map_or(0.0, |right| right.at(point)[1].clamp(0.0, 1.0));
+            let all: Vec<f32> = (of(*scene)..of(scene + 1)).map(light).filter(|light| !light.is_nan()).collect();
+            let mean = all.iter().sum::<f32>() / all.len().max(1) as f32;
+            all.iter().map(|light| (light - mean).abs()).sum::<f32>()
+        };
+        (0..self.at.runner.samples.len()).rev().max_by(|a, b| spread(a).total_cmp(&spread(b))).unwrap_or(0)
+    }
+
     /// The repairs that make the picture right, until a number of runs.
     fn proven(&mut self, base: &[Change], observed: &[Observed], repairs: &[Repair], end: usize) -> Vec<Repair> {
         let mut influential: Vec<Option<bool>> = vec![None; observed.len()];
         let mut proven = Vec::new();
-        let Some(before) = self.see(base, 0..1) else { return proven };
+        // A black picture shows no influence.
+        let telling = self.most_telling();
+        let Some(before) = self.see(base, telling..telling + 1) else { return proven };
         let mut dearest = f32::INFINITY;
         for repair in repairs {
             if self.runs > end || self.statements > MOST_STATEMENTS * self.most_runs() as u64 || repair.cost > dearest {
@@ -374,7 +410,7 @@ impl<'a> Search<'a> {
                 noise.values = noise.values.map(noise.values.size, |p, _, b| b.fill(p as f32 * 0.37 + 1.5));
                 let mut changes = base.to_vec();
                 changes.push(noise);
-                let after = self.see(&changes, 0..1);
+                let after = self.see(&changes, telling..telling + 1);
                 let is_changed = after
                     .is_none_or(|after| !after.colour.is_same(&before.colour) || !after.clip.is_same(&before.clip));
                 influential[repair.of] = Some(is_changed);
