@@ -4,24 +4,38 @@ use std::cell::Cell;
 
 /// Most predictions of single mistakes at few places, with open strengths and lights.
 const MOST_SINGLES: usize = 2_500_000;
+/// Most single mistakes that are drawn at all places. Where most places are white or black, few places tell little.
+const MOST_DRAWN: usize = 300;
 
 /// What may still be predicted.
 #[derive(Debug)]
-pub(crate) struct Budget(Cell<usize>);
+pub(crate) struct Budget {
+    at_few: Cell<usize>,
+    drawn: Cell<usize>,
+}
 
 impl Default for Budget {
     fn default() -> Self {
-        Budget(Cell::new(MOST_SINGLES))
+        Budget { at_few: Cell::new(MOST_SINGLES), drawn: Cell::new(MOST_DRAWN) }
     }
 }
 
 impl Budget {
-    /// Takes a number of predictions; false if fewer are left.
+    /// Takes a number of predictions at few places; false if fewer are left.
     pub fn take(&self, count: usize) -> bool {
-        let left = self.0.get().checked_sub(count);
-        self.0.set(left.unwrap_or(self.0.get()));
-        left.is_some()
+        take(&self.at_few, count)
     }
+
+    /// Takes a prediction at all places; false if none is left.
+    pub fn take_drawn(&self) -> bool {
+        take(&self.drawn, 1)
+    }
+}
+
+fn take(of: &Cell<usize>, count: usize) -> bool {
+    let left = of.get().checked_sub(count);
+    of.set(left.unwrap_or(of.get()));
+    left.is_some()
 }
 
 #[cfg(test)]
@@ -35,5 +49,6 @@ mod tests {
         assert!(!budget.take(11));
         assert!(budget.take(10));
         assert!(!budget.take(1));
+        assert_eq!((0..2 * MOST_DRAWN).filter(|_| budget.take_drawn()).count(), MOST_DRAWN);
     }
 }

@@ -33,10 +33,11 @@ pub(super) struct WrongOfPair<'a> {
     pub is_suspect: bool,
 }
 
-/// A model solution with predictions at few and at all places.
+/// A model solution with predictions at few, at more and at all places.
 pub(crate) struct Candidate {
     pub(super) method: LightingMethod,
     pub(super) shown: Rc<Shown>,
+    pub(super) few: AtFew,
     pub(super) coarse: AtFew,
     pub(super) fine: Predictor,
 }

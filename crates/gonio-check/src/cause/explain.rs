@@ -5,7 +5,7 @@ use super::answer::LightingMethod;
 use super::budget::Budget;
 use super::candidate::{Candidate, Which, WrongOfPair};
 use super::explanation::{Explanation, simplest};
-use super::few_places::{AtFew, coarse, is_black, quick};
+use super::few_places::{AtFew, coarse, few, is_black, quick};
 use super::prediction::{ModelSolutions, Predictor, Sum};
 use super::samples::SceneSamples;
 use super::shown::Shown;
@@ -62,8 +62,9 @@ impl Explainer<'_> {
     fn candidate(&self, method: LightingMethod, lights: Lights, seen: &Seen) -> Result<Candidate, String> {
         let all = self.solutions.get(method.model)?;
         let fine = Predictor::new(all, lights, self.parameterisation, method.space, self.scenes.iter().cloned());
-        let coarse = AtFew::new(self.scenes, self.parameterisation, (&fine, method.space), seen, coarse(method.model))?;
-        Ok(Candidate { method, shown: (self.shown)(method)?, coarse, fine })
+        let at = |count| AtFew::new(self.scenes, self.parameterisation, (&fine, method.space), seen, count);
+        let (few, coarse) = (at(few(method.model))?, at(coarse(method.model))?);
+        Ok(Candidate { method, shown: (self.shown)(method)?, few, coarse, fine })
     }
 
     /// Predictions at the places that exclude most pairs.
@@ -189,20 +190,22 @@ impl Explainer<'_> {
             }
             let here = candidate.wrong().filter(|single| candidate.which(single) == which);
             let both: Vec<Hypothesis> = here.filter_map(|single| set.and(single)).collect();
-            let cost = both.len() * candidate.coarse.cost();
+            let cost = both.len() * candidate.few.cost();
             if !self.budget.take(cost) {
                 break;
             }
             let all: Vec<&Hypothesis> = both.iter().collect();
-            let mut least = 1.0_f32;
-            let resemblance = candidate.coarse.resemble(&all);
+            let resemblance = candidate.few.resemble(&all);
+            let least = resemblance.iter().fold(1.0_f32, |least, (share, _)| least.min(*share));
+            let left: Vec<&Hypothesis> =
+                both.iter().zip(resemblance).filter(|(_, (_, may_be))| *may_be).map(|(one, _)| one).collect();
+            let may_be = candidate.coarse.resemble(&left);
+            let left: Vec<&Hypothesis> =
+                left.into_iter().zip(may_be).filter(|(_, (_, may_be))| *may_be).map(|(one, _)| one).collect();
             // A picture that is dark at all these places resembles those of most mistakes.
-            let is_telling = resemblance.iter().filter(|(_, may_be)| *may_be).count() <= MOST_LIKE_ONE;
-            for (hypothesis, (share, may_be)) in both.iter().zip(resemblance) {
-                least = least.min(share);
-                if may_be && is_telling {
-                    found.extend(candidate.explanation(seen, hypothesis, self.required));
-                }
+            if left.len() <= MOST_LIKE_ONE {
+                let drawn = left.into_iter().take_while(|_| self.budget.take_drawn());
+                found.extend(drawn.filter_map(|one| candidate.explanation(seen, one, self.required)));
             }
             sets.push((least, set));
         }

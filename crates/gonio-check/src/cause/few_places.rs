@@ -21,6 +21,11 @@ pub(super) fn quick(model: ModelSolution, open: usize) -> usize {
     places.min(if model == ModelSolution::Gouraud { 4 } else { 8 })
 }
 
+/// Places that exclude most single mistakes.
+pub(super) fn few(model: ModelSolution) -> usize {
+    if model == ModelSolution::Gouraud { 6 } else { 8 }
+}
+
 /// Places in the telling test scene that exclude most hypotheses: each has three vertices of its own.
 pub(super) fn coarse(model: ModelSolution) -> usize {
     if model == ModelSolution::Gouraud { 12 } else { 32 }

@@ -3,8 +3,8 @@
 //! Most hypotheses have most quantities in common: those that change the attenuation have the same normals. Each
 //! assignment is a small program of its own, which runs once for each different combination of what it reads.
 
+use super::model::assignment;
 use super::program::SceneTextures;
-use crate::mistakes::assignment;
 use gonio_glsl::Stage;
 use gonio_interpreter::{CompiledStage, PointValues, RunOptions, StageInputs, run};
 use std::collections::{BTreeMap, HashMap};
@@ -194,14 +194,13 @@ impl Collecting<'_> {
                     _ => None,
                 };
             }
-            let (name, value) = assignment(line)?;
-            let declared = line.split(" = ").next()?.trim().strip_suffix(name)?.trim();
+            let (name, declared, at) = assignment(line)?;
+            let value = line.get(at..)?.strip_suffix(';')?;
             let ty = match declared {
-                "" if name == "gl_Position" => "vec4",
-                "" => self.parts.outputs.get(name)?,
-                ty => ty,
+                Some(ty) => ty.to_owned(),
+                None if name == "gl_Position" => "vec4".to_owned(),
+                None => self.parts.outputs.get(name)?.clone(),
             };
-            let ty = ty.to_owned();
             let called = self.parts.functions.iter().find_map(|(name, called)| Some((called, arguments(value, name)?)));
             let at = match called {
                 Some((called, given)) => {

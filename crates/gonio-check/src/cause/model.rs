@@ -97,7 +97,7 @@ impl AnswerMethod {
 }
 
 /// The variable that a line of a model solution assigns, the type if the line declares it, and the offset of the value.
-fn assignment(line: &str) -> Option<(&str, Option<&str>, usize)> {
+pub(super) fn assignment(line: &str) -> Option<(&str, Option<&str>, usize)> {
     let code = line.split("//").next()?;
     let at = code.find(" = ")?;
     code.trim_end().strip_suffix(';')?;

@@ -54,7 +54,7 @@ pub struct Hypotheses {
 }
 
 /// Splits an assignment into its variable and its value: `vec3 N = normalize(v);` is ("N", "normalize(v)").
-pub(crate) fn assignment(line: &str) -> Option<(&str, &str)> {
+fn assignment(line: &str) -> Option<(&str, &str)> {
     let code = line.split("//").next()?.trim();
     let (left, right) = code.strip_suffix(';')?.split_once(" = ")?;
     Some((left.split_whitespace().last()?, right))

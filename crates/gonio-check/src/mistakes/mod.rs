@@ -3,7 +3,6 @@
 mod compose;
 pub mod faces;
 
-pub(crate) use compose::assignment;
 pub use compose::{Hypotheses, Hypothesis};
 
 use serde::{Deserialize, Serialize};
