@@ -42,7 +42,9 @@ vec3 light_at(vec3 world_position, vec3 N, vec3 model_position) {
     float diffuse = light.diffuse_strength * cos_theta;
     float specular = light.specular_strength * spec;
     float ambient = light.ambient_strength;
-    float attenuated = attenuation * (diffuse + specular);
+    float diffuse_light = attenuation * diffuse;
+    float specular_light = attenuation * specular;
+    float attenuated = diffuse_light + specular_light;
     float lit = ambient + attenuated;
     vec3 colour = materialColour * lit;
     return colour;

@@ -37,7 +37,9 @@ void main() {
     float diffuse = light.diffuse_strength * cos_theta;
     float specular = light.specular_strength * spec;
     float ambient = light.ambient_strength;
-    float attenuated = attenuation * (diffuse + specular);
+    float diffuse_light = attenuation * diffuse;
+    float specular_light = attenuation * specular;
+    float attenuated = diffuse_light + specular_light;
     float lit = ambient + attenuated;
     vec3 colour = materialColour * lit;
     FragColor = vec4(colour, 1.0);

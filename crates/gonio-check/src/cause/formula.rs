@@ -59,7 +59,7 @@ pub(crate) struct Definitions {
 }
 
 /// Definitions that the model solutions do not write, where `V` is a direction.
-const OF_DIRECTIONS: [(&str, &str); 11] = [
+const OF_DIRECTIONS: [(&str, &str); 12] = [
     ("V", "normalize(to_eye)"),
     ("to_eye", "u_view_pos - world_position"),
     ("minus_L", "-L"),
@@ -71,6 +71,7 @@ const OF_DIRECTIONS: [(&str, &str); 11] = [
     ("H", "normalize(L + V)"),
     ("d", "distance(light_pos, world_position)"),
     ("ward", "gauss / divisor"),
+    ("attenuated", "attenuation * (diffuse + specular)"),
 ];
 
 /// The same where `V` is the view matrix.

@@ -1,7 +1,7 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
 use super::model::{Quantity, TELLING};
-use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, TERMS, is_name};
+use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, SUMS, TERMS, is_name};
 use super::program::Change;
 use super::repair::{Make, Relation, Repair};
 use super::right_change::RightChange;
@@ -95,7 +95,7 @@ const MOST_OF_ONE: usize = 2;
 /// Whether a right term is to be replaced by a sum: the sum is wrong, not the term.
 fn is_term_for_sum(at: &Observer<'_>, seen: &Observed, repair: &Repair) -> bool {
     let name = |index: usize| at.model.quantities[index].name.as_str();
-    let is_sum = |index: usize| ["attenuated", "lit", "colour", "FragColor"].contains(&name(index));
+    let is_sum = |index: usize| SUMS.contains(&name(index));
     // In the object's colour, a term has three numbers.
     let is_coloured = || {
         let of_term = |q: &&Quantity| q.stage == seen.stage && q.mistake.is_none() && TERMS.contains(&q.name.as_str());

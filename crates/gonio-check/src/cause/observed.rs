@@ -48,13 +48,16 @@ pub(crate) struct Observer<'a> {
 }
 
 /// Names of the diffuse term.
-pub(super) const DIFFUSE_NAMES: [&str; 2] = ["cos_theta", "diffuse"];
+pub(super) const DIFFUSE_NAMES: [&str; 3] = ["cos_theta", "diffuse", "diffuse_light"];
 /// Names of the specular term.
-pub(super) const SPECULAR_NAMES: [&str; 2] = ["spec", "specular"];
+pub(super) const SPECULAR_NAMES: [&str; 3] = ["spec", "specular", "specular_light"];
 /// The terms of the light equation, with and without their strengths.
 pub(super) const TERMS: [&str; 5] = ["ambient", "diffuse", "specular", "cos_theta", "spec"];
 /// Quantities that contain a strength, which may be a constant of the program.
-pub(super) const SCALED: [&str; 7] = ["diffuse", "specular", "ambient", "attenuated", "lit", "colour", "FragColor"];
+pub(super) const SCALED: [&str; 9] =
+    ["diffuse", "specular", "ambient", "diffuse_light", "specular_light", "attenuated", "lit", "colour", "FragColor"];
+/// Sums of terms.
+pub(super) const SUMS: [&str; 4] = ["attenuated", "lit", "colour", "FragColor"];
 
 /// Whether an expression assigns; its value is that of its right side.
 pub(super) fn is_assignment(text: &str) -> bool {

@@ -24,7 +24,10 @@ pub(super) fn products<'q>(push: &mut impl FnMut(&str, Values), of: &dyn Fn(&str
             let attenuated = scaled(values, attenuation);
             push(&format!("attenuation * {term}"), attenuated.map(3, |_, a, to| to.fill(a[0])));
             push(&format!("materialColour * attenuation * {term}"), times(&attenuated, material));
-            push(&format!("attenuation * {term}"), attenuated);
+            // Model solutions have lines for these two.
+            if !["diffuse", "specular"].contains(&term) {
+                push(&format!("attenuation * {term}"), attenuated);
+            }
         }
     }
     if let (Some(diffuse), Some(specular)) = (of("diffuse"), of("specular")) {

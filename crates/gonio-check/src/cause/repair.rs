@@ -1,7 +1,7 @@
 //! Right values for wrong expressions, by what they have in common with the wrong ones.
 
 use super::model::{Model, Quantity};
-use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, TERMS, has_space, is_single_token};
+use super::observed::{DIFFUSE_NAMES, Observed, Observer, SPECULAR_NAMES, SUMS, TERMS, has_space, is_single_token};
 use super::program::Change;
 use super::values::Values;
 
@@ -150,7 +150,7 @@ impl Observer<'_> {
                 if is_right && relation > Relation::Length || is_bold && relation != Relation::Known {
                     return;
                 }
-                let is_whole = quantity.is_some_and(|q| SCALED[3..].contains(&q.name.as_str()));
+                let is_whole = quantity.is_some_and(|q| SUMS.contains(&q.name.as_str()));
                 let extra = extra + if is_whole && relation == Relation::Other { 2.0 } else { 0.0 };
                 let extra = extra + if is_right { 2.0 } else { 0.0 } + if is_bold { 4.0 } else { 0.0 };
                 let cost = relation as u8 as f32 + extra + length * 0.002;
@@ -181,6 +181,11 @@ impl Observer<'_> {
                 } else {
                     Relation::Other
                 };
+                // Where nothing resembles attenuated light, the plain term is tried.
+                if relation == Relation::Other && ["diffuse_light", "specular_light"].contains(&quantity.name.as_str())
+                {
+                    continue;
+                }
                 // Ward's term contains cosines of its own.
                 let drops = |names: &[&str], others: &[&str]| {
                     !model.method.model.has_roughness()

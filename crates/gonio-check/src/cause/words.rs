@@ -4,7 +4,7 @@ use super::model::{Quantity, Space};
 use super::repair::{Make, Repair};
 
 /// The variables of the model solutions, and what they are.
-const WORDS: [(&str, &str); 69] = [
+const WORDS: [(&str, &str); 71] = [
     ("world_position", "the position"),
     ("world_place", "the position"),
     ("model_position", "the position in model space"),
@@ -38,6 +38,8 @@ const WORDS: [(&str, &str); 69] = [
     ("ambient", "the ambient term"),
     ("diffuse", "the diffuse term"),
     ("specular", "the specular term"),
+    ("diffuse_light", "the diffuse term times the attenuation"),
+    ("specular_light", "the specular term times the attenuation"),
     ("attenuated", "the sum of diffuse and specular light, attenuated"),
     ("lit", "the sum of all terms"),
     ("colour", "the sum of all terms times the material's colour"),
