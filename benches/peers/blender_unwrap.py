@@ -1,4 +1,5 @@
-"""Unwraps a model with Blender's smart projection: blender -b --factory-startup -P blender_unwrap.py -- MODEL.obj OUT.obj MARGIN
+"""Unwraps a model with Blender's smart projection: blender -b --factory-startup -P blender_unwrap.py -- MODEL.obj OUT.obj MARGIN,
+or python blender_unwrap.py -- MODEL.obj OUT.obj MARGIN with the package bpy.
 
 Prints `unwrapped SECONDS`: those of the operator alone. The margin is a share of the side where this Blender can do that ("FRACTION").
 """

@@ -1,11 +1,13 @@
 //! Unwraps models with gonio, with xatlas and with Blender's smart projection, at the same margin, and measures all results with
 //! gonio's report; then the speed of unwrapping 100,000 triangles, and of a whole bake.
 //!
-//! gonio's time is that of its whole process; xatlas and Blender are measured without reading and writing files.
+//! gonio's time is that of its whole process; xatlas and Blender are measured without reading and writing files. A program that
+//! fails on a model, or crashes, has no figures there.
 
 use crate::measure::{self, median};
 use crate::{Places, models, peers};
 use serde_json::{Value, json};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -48,6 +50,9 @@ pub fn run(places: &Places) -> Result<bool, String> {
                 Err(error) if found.is_empty() => return Err(error),
                 Err(error) => {
                     println!("{name}: {error}");
+                    let row = [&name, unwrapper.name, "failed", "", "", "", ""];
+                    rows.push(row.map(str::to_owned).to_vec());
+                    results.push(json!({ "model": name, "program": unwrapper.name, "error": error }));
                     continue;
                 }
             };
@@ -111,12 +116,30 @@ fn unwrappers(places: &Places) -> Result<Vec<Unwrapper<'_>>, String> {
         }
         Err(error) => println!("without xatlas, a Python package that is installed with pip: {error}"),
     }
-    if Command::new("blender").arg("--version").output().is_ok_and(|output| output.status.success()) {
-        all.push(Unwrapper { name: BLENDER, run: Box::new(blender) });
-    } else {
-        println!("without Blender: install it with `apt-get install blender`, or put `blender` on the path");
+    match find_blender(places) {
+        Ok(blender) => all.push(Unwrapper {
+            name: BLENDER,
+            run: Box::new(move |model, out| {
+                let mut command = Command::new(&blender[0]);
+                command.args(&blender[1..]).arg(script("blender_unwrap.py")).arg("--").arg(model).arg(out);
+                command.arg((f64::from(MARGIN_TEXELS) / f64::from(SIZE)).to_string());
+                seconds(&answer(&mut command, "unwrapped")?)
+            }),
+        }),
+        Err(error) => println!("without Blender: put `blender` on the path, or install bpy with pip: {error}"),
     }
     Ok(all)
+}
+
+/// Version 5.0, as a Python package; it needs Python 3.11.
+const BPY: &str = "bpy==5.0.1";
+
+/// The command that runs a script of Blender: the program on the path, else the Python package.
+fn find_blender(places: &Places) -> Result<Vec<OsString>, String> {
+    if Command::new("blender").arg("--version").output().is_ok_and(|output| output.status.success()) {
+        return Ok(["blender", "-b", "--factory-startup", "-P"].map(OsString::from).to_vec());
+    }
+    Ok(vec![peers::python_with(&places.out, "bpy-venv", &[BPY])?.into_os_string()])
 }
 
 fn script(name: &str) -> PathBuf {
@@ -131,7 +154,10 @@ fn answer(command: &mut Command, prefix: &str) -> Result<Vec<String>, String> {
     let line = text.lines().find_map(|line| line.strip_prefix(prefix)).filter(|_| output.status.success());
     let words = line.map(|line| line.split_whitespace().map(str::to_owned).collect());
     words.ok_or_else(|| {
-        format!("{name} failed: {}: {text}{}", output.status, String::from_utf8_lossy(&output.stderr).trim())
+        // A program that crashed has no last words, or those of another part of it.
+        let errors = String::from_utf8_lossy(&output.stderr);
+        let last = errors.lines().chain(text.lines()).rfind(|line| !line.trim().is_empty()).unwrap_or_default();
+        format!("{name} failed: {}: {last}", output.status)
     })
 }
 
@@ -143,13 +169,6 @@ fn xatlas(python: &Path, model: &Path, out: &Path) -> Result<f64, String> {
         println!("xatlas needed {} textures for {}", words[1], model.display());
     }
     seconds(&words)
-}
-
-fn blender(model: &Path, out: &Path) -> Result<f64, String> {
-    let mut command = Command::new("blender");
-    command.args(["-b", "--factory-startup", "-P"]).arg(script("blender_unwrap.py")).arg("--").arg(model).arg(out);
-    command.arg((f64::from(MARGIN_TEXELS) / f64::from(SIZE)).to_string());
-    seconds(&answer(&mut command, "unwrapped")?)
 }
 
 fn seconds(words: &[String]) -> Result<f64, String> {
@@ -191,26 +210,29 @@ fn speed(places: &Places, unwrappers: &[Unwrapper]) -> Result<(Value, bool), Str
     let mut times: Vec<Vec<f64>> = vec![Vec::new(); unwrappers.len()];
     let mut bakes = Vec::new();
     for _ in 0..ROUNDS {
-        for (unwrapper, times) in unwrappers.iter().zip(&mut times) {
-            times.push((unwrapper.run)(&model, &places.out.join(format!("unwrapped-{}-100k.obj", unwrapper.name)))?);
+        for (index, (unwrapper, times)) in unwrappers.iter().zip(&mut times).enumerate() {
+            match (unwrapper.run)(&model, &places.out.join(format!("unwrapped-{}-100k.obj", unwrapper.name))) {
+                Ok(seconds) => times.push(seconds),
+                Err(error) if index == 0 => return Err(error),
+                Err(error) => println!("100,000 triangles: {error}"),
+            }
         }
         let mut bake = Command::new(&places.gonio);
         bake.args(["bake", "--quiet", "--size", &SIZE.to_string(), "-o"]).arg(places.out.join("baked")).arg(&suzanne);
         bakes.push(measure::process(&mut bake)?.wall_s);
     }
-    let medians: Vec<f64> = times.into_iter().map(median).collect();
+    let own = median(times[0].clone());
     let bake = median(bakes);
-    for (unwrapper, seconds) in unwrappers.iter().zip(&medians).skip(1) {
-        println!(
-            "100,000 triangles: gonio takes {:.2} of the time of {} ({seconds:.2} s)",
-            medians[0] / seconds,
-            unwrapper.name
-        );
+    let mut seconds = serde_json::Map::new();
+    for (unwrapper, times) in unwrappers.iter().zip(times).filter(|(_, times)| !times.is_empty()) {
+        let time = median(times);
+        seconds.insert(unwrapper.name.to_owned(), time.into());
+        if seconds.len() > 1 {
+            let ratio = own / time;
+            println!("100,000 triangles: gonio takes {ratio:.2} of the time of {} ({time:.2} s)", unwrapper.name);
+        }
     }
-    let mut held = measure::bar("unwrapping 100,000 triangles", medians[0], " s", BAR_UNWRAP_S, true);
+    let mut held = measure::bar("unwrapping 100,000 triangles", own, " s", BAR_UNWRAP_S, true);
     held &= measure::bar("a diffuse bake of Suzanne", bake, " s", BAR_BAKE_S, true);
-    let names = unwrappers.iter().map(|unwrapper| unwrapper.name);
-    let seconds: serde_json::Map<String, Value> =
-        names.zip(&medians).map(|(name, &s)| (name.to_owned(), s.into())).collect();
     Ok((json!({ "unwrap_100k_s": seconds, "bake_suzanne_s": bake }), held))
 }

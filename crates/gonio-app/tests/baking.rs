@@ -4,11 +4,15 @@
 mod support;
 
 use egui::{Key, Modifiers, Pos2, pos2, vec2};
-use gonio_app::platform::{Event, SceneInput};
+use gonio_app::baking::{BakeReply, BakeRequest};
+use gonio_app::platform::{Event, Platform, SceneInput};
+use gonio_bake::{BakeJob, MapKind};
 use gonio_scene::files::{BuiltinOnly, FileSource};
+use gonio_scene::load;
 use serde_json::{Value, json};
+use std::path::Path;
 use std::sync::Arc;
-use support::Window;
+use support::{Here, Window};
 
 /// Frames that a bake may take; each waits a little.
 const MOST_FRAMES: usize = 3000;
@@ -134,6 +138,41 @@ fn a_bake_is_cancelled_by_its_button_and_by_another_scene() {
     assert_eq!(state["messages"][0]["text"], "baking was cancelled, because another scene was opened");
     // The settings are kept.
     assert_eq!(state["bake"]["job"]["size"], 4096);
+}
+
+/// A bake that nobody waits for any more ends soon, also when every texel traces thousands of rays: the thread lets go of the scene.
+#[test]
+fn a_bake_ends_when_its_window_is_closed() {
+    let mut window = Window::to_bake("builtin:suzanne");
+    window.click("bake-size-4096");
+    window.click("bake-map-ambient-occlusion");
+    window.click("bake-start");
+    window.until("a step", |s| s["bake"]["share"].as_f64() > Some(0.0));
+    drop(window);
+    let files: Arc<dyn FileSource> = Arc::new(BuiltinOnly);
+    let scene = load::load(load::describe(&["builtin:suzanne"], &*files).unwrap(), Path::new(""), &*files).unwrap();
+    let scene = Arc::new(scene);
+    let still_held = Arc::downgrade(&scene);
+    let job = BakeJob { maps: vec![MapKind::AmbientOcclusion], size: 4096, occlusion_rays: 4096, ..BakeJob::default() };
+    let request = BakeRequest { scene, time: 0.0, job, stem: "suzanne".into(), files, paths: Vec::new() };
+    let mut task = Here::default().bake(request, &egui::Context::default());
+    let mut share = 0.0;
+    // Past the unwrapping, among the rays.
+    while share < 0.2 {
+        match task.poll() {
+            Some(BakeReply::Progress(_, now)) => share = now,
+            Some(_) => panic!("it ended by itself"),
+            None => std::thread::sleep(std::time::Duration::from_millis(10)),
+        }
+    }
+    drop(task);
+    let mut waited = 0;
+    while still_held.strong_count() > 0 {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+        waited += 1;
+        // A whole row of texels would take longer than this.
+        assert!(waited < 1000, "the bake goes on");
+    }
 }
 
 #[test]

@@ -9,21 +9,24 @@
 //! the one with the least distortion is taken.
 
 use crate::faces::{Faces, NONE};
-use crate::solver::PlaneOperator;
+use crate::multigrid::{Multigrid, WeightedEdge, summed_edges};
+use crate::solver::{Accuracy, PlaneOperator};
 use glam::{DVec2, DVec3};
 
 /// A chart is flat if all normals are within 3 degrees of the mean.
 const FLAT_COS: f64 = 0.9986;
 
 /// Rounds of the local/global method.
-const RIGID_ROUNDS: usize = 6;
+const RIGID_ROUNDS: usize = 10;
 
 /// Limits on the cotangents of slivers, whose equations would drown all others.
 const MOST_COTANGENT: f64 = 50.0;
 
-/// Most steps of the solver for the conformal map and for each round. More would not be seen: the start is close.
-const CONFORMAL_STEPS: usize = 400;
-const RIGID_STEPS: usize = 60;
+/// The conformal map of a surface with a border is not unique; the first steps lead to one near the start, and later ones away from it.
+const CONFORMAL: Accuracy = Accuracy { of_start: 0.004, of_zero: 0.0, most: 60 };
+
+/// The next round moves the places on anyway.
+const RIGID: Accuracy = Accuracy { of_start: 0.1, of_zero: 1e-4, most: 60 };
 
 /// A chart by its own vertex numbers.
 pub(crate) struct ChartMesh {
@@ -123,7 +126,8 @@ struct Shapes {
     /// Half the cotangents of the angles opposite to the edges from corner k to corner k + 1.
     weights: Vec<[f64; 3]>,
     /// The sum of weights of each edge.
-    edges: Vec<(u32, u32, f64)>,
+    edges: Vec<WeightedEdge>,
+    inverse: Multigrid,
 }
 
 impl Shapes {
@@ -131,22 +135,14 @@ impl Shapes {
         let flat: Vec<[DVec2; 3]> =
             chart.triangles.iter().map(|&t| lay_flat(faces.corner_positions(t as usize))).collect();
         let weights: Vec<[f64; 3]> = flat.iter().map(half_cotangents).collect();
-        let mut edges: Vec<(u32, u32, f64)> = Vec::with_capacity(3 * flat.len());
-        for (corners, weights) in chart.corners.iter().zip(&weights) {
-            for k in 0..3 {
-                let (i, j) = (corners[k], corners[(k + 1) % 3]);
-                edges.push((i.min(j), i.max(j), weights[k]));
-            }
-        }
-        edges.sort_unstable_by_key(|&(i, j, _)| (i, j));
-        edges.dedup_by(|next, kept| {
-            let is_same = (next.0, next.1) == (kept.0, kept.1);
-            if is_same {
-                kept.2 += next.2;
-            }
-            is_same
-        });
-        Shapes { flat, weights, edges }
+        let of_triangles = chart
+            .corners
+            .iter()
+            .zip(&weights)
+            .flat_map(|(corners, weights)| (0..3).map(move |k| (corners[k], corners[(k + 1) % 3], weights[k])));
+        let edges = summed_edges(of_triangles);
+        let inverse = Multigrid::new(chart.places.len(), &edges);
+        Shapes { flat, weights, edges, inverse }
     }
 
     /// The symmetric Dirichlet energy (J. Smith, S. Schaefer, "Bijective parameterization with free boundaries", 2015): the mean
@@ -174,15 +170,16 @@ impl Shapes {
     fn conformal(&self, chart: &ChartMesh, start: &[DVec2]) -> Vec<DVec2> {
         let border: Vec<(u32, u32)> = chart.border.iter().map(|edge| chart.border_ends(edge)).collect();
         let pins = farthest(&border, start);
-        let operator = PlaneOperator::new(start.len(), self.edges.clone(), border, pins);
+        let operator = PlaneOperator { edges: &self.edges, inverse: &self.inverse, border, pins };
         let mut plane = start.to_vec();
-        operator.solve(&mut plane, &vec![DVec2::ZERO; start.len()], 1e-4, CONFORMAL_STEPS);
+        operator.solve(&mut plane, &vec![DVec2::ZERO; start.len()], CONFORMAL);
         plane
     }
 
     /// Rounds of turning each triangle to fit its place, then finding the places that fit the triangles best.
     fn rigid(&self, chart: &ChartMesh, start: &[DVec2]) -> Vec<DVec2> {
-        let operator = PlaneOperator::new(start.len(), self.edges.clone(), Vec::new(), Vec::new());
+        let (border, pins) = (Vec::new(), Vec::new());
+        let operator = PlaneOperator { edges: &self.edges, inverse: &self.inverse, border, pins };
         let mut plane = start.to_vec();
         let mut right_side = vec![DVec2::ZERO; start.len()];
         for _ in 0..RIGID_ROUNDS {
@@ -202,7 +199,7 @@ impl Shapes {
                     right_side[corners[(k + 1) % 3] as usize] -= pull;
                 }
             }
-            operator.solve(&mut plane, &right_side, 1e-4, RIGID_STEPS);
+            operator.solve(&mut plane, &right_side, RIGID);
         }
         plane
     }

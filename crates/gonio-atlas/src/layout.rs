@@ -12,8 +12,12 @@ const MOST_EDGES: usize = 30_000;
 
 const BACKGROUND: [f32; 3] = [24.0, 26.0, 31.0];
 
-/// Draws an atlas as a square of `size` pixels, sRGB, v up.
+/// Pixels along a side of the largest picture of an atlas.
+pub const LARGEST_LAYOUT: u32 = 4096;
+
+/// Draws an atlas as a square of `size` pixels, at most [`LARGEST_LAYOUT`], sRGB, v up.
 pub fn draw_layout(atlas: &AtlasUv, size: u32) -> EncodedPicture<u8> {
+    let size = size.min(LARGEST_LAYOUT);
     let side = SAMPLES * size;
     let mut canvas = Canvas { side, colors: vec![BACKGROUND; side as usize * side as usize] };
     let triangles = atlas.tex_coords.as_chunks::<3>().0;

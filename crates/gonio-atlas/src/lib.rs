@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `faces` | neighbours of triangles by position |
 //! | `charts` | connected groups of triangles within an angle of an axis |
-//! | `flatten`, `solver` | least-squares conformal maps, then as rigid as possible |
+//! | `flatten`, `solver`, `multigrid` | least-squares conformal maps, then as rigid as possible |
 //! | `crossing` | charts that overlap themselves are found, and divided |
 //! | `pack`, `bitmap` | all charts in one square, with a margin |
 //! | [`report`] | coverage, stretch, density, overlaps, of any texture coordinates |
@@ -20,6 +20,7 @@ mod crossing;
 mod faces;
 mod flatten;
 pub mod layout;
+mod multigrid;
 mod pack;
 pub mod raster;
 pub mod report;

@@ -263,7 +263,7 @@ fn display_picture(map: &BakedMap) -> EncodedPicture<u8> {
         }
         _ => return map.picture8(),
     };
-    let rgba = texels.rows_from_top().into_iter().flat_map(|[r, g, b, _]| {
+    let rgba = texels.rows_from_top().flat_map(|[r, g, b, _]| {
         let [r, g, b] = encode([r, g, b]);
         [r, g, b, 255]
     });

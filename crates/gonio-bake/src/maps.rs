@@ -368,7 +368,7 @@ impl BakedMap {
     /// A map without texels.
     pub fn encode(&self) -> Result<Vec<u8>, ImageError> {
         if self.kind.extension() == "exr" {
-            return self.exr(self.texels.rows_from_top().into_iter().map(|[r, g, b, _]| [r, g, b]));
+            return self.exr(self.texels.rows_from_top().map(|[r, g, b, _]| [r, g, b]));
         }
         let tag = if self.is_color() { ColorTag::Srgb } else { ColorTag::Untagged };
         encode8(&self.picture8(), tag)
@@ -384,7 +384,7 @@ impl BakedMap {
             MapKind::AmbientOcclusion => [r, g, b].map(data),
             _ => [r, g, b].map(|v| srgb::ENCODER.encode((v / factor).clamp(0.0, 1.0))),
         };
-        let rgba = self.texels.rows_from_top().into_iter().flat_map(|texel| {
+        let rgba = self.texels.rows_from_top().flat_map(|texel| {
             let [r, g, b] = encoded(texel);
             [r, g, b, 255]
         });
@@ -398,7 +398,7 @@ impl BakedMap {
     /// A map without texels.
     pub fn encode_standard_error(&self) -> Option<Result<Vec<u8>, ImageError>> {
         let rows = self.texels.rows_from_top();
-        self.is_noisy.then(|| self.exr(rows.into_iter().map(|[.., variance]| [variance.max(0.0).sqrt(); 3])))
+        self.is_noisy.then(|| self.exr(rows.map(|[.., variance]| [variance.max(0.0).sqrt(); 3])))
     }
 
     fn exr(&self, rows: impl Iterator<Item = [f32; 3]>) -> Result<Vec<u8>, ImageError> {

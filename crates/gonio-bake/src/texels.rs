@@ -2,9 +2,13 @@
 
 use glam::{DVec2, DVec3, DVec4};
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Rows that are baked together: few, as a traced row takes long, and progress is told and a stop noticed between bands.
+/// Rows that are baked together: few, as a traced row takes long, and progress is told between bands.
 const BAND: usize = 4;
+
+/// Samples between which a stop is noticed: each may trace thousands of rays.
+const SAMPLES_BETWEEN: u32 = 256;
 
 /// A point of a surface, as a texel sees it.
 #[derive(Clone, Copy, Debug)]
@@ -80,26 +84,31 @@ pub fn bake_texels(
             band.push(index as u32);
         }
     }
-    let done = std::sync::atomic::AtomicUsize::new(0);
-    let baked: Option<Vec<Band>> = in_band
-        .par_iter()
-        .enumerate()
-        .map(|(number, members)| {
-            let rows = BAND * number..(BAND * (number + 1)).min(side);
-            let mut band = Band::new(rows, side, grid);
-            let members = || members.iter().map(|&index| &triangles[index as usize]);
-            members().for_each(|triangle| band.add_samples(triangle, &evaluate));
-            band.finish(members(), border, &evaluate);
-            let done = 1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-            go_on(done as f64 / bands as f64).then_some(band)
-        })
-        .collect();
-    let (mut values, mut covered) = (Vec::with_capacity(side * side), Vec::with_capacity(side * side));
-    for band in baked? {
-        values.extend(band.sums.iter().map(|sum| sum.as_vec4().to_array()));
-        covered.extend(band.counts.iter().map(|count| *count > 0));
-    }
-    Some(BakedTexels { size, values, covered })
+    let done = AtomicUsize::new(0);
+    let mut values = vec![[0.0; 4]; side * side];
+    let mut covered = vec![false; side * side];
+    // Each band writes to its own rows, so that sums exist for the bands at work only.
+    let rows = values.par_chunks_mut(BAND * side).zip(covered.par_chunks_mut(BAND * side));
+    let is_done = rows.zip(&in_band).enumerate().all(|(number, ((values, covered), members))| {
+        let rows = BAND * number..(BAND * (number + 1)).min(side);
+        let mut band = Band::new(rows, side, grid);
+        let members = || members.iter().map(|&index| &triangles[index as usize]);
+        let keep_on = || go_on(done.load(Ordering::Relaxed) as f64 / bands as f64);
+        let is_whole = members().all(|triangle| band.add_samples(triangle, &evaluate, &keep_on))
+            && band.finish(members(), border, &evaluate, &keep_on);
+        if !is_whole {
+            return false;
+        }
+        for (value, sum) in values.iter_mut().zip(&band.sums) {
+            *value = sum.as_vec4().to_array();
+        }
+        for (covered, count) in covered.iter_mut().zip(&band.counts) {
+            *covered = *count > 0;
+        }
+        let done = 1 + done.fetch_add(1, Ordering::Relaxed);
+        go_on(done as f64 / bands as f64)
+    });
+    is_done.then_some(BakedTexels { size, values, covered })
 }
 
 /// A triangle in texels.
@@ -164,12 +173,24 @@ struct Band {
     grid: u32,
     sums: Vec<DVec4>,
     counts: Vec<u32>,
+    /// Samples since a stop was last looked for.
+    unheard: u32,
 }
 
 impl Band {
     fn new(rows: std::ops::Range<usize>, side: usize, grid: u32) -> Self {
         let count = rows.len() * side;
-        Band { rows, side, grid, sums: vec![DVec4::ZERO; count], counts: vec![0; count] }
+        Band { rows, side, grid, sums: vec![DVec4::ZERO; count], counts: vec![0; count], unheard: 0 }
+    }
+
+    /// Counts a sample; returns whether to go on.
+    fn goes_on(&mut self, keep_on: &dyn Fn() -> bool) -> bool {
+        self.unheard += 1;
+        if self.unheard < SAMPLES_BETWEEN {
+            return true;
+        }
+        self.unheard = 0;
+        keep_on()
     }
 
     /// The texels of this band that a triangle may touch: column, row, index.
@@ -180,7 +201,13 @@ impl Band {
         rows.flat_map(move |y| columns.clone().map(move |x| (x, y, (y - first) * side + x)))
     }
 
-    fn add_samples(&mut self, triangle: &TexelTriangle, evaluate: &impl Fn(&TexelSample) -> DVec4) {
+    /// Returns whether to go on.
+    fn add_samples(
+        &mut self,
+        triangle: &TexelTriangle,
+        evaluate: &impl Fn(&TexelSample) -> DVec4,
+        keep_on: &dyn Fn() -> bool,
+    ) -> bool {
         let grid = self.grid;
         for (x, y, index) in self.texels(triangle) {
             for (row, column) in (0..grid).flat_map(|row| (0..grid).map(move |column| (row, column))) {
@@ -191,18 +218,23 @@ impl Band {
                     let sample = TexelSample { triangle: triangle.triangle, weights, steps: triangle.steps, seed };
                     self.sums[index] += evaluate(&sample);
                     self.counts[index] += 1;
+                    if !self.goes_on(keep_on) {
+                        return false;
+                    }
                 }
             }
         }
+        true
     }
 
-    /// Divides the sums, and fills texels that are touched only.
+    /// Divides the sums, and fills texels that are touched only. Returns whether to go on.
     fn finish<'t>(
         &mut self,
         triangles: impl Iterator<Item = &'t TexelTriangle>,
         border: Border,
         evaluate: &impl Fn(&TexelSample) -> DVec4,
-    ) {
+        keep_on: &dyn Fn() -> bool,
+    ) -> bool {
         let mut nearest: Vec<Option<(f64, TexelSample)>> = vec![None; self.sums.len()];
         for triangle in triangles {
             for (x, y, index) in self.texels(triangle) {
@@ -229,11 +261,15 @@ impl Band {
         for (index, nearest) in nearest.into_iter().enumerate() {
             if let Some((_, sample)) = nearest {
                 (self.sums[index], self.counts[index]) = (evaluate(&sample), 1);
+                if !self.goes_on(keep_on) {
+                    return false;
+                }
             } else if self.counts[index] > 0 {
                 let count = f64::from(self.counts[index]);
                 self.sums[index] /= DVec4::new(count, count, count, count * count);
             }
         }
+        true
     }
 }
 
@@ -249,8 +285,13 @@ impl BakedTexels {
         }
         let side = self.size as usize;
         let row_of = self.nearest_rows();
-        let nearest: Vec<u32> = (0..side).into_par_iter().flat_map_iter(|y| nearest_in_row(y, side, &row_of)).collect();
-        self.values = nearest.par_iter().map(|&index| self.values[index as usize]).collect();
+        let mut nearest = vec![0; side * side];
+        nearest.par_chunks_mut(side).enumerate().for_each(|(y, row)| nearest_in_row(y, side, &row_of, row));
+        drop(row_of);
+        // Covered texels are their own nearest ones, so no value that is still read has changed.
+        for (index, nearest) in nearest.into_iter().enumerate().filter(|(index, _)| !self.covered[*index]) {
+            self.values[index] = self.values[nearest as usize];
+        }
     }
 
     /// For each texel the row of the nearest covered texel of its column; `u32::MAX` where the column has none.
@@ -278,13 +319,13 @@ impl BakedTexels {
     }
 
     /// The texels with their first row at the top, as image files have them.
-    pub fn rows_from_top(&self) -> Vec<[f32; 4]> {
-        self.values.chunks(self.size.max(1) as usize).rev().flatten().copied().collect()
+    pub fn rows_from_top(&self) -> impl Iterator<Item = [f32; 4]> + '_ {
+        self.values.chunks(self.size.max(1) as usize).rev().flatten().copied()
     }
 }
 
-/// The index of the nearest covered texel for each texel of row `y`.
-fn nearest_in_row(y: usize, side: usize, row_of: &[u32]) -> Vec<u32> {
+/// Finds the index of the nearest covered texel for each texel of row `y`.
+fn nearest_in_row(y: usize, side: usize, row_of: &[u32], nearest: &mut [u32]) {
     let row = &row_of[y * side..][..side];
     let height = |x: usize| (f64::from(row[x]) - y as f64).powi(2);
     // Parabolas of the envelope: their column, and where each begins.
@@ -303,14 +344,16 @@ fn nearest_in_row(y: usize, side: usize, row_of: &[u32]) -> Vec<u32> {
         envelope.push((x, start));
     }
     let mut current = 0;
-    let index = |x: usize| {
+    let mut index = |x: usize| {
         while envelope.get(current + 1).is_some_and(|(_, start)| *start < x as f64) {
             current += 1;
         }
         let column = envelope.get(current).map_or(x, |(column, _)| *column);
         row[column].saturating_mul(side as u32).saturating_add(column as u32)
     };
-    (0..side).map(index).collect()
+    for (x, nearest) in nearest.iter_mut().enumerate() {
+        *nearest = index(x);
+    }
 }
 
 #[cfg(test)]

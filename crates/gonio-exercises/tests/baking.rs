@@ -62,6 +62,13 @@ fn right_answers_are_right_with_any_layout_margin_size_and_format() {
         case.cut_margin(8);
         lab.is_right(&format!("{recipe:?} with a margin of 8"), &case.files());
     }
+    // Blender 5 leaves out what its specular layer reflects, which depends on the material.
+    let mut darkened = right.clone();
+    darkened.recolor(|color, at, case| {
+        let share = if case.ids[at][0] > 0.5 { 0.93 } else { 0.97 };
+        color.map(|c| share * c)
+    });
+    lab.is_right("from Blender 5", &darkened.files());
     // Oddities that are right.
     let warned = |change: &dyn Fn(&mut Case), piece: &str| {
         let mut case = right.clone();
@@ -170,6 +177,18 @@ fn each_mistake_is_named() {
     }
 }
 
+/// Filmic and AgX also take the colour from what is bright.
+#[test]
+fn a_view_transform_is_told_from_light() {
+    let lab = TestLab::new();
+    let mut case = lab.right.clone();
+    case.recolor(|[r, g, b], _, _| {
+        let mean = (r + g + b) / 3.0;
+        [r, g, b].map(|c| 0.7 * (c + 0.4 * (mean - c)).powf(0.7))
+    });
+    assert_eq!(lab.ids(&case.files()), ["tone-curve-applied"]);
+}
+
 #[test]
 fn mistakes_in_the_layout_are_named() {
     let lab = TestLab::new();
@@ -197,6 +216,13 @@ fn mistakes_in_the_layout_are_named() {
     let mut thin = baked(Recipe { size: 1024, ..Recipe::default() });
     thin.cut_margin(1);
     assert_eq!(lab.ids(&thin.files()), ["margin-too-small"]);
+    // Charts that touch: lookups at their borders read the next one. Two texels between them are enough for those.
+    let apart = |texels: f64| {
+        let case = baked(Recipe { unwrap: unwrapped(texels / 512.0, 66.0), ..Recipe::default() });
+        lab.ids(&case.files())
+    };
+    assert_eq!(apart(0.0), ["charts-too-close"]);
+    assert_eq!(apart(3.0), Vec::<String>::new());
 }
 
 /// Mistakes of which neither hides the other.

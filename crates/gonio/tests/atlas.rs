@@ -13,8 +13,16 @@ fn unwrapped_models_are_read_again_with_the_same_figures() {
     let before = std::fs::read(&model).unwrap();
     let args = ["unwrap", &model, "-o", "a.obj", "--layout", "layout.png", "--size", "512", "--json"];
     let made = lab.run(&args).good().json();
+    let outputs = |made: &serde_json::Value| made["outputs"].as_array().unwrap().len();
+    assert_eq!((outputs(&made), &made["inputs"]), (2, &serde_json::json!([model])));
     lab.run(&["unwrap", &model, "--checker", "checker.png"]).good();
-    assert_eq!((lab.picture("checker.png").width(), lab.picture("checker.png").height()), (1024, 768));
+    let baked =
+        lab.run(&["bake", &model, "-o", "out", "--checker", "of_bake.png", "--size", "64", "--json"]).good().json();
+    assert_eq!((outputs(&baked), &baked["maps"]), (6, &serde_json::json!(["diffuse"])));
+    // The same layout, the same camera.
+    let [of_unwrap, of_bake] = ["checker.png", "of_bake.png"].map(|name| lab.picture(name).to_rgb8());
+    assert_eq!(of_unwrap.dimensions(), (1024, 768));
+    assert!(of_unwrap.as_raw() == of_bake.as_raw());
     assert_eq!((lab.picture("layout.png").width(), lab.picture("layout.png").height()), (512, 512));
     assert_eq!(made["uv"]["overlapping_texels"], 0);
     lab.run(&["unwrap", "a.obj", "-o", "b.glb", "--keep-uvs"]).good();
@@ -181,6 +189,11 @@ fn bad_input_is_one_sentence_and_no_file() {
         refused(&["bake", "bare.obj", "-o", "x", &option], &[size, "1 to 16384"]);
         refused(&["unwrap", "bare.obj", &option], &[size, "1 to 16384"]);
     }
+    let large = ["--size", "16384", "--max-memory", "1GiB"];
+    refused(
+        &[&["bake", "bare.obj", "-o", "x"], &large[..]].concat(),
+        &["16384", "GiB", "--max-memory", "smaller size"],
+    );
     refused(&["bake", "bare.obj", "-o", "x", "--samples", "3"], &["3", "square number"]);
     refused(&["unwrap", "bare.obj", "--size", "8", "--margin-texels", "3"], &["3 texels", "at most 2"]);
     refused(&["unwrap", "bare.obj", "--margin", "0.5"], &["0.5", "0 to 0.25"]);

@@ -172,6 +172,9 @@ fn spans(words: &str) -> Vec<(String, Style)> {
     found
 }
 
+/// The beginning of each line of code without a fence.
+const INDENT: &str = "    ";
+
 /// The parts of a text.
 fn blocks(text: &str) -> Vec<Block<'_>> {
     let mut found: Vec<Block<'_>> = Vec::new();
@@ -186,6 +189,13 @@ fn blocks(text: &str) -> Vec<Block<'_>> {
             found.push(Block::Code(code.join("\n")));
         } else if trimmed.is_empty() {
             continue;
+        } else if !was_text && line.starts_with(INDENT) {
+            let mut code = vec![&line[INDENT.len()..]];
+            while let Some(next) = lines.peek().and_then(|next| next.strip_prefix(INDENT)) {
+                code.push(next);
+                lines.next();
+            }
+            found.push(Block::Code(code.join("\n")));
         } else if trimmed.starts_with('#') {
             let level = trimmed.chars().take_while(|c| *c == '#').count();
             found.push(Block::Heading(level, trimmed.trim_start_matches('#').trim()));
@@ -257,7 +267,7 @@ mod tests {
 
     #[test]
     fn a_text_is_split_into_blocks() {
-        let text = "# One\n\nWords that\ngo on.\n\n- a `b|c`\n  and on\n- d\n1. first\n\n```glsl\nx\n\ny\n```\n\n| a | b |\n|---|---|\n| `x|y` | 2 |\n![A curve](a.svg)\n";
+        let text = "# One\n\nWords that\ngo on.\n\n- a `b|c`\n  and on\n- d\n1. first\n\n```glsl\nx\n\ny\n```\n\nSay:\n\n    a b\n      c\n\n| a | b |\n|---|---|\n| `x|y` | 2 |\n![A curve](a.svg)\n";
         assert_eq!(
             blocks(text),
             [
@@ -267,6 +277,8 @@ mod tests {
                 Block::Item(0, "•".into(), "d".into()),
                 Block::Item(0, "1.".into(), "first".into()),
                 Block::Code("x\n\ny".into()),
+                Block::Paragraph("Say:".into()),
+                Block::Code("a b\n  c".into()),
                 Block::Table(vec![vec!["a", "b"], vec!["`x|y`", "2"]]),
                 Block::Figure("A curve", "a.svg"),
             ]

@@ -28,6 +28,7 @@ mod fix;
 mod list;
 mod markdown;
 mod pages;
+mod picture_files;
 mod pictures;
 mod preview;
 mod saving;

@@ -9,6 +9,7 @@ use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui};
 use gonio_check::feedback::Feedback;
 use gonio_check::mistakes;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, TermState, Verdict};
+use gonio_exercises::exercise::ExerciseKind;
 use gonio_exercises::preview::VariableValue;
 
 /// Characters of a line that are quoted.
@@ -18,8 +19,10 @@ const MOST_QUOTED: usize = 400;
 pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>) {
     ui.spacing_mut().item_spacing.y = 6.0;
     ui.horizontal_wrapped(|ui| {
-        let tip = "Also accept the ways of the lab's own solutions where they differ from the textbook";
-        crate::widgets::toggle(ui, "as-the-lab", "accept the lab's variants", &mut work.as_the_lab, tip);
+        if work.exercise.kind != ExerciseKind::Baking {
+            let tip = "Also accept the ways of the lab's own solutions where they differ from the textbook";
+            crate::widgets::toggle(ui, "as-the-lab", "accept the lab's variants", &mut work.as_the_lab, tip);
+        }
         if !work.checking && ui.button("Check").clicked() {
             commands.push(ExerciseCommand::Check);
         }
@@ -39,9 +42,11 @@ pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>
                 Feedback::Line => "reports each mistake by name and line, with what belongs there.",
                 Feedback::Fix => "reports each mistake by name and line, with a fix.",
             };
-            let hint = format!(
-                "Not checked yet. The check draws your program in test scenes that reveal mistakes, and {hint}"
-            );
+            let way = match work.exercise.kind {
+                ExerciseKind::Baking => "compares your picture with the right one for your texture coordinates",
+                _ => "draws your program in test scenes that reveal mistakes",
+            };
+            let hint = format!("Not checked yet. The check {way}, and {hint}");
             ui.add(Label::new(RichText::new(hint).weak()).wrap());
         }
         return;

@@ -1,5 +1,6 @@
 //! The pictures beside the editor, with their settings.
 
+use super::picture_files;
 use super::preview::{Preview, PreviewPicture, situations};
 use super::work::{PictureMode, Work};
 use crate::exported::{self, WidgetRole};
@@ -15,7 +16,7 @@ use gonio_gl::GlError;
 use std::sync::Arc;
 
 /// Background of captions.
-const GROUND: Color32 = Color32::from_black_alpha(150);
+pub(super) const GROUND: Color32 = Color32::from_black_alpha(150);
 /// Below this width (points) the scenes have a row of their own.
 const NARROW: f32 = 480.0;
 const INK: Color32 = Color32::from_gray(0xf2);
@@ -31,7 +32,9 @@ pub fn show(
     let whole = ui.available_rect_before_wrap();
     ui.painter().rect_filled(whole, 0.0, ui.visuals().extreme_bg_color);
     if work.exercise.kind != ExerciseKind::Shaders {
-        sentence(ui, whole, without_picture(work.exercise.kind));
+        if work.exercise.kind != ExerciseKind::Baking || !picture_files::show(ui, whole, work) {
+            sentence(ui, whole, without_picture(work.exercise.kind));
+        }
         return Ok(());
     }
     let (Some(preview), Some(pane_renderer)) = (preview, pane_renderer) else {
@@ -216,7 +219,7 @@ fn steer(ui: &Ui, response: &egui::Response, work: &mut Work) {
 
 /// One of several rectangles side by side, or stacked in an upright room. All have the same number of pixels, because their
 /// pictures are compared.
-fn part(room: Rect, index: usize, count: usize, pixels_per_point: f32) -> Rect {
+pub(super) fn part(room: Rect, index: usize, count: usize, pixels_per_point: f32) -> Rect {
     let whole = |points: f32| (points * pixels_per_point).floor() / pixels_per_point;
     let min = pos2(whole(room.left()), whole(room.top()));
     let share = |side: f32| whole(side / count.max(1) as f32);
@@ -239,7 +242,7 @@ fn sentence(ui: &mut Ui, rect: Rect, text: &str) {
 }
 
 /// Writes a caption over a picture. Returns its rectangle.
-fn written(ui: &Ui, rect: Rect, align: Align2, text: &str, ground: Color32) -> Rect {
+pub(super) fn written(ui: &Ui, rect: Rect, align: Align2, text: &str, ground: Color32) -> Rect {
     let room = rect.shrink(8.0);
     let style = TextStyle::Body.resolve(ui.style());
     let mut job = egui::text::LayoutJob::simple(text.to_owned(), style, INK, (room.width() - 16.0).max(20.0));

@@ -279,7 +279,9 @@ impl Work {
         let has_to_do = |file: &OpenFile| file.is_shown() && file.text.contains("TODO");
         let to_do = files.iter().position(|file| is_answer(file) && has_to_do(file));
         let to_do = to_do.or_else(|| files.iter().position(has_to_do)).or_else(|| files.iter().position(is_answer));
-        to_do.or_else(|| files.iter().position(OpenFile::is_shown)).unwrap_or(0)
+        let is_text = |file: &OpenFile| file.is_shown() && !file.locked;
+        let first = || files.iter().position(is_text).or_else(|| files.iter().position(OpenFile::is_shown));
+        to_do.or_else(first).unwrap_or(0)
     }
 
     /// The work as it is resumed: nothing is compiled yet.

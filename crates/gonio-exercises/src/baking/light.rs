@@ -23,7 +23,7 @@ pub enum OtherContent {
     Lit,
     /// The same with highlights.
     Highlights,
-    /// The diffuse colour after a curve that is the same for all channels.
+    /// The diffuse colour after a curve, or after a view transform, which mixes the channels too.
     Curve,
     /// One colour everywhere.
     OneColor,
@@ -62,7 +62,7 @@ pub fn find(
     }
     for turn in Turn::all() {
         let pairs: Vec<Pair> = some.iter().map(|texel| pair(expected, picture, turn, *texel)).collect();
-        if is_curve(&pairs) {
+        if is_curve(&pairs) || is_view_transform(&pairs) {
             return Some((OtherContent::Curve, turn));
         }
         if let Some(content) = light(&pairs) {
@@ -144,6 +144,47 @@ fn is_curve(pairs: &[Pair]) -> bool {
     let rises = medians.windows(2).all(|pair| pair[1] > pair[0] - 0.03);
     let spread = medians.iter().copied().fold(f64::MIN, f64::max) - medians.iter().copied().fold(f64::MAX, f64::min);
     share(near, all) >= EXPLAINED && rises && spread > 0.2
+}
+
+/// Whether the picture's colours are a function of the right ones that keeps their order of brightness, as after Filmic or AgX: light
+/// would differ between places of one colour.
+fn is_view_transform(pairs: &[Pair]) -> bool {
+    const STEPS: f64 = 24.0;
+    let mut groups: std::collections::BTreeMap<[i32; 3], Vec<&Pair>> = std::collections::BTreeMap::new();
+    for pair in pairs {
+        let key = pair.right.to_array().map(|c| (c.max(0.0).sqrt() * STEPS).round() as i32);
+        groups.entry(key).or_default().push(pair);
+    }
+    let groups: Vec<Vec<&Pair>> = groups.into_values().filter(|group| group.len() > 20).collect();
+    let (mut near, mut all, mut middles) = (0, 0, Vec::new());
+    for group in &groups {
+        let median = |value: &dyn Fn(&Pair) -> f64| {
+            let mut values: Vec<f64> = group.iter().map(|pair| value(pair)).collect();
+            values.sort_unstable_by(f64::total_cmp);
+            values[values.len() / 2]
+        };
+        let middle = [0, 1, 2].map(|k| median(&|pair| f64::from(pair.stored[k])) as f32);
+        let same = group.iter().filter(|pair| difference(pair.stored, middle) < 0.05).count();
+        // The shading of a large object of one colour.
+        if 50 * group.len() > pairs.len() && share(same, group.len()) < EXPLAINED {
+            return false;
+        }
+        (near, all) = (near + same, all + group.len());
+        middles.push((median(&|pair| pair.right.element_sum()), median(&|pair| pair.seen.element_sum())));
+    }
+    let distinct = |a: &(f64, f64), b: &(f64, f64)| (a.0 - b.0).abs() > 0.1;
+    let ordered = |a: &(f64, f64), b: &(f64, f64)| (a.0 - b.0) * (a.1 - b.1) > 0.0;
+    let (mut kept, mut compared) = (0, 0);
+    for (i, a) in middles.iter().enumerate() {
+        for b in middles[..i].iter().filter(|b| distinct(a, b)) {
+            compared += 1;
+            kept += usize::from(ordered(a, b));
+        }
+    }
+    groups.len() >= 8
+        && share(near, all) >= 0.95
+        && share(all, pairs.len()) >= 0.5
+        && share(kept, compared) >= EXPLAINED
 }
 
 /// Whether each colour is the right one times a brightness, or that plus white.

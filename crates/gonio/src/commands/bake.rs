@@ -1,7 +1,7 @@
 //! `gonio bake`: textures for new texture coordinates. The work is `gonio-bake`'s; this module has the options and files.
 
 use crate::backend;
-use crate::commands::unwrap::{self, AtlasOptions};
+use crate::commands::atlas::{AtlasOptions, AtlasReport, checker_picture};
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
 use crate::options::{GeneralOptions, LimitOptions, SceneOptions, values};
@@ -9,7 +9,7 @@ use crate::output::{OutputFiles, check_folder};
 use crate::report::{Reporter, Times};
 use clap::{ArgAction, Args};
 use glam::DVec3;
-use gonio_atlas::{AtlasUv, UvReport, layout, uv_report};
+use gonio_atlas::{AtlasUv, layout, uv_report};
 use gonio_bake::model::{AtlasSet, MapFile, baked_model};
 use gonio_bake::{BakeSettings, BakedMap, Baker, LitPoint, MapKind, SceneSurface};
 use gonio_image::encode::png::{ColorTag, encode8};
@@ -36,6 +36,8 @@ Examples:
       The .glb keeps its own coordinates; the baked texture is on the second set. An .obj has one set: the new one.
   gonio bake model.obj -o baked --keep-uvs --what ambient-occlusion
       For the model's own texture coordinates, which must not overlap.
+  gonio bake model.obj -o baked --checker checker.png
+      Also a picture of the model with a checker, whose squares show how the new coordinates stretch it.
 
 MODEL itself never changes. The textures that --what names are used by the materials of the baked model; ambient-occlusion, \
 light, position and id are pictures beside it. Texels beside a chart continue it as far as the next chart, so that no filter \
@@ -166,6 +168,23 @@ impl TracedLight {
 }
 
 impl BakeArgs {
+    /// Refuses maps for which there is no memory before anything is read.
+    fn check_memory(&self) -> Result<(), CliError> {
+        let has_exr = self.what.iter().any(|kind| kind.extension() == "exr");
+        let bytes = u64::from(self.atlas.size).pow(2) * if has_exr { BYTES_WITH_EXR } else { BYTES_PER_TEXEL };
+        let most = self.limits.limits().max_bytes;
+        if bytes <= most {
+            return Ok(());
+        }
+        let gib = |bytes: u64| bytes as f64 / f64::from(1 << 30);
+        Err(CliError::new(format!(
+            "--size {} needs about {:.1} GiB of memory, but --max-memory is {:.1} GiB: choose a smaller size or a larger limit",
+            self.atlas.size,
+            gib(bytes),
+            gib(most)
+        )))
+    }
+
     fn load(&self, inputs: &[String], reporter: &Reporter) -> Result<Scene, CliError> {
         let options = SceneOptions {
             light: self.light.clone(),
@@ -188,6 +207,11 @@ impl BakeArgs {
     }
 }
 
+/// Memory for each texel of a map while it is baked and encoded: its value, its distance, its bytes in the file. Maps are baked one
+/// after another, and only their files are kept.
+const BYTES_PER_TEXEL: u64 = 28;
+const BYTES_WITH_EXR: u64 = 48;
+
 /// Makes the folder.
 pub fn run(args: &BakeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let times = Times::default();
@@ -196,9 +220,11 @@ pub fn run(args: &BakeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         return Err(CliError::new(format!("`{}` is a file; name a folder with -o", args.output.display())));
     }
     args.atlas.settings()?;
+    args.atlas.checker.as_deref().map_or(Ok(()), crate::output::atomic::check_writable)?;
     if args.trace.traced && !args.what.contains(&MapKind::Light) {
         return Err(CliError::new("--traced is about the map `light`; add it to --what"));
     }
+    args.check_memory()?;
     backend::limit_threads(args.trace.threads);
     let scene = {
         let _busy = reporter.busy("reading the model");
@@ -211,35 +237,62 @@ pub fn run(args: &BakeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
     let names: Vec<&str> = scene.materials.iter().map(|material| material.material.name.as_str()).collect();
     let atlas =
         times.measure("unwrap", || args.atlas.unwrap(&surface.mesh, &names, &args.inputs.join(", "), reporter))?;
-    let report = times.measure("measure", || uv_report(&surface.mesh, &atlas, args.atlas.size));
-    if report.overlapping_texels > 0 {
+    let uv = times.measure("measure", || uv_report(&surface.mesh, &atlas, args.atlas.size));
+    if uv.overlapping_texels > 0 {
         diagnostics.push(Diagnostic::warning(format!(
             "charts overlap in {} texels, which can hold the colours of one of them only",
-            report.overlapping_texels
+            uv.overlapping_texels
         )));
     }
-    let maps = bake_maps(args, &scene, finer.as_ref(), &surface, &atlas, &times, reporter)?;
+    let inputs = Inputs { args, scene: &scene, surface: &surface, atlas: &atlas, stem: &stem };
+    let maps = bake_maps(&inputs, finer.as_ref(), &times, reporter)?;
     let outputs = {
         let _busy = reporter.busy("writing the files");
-        let made = Files { args, scene: &scene, surface: &surface, atlas: &atlas, stem: &stem };
-        times.measure("write", || made.write(&maps, &mut diagnostics))?
+        times.measure("write", || inputs.write(&maps, &mut diagnostics))?
     };
     reporter.diagnostics(&diagnostics);
     reporter.verbose_times(&times);
-    let made = Made { uv: &report, light_error: maps.iter().find_map(BakedMap::relative_error), outputs: &outputs };
-    print_report(args, &made, &diagnostics, &times, reporter)?;
+    let report = AtlasReport {
+        command: "bake",
+        inputs: &args.inputs,
+        outputs: &outputs,
+        uv: &uv,
+        maps: &maps.iter().map(|map| map.file.kind.name()).collect::<Vec<_>>(),
+        light_error: maps.iter().find_map(|map| map.relative_error),
+    };
+    report.print(args.general.quiet, &diagnostics, &times, reporter)?;
     Ok(CommandOutcome::Done)
 }
 
+/// A baked map as it is written.
+struct EncodedMap {
+    file: MapFile,
+    bytes: Vec<u8>,
+    /// The standard error of each texel, as a file.
+    error_bytes: Option<Vec<u8>>,
+    /// [`BakedMap::relative_error`].
+    relative_error: Option<f64>,
+}
+
+impl EncodedMap {
+    fn new(map: &BakedMap, stem: &str) -> Result<Self, CliError> {
+        let name = format!("{stem}_{}.{}", map.kind.name(), map.kind.extension());
+        Ok(EncodedMap {
+            file: MapFile { kind: map.kind, name, factor: map.factor() },
+            bytes: map.encode()?,
+            error_bytes: map.encode_standard_error().transpose()?,
+            relative_error: map.relative_error(),
+        })
+    }
+}
+
 fn bake_maps(
-    args: &BakeArgs,
-    scene: &Scene,
+    inputs: &Inputs,
     finer: Option<&Scene>,
-    surface: &SceneSurface,
-    atlas: &AtlasUv,
     times: &Times,
     reporter: &Reporter,
-) -> Result<Vec<BakedMap>, CliError> {
+) -> Result<Vec<EncodedMap>, CliError> {
+    let Inputs { args, scene, surface, atlas, stem } = *inputs;
     let frame = scene.frame(0.0);
     let finer = finer.map(|finer| (finer, SceneSurface::new(finer)));
     let lit_scene = finer.as_ref().map_or(scene, |(finer, _)| *finer);
@@ -252,9 +305,9 @@ fn bake_maps(
     if let Some(light_at) = &light_at {
         baker = baker.with_light(light_at);
     }
-    let mut maps: Vec<BakedMap> = Vec::new();
+    let mut maps: Vec<EncodedMap> = Vec::new();
     for &kind in &args.what {
-        if maps.iter().any(|map| map.kind == kind) {
+        if maps.iter().any(|map| map.file.kind == kind) {
             continue;
         }
         let progress = reporter.progress(kind.name());
@@ -264,7 +317,8 @@ fn bake_maps(
                 true
             })
         });
-        maps.push(baked.ok_or_else(|| CliError::new("baking was stopped"))?);
+        let baked = baked.ok_or_else(|| CliError::new("baking was stopped"))?;
+        maps.push(times.measure("encode", || EncodedMap::new(&baked, stem))?);
     }
     if let Some(traced) = &traced {
         traced.warn_of_lost(reporter);
@@ -280,23 +334,20 @@ fn stem(inputs: &[String]) -> String {
     if name.is_empty() || name == "-" { "model".to_owned() } else { name }
 }
 
-/// The files of a baked model.
-struct Files<'a> {
+/// What is baked.
+struct Inputs<'a> {
     args: &'a BakeArgs,
     scene: &'a Scene,
     surface: &'a SceneSurface,
     atlas: &'a AtlasUv,
+    /// The names of the files begin with it.
     stem: &'a str,
 }
 
-impl Files<'_> {
+impl Inputs<'_> {
     /// Writes all files or none; returns their paths.
-    fn write(&self, maps: &[BakedMap], diagnostics: &mut Vec<Diagnostic>) -> Result<Vec<String>, CliError> {
-        let name = |kind: MapKind| format!("{}_{}.{}", self.stem, kind.name(), kind.extension());
-        let pictures: Vec<(String, Vec<u8>)> =
-            maps.iter().map(|map| Ok((name(map.kind), map.encode()?))).collect::<Result<_, CliError>>()?;
-        let named: Vec<MapFile> =
-            maps.iter().map(|map| MapFile { kind: map.kind, name: name(map.kind), factor: map.factor() }).collect();
+    fn write(&self, maps: &[EncodedMap], diagnostics: &mut Vec<Diagnostic>) -> Result<Vec<String>, CliError> {
+        let named: Vec<MapFile> = maps.iter().map(|map| map.file.clone()).collect();
         let model = |set| baked_model(self.scene, self.surface, self.atlas, &named, set);
         let baked = model(AtlasSet::Only);
         let second = self.args.atlas.second_uv.then(|| model(AtlasSet::Second));
@@ -312,38 +363,50 @@ impl Files<'_> {
             diagnostics.push(Diagnostic::warning(format!("textures that glTF cannot store are left out: {lost}")));
         }
         let obj = write::obj::write(&baked.model, &format!("{}.mtl", self.stem));
-        let bytes_of = |file: &str| pictures.iter().find(|(name, _)| name == file).map(|(_, bytes)| bytes.clone());
+        let bytes_of = |file: &str| maps.iter().find(|map| map.file.name == file).map(|map| map.bytes.clone());
         let in_glb = second.as_ref().map_or(&baked.model, |second| &second.model);
         let glb = write::glb::write(in_glb, &mut |map| bytes_of(&map.path))
             .map_err(|error| CliError::new(format!("`{}.glb` cannot be written: {error}", self.stem)))?;
         diagnostics.extend(obj.diagnostics);
         diagnostics.extend(glb.diagnostics);
         let layout = layout::draw_layout(self.atlas, self.args.atlas.size);
-        let mut files = pictures.clone();
+        let layout = encode8(&layout, ColorTag::Srgb)?;
+        let mut files: Vec<(String, &[u8])> = maps.iter().map(|map| (map.file.name.clone(), &*map.bytes)).collect();
         for map in maps {
-            if let Some(error) = map.encode_standard_error() {
-                files.push((format!("{}_{}-error.exr", self.stem, map.kind.name()), error?));
-            }
+            let name = format!("{}_{}-error.exr", self.stem, map.file.kind.name());
+            files.extend(map.error_bytes.as_deref().map(|bytes| (name, bytes)));
         }
-        files.push((format!("{}_layout.png", self.stem), encode8(&layout, ColorTag::Srgb)?));
-        files.push((obj.mtl_name, obj.mtl));
-        files.push((format!("{}.glb", self.stem), glb.bytes));
-        files.push((format!("{}.obj", self.stem), obj.obj));
-        self.commit(files)
+        files.push((format!("{}_layout.png", self.stem), &layout));
+        files.push((obj.mtl_name, &obj.mtl));
+        files.push((format!("{}.glb", self.stem), &glb.bytes));
+        files.push((format!("{}.obj", self.stem), &obj.obj));
+        self.commit(&files)
     }
 
-    fn commit(&self, files: Vec<(String, Vec<u8>)>) -> Result<Vec<String>, CliError> {
+    fn commit(&self, files: &[(String, &[u8])]) -> Result<Vec<String>, CliError> {
+        let drawn = self.args.atlas.checker.as_ref().map(|path| Ok::<_, CliError>((path, self.checker()?)));
+        let checker = drawn.transpose()?;
         let mut written = OutputFiles::new();
         written.make_folder(&self.args.output)?;
         let mut paths = Vec::new();
         for (name, bytes) in files {
             let path = self.args.output.join(name);
             self.check_not_input(&path)?;
-            written.add(&path, &bytes)?;
+            written.add(&path, bytes)?;
+            paths.push(path.display().to_string());
+        }
+        if let Some((path, bytes)) = checker {
+            self.check_not_input(path)?;
+            written.add(path, &bytes)?;
             paths.push(path.display().to_string());
         }
         written.commit()?;
         Ok(paths)
+    }
+
+    /// The surface with a checker, as the scene's camera sees it.
+    fn checker(&self) -> Result<Vec<u8>, CliError> {
+        checker_picture(self.scene.clone(), self.surface.mesh.with_corner_tex_coords(&self.atlas.tex_coords))
     }
 
     /// The original must stay as it is.
@@ -358,41 +421,4 @@ impl Files<'_> {
         }
         Ok(())
     }
-}
-
-/// The results that the report is about.
-struct Made<'a> {
-    uv: &'a UvReport,
-    /// [`BakedMap::relative_error`] of the lightmap.
-    light_error: Option<f64>,
-    outputs: &'a [String],
-}
-
-fn print_report(
-    args: &BakeArgs,
-    made: &Made,
-    diagnostics: &[Diagnostic],
-    times: &Times,
-    reporter: &Reporter,
-) -> Result<(), CliError> {
-    if reporter.json() {
-        return reporter.report(&serde_json::json!({
-            "command": "bake",
-            "inputs": args.inputs,
-            "outputs": made.outputs,
-            "maps": args.what.iter().map(|kind| kind.name()).collect::<Vec<_>>(),
-            "uv": made.uv,
-            "light_error": made.light_error,
-            "warnings": diagnostics,
-            "times_ms": times.to_json(),
-        }));
-    }
-    if args.general.quiet {
-        return Ok(());
-    }
-    let mut page = unwrap::text(made.uv);
-    if let Some(error) = made.light_error {
-        page.line(format_args!("{:20}{:.2} % of the mean brightness", "error of light", 100.0 * error));
-    }
-    reporter.text(&page)
 }

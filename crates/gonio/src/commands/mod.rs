@@ -1,6 +1,7 @@
 //! The commands, one module each.
 
 pub mod about;
+pub mod atlas;
 pub mod bake;
 pub mod beyond;
 pub mod brdf;
