@@ -6,6 +6,7 @@ mod nonlinear;
 mod phosphorescence;
 mod polarisation;
 mod relativity;
+mod subsurface;
 mod transmission;
 
 use crate::station::Station;
@@ -14,6 +15,7 @@ use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 /// All stations, in the lecture's order (Appendix 5).
 pub const STATIONS: &[Station] = &[
     transmission::STATION,
+    subsurface::STATION,
     polarisation::STATION,
     phosphorescence::STATION,
     interference::STATION,
