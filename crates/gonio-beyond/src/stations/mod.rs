@@ -1,6 +1,7 @@
 //! The stations.
 
 mod fluorescence;
+mod fog;
 mod interference;
 mod nonlinear;
 mod phosphorescence;
@@ -22,6 +23,7 @@ pub const STATIONS: &[Station] = &[
     fluorescence::STATION,
     nonlinear::STATION,
     relativity::STATION,
+    fog::STATION,
 ];
 
 /// The station of a name.
