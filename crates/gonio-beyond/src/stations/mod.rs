@@ -8,6 +8,7 @@ mod phosphorescence;
 mod polarisation;
 mod relativity;
 mod subsurface;
+mod transient;
 mod transmission;
 
 use crate::station::Station;
@@ -24,6 +25,7 @@ pub const STATIONS: &[Station] = &[
     nonlinear::STATION,
     relativity::STATION,
     fog::STATION,
+    transient::STATION,
 ];
 
 /// The station of a name.
