@@ -46,11 +46,10 @@ const EYE: DVec3 = DVec3::new(0.0, 1.25, 5.0);
 const LAMP_COS: f64 = 0.972;
 const LAMP: DVec3 = DVec3::new(33.0, 30.0, 26.0);
 const PRECISION: f64 = 2e-4;
-/// Walks from a vertex in each channel, for each set.
+/// Walks or probes from a vertex in each channel, for each set.
 const WALKS: u32 = 18;
-/// Samples of direct light, which are cheap, and probes of the diffusion approximation.
+/// Samples of direct light, which are cheap.
 const DIRECT: u32 = 4;
-const PROBES: u32 = 8;
 /// Boundaries turn radiance into a smooth surface's mirror image by this share at least (index 1.3).
 const MIRRORED: f64 = 0.017;
 
@@ -127,7 +126,7 @@ impl Figures {
     }
 
     /// The radiance that leaves a body at a place of its surface, towards `out`.
-    fn leaves(&self, figure: &Figure, point: DVec3, out: DVec3, walks: u32, random: &mut SplitMix) -> DVec3 {
+    fn leaves(&self, figure: &Figure, point: DVec3, out: DVec3, samples: u32, random: &mut SplitMix) -> DVec3 {
         let local = point - figure.place;
         let normal = pawn_normal(local);
         match figure.model {
@@ -136,18 +135,18 @@ impl Figures {
                 figure.reflectance / PI * (light / f64::from(DIRECT))
             }
             LightModel::Diffusion => {
-                let light: DVec3 = (0..PROBES).map(|_| self.by_diffusion(figure, local, normal, random)).sum();
-                light / f64::from(PROBES)
+                let light: DVec3 = (0..samples).map(|_| self.by_diffusion(figure, local, normal, random)).sum();
+                light / f64::from(samples)
             }
             LightModel::Walk => {
                 let start = [local - normal * (3.0 * PRECISION), -out];
                 let mut light = DVec3::ZERO;
-                for _ in 0..walks {
+                for _ in 0..samples {
                     // The same numbers in each channel: noise without colours.
                     let numbers = *random;
                     for channel in 0..3 {
                         *random = numbers;
-                        light[channel] += self.by_walk(figure, start, channel, random) / f64::from(walks);
+                        light[channel] += self.by_walk(figure, start, channel, random) / f64::from(samples);
                     }
                 }
                 light
@@ -252,7 +251,7 @@ impl Figures {
         let normal = pawn_normal(point - figure.place);
         let cos = -direction.dot(normal);
         let mirrored = MIRRORED + (1.0 - MIRRORED) * (1.0 - cos.clamp(0.0, 1.0)).powi(5);
-        let inside = if matches!(figure.model, LightModel::Walk) {
+        let inside = if !matches!(figure.model, LightModel::Opaque) {
             figure.cache.light(point - figure.place, set, random, |vertex, random| {
                 let vertex = figure.place + vertex;
                 self.leaves(figure, vertex, (EYE - vertex).normalize(), WALKS, random)
