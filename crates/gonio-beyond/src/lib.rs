@@ -8,7 +8,7 @@
 //! | `refinement` | a picture that begins coarse and becomes finer |
 //! | `page` | a station's page as Markdown |
 //! | `bands`, `complex` | spectra in bands with their colours; complex amplitudes of waves |
-//! | `camera`, `noise` | rays, shapes and textures of the pictures |
+//! | `camera`, `noise`, `random` | rays, shapes and textures of the pictures; steps of random walks |
 //!
 //! It opens no file. Pictures are functions of a point of the image plane, so that every shell can refine them.
 
@@ -19,6 +19,7 @@ mod camera;
 mod complex;
 mod noise;
 mod page;
+mod random;
 mod refinement;
 mod station;
 mod stations;

@@ -108,10 +108,11 @@ impl BsdfParameter {
         if fits && (!is_switch || value.x == 0.0 || value.x == 1.0) { Ok(value) } else { Err(invalid()) }
     }
 
-    /// The values that the parameter accepts.
+    /// The values that the parameter accepts, with their unit.
     pub fn expected(&self) -> String {
         match self.kind {
-            ParameterKind::Number { min, max, .. } => format!("a number from {min} to {max}"),
+            ParameterKind::Number { min, max, .. } if self.unit.is_empty() => format!("a number from {min} to {max}"),
+            ParameterKind::Number { min, max, .. } => format!("a number from {min} to {max} {}", self.unit),
             ParameterKind::Color { .. } => "a grey from 0 to 1, or red/green/blue".to_owned(),
             ParameterKind::Switch { .. } => "on or off".to_owned(),
         }

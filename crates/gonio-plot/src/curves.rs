@@ -315,7 +315,7 @@ pub fn reciprocity(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Re
     let axes = PlotAxes {
         title: "Reciprocity: the largest relative difference of f(wi, wo) and f(wo, wi)".to_owned(),
         x_label: "Angle of incidence (degrees)",
-        y_label: "Relative difference, 1e-5 or more (no unit)".to_owned(),
+        y_label: "Relative difference, 1e-5 or more".to_owned(),
         x: [0.0, 90.0],
         x_ticks: XTicks::Angles,
         // Five powers of ten, from the rounding up.
@@ -354,7 +354,7 @@ pub fn fresnel(figure: &mut PlotFigure, functions: &[PlottedBsdf<'_>]) -> Result
     let axes = PlotAxes {
         title: format!("Reflectance of a smooth boundary from air to index {}{of}", number(ior)),
         x_label: "Angle of incidence (degrees)",
-        y_label: "Reflectance (no unit)".to_owned(),
+        y_label: "Reflectance".to_owned(),
         x: [0.0, 90.0],
         x_ticks: XTicks::Angles,
         top: 1.0,

@@ -1,11 +1,14 @@
 //! The stations.
 
 mod fluorescence;
+mod fog;
 mod interference;
 mod nonlinear;
 mod phosphorescence;
 mod polarisation;
 mod relativity;
+mod subsurface;
+mod transient;
 mod transmission;
 
 use crate::station::Station;
@@ -14,12 +17,15 @@ use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 /// All stations, in the lecture's order (Appendix 5).
 pub const STATIONS: &[Station] = &[
     transmission::STATION,
+    subsurface::STATION,
     polarisation::STATION,
     phosphorescence::STATION,
     interference::STATION,
     fluorescence::STATION,
     nonlinear::STATION,
     relativity::STATION,
+    fog::STATION,
+    transient::STATION,
 ];
 
 /// The station of a name.

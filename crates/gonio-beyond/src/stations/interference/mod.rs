@@ -94,7 +94,7 @@ fn plot(values: &ParameterValues, figure: &mut PlotFigure) -> Result<(), PlotErr
     let axes = PlotAxes {
         title: format!("Reflectance of a film of {} nm and index {}", number(film.thickness_nm), number(film.index)),
         x_label: "Wavelength (nm)",
-        y_label: "Reflectance (no unit)".to_owned(),
+        y_label: "Reflectance".to_owned(),
         x: [380.0, 780.0],
         x_ticks: XTicks::Numbers,
         top: PlotScale::Linear.end(1.15 * top),

@@ -77,7 +77,7 @@ fn plot(values: &ParameterValues, figure: &mut PlotFigure) -> Result<(), PlotErr
     let axes = PlotAxes {
         title: "Response to light, relative to that at power 1".to_owned(),
         x_label: "Power (relative)",
-        y_label: "Response (no unit)".to_owned(),
+        y_label: "Response, relative".to_owned(),
         x: [0.0, 4.0],
         x_ticks: XTicks::Numbers,
         top: 8.0,

@@ -74,7 +74,7 @@ fn plot(values: &ParameterValues, figure: &mut PlotFigure) -> Result<(), PlotErr
     let axes = PlotAxes {
         title: format!("Reflection of unpolarised light by a surface of index {}", number(index)),
         x_label: "Angle of incidence (degrees)",
-        y_label: "Share (no unit)".to_owned(),
+        y_label: "Share of the light".to_owned(),
         x: [0.0, 90.0],
         x_ticks: XTicks::Angles,
         top: 1.2,

@@ -82,7 +82,7 @@ fn plot(values: &ParameterValues, figure: &mut PlotFigure) -> Result<(), PlotErr
     let axes = PlotAxes {
         title: format!("Light that a traveller at {} c sees", number(speed)),
         x_label: "Direction of sight from that of motion (degrees)",
-        y_label: "Factor (no unit)".to_owned(),
+        y_label: "Factor".to_owned(),
         x: [0.0, 180.0],
         x_ticks: XTicks::Angles,
         top: PlotScale::CubeRoot.end(d(1.0).powi(4)),

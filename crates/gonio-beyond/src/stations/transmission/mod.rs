@@ -83,7 +83,7 @@ fn plot(values: &ParameterValues, figure: &mut PlotFigure) -> Result<(), PlotErr
     let axes = PlotAxes {
         title: format!("A surface between air and a liquid of index {}", number(index)),
         x_label: "Angle of incidence (degrees)",
-        y_label: "Share of light; sine (no unit)".to_owned(),
+        y_label: "Share of light; sine".to_owned(),
         x: [0.0, 90.0],
         x_ticks: XTicks::Angles,
         top: 1.2,
