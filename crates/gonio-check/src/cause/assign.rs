@@ -10,9 +10,9 @@ pub(super) use influence::by_influence;
 pub(super) use switches::with_other_switches;
 
 use super::model::{Model, STAGES, observe};
-use super::prediction::ModelSolutions;
 use super::program::{Program, Runner};
 use super::samples::SceneSamples;
+use super::solutions::ModelSolutions;
 use super::target::on_screen;
 use crate::roles::{Bound, How, Role, VariableKind};
 use gonio_interpreter::ExprId;

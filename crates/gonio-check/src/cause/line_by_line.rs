@@ -3,8 +3,8 @@
 //! Most hypotheses have most quantities in common: those that change the attenuation have the same normals. Each
 //! assignment is a small program of its own, which runs once for each different combination of what it reads.
 
-use super::model::assignment;
 use super::program::SceneTextures;
+use crate::mistakes::Assignment;
 use gonio_glsl::Stage;
 use gonio_interpreter::{CompiledStage, PointValues, RunOptions, StageInputs, run};
 use std::collections::{BTreeMap, HashMap};
@@ -194,9 +194,8 @@ impl Collecting<'_> {
                     _ => None,
                 };
             }
-            let (name, declared, at) = assignment(line)?;
-            let value = line.get(at..)?.strip_suffix(';')?;
-            let ty = match declared {
+            let Assignment { variable: name, ty, value, .. } = Assignment::of(line)?;
+            let ty = match ty {
                 Some(ty) => ty.to_owned(),
                 None if name == "gl_Position" => "vec4".to_owned(),
                 None => self.parts.outputs.get(name)?.clone(),

@@ -3,13 +3,13 @@
 
 pub use super::answer::{AnswerMethod, Space};
 use super::answer::{DIRECTIONS, POSITIONS, has_space, hypothesis_of, peculiarities};
-use super::prediction::ModelSolutions;
 use super::program::{Change, Program, Runner};
 pub(super) use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::{SceneSamples, interpolated};
+use super::solutions::ModelSolutions;
 use super::values::Values;
 use super::ward;
-use crate::mistakes::{Hypotheses, Mistake, ModelSolution};
+use crate::mistakes::{Assignment, Hypotheses, Mistake, ModelSolution};
 use crate::roles::{Meaning, Role};
 use crate::testbench::numbers;
 use glam::{Mat3, Vec3};
@@ -94,16 +94,6 @@ impl AnswerMethod {
         });
         (all.written(&chosen), changes.collect())
     }
-}
-
-/// The variable that a line of a model solution assigns, the type if the line declares it, and the offset of the value.
-pub(super) fn assignment(line: &str) -> Option<(&str, Option<&str>, usize)> {
-    let code = line.split("//").next()?;
-    let at = code.find(" = ")?;
-    code.trim_end().strip_suffix(';')?;
-    let mut words = code[..at].split_whitespace().rev();
-    let (variable, ty) = (words.next()?, words.next());
-    Some((variable, ty.filter(|ty| *ty != "const"), at + 3))
 }
 
 /// The shaders of a model solution, compiled, with what they assign.
@@ -204,7 +194,7 @@ fn with_mistakes(source: &str, ways: &[Way]) -> String {
         }
         text.push_str(line);
         text.push('\n');
-        let Some((variable, declared, _)) = assignment(line) else { continue };
+        let Some(Assignment { variable, ty: declared, .. }) = Assignment::of(line) else { continue };
         let out = format!("{variable};");
         let of_output = || source.lines().find_map(|l| l.strip_prefix("out ")?.strip_suffix(&out).map(str::trim));
         let ty = declared.or_else(of_output).unwrap_or("vec4");
@@ -221,7 +211,7 @@ fn with_mistakes(source: &str, ways: &[Way]) -> String {
 fn assigned(text: &str, map: &SourceMap) -> Vec<Assigned> {
     let (mut found, mut start) = (Vec::new(), 0);
     for line in text.split_inclusive('\n') {
-        if let Some((variable, _, at)) = assignment(line.trim_end_matches('\n')) {
+        if let Some(Assignment { variable, at, .. }) = Assignment::of(line) {
             let byte = (start + at) as u32;
             let here = map.expressions.iter().enumerate().filter(|(_, expr)| expr.span.start == byte);
             if let Some((index, _)) = here.max_by_key(|(_, expr)| expr.span.end) {

@@ -4,10 +4,10 @@
 use super::explanation::{Explanation, strengthen};
 use super::model::Space;
 use super::observed::{SCALED, is_assignment, is_name};
-use super::prediction::ModelSolutions;
 use super::program::{Program, Runner};
 use super::recording::{Recorded, STAGES, TELLING, observe};
 use super::samples::SceneSamples;
+use super::solutions::ModelSolutions;
 use crate::comparison::Lights;
 use crate::mistakes::{Hypotheses, Hypothesis, Mistake, ModelSolution};
 use gonio_glsl::{Span, Stage};

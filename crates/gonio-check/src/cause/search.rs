@@ -254,7 +254,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             let Some(both) = second.repair.change(&again, self.at.model) else { continue };
-            let firsts = self.at.causes(&[both.clone()], observed, std::slice::from_ref(first), explaining);
+            let firsts = self.at.causes(std::slice::from_ref(&both), observed, std::slice::from_ref(first), explaining);
             let name = |group: &[ProvenCause]| Some(group.first()?.mistakes.first()?.id.clone());
             // Beside the second, the first is at the best of its places too.
             let firsts = match is_explained && name(&firsts) != name(&seconds) {

@@ -4,9 +4,9 @@
 use super::answer::LightingMethod;
 use super::model::{AnswerMethod, Mistakes, Model, Quantity, Recorded, STAGES, Space, TELLING, observe};
 use super::observed::SCALED;
-use super::prediction::ModelSolutions;
 use super::program::{Program, Runner};
 use super::samples::SceneSamples;
+use super::solutions::ModelSolutions;
 use crate::mistakes::{Hypotheses, Hypothesis, Mistake};
 use crate::testbench::TestScene;
 use std::cell::OnceCell;

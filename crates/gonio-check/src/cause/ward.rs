@@ -36,8 +36,8 @@ pub(super) fn in_front(normal: &Values, to_light: &Values, to_eye: &Values) -> V
 #[cfg(test)]
 mod tests {
     use crate::cause::model::{AnswerMethod, Mistakes, Model, Space};
-    use crate::cause::prediction::ModelSolutions;
     use crate::cause::samples::SceneSamples;
+    use crate::cause::solutions::ModelSolutions;
     use crate::mistakes::ModelSolution;
     use crate::testbench::scene;
     use glam::{DVec3, Vec3};

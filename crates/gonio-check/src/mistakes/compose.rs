@@ -53,11 +53,28 @@ pub struct Hypotheses {
     alternatives: Vec<Vec<String>>,
 }
 
-/// Splits an assignment into its variable and its value: `vec3 N = normalize(v);` is ("N", "normalize(v)").
-fn assignment(line: &str) -> Option<(&str, &str)> {
-    let code = line.split("//").next()?.trim();
-    let (left, right) = code.strip_suffix(';')?.split_once(" = ")?;
-    Some((left.split_whitespace().last()?, right))
+/// A line of a model solution that assigns a value: `    vec3 N = normalize(v);`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Assignment<'a> {
+    /// The variable.
+    pub variable: &'a str,
+    /// Its type, if the line declares it.
+    pub ty: Option<&'a str>,
+    /// The value's text.
+    pub value: &'a str,
+    /// The offset of the value in the line.
+    pub at: usize,
+}
+
+impl<'a> Assignment<'a> {
+    /// `None` for any other line.
+    pub fn of(line: &'a str) -> Option<Self> {
+        let code = line.split("//").next()?.trim_end().strip_suffix(';')?;
+        let at = code.find(" = ")?;
+        let mut words = code[..at].split_whitespace().rev();
+        let (variable, ty) = (words.next()?, words.next().filter(|ty| *ty != "const"));
+        Some(Assignment { variable, ty, value: &code[at + 3..], at: at + 3 })
+    }
 }
 
 fn identifiers(text: &str) -> impl Iterator<Item = &str> {
@@ -70,7 +87,9 @@ impl Hypotheses {
     pub fn for_model(model: ModelSolution) -> Self {
         let sources = model.sources();
         let mut values = BTreeMap::new();
-        for (variable, value) in sources.iter().flat_map(|source| source.lines()).filter_map(assignment) {
+        for Assignment { variable, value, .. } in
+            sources.iter().flat_map(|source| source.lines()).filter_map(Assignment::of)
+        {
             values.entry(variable.to_owned()).or_insert_with(|| value.to_owned());
         }
         let mut all = Hypotheses {
@@ -193,8 +212,8 @@ impl Hypotheses {
         let mut text = String::new();
         let mut used = Vec::new();
         for line in source.lines() {
-            let known = assignment(line)
-                .and_then(|(variable, right)| Some((self.variables.iter().position(|v| v == variable)?, right)));
+            let known = Assignment::of(line)
+                .and_then(|found| Some((self.variables.iter().position(|v| v == found.variable)?, found.value)));
             match known {
                 Some((index, right)) => {
                     let before = &line[..line.find(" = ").map_or(0, |at| at + 3)];
@@ -223,9 +242,11 @@ mod tests {
 
     #[test]
     fn assignments_are_parsed() {
-        assert_eq!(assignment("    vec3 N = normalize(v_normal); // why"), Some(("N", "normalize(v_normal)")));
-        assert_eq!(assignment("gl_Position = P * V;"), Some(("gl_Position", "P * V")));
-        assert_eq!(assignment("if (a == b) {"), None);
+        let parts = |line| Assignment::of(line).map(|found| (found.ty, found.variable, found.value, found.at));
+        let normal = (Some("vec3"), "N", "normalize(v_normal)", 13);
+        assert_eq!(parts("    vec3 N = normalize(v_normal); // why"), Some(normal));
+        assert_eq!(parts("gl_Position = P * V;"), Some((None, "gl_Position", "P * V", 14)));
+        assert_eq!(parts("if (a == b) {"), None);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod compose;
 pub mod faces;
 
+pub(crate) use compose::Assignment;
 pub use compose::{Hypotheses, Hypothesis};
 
 use serde::{Deserialize, Serialize};
