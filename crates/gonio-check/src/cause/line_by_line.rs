@@ -3,10 +3,10 @@
 //! Most hypotheses have most quantities in common: those that change the attenuation have the same normals. Each
 //! assignment is a small program of its own, which runs once for each different combination of what it reads.
 
-use super::program::SceneTextures;
+use super::program::run_in_scene;
 use crate::mistakes::Assignment;
 use gonio_glsl::Stage;
-use gonio_interpreter::{CompiledStage, PointValues, RunOptions, StageInputs, run};
+use gonio_interpreter::{CompiledStage, PointValues, StageInputs};
 use std::collections::{BTreeMap, HashMap};
 
 /// A shader without branches and loops, as a list of assignments.
@@ -303,6 +303,16 @@ fn joined<'a>(slices: impl ExactSizeIterator<Item = &'a [u32]>, points: usize) -
     all
 }
 
+/// The ways of a line for several hypotheses with `points` points each.
+pub(super) fn ways_of(mut ways: impl Iterator<Item = i32> + Clone, points: usize) -> PointValues {
+    let each = ways.clone().flat_map(|way| std::iter::repeat_n(way as u32, points));
+    let first = ways.next().unwrap_or(0);
+    match ways.all(|way| way == first) {
+        true => PointValues::ints(&[first]),
+        false => PointValues::Each { components: vec![each.collect()], written: None },
+    }
+}
+
 impl Line {
     fn run(&self, members: &Members<'_>, before: &[LineValues]) -> LineValues {
         let all = members.choices.len();
@@ -370,13 +380,9 @@ impl Line {
             inputs.set(*to, values);
         }
         if let Some((_, input)) = self.way {
-            let ways = first.iter().flat_map(|member| std::iter::repeat_n(choice(*member) as u32, points));
-            let same = first.iter().all(|member| choice(*member) == choice(first[0]));
-            let values = if same { PointValues::ints(&[choice(first[0])]) } else { each(vec![ways.collect()]) };
-            inputs.set(input, values);
+            inputs.set(input, ways_of(first.iter().map(|member| choice(*member)), points));
         }
-        let options = RunOptions { textures: &SceneTextures, ..RunOptions::default() };
-        let result = run(&self.program, &inputs, &options);
+        let result = run_in_scene(&self.program, &inputs);
         let components = match result.outputs.into_iter().next() {
             Some(PointValues::Each { components, .. }) => components,
             _ => Vec::new(),

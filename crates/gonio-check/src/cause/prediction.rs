@@ -2,14 +2,14 @@
 
 use super::answer::Space;
 use super::line_by_line::PointInputs;
-use super::program::SceneTextures;
+use super::program::run_in_scene;
 use super::samples::SceneSamples;
 use super::solutions::{AllHypotheses, repeated};
 use crate::comparison::{Lights, Parameterisation};
 use crate::mistakes::Hypothesis;
 use crate::testbench::TestScene;
 use gonio_glsl::Stage;
-use gonio_interpreter::{Fragment, InputRate, PointValues, RunOptions, StageInputs, interpolate, run};
+use gonio_interpreter::{Fragment, InputRate, PointValues, StageInputs, interpolate};
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
@@ -229,7 +229,7 @@ impl Predictor {
         let points = scene.samples.vertices();
         let mut inputs = repeated(in_world, stage, 1);
         self.all.choose(Stage::Vertex, &[&only], points, &mut inputs);
-        let result = run(stage, &inputs, &RunOptions { textures: &SceneTextures, ..RunOptions::default() });
+        let result = run_in_scene(stage, &inputs);
         let new = clip_positions(result.output(stage, "gl_Position"), 0..points);
         known.insert(only, new.clone());
         new

@@ -209,6 +209,11 @@ fn is_indexed(name: &str, texts: [&str; 2]) -> bool {
 /// The textures of the test scenes: the sky as a function of the direction, and white.
 pub(super) struct SceneTextures;
 
+/// Runs a stage with the textures of the test scenes, and records nothing.
+pub(super) fn run_in_scene(stage: &CompiledStage, inputs: &StageInputs) -> StageRun {
+    run(stage, inputs, &RunOptions { textures: &SceneTextures, ..RunOptions::default() })
+}
+
 impl TextureSource for SceneTextures {
     fn look_up(&self, lookup: &TextureLookup) -> [f32; 4] {
         let [x, y, z, _] = lookup.coordinates;

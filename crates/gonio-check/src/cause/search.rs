@@ -98,6 +98,8 @@ pub(crate) struct Search<'a> {
     target: &'a RightPicture,
     /// The mistakes that explain the picture, alternatives of each other.
     explanations: &'a [Explanation],
+    /// The scene that shows the influence of a value best: a black one shows none.
+    telling: usize,
     runs: usize,
     statements: u64,
 }
@@ -106,7 +108,7 @@ impl<'a> Search<'a> {
     /// Creates a search.
     #[must_use]
     pub fn new(at: Observer<'a>, target: &'a RightPicture, explanations: &'a [Explanation]) -> Self {
-        Search { at, target, explanations, runs: 0, statements: 0 }
+        Search { at, target, explanations, telling: most_telling(at), runs: 0, statements: 0 }
     }
 
     /// Ward's model has more quantities, each of which may stand at each place.
@@ -332,7 +334,7 @@ impl<'a> Search<'a> {
             }
             let model = in_model(&explanations)?;
             let at = Observer { runner: self.at.runner, model: &model };
-            let mut beside = Search { at, target: self.target, explanations: &explanations, runs: 0, statements: 0 };
+            let mut beside = Search::new(at, self.target, &explanations);
             let mut again = at.observe(&base, all.clone());
             at.interpret(&mut again);
             let budget = (MOST_RUNS_OF_SECOND, MOST_RUNS_OF_SECOND);
@@ -379,25 +381,11 @@ impl<'a> Search<'a> {
         gains.into_iter().map(|(_, repair)| repair).collect()
     }
 
-    /// The scene in which the light of the right picture differs most from place to place.
-    fn most_telling(&self) -> usize {
-        let right = self.at.model.right("FragColor", Stage::Fragment, false);
-        let spread = |scene: &usize| {
-            let of = |scene| self.at.runner.first_point(Stage::Fragment, scene);
-            let light = |point| right.map_or(0.0, |right| right.at(point)[1].clamp(0.0, 1.0));
-            let all: Vec<f32> = (of(*scene)..of(scene + 1)).map(light).filter(|light| !light.is_nan()).collect();
-            let mean = all.iter().sum::<f32>() / all.len().max(1) as f32;
-            all.iter().map(|light| (light - mean).abs()).sum::<f32>()
-        };
-        (0..self.at.runner.samples.len()).rev().max_by(|a, b| spread(a).total_cmp(&spread(b))).unwrap_or(0)
-    }
-
     /// The repairs that make the picture right, until a number of runs.
     fn proven(&mut self, base: &[Change], observed: &[Observed], repairs: &[Repair], end: usize) -> Vec<Repair> {
         let mut influential: Vec<Option<bool>> = vec![None; observed.len()];
         let mut proven = Vec::new();
-        // A black picture shows no influence.
-        let telling = self.most_telling();
+        let telling = self.telling;
         let Some(before) = self.see(base, telling..telling + 1) else { return proven };
         let mut dearest = f32::INFINITY;
         for repair in repairs {
@@ -429,6 +417,19 @@ impl<'a> Search<'a> {
         }
         proven
     }
+}
+
+/// The scene in which the light of the right picture differs most from place to place.
+fn most_telling(at: Observer<'_>) -> usize {
+    let right = at.model.right("FragColor", Stage::Fragment, false);
+    let spread = |scene: &usize| {
+        let of = |scene| at.runner.first_point(Stage::Fragment, scene);
+        let light = |point| right.map_or(0.0, |right| right.at(point)[1].clamp(0.0, 1.0));
+        let all: Vec<f32> = (of(*scene)..of(scene + 1)).map(light).filter(|light| !light.is_nan()).collect();
+        let mean = all.iter().sum::<f32>() / all.len().max(1) as f32;
+        all.iter().map(|light| (light - mean).abs()).sum::<f32>()
+    };
+    (0..at.runner.samples.len()).rev().max_by(|a, b| spread(a).total_cmp(&spread(b))).unwrap_or(0)
 }
 
 /// The picture in some scenes with changes; `None` if a run does not end.

@@ -1,11 +1,11 @@
 //! The model solutions, compiled: each with all its hypotheses as one program, and as methods write them.
 
-use super::line_by_line::{LineByLine, Members, PointInputs};
+use super::line_by_line::{LineByLine, Members, PointInputs, ways_of};
 use super::model::ModelProgram;
-use super::program::{Program, SceneTextures};
+use super::program::{Program, run_in_scene};
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use gonio_glsl::Stage;
-use gonio_interpreter::{CompiledStage, PointValues, RunOptions, StageInputs, run};
+use gonio_interpreter::{CompiledStage, PointValues, StageInputs};
 use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
@@ -144,7 +144,7 @@ impl AllHypotheses {
         let mut inputs = repeated(inputs, stage, choices.len());
         let choices: Vec<&[i32]> = choices.iter().map(Vec::as_slice).collect();
         self.choose(Stage::Vertex, &choices, points, &mut inputs);
-        run(stage, &inputs, &RunOptions { textures: &SceneTextures, ..RunOptions::default() }).outputs
+        run_in_scene(stage, &inputs).outputs
     }
 
     /// The outputs of the fragment shader at its points with each of several choices and their varyings.
@@ -181,20 +181,13 @@ impl AllHypotheses {
         }
         let choices: Vec<&[i32]> = choices.iter().map(Vec::as_slice).collect();
         self.choose(Stage::Fragment, &choices, points, &mut inputs);
-        run(stage, &inputs, &RunOptions { textures: &SceneTextures, ..RunOptions::default() }).outputs
+        run_in_scene(stage, &inputs).outputs
     }
 
     /// Selects variants, one after the other for `points` points each.
     pub(super) fn choose(&self, stage: Stage, choices: &[&[i32]], points: usize, inputs: &mut StageInputs) {
         for (at, (_, input)) in self.ways[stage as usize].iter().enumerate() {
-            let first = choices.first().map_or(0, |choices| choices[at]);
-            let values = if choices.iter().all(|choices| choices[at] == first) {
-                PointValues::ints(&[first])
-            } else {
-                let each = choices.iter().flat_map(|choices| std::iter::repeat_n(choices[at] as u32, points));
-                PointValues::Each { components: vec![each.collect()], written: None }
-            };
-            inputs.set(*input, values);
+            inputs.set(*input, ways_of(choices.iter().map(|choices| choices[at]), points));
         }
     }
 }
