@@ -340,16 +340,26 @@ impl Diagnosing<'_> {
         self.hints.is_likely(id) && (self.parameterisation.own_ambient || !answer::OWN_AMBIENT.contains(&id))
     }
 
+    /// The methods with which a picture may be explained, the likeliest first: in view space only if the program has
+    /// something there.
+    fn lighting_methods(&self) -> Result<Vec<LightingMethod>, String> {
+        let mut found = self.hints.methods(self.program);
+        let is_in_view = found.len() > 1 && self.shown(found[0])?.is_in_view();
+        found.retain(|method| method.space == Space::World || is_in_view);
+        Ok(found)
+    }
+
     pub(super) fn explaining<T>(
         &self,
         scenes: &[(TestScene, SceneSamples)],
         budget: &Budget,
-        explain: impl FnOnce(&Explainer<'_>) -> T,
-    ) -> T {
+        explain: impl FnOnce(&Explainer<'_>) -> Result<T, String>,
+    ) -> Result<T, String> {
+        let methods = self.lighting_methods()?;
         explain(&Explainer {
             shown: &|method| self.shown(method),
             solutions: self.solutions,
-            methods: &self.hints.methods(self.program),
+            methods: &methods,
             is_likely: &|id| self.is_likely(id),
             parameterisation: &self.parameterisation,
             required: self.task.required,
@@ -372,9 +382,10 @@ impl Diagnosing<'_> {
                 found.push(method);
             }
         }
+        let spaces: Vec<Space> = self.lighting_methods()?.iter().map(|method| method.space).collect();
         // Some mistakes look the same in either space, with a highlight that is cut off or not.
         for (method, _) in found.clone() {
-            for space in self.hints.methods(self.program).iter().map(|method| method.space) {
+            for space in spaces.iter().copied() {
                 for gated in [method.highlight.gated, true] {
                     let is_likely = gated == method.highlight.gated || self.hints.is_likely("specular-gated");
                     let highlight = Highlight { gated, ..method.highlight };
@@ -386,7 +397,7 @@ impl Diagnosing<'_> {
             }
             // So does a highlight that a mistake hides, by either vector.
             let is_lit = method.model.has_exponent() && self.task.required[2];
-            for space in self.hints.methods(self.program).iter().map(|method| method.space) {
+            for space in spaces.iter().copied() {
                 let highlight = Highlight { gated: false, ..method.highlight };
                 let other = (AnswerMethod { highlight, half_vector: true, ..method }, space);
                 if is_lit && self.hints.is_likely("specular-half-vector") && !found.contains(&other) {

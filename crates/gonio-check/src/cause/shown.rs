@@ -1,7 +1,7 @@
 //! The quantities that a program computes, right or as a known mistake makes them: where a quantity is right, no mistake
 //! is made with it or with what it is computed from.
 
-use super::answer::LightingMethod;
+use super::answer::{LightingMethod, has_space};
 use super::model::{AnswerMethod, Mistakes, Model, Quantity, Recorded, STAGES, Space, TELLING, observe};
 use super::observed::SCALED;
 use super::program::{Program, Runner};
@@ -27,6 +27,8 @@ pub(crate) struct Shown {
     right: BTreeSet<String>,
     /// Variables with right values, and those that they are computed from.
     variables: BTreeSet<String>,
+    /// Whether a position or a direction of the program is in view space.
+    is_in_view: bool,
     suspects: OnceCell<BTreeSet<&'static str>>,
 }
 
@@ -46,8 +48,11 @@ impl Shown {
         let samples: Vec<SceneSamples> = scenes.iter().take(TELLING).map(|(_, samples)| samples.few(PLACES)).collect();
         let observed = observed(program, &samples);
         let mut right: BTreeSet<String> = BTreeSet::new();
+        let mut is_in_view = false;
         for answer in answers(method) {
             let model = Model::new(solutions, answer, Space::World, &samples, written_exponent, Mistakes::These(&[]))?;
+            let has_space = |q: &&Quantity| q.space == Space::View && has_space(&q.name);
+            is_in_view |= model.quantities.iter().filter(has_space).any(|q| is_observed(&observed, q, false));
             // The view matrix is called V too.
             let shown = model.quantities.iter().filter(|q| q.values.size <= 4 && is_observed(&observed, q, false));
             right.extend(first_of_same(&shown.collect::<Vec<_>>(), hypotheses));
@@ -55,7 +60,14 @@ impl Shown {
         let variables = hypotheses.with_parts(&right);
         let program = program.clone();
         let solutions = Rc::clone(solutions);
-        Ok(Shown { solutions, program, samples, method, written_exponent, right, variables, suspects: OnceCell::new() })
+        let suspects = OnceCell::new();
+        Ok(Shown { solutions, program, samples, method, written_exponent, right, variables, is_in_view, suspects })
+    }
+
+    /// Whether some position or direction that the program computes is in view space. The position alone may be a step
+    /// towards `gl_Position`.
+    pub fn is_in_view(&self) -> bool {
+        self.is_in_view
     }
 
     /// Whether the program uses the half vector; `None` if its values do not tell.
