@@ -152,7 +152,7 @@ impl BakeJob {
             let step = format!("baking {}", kind.name().replace('-', " "));
             let go_on = |share| progress(&step, share_of.step(1 + index, share));
             let map = baker.bake(kind, &go_on).ok_or(BakeJobError::Stopped)?;
-            let file = format!("{stem}_{}.{}", kind.name(), kind.extension());
+            let file = kind.file_name(stem);
             files.push((file.clone(), map.encode()?));
             pictures.push(MapPicture { kind, file, factor: map.factor(), picture: display_picture(&map) });
         }

@@ -70,6 +70,11 @@ impl MapKind {
     pub fn extension(self) -> &'static str {
         if matches!(self, MapKind::Light | MapKind::Position) { "exr" } else { "png" }
     }
+
+    /// The name of its file for a model.
+    pub fn file_name(self, model: &str) -> String {
+        format!("{model}_{}.{}", self.name(), self.extension())
+    }
 }
 
 /// How maps are baked.

@@ -218,6 +218,28 @@ fn mistakes_in_the_layout_are_named() {
     assert_eq!(lab.ids(&thin.files()), ["margin-too-small"]);
 }
 
+/// Each triangle is a chart of its own in half a square of a grid, beside triangles from elsewhere in the model.
+#[test]
+fn charts_that_touch_are_named() {
+    let lab = TestLab::new();
+    let touching = |atlas: &mut gonio_atlas::AtlasUv| {
+        let count = atlas.chart_of_triangle.len();
+        let columns = (count as f32 / 2.0).sqrt().ceil();
+        for (t, corners) in atlas.tex_coords.chunks_exact_mut(3).enumerate() {
+            let (cell, half) = (t % count.div_ceil(2), t / count.div_ceil(2));
+            let (x, y) = (cell % columns as usize, cell / columns as usize);
+            // Equal coordinates would make one chart of both halves.
+            let shapes = [[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], [[1.0, 1.0], [0.001, 1.0], [1.0, 0.001]]];
+            for (corner, shape) in corners.iter_mut().zip(shapes[half]) {
+                *corner = [(x as f32 + shape[0]) / columns, (y as f32 + shape[1]) / columns];
+            }
+            atlas.chart_of_triangle[t] = Some(t as u32);
+        }
+    };
+    let recipe = Recipe { size: 1024, ..Recipe::default() };
+    assert_eq!(lab.ids(&with_layout(recipe, &touching).files()), ["charts-too-close"]);
+}
+
 /// Mistakes of which neither hides the other.
 const PAIRED: [&str; 13] = [
     "v-flipped",

@@ -276,7 +276,7 @@ struct EncodedMap {
 
 impl EncodedMap {
     fn new(map: &BakedMap, stem: &str) -> Result<Self, CliError> {
-        let name = format!("{stem}_{}.{}", map.kind.name(), map.kind.extension());
+        let name = map.kind.file_name(stem);
         Ok(EncodedMap {
             file: MapFile { kind: map.kind, name, factor: map.factor() },
             bytes: map.encode()?,
