@@ -51,13 +51,13 @@ pub(super) fn first_conclusion<'a>(
             }
             return Ok(one.diagnosis(Found::Endless, methods(one.task)[0]));
         };
-        // With open strengths, a picture without light is like any other; a white material is bright everywhere.
-        let is_lit = one.task.model.is_lit();
-        let is_of_strengths = matches!(attempt, Attempt::Right | Attempt::Turned);
-        if is_of_strengths && is_lit && (is_black(&seen) || is_flat(&seen)) {
+        // Light differs from place to place. With open strengths, a picture without it is like any other, and a white one
+        // like any that is too bright.
+        let is_unlit = one.task.model.is_lit() && (is_black(&seen) || is_flat(&seen));
+        if is_unlit && attempt.is_of_right() {
             continue;
         }
-        match one.right(&seen, &likely)? {
+        match if is_unlit { None } else { one.right(&seen, &likely)? } {
             // A switch may be off that turns the term on.
             Some(right) if right.unused_terms.contains(&true) => {
                 with_unused_terms.get_or_insert(right);

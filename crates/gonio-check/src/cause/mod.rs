@@ -148,7 +148,9 @@ pub fn diagnose(
     let mut by_influence = Vec::new();
     if assign::is_open(&assigned) {
         let parameterisation = Parameterisation::new(task, &assigned.bindings, &assigned.declared, constants);
-        let first: Vec<SceneSamples> = (scenes.iter().take(1).cloned())
+        // In the first scene of a sky, no matrix turns anything.
+        let telling = usize::from(task.model == ModelSolution::Skybox);
+        let first: Vec<SceneSamples> = (scenes.iter().skip(telling).take(1).cloned())
             .map(|mut scene| {
                 parameterisation.apply(&mut scene);
                 scene.light.position = constants.light_position.unwrap_or(scene.light.position);

@@ -259,7 +259,7 @@ impl<'a> Search<'a> {
             let firsts = self.at.causes(std::slice::from_ref(&both), observed, std::slice::from_ref(first), explaining);
             let name = |group: &[ProvenCause]| Some(group.first()?.mistakes.first()?.id.clone());
             // Beside the second, the first is at the best of its places too.
-            let firsts = match is_explained && name(&firsts) != name(&seconds) {
+            let firsts = match name(&firsts) != name(&seconds) {
                 true => self.at_best_place(&both, firsts, explaining),
                 false => firsts,
             };
@@ -284,13 +284,16 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// The places of a known mistake beside another change, the best first; those that are known if there are no others.
+    /// The places of a named mistake beside another change, the best first; those that are known if there are no others.
     fn at_best_place(
         &mut self,
         other: &Change,
         known: Vec<ProvenCause>,
         explaining: &[&'static Mistake],
     ) -> Vec<ProvenCause> {
+        if !known.first().is_some_and(ProvenCause::is_sound) {
+            return known;
+        }
         let base = [other.clone()];
         let mut observed = self.at.observe(&base, 0..self.at.runner.samples.len());
         self.at.interpret(&mut observed);
@@ -341,8 +344,9 @@ impl<'a> Search<'a> {
             let seconds = beside.causes(&base, &again, &explaining, Tried::Known, budget);
             self.runs += beside.runs;
             let Some(both) = seconds.first().and_then(|second| second.repair.change(&again, &model)) else { continue };
-            let firsts = self.at.causes(&[both], &observed, std::slice::from_ref(&first), &[]);
+            let firsts = self.at.causes(std::slice::from_ref(&both), &observed, std::slice::from_ref(&first), &[]);
             if !firsts.is_empty() {
+                let firsts = self.at_best_place(&both, firsts, &[]);
                 return Ok(Found::Causes(vec![firsts, seconds]));
             }
         }
