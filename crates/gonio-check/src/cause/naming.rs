@@ -47,6 +47,8 @@ pub struct ProvenCause {
     pub is_given: bool,
     /// Whether it is the result of a function that computes the wrong value, or the name of a wrong value.
     pub is_computed_elsewhere: bool,
+    /// Whether it is the only place that reads a variable.
+    pub is_only_read: bool,
     /// Its right values at any points, and those of other places of the same mistake.
     pub right: Vec<RightChange>,
     /// Another mistake in the same expression.
@@ -159,6 +161,13 @@ impl Observer<'_> {
             other.stage == seen.stage && start >= first && end <= last
         };
         observed.iter().filter(is_within).flat_map(|other| self.terms(other)).collect()
+    }
+
+    /// Whether an expression is the only one that reads a variable.
+    fn is_only_read(&self, seen: &Observed) -> bool {
+        let (program, name) = (self.runner.program, self.text(seen));
+        let all = program.numbers(seen.stage).into_iter();
+        is_name(name) && all.filter(|expr| program.text(seen.stage, *expr) == name).count() == 1
     }
 
     /// Names and orders proven repairs.
@@ -304,6 +313,7 @@ impl Observer<'_> {
                 is_explained,
                 is_computed_elsewhere: is_call_of_another(seen) || is_elsewhere(seen, &repair),
                 is_given: seen.is_given(),
+                is_only_read: self.is_only_read(seen),
                 is_right_elsewhere,
                 repair,
                 also: Vec::new(),

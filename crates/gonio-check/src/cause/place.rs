@@ -31,6 +31,8 @@ pub struct MistakePlace {
     pub span: Span,
     /// Whether the expression has the value that the mistake assigns, and not one that is computed from it.
     pub is_direct: bool,
+    /// Whether the expression computes the value, and does not read it from a variable.
+    pub is_computed: bool,
 }
 
 /// The wrong values of one of the mistakes of a hypothesis.
@@ -121,8 +123,7 @@ pub(super) fn places(
         let direct = || first(&direct).map(|seen| (seen, true)).or_else(constant);
         let place = last.map(|seen| (seen, true)).or_else(direct).or_else(|| first(&after).map(|seen| (seen, false)));
         if let Some((seen, is_direct)) = place {
-            let span = expression(program, seen).span;
-            found.push(MistakePlace { mistake, stage: seen.stage, span, is_direct });
+            found.push(place_at(program, mistake, seen, is_direct));
         }
     }
     Ok(found)
@@ -168,7 +169,12 @@ fn of_lights(
     let set = observed.iter().filter(|seen| is_assignment(text(seen))).filter(is_it);
     let others = observed.iter().filter(|seen| !is_name(text(seen))).filter(is_it);
     let found = set.max_by_key(|seen| seen.order).or_else(|| others.min_by_key(|seen| seen.order));
-    found.map(|seen| MistakePlace { mistake, stage: seen.stage, span: expression(program, seen).span, is_direct: true })
+    found.map(|seen| place_at(program, mistake, seen, true))
+}
+
+fn place_at(program: &Program, mistake: &'static Mistake, seen: &Recorded, is_direct: bool) -> MistakePlace {
+    let is_computed = !is_name(program.text(seen.stage, seen.expr));
+    MistakePlace { mistake, stage: seen.stage, span: expression(program, seen).span, is_direct, is_computed }
 }
 
 /// Points of a scene as the model solution of an explanation sees them.

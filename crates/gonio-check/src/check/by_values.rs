@@ -3,6 +3,7 @@
 
 use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
+use crate::cause::place::MistakePlace;
 use crate::cause::search::Found;
 use crate::cause::{
     AnswerMethod, Diagnosis, DiagnosisDepth, Space, answer_methods, diagnose, is_absent, peculiarities,
@@ -312,8 +313,13 @@ impl Judging<'_> {
         };
         let mut found = self.beside_right_values(diagnosis);
         found.retain(|missing| !is_explained(missing));
-        // In a long formula, the proof is often a value that is computed from the mistake's own wrong value.
         let is_long = self.task.model.has_roughness();
+        // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own
+        // wrong value, or the only use of a variable that is set to it.
+        let is_of_place = |cause: &ProvenCause, place: &MistakePlace| match first.mistakes.len() {
+            0 | 1 => is_long && cause.distance > 0,
+            _ => place.is_computed && (cause.distance > 0 || cause.is_only_read && cause.stage == place.stage),
+        };
         let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
         for at in 0..first.mistakes.len() {
             // The alternative that the program itself shows, if it shows one.
@@ -351,7 +357,7 @@ impl Judging<'_> {
             let new =
                 FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
             found.push(match (cause, place_of(mistake)) {
-                (Some(cause), Some(place)) if is_long && cause.distance > 0 && place.is_direct => {
+                (Some(cause), Some(place)) if place.is_direct && is_of_place(cause, &place) => {
                     placed(new, (place.stage, place.span), self.submission)
                 }
                 (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
