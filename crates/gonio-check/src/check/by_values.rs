@@ -357,7 +357,7 @@ impl Judging<'_> {
             let new =
                 FoundMistake { or, lab_does_it: mistake.lab_does_it, ..FoundMistake::from_catalogue(mistake, 1.0) };
             found.push(match (cause, place_of(mistake)) {
-                (Some(cause), Some(place)) if place.is_direct && is_of_place(cause, &place) => {
+                (Some(cause), Some(place)) if place.is_direct && is_of_place(cause, place) => {
                     placed(new, (place.stage, place.span), self.submission)
                 }
                 (Some(cause), _) => placed(new, (cause.stage, cause.span), self.submission),
