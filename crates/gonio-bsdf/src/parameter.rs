@@ -1,4 +1,4 @@
-//! Parameters of a BSDF: names, ranges, values.
+//! Parameters: names, ranges, values.
 
 use gonio_light::DVec3;
 use std::borrow::Cow;
@@ -28,9 +28,9 @@ pub enum ParameterKind {
     },
 }
 
-/// A parameter.
+/// A parameter of a BSDF, or of anything else that sliders and options set.
 #[derive(Clone, Debug, PartialEq)]
-pub struct BsdfParameter {
+pub struct Parameter {
     /// The name, as in the notation of models and in GLSL.
     pub name: Cow<'static, str>,
     /// The unit; empty if it has none.
@@ -41,7 +41,7 @@ pub struct BsdfParameter {
     pub kind: ParameterKind,
 }
 
-impl BsdfParameter {
+impl Parameter {
     /// A number without a unit.
     pub const fn number(name: &'static str, [min, max]: [f64; 2], default: f64, description: &'static str) -> Self {
         Self { name: Cow::Borrowed(name), unit: "", description, kind: ParameterKind::Number { min, max, default } }
@@ -118,7 +118,7 @@ impl BsdfParameter {
         }
     }
 
-    /// A value as [`BsdfParameter::parse`] reads it.
+    /// A value as [`Parameter::parse`] reads it.
     pub fn format(&self, value: DVec3) -> String {
         match self.kind {
             ParameterKind::Switch { .. } => if value.x == 0.0 { "off" } else { "on" }.to_owned(),
@@ -172,25 +172,25 @@ impl std::error::Error for ParameterError {}
 /// Parameters with a value each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterValues {
-    parameters: Cow<'static, [BsdfParameter]>,
+    parameters: Cow<'static, [Parameter]>,
     values: Vec<DVec3>,
 }
 
 impl ParameterValues {
     /// The defaults.
-    pub fn defaults(parameters: impl Into<Cow<'static, [BsdfParameter]>>) -> Self {
+    pub fn defaults(parameters: impl Into<Cow<'static, [Parameter]>>) -> Self {
         let parameters = parameters.into();
-        let values = parameters.iter().map(BsdfParameter::default_value).collect();
+        let values = parameters.iter().map(Parameter::default_value).collect();
         Self { parameters, values }
     }
 
     /// The parameters.
-    pub fn parameters(&self) -> &[BsdfParameter] {
+    pub fn parameters(&self) -> &[Parameter] {
         &self.parameters
     }
 
     /// Each parameter with its value.
-    pub fn iter(&self) -> impl Iterator<Item = (&BsdfParameter, DVec3)> {
+    pub fn iter(&self) -> impl Iterator<Item = (&Parameter, DVec3)> {
         self.parameters.iter().zip(self.values.iter().copied())
     }
 
@@ -217,7 +217,7 @@ impl ParameterValues {
     ///
     /// # Errors
     ///
-    /// As [`BsdfParameter::parse`], or an unknown name.
+    /// As [`Parameter::parse`], or an unknown name.
     pub fn set(&mut self, name: &str, text: &str) -> Result<(), ParameterError> {
         let Some(at) = self.position(name) else {
             let known = self.parameters.iter().map(|parameter| parameter.name.to_string()).collect();

@@ -5,7 +5,7 @@ use crate::exported::{self, WidgetRole};
 use crate::theme::{self, colors, icons};
 use crate::widgets::{NumberField, color_swatch, icon_button, row, toggle};
 use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
-use gonio_bsdf::{BsdfParameter, BsdfSource, DVec3, ParameterKind, ParameterValues};
+use gonio_bsdf::{BsdfSource, DVec3, Parameter, ParameterKind, ParameterValues};
 use gonio_plot::{PlotTheme, palette};
 use gonio_scene::color_value::Color;
 
@@ -115,7 +115,7 @@ fn shown(ui: &mut Ui, index: usize, color: Color32, is_shown: &mut bool) {
 }
 
 fn parameters(ui: &mut Ui, index: usize, values: &mut ParameterValues) {
-    let parameters: Vec<(BsdfParameter, DVec3)> = values.iter().map(|(p, value)| (p.clone(), value)).collect();
+    let parameters: Vec<(Parameter, DVec3)> = values.iter().map(|(p, value)| (p.clone(), value)).collect();
     for (parameter, value) in parameters {
         let id = format!("parameter-{index}-{}", parameter.name);
         let changed = match parameter.kind {
@@ -139,7 +139,7 @@ fn parameters(ui: &mut Ui, index: usize, values: &mut ParameterValues) {
     }
 }
 
-fn number(ui: &mut Ui, id: &str, parameter: &BsdfParameter, ends: [f64; 3], value: f64) -> Option<f64> {
+fn number(ui: &mut Ui, id: &str, parameter: &Parameter, ends: [f64; 3], value: f64) -> Option<f64> {
     let [min, max, default] = ends;
     let mut edited = value;
     row(ui, &parameter.name, parameter.description, |ui| {
@@ -155,7 +155,7 @@ fn number(ui: &mut Ui, id: &str, parameter: &BsdfParameter, ends: [f64; 3], valu
 }
 
 /// A colour: a swatch for the hue, a slider for the largest channel.
-fn tint(ui: &mut Ui, id: &str, parameter: &BsdfParameter, default: [f64; 3], value: DVec3) -> Option<DVec3> {
+fn tint(ui: &mut Ui, id: &str, parameter: &Parameter, default: [f64; 3], value: DVec3) -> Option<DVec3> {
     let mut color = Color(value.to_array());
     row(ui, &parameter.name, parameter.description, |ui| {
         let tip = parameter.description;

@@ -6,7 +6,7 @@ mod night;
 use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
 use decay::{ALL, GREEN};
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::PlotScale;
 use gonio_plot::{PlotError, PlotFigure};
@@ -29,8 +29,8 @@ pub const STATION: Station = Station {
            charge; after half a minute only the green stars are left.",
     question: "Charge the stars for one second and for ten: do they glow ten times as brightly? Why not?",
     parameters: &[
-        BsdfParameter::number("time", [-2.0, 60.0], 3.0, "time since the lamp went out").in_unit("s"),
-        BsdfParameter::number("charge", [0.1, 30.0], 6.0, "time for which the lamp was on").in_unit("s"),
+        Parameter::number("time", [-2.0, 60.0], 3.0, "time since the lamp went out").in_unit("s"),
+        Parameter::number("charge", [0.1, 30.0], 6.0, "time for which the lamp was on").in_unit("s"),
     ],
     film_parameter: "time",
     pictures: &[StationPicture {

@@ -5,7 +5,7 @@ mod pond;
 
 use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_light::optics::polarised_dielectric;
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
@@ -31,10 +31,10 @@ pub const STATION: Station = Station {
            Turn the filter by 90 degrees: the reflection is back. The sky itself is polarised too, most at a right angle to the sun.",
     question: "Why do polarising sunglasses let through light that swings vertically, and what happens when you lie down on a beach?",
     parameters: &[
-        BsdfParameter::number("angle", [0.0, 180.0], 90.0, "axis of the filter from the horizontal").in_unit("degrees"),
-        BsdfParameter::number("index", [1.05, 2.0], 1.333, "index of refraction of the water"),
-        BsdfParameter::number("ripples", [0.0, 2.0], 0.6, "height of the ripples"),
-        BsdfParameter::switch("filter", true, "the polariser in front of the picture"),
+        Parameter::number("angle", [0.0, 180.0], 90.0, "axis of the filter from the horizontal").in_unit("degrees"),
+        Parameter::number("index", [1.05, 2.0], 1.333, "index of refraction of the water"),
+        Parameter::number("ripples", [0.0, 2.0], 0.6, "height of the ripples"),
+        Parameter::switch("filter", true, "the polariser in front of the picture"),
     ],
     film_parameter: "angle",
     pictures: &[

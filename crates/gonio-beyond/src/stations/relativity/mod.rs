@@ -8,7 +8,7 @@ use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
 use colonnade::Colonnade;
 use dice::Dice;
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
 use gonio_plot::{PlotError, PlotFigure};
@@ -31,11 +31,11 @@ pub const STATION: Station = Station {
            and dark; all are turned and show their back. Switch the effects off one by one. In the flight the view is drawn together ahead, and the grass beside is red: leaves reflect infrared light.",
     question: "Why do you see the back of a die that passes, although it is exactly beside you?",
     parameters: &[
-        BsdfParameter::number("speed", [0.0, 0.9], 0.35, "speed as a share of that of light"),
-        BsdfParameter::number("position", [-8.0, 8.0], 0.0, "place at which the middle die is seen").in_unit("m"),
-        BsdfParameter::switch("doppler", true, "shift of wavelengths"),
-        BsdfParameter::switch("searchlight", true, "change of the number of photons"),
-        BsdfParameter::switch("aberration", true, "finite speed of light: directions and shapes"),
+        Parameter::number("speed", [0.0, 0.9], 0.35, "speed as a share of that of light"),
+        Parameter::number("position", [-8.0, 8.0], 0.0, "place at which the middle die is seen").in_unit("m"),
+        Parameter::switch("doppler", true, "shift of wavelengths"),
+        Parameter::switch("searchlight", true, "change of the number of photons"),
+        Parameter::switch("aberration", true, "finite speed of light: directions and shapes"),
     ],
     film_parameter: "speed",
     pictures: &[

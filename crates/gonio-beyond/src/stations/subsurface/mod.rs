@@ -11,7 +11,7 @@ use crate::station::{LawCheck, Station, StationPicture};
 use figures::{Figures, LightModel};
 use glam::DVec3;
 use gonio_bsdf::sampling::SplitMix;
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
 use gonio_plot::{PlotError, PlotFigure};
@@ -39,8 +39,8 @@ pub const STATION: Station = Station {
            become opaque.",
     question: "A toy of marble looks soft, a statue of the same marble hard. Which length decides?",
     parameters: &[
-        BsdfParameter::number("height", [4.0, 100.0], 10.0, "height of the pawns").in_unit("mm"),
-        BsdfParameter::number("lamp", [0.0, 180.0], 145.0, "direction of the lamp: 0 in front, 180 behind")
+        Parameter::number("height", [4.0, 100.0], 10.0, "height of the pawns").in_unit("mm"),
+        Parameter::number("lamp", [0.0, 180.0], 145.0, "direction of the lamp: 0 in front, 180 behind")
             .in_unit("degrees"),
     ],
     film_parameter: "lamp",

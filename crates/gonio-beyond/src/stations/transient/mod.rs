@@ -11,7 +11,7 @@ use bench::{EYE, LAMP, LIGHT_SPEED, arrivals, image};
 use flight::{Arrivals, Flight, pulse, pulse_area};
 use glam::DVec3;
 use gonio_bsdf::sampling::SplitMix;
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::PlotScale;
 use gonio_plot::{PlotError, PlotFigure};
@@ -34,8 +34,8 @@ pub const STATION: Station = Station {
            weak blue lamp burns all the time so that the scene can be seen. In the second picture colours are times of arrival.",
     question: "The front on the table seems to run faster than light in some directions. How can that be?",
     parameters: &[
-        BsdfParameter::number("time", [2500.0, 6500.0], 4500.0, "time since the flash, at the camera").in_unit("ps"),
-        BsdfParameter::number("pulse", [5.0, 150.0], 45.0, "duration of the flash (standard deviation)").in_unit("ps"),
+        Parameter::number("time", [2500.0, 6500.0], 4500.0, "time since the flash, at the camera").in_unit("ps"),
+        Parameter::number("pulse", [5.0, 150.0], 45.0, "duration of the flash (standard deviation)").in_unit("ps"),
     ],
     film_parameter: "time",
     pictures: &[

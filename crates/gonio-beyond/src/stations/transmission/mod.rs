@@ -6,7 +6,7 @@ mod tumbler;
 use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
 use diver::Diver;
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_light::optics::{Boundary, Fresnel, boundary, dielectric};
 use gonio_light::{DVec2, DVec3};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
@@ -33,10 +33,10 @@ pub const STATION: Station = Station {
            mirrors the bottom.",
     question: "Fill the glass with a liquid of the glass's own index, 1.5. Which lines disappear, and why?",
     parameters: &[
-        BsdfParameter::number("index", [1.0, 2.4], 1.333, "index of refraction of the liquid"),
-        BsdfParameter::number("absorption", [0.0, 5.0], 0.3, "absorption of the liquid, for red light").in_unit("1/m"),
-        BsdfParameter::number("roughness", [0.0, 0.5], 0.0, "roughness of the glass (GGX alpha)"),
-        BsdfParameter::number("ripples", [0.0, 2.0], 0.7, "height of the ripples above the diver"),
+        Parameter::number("index", [1.0, 2.4], 1.333, "index of refraction of the liquid"),
+        Parameter::number("absorption", [0.0, 5.0], 0.3, "absorption of the liquid, for red light").in_unit("1/m"),
+        Parameter::number("roughness", [0.0, 0.5], 0.0, "roughness of the glass (GGX alpha)"),
+        Parameter::number("ripples", [0.0, 2.0], 0.7, "height of the ripples above the diver"),
     ],
     film_parameter: "index",
     pictures: &[
