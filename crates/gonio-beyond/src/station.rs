@@ -5,7 +5,8 @@ use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_light::color::OutputTransform;
 use gonio_plot::{PlotError, PlotFigure};
 use gonio_trace::Sampler;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// A phenomenon that the rendering equation leaves out, with everything that a command, a window or a page shows of it.
 #[derive(Clone, Copy, Debug)]
@@ -59,12 +60,12 @@ pub trait ImagePlane: Send + Sync {
 }
 
 /// A value that a law predicts beside the value found without that law.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LawCheck {
     /// The quantity with its conditions.
     pub quantity: String,
     /// The unit; empty if it has none.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// The value by the law.
     pub expected: f64,
     /// The value found.

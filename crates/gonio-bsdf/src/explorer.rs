@@ -213,7 +213,7 @@ fn parameter(words: &[&str]) -> Result<Parameter, (usize, String)> {
             ParameterKind::Color { default: [channel(2, "red")?, channel(3, "green")?, channel(4, "blue")?] }
         }
     };
-    Ok(Parameter { name: Cow::Owned(name.to_owned()), unit: "", description: "", kind })
+    Ok(Parameter { name: Cow::Owned(name.to_owned()), unit: Cow::Borrowed(""), description: Cow::Borrowed(""), kind })
 }
 
 /// Writes a `.brdf` file. Values become the defaults.

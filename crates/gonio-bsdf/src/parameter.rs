@@ -1,11 +1,12 @@
 //! Parameters: names, ranges, values.
 
 use gonio_light::DVec3;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
 
 /// The range and the default of a parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ParameterKind {
     /// A number in `[min, max]`.
     Number {
@@ -29,14 +30,14 @@ pub enum ParameterKind {
 }
 
 /// A parameter of a BSDF, or of anything else that sliders and options set.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Parameter {
     /// The name, as in the notation of models and in GLSL.
     pub name: Cow<'static, str>,
     /// The unit; empty if it has none.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// The meaning, in a few words; empty for parameters of files, which state none.
-    pub description: &'static str,
+    pub description: Cow<'static, str>,
     /// The range and the default.
     pub kind: ParameterKind,
 }
@@ -44,22 +45,27 @@ pub struct Parameter {
 impl Parameter {
     /// A number without a unit.
     pub const fn number(name: &'static str, [min, max]: [f64; 2], default: f64, description: &'static str) -> Self {
-        Self { name: Cow::Borrowed(name), unit: "", description, kind: ParameterKind::Number { min, max, default } }
+        Self::of(name, description, ParameterKind::Number { min, max, default })
     }
 
     /// A colour.
     pub const fn color(name: &'static str, default: f64, description: &'static str) -> Self {
-        Self { name: Cow::Borrowed(name), unit: "", description, kind: ParameterKind::Color { default: [default; 3] } }
+        Self::of(name, description, ParameterKind::Color { default: [default; 3] })
     }
 
     /// A switch.
     pub const fn switch(name: &'static str, default: bool, description: &'static str) -> Self {
-        Self { name: Cow::Borrowed(name), unit: "", description, kind: ParameterKind::Switch { default } }
+        Self::of(name, description, ParameterKind::Switch { default })
+    }
+
+    const fn of(name: &'static str, description: &'static str, kind: ParameterKind) -> Self {
+        Self { name: Cow::Borrowed(name), unit: Cow::Borrowed(""), description: Cow::Borrowed(description), kind }
     }
 
     /// The same with a unit.
     pub const fn in_unit(mut self, unit: &'static str) -> Self {
-        self.unit = unit;
+        // Nothing is lost: it is borrowed. Constants cannot drop.
+        std::mem::forget(std::mem::replace(&mut self.unit, Cow::Borrowed(unit)));
         self
     }
 

@@ -112,7 +112,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
             .sum();
         checks.push(LawCheck {
             quantity: format!("{}: photons emitted for each one absorbed (quantum yield)", ink.name),
-            unit: "",
+            unit: "".into(),
             expected: if taken > 0.0 { ink.dye().quantum_yield } else { 0.0 },
             measured: if taken > 0.0 { photons(&emitted) / taken } else { 0.0 },
             bound: 1e-6,
@@ -120,7 +120,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let upwards = (0..ALL_BANDS).flat_map(|from| (0..from).map(move |to| (to, from)));
         checks.push(LawCheck {
             quantity: format!("{}: light moved to shorter wavelengths", ink.name),
-            unit: "",
+            unit: "".into(),
             expected: 0.0,
             measured: upwards.map(|(to, from)| matrix.at(to, from).abs()).sum(),
             bound: 0.0,

@@ -114,7 +114,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let fog = fog(values);
     let check = |quantity: String, expected: f64, [measured, error]: [f64; 2]| LawCheck {
         quantity,
-        unit: "",
+        unit: "".into(),
         expected,
         measured,
         bound: 4.0 * error + 1e-9,
@@ -167,7 +167,7 @@ fn single_scattering(fog: &Fog, paths: u32) -> LawCheck {
     let [measured, error] = mean_of(light);
     LawCheck {
         quantity: format!("light scattered once by a slab, by {paths} paths"),
-        unit: "1/sr",
+        unit: "1/sr".into(),
         expected: per_event * mu_0 / (mu + mu_0) * (1.0 - (-thickness * (1.0 / mu + 1.0 / mu_0)).exp()),
         measured,
         bound: 4.0 * error + 1e-12,

@@ -123,7 +123,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         });
         checks.push(LawCheck {
             quantity: format!("reflectance of {:.0} nm at {lambda} nm and {CHECKED_DEG} degrees", film.thickness_nm),
-            unit: "",
+            unit: "".into(),
             expected: 0.5 * (airy[0] + airy[1]),
             measured: boundaries.sum_of_waves(lambda, 80),
             bound: 1e-6,
@@ -136,7 +136,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let nearest = found.iter().copied().min_by(|a, b| (a - expected).abs().total_cmp(&(b - expected).abs()));
         checks.push(LawCheck {
             quantity: format!("sine of the angle of order {order} of the disc at {lambda} nm"),
-            unit: "",
+            unit: "".into(),
             expected,
             measured: nearest.unwrap_or(f64::INFINITY),
             bound: 1e-6,

@@ -98,7 +98,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let (one, two) = (beam(power, range), beam(2.0 * power, range));
     let check = |quantity: &str, expected: f64, measured: f64, bound: f64| LawCheck {
         quantity: quantity.to_owned(),
-        unit: "",
+        unit: "".into(),
         expected,
         measured,
         bound,

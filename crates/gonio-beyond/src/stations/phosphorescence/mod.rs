@@ -80,7 +80,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let at = |time: f64| phosphor.simulated(time, charge)[0];
         checks.push(LawCheck {
             quantity: format!("{}: glow at 1 s plus the decay time, relative to that at 1 s", phosphor.name),
-            unit: "",
+            unit: "".into(),
             expected: (-1.0_f64).exp(),
             measured: at(1.0 + phosphor.decay_s) / at(1.0),
             bound: 1e-6,
@@ -88,7 +88,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let [_, absorbed, emitted] = phosphor.simulated(30.0 * phosphor.decay_s, charge);
         checks.push(LawCheck {
             quantity: format!("{}: photons emitted in the end for each one absorbed", phosphor.name),
-            unit: "",
+            unit: "".into(),
             expected: 1.0,
             measured: emitted / absorbed,
             bound: 1e-6,
@@ -97,7 +97,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let time = values.number("time");
     checks.push(LawCheck {
         quantity: format!("{}: share of full traps at {time} s", GREEN.name),
-        unit: "",
+        unit: "".into(),
         expected: GREEN.filled(time, charge),
         measured: GREEN.simulated(time, charge)[0],
         bound: 1e-6,

@@ -103,7 +103,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
                 "Doppler factor {:.1} degrees from the direction of approach, by two crests",
                 cos.acos().to_degrees()
             ),
-            unit: "",
+            unit: "".into(),
             expected: doppler_factor(speed, cos),
             measured,
             bound: 1e-6,
@@ -113,7 +113,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let cos = f64::cos(f64::to_radians(degrees));
         checks.push(LawCheck {
             quantity: format!("angle at rest of what is seen at {degrees} degrees, by two events"),
-            unit: "degrees",
+            unit: "degrees".into(),
             expected: aberrated_cos(speed, cos).acos().to_degrees(),
             measured: aberration_by_events(speed, cos).acos().to_degrees(),
             bound: 1e-6,
@@ -121,7 +121,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     }
     checks.push(LawCheck {
         quantity: "energy density in an even field, by the sum over all directions".to_owned(),
-        unit: "",
+        unit: "".into(),
         expected: gamma(speed).powi(2) * (1.0 + speed * speed / 3.0),
         measured: energy_density(speed),
         bound: 1e-5,

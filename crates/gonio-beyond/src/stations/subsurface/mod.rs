@@ -143,7 +143,7 @@ fn checks(_: &ParameterValues) -> Vec<LawCheck> {
                     medium.name,
                     number(mu)
                 ),
-                unit: "",
+                unit: "".into(),
                 expected: reflectance(mu, coefficients[1]),
                 measured,
                 bound: 4.0 * error,
@@ -155,7 +155,7 @@ fn checks(_: &ParameterValues) -> Vec<LawCheck> {
     let rings = (0..6000).map(|ring| STEP_MM * (f64::from(ring) + 0.5));
     checks.push(LawCheck {
         quantity: "diffusion: total of red light that skin reflects, by the sum over rings".to_owned(),
-        unit: "",
+        unit: "".into(),
         expected: dipole.total(),
         measured: rings.map(|r| 2.0 * PI * r * STEP_MM * dipole.profile(r)).sum(),
         bound: 1e-4,

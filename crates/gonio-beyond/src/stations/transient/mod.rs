@@ -137,7 +137,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
             let peak = (0..light.len()).filter(|bin| near(*bin)).max_by(|a, b| light[*a].total_cmp(&light[*b]));
             checks.push(LawCheck {
                 quantity: format!("echo of the table{name}, {by}: path length / c, against the histogram's peak"),
-                unit: "ps",
+                unit: "ps".into(),
                 expected,
                 measured: peak.map_or(f64::NAN, |bin| (bin as f64 + 0.5) * BIN_PS),
                 bound: 0.5 * BIN_PS + 0.1,
@@ -168,7 +168,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let [steady, steady_error] = mean_of((0..4000).map(|_| steady(&mut for_steady)));
     checks.push(LawCheck {
         quantity: "sum of all frames of a film, against the steady picture".to_owned(),
-        unit: "",
+        unit: "".into(),
         expected: steady,
         measured: film,
         bound: 4.0 * film_error.hypot(steady_error),

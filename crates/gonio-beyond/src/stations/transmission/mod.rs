@@ -106,7 +106,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let refracted = meet(direction, DVec3::Y, 1.0, index).transmitted;
         checks.push(LawCheck {
             quantity: format!("sine of the refracted angle at {degrees} degrees, by the quickest path (Fermat)"),
-            unit: "",
+            unit: "".into(),
             expected: refracted.map_or(f64::NAN, |t| t.x),
             measured: quickest_sine(direction, index),
             bound: 1e-6,
@@ -114,7 +114,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     }
     checks.push(LawCheck {
         quantity: "angle from which no light leaves the liquid".to_owned(),
-        unit: "degrees",
+        unit: "degrees".into(),
         expected: (1.0 / index).asin().to_degrees(),
         measured: critical_angle(index).to_degrees(),
         bound: 1e-6,
@@ -124,7 +124,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let (r, a) = (dielectric(1.0, 1.0 / index), (-k * thickness).exp());
     checks.push(LawCheck {
         quantity: format!("light through a layer of {thickness} m, by {PHOTONS} photons"),
-        unit: "",
+        unit: "".into(),
         // All reflections between the two surfaces, a geometric series.
         expected: (1.0 - r).powi(2) * a / (1.0 - r * r * a * a),
         measured: passed,
