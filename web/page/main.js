@@ -83,8 +83,8 @@ async function run() {
   // The page's head has requested the first scene. If another file is opened, it is a sample like the others.
   if (opened.length > 0) unopened = builtinFiles("first").map(giveIfItComes);
   const scene = Promise.all([...requested, ...carried].map(give));
-  // The first half can read the first scene and OBJ models. Other files may need the second half.
-  const whole = carried.length > 0 || opened.some(({ name }) => !name.toLowerCase().endsWith(".obj"));
+  // The first half can read the first scene and OBJ models. Other files and stations need the second half.
+  const whole = carried.length > 0 || location.hash.startsWith("#station=") || opened.some(({ name }) => !name.toLowerCase().endsWith(".obj"));
   if (whole) askForRest();
   // Errors are reported below, after the first `await`, and not also by the browser.
   module.catch(() => {});

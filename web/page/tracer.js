@@ -1,7 +1,9 @@
 // Traces pictures in a worker, in a module of its own (`gonio-web-trace`). `tracing.js` starts it. The work is cut into slices, and
-// between two of them a newer request is taken. A worker that gets a scene to bake does only that, in one piece.
+// between two of them a newer request is taken. A worker that gets a scene to bake does only that, in one piece; one for stations
+// computes only those (`stations.js`).
 
 import * as module from "./gonio_trace.js";
+import { openStations, requestStation } from "./stations.js";
 
 /** Milliseconds of one slice. */
 const SLICE = 25;
@@ -184,6 +186,14 @@ async function bake({ url, job, stem, scene: { text, files, time, builtin } }) {
 self.onmessage = ({ data }) => {
   if (data.job !== undefined) {
     bake(data);
+    return;
+  }
+  if (data.stations !== undefined) {
+    openStations(prepared.then(() => loaded(data.url)), turn);
+    return;
+  }
+  if (data.station !== undefined) {
+    requestStation(data.station);
     return;
   }
   if (data.load !== undefined) {

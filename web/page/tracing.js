@@ -1,4 +1,4 @@
-// Traced pictures: each pane that shows one has a worker (`tracer.js`). The first one is started ahead of need.
+// Traced pictures, bakes and stations: each pane with a traced picture has a worker (`tracer.js`), and so have the others. The first one is started ahead of need.
 
 /** Set by `prepare`: the URLs of built-in files by their names. */
 let urls;
@@ -39,7 +39,7 @@ export function prefetch() {
 }
 
 /** Takes the idle worker or starts one. `receive` gets each picture, or `{ number, failed }` with one sentence. Returns an object:
- * `trace` requests a picture in place of the one before, or a bake; `end` ends the worker. */
+ * `trace` requests a picture in place of the one before, a bake or a station; `end` ends the worker. */
 export function begin(receive) {
   const worker = idle ?? start();
   idle = undefined;

@@ -54,6 +54,8 @@ pub enum Action {
     RecordFrame,
     /// Shows the BRDF bench.
     ShowBench,
+    /// Shows the stations beyond the rendering equation.
+    ShowStations,
     /// Shows the settings of baking.
     ShowBake,
     /// Hides them, and the atlas.

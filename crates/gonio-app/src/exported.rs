@@ -114,6 +114,7 @@ pub fn triangles(session: &Session) -> usize {
 /// | `time`, `playing` | time of the scene in seconds, and whether it runs |
 /// | `dark`, `pixels_per_point`, `size` | theme and scale; the window's width and height in points |
 /// | `exercise`, `bench` | added by [`crate::App::state`]: the open exercise, its messages and its verdict; the BRDF bench |
+/// | `stations` | added by it too: the stations beyond the rendering equation |
 /// | `bake` | added by it too: null, or the tab of baking ([`crate::baking::state`]) |
 /// | `recent` | recently opened files |
 /// | `triangles`, `frame` | number in the scene; facts about the last picture: `pictures` and `frames` are constant when idle, |

@@ -15,6 +15,7 @@
 //! | `step` | shaders, stepped through at a pixel |
 //! | [`baking`] | textures for new texture coordinates, and the atlas beside the model |
 //! | [`mod@bench`] | the BRDF bench: functions plotted, compared and checked |
+//! | [`stations`] | the stations beyond the rendering equation: pictures, sliders, laws |
 //! | [`exercise`] | an exercise: the student's files, their picture, the checker |
 //! | [`files`] | files that the user drops, chooses or links to |
 //! | [`saving`] | pictures and scenes as files |
@@ -39,6 +40,7 @@ pub mod saving;
 pub mod scene_view;
 pub mod session;
 pub mod shortcuts;
+pub mod stations;
 mod step;
 pub mod theme;
 pub mod truth;

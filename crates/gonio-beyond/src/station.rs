@@ -1,11 +1,12 @@
 //! The description of a station, and the checks of its law.
 
 use glam::{DVec2, DVec3};
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_light::color::OutputTransform;
 use gonio_plot::{PlotError, PlotFigure};
 use gonio_trace::Sampler;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// A phenomenon that the rendering equation leaves out, with everything that a command, a window or a page shows of it.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +28,7 @@ pub struct Station {
     /// A question to the reader.
     pub question: &'static str,
     /// The parameters: options of the command line, sliders elsewhere.
-    pub parameters: &'static [BsdfParameter],
+    pub parameters: &'static [Parameter],
     /// The parameter that a film changes from one end of its range to the other.
     pub film_parameter: &'static str,
     /// The pictures, the main one first.
@@ -59,12 +60,12 @@ pub trait ImagePlane: Send + Sync {
 }
 
 /// A value that a law predicts beside the value found without that law.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LawCheck {
     /// The quantity with its conditions.
     pub quantity: String,
     /// The unit; empty if it has none.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// The value by the law.
     pub expected: f64,
     /// The value found.
@@ -89,7 +90,7 @@ impl Station {
     /// The value of the film parameter in a frame: the ends of its range are the first and the last frame.
     pub fn film_value(&self, frame: u32, frames: u32) -> f64 {
         let film = self.parameters.iter().find(|parameter| parameter.name == self.film_parameter);
-        let [min, max] = film.map_or([0.0, 1.0], BsdfParameter::range);
+        let [min, max] = film.map_or([0.0, 1.0], Parameter::range);
         min + (max - min) * f64::from(frame) / f64::from(frames.saturating_sub(1).max(1))
     }
 }

@@ -17,7 +17,7 @@
 //! names are skipped.
 
 use crate::glsl::{GlslBrdf, GlslBrdfError, glsl_type};
-use crate::parameter::{BsdfParameter, ParameterKind, ParameterValues};
+use crate::parameter::{Parameter, ParameterKind, ParameterValues};
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
@@ -32,7 +32,7 @@ const MOST_NAME_BYTES: usize = 64;
 #[derive(Clone, Debug, PartialEq)]
 pub struct BrdfFile {
     /// The parameters in the file's order.
-    pub parameters: Vec<BsdfParameter>,
+    pub parameters: Vec<Parameter>,
     /// The text of the shader; comments are empty lines.
     pub shader: String,
     /// The line on which the shader begins, from 1.
@@ -177,7 +177,7 @@ fn column_of_word(line: &str, word: usize) -> usize {
 }
 
 /// Reads the words of a parameter; an error has the number of the word.
-fn parameter(words: &[&str]) -> Result<BsdfParameter, (usize, String)> {
+fn parameter(words: &[&str]) -> Result<Parameter, (usize, String)> {
     let kind = words[0];
     if !matches!(kind, "float" | "bool" | "color") {
         return Err((0, format!("unknown type `{kind}` of a parameter: expected float, bool or color")));
@@ -213,7 +213,7 @@ fn parameter(words: &[&str]) -> Result<BsdfParameter, (usize, String)> {
             ParameterKind::Color { default: [channel(2, "red")?, channel(3, "green")?, channel(4, "blue")?] }
         }
     };
-    Ok(BsdfParameter { name: Cow::Owned(name.to_owned()), unit: "", description: "", kind })
+    Ok(Parameter { name: Cow::Owned(name.to_owned()), unit: Cow::Borrowed(""), description: Cow::Borrowed(""), kind })
 }
 
 /// Writes a `.brdf` file. Values become the defaults.

@@ -4,7 +4,7 @@
 //! light, `V` to the viewer, the normal `N` and the tangents `X` and `Y`. Parameters are uniforms.
 
 use crate::bsdf::{Bsdf, both_above};
-use crate::parameter::{BsdfParameter, ParameterKind, ParameterValues};
+use crate::parameter::{Parameter, ParameterKind, ParameterValues};
 use crate::sampling::direction;
 use gonio_glsl::{Severity, Span, Stage};
 use gonio_interpreter::{CompiledStage, PointValues, RunOptions, StageInputs, compile, run};
@@ -179,7 +179,7 @@ void main()
 ";
 
 /// The uniforms, inputs and outputs, on one line.
-fn declarations(parameters: &[BsdfParameter]) -> String {
+fn declarations(parameters: &[Parameter]) -> String {
     let mut text = "in vec3 gonio_wi; in vec3 gonio_wo; out vec3 gonio_f;".to_owned();
     for parameter in parameters {
         text += &format!(" uniform {} {};", glsl_type(parameter), parameter.name);
@@ -188,7 +188,7 @@ fn declarations(parameters: &[BsdfParameter]) -> String {
 }
 
 /// The type of a parameter in GLSL.
-pub fn glsl_type(parameter: &BsdfParameter) -> &'static str {
+pub fn glsl_type(parameter: &Parameter) -> &'static str {
     match parameter.kind {
         ParameterKind::Number { .. } => "float",
         ParameterKind::Color { .. } => "vec3",

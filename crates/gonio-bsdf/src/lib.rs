@@ -46,4 +46,4 @@ pub use merl::{MerlError, MerlTable};
 pub use model_spec::{ModelSpec, ModelSpecError};
 pub use models::{BsdfModel, MODELS};
 pub use named_bsdf::{BsdfSource, NamedBsdf, NamedBsdfError};
-pub use parameter::{BsdfParameter, ParameterError, ParameterKind, ParameterValues};
+pub use parameter::{Parameter, ParameterError, ParameterKind, ParameterValues};

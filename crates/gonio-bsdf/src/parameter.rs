@@ -1,11 +1,12 @@
-//! Parameters of a BSDF: names, ranges, values.
+//! Parameters: names, ranges, values.
 
 use gonio_light::DVec3;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
 
 /// The range and the default of a parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ParameterKind {
     /// A number in `[min, max]`.
     Number {
@@ -28,38 +29,43 @@ pub enum ParameterKind {
     },
 }
 
-/// A parameter.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BsdfParameter {
+/// A parameter of a BSDF, or of anything else that sliders and options set.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Parameter {
     /// The name, as in the notation of models and in GLSL.
     pub name: Cow<'static, str>,
     /// The unit; empty if it has none.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// The meaning, in a few words; empty for parameters of files, which state none.
-    pub description: &'static str,
+    pub description: Cow<'static, str>,
     /// The range and the default.
     pub kind: ParameterKind,
 }
 
-impl BsdfParameter {
+impl Parameter {
     /// A number without a unit.
     pub const fn number(name: &'static str, [min, max]: [f64; 2], default: f64, description: &'static str) -> Self {
-        Self { name: Cow::Borrowed(name), unit: "", description, kind: ParameterKind::Number { min, max, default } }
+        Self::of(name, description, ParameterKind::Number { min, max, default })
     }
 
     /// A colour.
     pub const fn color(name: &'static str, default: f64, description: &'static str) -> Self {
-        Self { name: Cow::Borrowed(name), unit: "", description, kind: ParameterKind::Color { default: [default; 3] } }
+        Self::of(name, description, ParameterKind::Color { default: [default; 3] })
     }
 
     /// A switch.
     pub const fn switch(name: &'static str, default: bool, description: &'static str) -> Self {
-        Self { name: Cow::Borrowed(name), unit: "", description, kind: ParameterKind::Switch { default } }
+        Self::of(name, description, ParameterKind::Switch { default })
+    }
+
+    const fn of(name: &'static str, description: &'static str, kind: ParameterKind) -> Self {
+        Self { name: Cow::Borrowed(name), unit: Cow::Borrowed(""), description: Cow::Borrowed(description), kind }
     }
 
     /// The same with a unit.
     pub const fn in_unit(mut self, unit: &'static str) -> Self {
-        self.unit = unit;
+        // Nothing is lost: it is borrowed. Constants cannot drop.
+        std::mem::forget(std::mem::replace(&mut self.unit, Cow::Borrowed(unit)));
         self
     }
 
@@ -118,7 +124,7 @@ impl BsdfParameter {
         }
     }
 
-    /// A value as [`BsdfParameter::parse`] reads it.
+    /// A value as [`Parameter::parse`] reads it.
     pub fn format(&self, value: DVec3) -> String {
         match self.kind {
             ParameterKind::Switch { .. } => if value.x == 0.0 { "off" } else { "on" }.to_owned(),
@@ -172,25 +178,25 @@ impl std::error::Error for ParameterError {}
 /// Parameters with a value each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParameterValues {
-    parameters: Cow<'static, [BsdfParameter]>,
+    parameters: Cow<'static, [Parameter]>,
     values: Vec<DVec3>,
 }
 
 impl ParameterValues {
     /// The defaults.
-    pub fn defaults(parameters: impl Into<Cow<'static, [BsdfParameter]>>) -> Self {
+    pub fn defaults(parameters: impl Into<Cow<'static, [Parameter]>>) -> Self {
         let parameters = parameters.into();
-        let values = parameters.iter().map(BsdfParameter::default_value).collect();
+        let values = parameters.iter().map(Parameter::default_value).collect();
         Self { parameters, values }
     }
 
     /// The parameters.
-    pub fn parameters(&self) -> &[BsdfParameter] {
+    pub fn parameters(&self) -> &[Parameter] {
         &self.parameters
     }
 
     /// Each parameter with its value.
-    pub fn iter(&self) -> impl Iterator<Item = (&BsdfParameter, DVec3)> {
+    pub fn iter(&self) -> impl Iterator<Item = (&Parameter, DVec3)> {
         self.parameters.iter().zip(self.values.iter().copied())
     }
 
@@ -217,7 +223,7 @@ impl ParameterValues {
     ///
     /// # Errors
     ///
-    /// As [`BsdfParameter::parse`], or an unknown name.
+    /// As [`Parameter::parse`], or an unknown name.
     pub fn set(&mut self, name: &str, text: &str) -> Result<(), ParameterError> {
         let Some(at) = self.position(name) else {
             let known = self.parameters.iter().map(|parameter| parameter.name.to_string()).collect();

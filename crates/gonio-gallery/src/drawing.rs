@@ -37,7 +37,8 @@ pub struct DrawnExhibit<'a> {
     pub small: RgbImage,
     /// Vertices, fragments and draw calls.
     pub counts: DrawCounts,
-    /// Milliseconds from the first draw call to the picture in memory, or for the conversion of an environment.
+    /// Milliseconds from the first draw call to the picture in memory, or for the conversion of an environment, or for a
+    /// station.
     pub ms: f64,
     /// Difference between GPU and CPU; `None` if the CPU drew the picture, or if nothing was drawn.
     pub difference: Option<BackendDifference>,

@@ -2,6 +2,7 @@
 
 use crate::GalleryError;
 use crate::environment_picture::EnvironmentPicture;
+use crate::station_exhibit::StationExhibit;
 use gonio_scene::{SceneFile, ViewSpec, toml_file};
 
 /// A chapter of the gallery. Its texts may use the markup of [`crate::markup`].
@@ -24,6 +25,8 @@ pub enum ExhibitSubject {
     Scene(Box<SceneFile>),
     /// An environment laid out on the plane: a conversion on the CPU, without a scene.
     Environment(EnvironmentPicture),
+    /// A picture of a station beyond the rendering equation: light that no scene of the light equation has.
+    Station(StationExhibit),
 }
 
 /// One picture.
@@ -63,6 +66,13 @@ impl Exhibit {
     /// Creates a picture of an environment with the aspect of its form.
     pub fn environment(name: impl Into<String>, caption: impl Into<String>, picture: EnvironmentPicture) -> Self {
         Self::with_subject(name.into(), caption.into(), ExhibitSubject::Environment(picture)).aspect(picture.aspect())
+    }
+
+    /// Creates a picture of a station with its defaults.
+    pub fn station(caption: impl Into<String>, station: StationExhibit) -> Self {
+        let exhibit = Self::with_subject(station.file_stem(), caption.into(), ExhibitSubject::Station(station));
+        // Each pixel is a sum of random paths.
+        exhibit.aspect(StationExhibit::ASPECT).at_sheet_size()
     }
 
     fn with_subject(name: String, caption: String, subject: ExhibitSubject) -> Self {

@@ -12,6 +12,7 @@ pub mod markup;
 pub mod page;
 pub mod rgb_image;
 pub mod sections;
+pub mod station_exhibit;
 mod typesetter;
 
 pub use contact_sheet::{Placement, SheetLayout};

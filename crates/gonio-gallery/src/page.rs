@@ -83,8 +83,10 @@ fn figure(drawn: &DrawnExhibit<'_>) -> String {
 /// The numbers of a picture: differences, times, counts.
 fn facts(drawn: &DrawnExhibit<'_>, name: &str) -> String {
     let size = format!("{:.1} ms at {} × {}", drawn.ms, drawn.width, drawn.height);
-    if let ExhibitSubject::Environment(_) = drawn.exhibit.subject {
-        return format!("<dt>converted in</dt><dd>{size}</dd>\n");
+    match drawn.exhibit.subject {
+        ExhibitSubject::Environment(_) => return format!("<dt>converted in</dt><dd>{size}</dd>\n"),
+        ExhibitSubject::Station(_) => return format!("<dt>computed in</dt><dd>{size}</dd>\n"),
+        ExhibitSubject::Scene(_) => {}
     }
     let difference = match &drawn.difference {
         Some(d) => format!(

@@ -12,6 +12,7 @@ use gonio_image::encode::png::{ColorTag, encode8};
 use plotters::prelude::*;
 use plotters::style::FontTransform;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use serde::{Deserialize, Serialize};
 
 /// The font, and those that a viewer of an SVG without it takes.
 const FONT: &str = "Inter, Helvetica, Arial, sans-serif";
@@ -28,8 +29,8 @@ enum WithText {
     No,
 }
 
-/// A plot: shapes over pictures over paper.
-#[derive(Clone, Debug)]
+/// A plot: shapes over pictures over paper. Written by serde, it has no pictures.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlotFigure {
     size: [u32; 2],
     /// The colours.
@@ -37,6 +38,7 @@ pub struct PlotFigure {
     /// The half circle of a polar plot.
     pub polar: Option<PolarPlace>,
     shapes: Vec<PlotShape>,
+    #[serde(skip)]
     pictures: Vec<PlacedPicture>,
 }
 

@@ -1,12 +1,13 @@
 //! The colours of the two themes.
 
 use crate::PlotTheme;
+use serde::{Deserialize, Serialize};
 
 /// A colour in 8-bit sRGB.
 pub type Rgb8 = [u8; 3];
 
 /// The colours of a theme.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Palette {
     /// The paper.
     pub background: Rgb8,

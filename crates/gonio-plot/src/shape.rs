@@ -5,9 +5,10 @@
 
 use crate::palette::Rgb8;
 use gonio_image::EncodedPicture;
+use serde::{Deserialize, Serialize};
 
 /// Which point of a text lies at its position, horizontally.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TextAlign {
     /// The text begins there.
     Start,
@@ -18,7 +19,7 @@ pub enum TextAlign {
 }
 
 /// A part of a plot. Later ones cover earlier ones.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum PlotShape {
     /// A line through at least two points.
     Line {
@@ -85,7 +86,7 @@ pub struct PlacedPicture {
 }
 
 /// The half circle of a polar plot: where an angle is on the paper.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PolarPlace {
     /// The point of incidence.
     pub center: [f64; 2],

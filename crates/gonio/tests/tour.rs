@@ -17,7 +17,7 @@ fn a_small_tour_is_complete_and_reproducible() {
     let run = lab.run(&["tour", "-o", "out tour", "--scale", "0.1", "--backend", "cpu", "--json"]).good();
     let report = run.json();
     let pictures = report["pictures"].as_array().unwrap();
-    assert!(pictures.len() >= 95, "{}", pictures.len());
+    assert!(pictures.len() >= 105, "{}", pictures.len());
 
     // The sheet: a tenth of 1920 wide, with the height in the report.
     let sheet = lab.picture("out tour/sheet.png");
@@ -41,7 +41,9 @@ fn a_small_tour_is_complete_and_reproducible() {
     let drawn = pictures.iter().filter(|p| p["scene"].is_string()).count();
     assert!(drawn > 0 && drawn < pictures.len());
     assert_eq!(page.matches("n/a: drawn by the CPU").count(), drawn);
-    assert_eq!(page.matches("<dt>converted in</dt>").count(), pictures.len() - drawn);
+    let stations = pictures.iter().filter(|p| p["section"] == "beyond").count();
+    assert_eq!((stations, page.matches("<dt>computed in</dt>").count()), (10, 10));
+    assert_eq!(page.matches("<dt>converted in</dt>").count(), pictures.len() - drawn - stations);
     for (tag, close) in [("<figure", "</figure>"), ("<section", "</section>"), ("<mrow", "</mrow>"), ("<div", "</div>")]
     {
         assert_eq!(page.matches(tag).count(), page.matches(close).count(), "{tag}");

@@ -59,12 +59,14 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },
     Rule { krate: "gonio-exercises", may_know: BELOW_EXERCISES, tests_may_know: &[] },
     Rule { krate: "gonio-app", may_know: BELOW_SHELLS, tests_may_know: &[] },
-    // The page is the application, and the checker and the path tracer in workers beside it; the tracer's worker bakes too.
+    // The page is the application, and the checker and the path tracer in workers beside it; the tracer's worker bakes
+    // and computes stations too.
     Rule {
         krate: "gonio-web",
         may_know: &[
             "gonio-app",
             "gonio-bake",
+            "gonio-beyond",
             "gonio-gl",
             "gonio-check",
             "gonio-exercises",
@@ -97,6 +99,7 @@ const BELOW_GALLERY: &[&str] = &[
     "gonio-reference",
     "gonio-gl",
     "gonio-render",
+    "gonio-beyond",
     "harfrust",
     "vello_cpu",
 ];
@@ -152,6 +155,7 @@ const BELOW_SHELLS: &[&str] = &[
     "gonio-exercises",
     "gonio-atlas",
     "gonio-bake",
+    "gonio-beyond",
 ];
 /// `gonio view` opens the window.
 const COMMAND_LINE: &[&str] = &[

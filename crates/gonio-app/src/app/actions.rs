@@ -105,6 +105,7 @@ impl App {
             }
             Action::Dismiss(id) => self.session.messages.dismiss(id),
             Action::ShowBench => self.bench.open(),
+            Action::ShowStations => self.stations.open(),
             Action::ShowBake => self.show_bake(),
             Action::CloseBake => self.close_bake(),
             Action::StartBake => self.start_bake(ctx),

@@ -3,7 +3,6 @@
 use super::App;
 use crate::baking;
 use crate::bench::{BenchFunctions, BenchView};
-use crate::exercise::ExerciseView;
 use crate::panels;
 use crate::platform::Purpose;
 use crate::session::{MessageSeverity, Session};
@@ -46,15 +45,15 @@ impl App {
     }
 }
 
-/// The state with the parts of the exercise, the bench and baking.
+/// The state with the parts of the exercise, the bench and the stations, and of baking.
 pub(super) fn with_places(
     mut state: serde_json::Value,
     session: &Session,
-    exercise: &ExerciseView,
-    bench: &BenchView,
+    [exercise, bench, stations]: [serde_json::Value; 3],
 ) -> serde_json::Value {
-    state["exercise"] = exercise.state();
-    state["bench"] = bench.state();
+    state["exercise"] = exercise;
+    state["bench"] = bench;
+    state["stations"] = stations;
     state["bake"] = baking::state(session);
     state
 }

@@ -5,6 +5,7 @@ mod baking;
 mod bench;
 mod exercise;
 pub mod loader;
+mod stations;
 
 use crate::action::Action;
 use crate::app::bench::with_places;
@@ -16,6 +17,7 @@ use crate::files::{Layered, short};
 use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::session::{MessageSeverity, OwnShaders, Session, Tab};
+use crate::stations::StationRoom;
 use crate::truth::{TraceRequest, TracedPane};
 use crate::{exported, panels, scene_view, shortcuts, theme};
 use egui::Ui;
@@ -55,6 +57,7 @@ pub struct App {
     pane_renderer: Option<PaneRenderer>,
     exercise: ExerciseView,
     bench: BenchView,
+    stations: StationRoom,
     /// Tells when a sketch is on the screen. The full picture waits for that, because drawing it may delay the sketch.
     sketched: Option<FrameShown>,
 }
@@ -110,6 +113,7 @@ impl App {
             pane_renderer,
             exercise: ExerciseView::default(),
             bench: BenchView::default(),
+            stations: StationRoom::default(),
             sketched: None,
         };
         let mut files = app.files.clone();
@@ -119,6 +123,9 @@ impl App {
                 Some(Err(error)) => app.session.messages.report(MessageSeverity::Error, error),
                 None => {}
             }
+        }
+        if let Some(link) = app.platform.linked_station() {
+            app.begin_stations(link);
         }
         if opening.inputs.is_empty() {
             opening.inputs.push(FIRST_SCENE.to_owned());
@@ -133,6 +140,7 @@ impl App {
         theme::install(ctx);
         self.exercise.release();
         self.bench.release();
+        self.stations.release();
         self.session.shaders.iter_mut().for_each(OwnShaders::release);
         self.session.baking.release();
         self.pane_renderer = None;
@@ -162,7 +170,7 @@ impl App {
     /// The state as JSON: [`exported::state`].
     pub fn state(&self, ctx: &egui::Context) -> serde_json::Value {
         let state = exported::state(ctx, &self.document, &self.session, &self.history);
-        with_places(state, &self.session, &self.exercise, &self.bench)
+        with_places(state, &self.session, [self.exercise.state(), self.bench.state(), self.stations.state()])
     }
 
     /// Starts to load `inputs`.
@@ -188,6 +196,10 @@ impl App {
         if self.bench.is_open {
             self.session.traced.iter_mut().for_each(TracedPane::stop);
             return self.bench_ui(ui);
+        }
+        if self.stations.is_open {
+            self.session.traced.iter_mut().for_each(TracedPane::stop);
+            return self.stations_ui(ui);
         }
         self.advance(&ctx);
         self.take_traced();
@@ -304,8 +316,10 @@ impl App {
     /// Publishes the state.
     fn publish(&mut self, ctx: &egui::Context) {
         let (document, session, history) = (&self.document, &self.session, &self.history);
-        let state =
-            || with_places(exported::state(ctx, document, session, history), session, &self.exercise, &self.bench);
+        let state = || {
+            let rooms = [self.exercise.state(), self.bench.state(), self.stations.state()];
+            with_places(exported::state(ctx, document, session, history), session, rooms)
+        };
         self.platform.publish(&state);
     }
 
@@ -317,6 +331,7 @@ impl App {
                 self.handle(ctx, Event::Open(SceneInput { shaders: None, inputs, environment, files }));
             }
             Event::Open(SceneInput { inputs, environment, files, .. }) if !inputs.is_empty() => {
+                self.stations.leave();
                 let limits = self.opened.limits;
                 self.start(ctx, SceneOpening { inputs, environment, limits, ..SceneOpening::default() }, files);
             }
@@ -494,6 +509,7 @@ impl eframe::App for App {
         // Buffers and textures are freed while their context exists.
         self.exercise.release();
         self.bench.release();
+        self.stations.release();
         self.session.shaders = None;
         self.session.baking.release();
         self.pane_renderer = None;

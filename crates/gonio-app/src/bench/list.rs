@@ -3,14 +3,10 @@
 use super::functions::BenchFunctions;
 use crate::exported::{self, WidgetRole};
 use crate::theme::{self, colors, icons};
-use crate::widgets::{NumberField, color_swatch, icon_button, row, toggle};
+use crate::widgets::{self, icon_button};
 use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
-use gonio_bsdf::{BsdfParameter, BsdfSource, DVec3, ParameterKind, ParameterValues};
+use gonio_bsdf::{BsdfSource, DVec3, Parameter, ParameterValues};
 use gonio_plot::{PlotTheme, palette};
-use gonio_scene::color_value::Color;
-
-/// The ratio of the ends of a range from which on a slider is logarithmic.
-const WIDE_RANGE: f64 = 50.0;
 
 /// Shows the list.
 pub fn show(ui: &mut Ui, functions: &mut BenchFunctions) {
@@ -115,67 +111,16 @@ fn shown(ui: &mut Ui, index: usize, color: Color32, is_shown: &mut bool) {
 }
 
 fn parameters(ui: &mut Ui, index: usize, values: &mut ParameterValues) {
-    let parameters: Vec<(BsdfParameter, DVec3)> = values.iter().map(|(p, value)| (p.clone(), value)).collect();
+    let parameters: Vec<(Parameter, DVec3)> = values.iter().map(|(p, value)| (p.clone(), value)).collect();
     for (parameter, value) in parameters {
         let id = format!("parameter-{index}-{}", parameter.name);
-        let changed = match parameter.kind {
-            ParameterKind::Number { min, max, default } => {
-                number(ui, &id, &parameter, [min, max, default], value.x).map(DVec3::splat)
-            }
-            ParameterKind::Color { default } => tint(ui, &id, &parameter, default, value),
-            ParameterKind::Switch { .. } => {
-                let mut is_on = value.x != 0.0;
-                let label = parameter.name.to_string();
-                toggle(ui, &id, &label, &mut is_on, parameter.description)
-                    .then(|| DVec3::splat(f64::from(u8::from(is_on))))
-            }
-        };
-        if let Some(changed) = changed {
+        if let Some(changed) = widgets::parameter(ui, &id, &parameter, value) {
             values.set_value(&parameter.name, changed);
         }
     }
     if values.parameters().is_empty() {
         ui.label(RichText::new("no parameters").weak());
     }
-}
-
-fn number(ui: &mut Ui, id: &str, parameter: &BsdfParameter, ends: [f64; 3], value: f64) -> Option<f64> {
-    let [min, max, default] = ends;
-    let mut edited = value;
-    row(ui, &parameter.name, parameter.description, |ui| {
-        let tip = if parameter.unit.is_empty() {
-            format!("{}: {}", parameter.name, parameter.description)
-        } else {
-            format!("{}: {} ({})", parameter.name, parameter.description, parameter.unit)
-        };
-        let field = NumberField::new(id, &parameter.name).tip(&tip).range(min..=max).default(default).width(64.0);
-        field.show_with_slider(ui, &mut edited, min > 0.0 && max / min >= WIDE_RANGE);
-    });
-    (edited != value).then_some(edited)
-}
-
-/// A colour: a swatch for the hue, a slider for the largest channel.
-fn tint(ui: &mut Ui, id: &str, parameter: &BsdfParameter, default: [f64; 3], value: DVec3) -> Option<DVec3> {
-    let mut color = Color(value.to_array());
-    row(ui, &parameter.name, parameter.description, |ui| {
-        let tip = parameter.description;
-        color_swatch(ui, &format!("{id}-color"), &parameter.name, &mut color, Some(Color(default)), tip);
-        let largest = color.0.iter().copied().fold(0.0, f64::max);
-        let mut edited = largest;
-        let label = format!("{}, largest channel", parameter.name);
-        let most = default.iter().copied().fold(0.0, f64::max);
-        let field = NumberField::new(id, &label).range(0.0..=1.0).default(most).width(64.0);
-        field.show_with_slider(ui, &mut edited, false);
-        if edited != largest {
-            let is_grey = color.0.iter().all(|channel| *channel == largest);
-            color.0 = if is_grey { [edited; 3] } else { color.0.map(|channel| channel / largest * edited) };
-        }
-    });
-    if color.0 == value.to_array() {
-        return None;
-    }
-    // Few digits, for the legend.
-    Some(DVec3::from_array(color.0.map(|channel| (1e3 * channel.clamp(0.0, 1.0)).round() / 1e3)))
 }
 
 /// Formula, source and remark of a model.

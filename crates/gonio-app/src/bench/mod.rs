@@ -17,7 +17,7 @@ mod command;
 mod functions;
 mod job;
 mod list;
-mod paint;
+pub(crate) mod paint;
 mod plot;
 mod settings;
 mod state_json;

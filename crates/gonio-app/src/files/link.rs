@@ -1,4 +1,5 @@
-//! A scene in the address of a page: `#scene=` and the scene file, deflated, in base64url (RFC 4648, section 5).
+//! A scene in the address of a page: `#scene=` and the scene file, deflated, in base64url (RFC 4648, section 5); or a station
+//! beyond the rendering equation: `#station=NAME:PARAMETER=VALUE,...`.
 
 use flate2::Compression;
 use flate2::read::DeflateDecoder;
@@ -14,6 +15,36 @@ pub const KEY: &str = "scene=";
 const MOST_BYTES: u64 = 1 << 20;
 
 const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+/// Prefix of an address fragment with a station.
+const STATION_KEY: &str = "station=";
+
+/// A station beyond the rendering equation in an address.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct StationLink {
+    /// The name of the station.
+    pub name: String,
+    /// Parameters with their values as text; the others have their defaults.
+    pub values: Vec<(String, String)>,
+}
+
+impl StationLink {
+    /// The station in the part of an address after `#`; `None` if it contains none. Nothing is known yet about names and values.
+    pub fn parse(fragment: &str) -> Option<StationLink> {
+        let text = fragment.trim_start_matches('#').strip_prefix(STATION_KEY)?;
+        let (name, values) = text.split_once(':').unwrap_or((text, ""));
+        let pairs = values.split(',').filter_map(|pair| pair.split_once('='));
+        let values = pairs.map(|(key, value)| (key.to_owned(), value.to_owned())).collect();
+        Some(StationLink { name: name.to_owned(), values })
+    }
+
+    /// The part of an address after `#`.
+    pub fn fragment(&self) -> String {
+        let values: Vec<String> = self.values.iter().map(|(key, value)| format!("{key}={value}")).collect();
+        let colon = if values.is_empty() { "" } else { ":" };
+        format!("{STATION_KEY}{}{colon}{}", self.name, values.join(","))
+    }
+}
 
 /// The part of an address after `#` that contains the scene. Only scenes of built-in files can be sent; an error names the
 /// first other file.
@@ -114,6 +145,20 @@ mod tests {
         assert_eq!(toml_file::read(&text).unwrap_or_else(|e| panic!("{e}")), SceneFile::from(&loaded.settings));
         // Browsers and mail programs accept addresses of a few thousand characters.
         assert!(link.len() < 4000, "{} characters", link.len());
+    }
+
+    #[test]
+    fn a_station_comes_back_from_its_link() {
+        let pairs = [("density", "0.2"), ("g", "-0.5")].map(|(key, value)| (key.to_owned(), value.to_owned()));
+        for values in [Vec::new(), pairs.to_vec()] {
+            let link = StationLink { name: "fog".to_owned(), values };
+            assert_eq!(StationLink::parse(&format!("#{}", link.fragment())), Some(link));
+        }
+        assert_eq!(
+            StationLink { name: "fog".to_owned(), values: pairs.to_vec() }.fragment(),
+            "station=fog:density=0.2,g=-0.5"
+        );
+        assert_eq!(StationLink::parse("#scene=fog"), None);
     }
 
     #[test]

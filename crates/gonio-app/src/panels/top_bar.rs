@@ -13,6 +13,8 @@ use gonio_scene::files;
 const NARROW: f32 = 560.0;
 /// Tooltip of the BRDF bench.
 const BENCH: &str = "BRDF bench: reflection functions plotted, compared and checked";
+/// Name and tooltip of the stations.
+const STATIONS: [&str; 2] = ["Beyond", "Beyond the rendering equation: polarisation, interference, fog and seven more"];
 /// Tooltip of baking.
 const BAKE: &str = "Unwrap the model, and bake its colours, normals or light into textures (Ctrl + B)";
 /// Tooltip of the exercises.
@@ -29,6 +31,14 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
                 entry(ui, "open", "Open...", "Open a model or a scene (Ctrl + O)", Action::ChooseFiles, actions);
                 entry(ui, "exercises", "Exercises", EXERCISES, Action::ShowExercise, actions);
                 entry(ui, "bench", "BRDF bench", BENCH, Action::ShowBench, actions);
+                entry(
+                    ui,
+                    "stations",
+                    STATIONS[1].split(':').next().unwrap_or_default(),
+                    STATIONS[1],
+                    Action::ShowStations,
+                    actions,
+                );
                 ui.separator();
                 save_entries(ui, actions);
                 ui.separator();
@@ -58,6 +68,11 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
             exported::note(ui, &button, "bench", WidgetRole::Button, "BRDF bench", "");
             if button.on_hover_text(BENCH).clicked() {
                 actions.push(Action::ShowBench);
+            }
+            let button = ui.add(egui::Button::new(STATIONS[0]).frame_when_inactive(false));
+            exported::note(ui, &button, "stations", WidgetRole::Button, STATIONS[0], "");
+            if button.on_hover_text(STATIONS[1]).clicked() {
+                actions.push(Action::ShowStations);
             }
             ui.add_space(6.0);
         }

@@ -6,9 +6,11 @@ pub mod desktop;
 pub mod web;
 
 use crate::baking::{BakeRequest, BakeTask};
+use crate::files::link::StationLink;
 use crate::files::{ExerciseFile, ShaderFiles};
 use crate::saving::Product;
 use crate::session::Settings;
+use crate::stations::StationTask;
 use crate::truth::Tracer;
 use gonio_check::verdict::{Outcome, Verdict};
 use gonio_scene::files::FileSource;
@@ -79,6 +81,10 @@ pub trait Platform {
     fn files(&self) -> Arc<dyn FileSource>;
     /// The scene to open if no input is named: that of a link. An error is one sentence.
     fn first(&self) -> Option<Result<SceneInput, String>> {
+        None
+    }
+    /// The station to open at the start: that of a link.
+    fn linked_station(&self) -> Option<StationLink> {
         None
     }
     /// Shows the dialog for opening files.
@@ -177,6 +183,14 @@ pub trait Platform {
     /// Starts to bake a scene, beside the interface; repaints `ctx`.
     #[cfg(target_arch = "wasm32")]
     fn bake(&mut self, request: BakeRequest, ctx: &egui::Context) -> Box<dyn BakeTask>;
+    /// Starts to compute stations, beside the interface; repaints `ctx`.
+    #[cfg(not(target_arch = "wasm32"))]
+    fn stations(&mut self, ctx: &egui::Context) -> Box<dyn StationTask> {
+        Box::new(desktop::stations::ThreadStations::start(ctx))
+    }
+    /// Starts to compute stations, beside the interface; repaints `ctx`.
+    #[cfg(target_arch = "wasm32")]
+    fn stations(&mut self, ctx: &egui::Context) -> Box<dyn StationTask>;
     /// Publishes the state after a frame, for tests.
     fn publish(&mut self, state: &dyn Fn() -> Value) {
         let _ = state;

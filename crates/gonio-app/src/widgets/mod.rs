@@ -1,4 +1,4 @@
-//! Widgets of the panels: numbers, vectors, colours, choices, switches.
+//! Widgets of the panels: numbers, vectors, colours, choices, switches, parameters.
 //!
 //! Each is exported under a stable id ([`crate::exported::note`]), has a name for screen readers, and is reset to its default by a
 //! double click. Widgets edit the document in place and do not handle undo.
@@ -6,12 +6,14 @@
 mod choice;
 mod color;
 mod number;
+mod parameters;
 mod spectrum;
 
 pub(crate) use choice::named_options;
 pub use choice::{choice, dropdown, slug};
 pub use color::{color, color_swatch, shown};
 pub use number::{NO_BREAK, NumberField, SPACE, Vector, axes, compact, grouped};
+pub use parameters::parameter;
 pub use spectrum::spectrum;
 
 use crate::exported::{self, WidgetRole};

@@ -16,7 +16,7 @@
 
 use super::BsdfModel;
 use crate::bsdf::{Bsdf, BsdfSample, both_above, mean, weighted};
-use crate::parameter::BsdfParameter;
+use crate::parameter::Parameter;
 use crate::sampling::{cosine_or_half, cosine_or_half_density, direction_of_cosine};
 use gonio_light::DVec3;
 use gonio_light::optics::schlick;
@@ -32,10 +32,10 @@ pub static ASHIKHMIN_SHIRLEY: BsdfModel = BsdfModel {
     source: "M. Ashikhmin, P. Shirley, An Anisotropic Phong BRDF Model, JGT 5(2), 2000, eq. (4) to (9)",
     remark: "F is Schlick's approximation with rs. Diffuse light decreases as specular light increases, so energy is conserved.",
     parameters: &[
-        BsdfParameter::color("rd", 0.3, "diffuse reflectance"),
-        BsdfParameter::color("rs", 0.2, "specular reflectance at normal incidence"),
-        BsdfParameter::number("nu", [1.0, 10_000.0], 100.0, "exponent along the tangent"),
-        BsdfParameter::number("nv", [1.0, 10_000.0], 100.0, "exponent along the bitangent"),
+        Parameter::color("rd", 0.3, "diffuse reflectance"),
+        Parameter::color("rs", 0.2, "specular reflectance at normal incidence"),
+        Parameter::number("nu", [1.0, 10_000.0], 100.0, "exponent along the tangent"),
+        Parameter::number("nv", [1.0, 10_000.0], 100.0, "exponent along the bitangent"),
     ],
     glsl: Some(
         "\

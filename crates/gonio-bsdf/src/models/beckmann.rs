@@ -17,7 +17,7 @@
 
 use super::BsdfModel;
 use super::facets::{FacetBrdf, Facets, beckmann_distribution, beckmann_g1, smith};
-use crate::parameter::BsdfParameter;
+use crate::parameter::Parameter;
 use crate::sampling::{gaussian_half, gaussian_half_density};
 use gonio_light::DVec3;
 
@@ -31,9 +31,9 @@ pub static BECKMANN: BsdfModel = BsdfModel {
     remark: "Light that bounces between facets is lost. The diffuse part a is added without coupling.",
     parameters: &[
         super::A,
-        BsdfParameter::color("f0", 0.8, "reflectance at normal incidence"),
-        BsdfParameter::number("alpha", [0.01, 1.0], 0.3, "RMS slope, a smaller one is glossier"),
-        BsdfParameter::switch("correlated", true, "height-correlated shadowing"),
+        Parameter::color("f0", 0.8, "reflectance at normal incidence"),
+        Parameter::number("alpha", [0.01, 1.0], 0.3, "RMS slope, a smaller one is glossier"),
+        Parameter::switch("correlated", true, "height-correlated shadowing"),
     ],
     glsl: Some(
         "\

@@ -17,7 +17,7 @@
 
 use super::BsdfModel;
 use super::facets::{FacetBrdf, Facets, beckmann_distribution};
-use crate::parameter::BsdfParameter;
+use crate::parameter::Parameter;
 use crate::sampling::{gaussian_half, gaussian_half_density};
 use gonio_light::DVec3;
 
@@ -31,9 +31,9 @@ pub static COOK_TORRANCE: BsdfModel = BsdfModel {
              of later literature. F is Schlick's approximation.",
     parameters: &[
         super::A,
-        BsdfParameter::color("f0", 0.8, "reflectance at normal incidence"),
-        BsdfParameter::number("m", [0.02, 1.0], 0.3, "RMS slope, a smaller one is glossier"),
-        BsdfParameter::switch("normalised", false, "the factor 1/4 of later literature"),
+        Parameter::color("f0", 0.8, "reflectance at normal incidence"),
+        Parameter::number("m", [0.02, 1.0], 0.3, "RMS slope, a smaller one is glossier"),
+        Parameter::switch("normalised", false, "the factor 1/4 of later literature"),
     ],
     glsl: Some(
         "\

@@ -12,7 +12,7 @@
 
 use super::BsdfModel;
 use crate::bsdf::{Bsdf, BsdfSample};
-use crate::parameter::BsdfParameter;
+use crate::parameter::Parameter;
 use gonio_light::DVec3;
 use gonio_light::optics::dielectric;
 use gonio_light::vector::refraction;
@@ -24,7 +24,7 @@ pub static DIELECTRIC: BsdfModel = BsdfModel {
     formula: "f = F delta(wi - R) / |cos| + (1 - F) (n_o / n_i)^2 delta(wi - T) / |cos|",
     source: "M. Born, E. Wolf, Principles of Optics, section 1.5.2",
     remark: "Light leaves in two directions only. No absorption.",
-    parameters: &[BsdfParameter::number("ior", [1.0, 3.0], 1.5, "index of refraction below the surface")],
+    parameters: &[Parameter::number("ior", [1.0, 3.0], 1.5, "index of refraction below the surface")],
     glsl: None,
     build: |values| Box::new(Dielectric { ior: values.number("ior") }),
 };

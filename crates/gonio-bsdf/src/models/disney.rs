@@ -20,7 +20,7 @@
 
 use super::BsdfModel;
 use crate::bsdf::{Bsdf, BsdfSample, both_above, weighted};
-use crate::parameter::{BsdfParameter, ParameterValues};
+use crate::parameter::{Parameter, ParameterValues};
 use crate::sampling::{cosine_density, cosine_hemisphere, direction_of_cosine, reflect_at, reflected_density};
 use gonio_light::DVec3;
 use gonio_light::vector::half_vector;
@@ -35,17 +35,17 @@ pub static DISNEY: BsdfModel = BsdfModel {
              implementation",
     remark: "Made for artists: some values reflect more light than arrives, most of all with sheen or clearcoat.",
     parameters: &[
-        BsdfParameter::color("baseColor", 0.5, "colour of the surface"),
-        BsdfParameter::number("metallic", [0.0, 1.0], 0.0, "from a dielectric to a metal"),
-        BsdfParameter::number("subsurface", [0.0, 1.0], 0.0, "share of the subsurface approximation"),
-        BsdfParameter::number("specular", [0.0, 1.0], 0.5, "reflectance at normal incidence, 1 is 0.08"),
-        BsdfParameter::number("roughness", [0.0, 1.0], 0.5, "perceptual roughness"),
-        BsdfParameter::number("specularTint", [0.0, 1.0], 0.0, "hue of specular light"),
-        BsdfParameter::number("anisotropic", [0.0, 1.0], 0.0, "elongation of the highlight"),
-        BsdfParameter::number("sheen", [0.0, 1.0], 0.0, "light at grazing angles"),
-        BsdfParameter::number("sheenTint", [0.0, 1.0], 0.5, "hue of the sheen"),
-        BsdfParameter::number("clearcoat", [0.0, 1.0], 0.0, "strength of the second lobe"),
-        BsdfParameter::number("clearcoatGloss", [0.0, 1.0], 1.0, "gloss of the second lobe"),
+        Parameter::color("baseColor", 0.5, "colour of the surface"),
+        Parameter::number("metallic", [0.0, 1.0], 0.0, "from a dielectric to a metal"),
+        Parameter::number("subsurface", [0.0, 1.0], 0.0, "share of the subsurface approximation"),
+        Parameter::number("specular", [0.0, 1.0], 0.5, "reflectance at normal incidence, 1 is 0.08"),
+        Parameter::number("roughness", [0.0, 1.0], 0.5, "perceptual roughness"),
+        Parameter::number("specularTint", [0.0, 1.0], 0.0, "hue of specular light"),
+        Parameter::number("anisotropic", [0.0, 1.0], 0.0, "elongation of the highlight"),
+        Parameter::number("sheen", [0.0, 1.0], 0.0, "light at grazing angles"),
+        Parameter::number("sheenTint", [0.0, 1.0], 0.5, "hue of the sheen"),
+        Parameter::number("clearcoat", [0.0, 1.0], 0.0, "strength of the second lobe"),
+        Parameter::number("clearcoatGloss", [0.0, 1.0], 1.0, "gloss of the second lobe"),
     ],
     glsl: Some(GLSL),
     build: |values| Box::new(Disney::new(values)),

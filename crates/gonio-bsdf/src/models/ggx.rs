@@ -15,7 +15,7 @@
 
 use super::BsdfModel;
 use super::facets::{FacetBrdf, Facets, ggx_g1, smith};
-use crate::parameter::BsdfParameter;
+use crate::parameter::Parameter;
 use gonio_light::DVec3;
 use gonio_light::microfacet::{distribution, visible_facet};
 
@@ -29,9 +29,9 @@ pub static GGX: BsdfModel = BsdfModel {
     remark: "Light that bounces between facets is lost: at alpha = 1 about half. The diffuse part a is added without coupling.",
     parameters: &[
         super::A,
-        BsdfParameter::color("f0", 0.8, "reflectance at normal incidence"),
-        BsdfParameter::number("alpha", [0.01, 1.0], 0.3, "width of the slopes, a smaller one is glossier"),
-        BsdfParameter::switch("correlated", true, "height-correlated shadowing"),
+        Parameter::color("f0", 0.8, "reflectance at normal incidence"),
+        Parameter::number("alpha", [0.01, 1.0], 0.3, "width of the slopes, a smaller one is glossier"),
+        Parameter::switch("correlated", true, "height-correlated shadowing"),
     ],
     glsl: Some(
         "\

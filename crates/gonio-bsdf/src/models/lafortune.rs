@@ -18,16 +18,16 @@
 use super::printed::PrintedFormula;
 use super::{A, B, BsdfModel, local_point};
 use crate::bsdf::{Bsdf, DiffuseAndLobe, Lobe};
-use crate::parameter::{BsdfParameter, ParameterValues};
+use crate::parameter::{Parameter, ParameterValues};
 use crate::sampling::{power_cosine, power_cosine_density};
 use gonio_light::DVec3;
 use gonio_light::brdf::lafortune;
 use gonio_light::vector::unit;
 
-const K: BsdfParameter = BsdfParameter::number("k", [1.0, 1000.0], 32.0, "exponent, a larger one is glossier");
-const AX: BsdfParameter = BsdfParameter::number("ax", [-1.2, 1.2], 1.0, "matrix along the tangent");
-const AY: BsdfParameter = BsdfParameter::number("ay", [-1.2, 1.2], 1.0, "matrix along the bitangent");
-const AZ: BsdfParameter = BsdfParameter::number("az", [-1.2, 1.2], -1.0, "matrix along the normal");
+const K: Parameter = Parameter::number("k", [1.0, 1000.0], 32.0, "exponent, a larger one is glossier");
+const AX: Parameter = Parameter::number("ax", [-1.2, 1.2], 1.0, "matrix along the tangent");
+const AY: Parameter = Parameter::number("ay", [-1.2, 1.2], 1.0, "matrix along the bitangent");
+const AZ: Parameter = Parameter::number("az", [-1.2, 1.2], -1.0, "matrix along the normal");
 
 /// The paper's form.
 pub static LAFORTUNE: BsdfModel = BsdfModel {

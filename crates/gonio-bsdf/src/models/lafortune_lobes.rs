@@ -16,25 +16,25 @@
 
 use super::{BsdfModel, local_point};
 use crate::bsdf::{Bsdf, BsdfSample, both_above, mean, weighted};
-use crate::parameter::{BsdfParameter, ParameterValues};
+use crate::parameter::{Parameter, ParameterValues};
 use crate::sampling::{cosine_density, cosine_hemisphere, power_cosine, power_cosine_density};
 use gonio_light::DVec3;
 use gonio_light::brdf::lafortune;
 use gonio_light::vector::unit;
 use std::f64::consts::FRAC_1_PI;
 
-const A: BsdfParameter = BsdfParameter::color("a", 0.1, "diffuse albedo");
+const A: Parameter = Parameter::color("a", 0.1, "diffuse albedo");
 
-const fn colour(name: &'static str, default: f64) -> BsdfParameter {
-    BsdfParameter::color(name, default, "colour of the lobe")
+const fn colour(name: &'static str, default: f64) -> Parameter {
+    Parameter::color(name, default, "colour of the lobe")
 }
 
-const fn exponent(name: &'static str, default: f64) -> BsdfParameter {
-    BsdfParameter::number(name, [1.0, 1000.0], default, "exponent, a larger one is glossier")
+const fn exponent(name: &'static str, default: f64) -> Parameter {
+    Parameter::number(name, [1.0, 1000.0], default, "exponent, a larger one is glossier")
 }
 
-const fn lean(name: &'static str) -> BsdfParameter {
-    BsdfParameter::number(name, [-1.2, 0.0], -1.0, "matrix along the normal, -1 mirrors")
+const fn lean(name: &'static str) -> Parameter {
+    Parameter::number(name, [-1.2, 0.0], -1.0, "matrix along the normal, -1 mirrors")
 }
 
 /// The function of one lobe in GLSL, and the beginning of `BRDF`.

@@ -9,7 +9,7 @@
 
 use super::BsdfModel;
 use crate::bsdf::{Bsdf, DiffuseAndLobe, Lobe};
-use crate::parameter::{BsdfParameter, ParameterValues};
+use crate::parameter::{Parameter, ParameterValues};
 use gonio_light::DVec3;
 
 /// `a / pi`
@@ -19,7 +19,7 @@ pub static LAMBERT: BsdfModel = BsdfModel {
     formula: "f = a / pi",
     source: "J. H. Lambert, Photometria, 1760; Appendix 6",
     remark: "Appendix 6 prints the same formula. No highlight.",
-    parameters: &[BsdfParameter::color("a", 0.5, "albedo")],
+    parameters: &[Parameter::color("a", 0.5, "albedo")],
     glsl: Some(
         "\
 vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)

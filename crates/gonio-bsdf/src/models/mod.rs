@@ -23,7 +23,7 @@ pub mod ward;
 pub mod ward_anisotropic;
 
 use crate::bsdf::Bsdf;
-use crate::parameter::{BsdfParameter, ParameterValues};
+use crate::parameter::{Parameter, ParameterValues};
 use gonio_light::{DVec3, ShadingPoint};
 
 /// A model: its description, its parameters, and its function in Rust and GLSL.
@@ -40,7 +40,7 @@ pub struct BsdfModel {
     /// Limits of the model; for a formula as printed, the slips in the print.
     pub remark: &'static str,
     /// The parameters.
-    pub parameters: &'static [BsdfParameter],
+    pub parameters: &'static [Parameter],
     /// The same function in GLSL: `vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)`, the parameters as uniforms. `None`
     /// for a smooth boundary, whose function is 0 for every pair but one.
     pub glsl: Option<&'static str>,
@@ -87,7 +87,7 @@ fn local_point(wo: DVec3) -> ShadingPoint {
 }
 
 /// `a` and `b` of Appendix 6.
-const A: BsdfParameter = BsdfParameter::color("a", 0.0, "diffuse albedo");
-const B: BsdfParameter = BsdfParameter::color("b", 0.5, "colour of the lobe");
+const A: Parameter = Parameter::color("a", 0.0, "diffuse albedo");
+const B: Parameter = Parameter::color("b", 0.5, "colour of the lobe");
 /// The exponent of Phong's and Blinn's lobes.
-const EXPONENT: BsdfParameter = BsdfParameter::number("c", [1.0, 1000.0], 32.0, "exponent, a larger one is glossier");
+const EXPONENT: Parameter = Parameter::number("c", [1.0, 1000.0], 32.0, "exponent, a larger one is glossier");

@@ -13,7 +13,7 @@
 
 use super::BsdfModel;
 use crate::bsdf::{Bsdf, BsdfSample, both_above, weighted};
-use crate::parameter::BsdfParameter;
+use crate::parameter::Parameter;
 use crate::sampling::{cosine_density, cosine_hemisphere};
 use gonio_light::DVec3;
 use std::f64::consts::FRAC_1_PI;
@@ -27,8 +27,8 @@ pub static OREN_NAYAR: BsdfModel = BsdfModel {
     source: "M. Oren, S. K. Nayar, Generalization of Lambert's Reflectance Model, SIGGRAPH 1994, eq. (30)",
     remark: "The qualitative model, without interreflection between facets. sigma = 0 is Lambert's model.",
     parameters: &[
-        BsdfParameter::color("a", 0.5, "albedo of the facets"),
-        BsdfParameter::number("sigma", [0.0, 90.0], 20.0, "standard deviation of the slope angle").in_unit("degrees"),
+        Parameter::color("a", 0.5, "albedo of the facets"),
+        Parameter::number("sigma", [0.0, 90.0], 20.0, "standard deviation of the slope angle").in_unit("degrees"),
     ],
     glsl: Some(
         "\

@@ -20,7 +20,7 @@
 use super::BsdfModel;
 use super::facets::ggx_g1;
 use crate::bsdf::{Bsdf, BsdfSample, weighted};
-use crate::parameter::BsdfParameter;
+use crate::parameter::Parameter;
 use gonio_light::DVec3;
 use gonio_light::microfacet::{distribution, visible_facet};
 use gonio_light::optics::dielectric;
@@ -35,8 +35,8 @@ pub static ROUGH_DIELECTRIC: BsdfModel = BsdfModel {
     remark: "Light that bounces between facets is lost. Radiance changes with the square of the index on refraction: \
              f / n_o^2 is symmetric.",
     parameters: &[
-        BsdfParameter::number("alpha", [0.01, 1.0], 0.3, "width of the slopes, a smaller one is glossier"),
-        BsdfParameter::number("ior", [1.01, 3.0], 1.5, "index of refraction below the surface"),
+        Parameter::number("alpha", [0.01, 1.0], 0.3, "width of the slopes, a smaller one is glossier"),
+        Parameter::number("ior", [1.01, 3.0], 1.5, "index of refraction below the surface"),
     ],
     glsl: Some(
         "\

@@ -19,14 +19,14 @@
 use super::printed::PrintedFormula;
 use super::{A, B, BsdfModel, local_point};
 use crate::bsdf::{Bsdf, DiffuseAndLobe, Lobe};
-use crate::parameter::{BsdfParameter, ParameterValues};
+use crate::parameter::{Parameter, ParameterValues};
 use crate::sampling::{gaussian_half, gaussian_half_density, reflect_at, reflected_density};
 use gonio_light::DVec3;
 use gonio_light::brdf::ward;
 use gonio_light::vector::half_vector;
 use std::f64::consts::PI;
 
-const C: BsdfParameter = BsdfParameter::number("c", [0.01, 1.0], 0.15, "RMS slope, a smaller one is glossier");
+const C: Parameter = Parameter::number("c", [0.01, 1.0], 0.15, "RMS slope, a smaller one is glossier");
 
 /// The paper's form.
 pub static WARD: BsdfModel = BsdfModel {

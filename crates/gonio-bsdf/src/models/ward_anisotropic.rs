@@ -14,7 +14,7 @@
 
 use super::{A, B, BsdfModel};
 use crate::bsdf::{DiffuseAndLobe, Lobe};
-use crate::parameter::BsdfParameter;
+use crate::parameter::Parameter;
 use crate::sampling::{gaussian_half, gaussian_half_density, reflect_at, reflected_density};
 use gonio_light::DVec3;
 use gonio_light::brdf::{LOBE_CAP, ward::GRAZING_COSINE};
@@ -31,8 +31,8 @@ pub static WARD_ANISOTROPIC: BsdfModel = BsdfModel {
     parameters: &[
         A,
         B,
-        BsdfParameter::number("cx", [0.01, 1.0], 0.1, "RMS slope along the tangent"),
-        BsdfParameter::number("cy", [0.01, 1.0], 0.3, "RMS slope along the bitangent"),
+        Parameter::number("cx", [0.01, 1.0], 0.1, "RMS slope along the tangent"),
+        Parameter::number("cy", [0.01, 1.0], 0.3, "RMS slope along the bitangent"),
     ],
     glsl: Some(
         "\

@@ -1,5 +1,6 @@
 //! The sections of the gallery. A new technique adds a file here, and a line to `SECTIONS`.
 
+mod beyond;
 mod brdfs;
 mod cubemaps;
 mod environments;
@@ -18,7 +19,7 @@ use crate::exhibit::Section;
 type Maker = fn() -> Result<Section, GalleryError>;
 
 /// In the order of the sheet.
-const SECTIONS: [Maker; 13] = [
+const SECTIONS: [Maker; 14] = [
     terms::whole_section,
     shading::section,
     terms::section,
@@ -32,6 +33,7 @@ const SECTIONS: [Maker; 13] = [
     refraction::section,
     cubemaps::section,
     many_lights::section,
+    beyond::section,
 ];
 
 /// Returns all sections in the order of the contact sheet.
@@ -71,7 +73,7 @@ mod tests {
             let loaded = gonio_scene::load::load((**scene).clone(), Path::new(""), &files).unwrap();
             assert!(loaded.diagnostics.is_empty(), "{name}: {:?}", loaded.diagnostics);
         }
-        assert!(count >= 95, "{count}");
+        assert!(count >= 105, "{count}");
     }
 
     #[test]

@@ -1,5 +1,6 @@
-//! The path tracer that the page's worker calls (`web/page/tracer.js`), and baking: a module of its own, loaded when a pane shows
-//! the traced picture or textures are baked. On other targets the program does nothing.
+//! The path tracer that the page's worker calls (`web/page/tracer.js`), baking, and the stations beyond the rendering equation: a
+//! module of its own, loaded when a pane shows the traced picture, textures are baked or a station is shown. On other targets
+//! the program does nothing.
 
 #[cfg(target_arch = "wasm32")]
 mod tracer {
@@ -244,6 +245,69 @@ mod tracer {
             let picture = self.refinement.as_ref().map(|refinement| refinement.picture().pixels);
             picture.unwrap_or_default().into_iter().flatten().collect()
         }
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+mod stations {
+    use gonio_beyond::{STATIONS, StationDescription, StationResult, StationWork};
+    use js_sys::{Function, Object, Reflect, Uint8Array};
+    use wasm_bindgen::prelude::*;
+
+    /// Stations, computed one step at a time (`web/page/stations.js`). `stations.rs` of gonio-app reads the results.
+    #[wasm_bindgen]
+    #[derive(Default)]
+    pub struct PageStations(StationWork);
+
+    #[wasm_bindgen]
+    impl PageStations {
+        /// Nothing is requested.
+        #[wasm_bindgen(constructor)]
+        pub fn new() -> PageStations {
+            PageStations::default()
+        }
+
+        /// All stations: [`StationDescription`]s as JSON.
+        pub fn list(&self) -> Result<String, String> {
+            json(&STATIONS.iter().map(StationDescription::from).collect::<Vec<_>>())
+        }
+
+        /// Begins a request, a [`gonio_beyond::StationRequest`] as JSON, at a time in milliseconds.
+        pub fn begin(&mut self, request: &str, now: f64) -> Result<(), String> {
+            let request = serde_json::from_str(request).map_err(|error| error.to_string())?;
+            if self.0.begin(request, now) { Ok(()) } else { Err("there is no such station".to_owned()) }
+        }
+
+        /// Whether there is something to show of the request.
+        pub fn is_presentable(&self) -> bool {
+            self.0.is_presentable()
+        }
+
+        /// Works for a moment. `clock` returns milliseconds. Returns an object: whether something is `left` to do, and if there is a new
+        /// result, `rgb` with `width`, `height` and `samples`, or `plot`, or `checks`; the last two are JSON.
+        pub fn advance(&mut self, clock: &Function) -> Result<JsValue, JsValue> {
+            let clock = || clock.call0(&JsValue::NULL).ok().and_then(|now| now.as_f64()).unwrap_or_default();
+            let (result, is_left) = self.0.advance(&clock, &|| true);
+            let object = Object::new();
+            let set = |name: &str, value: JsValue| Reflect::set(&object, &name.into(), &value).map(drop);
+            set("left", is_left.into())?;
+            match result {
+                Some(StationResult::Picture(picture)) => {
+                    set("width", picture.size[0].into())?;
+                    set("height", picture.size[1].into())?;
+                    set("samples", picture.samples.into())?;
+                    set("rgb", Uint8Array::from(picture.rgb.as_slice()).into())?;
+                }
+                Some(StationResult::Plot(plot)) => set("plot", json(&plot)?.into())?,
+                Some(StationResult::Checks(checks)) => set("checks", json(&checks)?.into())?,
+                None => {}
+            }
+            Ok(object.into())
+        }
+    }
+
+    fn json(value: &impl serde::Serialize) -> Result<String, String> {
+        serde_json::to_string(value).map_err(|error| error.to_string())
     }
 }
 

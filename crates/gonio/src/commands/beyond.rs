@@ -8,6 +8,8 @@ use crate::output::{OutputFiles, atomic, check_folder};
 use crate::report::{Reporter, Times};
 use crate::terminal::TerminalPage;
 use clap::Args;
+use gonio_app::files::link::StationLink;
+use gonio_app::platform::desktop::{self, WindowOptions};
 use gonio_beyond::{LawCheck, PictureRefinement, STATIONS, Station, StationFiles, StationPicture, page, station};
 use gonio_bsdf::{ParameterKind, ParameterValues};
 use gonio_image::encode::exr::{self, ExrPrecision};
@@ -33,6 +35,9 @@ Examples:
   gonio beyond interference -o out --picture wand --frames 48 --size 400x300 --samples 4
       A film (animated PNG) of the draining soap film.
 
+  gonio beyond fog --window
+      The station in the window: sliders, a picture that becomes finer, the plot and the checks.
+
 A film changes one parameter from one end of its range to the other; `list` marks it.
 
 Exit codes: 0 success, 1 a check of the law failed, 2 error.")]
@@ -50,6 +55,12 @@ pub struct BeyondArgs {
     #[arg(long, help_heading = "Output options", value_name = "N", value_parser = values::frames,
           allow_negative_numbers = true)]
     pub frames: Option<u32>,
+    /// Show the station in the window, with a slider for each parameter, instead of writing files.
+    #[arg(long, help_heading = "Output options", conflicts_with_all = ["output", "picture", "frames", "samples", "seed"])]
+    pub window: bool,
+    /// Write the window's state to this file after every frame, as JSON (for tests).
+    #[arg(long, value_name = "FILE", hide = true)]
+    pub state: Option<PathBuf>,
 
     /// Set a parameter; may be repeated.
     #[arg(long, help_heading = "Station options", value_name = "NAME=VALUE", allow_hyphen_values = true)]
@@ -99,10 +110,13 @@ const PLOT_SIZE: [u32; 2] = [800, 500];
 
 pub fn run(args: &BeyondArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let Some(station) = station(args.station) else { return list(reporter) };
+    let values = chosen_values(args, station)?;
+    if args.window {
+        return show(args, station, &values);
+    }
     let Some(output) = &args.output else {
         return Err(CliError::new(format!("no folder to write to: add `-o DIR` to `gonio beyond {}`", station.name)));
     };
-    let values = chosen_values(args, station)?;
     let pictures = chosen_pictures(args, station)?;
     check_folder(output, "`gonio beyond`")?;
     if output.exists() && !output.is_dir() {
@@ -154,6 +168,19 @@ pub fn run(args: &BeyondArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
         reporter.check_failed(format_args!("{failed} of {} checks of the law failed", checks.len()));
         return Ok(CommandOutcome::CheckFailed);
     }
+    Ok(CommandOutcome::Done)
+}
+
+/// Opens the window with the station, and returns when it is closed.
+fn show(args: &BeyondArgs, station: &Station, values: &ParameterValues) -> Result<CommandOutcome, CliError> {
+    let values = values.iter().map(|(parameter, value)| (parameter.name.to_string(), parameter.format(value)));
+    let window = WindowOptions {
+        state: args.state.clone(),
+        program: std::env::current_exe().ok(),
+        station: Some(StationLink { name: station.name.to_owned(), values: values.collect() }),
+        ..WindowOptions::default()
+    };
+    desktop::run(window).map_err(CliError::new)?;
     Ok(CommandOutcome::Done)
 }
 

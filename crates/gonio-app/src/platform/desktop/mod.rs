@@ -6,6 +6,7 @@ pub mod child;
 mod dialog;
 mod drafts;
 mod open;
+pub(super) mod stations;
 mod storage;
 pub(super) mod trace;
 pub mod trial;
@@ -15,6 +16,7 @@ pub mod worker;
 use super::{CheckRequest, CheckResult, Event, FileDialog, Pending, Platform, Purpose, Ready, TrialOutcome};
 use crate::exercise::Start;
 use crate::files::ShaderFiles;
+use crate::files::link::StationLink;
 use crate::saving::Product;
 use crate::session::Settings;
 use crate::{Adjust, App, SceneOpening};
@@ -54,6 +56,8 @@ pub struct WindowOptions {
     pub exercise: Option<Start>,
     /// Functions on the BRDF bench, which is opened at the start; without any, those of a new bench.
     pub bench: Option<Vec<NamedBsdf>>,
+    /// A station beyond the rendering equation to open at the start.
+    pub station: Option<StationLink>,
 }
 
 /// Opens the window, and returns when it is closed. An error is one sentence: no display, no OpenGL.
@@ -99,6 +103,9 @@ pub fn run_within(
         }
         if let Some(functions) = options.bench {
             app.begin_bench(functions);
+        }
+        if let Some(station) = options.station {
+            app.begin_stations(station);
         }
         Ok(around(app, gl))
     };

@@ -2,6 +2,7 @@
 
 mod bake;
 mod document;
+mod stations;
 mod trace;
 
 pub use trace::PageTraces;
@@ -10,9 +11,11 @@ use super::{
     CheckRequest, CheckResult, Event, FileDialog, FrameShown, MOMENT, Pending, Platform, Purpose, Ready, SceneInput,
 };
 use crate::baking::{BakeRequest, BakeTask};
+use crate::files::link::StationLink;
 use crate::files::{ExerciseFile, GatheredInputs, Layered, MemoryFiles, gather, link, zip};
 use crate::saving::Product;
 use crate::session::Settings;
+use crate::stations::StationTask;
 use crate::truth::Tracer;
 use gonio_gl::Gl;
 use gonio_scene::files::{FileBytes, FileSource, is_builtin};
@@ -161,6 +164,10 @@ impl Platform for Web {
         }))
     }
 
+    fn linked_station(&self) -> Option<StationLink> {
+        StationLink::parse(&document::fragment())
+    }
+
     fn choose_files(&mut self, purpose: Purpose, ctx: &egui::Context) -> FileDialog {
         let web = Web {
             files: self.files.clone(),
@@ -230,6 +237,10 @@ impl Platform for Web {
 
     fn bake(&mut self, request: BakeRequest, ctx: &egui::Context) -> Box<dyn BakeTask> {
         self.traces.bake(&request, ctx)
+    }
+
+    fn stations(&mut self, ctx: &egui::Context) -> Box<dyn StationTask> {
+        self.traces.stations(ctx)
     }
 
     fn settings(&self) -> Settings {

@@ -196,7 +196,7 @@ fn described(scene: &Scene, time: f64, source: &dyn FileSource, paths: &[PathBuf
     Ok(described)
 }
 
-fn set(object: &Object, name: &str, value: JsValue) -> Result<(), JsValue> {
+pub(super) fn set(object: &Object, name: &str, value: JsValue) -> Result<(), JsValue> {
     Reflect::set(object, &name.into(), &value).map(drop)
 }
 

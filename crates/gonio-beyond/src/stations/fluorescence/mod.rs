@@ -7,7 +7,7 @@ mod reradiation;
 use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
 use drawing::{HighlighterDrawing, MatrixPicture};
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
 use gonio_plot::{PlotError, PlotFigure};
@@ -31,10 +31,10 @@ pub const STATION: Station = Station {
     question: "Red light on a red fluorescent ink makes no green light, but blue light makes red. Which law of physics forbids the \
                reverse, and how do two photons get around it?",
     parameters: &[
-        BsdfParameter::number("lamp", [320.0, 640.0], 365.0, "wavelength of the lamp").in_unit("nm"),
-        BsdfParameter::number("power", [0.0, 4.0], 1.0, "power of the lamp"),
-        BsdfParameter::number("room", [0.0, 1.0], 0.01, "daylight in the room"),
-        BsdfParameter::number("dye", [0.0, 1.0], 1.0, "share of the dyes, also of the paper's"),
+        Parameter::number("lamp", [320.0, 640.0], 365.0, "wavelength of the lamp").in_unit("nm"),
+        Parameter::number("power", [0.0, 4.0], 1.0, "power of the lamp"),
+        Parameter::number("room", [0.0, 1.0], 0.01, "daylight in the room"),
+        Parameter::number("dye", [0.0, 1.0], 1.0, "share of the dyes, also of the paper's"),
     ],
     film_parameter: "lamp",
     pictures: &[
@@ -112,7 +112,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
             .sum();
         checks.push(LawCheck {
             quantity: format!("{}: photons emitted for each one absorbed (quantum yield)", ink.name),
-            unit: "",
+            unit: "".into(),
             expected: if taken > 0.0 { ink.dye().quantum_yield } else { 0.0 },
             measured: if taken > 0.0 { photons(&emitted) / taken } else { 0.0 },
             bound: 1e-6,
@@ -120,7 +120,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let upwards = (0..ALL_BANDS).flat_map(|from| (0..from).map(move |to| (to, from)));
         checks.push(LawCheck {
             quantity: format!("{}: light moved to shorter wavelengths", ink.name),
-            unit: "",
+            unit: "".into(),
             expected: 0.0,
             measured: upwards.map(|(to, from)| matrix.at(to, from).abs()).sum(),
             bound: 0.0,

@@ -10,7 +10,7 @@ use crate::station::{LawCheck, Station, StationPicture};
 use air::Fog;
 use glam::DVec3;
 use gonio_bsdf::sampling::SplitMix;
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
 use gonio_plot::{PlotError, PlotFigure};
@@ -36,10 +36,10 @@ pub const STATION: Station = Station {
            have to turn towards the camera. Make the fog patchy, or as dense as soup.",
     question: "Why should headlights of cars be mounted low and dimmed in fog?",
     parameters: &[
-        BsdfParameter::number("density", [0.0, 0.5], 0.09, "extinction of the fog").in_unit("1/m"),
-        BsdfParameter::number("g", [-0.9, 0.9], 0.3, "mean cosine of scattering: -0.9 backwards, 0.9 forwards"),
-        BsdfParameter::number("patchiness", [0.0, 1.0], 0.5, "from even fog to separate clouds"),
-        BsdfParameter::number("albedo", [0.0, 1.0], 0.95, "share of an event's light that is scattered"),
+        Parameter::number("density", [0.0, 0.5], 0.09, "extinction of the fog").in_unit("1/m"),
+        Parameter::number("g", [-0.9, 0.9], 0.3, "mean cosine of scattering: -0.9 backwards, 0.9 forwards"),
+        Parameter::number("patchiness", [0.0, 1.0], 0.5, "from even fog to separate clouds"),
+        Parameter::number("albedo", [0.0, 1.0], 0.95, "share of an event's light that is scattered"),
     ],
     film_parameter: "density",
     pictures: &[StationPicture {
@@ -114,7 +114,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let fog = fog(values);
     let check = |quantity: String, expected: f64, [measured, error]: [f64; 2]| LawCheck {
         quantity,
-        unit: "",
+        unit: "".into(),
         expected,
         measured,
         bound: 4.0 * error + 1e-9,
@@ -167,7 +167,7 @@ fn single_scattering(fog: &Fog, paths: u32) -> LawCheck {
     let [measured, error] = mean_of(light);
     LawCheck {
         quantity: format!("light scattered once by a slab, by {paths} paths"),
-        unit: "1/sr",
+        unit: "1/sr".into(),
         expected: per_event * mu_0 / (mu + mu_0) * (1.0 - (-thickness * (1.0 / mu + 1.0 / mu_0)).exp()),
         measured,
         bound: 4.0 * error + 1e-12,

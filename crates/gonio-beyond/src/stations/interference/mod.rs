@@ -9,7 +9,7 @@ use crate::station::{LawCheck, Station, StationPicture};
 use airy::{ThinFilm, brightest_sines, order_sine};
 use disc::Disc;
 use films::{Bubbles, Puddle, Wand};
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_light::optics::polarised_dielectric;
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
@@ -34,10 +34,10 @@ pub const STATION: Station = Station {
            move downwards. On the disc each lamp is spread into its orders.",
     question: "The path through the film shrinks when it is seen at a glancing angle. Which way does its colour change then?",
     parameters: &[
-        BsdfParameter::number("thickness", [50.0, 3000.0], 900.0, "thickness of the film when it is new").in_unit("nm"),
-        BsdfParameter::number("time", [0.0, 60.0], 12.0, "time for which the film has drained").in_unit("s"),
-        BsdfParameter::number("index", [1.05, 2.0], 1.333, "index of refraction of soap film and bubbles"),
-        BsdfParameter::number("pitch", [500.0, 5000.0], 1600.0, "distance of the disc's grooves").in_unit("nm"),
+        Parameter::number("thickness", [50.0, 3000.0], 900.0, "thickness of the film when it is new").in_unit("nm"),
+        Parameter::number("time", [0.0, 60.0], 12.0, "time for which the film has drained").in_unit("s"),
+        Parameter::number("index", [1.05, 2.0], 1.333, "index of refraction of soap film and bubbles"),
+        Parameter::number("pitch", [500.0, 5000.0], 1600.0, "distance of the disc's grooves").in_unit("nm"),
     ],
     film_parameter: "time",
     pictures: &[
@@ -123,7 +123,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         });
         checks.push(LawCheck {
             quantity: format!("reflectance of {:.0} nm at {lambda} nm and {CHECKED_DEG} degrees", film.thickness_nm),
-            unit: "",
+            unit: "".into(),
             expected: 0.5 * (airy[0] + airy[1]),
             measured: boundaries.sum_of_waves(lambda, 80),
             bound: 1e-6,
@@ -136,7 +136,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let nearest = found.iter().copied().min_by(|a, b| (a - expected).abs().total_cmp(&(b - expected).abs()));
         checks.push(LawCheck {
             quantity: format!("sine of the angle of order {order} of the disc at {lambda} nm"),
-            unit: "",
+            unit: "".into(),
             expected,
             measured: nearest.unwrap_or(f64::INFINITY),
             bound: 1e-6,

@@ -6,7 +6,7 @@ mod laboratory;
 use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
 use beam::{GaussianBeam, harmonic_by_steps, second_harmonic};
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::PlotScale;
 use gonio_plot::{PlotError, PlotFigure};
@@ -30,9 +30,9 @@ pub const STATION: Station = Station {
            Double the power: the lower glow becomes four times as bright.",
     question: "Why do microscopes for living brains use two-photon absorption, although it needs far stronger lasers?",
     parameters: &[
-        BsdfParameter::number("power", [0.1, 4.0], 1.0, "power of both beams"),
-        BsdfParameter::number("focus", [0.02, 0.6], 0.07, "Rayleigh range: length of the focus").in_unit("cm"),
-        BsdfParameter::number("coupling", [0.05, 2.0], 0.9, "strength of the crystal"),
+        Parameter::number("power", [0.1, 4.0], 1.0, "power of both beams"),
+        Parameter::number("focus", [0.02, 0.6], 0.07, "Rayleigh range: length of the focus").in_unit("cm"),
+        Parameter::number("coupling", [0.05, 2.0], 0.9, "strength of the crystal"),
     ],
     film_parameter: "power",
     pictures: &[
@@ -98,7 +98,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let (one, two) = (beam(power, range), beam(2.0 * power, range));
     let check = |quantity: &str, expected: f64, measured: f64, bound: f64| LawCheck {
         quantity: quantity.to_owned(),
-        unit: "",
+        unit: "".into(),
         expected,
         measured,
         bound,

@@ -6,7 +6,7 @@ mod night;
 use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
 use decay::{ALL, GREEN};
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::PlotScale;
 use gonio_plot::{PlotError, PlotFigure};
@@ -29,8 +29,8 @@ pub const STATION: Station = Station {
            charge; after half a minute only the green stars are left.",
     question: "Charge the stars for one second and for ten: do they glow ten times as brightly? Why not?",
     parameters: &[
-        BsdfParameter::number("time", [-2.0, 60.0], 3.0, "time since the lamp went out").in_unit("s"),
-        BsdfParameter::number("charge", [0.1, 30.0], 6.0, "time for which the lamp was on").in_unit("s"),
+        Parameter::number("time", [-2.0, 60.0], 3.0, "time since the lamp went out").in_unit("s"),
+        Parameter::number("charge", [0.1, 30.0], 6.0, "time for which the lamp was on").in_unit("s"),
     ],
     film_parameter: "time",
     pictures: &[StationPicture {
@@ -80,7 +80,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let at = |time: f64| phosphor.simulated(time, charge)[0];
         checks.push(LawCheck {
             quantity: format!("{}: glow at 1 s plus the decay time, relative to that at 1 s", phosphor.name),
-            unit: "",
+            unit: "".into(),
             expected: (-1.0_f64).exp(),
             measured: at(1.0 + phosphor.decay_s) / at(1.0),
             bound: 1e-6,
@@ -88,7 +88,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let [_, absorbed, emitted] = phosphor.simulated(30.0 * phosphor.decay_s, charge);
         checks.push(LawCheck {
             quantity: format!("{}: photons emitted in the end for each one absorbed", phosphor.name),
-            unit: "",
+            unit: "".into(),
             expected: 1.0,
             measured: emitted / absorbed,
             bound: 1e-6,
@@ -97,7 +97,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let time = values.number("time");
     checks.push(LawCheck {
         quantity: format!("{}: share of full traps at {time} s", GREEN.name),
-        unit: "",
+        unit: "".into(),
         expected: GREEN.filled(time, charge),
         measured: GREEN.simulated(time, charge)[0],
         bound: 1e-6,

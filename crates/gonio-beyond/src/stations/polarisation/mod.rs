@@ -5,7 +5,7 @@ mod pond;
 
 use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_light::optics::polarised_dielectric;
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
@@ -31,10 +31,10 @@ pub const STATION: Station = Station {
            Turn the filter by 90 degrees: the reflection is back. The sky itself is polarised too, most at a right angle to the sun.",
     question: "Why do polarising sunglasses let through light that swings vertically, and what happens when you lie down on a beach?",
     parameters: &[
-        BsdfParameter::number("angle", [0.0, 180.0], 90.0, "axis of the filter from the horizontal").in_unit("degrees"),
-        BsdfParameter::number("index", [1.05, 2.0], 1.333, "index of refraction of the water"),
-        BsdfParameter::number("ripples", [0.0, 2.0], 0.6, "height of the ripples"),
-        BsdfParameter::switch("filter", true, "the polariser in front of the picture"),
+        Parameter::number("angle", [0.0, 180.0], 90.0, "axis of the filter from the horizontal").in_unit("degrees"),
+        Parameter::number("index", [1.05, 2.0], 1.333, "index of refraction of the water"),
+        Parameter::number("ripples", [0.0, 2.0], 0.6, "height of the ripples"),
+        Parameter::switch("filter", true, "the polariser in front of the picture"),
     ],
     film_parameter: "angle",
     pictures: &[
@@ -100,7 +100,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         for ((name, q), expected) in [("R_s", 1.0), ("R_p", -1.0)].into_iter().zip(laws) {
             checks.push(LawCheck {
                 quantity: format!("{name} at {degrees} degrees"),
-                unit: "",
+                unit: "".into(),
                 expected,
                 measured: reflected(i, q),
                 bound: 1e-6,
@@ -110,7 +110,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let least = least(|angle| reflected(angle, -1.0), 0.1, 1.5);
     checks.push(LawCheck {
         quantity: "angle of the least reflection of p light".to_owned(),
-        unit: "degrees",
+        unit: "degrees".into(),
         expected: index.atan().to_degrees(),
         measured: least.to_degrees(),
         bound: 1e-4,
@@ -118,7 +118,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let brewster = boundary(index.atan().cos(), 1.0, index)[0] * UNPOLARISED;
     checks.push(LawCheck {
         quantity: "degree of polarisation of the reflection at Brewster's angle".to_owned(),
-        unit: "",
+        unit: "".into(),
         expected: 1.0,
         measured: degree_of_polarisation(brewster),
         bound: 1e-6,
@@ -128,7 +128,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     for degrees in [0.0, 30.0, 60.0, 90.0] {
         checks.push(LawCheck {
             quantity: format!("share of that reflection behind a filter turned by {degrees} degrees"),
-            unit: "",
+            unit: "".into(),
             expected: f64::to_radians(degrees).cos().powi(2),
             measured: behind(degrees),
             bound: 1e-6,

@@ -8,7 +8,7 @@ use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
 use colonnade::Colonnade;
 use dice::Dice;
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
 use gonio_plot::{PlotError, PlotFigure};
@@ -31,11 +31,11 @@ pub const STATION: Station = Station {
            and dark; all are turned and show their back. Switch the effects off one by one. In the flight the view is drawn together ahead, and the grass beside is red: leaves reflect infrared light.",
     question: "Why do you see the back of a die that passes, although it is exactly beside you?",
     parameters: &[
-        BsdfParameter::number("speed", [0.0, 0.9], 0.35, "speed as a share of that of light"),
-        BsdfParameter::number("position", [-8.0, 8.0], 0.0, "place at which the middle die is seen").in_unit("m"),
-        BsdfParameter::switch("doppler", true, "shift of wavelengths"),
-        BsdfParameter::switch("searchlight", true, "change of the number of photons"),
-        BsdfParameter::switch("aberration", true, "finite speed of light: directions and shapes"),
+        Parameter::number("speed", [0.0, 0.9], 0.35, "speed as a share of that of light"),
+        Parameter::number("position", [-8.0, 8.0], 0.0, "place at which the middle die is seen").in_unit("m"),
+        Parameter::switch("doppler", true, "shift of wavelengths"),
+        Parameter::switch("searchlight", true, "change of the number of photons"),
+        Parameter::switch("aberration", true, "finite speed of light: directions and shapes"),
     ],
     film_parameter: "speed",
     pictures: &[
@@ -103,7 +103,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
                 "Doppler factor {:.1} degrees from the direction of approach, by two crests",
                 cos.acos().to_degrees()
             ),
-            unit: "",
+            unit: "".into(),
             expected: doppler_factor(speed, cos),
             measured,
             bound: 1e-6,
@@ -113,7 +113,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let cos = f64::cos(f64::to_radians(degrees));
         checks.push(LawCheck {
             quantity: format!("angle at rest of what is seen at {degrees} degrees, by two events"),
-            unit: "degrees",
+            unit: "degrees".into(),
             expected: aberrated_cos(speed, cos).acos().to_degrees(),
             measured: aberration_by_events(speed, cos).acos().to_degrees(),
             bound: 1e-6,
@@ -121,7 +121,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     }
     checks.push(LawCheck {
         quantity: "energy density in an even field, by the sum over all directions".to_owned(),
-        unit: "",
+        unit: "".into(),
         expected: gamma(speed).powi(2) * (1.0 + speed * speed / 3.0),
         measured: energy_density(speed),
         bound: 1e-5,

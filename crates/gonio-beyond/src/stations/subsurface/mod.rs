@@ -11,7 +11,7 @@ use crate::station::{LawCheck, Station, StationPicture};
 use figures::{Figures, LightModel};
 use glam::DVec3;
 use gonio_bsdf::sampling::SplitMix;
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::{PlotScale, number};
 use gonio_plot::{PlotError, PlotFigure};
@@ -39,8 +39,8 @@ pub const STATION: Station = Station {
            become opaque.",
     question: "A toy of marble looks soft, a statue of the same marble hard. Which length decides?",
     parameters: &[
-        BsdfParameter::number("height", [4.0, 100.0], 10.0, "height of the pawns").in_unit("mm"),
-        BsdfParameter::number("lamp", [0.0, 180.0], 145.0, "direction of the lamp: 0 in front, 180 behind")
+        Parameter::number("height", [4.0, 100.0], 10.0, "height of the pawns").in_unit("mm"),
+        Parameter::number("lamp", [0.0, 180.0], 145.0, "direction of the lamp: 0 in front, 180 behind")
             .in_unit("degrees"),
     ],
     film_parameter: "lamp",
@@ -143,7 +143,7 @@ fn checks(_: &ParameterValues) -> Vec<LawCheck> {
                     medium.name,
                     number(mu)
                 ),
-                unit: "",
+                unit: "".into(),
                 expected: reflectance(mu, coefficients[1]),
                 measured,
                 bound: 4.0 * error,
@@ -155,7 +155,7 @@ fn checks(_: &ParameterValues) -> Vec<LawCheck> {
     let rings = (0..6000).map(|ring| STEP_MM * (f64::from(ring) + 0.5));
     checks.push(LawCheck {
         quantity: "diffusion: total of red light that skin reflects, by the sum over rings".to_owned(),
-        unit: "",
+        unit: "".into(),
         expected: dipole.total(),
         measured: rings.map(|r| 2.0 * PI * r * STEP_MM * dipole.profile(r)).sum(),
         bound: 1e-4,

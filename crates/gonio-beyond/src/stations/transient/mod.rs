@@ -11,7 +11,7 @@ use bench::{EYE, LAMP, LIGHT_SPEED, arrivals, image};
 use flight::{Arrivals, Flight, pulse, pulse_area};
 use glam::DVec3;
 use gonio_bsdf::sampling::SplitMix;
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
 use gonio_plot::scale::PlotScale;
 use gonio_plot::{PlotError, PlotFigure};
@@ -34,8 +34,8 @@ pub const STATION: Station = Station {
            weak blue lamp burns all the time so that the scene can be seen. In the second picture colours are times of arrival.",
     question: "The front on the table seems to run faster than light in some directions. How can that be?",
     parameters: &[
-        BsdfParameter::number("time", [2500.0, 6500.0], 4500.0, "time since the flash, at the camera").in_unit("ps"),
-        BsdfParameter::number("pulse", [5.0, 150.0], 45.0, "duration of the flash (standard deviation)").in_unit("ps"),
+        Parameter::number("time", [2500.0, 6500.0], 4500.0, "time since the flash, at the camera").in_unit("ps"),
+        Parameter::number("pulse", [5.0, 150.0], 45.0, "duration of the flash (standard deviation)").in_unit("ps"),
     ],
     film_parameter: "time",
     pictures: &[
@@ -137,7 +137,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
             let peak = (0..light.len()).filter(|bin| near(*bin)).max_by(|a, b| light[*a].total_cmp(&light[*b]));
             checks.push(LawCheck {
                 quantity: format!("echo of the table{name}, {by}: path length / c, against the histogram's peak"),
-                unit: "ps",
+                unit: "ps".into(),
                 expected,
                 measured: peak.map_or(f64::NAN, |bin| (bin as f64 + 0.5) * BIN_PS),
                 bound: 0.5 * BIN_PS + 0.1,
@@ -168,7 +168,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let [steady, steady_error] = mean_of((0..4000).map(|_| steady(&mut for_steady)));
     checks.push(LawCheck {
         quantity: "sum of all frames of a film, against the steady picture".to_owned(),
-        unit: "",
+        unit: "".into(),
         expected: steady,
         measured: film,
         bound: 4.0 * film_error.hypot(steady_error),

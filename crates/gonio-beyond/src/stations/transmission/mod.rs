@@ -6,7 +6,7 @@ mod tumbler;
 use super::filmic;
 use crate::station::{LawCheck, Station, StationPicture};
 use diver::Diver;
-use gonio_bsdf::{BsdfParameter, ParameterValues};
+use gonio_bsdf::{Parameter, ParameterValues};
 use gonio_light::optics::{Boundary, Fresnel, boundary, dielectric};
 use gonio_light::{DVec2, DVec3};
 use gonio_plot::curves::{PlotAxes, PlotCurve, XTicks, draw};
@@ -33,10 +33,10 @@ pub const STATION: Station = Station {
            mirrors the bottom.",
     question: "Fill the glass with a liquid of the glass's own index, 1.5. Which lines disappear, and why?",
     parameters: &[
-        BsdfParameter::number("index", [1.0, 2.4], 1.333, "index of refraction of the liquid"),
-        BsdfParameter::number("absorption", [0.0, 5.0], 0.3, "absorption of the liquid, for red light").in_unit("1/m"),
-        BsdfParameter::number("roughness", [0.0, 0.5], 0.0, "roughness of the glass (GGX alpha)"),
-        BsdfParameter::number("ripples", [0.0, 2.0], 0.7, "height of the ripples above the diver"),
+        Parameter::number("index", [1.0, 2.4], 1.333, "index of refraction of the liquid"),
+        Parameter::number("absorption", [0.0, 5.0], 0.3, "absorption of the liquid, for red light").in_unit("1/m"),
+        Parameter::number("roughness", [0.0, 0.5], 0.0, "roughness of the glass (GGX alpha)"),
+        Parameter::number("ripples", [0.0, 2.0], 0.7, "height of the ripples above the diver"),
     ],
     film_parameter: "index",
     pictures: &[
@@ -106,7 +106,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
         let refracted = meet(direction, DVec3::Y, 1.0, index).transmitted;
         checks.push(LawCheck {
             quantity: format!("sine of the refracted angle at {degrees} degrees, by the quickest path (Fermat)"),
-            unit: "",
+            unit: "".into(),
             expected: refracted.map_or(f64::NAN, |t| t.x),
             measured: quickest_sine(direction, index),
             bound: 1e-6,
@@ -114,7 +114,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     }
     checks.push(LawCheck {
         quantity: "angle from which no light leaves the liquid".to_owned(),
-        unit: "degrees",
+        unit: "degrees".into(),
         expected: (1.0 / index).asin().to_degrees(),
         measured: critical_angle(index).to_degrees(),
         bound: 1e-6,
@@ -124,7 +124,7 @@ fn checks(values: &ParameterValues) -> Vec<LawCheck> {
     let (r, a) = (dielectric(1.0, 1.0 / index), (-k * thickness).exp());
     checks.push(LawCheck {
         quantity: format!("light through a layer of {thickness} m, by {PHOTONS} photons"),
-        unit: "",
+        unit: "".into(),
         // All reflections between the two surfaces, a geometric series.
         expected: (1.0 - r).powi(2) * a / (1.0 - r * r * a * a),
         measured: passed,

@@ -111,7 +111,7 @@ fn parameters(page: &mut TerminalPage, named: &NamedBsdf) {
         .iter()
         .map(|(parameter, value)| {
             let unit = if parameter.unit.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
-            let [name, description] = [parameter.name.to_string(), parameter.description.to_owned()];
+            let [name, description] = [parameter.name.to_string(), parameter.description.to_string()];
             [name, parameter.format(value) + &unit, parameter.expected(), description]
         })
         .collect();

@@ -11,6 +11,7 @@ use gonio_gallery::drawing::{
 };
 use gonio_gallery::environment_picture::{EnvironmentPicture, PictureForm};
 use gonio_gallery::rgb_image::reduced;
+use gonio_gallery::station_exhibit::StationExhibit;
 use gonio_gallery::{Exhibit, ExhibitSubject, Placement, Section, SheetLayout};
 use gonio_image::encode::png;
 use gonio_light::color::ToneMap;
@@ -53,6 +54,10 @@ pub fn all<'a>(
         drawn.push(match &exhibit.subject {
             ExhibitSubject::Environment(picture) => {
                 convert(folder, (section, exhibit), *picture, width, placement, times)?
+            }
+            ExhibitSubject::Station(station) => {
+                let height = (f64::from(placement.height) * scale) as u32;
+                compute(folder, (section, exhibit), *station, [width, height], placement, times)?
             }
             ExhibitSubject::Scene(scene) => {
                 let mut scene = (**scene).clone();
@@ -103,6 +108,39 @@ fn convert<'a>(
         ms,
         difference: None,
         command: convert_command(picture, &exhibit.name, width),
+    })
+}
+
+/// Computes a picture of a station, and writes it.
+fn compute<'a>(
+    folder: &mut Folder,
+    (section, exhibit): (usize, &'a Exhibit),
+    station: StationExhibit,
+    [width, height]: [u32; 2],
+    placement: &Placement,
+    times: &Times,
+) -> Result<DrawnExhibit<'a>, CliError> {
+    let start = Instant::now();
+    let computed = times.measure("compute", || station.compute(width.max(1), height.max(1)));
+    let ms = start.elapsed().as_secs_f64() * 1e3;
+    times.measure("write", || folder.add(&folder.picture(&exhibit.name), &computed.png()?))?;
+    let encoded = computed.encoded();
+    let (station, picture) = (station.station.name, station.picture.name);
+    Ok(DrawnExhibit {
+        section,
+        exhibit,
+        width: encoded.width,
+        height: encoded.height,
+        small: times.measure("reduce", || reduced(&encoded, placement.width, placement.height, BACKGROUND)),
+        counts: DrawCounts::default(),
+        ms,
+        difference: None,
+        command: format!(
+            "gonio beyond {station} -o . --picture {picture} --size {}x{} --samples {}",
+            encoded.width,
+            encoded.height,
+            StationExhibit::SAMPLES
+        ),
     })
 }
 

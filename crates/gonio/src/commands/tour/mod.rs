@@ -158,7 +158,7 @@ struct PictureReport<'a> {
     name: &'a str,
     section: &'a str,
     file: String,
-    /// `None` for converted environments.
+    /// `None` for converted environments and for stations.
     scene: Option<String>,
     command: &'a str,
     view: Option<String>,
@@ -186,7 +186,7 @@ impl<'a> Report<'a> {
             file: folder.picture(&drawn.exhibit.name).display().to_string(),
             scene: match drawn.exhibit.subject {
                 ExhibitSubject::Scene(_) => Some(folder.scene(&drawn.exhibit.name).display().to_string()),
-                ExhibitSubject::Environment(_) => None,
+                ExhibitSubject::Environment(_) | ExhibitSubject::Station(_) => None,
             },
             command: &drawn.command,
             view: drawn.exhibit.view.map(|v| v.to_string()),
