@@ -139,8 +139,8 @@ impl Sketch {
         let is_product = slip.site == Site::ClipPosition
             && (slip.key.ends_with("-matrix-missing") || slip.key.starts_with("matrix-order"));
         // Only the exercise says that its V has the translation of the camera.
-        let is_open_sky = slip.key == "skybox-keeps-translation"
-            && [self.names.get("V"), self.names.get("P")] != ["V", "P"];
+        let is_open_sky =
+            slip.key == "skybox-keeps-translation" && [self.names.get("V"), self.names.get("P")] != ["V", "P"];
         (slip.fits)(answer, &self.plan) && !(is_product && self.names.are_meaningless) && !is_open_sky
     }
 
