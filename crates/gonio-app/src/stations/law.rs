@@ -11,7 +11,7 @@ use gonio_beyond::{LawCheck, StationDescription};
 /// Shows the plot and the checks.
 pub fn show(ui: &mut Ui, description: &StationDescription, work: &mut RoomWork) {
     let width = ui.available_width().max(120.0);
-    let (rect, response) = ui.allocate_exact_size(vec2(width, (0.72 * width).min(360.0)), Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(vec2(width, (1.05 * width).min(440.0)), Sense::hover());
     work.plot_size = [rect.width() as u32, rect.height() as u32];
     let name = format!("The law of {}", description.title);
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, &name));

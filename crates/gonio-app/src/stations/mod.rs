@@ -192,7 +192,7 @@ impl StationRoom {
     /// The layout of a wide window: stations and sliders, the picture, the law.
     fn wide(&mut self, ui: &mut Ui) {
         let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
-        let list = Panel::left("stations").frame(inside).default_size(270.0).size_range(230.0..=420.0);
+        let list = Panel::left("stations").frame(inside).default_size(300.0).size_range(240.0..=420.0);
         list.show(ui, |ui| {
             ScrollArea::vertical().id_salt("station side").auto_shrink([false, false]).show(ui, |ui| {
                 self.show_list(ui);

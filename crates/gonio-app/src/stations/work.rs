@@ -134,10 +134,10 @@ impl RoomWork {
                 }
             }
         }
-        if !film.is_playing || self.waited() >= PATIENCE {
-            if let Some((number, picture)) = self.held.take() {
-                self.show(ctx, number, picture);
-            }
+        if (!film.is_playing || self.waited() >= PATIENCE)
+            && let Some((number, picture)) = self.held.take()
+        {
+            self.show(ctx, number, picture);
         }
         if self.picture.texture.is_none()
             && let Some(picture) = self.picture.kept.take()
