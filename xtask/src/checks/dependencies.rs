@@ -45,15 +45,15 @@ pub const RULES: &[Rule] = &[
     Rule { krate: "gonio-gl", may_know: &[], tests_may_know: &[] },
     // The GPU's pictures are compared with the reference's.
     Rule { krate: "gonio-render", may_know: BELOW_RENDERER, tests_may_know: &["gonio-reference"] },
+    Rule { krate: "gonio-plot", may_know: BELOW_PLOTS, tests_may_know: &[] },
+    // Light that the rendering equation leaves out, with plots of its laws.
+    Rule { krate: "gonio-beyond", may_know: BELOW_BEYOND, tests_may_know: &[] },
     // It draws, and sets text as the window does.
     Rule { krate: "gonio-gallery", may_know: BELOW_GALLERY, tests_may_know: &[] },
     // It compares pictures by both equations, and writes a page like the gallery's.
     Rule { krate: "gonio-simplify", may_know: BELOW_SIMPLIFY, tests_may_know: &[] },
     // Pictures of a scene's surfaces instead of its views. Traced light is a function that it is given: the page has no tracer.
     Rule { krate: "gonio-bake", may_know: BELOW_BAKING, tests_may_know: &["gonio-reference", "gonio-trace"] },
-    Rule { krate: "gonio-plot", may_know: BELOW_PLOTS, tests_may_know: &[] },
-    // Light that the rendering equation leaves out, with plots of its laws.
-    Rule { krate: "gonio-beyond", may_know: BELOW_BEYOND, tests_may_know: &[] },
     // It measures the checker, so neither knows the other.
     Rule { krate: "gonio-submissions", may_know: &["gonio-glsl", "gonio-interpreter"], tests_may_know: &[] },
     Rule { krate: "gonio-check", may_know: BELOW_CHECK, tests_may_know: &[] },

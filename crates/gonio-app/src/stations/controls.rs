@@ -16,13 +16,13 @@ const FRAME: Duration = Duration::from_millis(66);
 
 /// A film: the film parameter runs from one end of its range to the other, and begins again.
 #[derive(Default)]
-pub struct Film {
+pub struct ParameterFilm {
     /// Whether it runs.
     pub is_playing: bool,
     last: Option<Instant>,
 }
 
-impl Film {
+impl ParameterFilm {
     /// Shows the next frame if the last one was seen.
     pub fn step(&mut self, ctx: &Context, station: &mut RoomStation, work: &RoomWork) {
         if !self.is_playing {
@@ -70,7 +70,7 @@ pub fn list(ui: &mut Ui, stations: &[RoomStation], chosen: usize) -> Option<usiz
 }
 
 /// Shows the parameters. The one of the film has a button before it.
-pub fn sliders(ui: &mut Ui, station: &mut RoomStation, film: &mut Film) {
+pub fn sliders(ui: &mut Ui, station: &mut RoomStation, film: &mut ParameterFilm) {
     heading(ui, "Parameters");
     let parameters: Vec<(Parameter, DVec3)> = station.values.iter().map(|(p, value)| (p.clone(), value)).collect();
     for (parameter, value) in parameters {

@@ -29,7 +29,7 @@ use crate::files::link::StationLink;
 use crate::platform::Platform;
 use crate::theme::{self, colors, icons};
 use crate::widgets::icon_button;
-use controls::Film;
+use controls::ParameterFilm;
 use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
 use gonio_beyond::StationDescription;
 use gonio_bsdf::ParameterValues;
@@ -56,7 +56,7 @@ pub struct StationRoom {
     stations: Vec<RoomStation>,
     chosen: usize,
     work: RoomWork,
-    film: Film,
+    film: ParameterFilm,
     page: RoomPage,
 }
 

@@ -1,7 +1,7 @@
 //! What the room has requested, and the results.
 
 use super::RoomStation;
-use super::controls::Film;
+use super::controls::ParameterFilm;
 use super::task::{RequestNumber, StationNews, StationTask};
 use crate::platform::Platform;
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -109,7 +109,7 @@ impl RoomWork {
         platform: &mut dyn Platform,
         ctx: &Context,
         stations: &mut Vec<RoomStation>,
-        film: &Film,
+        film: &ParameterFilm,
     ) -> Vec<String> {
         let mut errors = Vec::new();
         if self.task.is_none() {
@@ -147,7 +147,7 @@ impl RoomWork {
         errors
     }
 
-    fn take(&mut self, ctx: &Context, number: RequestNumber, result: StationResult, film: &Film) {
+    fn take(&mut self, ctx: &Context, number: RequestNumber, result: StationResult, film: &ParameterFilm) {
         if number < self.station_since {
             return;
         }
