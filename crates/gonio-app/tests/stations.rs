@@ -4,6 +4,8 @@
 mod support;
 
 use egui::{Vec2, vec2};
+use gonio_app::exported;
+use gonio_app::files::link::StationLink;
 use serde_json::Value;
 use std::time::Duration;
 use support::Window;
@@ -115,4 +117,60 @@ fn on_a_phone_the_picture_stays_above_the_pages() {
     window.click("station-polarisation");
     window.click("page-law");
     window.widget("station-plot");
+}
+
+#[test]
+fn every_picture_of_a_station_is_shown() {
+    let mut window = Window::stations(DESK);
+    window.click("station-interference");
+    let names: Vec<String> = exported::widgets(&window.harness.ctx)
+        .iter()
+        .filter_map(|widget| widget.id.strip_prefix("picture-").map(str::to_owned))
+        .collect();
+    assert_eq!(names, ["wand", "bubbles", "puddle", "disc"]);
+    for name in names {
+        window.click(&format!("picture-{name}"));
+        window.until(&name, |room| room["picture"]["name"] == name.as_str() && room["picture"]["newest"] == true);
+    }
+}
+
+#[test]
+fn a_finished_picture_is_not_drawn_again() {
+    let mut window = Window::stations(PHONE);
+    window.click("station-phosphorescence");
+    let done = window.until("the last sample", |room| room["running"] == false && is_checked(room));
+    assert_eq!((&done["chosen"], &done["picture"]["samples"]), (&"phosphorescence".into(), &64.into()));
+    // Frames are drawn only if something requests them.
+    window.harness.run();
+    let before = window.app().session().facts.frames;
+    window.harness.run();
+    let after = window.app().session().facts.frames;
+    assert!(after <= before + 2, "{before} {after}");
+    assert_eq!(window.until("the same", |_| true)["picture"], done["picture"]);
+}
+
+#[test]
+fn a_link_opens_a_station_with_its_values_and_names_what_is_wrong() {
+    let mut window = Window::with("builtin:cube", DESK);
+    let mut open = |fragment: &str| {
+        let link = StationLink::parse(fragment).unwrap();
+        window.harness.state_mut().as_mut().unwrap().begin_stations(link);
+        window.steps(2);
+        let room = window.until("the list", |room| !room["chosen"].is_null());
+        let texts =
+            window.app().session().messages.list().iter().map(|message| message.text.clone()).collect::<Vec<_>>();
+        (room, texts.join(" "))
+    };
+    let (room, messages) = open("#station=fog:density=0.2,g=-0.5");
+    assert_eq!(
+        [&room["chosen"], &room["values"]["density"], &room["values"]["g"]],
+        [&"fog".into(), &0.2.into(), &(-0.5).into()] as [&Value; 3]
+    );
+    assert_eq!(messages, "");
+    open("#station=polarisation:angle=999");
+    open("#station=lake");
+    let (room, messages) = open("#station=");
+    assert_eq!((&room["chosen"], &room["values"]["angle"]), (&"polarisation".into(), &90.0.into()));
+    assert!(messages.contains("`999`") && messages.contains("from 0 to 180 degrees"), "{messages}");
+    assert!(messages.contains("unknown station `lake`"), "{messages}");
 }

@@ -4,6 +4,8 @@
 mod common;
 
 use common::Lab;
+use std::process::{Command, Stdio};
+use std::time::Duration;
 
 const SMALL: [&str; 4] = ["--size", "24x18", "--samples", "1"];
 
@@ -55,6 +57,29 @@ fn a_film_has_its_frames() {
     let control = film.windows(4).position(|name| name == b"acTL").unwrap();
     assert_eq!(film[control + 4..control + 8], [0, 0, 0, 3]);
     assert!(!lab.path("out/interference-disc.png").exists(), "one picture was asked for");
+}
+
+/// A film of hours is interrupted while its frames are computed.
+#[test]
+fn an_interrupted_film_leaves_nothing_and_what_was_there() {
+    let lab = Lab::new();
+    lab.write("kept.txt", "mine");
+    for signal in ["INT", "TERM", "KILL"] {
+        let args = ["beyond", "fog", "-o", "new/out", "--frames", "100", "--size", "600x400"];
+        let mut child = lab.command(&args).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        std::thread::sleep(Duration::from_millis(800));
+        assert!(child.try_wait().unwrap().is_none(), "it ended too early");
+        let sent = Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().unwrap();
+        assert!(sent.success() && !child.wait().unwrap().success(), "it survived SIG{signal}");
+        assert_eq!(lab.names(), ["kept.txt"], "after SIG{signal}");
+    }
+}
+
+#[test]
+fn a_window_and_files_exclude_each_other() {
+    let lab = Lab::new();
+    lab.run(&["beyond", "fog", "--window", "-o", "out"]).refused(&["--window", "--output"]);
+    lab.run(&["beyond", "fog", "--window", "--set", "g=2"]).refused(&["`2`", "from -0.9 to 0.9"]);
 }
 
 #[test]

@@ -13,6 +13,9 @@ use web_time::{Duration, Instant};
 /// The longest time that a playing film waits for a picture without squares.
 const PATIENCE: Duration = Duration::from_millis(800);
 
+/// The size of a plot before it is laid out, in pixels.
+const FIRST_PLOT: [u32; 2] = [370, 388];
+
 /// A picture on the screen.
 #[derive(Default)]
 pub struct ShownPicture {
@@ -195,15 +198,17 @@ impl RoomWork {
 
     /// Requests what the room shows now, if that has changed.
     pub fn request(&mut self, ctx: &Context, station: &RoomStation) {
-        if self.size.contains(&0) || self.plot_size.contains(&0) {
+        if self.size.contains(&0) {
             return;
         }
+        // On a phone the plot is on a page that may not have been shown yet.
+        let plot_size = if self.plot_size.contains(&0) { FIRST_PLOT } else { self.plot_size };
         let request = StationRequest {
             station: station.description.name.clone(),
             values: station.values.iter().map(|(parameter, value)| (parameter.name.to_string(), value.x)).collect(),
             picture: station.picture,
             size: self.size,
-            plot_size: self.plot_size,
+            plot_size,
             theme: if ctx.theme() == egui::Theme::Dark { PlotTheme::Dark } else { PlotTheme::Light },
         };
         let before = self.request.as_ref();
