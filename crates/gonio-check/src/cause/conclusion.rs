@@ -52,8 +52,9 @@ pub(super) fn first_conclusion<'a>(
             return Ok(one.diagnosis(Found::Endless, methods(one.task)[0]));
         };
         // Light differs from place to place. With open strengths, a picture without it is like any other, and a white one
-        // like any that is too bright.
-        let is_unlit = one.task.model.is_lit() && (is_black(&seen) || is_flat(&seen));
+        // like any that is too bright. With a white material, right pictures are white too.
+        let may_be_lit = attempt == Attempt::White || !one.task.model.is_lit();
+        let is_unlit = !may_be_lit && (is_black(&seen) || is_flat(&seen));
         if is_unlit && attempt.is_of_right() {
             continue;
         }
