@@ -71,8 +71,7 @@ impl Exhibit {
     /// Creates a picture of a station with its defaults.
     pub fn station(caption: impl Into<String>, station: StationExhibit) -> Self {
         let exhibit = Self::with_subject(station.file_stem(), caption.into(), ExhibitSubject::Station(station));
-        // Each pixel is a sum of random paths.
-        exhibit.aspect(StationExhibit::ASPECT).at_sheet_size()
+        exhibit.aspect(StationExhibit::ASPECT)
     }
 
     fn with_subject(name: String, caption: String, subject: ExhibitSubject) -> Self {

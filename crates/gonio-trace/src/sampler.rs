@@ -33,6 +33,12 @@ impl Sampler {
         Sampler { seed, reversed_index: index.reverse_bits(), pair: 0 }
     }
 
+    /// The index of the sample in its pixel.
+    #[inline]
+    pub fn index(&self) -> u32 {
+        self.reversed_index.reverse_bits()
+    }
+
     /// The next number, in `[0, 1)`.
     #[inline]
     pub fn next_1d(&mut self) -> f32 {

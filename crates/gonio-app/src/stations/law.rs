@@ -8,8 +8,8 @@ use crate::widgets::{compact, heading};
 use egui::{Label, RichText, Sense, Ui, WidgetInfo, vec2};
 use gonio_beyond::{LawCheck, StationDescription};
 
-/// Shows the plot and the checks.
-pub fn show(ui: &mut Ui, description: &StationDescription, work: &mut RoomWork) {
+/// Shows the plot.
+pub fn plot(ui: &mut Ui, description: &StationDescription, work: &mut RoomWork) {
     let width = ui.available_width().max(120.0);
     let (rect, response) = ui.allocate_exact_size(vec2(width, (1.05 * width).min(440.0)), Sense::hover());
     work.plot_size = [rect.width() as u32, rect.height() as u32];
@@ -25,7 +25,13 @@ pub fn show(ui: &mut Ui, description: &StationDescription, work: &mut RoomWork) 
             ui.painter().rect_filled(rect, 6.0, ui.visuals().faint_bg_color);
         }
     }
+}
+
+/// Shows the checks.
+pub fn checks(ui: &mut Ui, work: &RoomWork) {
     heading(ui, "Checks of the law");
+    // Rows as low as their text.
+    (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (1.0, 14.0);
     if work.checks.is_empty() {
         ui.label(RichText::new("computed after the picture's beginning").weak().small());
     }
@@ -55,4 +61,5 @@ fn show_check(ui: &mut Ui, index: usize, check: &LawCheck, is_present: bool) {
         ui.add_space(19.0);
         ui.add(Label::new(text(numbers, ui.visuals().weak_text_color()).monospace().size(11.0)).wrap());
     });
+    ui.add_space(3.0);
 }

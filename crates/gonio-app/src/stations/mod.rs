@@ -203,14 +203,13 @@ impl StationRoom {
         let law = Panel::right("station law").frame(inside).default_size(width).size_range(280.0..=620.0);
         law.show(ui, |ui| {
             ScrollArea::vertical().id_salt("station law").auto_shrink([false, false]).show(ui, |ui| {
+                clear_of_bar(ui);
                 self.show_law(ui);
-                if let Some(station) = self.station() {
-                    page::law(ui, &station.description);
-                }
             });
         });
         egui::CentralPanel::default().frame(inside).show(ui, |ui| {
             ScrollArea::vertical().id_salt("station page").auto_shrink([false, false]).show(ui, |ui| {
+                clear_of_bar(ui);
                 let height = (0.72 * ui.clip_rect().height()).max(200.0);
                 self.show_picture(ui, height);
                 if let Some(station) = self.station() {
@@ -241,9 +240,6 @@ impl StationRoom {
                 }
                 RoomPage::Law => {
                     self.show_law(ui);
-                    if let Some(station) = self.station() {
-                        page::law(ui, &station.description);
-                    }
                 }
             });
         });
@@ -297,7 +293,14 @@ impl StationRoom {
 
     fn show_law(&mut self, ui: &mut Ui) {
         if let Some(station) = self.stations.get(self.chosen) {
-            law::show(ui, &station.description, &mut self.work);
+            law::plot(ui, &station.description, &mut self.work);
+            page::law(ui, &station.description);
+            law::checks(ui, &self.work);
         }
     }
+}
+
+/// Leaves room for the bar of a scroll area, which floats over its content.
+fn clear_of_bar(ui: &mut Ui) {
+    ui.set_max_width(ui.available_width() - 6.0);
 }

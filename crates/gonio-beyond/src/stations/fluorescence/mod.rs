@@ -89,7 +89,7 @@ fn plot(values: &ParameterValues, figure: &mut PlotFigure) -> Result<(), PlotErr
     let axes = PlotAxes {
         title: format!("Light that changes its wavelength, under a lamp of {} nm", number(lamp_lambda)),
         x_label: "Wavelength (nm)",
-        y_label: "Share absorbed; light emitted, relative".to_owned(),
+        y_label: "Share; relative light".to_owned(),
         x: [300.0, 780.0],
         x_ticks: XTicks::Numbers,
         top: 1.2,

@@ -47,7 +47,7 @@ const LAMP_COS: f64 = 0.972;
 const LAMP: DVec3 = DVec3::new(33.0, 30.0, 26.0);
 const PRECISION: f64 = 2e-4;
 /// Walks or probes from a vertex in each channel, for each set.
-const WALKS: u32 = 18;
+const WALKS: u32 = 9;
 /// Samples of direct light, which are cheap.
 const DIRECT: u32 = 4;
 /// Boundaries turn radiance into a smooth surface's mirror image by this share at least (index 1.3).
@@ -293,8 +293,8 @@ fn crossings(middle: DVec3, axis: DVec3) -> Vec<DVec3> {
 
 impl ImagePlane for Figures {
     fn light(&self, at: DVec2, sampler: &mut Sampler) -> DVec3 {
-        // The samples of a pixel take every set of walks in turn.
-        let set = (sampler.next_1d() * SETS as f32) as usize;
+        // The samples of a pixel take every set of walks in turn, all pixels the same one: the first samples need few walks.
+        let set = sampler.index() as usize % SETS;
         let random = &mut sequence(sampler);
         let ray = self.camera.ray(at);
         let ground = ray.plane(DVec3::ZERO, DVec3::Y);

@@ -10,7 +10,7 @@ use std::sync::{LazyLock, OnceLock};
 /// Vertices around the axis, and sets of walks at each vertex.
 const AROUND: usize = 128;
 /// Sets of walks: the samples of a pixel take all of them in turn.
-pub const SETS: usize = 16;
+pub const SETS: usize = 32;
 /// The distance between rows of vertices along the outline.
 const ROW: f64 = 0.018;
 
@@ -33,14 +33,14 @@ static OUTLINE: LazyLock<Vec<DVec2>> = LazyLock::new(|| {
 
 /// Light at the vertices, as far as it is known.
 pub struct SurfaceCache {
-    light: Vec<OnceLock<DVec3>>,
+    /// For each set nothing until it is needed, then the vertices.
+    sets: [OnceLock<Vec<OnceLock<DVec3>>>; SETS],
 }
 
 impl SurfaceCache {
     /// Nothing is known.
     pub fn new() -> Self {
-        let count = OUTLINE.len() * AROUND * SETS;
-        Self { light: std::iter::repeat_with(OnceLock::new).take(count).collect() }
+        Self { sets: std::array::from_fn(|_| OnceLock::new()) }
     }
 
     /// The light at a place of the surface, by set `set` of walks. A vertex near the place is drawn: the mean is a smooth spline over
@@ -66,11 +66,14 @@ impl SurfaceCache {
         let turns = ((TAU * OUTLINE[row].x / ROW) as usize).clamp(6, AROUND);
         let turn = (at.z.atan2(at.x) / TAU * turns as f64 + offset()).round() as i64;
         let turn = turn.rem_euclid(turns as i64) as usize;
-        let index = (row * AROUND + turn) * SETS + set.min(SETS - 1);
-        *self.light[index].get_or_init(|| {
+        let (vertex, set) = (row * AROUND + turn, set.min(SETS - 1));
+        let count = OUTLINE.len() * AROUND;
+        let light = self.sets[set].get_or_init(|| std::iter::repeat_with(OnceLock::new).take(count).collect());
+        *light[vertex].get_or_init(|| {
             let angle = turn as f64 / turns as f64 * TAU;
             let DVec2 { x, y } = OUTLINE[row];
-            let seed = cell_numbers(IVec2::new(index as i32, 3), 77).map(|number| (number * 256.0) as u8);
+            let seed =
+                cell_numbers(IVec2::new((vertex * SETS + set) as i32, 3), 77).map(|number| (number * 256.0) as u8);
             find(DVec3::new(x * angle.cos(), y, x * angle.sin()), &mut SplitMix::new(u64::from_le_bytes(seed)))
         })
     }

@@ -55,10 +55,7 @@ pub fn all<'a>(
             ExhibitSubject::Environment(picture) => {
                 convert(folder, (section, exhibit), *picture, width, placement, times)?
             }
-            ExhibitSubject::Station(station) => {
-                let height = (f64::from(placement.height) * scale) as u32;
-                compute(folder, (section, exhibit), *station, [width, height], placement, times)?
-            }
+            ExhibitSubject::Station(station) => compute(folder, (section, exhibit), *station, placement, times)?,
             ExhibitSubject::Scene(scene) => {
                 let mut scene = (**scene).clone();
                 scene.picture.width = width;
@@ -116,30 +113,32 @@ fn compute<'a>(
     folder: &mut Folder,
     (section, exhibit): (usize, &'a Exhibit),
     station: StationExhibit,
-    [width, height]: [u32; 2],
     placement: &Placement,
     times: &Times,
 ) -> Result<DrawnExhibit<'a>, CliError> {
+    let [width, height] =
+        [placement.width, placement.height].map(|side| (f64::from(side) * StationExhibit::SCALE) as u32);
     let start = Instant::now();
     let computed = times.measure("compute", || station.compute(width.max(1), height.max(1)));
     let ms = start.elapsed().as_secs_f64() * 1e3;
     times.measure("write", || folder.add(&folder.picture(&exhibit.name), &computed.png()?))?;
     let encoded = computed.encoded();
-    let (station, picture) = (station.station.name, station.picture.name);
+    let (station, picture, samples) = (station.station.name, station.picture.name, station.samples);
     Ok(DrawnExhibit {
         section,
         exhibit,
         width: encoded.width,
         height: encoded.height,
-        small: times.measure("reduce", || reduced(&encoded, placement.width, placement.height, BACKGROUND)),
+        small: times.measure("reduce", || {
+            let larger = computed.resized(placement.width, placement.height);
+            reduced(&larger, placement.width, placement.height, BACKGROUND)
+        }),
         counts: DrawCounts::default(),
         ms,
         difference: None,
         command: format!(
             "gonio beyond {station} -o . --picture {picture} --size {}x{} --samples {}",
-            encoded.width,
-            encoded.height,
-            StationExhibit::SAMPLES
+            encoded.width, encoded.height, samples
         ),
     })
 }
