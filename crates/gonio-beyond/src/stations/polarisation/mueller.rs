@@ -69,6 +69,7 @@ pub fn boundary(cos_i: f64, n_i: f64, n_t: f64) -> [DMat4; 2] {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use gonio_light::optics::{brewster_angle_rad, polarised_dielectric};
@@ -126,5 +127,39 @@ mod tests {
         let round = change_of_basis(k, DVec3::Y, x) * change_of_basis(k, x, DVec3::Y);
         assert!((round * DVec4::new(1.0, 0.2, 0.3, 0.4) - DVec4::new(1.0, 0.2, 0.3, 0.4)).length() < 1e-12);
         assert!((rotation(FRAC_PI_2) * polarised(1.0) - polarised(-1.0)).length() < 1e-12);
+    }
+
+    /// Light of a panel that glass and then water reflect, with planes of incidence turned by an angle against each other.
+    fn crossed(turn_rad: f64) -> DVec4 {
+        let (sin, cos) = 70.0_f64.to_radians().sin_cos();
+        let mirrored = |direction: DVec3, normal: DVec3| direction - 2.0 * direction.dot(normal) * normal;
+        // From the camera to the water, the glass and the panel.
+        let (sight, water) = (DVec3::new(sin, 0.0, -cos), DVec3::Z);
+        let to_glass = mirrored(sight, water);
+        let side = sight.cross(water).normalize();
+        let tilt = turn_rad.cos() * side.cross(to_glass) + turn_rad.sin() * side;
+        let glass = -cos * to_glass + sin * tilt;
+        // And back.
+        let from_glass = -to_glass;
+        let light = boundary(cos, 1.0, 1.5)[0] * UNPOLARISED;
+        let (across_glass, across_water) = (from_glass.cross(glass).normalize(), from_glass.cross(water).normalize());
+        boundary(cos, 1.0, 1.333)[0] * (change_of_basis(from_glass, across_glass, across_water) * light)
+    }
+
+    /// Issue 21: Mitsuba's polarised path tracer has the same light within 3 standard errors.
+    #[test]
+    fn two_reflections_are_those_of_mitsuba() {
+        let reference = include_str!("../../../tests/mitsuba/reference.txt");
+        let mut count = 0;
+        for line in reference.lines().filter_map(|line| line.strip_prefix("crossed ")) {
+            let numbers: Vec<f64> = line.split(' ').map(|number| number.parse().unwrap()).collect();
+            let &[turn, light, light_error, linear, linear_error] = numbers.as_slice() else { panic!("{line}") };
+            let stokes = crossed(turn.to_radians());
+            assert!((stokes.x - light).abs() < 3.0 * light_error, "{turn}: {stokes} {light}");
+            let found = stokes.y.hypot(stokes.z);
+            assert!((found - linear).abs() < 3.0 * linear_error, "{turn}: {stokes} {linear}");
+            count += 1;
+        }
+        assert_eq!(count, 5);
     }
 }
