@@ -84,7 +84,8 @@ async function run() {
   if (opened.length > 0) unopened = builtinFiles("first").map(giveIfItComes);
   const scene = Promise.all([...requested, ...carried].map(give));
   // The first half can read the first scene and OBJ models. Other files and stations need the second half.
-  const whole = carried.length > 0 || location.hash.startsWith("#station=") || opened.some(({ name }) => !name.toLowerCase().endsWith(".obj"));
+  const station = location.hash.startsWith("#station=");
+  const whole = station || carried.length > 0 || opened.some(({ name }) => !name.toLowerCase().endsWith(".obj"));
   if (whole) askForRest();
   // Errors are reported below, after the first `await`, and not also by the browser.
   module.catch(() => {});

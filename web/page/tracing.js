@@ -1,4 +1,5 @@
-// Traced pictures, bakes and stations: each pane with a traced picture has a worker (`tracer.js`), and so have the others. The first one is started ahead of need.
+// Traced pictures, bakes and stations. Each pane with a traced picture, each bake and the stations have a worker (`tracer.js`). The
+// first one is started ahead of need.
 
 /** Set by `prepare`: the URLs of built-in files by their names. */
 let urls;

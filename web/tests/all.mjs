@@ -18,6 +18,7 @@ import "./check.test.mjs";
 import "./exercise.test.mjs";
 import "./bench.test.mjs";
 import "./bake.test.mjs";
+import "./stations.test.mjs";
 import "./trouble.test.mjs";
 import "./again.test.mjs";
 import "./rest.test.mjs";

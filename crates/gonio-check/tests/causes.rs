@@ -385,6 +385,74 @@ void main() {
     assert_eq!(lines(&of_exercise("ex06", &vertex, &swapped)), [7, 8]);
 }
 
+/// In the first scene of a sky, the camera stands at the origin and looks ahead: V is the identity.
+#[test]
+fn v_and_p_of_a_sky_are_told_apart_whatever_their_names() {
+    let vertex = "#version 330 core
+in vec3 in0; uniform mat4 un4, un5; out vec3 direction;
+void main() {
+    direction = in0;
+    mat4 turn = mat4(mat3(un4));
+    gl_Position = (un5 * turn * vec4(in0, 1.0)).xyww;
+}
+";
+    let fragment = "#version 330 core
+uniform samplerCube un16; in vec3 direction; out vec4 c;
+void main() { c = vec4(texture(un16, direction).rgb, 1.0); }
+";
+    let found = of_exercise("ex08", vertex, fragment).found;
+    assert!(matches!(found, Found::Right(_)), "{found:?}");
+}
+
+/// A power of at least 1 is white everywhere: ambient light of 1 and any highlight would be too.
+#[test]
+fn a_white_picture_is_never_right() {
+    let vertex = IN_VIEW_SPACE
+        .replace("mat3(V) * (mat3(itM) * normal)", "mat3(itM) * normal")
+        .replace("PLACE", "vec3(M * vec4(position, 1.0))");
+    let fragment = "#version 330 core
+in vec3 n; in vec3 p;
+uniform vec3 light_pos, u_view_pos; uniform float brillance;
+out vec4 c;
+void main() {
+    vec3 r = reflect(-normalize(light_pos - p), normalize(n));
+    c = vec4(vec3(pow(brillance, clamp(dot(r, normalize(u_view_pos - p)), 0.0, 1.0))), 1.0);
+}
+";
+    let found = of_exercise("ex06", &vertex, fragment).found;
+    assert!(!matches!(found, Found::Right(_)), "{found:?}");
+}
+
+/// In view space, a highlight of wrong vectors would be as dark as one that is missing.
+#[test]
+fn a_program_in_world_space_has_no_mistakes_in_view_space() {
+    let vertex = "#version 330 core
+in vec3 position; in vec3 normal; uniform mat4 M, V, P, itM; out vec3 n; out vec3 p;
+void main() {
+    gl_Position = P * V * M * vec4(position, 1.0);
+    n = normalize(mat3(itM) * normal);
+    p = vec3(M * vec4(position, 1.0));
+}
+";
+    let fragment = "#version 330 core
+struct Light { vec3 light_pos; float ambient_strength, diffuse_strength, specular_strength, constant, linear, quadratic; };
+uniform Light light; uniform vec3 u_view_pos, materialColour; uniform float shininess;
+in vec3 n; in vec3 p; out vec4 c;
+void main() {
+    vec3 to_light = light.light_pos - p;
+    vec3 N = normalize(n), L = normalize(to_light), H = normalize(L + normalize(u_view_pos - p));
+    float d = length(to_light), a = 1.0 / (light.constant + light.linear * d + light.quadratic * d * d);
+    vec3 ambient = light.ambient_strength * materialColour;
+    vec3 diffuse = light.diffuse_strength * max(dot(N, L), 0.0) * materialColour;
+    vec3 specular = light.specular_strength * pow(max(dot(N, H), 0.0), shininess) * materialColour;
+    c = vec4(ambient + a * diffuse, 1.0);
+}
+";
+    let found = of_exercise("ex07", vertex, fragment).explanations;
+    let ids: Vec<&str> = found.iter().flat_map(|one| one.mistakes.iter().map(|mistake| mistake.id.as_str())).collect();
+    assert_eq!(ids, ["specular-missing"]);
+}
+
 #[test]
 fn programs_that_take_long_are_not_judged() {
     let start = "void main() {";

@@ -83,10 +83,11 @@ pub fn pause() {
     }
 }
 
-/// Number of pictures of the scene since the page was loaded.
+/// Number of pictures of the scene and of stations since the page was loaded.
 #[wasm_bindgen]
 pub fn pictures() -> f64 {
-    with_page(|page| page.app.as_ref().map_or(0.0, |app| app.borrow().session().facts.pictures as f64))
+    let count = |app: &App| app.session().facts.pictures + app.stations().pictures();
+    with_page(|page| page.app.as_ref().map_or(0.0, |app| count(&app.borrow()) as f64))
 }
 
 /// The application's state as JSON: `gonio_app::exported`. Before it is started and after a panic: `null`.

@@ -28,13 +28,12 @@ pub(crate) use job::Job;
 pub use plot::PlotRequest;
 
 use crate::action::Action;
-use crate::exported::{self, WidgetRole};
 use crate::platform::Platform;
 use crate::saving::Product;
-use crate::theme::colors;
+use crate::widgets::page_tabs;
 use checks::BenchChecks;
 use command::BenchCommand;
-use egui::{Frame, Margin, Panel, RichText, ScrollArea, Ui};
+use egui::{Frame, Margin, Panel, ScrollArea, Ui};
 use gonio_plot::{PlotSettings, png, svg};
 use plot::BenchPlot;
 
@@ -191,26 +190,11 @@ impl BenchView {
 
     /// The tabs of the pages.
     fn pages(&mut self, ui: &mut Ui) {
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            let pages = [
-                (BenchPage::Plot, "Plot", "plot"),
-                (BenchPage::Functions, "Functions", "functions"),
-                (BenchPage::Checks, "Checks", "checks"),
-            ];
-            for (page, name, id) in pages {
-                let chosen = self.page == page;
-                let mut text = RichText::new(name);
-                if chosen {
-                    text = text.color(colors::ACCENT.of(ui));
-                }
-                let button = ui.add(egui::Button::new(text).selected(chosen).frame_when_inactive(false));
-                exported::note(ui, &button, &format!("page-{id}"), WidgetRole::Tab, name, chosen);
-                if button.clicked() {
-                    self.page = page;
-                }
-            }
-        });
-        ui.separator();
+        let pages = [
+            (BenchPage::Plot, "Plot", "plot"),
+            (BenchPage::Functions, "Functions", "functions"),
+            (BenchPage::Checks, "Checks", "checks"),
+        ];
+        page_tabs(ui, &mut self.page, &pages);
     }
 }

@@ -49,7 +49,7 @@ use crate::files::ExerciseFile;
 use crate::platform::Platform;
 use crate::scene_view::drawing::PaneRenderer;
 use crate::step::{self, Stepper};
-use crate::theme::colors;
+use crate::widgets::page_tabs;
 use check::Check;
 use compiler::Compiler;
 use drafts::Drafts;
@@ -307,28 +307,13 @@ fn edit(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper, commands: &mut Vec<
 
 /// The tabs of the pages.
 fn pages(ui: &mut Ui, work: &mut Work, pages: &[ExercisePage]) {
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        for &page in pages {
-            let (name, id) = match page {
-                ExercisePage::Editor => ("Files", "files"),
-                ExercisePage::Text => ("Exercise", "text"),
-                ExercisePage::Verdict => ("Verdict", "verdict"),
-                ExercisePage::Variables => ("Variables", "variables"),
-            };
-            let chosen = work.page == page;
-            let mut text = egui::RichText::new(name);
-            if chosen {
-                text = text.color(colors::ACCENT.of(ui));
-            }
-            let button = ui.add(egui::Button::new(text).selected(chosen).frame_when_inactive(false));
-            exported::note(ui, &button, &format!("page-{id}"), WidgetRole::Tab, name, chosen);
-            if button.clicked() {
-                work.page = page;
-            }
-        }
-    });
-    ui.separator();
+    let tab = |page: &ExercisePage| match page {
+        ExercisePage::Editor => (*page, "Files", "files"),
+        ExercisePage::Text => (*page, "Exercise", "text"),
+        ExercisePage::Verdict => (*page, "Verdict", "verdict"),
+        ExercisePage::Variables => (*page, "Variables", "variables"),
+    };
+    page_tabs(ui, &mut work.page, &pages.iter().map(tab).collect::<Vec<_>>());
 }
 
 fn page_of(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>) {

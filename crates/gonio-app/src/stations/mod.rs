@@ -24,11 +24,10 @@ mod work;
 pub use task::{RequestNumber, StationNews, StationTask};
 
 use crate::action::Action;
-use crate::exported::{self, WidgetRole};
 use crate::files::link::StationLink;
 use crate::platform::Platform;
-use crate::theme::{self, colors, icons};
-use crate::widgets::icon_button;
+use crate::theme::{self, icons};
+use crate::widgets::{icon_button, page_tabs};
 use controls::ParameterFilm;
 use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
 use gonio_beyond::StationDescription;
@@ -91,6 +90,11 @@ impl StationRoom {
     /// Drops everything on the GPU, because its context is lost or will be.
     pub fn release(&mut self) {
         self.work.release();
+    }
+
+    /// Number of pictures of stations so far.
+    pub fn pictures(&self) -> u64 {
+        self.work.picture.serial
     }
 
     /// Its part of the exported state: see [`crate::exported::state`].
@@ -247,28 +251,13 @@ impl StationRoom {
 
     /// The tabs of the pages.
     fn pages(&mut self, ui: &mut Ui) {
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            let pages = [
-                (RoomPage::Stations, "Stations", "stations"),
-                (RoomPage::Sliders, "Sliders", "sliders"),
-                (RoomPage::Text, "Text", "text"),
-                (RoomPage::Law, "Law", "law"),
-            ];
-            for (page, name, id) in pages {
-                let chosen = self.page == page;
-                let mut text = RichText::new(name);
-                if chosen {
-                    text = text.color(colors::ACCENT.of(ui));
-                }
-                let button = ui.add(egui::Button::new(text).selected(chosen).frame_when_inactive(false));
-                exported::note(ui, &button, &format!("page-{id}"), WidgetRole::Tab, name, chosen);
-                if button.clicked() {
-                    self.page = page;
-                }
-            }
-        });
-        ui.separator();
+        let pages = [
+            (RoomPage::Stations, "Stations", "stations"),
+            (RoomPage::Sliders, "Sliders", "sliders"),
+            (RoomPage::Text, "Text", "text"),
+            (RoomPage::Law, "Law", "law"),
+        ];
+        page_tabs(ui, &mut self.page, &pages);
     }
 
     fn show_list(&mut self, ui: &mut Ui) {

@@ -45,6 +45,26 @@ pub fn dropdown<T: Copy + PartialEq>(
     picked.and_then(|index| options.get(index)).is_some_and(|(option, ..)| replace(value, *option))
 }
 
+/// The tabs of pages (page, name, id) of which a narrow window shows one.
+pub fn page_tabs<T: Copy + PartialEq>(ui: &mut Ui, shown: &mut T, pages: &[(T, &str, &str)]) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        for (page, name, id) in pages {
+            let chosen = shown == page;
+            let mut text = RichText::new(*name);
+            if chosen {
+                text = text.color(colors::ACCENT.of(ui));
+            }
+            let button = ui.add(Button::new(text).selected(chosen).frame_when_inactive(false));
+            exported::note(ui, &button, &format!("page-{id}"), WidgetRole::Tab, name, chosen);
+            if button.clicked() {
+                *shown = *page;
+            }
+        }
+    });
+    ui.separator();
+}
+
 fn replace<T: PartialEq>(value: &mut T, with: T) -> bool {
     let changed = *value != with;
     *value = with;

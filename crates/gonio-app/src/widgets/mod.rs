@@ -10,7 +10,7 @@ mod parameters;
 mod spectrum;
 
 pub(crate) use choice::named_options;
-pub use choice::{choice, dropdown, slug};
+pub use choice::{choice, dropdown, page_tabs, slug};
 pub use color::{color, color_swatch, shown};
 pub use number::{NO_BREAK, NumberField, SPACE, Vector, axes, compact, grouped};
 pub use parameters::parameter;

@@ -53,12 +53,13 @@ pub(super) fn first_conclusion<'a>(
         };
         // Light differs from place to place. With open strengths, a picture without it is like any other, and a white one
         // like any that is too bright. With a white material, right pictures are white too.
-        let may_be_lit = attempt == Attempt::White || !one.task.model.is_lit();
-        let is_unlit = !may_be_lit && (is_black(&seen) || is_flat(&seen));
+        let has_shades = one.task.model.is_lit() && attempt != Attempt::White;
+        let is_unlit = has_shades && (is_black(&seen) || is_flat(&seen));
         if is_unlit && attempt.is_of_right() {
             continue;
         }
-        match if is_unlit { None } else { one.right(&seen, &likely)? } {
+        let right = if is_unlit { None } else { one.right(&seen, &likely)? };
+        match right {
             // A switch may be off that turns the term on.
             Some(right) if right.unused_terms.contains(&true) => {
                 with_unused_terms.get_or_insert(right);

@@ -24,11 +24,10 @@ impl ThreadBake {
         let stop = Arc::new(AtomicBool::new(false));
         let (stopped, ctx) = (stop.clone(), ctx.clone());
         std::thread::spawn(move || {
-            let cores = std::thread::available_parallelism().map_or(1, usize::from);
             let work = || run(&request, &sender, &stopped, &ctx);
-            match rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build() {
-                Ok(pool) => pool.install(work),
-                Err(_) => work(),
+            match super::thread_pool() {
+                Some(pool) => pool.install(work),
+                None => work(),
             }
         });
         ThreadBake { replies, stop, has_ended: false }

@@ -31,6 +31,12 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use watch::Watcher;
 
+/// A pool of threads for work beside the interface, to which it leaves a core; `None` if the system refuses it.
+fn thread_pool() -> Option<rayon::ThreadPool> {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build().ok()
+}
+
 /// Options of `gonio view`.
 #[derive(Default)]
 pub struct WindowOptions {

@@ -68,8 +68,7 @@ struct Worker {
 
 impl Worker {
     fn run(&self, requests: &Receiver<(RequestNumber, StationRequest)>) {
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build();
+        let pool = super::thread_pool();
         let start = Instant::now();
         let clock = || 1e3 * start.elapsed().as_secs_f64();
         let mut work = StationWork::default();
@@ -84,8 +83,8 @@ impl Worker {
                 self.advance(number, &mut work, &clock);
             };
             match &pool {
-                Ok(pool) => pool.install(begun),
-                Err(_) => begun(),
+                Some(pool) => pool.install(begun),
+                None => begun(),
             }
         }
     }

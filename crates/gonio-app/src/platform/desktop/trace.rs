@@ -100,8 +100,7 @@ struct Worker {
 
 impl Worker {
     fn run(&self, requests: &Receiver<Order>) {
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads((cores - 1).max(1)).build();
+        let pool = super::thread_pool();
         let mut kept: Option<(Number, TraceRequest, Refinement)> = None;
         while let Ok(mut next) = requests.recv() {
             while let Ok(newer) = requests.try_recv() {
@@ -120,8 +119,8 @@ impl Worker {
                 kept = Some((number, request, refinement));
             };
             match &pool {
-                Ok(pool) => pool.install(trace),
-                Err(_) => trace(),
+                Some(pool) => pool.install(trace),
+                None => trace(),
             }
         }
     }

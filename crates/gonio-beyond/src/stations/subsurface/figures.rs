@@ -47,7 +47,7 @@ const LAMP_COS: f64 = 0.972;
 const LAMP: DVec3 = DVec3::new(33.0, 30.0, 26.0);
 const PRECISION: f64 = 2e-4;
 /// Walks or probes from a vertex in each channel, for each set.
-const WALKS: u32 = 9;
+const WALKS: u32 = 18;
 /// Samples of direct light, which are cheap.
 const DIRECT: u32 = 4;
 /// Boundaries turn radiance into a smooth surface's mirror image by this share at least (index 1.3).

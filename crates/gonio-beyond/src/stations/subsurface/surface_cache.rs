@@ -10,7 +10,7 @@ use std::sync::{LazyLock, OnceLock};
 /// Vertices around the axis, and sets of walks at each vertex.
 const AROUND: usize = 128;
 /// Sets of walks: the samples of a pixel take all of them in turn.
-pub const SETS: usize = 32;
+pub const SETS: usize = 16;
 /// The distance between rows of vertices along the outline.
 const ROW: f64 = 0.018;
 
