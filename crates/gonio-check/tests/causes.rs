@@ -453,6 +453,107 @@ void main() {
     assert_eq!(ids, ["specular-missing"]);
 }
 
+/// With a normal that is translated, the highlight is behind the object: any exponent would do, but no other value.
+#[test]
+fn a_black_picture_has_the_mistake_that_its_values_show() {
+    let vertex = "#version 330 core
+in vec3 position; in vec3 normal; uniform mat4 M, V, P; uniform vec3 light_pos; uniform float brillance;
+out float grau;
+void main() {
+    vec3 punkt = (V * M * vec4(position, 1.0)).xyz;
+    vec3 nrm = normalize((V * M * vec4(normal, 1.0)).xyz);
+    vec3 licht = normalize((V * vec4(light_pos, 1.0)).xyz - punkt);
+    grau = pow(max(0.0, dot(normalize(licht - normalize(punkt)), nrm)), brillance);
+    gl_Position = P * vec4(punkt, 1.0);
+}
+";
+    let fragment = "#version 330 core
+in float grau; out vec4 c;
+void main() { c = vec4(vec3(grau), 1.0); }
+";
+    let found = of_exercise("ex05", vertex, fragment);
+    assert_eq!(explained(&found), ["normal-translated"]);
+}
+
+/// Most mistakes have their own wrong values in the program, by the space that it computes in: few pairs are left to try.
+#[test]
+fn two_mistakes_in_view_space_are_named() {
+    let vertex = "#version 330 core
+in vec3 position; in vec3 normal; uniform mat4 M, V, P; uniform vec3 u_light_pos; out float grey;
+void main() {
+    vec3 place = (P * V * M * vec4(position, 1.0)).xyz;
+    vec3 N = normalize(mat3(transpose(inverse(V * M))) * normal);
+    vec3 L = normalize(vec3(V * vec4(u_light_pos, 1.0)) - N);
+    grey = pow(max(dot(2.0 * dot(N, L) * N - L, normalize(-place)), 0.0), 32.0);
+    gl_Position = P * V * M * vec4(position, 1.0);
+}
+";
+    let fragment = "#version 330 core
+in float grey; out vec4 c;
+void main() { c = vec4(vec3(grey), 1.0); }
+";
+    let mut found = explained(&of_exercise("ex05", vertex, fragment));
+    found.sort_unstable();
+    assert_eq!(found, ["light-direction-minus-normal", "position-in-clip-space"]);
+}
+
+/// The camera turns a normal in view space, and with it the diffuse light: only the exponent tells which strength is
+/// that of the highlight.
+#[test]
+fn strengths_are_told_apart_beside_a_wrong_normal() {
+    let vertex = "#version 330
+in vec3 p; in vec3 n; uniform mat4 M, V, P; out vec3 vn; out vec3 vp;
+void main() {
+    vn = mat3(V * M) * n;
+    gl_Position = P * V * M * vec4(p, 1.0);
+    vp = vec3(M * vec4(p, 1.0));
+}
+";
+    let fragment = "#version 330
+struct T { float d; float s; vec3 pos; float a; };
+uniform T li; uniform vec3 eye, col; uniform float s; in vec3 vn, vp; out vec4 o;
+void main() {
+    vec3 n1 = normalize(vn), c = normalize(eye - vp), w = li.pos - vp, b = normalize(w);
+    float e = length(w), at = 1.0 / (1.0 + 0.14 * e + 0.07 * e * e);
+    float pw = pow(max(0.0, dot(-reflect(b, n1), c)), s);
+    o = vec4((li.a + at * (li.d * max(0.0, dot(n1, b)) + li.s * pw)) * col, 1.0);
+}
+";
+    assert_eq!(explained(&of_exercise("ex07", vertex, fragment)), ["normal-by-model-view"]);
+}
+
+/// Each part of a product is a multiple of what it should be.
+#[test]
+fn a_term_that_is_added_twice_is_wrong_in_the_sum() {
+    let vertex = "#version 330 core
+in vec3 position; in vec3 normal; uniform mat4 M, V, P, itM; out vec3 n; out vec3 p;
+void main() {
+    gl_Position = P * V * M * vec4(position, 1.0);
+    n = normalize(mat3(itM) * normal);
+    p = vec3(M * vec4(position, 1.0));
+}
+";
+    let fragment = "#version 330 core
+struct Light { vec3 light_pos; float ambient_strength, diffuse_strength, specular_strength, constant, linear, quadratic; };
+uniform Light light; uniform vec3 u_view_pos, materialColour; uniform float shininess;
+in vec3 n; in vec3 p; out vec4 c;
+void main() {
+    vec3 w = light.light_pos - p, N = normalize(n), L = normalize(w);
+    float d = length(w), a = 1.0 / (light.constant + light.linear * d + light.quadratic * d * d);
+    vec3 ambient = light.ambient_strength * materialColour;
+    vec3 diffuse = light.diffuse_strength * max(dot(N, L), 0.0) * materialColour;
+    float s = pow(max(dot(reflect(-L, N), normalize(u_view_pos - p)), 0.0), shininess);
+    vec3 sum = 2.0 * ambient + a * diffuse + a * light.specular_strength * s * materialColour;
+    c = vec4(sum, 1.0);
+}
+";
+    let found = of_exercise("ex07", vertex, fragment);
+    assert_eq!(explained(&found), ["ambient-twice"]);
+    let place = found.places.iter().find(|place| place.is_sum).unwrap();
+    let line = fragment[..place.span.start as usize].lines().count();
+    assert_eq!((place.mistake.id.as_str(), line), ("ambient-twice", 11));
+}
+
 #[test]
 fn programs_that_take_long_are_not_judged() {
     let start = "void main() {";

@@ -2,7 +2,7 @@
 
 use super::answer::{AnswerMethod, Highlight, LightingMethod, OWN_AMBIENT, Uncoloured};
 use super::explanation::{Explanation, Strengths};
-use super::few_places::AtFew;
+use super::few_places::{AtFew, DARKEST};
 use super::prediction::{Predicted, Predictor, Sum};
 use super::shown::Shown;
 use super::target::{Fit, Seen, is_in_place, planes};
@@ -98,7 +98,21 @@ impl Candidate {
 
     /// The explanation by a hypothesis, if it draws what is seen.
     pub(super) fn explanation(&self, seen: &Seen, hypothesis: &Hypothesis, required: [bool; 3]) -> Option<Explanation> {
-        let strengths = self.draws(seen, hypothesis, required)?;
+        self.draws(seen, hypothesis, required).map(|strengths| self.explained(hypothesis, strengths))
+    }
+
+    /// Whether a hypothesis takes all light of the required terms away, whatever their strengths.
+    pub(super) fn is_black(&self, hypothesis: &Hypothesis, required: [bool; 3]) -> bool {
+        (0..self.fine.scenes()).all(|scene| {
+            let predicted = self.fine.predict(scene, hypothesis, Sum::Terms);
+            let is_required = |term: &Option<usize>| term.is_none_or(|term| required[term]);
+            let open = predicted.open.iter().filter(|(term, _)| is_required(term)).map(|(_, planes)| planes);
+            open.chain([&predicted.known]).flatten().flatten().all(|x| x.is_nan() || *x < DARKEST)
+        })
+    }
+
+    /// The explanation by a hypothesis that draws what is seen.
+    pub(super) fn explained(&self, hypothesis: &Hypothesis, strengths: Strengths) -> Explanation {
         let mistakes = hypothesis.mistakes.iter().map(|mistake| self.fine.all.hypotheses.mistakes[*mistake]);
         let (harmless, mut mistakes): (Vec<_>, Vec<_>) = mistakes.partition(|mistake| mistake.harmless);
         // A light that is used in place of the other one is not missing besides.
@@ -125,7 +139,7 @@ impl Candidate {
                 },
             },
         };
-        Some(Explanation {
+        Explanation {
             method,
             strengths,
             lights: self.fine.lights,
@@ -133,7 +147,7 @@ impl Candidate {
             mistakes,
             hypothesis: hypothesis.clone(),
             peculiarities: harmless.len(),
-        })
+        }
     }
 
     /// Whether the ambient light has a colour of its own in a set of peculiarities.
@@ -160,6 +174,12 @@ impl Candidate {
             is_suspect: is_suspect(hypothesis),
         })
         .collect()
+    }
+
+    /// Whether the program has the own wrong value of a single mistake, which no input has, and no right value instead.
+    pub(super) fn is_evident(&self, single: &Hypothesis) -> bool {
+        let all = &self.fine.all.hypotheses;
+        self.allows(single) && single.mistakes.iter().any(|mistake| self.shown.is_evident(all.mistakes[*mistake]))
     }
 
     /// How likely a single mistake is.

@@ -227,7 +227,7 @@ impl Diagnosing<'_> {
                 let (method, space) = all[at];
                 let lighting = LightingMethod { model: method.model, space };
                 let wrong = match explanations.is_empty() {
-                    true => self.shown(lighting)?.suspects().iter().copied().collect(),
+                    true => self.shown(lighting)?.suspects().keys().copied().collect(),
                     false => explaining.clone(),
                 };
                 let model = Model::new(self.solutions, method, space, &of_model, exponent, Mistakes::These(&wrong))?;
@@ -344,8 +344,11 @@ impl Diagnosing<'_> {
     /// something there.
     fn lighting_methods(&self) -> Result<Vec<LightingMethod>, String> {
         let mut found = self.hints.methods(self.program);
-        let is_in_view = found.len() > 1 && self.shown(found[0])?.is_in_view();
-        found.retain(|method| method.space == Space::World || is_in_view);
+        if found.len() > 1 {
+            let shown = self.shown(found[0])?;
+            found.retain(|method| method.space == Space::World || shown.is_in_view());
+            found.sort_by_key(|method| (method.space == Space::World) == shown.is_mostly_in_view());
+        }
         Ok(found)
     }
 

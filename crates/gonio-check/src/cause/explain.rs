@@ -48,8 +48,11 @@ pub(super) const MOST_PAIRS: usize = 120_000;
 pub(super) const MOST_WHOLE: usize = 240;
 /// Most single mistakes that resemble a picture at few places.
 const MOST_LIKE_ONE: usize = 40;
-/// Most sets of peculiarities with which pairs are tried.
-const MOST_SETS_OF_PAIRS: usize = 8;
+/// Most pairs that are predicted at more places than exclude most, with one set of peculiarities.
+const MOST_COARSE: usize = 500;
+/// How many of two mistakes have their own wrong values in the program, and with how many model solutions and sets of
+/// peculiarities such pairs are tried. The first are few, and the likeliest.
+const SUSPECTS_OF_PAIRS: [(usize, usize, usize); 3] = [(2, usize::MAX, usize::MAX), (1, usize::MAX, 8), (0, 1, 2)];
 
 /// The result of single mistakes.
 pub(crate) enum Singly {
@@ -87,7 +90,7 @@ impl Explainer<'_> {
     pub fn singly(&self, seen: &Seen) -> Result<Singly, String> {
         // Too many mistakes explain a black picture.
         if is_black(seen) {
-            return Ok(Singly::Unexplained(Vec::new()));
+            return self.by_evidence(seen);
         }
         let mut found: Vec<Explanation> = Vec::new();
         let mut unexplained = Vec::new();
@@ -134,6 +137,28 @@ impl Explainer<'_> {
         })
     }
 
+    /// Explains a picture by single mistakes that the values of the program show.
+    fn by_evidence(&self, seen: &Seen) -> Result<Singly, String> {
+        let mut found = Vec::new();
+        for method in self.methods {
+            for lights in self.parameterisation.right_lights() {
+                let candidate = self.candidate(*method, *lights, seen)?;
+                for set in candidate.peculiarities(self.is_likely) {
+                    let evident = candidate.wrong().filter(|single| candidate.is_evident(single));
+                    let black = evident
+                        .filter_map(|single| set.and(single))
+                        .filter(|both| candidate.is_black(both, self.required));
+                    found.extend(black.map(|both| candidate.explained(&both, [None; 3])));
+                    if !found.is_empty() {
+                        break;
+                    }
+                }
+            }
+        }
+        let found = simplest(found);
+        Ok(if found.is_empty() { Singly::Unexplained(Vec::new()) } else { Singly::Explained(found) })
+    }
+
     /// Explains a picture by two mistakes.
     ///
     /// # Errors
@@ -144,19 +169,24 @@ impl Explainer<'_> {
         seen: &Seen,
     ) -> Result<Vec<Explanation>, String> {
         let mut found = Vec::new();
-        // One of two mistakes shows its own wrong value, unless it is computed from the other's.
-        for must_be_suspect in [true, false] {
-            for (candidate, sets) in unexplained.iter().take(if must_be_suspect { usize::MAX } else { 1 }) {
-                let quick = self.at_fewest(candidate, seen)?;
-                let wrong = candidate.wrong_of_pairs();
+        let candidates: Vec<(&Candidate, &[Hypothesis], AtFew, Vec<WrongOfPair<'_>>)> = unexplained
+            .iter()
+            .map(|(one, sets)| Ok((one, sets.as_slice(), self.at_fewest(one, seen)?, one.wrong_of_pairs())))
+            .collect::<Result<_, String>>()?;
+        // Most mistakes show their own wrong values, unless these are computed from the other's.
+        for (suspects, most_candidates, most_sets) in SUSPECTS_OF_PAIRS {
+            // Beside what is found, only alternatives that are as simple.
+            let fewest = found.iter().map(|explanation: &Explanation| explanation.peculiarities).min();
+            if suspects == 0 && fewest.is_some() {
+                break;
+            }
+            let may_be = |set: &&Hypothesis| fewest.is_none_or(|fewest| set.mistakes.len() <= fewest);
+            for (candidate, sets, quick, wrong) in candidates.iter().take(most_candidates) {
                 // An ambient light in its own colour is rare beside two mistakes, and doubles the sets.
                 let usual = sets.iter().filter(|set| !candidate.has_own_ambient(set));
-                for set in usual.take(if must_be_suspect { MOST_SETS_OF_PAIRS } else { 1 }) {
-                    self.pairs((candidate, &quick, &wrong), set, seen, must_be_suspect, &mut found);
+                for set in usual.take(most_sets).filter(may_be) {
+                    self.pairs((candidate, quick, wrong), set, seen, suspects, &mut found);
                 }
-            }
-            if !found.is_empty() {
-                break;
             }
         }
         // A mistake beside a light that is missing.
@@ -220,7 +250,7 @@ impl Explainer<'_> {
         (candidate, quick, wrong): (&Candidate, &AtFew, &[WrongOfPair<'_>]),
         set: &Hypothesis,
         seen: &Seen,
-        must_be_suspect: bool,
+        suspects: usize,
         found: &mut Vec<Explanation>,
     ) {
         let right = candidate.coarse.predictor.predict(0, set, Sum::Terms);
@@ -230,7 +260,7 @@ impl Explainer<'_> {
             let Some(one) = set.and(first.hypothesis) else { continue };
             for second in &wrong[at + 1..] {
                 let may_be = (first.moves || second.moves) == is_moved
-                    && (!must_be_suspect || first.is_suspect || second.is_suspect);
+                    && usize::from(first.is_suspect) + usize::from(second.is_suspect) == suspects;
                 if may_be {
                     pairs.extend(one.and(second.hypothesis));
                 }
@@ -243,10 +273,14 @@ impl Explainer<'_> {
             // More places cost more.
             let vertices = if candidate.method.model == ModelSolution::Gouraud { 3 } else { 1 };
             let cost = vertices * runs * at.predictor.places(0) / quick.predictor.places(0);
-            left.truncate(self.pairs_left.get() / cost);
-            self.pairs_left.set(self.pairs_left.get() - left.len() * cost);
-            let found = at.resemble(&left);
-            left = left.into_iter().zip(found).filter(|(_, (_, may_be))| *may_be).map(|(pair, _)| pair).collect();
+            // The few that are left deserve a second look, whatever is left for others.
+            left.truncate(if std::ptr::eq(at, quick) { self.pairs_left.get() / cost } else { MOST_COARSE });
+            self.pairs_left.set(self.pairs_left.get().saturating_sub(left.len() * cost));
+            let mut found: Vec<_> =
+                left.iter().copied().zip(at.resemble(&left)).filter(|(_, (_, may_be))| *may_be).collect();
+            // Those nearest to the picture first.
+            found.sort_by(|(_, (a, _)), (_, (b, _))| a.total_cmp(b));
+            left = found.into_iter().map(|(pair, _)| pair).collect();
         }
         for hypothesis in left.into_iter().take(self.whole_left.get()) {
             self.whole_left.set(self.whole_left.get() - 1);

@@ -63,6 +63,16 @@ pub(super) fn simplest(mut found: Vec<Explanation>) -> Vec<Explanation> {
     let size = |explanation: &Explanation| (explanation.mistakes.len(), explanation.peculiarities);
     let least = found.iter().map(size).min();
     found.retain(|explanation| Some(size(explanation)) == least);
+    // What alternatives have in common is the same mistake in each.
+    if let Some((first, others)) = found.split_first_mut() {
+        for other in others {
+            for (at, mistake) in first.mistakes.iter().enumerate() {
+                if let Some(there) = other.mistakes.iter().position(|one| one.id == mistake.id) {
+                    other.mistakes.swap(at, there);
+                }
+            }
+        }
+    }
     // Too many mistakes explain a black picture.
     let first = |explanation: &Explanation| explanation.mistakes.first().map(|mistake| mistake.id.as_str());
     let distinct: BTreeSet<&str> = found.iter().filter_map(first).collect();

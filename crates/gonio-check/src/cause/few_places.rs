@@ -12,7 +12,7 @@ use crate::testbench::TestScene;
 /// Places of all hypotheses that are predicted together.
 const TOGETHER: usize = 16_384;
 /// Brightness that no 8-bit picture shows.
-const DARKEST: f32 = 0.002;
+pub(super) const DARKEST: f32 = 0.002;
 /// Brightness that pictures may have limited to 1.
 const WHITE: f32 = 0.999;
 /// Places that exclude most pairs, if `open` strengths are fitted.

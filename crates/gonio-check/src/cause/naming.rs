@@ -294,6 +294,8 @@ impl Observer<'_> {
             let with = self.unnormalised(&repair, seen, proven);
             let is_right_elsewhere = is_term_for_sum(self, seen, &repair);
             let right = vec![RightChange::new(&repair, observed, self.model)];
+            // A vector that is the last to be set without its length is where that belongs.
+            let is_only_read = self.is_only_read(seen) && set_last(seen, &repair) != Some(seen.expr);
             let Repair { relation, make, cost, .. } = repair;
             let least = names.first().map_or(0, |(distance, _)| *distance);
             all.push(ProvenCause {
@@ -313,7 +315,7 @@ impl Observer<'_> {
                 is_explained,
                 is_computed_elsewhere: is_call_of_another(seen) || is_elsewhere(seen, &repair),
                 is_given: seen.is_given(),
-                is_only_read: self.is_only_read(seen),
+                is_only_read,
                 is_right_elsewhere,
                 repair,
                 also: Vec::new(),
@@ -339,6 +341,16 @@ impl Observer<'_> {
             })
             .map(|cause| (cause.stage, cause.expr))
             .collect();
+        // A right value that a variable of another meaning is set to.
+        let is_copied = |cause: &ProvenCause| {
+            let is_set = self.runner.program.is_whole_value(cause.stage, cause.expr) && is_name(&cause.text);
+            let is_read = |repair: &Repair| {
+                let seen = &observed[repair.of];
+                let is_other = self.text(seen) != cause.text && is_name(self.text(seen));
+                seen.stage == cause.stage && is_other && seen.values.is_same(&observed[cause.repair.of].values)
+            };
+            is_set && proven.iter().any(is_read)
+        };
         let rank = |cause: &ProvenCause| {
             let is_within = |(stage, span): &(Stage, Span)| {
                 *stage == cause.stage && span.start <= cause.span.start && cause.span.end <= span.end
@@ -352,8 +364,10 @@ impl Observer<'_> {
             let is_after = earlier.iter().any(|wrong| *wrong < (cause.stage, cause.expr));
             let is_of_length =
                 cause.relation == Relation::Length && self.runner.program.is_whole_value(cause.stage, cause.expr);
-            let is_use =
-                !is_of_length && cause.is_given && (cause.distance > 0 || is_after || wrong.iter().any(is_within));
+            let is_use = !is_of_length
+                && !is_copied(cause)
+                && cause.is_given
+                && (cause.distance > 0 || is_after || wrong.iter().any(is_within));
             (
                 !cause.is_explained,
                 is_part,

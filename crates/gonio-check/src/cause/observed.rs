@@ -6,7 +6,7 @@ use super::program::{Change, Runner};
 use super::samples::interpolated;
 use super::values::Values;
 use gonio_glsl::Stage;
-use gonio_interpreter::{ExprId, InputRate};
+use gonio_interpreter::ExprId;
 use std::collections::BTreeMap;
 
 /// An expression of the student's program with its values at all points.
@@ -276,12 +276,7 @@ impl Observer<'_> {
 
     /// Whether it reads an attribute or a uniform, which are never wrong themselves.
     pub(super) fn is_input(&self, seen: &Observed) -> bool {
-        let (program, text) = (self.runner.program, self.text(seen));
-        program
-            .stage(seen.stage)
-            .inputs
-            .iter()
-            .any(|input| input.name == text && (seen.stage == Stage::Vertex || input.rate == InputRate::Uniform))
+        self.runner.program.is_input(seen.stage, self.text(seen))
     }
 
     pub(super) fn recognise(&self, stage: Stage, values: &Values) -> Option<usize> {

@@ -17,6 +17,12 @@ use std::collections::BTreeSet;
 /// The sum of all light, and what is put out of it.
 const OUTPUTS: [&str; 4] = ["lit", "colour", "v_col", "FragColor"];
 
+/// The sum of all terms, without the object's colour.
+const SUM: &str = "lit";
+
+/// What is computed from whole terms.
+const OF_TERMS: [&str; 5] = ["diffuse_light", "specular_light", "lit", "colour", "FragColor"];
+
 /// The position on the screen.
 const POSITION: &str = "gl_Position";
 
@@ -31,8 +37,10 @@ pub struct MistakePlace {
     pub span: Span,
     /// Whether the expression has the value that the mistake assigns, and not one that is computed from it.
     pub is_direct: bool,
-    /// Whether the expression computes the value, and does not read it from a variable.
+    /// Whether the expression computes the value or sets a variable to it, and does not only read it.
     pub is_computed: bool,
+    /// Whether the mistake is made in the sum of all terms, and in no other.
+    pub is_sum: bool,
 }
 
 /// The wrong values of one of the mistakes of a hypothesis.
@@ -113,17 +121,33 @@ pub(super) fn places(
         let mut changed: Vec<&(String, Recorded)> = wrong.iter().filter(|one| !is_right(one)).collect();
         changed.sort_by_key(|(_, one)| (one.stage, one.order));
         let (direct, after): (Vec<_>, Vec<_>) = changed.into_iter().partition(|(name, _)| variables.contains(name));
-        let first = |of: &[&(String, Recorded)]| of.iter().find_map(|(name, one)| first_with(&observed, name, one));
+        let first =
+            |of: &[&(String, Recorded)]| of.iter().find_map(|(name, one)| first_with(program, &observed, name, one));
         // What is put out may be a right vector, which is computed earlier.
         let is_put_out = variables.iter().any(|name| OUTPUTS.contains(&name.as_str()));
         let all = || direct.iter().chain(&after).map(|(name, one)| (name.as_str(), one));
-        let last = is_put_out.then(|| last_with(program, &observed, all())).flatten();
-        let constant =
-            || direct.iter().find_map(|(_, one)| first_constant(program, &observed, one)).map(|seen| (seen, true));
-        let direct = || first(&direct).map(|seen| (seen, true)).or_else(constant);
-        let place = last.map(|seen| (seen, true)).or_else(direct).or_else(|| first(&after).map(|seen| (seen, false)));
+        // A term that is put out alone, or not attenuated, is right before.
+        let is_right_elsewhere = direct.iter().any(|(name, of)| {
+            let is_it = |(_, other): &(String, Recorded)| {
+                other.stage == of.stage && other.values.factor_of(&of.values).is_some()
+            };
+            OF_TERMS.contains(&name.as_str()) && right.iter().any(is_it)
+        });
+        let is_sum = variables.contains(SUM) && !is_right_elsewhere;
+        let put_out = is_put_out.then(|| output_with(program, &observed, all(), is_right_elsewhere)).flatten();
+        let constant = || {
+            let of =
+                |all: &[&(String, Recorded)]| all.iter().find_map(|(_, one)| first_constant(program, &observed, one));
+            of(&direct).or_else(|| of(&after)).map(|seen| (seen, true))
+        };
+        let of_direct = || first(&direct).map(|seen| (seen, true)).or_else(constant);
+        let of_after = || first(&after).map(|seen| (seen, false));
+        let place = put_out.map(|seen| (seen, true)).or_else(|| match is_right_elsewhere {
+            true => of_after().or_else(of_direct),
+            false => of_direct().or_else(of_after),
+        });
         if let Some((seen, is_direct)) = place {
-            found.push(place_at(program, mistake, seen, is_direct));
+            found.push(MistakePlace { is_sum, ..place_at(program, mistake, seen, is_direct) });
         }
     }
     Ok(found)
@@ -147,7 +171,7 @@ pub(super) fn of_light(
     let of_model = if model == ModelSolution::Gouraud { Stage::Vertex } else { Stage::Fragment };
     let last = |is_asked: &dyn Fn(Stage) -> bool| {
         let asked = put_out.iter().filter(|(_, of)| is_asked(of.stage)).map(|(name, of)| (name.as_str(), of));
-        last_with(program, &observed, asked).map(|seen| (seen.stage, expression(program, seen).span))
+        output_with(program, &observed, asked, true).map(|seen| (seen.stage, expression(program, seen).span))
     };
     Ok([last(&|stage| stage == of_model), last(&|_| true)])
 }
@@ -173,8 +197,15 @@ fn of_lights(
 }
 
 fn place_at(program: &Program, mistake: &'static Mistake, seen: &Recorded, is_direct: bool) -> MistakePlace {
-    let is_computed = !is_name(program.text(seen.stage, seen.expr));
-    MistakePlace { mistake, stage: seen.stage, span: expression(program, seen).span, is_direct, is_computed }
+    let is_computed = !is_name(program.text(seen.stage, seen.expr)) || program.is_whole_value(seen.stage, seen.expr);
+    MistakePlace {
+        mistake,
+        stage: seen.stage,
+        span: expression(program, seen).span,
+        is_direct,
+        is_computed,
+        is_sum: false,
+    }
 }
 
 /// Points of a scene as the model solution of an explanation sees them.
@@ -203,9 +234,14 @@ fn has(seen: &Recorded, name: &str, of: &Recorded) -> bool {
     seen.stage == of.stage && !seen.values.is_constant() && is_same
 }
 
-/// The first expression that gets the values of a variable when the program runs.
-fn first_with<'a>(observed: &'a [Recorded], name: &str, of: &Recorded) -> Option<&'a Recorded> {
-    observed.iter().filter(|seen| has(seen, name, of)).min_by_key(|seen| seen.order)
+/// The first expression that gets the values of a variable when the program runs. Of multiples, the last one that is
+/// computed: those before it lack a factor.
+fn first_with<'a>(program: &Program, observed: &'a [Recorded], name: &str, of: &Recorded) -> Option<&'a Recorded> {
+    let all: Vec<&Recorded> = observed.iter().filter(|seen| has(seen, name, of)).collect();
+    let same = all.iter().copied().filter(|seen| seen.values.is_same(&of.values));
+    let computed = all.iter().copied().filter(|seen| !is_name(program.text(seen.stage, seen.expr)));
+    let last = || computed.max_by_key(|seen| seen.order).or_else(|| all.iter().copied().min_by_key(|seen| seen.order));
+    same.min_by_key(|seen| seen.order).or_else(last)
 }
 
 /// The first expression that computes a constant, or the first number that a variable is set to.
@@ -218,15 +254,20 @@ fn first_constant<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded
     observed.iter().filter(is_it).min_by_key(|seen| seen.order)
 }
 
-/// The last expression that computes what is put out.
-fn last_with<'a>(
+/// The last expression that computes what is put out, or else the first.
+fn output_with<'a>(
     program: &Program,
     observed: &'a [Recorded],
     variables: impl Iterator<Item = (&'a str, &'a Recorded)>,
+    is_last: bool,
 ) -> Option<&'a Recorded> {
     let outputs: Vec<(&str, &Recorded)> = variables.filter(|(name, _)| OUTPUTS.contains(name)).collect();
     let is_it = |seen: &&Recorded| {
         !is_name(program.text(seen.stage, seen.expr)) && outputs.iter().any(|(name, of)| has(seen, name, of))
     };
-    observed.iter().filter(is_it).max_by_key(|seen| (seen.stage, expression(program, seen).tokens.first))
+    let all = observed.iter().filter(is_it);
+    match is_last {
+        true => all.max_by_key(|seen| (seen.stage, expression(program, seen).tokens.first)),
+        false => all.min_by_key(|seen| seen.order),
+    }
 }

@@ -102,6 +102,13 @@ impl Program {
         text.unwrap_or_default()
     }
 
+    /// Whether a text is the name of a uniform, or of an attribute.
+    #[must_use]
+    pub fn is_input(&self, stage: Stage, text: &str) -> bool {
+        let is_given = |rate: InputRate| stage == Stage::Vertex || rate == InputRate::Uniform;
+        self.stage(stage).inputs.iter().any(|input| input.name == text && is_given(input.rate))
+    }
+
     /// Whether an expression is all that a variable is set to.
     #[must_use]
     pub fn is_whole_value(&self, stage: Stage, expr: ExprId) -> bool {

@@ -267,6 +267,10 @@ impl<'a> Search<'a> {
                 (Some(a), Some(b)) => name(&firsts) == name(&seconds) && (a.is_sound() || a.is_same_value(b)),
                 _ => false,
             };
+            // The picture shows two mistakes.
+            if is_same && is_explained {
+                continue;
+            }
             if is_same {
                 // One mistake at two places.
                 let mut merged = firsts;

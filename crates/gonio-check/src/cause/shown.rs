@@ -10,7 +10,7 @@ use super::solutions::ModelSolutions;
 use crate::mistakes::{Hypotheses, Hypothesis, Mistake};
 use crate::testbench::TestScene;
 use std::cell::OnceCell;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// Places in each scene at which values are compared.
@@ -29,7 +29,10 @@ pub(crate) struct Shown {
     variables: BTreeSet<String>,
     /// Whether a position or a direction of the program is in view space.
     is_in_view: bool,
-    suspects: OnceCell<BTreeSet<&'static str>>,
+    /// The positions and directions of the program that are in world space alone, and in view space alone.
+    in_spaces: [usize; 2],
+    /// Mistakes by their ids, and whether the program computes their own wrong values.
+    suspects: OnceCell<BTreeMap<&'static str, bool>>,
 }
 
 impl Shown {
@@ -48,11 +51,20 @@ impl Shown {
         let samples: Vec<SceneSamples> = scenes.iter().take(TELLING).map(|(_, samples)| samples.few(PLACES)).collect();
         let observed = observed(program, &samples);
         let mut right: BTreeSet<String> = BTreeSet::new();
-        let mut is_in_view = false;
+        let (mut is_in_view, mut in_spaces) = (false, [0; 2]);
         for answer in answers(method) {
             let model = Model::new(solutions, answer, Space::World, &samples, written_exponent, Mistakes::These(&[]))?;
-            let has_space = |q: &&Quantity| q.space == Space::View && has_space(&q.name);
-            is_in_view |= model.quantities.iter().filter(has_space).any(|q| is_observed(&observed, q, false));
+            let in_space = |space: Space| -> BTreeSet<&str> {
+                let is_there = |q: &&Quantity| q.space == space && has_space(&q.name);
+                let there = model.quantities.iter().filter(is_there).filter(|q| is_observed(&observed, q, false));
+                there.map(|q| q.name.as_str()).collect()
+            };
+            let [in_world, in_view] = [Space::World, Space::View].map(in_space);
+            is_in_view |= !in_view.is_empty();
+            in_spaces = [
+                in_spaces[0].max(in_world.difference(&in_view).count()),
+                in_spaces[1].max(in_view.difference(&in_world).count()),
+            ];
             // The view matrix is called V too.
             let shown = model.quantities.iter().filter(|q| q.values.size <= 4 && is_observed(&observed, q, false));
             right.extend(first_of_same(&shown.collect::<Vec<_>>(), hypotheses));
@@ -61,13 +73,29 @@ impl Shown {
         let program = program.clone();
         let solutions = Rc::clone(solutions);
         let suspects = OnceCell::new();
-        Ok(Shown { solutions, program, samples, method, written_exponent, right, variables, is_in_view, suspects })
+        Ok(Shown {
+            solutions,
+            program,
+            samples,
+            method,
+            written_exponent,
+            right,
+            variables,
+            is_in_view,
+            in_spaces,
+            suspects,
+        })
     }
 
     /// Whether some position or direction that the program computes is in view space. The position alone may be a step
     /// towards `gl_Position`.
     pub fn is_in_view(&self) -> bool {
         self.is_in_view
+    }
+
+    /// Whether more positions and directions are in view space than in world space.
+    pub fn is_mostly_in_view(&self) -> bool {
+        self.in_spaces[1] > self.in_spaces[0]
     }
 
     /// Whether the program uses the half vector; `None` if its values do not tell.
@@ -88,21 +116,37 @@ impl Shown {
         is_free(&self.variables, hypotheses, hypothesis)
     }
 
-    /// Whether the program has the own wrong value of a mistake.
+    /// Whether the program has the own wrong value of a mistake, or that is a constant.
     pub fn is_suspect(&self, mistake: &Mistake) -> bool {
-        self.suspects().contains(mistake.id.as_str())
+        self.suspects().contains_key(mistake.id.as_str())
     }
 
-    /// The ids of the mistakes whose own wrong values the program has, or are constants.
-    pub fn suspects(&self) -> &BTreeSet<&'static str> {
+    /// Whether the program computes the own wrong value of a mistake: an input or a constant is no evidence.
+    pub fn is_evident(&self, mistake: &Mistake) -> bool {
+        self.suspects().get(mistake.id.as_str()) == Some(&true)
+    }
+
+    /// The mistakes whose own wrong values the program has, or are constants.
+    pub fn suspects(&self) -> &BTreeMap<&'static str, bool> {
         self.suspects.get_or_init(|| {
             let observed = observed(&self.program, &self.samples);
-            let mut found = BTreeSet::new();
+            let is_input =
+                |seen: &&Recorded| self.program.is_input(seen.stage, self.program.text(seen.stage, seen.expr));
+            let inputs: Vec<&Recorded> = observed.iter().filter(is_input).collect();
+            let is_given = |quantity: &Quantity| {
+                inputs.iter().any(|input| input.stage == quantity.stage && input.values.is_same(&quantity.values))
+            };
+            let mut found = BTreeMap::new();
             for model in self.models(Mistakes::OwnValues) {
-                // A constant is no evidence, neither for a mistake nor against it.
-                let is_shown = |q: &&Quantity| q.values.is_constant() || is_observed(&observed, q, true);
-                let shown = model.quantities.iter().filter(is_shown);
-                found.extend(shown.filter_map(|quantity| quantity.mistake).map(|mistake| mistake.id.as_str()));
+                for quantity in &model.quantities {
+                    let Some(mistake) = quantity.mistake else { continue };
+                    let is_seen = is_observed(&observed, quantity, true);
+                    let is_evident = is_seen && !is_given(quantity);
+                    // A constant is no evidence, neither for a mistake nor against it.
+                    if is_seen || quantity.values.is_constant() {
+                        *found.entry(mistake.id.as_str()).or_default() |= is_evident;
+                    }
+                }
             }
             found
         })

@@ -317,7 +317,7 @@ impl Judging<'_> {
         // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own
         // wrong value, or the only use of a variable that is set to it.
         let is_of_place = |cause: &ProvenCause, place: &MistakePlace| match first.mistakes.len() {
-            0 | 1 => is_long && cause.distance > 0,
+            0 | 1 => (is_long || place.is_sum) && cause.distance > 0,
             _ => place.is_computed && (cause.distance > 0 || cause.is_only_read && cause.stage == place.stage),
         };
         let mut causes: Vec<&ProvenCause> = groups.iter().filter_map(|group| group.first()).collect();
