@@ -423,10 +423,7 @@ void main() {
     assert!(!matches!(found, Found::Right(_)), "{found:?}");
 }
 
-/// In view space, a highlight of wrong vectors would be as dark as one that is missing.
-#[test]
-fn a_program_in_world_space_has_no_mistakes_in_view_space() {
-    let vertex = "#version 330 core
+const IN_WORLD_SPACE: &str = "#version 330 core
 in vec3 position; in vec3 normal; uniform mat4 M, V, P, itM; out vec3 n; out vec3 p;
 void main() {
     gl_Position = P * V * M * vec4(position, 1.0);
@@ -434,7 +431,9 @@ void main() {
     p = vec3(M * vec4(position, 1.0));
 }
 ";
-    let fragment = "#version 330 core
+
+/// The sum of the terms is in line 12.
+const LIT_IN_WORLD_SPACE: &str = "#version 330 core
 struct Light { vec3 light_pos; float ambient_strength, diffuse_strength, specular_strength, constant, linear, quadratic; };
 uniform Light light; uniform vec3 u_view_pos, materialColour; uniform float shininess;
 in vec3 n; in vec3 p; out vec4 c;
@@ -445,10 +444,16 @@ void main() {
     vec3 ambient = light.ambient_strength * materialColour;
     vec3 diffuse = light.diffuse_strength * max(dot(N, L), 0.0) * materialColour;
     vec3 specular = light.specular_strength * pow(max(dot(N, H), 0.0), shininess) * materialColour;
-    c = vec4(ambient + a * diffuse, 1.0);
+    vec3 sum = SUM;
+    c = vec4(sum, 1.0);
 }
 ";
-    let found = of_exercise("ex07", vertex, fragment).explanations;
+
+/// In view space, a highlight of wrong vectors would be as dark as one that is missing.
+#[test]
+fn a_program_in_world_space_has_no_mistakes_in_view_space() {
+    let fragment = LIT_IN_WORLD_SPACE.replace("SUM", "ambient + a * diffuse");
+    let found = of_exercise("ex07", IN_WORLD_SPACE, &fragment).explanations;
     let ids: Vec<&str> = found.iter().flat_map(|one| one.mistakes.iter().map(|mistake| mistake.id.as_str())).collect();
     assert_eq!(ids, ["specular-missing"]);
 }
@@ -525,33 +530,12 @@ void main() {
 /// Each part of a product is a multiple of what it should be.
 #[test]
 fn a_term_that_is_added_twice_is_wrong_in_the_sum() {
-    let vertex = "#version 330 core
-in vec3 position; in vec3 normal; uniform mat4 M, V, P, itM; out vec3 n; out vec3 p;
-void main() {
-    gl_Position = P * V * M * vec4(position, 1.0);
-    n = normalize(mat3(itM) * normal);
-    p = vec3(M * vec4(position, 1.0));
-}
-";
-    let fragment = "#version 330 core
-struct Light { vec3 light_pos; float ambient_strength, diffuse_strength, specular_strength, constant, linear, quadratic; };
-uniform Light light; uniform vec3 u_view_pos, materialColour; uniform float shininess;
-in vec3 n; in vec3 p; out vec4 c;
-void main() {
-    vec3 w = light.light_pos - p, N = normalize(n), L = normalize(w);
-    float d = length(w), a = 1.0 / (light.constant + light.linear * d + light.quadratic * d * d);
-    vec3 ambient = light.ambient_strength * materialColour;
-    vec3 diffuse = light.diffuse_strength * max(dot(N, L), 0.0) * materialColour;
-    float s = pow(max(dot(reflect(-L, N), normalize(u_view_pos - p)), 0.0), shininess);
-    vec3 sum = 2.0 * ambient + a * diffuse + a * light.specular_strength * s * materialColour;
-    c = vec4(sum, 1.0);
-}
-";
-    let found = of_exercise("ex07", vertex, fragment);
+    let fragment = LIT_IN_WORLD_SPACE.replace("SUM", "2.0 * ambient + a * diffuse + a * specular");
+    let found = of_exercise("ex07", IN_WORLD_SPACE, &fragment);
     assert_eq!(explained(&found), ["ambient-twice"]);
     let place = found.places.iter().find(|place| place.is_sum).unwrap();
     let line = fragment[..place.span.start as usize].lines().count();
-    assert_eq!((place.mistake.id.as_str(), line), ("ambient-twice", 11));
+    assert_eq!((place.mistake.id.as_str(), line), ("ambient-twice", 12));
 }
 
 #[test]
