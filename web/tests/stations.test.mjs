@@ -46,7 +46,7 @@ test("a film runs, and leaving ends it and the work", async (lab) => {
   assert.ok(!left.running && !left.playing);
 });
 
-test("a link opens a station with its values, and the page's placeholder goes with its first picture", async (lab) => {
+test("a link opens a station with its values, and the scene waits", async (lab) => {
   await lab.until(settled);
   const other = await Lab.open(shared, { path: "#station=fog:density=0.05" });
   try {

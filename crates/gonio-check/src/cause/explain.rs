@@ -48,7 +48,7 @@ pub(super) const MOST_PAIRS: usize = 120_000;
 pub(super) const MOST_WHOLE: usize = 240;
 /// Most single mistakes that resemble a picture at few places.
 const MOST_LIKE_ONE: usize = 40;
-/// Most pairs that are predicted at more places than exclude most, with one set of peculiarities.
+/// Most pairs with one set of peculiarities that are predicted at more places, once few places have excluded the others.
 const MOST_COARSE: usize = 500;
 /// How many of two mistakes have their own wrong values in the program, and with how many model solutions and sets of
 /// peculiarities such pairs are tried. The first are few, and the likeliest.
@@ -137,15 +137,17 @@ impl Explainer<'_> {
         })
     }
 
-    /// Explains a picture by single mistakes that the values of the program show.
+    /// Explains a black picture by single mistakes that take the light away and whose own wrong values the program computes.
     fn by_evidence(&self, seen: &Seen) -> Result<Singly, String> {
         let mut found = Vec::new();
         for method in self.methods {
             for lights in self.parameterisation.right_lights() {
                 let candidate = self.candidate(*method, *lights, seen)?;
+                let evident: Vec<&Hypothesis> =
+                    candidate.wrong().filter(|single| candidate.is_evident(single)).collect();
                 for set in candidate.peculiarities(self.is_likely) {
-                    let evident = candidate.wrong().filter(|single| candidate.is_evident(single));
                     let black = evident
+                        .iter()
                         .filter_map(|single| set.and(single))
                         .filter(|both| candidate.is_black(both, self.required));
                     found.extend(black.map(|both| candidate.explained(&both, [None; 3])));
@@ -269,12 +271,12 @@ impl Explainer<'_> {
         // Each open strength is one more run.
         let runs = 1 + self.parameterisation.to_find.iter().filter(|is_open| **is_open).count();
         let mut left: Vec<&Hypothesis> = pairs.iter().collect();
-        for at in [quick, &candidate.coarse] {
+        // The few that are left deserve a second look, whatever is left for others.
+        for (at, most) in [(quick, None), (&candidate.coarse, Some(MOST_COARSE))] {
             // More places cost more.
             let vertices = if candidate.method.model == ModelSolution::Gouraud { 3 } else { 1 };
             let cost = vertices * runs * at.predictor.places(0) / quick.predictor.places(0);
-            // The few that are left deserve a second look, whatever is left for others.
-            left.truncate(if std::ptr::eq(at, quick) { self.pairs_left.get() / cost } else { MOST_COARSE });
+            left.truncate(most.unwrap_or(self.pairs_left.get() / cost));
             self.pairs_left.set(self.pairs_left.get().saturating_sub(left.len() * cost));
             let mut found: Vec<_> =
                 left.iter().copied().zip(at.resemble(&left)).filter(|(_, (_, may_be))| *may_be).collect();

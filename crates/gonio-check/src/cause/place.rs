@@ -254,7 +254,7 @@ fn first_constant<'a>(program: &Program, observed: &'a [Recorded], of: &Recorded
     observed.iter().filter(is_it).min_by_key(|seen| seen.order)
 }
 
-/// The last expression that computes what is put out, or else the first.
+/// The last expression that computes what is put out; the first if `is_last` is false.
 fn output_with<'a>(
     program: &Program,
     observed: &'a [Recorded],

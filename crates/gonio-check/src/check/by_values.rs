@@ -315,7 +315,7 @@ impl Judging<'_> {
         found.retain(|missing| !is_explained(missing));
         let is_long = self.task.model.has_roughness();
         // In a long formula, and beside another mistake, the proof is often a value that is computed from the mistake's own
-        // wrong value, or the only use of a variable that is set to it.
+        // wrong value, or the only use of a variable that is set to it. Where the sum is wrong, it may be one of its terms.
         let is_of_place = |cause: &ProvenCause, place: &MistakePlace| match first.mistakes.len() {
             0 | 1 => (is_long || place.is_sum) && cause.distance > 0,
             _ => place.is_computed && (cause.distance > 0 || cause.is_only_read && cause.stage == place.stage),

@@ -197,11 +197,15 @@ fn terms(
     places: &[usize],
 ) -> Vec<(usize, Option<usize>)> {
     let mut found = Vec::new();
-    let is_by_exponent = linear.iter().any(|at| probe.depends_on_exponent(*at));
-    for at in linear.iter().copied() {
+    let by_exponent: Vec<bool> = linear.iter().map(|at| probe.depends_on_exponent(*at)).collect();
+    let is_by_exponent = by_exponent.contains(&true);
+    for (at, of_exponent) in linear.iter().copied().zip(by_exponent) {
         let is_colour = kinds[at] == Influence::Linear { is_colour: true };
         let is_whole = is_colour && probe.is_dark_without(at);
-        found.push((at, if is_whole { None } else { Some(probe.term(at, places, is_by_exponent)) }));
+        found.push((
+            at,
+            if is_whole { None } else { Some(probe.term(at, places, is_by_exponent.then_some(of_exponent))) },
+        ));
     }
     // Of several that are ambient, all but one are of diffuse light without its cosine: what the light's place changes, or
     // else the name, tells which.

@@ -202,16 +202,17 @@ impl<'a> Probe<'a> {
         self.depends(at, &Varied { has_other_exponent: true, ..Varied::default() })
     }
 
-    /// The term to which a linear input belongs: 0 for ambient, 1 for diffuse and 2 for specular light. If some other one
-    /// depends on the exponent, the eye tells nothing: a wrong normal may depend on the camera.
-    pub fn term(&mut self, at: usize, places: &[usize], is_by_exponent: bool) -> usize {
+    /// The term to which a linear input belongs: 0 for ambient, 1 for diffuse and 2 for specular light. `by_exponent`:
+    /// whether its slope depends on the exponent, which is decisive; `None` if no input's does. Then the eye decides, on
+    /// which a wrong normal may depend too.
+    pub fn term(&mut self, at: usize, places: &[usize], by_exponent: Option<bool>) -> usize {
         if !self.depends(at, &Varied { has_other_normals: true, ..Varied::default() }) {
             return 0;
         }
-        let is_specular = self.depends_on_exponent(at)
-            || !is_by_exponent
-                && (self.depends(at, &Varied { has_other_eye: true, ..Varied::default() })
-                    || places.len() > 1 && places.iter().all(|place| self.depends(at, &self.moved(*place))));
+        let is_specular = by_exponent.unwrap_or_else(|| {
+            self.depends(at, &Varied { has_other_eye: true, ..Varied::default() })
+                || places.len() > 1 && places.iter().all(|place| self.depends(at, &self.moved(*place)))
+        });
         if is_specular { 2 } else { 1 }
     }
 
