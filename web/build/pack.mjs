@@ -1,9 +1,9 @@
-// Puts the page together: node pack.mjs MODULE_FOLDER DIST [--plain]
+// Puts the page together: node pack.mjs MODULE_FOLDER DIST
 //
-// MODULE_FOLDER holds gonio.js and gonio_bg.wasm as wasm-bindgen and wasm-opt left them; gonio_rest.wasm too, where
-// the module was split; and gonio_trace.js and gonio_trace_bg.wasm, the path tracer. DIST becomes the page: names with their content's hash, brotli and gzip beside each file
-// (--plain: nothing beside them), a service worker that knows them all. Prints one JSON object, the sizes; `cargo xtask
-// web` runs this and makes a table of them.
+// MODULE_FOLDER holds gonio.js and gonio_bg.wasm as wasm-bindgen and wasm-opt left them, and the same of gonio_first, which draws
+// the first picture, and of gonio_trace, the path tracer. DIST becomes the page: names with their content's hash, brotli and gzip
+// beside each file, a service worker that knows them all. Prints one JSON object, the sizes; `cargo xtask web` runs this and makes a
+// table of them.
 
 import { createHash } from "node:crypto";
 import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
@@ -12,9 +12,9 @@ import { fileURLToPath } from "node:url";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 import { build, transform } from "esbuild";
 
-const [moduleFolder, dist, option] = process.argv.slice(2);
-if (dist === undefined || ![undefined, "--plain"].includes(option)) {
-  console.error("usage: node pack.mjs MODULE_FOLDER DIST [--plain]");
+const [moduleFolder, dist] = process.argv.slice(2);
+if (dist === undefined) {
+  console.error("usage: node pack.mjs MODULE_FOLDER DIST");
   process.exit(2);
 }
 const repository = join(dirname(fileURLToPath(import.meta.url)), "../..");
@@ -48,7 +48,7 @@ function replaceAll(text, pairs) {
   return text;
 }
 
-/** What wasm-bindgen's JavaScript keeps for itself, and `main.js` needs to add an import to the module. */
+/** What wasm-bindgen's JavaScript keeps for itself, and `main.js` needs to pass the compiled module to a worker. */
 const INNER = "\nexport { __wbg_get_imports as moduleImports, __wbg_finalize_init as moduleReady };\n";
 
 /** A script of the page, what it imports, and wasm-bindgen's JavaScript, as one module. */
@@ -66,7 +66,7 @@ async function bundled(name) {
       name: "wasm-bindgen",
       setup: ({ onResolve, onLoad }) => {
         const place = ({ path }) => ({ path: join(moduleFolder, path), namespace: "wasm-bindgen" });
-        onResolve({ filter: /^\.\/gonio(_trace)?\.js$/ }, place);
+        onResolve({ filter: /^\.\/gonio(_first|_trace)?\.js$/ }, place);
         onLoad({ filter: /.*/, namespace: "wasm-bindgen" }, async ({ path }) => ({ contents: await readFile(path, "utf8") + INNER }));
       },
     }],
@@ -112,11 +112,10 @@ const css = addHashed(
   (await transform(await read("page.css"), { loader: "css", minify: true })).code,
   { first: true },
 );
-const module = addHashed("gonio.wasm", await readFile(join(moduleFolder, "gonio_bg.wasm")), { first: true });
-/** The module's second half; a page for working on has none. */
-const restBytes = await readFile(join(moduleFolder, "gonio_rest.wasm")).catch(() => undefined);
-const rest = restBytes && addHashed("gonio-rest.wasm", restBytes, { first: false });
-const main = addHashed("main.js", await bundled("main.js"), { first: true });
+const firstModule = addHashed("gonio-first.wasm", await readFile(join(moduleFolder, "gonio_first_bg.wasm")), { first: true });
+const firstScript = addHashed("first.js", await bundled("first.js"), { first: true });
+const module = addHashed("gonio.wasm", await readFile(join(moduleFolder, "gonio_bg.wasm")), { first: false });
+const main = addHashed("main.js", await bundled("main.js"), { first: false });
 /** What checks students' files, in a thread of its own. */
 const checker = addHashed("checker.js", await bundled("checker.js"), { first: false });
 
@@ -126,8 +125,9 @@ const traceModule = addHashed("gonio-trace.wasm", await readFile(join(moduleFold
 
 const index = replaceAll(withoutComments(await read("index.html")), [
   ['<meta name="builtin-files">', builtin],
+  ['"gonio-first.wasm"', `"${firstModule}"`],
+  ['"first.js"', `"${firstScript}"`],
   ['"gonio.wasm"', `"${module}"`],
-  ['<meta id="rest" content="gonio-rest.wasm">', rest ? `<meta id="rest" content="${rest}">` : ""],
   ['"checker.js"', `"${checker}"`],
   ['"tracer.js"', `"${tracer}"`],
   ['"gonio-trace.wasm"', `"${traceModule}"`],
@@ -156,7 +156,7 @@ files.sort((a, b) => (a.name === "index.html") - (b.name === "index.html"));
 for (const { name, bytes, first } of files) {
   const path = join(dist, name);
   await mkdir(dirname(path), { recursive: true });
-  const [brotli, gzip] = option === "--plain" ? [bytes, bytes] : [
+  const [brotli, gzip] = [
     brotliCompressSync(bytes, {
       params: {
         [constants.BROTLI_PARAM_QUALITY]: 11,

@@ -1,15 +1,12 @@
-// Where the bytes of a module go: node web/build/weigh.mjs MODULE.wasm [RAN.txt] [CRATE]
+// Where the bytes of a module go: node web/build/weigh.mjs MODULE.wasm [CRATE]
 //
-// MODULE: with its names, as wasm-bindgen leaves it (target/web-page/gonio_bg.before.wasm). RAN: which functions run
-// until the first picture (gonio_bg.ran.txt beside it); the others are not counted then. Prints the code's bytes by
-// crate, then the largest functions, of one crate if it is named. A generic function counts for the crate it stands
+// MODULE: with its names, as wasm-bindgen leaves it (target/web-page/gonio_bg.unoptimised.wasm, or gonio_first_bg). Prints the
+// code's bytes by crate, then the largest functions, of one crate if it is named. A generic function counts for the crate it stands
 // in, not for the one that made it.
 
 import { readFileSync } from "node:fs";
 
-const [file, ...more] = process.argv.slice(2);
-const ran = more[0]?.endsWith(".txt") ? readFileSync(more.shift(), "utf8") : undefined;
-const [wanted] = more;
+const [file, wanted] = process.argv.slice(2);
 const bytes = readFileSync(file);
 let at = 8;
 
@@ -93,8 +90,7 @@ function crateOf(name) {
   return /^([A-Za-z_]\w*)(?:\[[0-9a-f]+\])?::/.exec(start)?.[1] ?? "(other)";
 }
 
-const functions = sizes.map((size, index) => ({ size, name: names.get(index + imported) ?? "(no name)" }))
-  .filter((_, index) => ran === undefined || ran[index] === "1");
+const functions = sizes.map((size, index) => ({ size, name: names.get(index + imported) ?? "(no name)" }));
 const crates = new Map();
 for (const { size, name } of functions) crates.set(crateOf(name), (crates.get(crateOf(name)) ?? 0) + size);
 

@@ -5,12 +5,9 @@ import * as application from "./gonio.js";
 
 let checker;
 
-/** Instantiates the module that the page has compiled, with both halves. */
-function begin({ first, rest }) {
-  const load = () => {};
-  const instance = new WebAssembly.Instance(first, Object.assign(application.moduleImports(), { rest: { load } }));
-  if (rest !== undefined) new WebAssembly.Instance(rest, { primary: instance.exports });
-  application.moduleReady(instance, first);
+/** Instantiates the module that the page has compiled. */
+function begin({ module }) {
+  application.moduleReady(new WebAssembly.Instance(module, application.moduleImports()), module);
   checker = new application.PageChecker(new OffscreenCanvas(1, 1));
 }
 

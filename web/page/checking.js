@@ -1,7 +1,5 @@
 // Checks of students' files: each in a worker (`checker.js`), terminated when its answer is no longer needed.
 
-import { restModule } from "./rest.js";
-
 /** Seconds that a check may take, as on the command line. */
 const PATIENCE = 30;
 /** The arguments of `prepare`. */
@@ -31,7 +29,7 @@ class Checker {
 
   /** Initialises it. */
   async begin() {
-    await this.ask("begin", { first: page.module, rest: await restModule() });
+    await this.ask("begin", { module: page.module });
   }
 
   ask(what, asked) {

@@ -1,9 +1,8 @@
-// Loads the application and starts it in the canvas.
+// Loads the application and starts it in the canvas, after the first picture (`first.js`).
 
 import { begin as beginCheck, prepare as prepareChecks } from "./checking.js";
 import { trustDevicePixelRatio } from "./emulated.js";
 import * as application from "./gonio.js";
-import { askForRest, firstHalf, imports as rest, loadRest, streams } from "./rest.js";
 import { begin as beginTrace, prefetch as prefetchTracer, prepare as prepareTraces } from "./tracing.js";
 import { noModule, noWebGl2, stopped } from "./trouble.js";
 
@@ -21,26 +20,28 @@ let started = false;
 /** Files of the first scene if a link opens something else. */
 let unopened = [];
 
-/** The module, which a link in the page's head has requested. */
+/** The module. */
 async function fetchModule() {
-  const response = await fetch(document.getElementById("module").href, { credentials: "same-origin" });
+  const response = await fetch(document.getElementById("module").content, { credentials: "same-origin" });
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
   return response;
 }
 
-/** Instantiates the module. The initialisation of `wasm-bindgen` does not allow further imports. */
+/** Whether a module can be compiled while it is downloaded, which needs the right content type. */
+const streams = (response) => response.headers.get("content-type") === "application/wasm";
+
+/** Instantiates the module. The initialisation of `wasm-bindgen` does not return the compiled module, which workers need. */
 async function begin(response) {
-  const imports = Object.assign(application.moduleImports(), { rest });
+  const imports = application.moduleImports();
   const { instance, module } = await (streams(response)
     ? WebAssembly.instantiateStreaming(response, imports)
     : WebAssembly.instantiate(await response.arrayBuffer(), imports));
-  firstHalf(instance.exports);
   application.moduleReady(instance, module);
   prepareChecks(module, urlOf, application.endless_check);
   prepareTraces(() => [...builtinFiles("first"), ...builtinFiles("later")]);
 }
 
-/** The built-in files of one kind: `first` are those of the first scene, which the page's head has requested. */
+/** The built-in files of one kind: `first` are those of the first scene. */
 function builtinFiles(kind) {
   return [...document.querySelectorAll(`[data-builtin][data-when=${kind}]`)].map((element) => ({
     name: element.dataset.builtin,
@@ -73,20 +74,21 @@ function asked() {
   return url === null ? [] : [{ name: `page/${url.replaceAll(/^.*\//g, "")}`, url }];
 }
 
-async function run() {
+/** Function to call when the application's first picture is there. */
+let takenOver = () => {};
+
+/** Loads and starts the application. `shown` is called when its first picture is there. */
+export async function start(shown) {
+  takenOver = shown;
   trustDevicePixelRatio();
   const module = fetchModule();
   const opened = asked();
   // A link with a scene may name any sample, so all are fetched before it is read.
   const carried = location.hash.startsWith("#scene=") ? builtinFiles("later") : [];
   const requested = opened.length > 0 ? opened : builtinFiles("first");
-  // The page's head has requested the first scene. If another file is opened, it is a sample like the others.
+  // If another file is opened, the first scene is a sample like the others.
   if (opened.length > 0) unopened = builtinFiles("first").map(giveIfItComes);
   const scene = Promise.all([...requested, ...carried].map(give));
-  // The first half can read the first scene and OBJ models. Other files and stations need the second half.
-  const station = location.hash.startsWith("#station=");
-  const whole = station || carried.length > 0 || opened.some(({ name }) => !name.toLowerCase().endsWith(".obj"));
-  if (whole) askForRest();
   // Errors are reported below, after the first `await`, and not also by the browser.
   module.catch(() => {});
   scene.catch(() => {});
@@ -96,7 +98,6 @@ async function run() {
   }
   try {
     await begin(await module);
-    if (whole) await loadRest();
     performance.mark("gonio-module");
   } catch (error) {
     noModule(error);
@@ -105,11 +106,11 @@ async function run() {
   // The application starts while its first scene is fetched, and reads it when it has arrived.
   for (const { name } of requested) application.expect(name);
   scene.then((hands) => hands.forEach((hand) => hand())).catch(noModule);
-  await start(opened.map(({ name }) => `builtin:${name}`));
+  await startApplication(opened.map(({ name }) => `builtin:${name}`));
 }
 
 /** Starts the application, or resumes it after its graphics context was lost. */
-async function start(inputs = []) {
+async function startApplication(inputs = []) {
   try {
     await application.start(canvas, inputs, beginCheck, beginTrace);
   } catch (error) {
@@ -127,20 +128,22 @@ function untilShown(_, frames = 0) {
     requestAnimationFrame((time) => untilShown(time, frames + 1));
     return;
   }
-  performance.mark("gonio-first-picture");
+  performance.mark("gonio-running");
   const first = !document.body.classList.contains("running");
   document.body.classList.add("running");
-  if (first) fetchLater();
+  if (!first) return;
+  // The frame fades.
+  setTimeout(takenOver, FADE_MS);
+  fetchLater();
 }
 
 /** Frames that the first picture may take: more than reading the first scene takes. */
 const PATIENCE_FRAMES = 120;
+/** Milliseconds until the page's frame has faded (`page.css`). */
+const FADE_MS = 200;
 
-/** Fetches what the first frame does not need: the module's second half, the other samples, the path tracer, and the cache for the
- * next visit. */
+/** Fetches what the first frame does not need: the other samples, the path tracer, and the cache for the next visit. */
 async function fetchLater() {
-  // If this fails, `rest.js` tries again, and reports an error, when one of its functions is called.
-  await loadRest().catch((error) => console.info("the second half of gonio could not be loaded yet:", error));
   // A click or a key may be on its way to a traced picture.
   for (const kind of ["pointerdown", "keydown"]) window.addEventListener(kind, prefetchTracer, { capture: true, once: true });
   await new Promise((resolve) => ("requestIdleCallback" in window ? requestIdleCallback(resolve, { timeout: 2000 }) : setTimeout(resolve, 500)));
@@ -156,7 +159,7 @@ canvas.addEventListener("webglcontextlost", (event) => {
   if (started) application.pause();
 });
 canvas.addEventListener("webglcontextrestored", () => {
-  if (started) start();
+  if (started) startApplication();
 });
 
 /** Caches the page for the next visit, also offline. Browsers allow it on https and localhost only. */
@@ -185,5 +188,3 @@ window.gonio = {
     return JSON.parse(await beginCheck(exercise, packed).answer);
   },
 };
-
-run();

@@ -1,6 +1,7 @@
 // Every test of the page, in one process: they share a browser. `cargo xtask test --web` runs this.
 
 import "./opening.test.mjs";
+import "./first.test.mjs";
 import "./lab.test.mjs";
 import "./equation.test.mjs";
 import "./lights.test.mjs";
@@ -21,5 +22,3 @@ import "./bake.test.mjs";
 import "./stations.test.mjs";
 import "./trouble.test.mjs";
 import "./again.test.mjs";
-import "./rest.test.mjs";
-import "./split.test.mjs";

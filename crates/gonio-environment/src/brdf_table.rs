@@ -1,7 +1,7 @@
 //! The second factor of the split sum as a small table: the reflection of uniform light by a rough mirror.
 
 use gonio_light::microfacet::environment_brdf;
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 use std::sync::OnceLock;
 
 /// Scale and bias of [`environment_brdf`] over the view's cosine and the roughness.

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 use gonio_light::named_enum;
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 
 /// A face, named after the axis through its middle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -22,7 +22,7 @@ use crate::face::Face;
 use crate::face::SolidAngles;
 use crate::panorama::color;
 use glam::DVec3;
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 use std::f64::consts::PI;
 
 /// `sqrt(1 / (4 pi))`, `sqrt(3 / (4 pi))`, and of second degree `sqrt(15 / (4 pi))`, `sqrt(5 / (16 pi))`,

@@ -7,7 +7,7 @@ use glam::DVec3;
 use gonio_image::Pixel;
 use gonio_image::encode::Encoded;
 use gonio_image::encode::ktx2::{self, Ktx2Format, Level};
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 
 /// A cubemap and its mip levels.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,7 +10,7 @@
 use crate::{EnvironmentError, cubemap::mean};
 use glam::DVec3;
 use gonio_image::{Image, Pixel};
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 use std::f64::consts::PI;
 
 /// An equirectangular picture of the whole sphere. Its width need not be twice its height: 360 degrees then lie across

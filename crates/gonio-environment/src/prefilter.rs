@@ -24,7 +24,7 @@ use crate::{CubeMips, Cubemap};
 use glam::{DVec3, Vec3A, Vec4};
 use gonio_light::microfacet::{alpha, distribution, unshadowed_share, visible_facet};
 use gonio_light::vector::{reflection, tangent_frame};
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 
 /// An environment prefiltered for rough mirrors. Level `i` of `n` is for the roughness `i / (n - 1)`; the first is the
 /// environment itself, each next has half its size.

@@ -20,7 +20,7 @@ use crate::cubemap::{solid_angle, texel_direction};
 use crate::face::Face;
 use glam::{DMat3, DVec3};
 use gonio_light::vector::unit_or;
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
 /// The largest radiance of the sun's disc, in any channel: a little less than the largest half-precision number, 65504.

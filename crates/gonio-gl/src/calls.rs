@@ -286,12 +286,12 @@ impl Gl {
 
     /// Opens a debug group in the record.
     pub(crate) fn group_opened(&self, name: &str) {
-        self.recorded(|recorder, _, _| recorder.groups.push(name.to_owned()));
+        self.recorded(|recorder, _, _| recorder.enter_group(name));
     }
 
     /// Closes it.
     pub(crate) fn group_closed(&self) {
-        self.recorded(|recorder, _, _| drop(recorder.groups.pop()));
+        self.recorded(|recorder, _, _| recorder.leave_group());
     }
 
     /// Names the subject of draws until the returned guard is dropped. Textures bound until then are bound for it.

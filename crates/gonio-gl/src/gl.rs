@@ -2,7 +2,7 @@
 
 use crate::Dialect;
 use crate::functions::Functions;
-use crate::trace::recorder::Recorder;
+use crate::trace::recorder::Record;
 use crate::trace::state::State;
 use std::any::Any;
 use std::cell::RefCell;
@@ -30,7 +30,7 @@ pub struct Gl {
 struct Tracker {
     state: RefCell<State>,
     /// While a recording runs.
-    recorder: RefCell<Option<Box<Recorder>>>,
+    recorder: RefCell<Option<Box<dyn Record>>>,
     /// Whether each call is followed by `glGetError`, so that refused calls are not noted.
     asks_for_errors: bool,
 }
@@ -120,14 +120,14 @@ impl Gl {
 
     /// Calls `f` with the recorder if a recording is running.
     #[inline]
-    pub(crate) fn recorded(&self, f: impl FnOnce(&mut Recorder, &mut State, &Functions)) {
+    pub(crate) fn recorded(&self, f: impl FnOnce(&mut dyn Record, &mut State, &Functions)) {
         if let Some(recorder) = self.tracker.recorder.borrow_mut().as_deref_mut() {
             self.with_state(|state| f(recorder, state, &self.functions));
         }
     }
 
     /// Begins or ends a recording, and returns the recorder that ran until now.
-    pub(crate) fn exchange_recorder(&self, recorder: Option<Box<Recorder>>) -> Option<Box<Recorder>> {
+    pub(crate) fn exchange_recorder(&self, recorder: Option<Box<dyn Record>>) -> Option<Box<dyn Record>> {
         self.with_state(|state| state.is_recording = recorder.is_some());
         self.tracker.recorder.replace(recorder)
     }

@@ -1,7 +1,7 @@
 //! The mesh: indexed triangles, ready for a GPU.
 
 use glam::{DVec3, Vec3};
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 
 /// Indexed triangles. All per-vertex arrays are as long as `positions`, or empty if the file has none.
 #[derive(Clone, Debug, Default, PartialEq)]

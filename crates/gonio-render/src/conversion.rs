@@ -1,6 +1,7 @@
 //! Panoramas and cubemaps converted into one another by the GPU: the same pictures as gonio-environment makes on the CPU,
 //! to f32's rounding.
 
+use crate::shader_text::shader_text;
 use gonio_environment::convert::{self, Conversion, EnvironmentRef, Filter, TexelLayers};
 use gonio_environment::{Cubemap, Face, Layout, Panorama, panorama};
 use gonio_gl::Dialect;
@@ -237,7 +238,7 @@ fn sources(dialect: Dialect, from_cubemap: bool, target: OutputLayout, filter: F
         if inner.is_empty() { format!("{factor:e}") } else { format!("({inner} * square + {factor:e})") }
     });
     define("ARC_TANGENT_POLYNOMIAL", &polynomial);
-    let fragment = [&text, include_str!("../shaders/conversion.frag")].concat();
-    let vertex = [dialect.header(), include_str!("../shaders/output.vert")].concat();
+    let fragment = [text.as_str(), shader_text!("../shaders/conversion.frag")].concat();
+    let vertex = [dialect.header(), shader_text!("../shaders/output.vert")].concat();
     [vertex, fragment]
 }

@@ -11,6 +11,7 @@ pub use special::{OVERDRAW_SCALE, SpecialProgram};
 pub use surroundings::{SurfaceOptics, SurroundingsKey, sky_sources};
 
 use crate::body::LEAF_STEP;
+use crate::shader_text::shader_text;
 use gonio_bsdf::merl;
 use gonio_gl::Dialect;
 use gonio_light::brdf::{self, BrdfKind};
@@ -335,20 +336,20 @@ impl SceneKey {
     }
 }
 
-const VECTOR: &str = include_str!("../shaders/light/vector.glsl");
-const LIGHT: &str = include_str!("../shaders/light/light.glsl");
-const FRESNEL: &str = include_str!("../shaders/light/fresnel.glsl");
-const BRDF: &str = include_str!("../shaders/light/brdf.glsl");
-const OPTICS: &str = include_str!("../shaders/light/optics.glsl");
-const ENVIRONMENT_LIGHT: &str = include_str!("../shaders/light/environment_light.glsl");
-const COLOR: &str = include_str!("../shaders/light/color.glsl");
-const LIGHT_TABLE: &str = include_str!("../shaders/light_table.glsl");
-const SHADOW: &str = include_str!("../shaders/shadow.glsl");
-const LIGHTING: &str = include_str!("../shaders/lighting.glsl");
-const QUANTITY: &str = include_str!("../shaders/quantity.glsl");
-const MATERIAL: &str = include_str!("../shaders/material.glsl");
-const SCENE_VERT: &str = include_str!("../shaders/scene.vert");
-const SCENE_FRAG: &str = include_str!("../shaders/scene.frag");
+const VECTOR: &str = shader_text!("../shaders/light/vector.glsl");
+const LIGHT: &str = shader_text!("../shaders/light/light.glsl");
+const FRESNEL: &str = shader_text!("../shaders/light/fresnel.glsl");
+const BRDF: &str = shader_text!("../shaders/light/brdf.glsl");
+const OPTICS: &str = shader_text!("../shaders/light/optics.glsl");
+const ENVIRONMENT_LIGHT: &str = shader_text!("../shaders/light/environment_light.glsl");
+const COLOR: &str = shader_text!("../shaders/light/color.glsl");
+const LIGHT_TABLE: &str = shader_text!("../shaders/light_table.glsl");
+const SHADOW: &str = shader_text!("../shaders/shadow.glsl");
+const LIGHTING: &str = shader_text!("../shaders/lighting.glsl");
+const QUANTITY: &str = shader_text!("../shaders/quantity.glsl");
+const MATERIAL: &str = shader_text!("../shaders/material.glsl");
+const SCENE_VERT: &str = shader_text!("../shaders/scene.vert");
+const SCENE_FRAG: &str = shader_text!("../shaders/scene.frag");
 
 /// The pure functions of the equation alone, for the test that compares them with their Rust twins.
 pub fn light_functions(dialect: Dialect) -> String {

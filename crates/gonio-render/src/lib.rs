@@ -15,6 +15,7 @@ pub mod glsl;
 mod light_table;
 mod renderer;
 mod scene_on_gpu;
+mod shader_text;
 mod shadow_map;
 mod shadows_on_gpu;
 mod textures;

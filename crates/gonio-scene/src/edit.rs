@@ -6,6 +6,7 @@
 use crate::asset_cache::NormalChoice;
 use crate::load::{assemble, lacks_surroundings};
 use crate::material_binding::{MaterialBinder, MaterialSource};
+use crate::readers::Readers;
 use crate::scene::{Scene, world_from_model};
 use crate::scene_file::{ObjectSpec, SceneFile};
 use crate::settings::{LightSettings, SceneSettings};
@@ -130,7 +131,8 @@ fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> O
         ..Scene::default()
     };
     let mut new_diagnostics: Vec<Diagnostic> = Vec::new();
-    assemble(&mut next, &scene.objects, &mut cache.meshes, &mesh_of_object, &first_material, &mut new_diagnostics);
+    let (meshes, with_tangents) = (&mut cache.meshes, Readers::ALL.tangents);
+    assemble(&mut next, &scene.objects, meshes, &mesh_of_object, &first_material, with_tangents, &mut new_diagnostics);
     new_diagnostics.retain(|new| !loaded.diagnostics.contains(new));
     next.diagnostics.append(&mut new_diagnostics);
     next.cache = Arc::new(cache);

@@ -13,7 +13,7 @@ use gonio_environment::{Cubemap, EnvironmentError, Face, Layout, Panorama};
 use gonio_image::Image;
 use gonio_image::decode::{Decoded, DecodedContent, FileFormat, decode};
 use gonio_mesh::{Cause, Diagnostic, Limits, ReadError};
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 use std::path::{Path, PathBuf};
 
 /// The map of an environment.

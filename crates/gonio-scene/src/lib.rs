@@ -27,6 +27,7 @@ pub mod model_file;
 mod model_scene;
 mod option_text;
 pub mod picture;
+pub mod readers;
 pub mod scene;
 pub mod scene_file;
 pub mod settings;

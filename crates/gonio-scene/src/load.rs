@@ -9,14 +9,15 @@ use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
 use crate::material_brdf::{self, BrdfLibrary};
 use crate::model_file::{self, ModelFile};
 use crate::model_scene;
+use crate::readers::Readers;
 use crate::scene::{Object, ObjectPart, Scene, SceneMaterial, world_from_model};
 use crate::scene_file::{ObjectSpec, SceneFile};
 use crate::settings::{EnvironmentSettings, EquationSettings, LightSettings, SceneSettings};
 use crate::toml_file;
 use crate::toml_table::line_and_column;
 use crate::validate;
-use gonio_mesh::{Cause, Diagnostic, Limits, Mesh, ReadError, encoding, tangents, topology};
-use rayon::prelude::*;
+use gonio_mesh::{Cause, Diagnostic, Limits, Mesh, ReadError, encoding, topology};
+use gonio_threads::prelude::*;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -116,13 +117,19 @@ pub fn load(scene: SceneFile, base: &Path, files: &dyn FileSource) -> Result<Sce
 }
 
 /// [`load`], with other limits on what the files may make it allocate: `limits.max_bytes` are for all of them together.
-pub fn load_within(
+pub fn load_within(scene: SceneFile, base: &Path, files: &dyn FileSource, limits: &Limits) -> Result<Scene, ReadError> {
+    validate::check(&scene)?;
+    load_by(Readers::ALL, scene, base, files, limits)
+}
+
+/// [`load_within`] by these readers, for a `scene` whose numbers are valid.
+pub fn load_by(
+    readers: &Readers,
     mut scene: SceneFile,
     base: &Path,
     files: &dyn FileSource,
     limits: &Limits,
 ) -> Result<Scene, ReadError> {
-    validate::check(&scene)?;
     scene.objects.iter_mut().for_each(ObjectSpec::start_on_path);
     let files = &Budgeted::new(files, limits.max_bytes);
 
@@ -142,20 +149,21 @@ pub fn load_within(
         }
         model_of_object.push(index);
     }
-    let (models, environment) = rayon::join(
+    let (models, environment) = gonio_threads::join(
         || -> Result<Vec<ModelFile>, ReadError> {
-            paths.into_par_iter().map(|(path, name)| model_file::read_within(&path, &name, files, limits)).collect()
+            let read = |(path, name): (PathBuf, String)| model_file::read_by(readers, &path, &name, files, limits);
+            paths.into_par_iter().map(read).collect()
         },
-        || scene.environment.as_ref().map(|spec| environment_file::load(spec, base, files)).transpose(),
+        || scene.environment.as_ref().map(|spec| (readers.environment)(spec, base, files)).transpose(),
     );
     let (mut models, environment) = (models?, environment?);
 
     let mut diagnostics = Vec::new();
     let mut brdfs = BrdfLibrary::default();
     for object in &scene.objects {
-        brdfs.add(&object.material, base, files, &mut diagnostics)?;
+        (readers.brdf)(&mut brdfs, &object.material, base, files, &mut diagnostics)?;
     }
-    let mut binder = MaterialBinder::new(files, files.budget(), brdfs.clone());
+    let mut binder = MaterialBinder::new(files, files.budget(), readers.pictures, brdfs.clone());
     let mut first_material = Vec::with_capacity(scene.objects.len());
     let used: Vec<Vec<bool>> = models.iter().map(|file| used_materials(&file.model)).collect();
     let folders: Vec<Vec<PathBuf>> = models.iter().map(ModelFile::texture_folders).collect();
@@ -185,7 +193,7 @@ pub fn load_within(
         let needed_again = needed[i + 1..].iter().any(|(other, _)| other == m);
         meshes.push(if needed_again { mesh.clone() } else { std::mem::take(mesh) });
     }
-    let (bound, prepared) = rayon::join(
+    let (bound, prepared) = gonio_threads::join(
         || binder.finish(),
         || {
             meshes
@@ -213,7 +221,8 @@ pub fn load_within(
     }
 
     let mut loaded = Scene { materials: bound.materials, textures: bound.textures, ..Scene::default() };
-    assemble(&mut loaded, &scene.objects, &mut cache.meshes, &prepared_of_object, &first_material, &mut diagnostics);
+    let (meshes, of_object) = (&mut cache.meshes, &prepared_of_object);
+    assemble(&mut loaded, &scene.objects, meshes, of_object, &first_material, readers.tangents, &mut diagnostics);
     model_scene::take_camera(&mut scene, &models, &model_of_object)?;
     model_scene::take_lights(&mut scene, &models, &model_of_object, loaded.bounds(), &mut diagnostics);
     if let Some(mut read) = environment {
@@ -274,6 +283,7 @@ pub(crate) fn assemble(
     cache: &mut [CachedMesh],
     mesh_of_object: &[usize],
     first_material: &[usize],
+    with_tangents: fn(&Mesh) -> Option<Mesh>,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     // Meshes of the cache, with or without tangents, each once.
@@ -295,7 +305,7 @@ pub(crate) fn assemble(
     let lacking: Vec<usize> =
         needed.iter().filter(|(m, t)| *t && cache[*m].with_tangents.is_none()).map(|w| w.0).collect();
     let made: Vec<Option<Mesh>> =
-        lacking.par_iter().map(|&m| cache[m].plain.as_ref().and_then(|mesh| tangents::with_tangents(mesh))).collect();
+        lacking.par_iter().map(|&m| cache[m].plain.as_ref().and_then(|mesh| with_tangents(mesh))).collect();
     for (&m, made) in lacking.iter().zip(made) {
         if let Some(mesh) = made {
             cache[m].with_tangents = Some(Arc::new(mesh));

@@ -5,6 +5,7 @@ use crate::color_value::Color;
 use crate::files::{Budget, FileSource};
 use crate::material_brdf::{BrdfLibrary, MaterialBrdf};
 use crate::model_file::ModelFile;
+use crate::readers::PictureReader;
 use crate::scene::{BoundTexture, Maps, SceneMaterial};
 use crate::scene_file::MaterialOverride;
 use crate::texture::Texture;
@@ -108,8 +109,9 @@ impl MaterialBinder<'static> {
 
 impl<'a> MaterialBinder<'a> {
     /// Textures are read from `files`, and decoded ones are paid for from `budget`. BRDFs were read before.
-    pub fn new(files: &'a dyn FileSource, budget: &'a Budget, brdfs: BrdfLibrary) -> Self {
-        MaterialBinder { library: TextureLibrary::new(files, budget), brdfs, pending: Vec::new(), known: Vec::new() }
+    pub fn new(files: &'a dyn FileSource, budget: &'a Budget, pictures: PictureReader, brdfs: BrdfLibrary) -> Self {
+        let library = TextureLibrary::new(files, budget, pictures);
+        MaterialBinder { library, brdfs, pending: Vec::new(), known: Vec::new() }
     }
 
     /// All materials of the model `from`, numbered `index`, with the override; returns the index of the first.

@@ -1,7 +1,7 @@
 //! One model file, read with the files beside it, and where its textures are.
 
 use crate::files::{self, BUILTIN, Budget, Budgeted, FileBytes, FileSource, OverLimit, SidecarFolder};
-use crate::input_kind;
+use crate::readers::Readers;
 use gonio_mesh::{Cause, Format, Limits, Material, MissingSidecar, Model, ReadError, compression};
 use std::path::{Path, PathBuf};
 
@@ -73,8 +73,19 @@ pub(crate) fn read_within<S: FileSource>(
     files: &Budgeted<S>,
     limits: &Limits,
 ) -> Result<ModelFile, ReadError> {
+    read_by(Readers::ALL, path, name, files, limits)
+}
+
+/// [`read_within`] by these readers.
+pub(crate) fn read_by<S: FileSource>(
+    readers: &Readers,
+    path: &Path,
+    name: &str,
+    files: &Budgeted<S>,
+    limits: &Limits,
+) -> Result<ModelFile, ReadError> {
     let bytes = files::read(files, path).map_err(|e| files::failed(&e).in_file(name))?;
-    read_bytes(&bytes, path, name, files, limits).map_err(|e| e.in_file(name))
+    read_bytes(readers, &bytes, path, name, files, limits).map_err(|e| e.in_file(name))
 }
 
 /// Unpacks compressed bytes and charges them to the budget; `None` where they are not compressed.
@@ -110,17 +121,18 @@ impl From<OverLimit> for Failed {
 }
 
 fn read_bytes<S: FileSource>(
+    readers: &Readers,
     bytes: &[u8],
     path: &Path,
     name: &str,
     files: &Budgeted<S>,
     limits: &Limits,
 ) -> Result<ModelFile, ReadError> {
-    let unpacked = unpack(bytes, limits, files.budget())?;
+    let unpacked = (readers.unpack)(bytes, limits, files.budget())?;
     let content = unpacked.as_deref().unwrap_or(bytes);
-    let format = input_kind::format_of(content, &path.to_string_lossy()).map_err(ReadError::new)?;
+    let format = (readers.format)(content, &path.to_string_lossy()).map_err(ReadError::new)?;
     let mut beside = SidecarFolder::new(path, files, files.budget());
-    let read = format.read(content, &mut beside, limits);
+    let read = (readers.model)(format, content, &mut beside, limits);
     // What other files leave over depends on the order in which threads read them: that a model goes without a file
     // for want of memory would not be the same every time.
     if let Some(over) = beside.over_limit {

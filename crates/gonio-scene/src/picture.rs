@@ -9,7 +9,7 @@ use gonio_image::srgb::ENCODER;
 use gonio_light::Quantity;
 use gonio_light::color::{ColorEncoding, OutputTransform};
 use gonio_light::quantity::Encoding;
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 
 /// Linear RGBA with premultiplied alpha, first row the top one.
 #[derive(Clone, Debug, PartialEq)]

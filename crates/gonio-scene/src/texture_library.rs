@@ -2,11 +2,12 @@
 //! use.
 
 use crate::files::{self, Budget, FileBytes, FileSource};
-use crate::image_file::{self, Decoded};
+use crate::image_file::Decoded;
+use crate::readers::PictureReader;
 use crate::texture::{ColorSpace, Texture};
 use crate::texture_recipe::{self, Purpose};
 use gonio_mesh::{Diagnostic, EmbeddedImage, FilePlace, MissingSidecar, TextureMap};
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 use serde::Serialize;
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -84,6 +85,7 @@ pub(crate) struct TextureCache {
 pub(crate) struct TextureLibrary<'a> {
     /// The source of files and the budget; `None` where only the cache may be used.
     files: Option<(&'a dyn FileSource, &'a Budget)>,
+    reader: PictureReader,
     /// Whether the cache lacks a requested texture.
     lacks: bool,
     pictures: Vec<Picture>,
@@ -112,7 +114,7 @@ impl TextureLibrary<'static> {
     pub fn from_cache(cache: &TextureCache) -> Self {
         let nothing = || FileBytes::from_static(&[]);
         let pictures = cache.paths.iter().map(|path| Picture { path: path.clone(), bytes: nothing() }).collect();
-        TextureLibrary { pictures, found: cache.found.clone(), ..TextureLibrary::from_files(None) }
+        TextureLibrary { pictures, found: cache.found.clone(), ..TextureLibrary::from_files(None, PictureReader::ALL) }
     }
 
     /// The requested textures; `None` if the cache lacks one. Diagnostics about them were reported when they were
@@ -135,13 +137,14 @@ impl TextureLibrary<'static> {
 
 impl<'a> TextureLibrary<'a> {
     /// Pictures are read from `files`, and decoded ones are paid for from `budget`.
-    pub fn new(files: &'a dyn FileSource, budget: &'a Budget) -> Self {
-        Self::from_files(Some((files, budget)))
+    pub fn new(files: &'a dyn FileSource, budget: &'a Budget, reader: PictureReader) -> Self {
+        Self::from_files(Some((files, budget)), reader)
     }
 
-    fn from_files(files: Option<(&'a dyn FileSource, &'a Budget)>) -> Self {
+    fn from_files(files: Option<(&'a dyn FileSource, &'a Budget)>, reader: PictureReader) -> Self {
         TextureLibrary {
             files,
+            reader,
             lacks: false,
             pictures: Vec::new(),
             jobs: Vec::new(),
@@ -325,7 +328,7 @@ impl<'a> TextureLibrary<'a> {
             .zip(paid)
             .map(|(picture, paid)| {
                 let name = picture.path.display().to_string();
-                paid.and_then(|()| image_file::decode(&picture.bytes, &name))
+                paid.and_then(|()| (self.reader.decode)(&picture.bytes, &name))
                     .map_err(|error| format!("{name}: {error}"))
             })
             .collect()
@@ -334,7 +337,7 @@ impl<'a> TextureLibrary<'a> {
     /// Pays for decoding a picture. One whose header cannot be read costs nothing: decoding it fails as well.
     fn pay_for(&self, picture: &Picture) -> Result<(), String> {
         let Some((_, budget)) = self.files else { return Ok(()) };
-        let needed = image_file::memory(&picture.bytes, &picture.path.to_string_lossy()).unwrap_or(0);
+        let needed = (self.reader.memory)(&picture.bytes, &picture.path.to_string_lossy()).unwrap_or(0);
         budget
             .spend(needed)
             .map_err(|over| format!("the textures together would take more than allowed: this one {over}"))

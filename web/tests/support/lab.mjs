@@ -41,8 +41,8 @@ export const CLIPBOARD = { permissions: ["clipboard-read", "clipboard-write"] };
 export const settled = (state) => state?.loaded && state.busy === null && state.frame.complete;
 
 /** Hints of the browser about speed, that are no fault: screenshots read pixels, and so does egui when a font lacks a
- * character and the browser draws it instead; and a test that is quick waits for the module's second half. */
-const HINTS = ["GPU stall due to ReadPixels", "willReadFrequently", "Synchronous XMLHttpRequest"];
+ * character and the browser draws it instead. */
+const HINTS = ["GPU stall due to ReadPixels", "willReadFrequently"];
 
 export class Lab {
   /** What went wrong in the page: errors and warnings on its console, errors nobody caught, broken requests. */

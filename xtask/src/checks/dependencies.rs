@@ -25,13 +25,18 @@ pub const RULES: &[Rule] = &[
     // Tables of test cases: every crate's tests may read them (`FOR_ALL_TESTS`).
     Rule { krate: "gonio-fixtures", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-light", may_know: &[], tests_may_know: &[] },
-    Rule { krate: "gonio-mesh", may_know: &["gonio-light"], tests_may_know: &[] },
+    Rule { krate: "gonio-threads", may_know: &[], tests_may_know: &[] },
+    Rule { krate: "gonio-mesh", may_know: &["gonio-light", "gonio-threads"], tests_may_know: &[] },
     Rule { krate: "gonio-image", may_know: &["gonio-light"], tests_may_know: &[] },
     // Texture coordinates of meshes, and a picture of them.
     Rule { krate: "gonio-atlas", may_know: &["gonio-mesh", "gonio-image"], tests_may_know: &[] },
     // Rays against meshes, for renderers and for baking.
     Rule { krate: "gonio-rays", may_know: &["gonio-mesh"], tests_may_know: &[] },
-    Rule { krate: "gonio-environment", may_know: &["gonio-light", "gonio-image"], tests_may_know: &[] },
+    Rule {
+        krate: "gonio-environment",
+        may_know: &["gonio-light", "gonio-image", "gonio-threads"],
+        tests_may_know: &[],
+    },
     // A language, and nothing of ours.
     Rule { krate: "gonio-glsl", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-interpreter", may_know: &["gonio-glsl"], tests_may_know: &[] },
@@ -77,15 +82,21 @@ pub const RULES: &[Rule] = &[
         ],
         tests_may_know: &[],
     },
+    // The page's first picture, without the application.
+    Rule {
+        krate: "gonio-web-first",
+        may_know: &["gonio-gl", "gonio-mesh", "gonio-render", "gonio-scene"],
+        tests_may_know: &[],
+    },
     Rule { krate: "gonio", may_know: COMMAND_LINE, tests_may_know: &[] },
     // It measures the window too, as the command line opens it.
     Rule { krate: "gonio-bench", may_know: COMMAND_LINE, tests_may_know: &[] },
     Rule { krate: "gonio-web-bindgen", may_know: &[], tests_may_know: &[] },
-    Rule { krate: "gonio-web-split", may_know: &[], tests_may_know: &[] },
     Rule { krate: "xtask", may_know: &["gonio-fixtures"], tests_may_know: &[] },
 ];
 
-const BELOW_SCENES: &[&str] = &["gonio-light", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-bsdf"];
+const BELOW_SCENES: &[&str] =
+    &["gonio-light", "gonio-threads", "gonio-mesh", "gonio-image", "gonio-environment", "gonio-bsdf"];
 const BELOW_PICTURES: &[&str] =
     &["gonio-light", "gonio-mesh", "gonio-rays", "gonio-image", "gonio-environment", "gonio-bsdf", "gonio-scene"];
 const BELOW_RENDERER: &[&str] =
@@ -188,7 +199,7 @@ const FOR_ALL_TESTS: &[&str] = &["gonio-fixtures"];
 
 /// Crates from outside that only some of ours may know directly: (crate, who may).
 pub const GUARDED: &[(&str, &[&str])] = &[
-    ("glow", &["gonio-gl", "gonio-render", "gonio-app"]),
+    ("glow", &["gonio-gl", "gonio-render", "gonio-app", "gonio-web-first"]),
     ("glutin_egl_sys", &["gonio-gl"]),
     ("glutin", &["gonio-gl"]),
     ("renderdoc", &["gonio-gl"]),

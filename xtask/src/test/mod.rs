@@ -27,7 +27,7 @@ pub enum Extent {
 /// Desktop platforms that are compiled but not run, which needs no linker.
 const DESKTOPS: &[&str] = &["x86_64-pc-windows-msvc", "aarch64-apple-darwin"];
 /// The repository's own tools, which are not built for other platforms.
-const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench", "gonio-web-bindgen", "gonio-web-split"];
+const NOT_SHIPPED: &[&str] = &["xtask", "gonio-bench", "gonio-web-bindgen"];
 
 /// Runs every step, also after one has failed.
 pub fn run(extent: Extent) -> ExitCode {

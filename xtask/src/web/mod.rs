@@ -1,18 +1,15 @@
 //! `cargo xtask web`: builds the page from gonio-web and `web/` into `dist/`.
 //!
 //! ```text
-//! crates/gonio-web   cargo, profile `web`    one WebAssembly module
-//!                                            and a small one with the path tracer, for a worker
+//! crates/gonio-web-first   cargo, profile `web-first`   the module that draws the first picture
+//! crates/gonio-web   cargo, profile `web`    the application, and the path tracer for a worker
 //!                    web/bindgen             their JavaScript bindings
-//!                    web/build/profile.mjs   records the functions that run before the first picture, in headless Chromium
-//!                    web/split               splits the module into those and the rest
-//!                    binaryen's wasm-opt     optimises both
+//!                    binaryen's wasm-opt     optimises them
 //! web/page           web/build/pack.mjs      bundles, hashes names, compresses with brotli and gzip: dist/
 //! ```
 
 pub mod browser;
 mod sizes;
-mod split;
 
 use crate::process;
 use crate::root;
@@ -70,33 +67,32 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
         say(&toolchain.remark);
     }
     install_packages(&web, say)?;
-    say("building gonio-web for wasm32");
-    let profile = if build == Build::Shipped { "web" } else { "web-dev" };
+    let profiles = if build == Build::Shipped { ["web-first", "web"] } else { ["web-dev", "web-dev"] };
     let target = setup::WASM;
-    checked(process::cargo(root).args(["build", "--locked", "--package", "gonio-web"]).args([
-        "--profile",
-        profile,
-        "--target",
-        target,
-    ]))?;
+    for (package, profile) in ["gonio-web-first", "gonio-web"].into_iter().zip(profiles) {
+        say(&format!("building {package} for wasm32"));
+        let cargo = &mut process::cargo(root);
+        checked(cargo.args(["build", "--locked", "--package", package, "--profile", profile, "--target", target]))?;
+    }
     say("generating JavaScript bindings");
     let folder = target_folder(root);
     let stage = folder.join("web-page");
     std::fs::create_dir_all(&stage).map_err(|e| format!("cannot make {}: {e}", stage.display()))?;
-    let tools = Tools::build(root)?;
-    for (program, name) in [("gonio-web", "gonio"), ("gonio-web-trace", "gonio_trace")] {
+    let bindgen = bindgen(root)?;
+    let [first, rest] = profiles;
+    let programs = [
+        ("gonio-web-first", first, "gonio_first"),
+        ("gonio-web", rest, "gonio"),
+        ("gonio-web-trace", rest, "gonio_trace"),
+    ];
+    for (program, profile, name) in programs {
         let module = folder.join(target).join(profile).join(format!("{program}.wasm"));
-        checked(Command::new(&tools.bindgen).args([&module, &stage]).arg(name))?;
+        checked(Command::new(&bindgen).args([&module, &stage]).arg(name))?;
     }
-    let tracer = stage.join("gonio_trace_bg.wasm");
-    let (first, rest) = (stage.join("gonio_bg.wasm"), stage.join("gonio_rest.wasm"));
-    // From an earlier build.
-    let _ = std::fs::remove_file(&rest);
     if build == Build::Shipped {
-        split::split(&web, &tools.split, &first, &rest, say)?;
         say("optimising the modules (wasm-opt)");
-        for half in [&first, &rest, &tracer].into_iter().filter(|half| half.is_file()) {
-            optimise(&web, half)?;
+        for (_, _, name) in programs {
+            optimise(&web, &stage.join(format!("{name}_bg.wasm")))?;
         }
     }
     say("bundling the page");
@@ -108,21 +104,11 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
     Ok(sizes)
 }
 
-/// Our own tools for WebAssembly modules.
-struct Tools {
-    bindgen: PathBuf,
-    split: PathBuf,
-}
-
-impl Tools {
-    /// Builds them together: separate builds would select different features of shared dependencies.
-    fn build(root: &Path) -> Result<Tools, String> {
-        let packages = ["gonio-web-bindgen", "gonio-web-split"];
-        checked(process::cargo(root).args(["build", "--locked", "--package", packages[0], "--package", packages[1]]))?;
-        let [bindgen, split] = packages
-            .map(|name| target_folder(root).join("debug").join(format!("{name}{}", std::env::consts::EXE_SUFFIX)));
-        Ok(Tools { bindgen, split })
-    }
+/// Builds our tool that makes JavaScript bindings; returns its path.
+fn bindgen(root: &Path) -> Result<PathBuf, String> {
+    let package = "gonio-web-bindgen";
+    checked(process::cargo(root).args(["build", "--locked", "--package", package]))?;
+    Ok(target_folder(root).join("debug").join(format!("{package}{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// Node, in `web/`, where its packages are.

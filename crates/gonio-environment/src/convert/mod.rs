@@ -27,12 +27,12 @@ use fearless_simd::Simd;
 use glam::{DMat3, DVec3, Mat3};
 use gonio_image::{Image, Pixel};
 use gonio_light::named_enum;
+use gonio_threads::prelude::*;
 pub use lanes::ARC_TANGENT;
 use lanes::{first_eight, turned};
 pub use lookup::MOST_ALONG;
 use lookup::{Bicubic, Bilinear, Mix, Nearest, fill_row_by_area, fill_rows};
 use output_grid::{CubeGrid, OutputGrid, PanoramaGrid};
-use rayon::prelude::*;
 pub use texel_source::{BORDER, TexelLayers};
 use texel_source::{CubeSource, PanoramaSource, TexelSource};
 

@@ -14,7 +14,7 @@ use crate::simd::{Kernel, SimdLevel};
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, i32x8};
 use gonio_image::Pixel;
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 use std::f32::consts::PI;
 
 /// Fills six faces of `size` texels, in the order of [`Face::ALL`].

@@ -14,6 +14,27 @@ use std::collections::HashMap;
 /// Most errors that are fetched at once: a driver may keep several flags, and a lost context returns errors without end.
 const MOST_ERRORS: usize = 8;
 
+/// Notes calls. A trait, so that a program that records nothing does not contain [`Recorder`]: it is a tenth of the module
+/// that draws the page's first picture.
+pub trait Record {
+    /// Opens a debug group.
+    fn enter_group(&mut self, name: &str);
+    /// Closes it.
+    fn leave_group(&mut self);
+    /// Notes a clear.
+    fn cleared(&mut self, state: &State, gl: &Functions, mask: u32);
+    /// Notes that samples are averaged into the framebuffer that is drawn into.
+    fn resolved(&mut self, state: &State);
+    /// Notes everything that a draw will read, and starts counting.
+    fn before_draw(&mut self, state: &mut State, gl: &Functions, call: &DrawCall);
+    /// Stops counting, and fetches errors.
+    fn after_draw(&mut self, gl: &Functions);
+    /// Returns the record. Waits for the counters of the GPU.
+    fn finish(self: Box<Self>, state: &State, gl: &Functions) -> FrameRecord;
+    /// Deletes the counters.
+    fn abandon(self: Box<Self>, gl: &Functions);
+}
+
 /// A recording in progress.
 pub struct Recorder {
     pub(super) record: FrameRecord,
@@ -49,26 +70,6 @@ impl Recorder {
         }
     }
 
-    /// Notes a clear.
-    pub fn cleared(&mut self, state: &State, gl: &Functions, mask: u32) {
-        let mut clear = ClearRecord::default();
-        if mask & glow::COLOR_BUFFER_BIT != 0 {
-            clear.color = Some(gl.get_clear_color());
-        }
-        if mask & glow::DEPTH_BUFFER_BIT != 0 {
-            clear.depth = Some(gl.get_clear_depth());
-        }
-        self.enter_pass(state).cleared = Some(clear);
-    }
-
-    /// Notes that samples are averaged into the framebuffer that is drawn into.
-    pub fn resolved(&mut self, state: &State) {
-        let name = target_record(state).name;
-        if let Some(pass) = self.record.passes.last_mut() {
-            pass.resolved_into = Some(name);
-        }
-    }
-
     /// The pass that commands belong to now.
     fn enter_pass(&mut self, state: &State) -> &mut PassRecord {
         let now = (state.draw_framebuffer, self.groups.first().cloned());
@@ -83,9 +84,36 @@ impl Recorder {
         let last = passes.len() - 1;
         &mut passes[last]
     }
+}
 
-    /// Notes everything that a draw will read, and starts counting.
-    pub fn before_draw(&mut self, state: &mut State, gl: &Functions, call: &DrawCall) {
+impl Record for Recorder {
+    fn enter_group(&mut self, name: &str) {
+        self.groups.push(name.to_owned());
+    }
+
+    fn leave_group(&mut self) {
+        self.groups.pop();
+    }
+
+    fn cleared(&mut self, state: &State, gl: &Functions, mask: u32) {
+        let mut clear = ClearRecord::default();
+        if mask & glow::COLOR_BUFFER_BIT != 0 {
+            clear.color = Some(gl.get_clear_color());
+        }
+        if mask & glow::DEPTH_BUFFER_BIT != 0 {
+            clear.depth = Some(gl.get_clear_depth());
+        }
+        self.enter_pass(state).cleared = Some(clear);
+    }
+
+    fn resolved(&mut self, state: &State) {
+        let name = target_record(state).name;
+        if let Some(pass) = self.record.passes.last_mut() {
+            pass.resolved_into = Some(name);
+        }
+    }
+
+    fn before_draw(&mut self, state: &mut State, gl: &Functions, call: &DrawCall) {
         self.drawing = self.record.draws.len() < MOST_DRAWS;
         if !self.drawing {
             self.record.draws_left_out += 1;
@@ -109,8 +137,7 @@ impl Recorder {
         self.queries.push(queries);
     }
 
-    /// Stops counting, and fetches errors.
-    pub fn after_draw(&mut self, gl: &Functions) {
+    fn after_draw(&mut self, gl: &Functions) {
         if !std::mem::take(&mut self.drawing) {
             return;
         }
@@ -123,8 +150,7 @@ impl Recorder {
         }
     }
 
-    /// Returns the record. Waits for the counters of the GPU.
-    pub fn finish(mut self, state: &State, gl: &Functions) -> FrameRecord {
+    fn finish(mut self: Box<Self>, state: &State, gl: &Functions) -> FrameRecord {
         for (draw, queries) in self.record.draws.iter_mut().zip(std::mem::take(&mut self.queries)) {
             let Some(queries) = queries else { continue };
             let [vertices, fragments] = queries.map(|query| {
@@ -152,8 +178,7 @@ impl Recorder {
         self.record
     }
 
-    /// Frees the queries of an unfinished recording.
-    pub fn abandon(self, gl: &Functions) {
+    fn abandon(self: Box<Self>, gl: &Functions) {
         for query in self.queries.into_iter().flatten().flatten() {
             gl.delete_query(query);
         }

@@ -4,7 +4,7 @@ use super::attributes::Attributes;
 use super::vertices::{Corner, CornerAttributes, Vertices};
 use crate::input::{too_many_triangles, too_many_vertices};
 use crate::{Limits, Mesh, NormalSource, ReadError};
-use rayon::prelude::*;
+use gonio_threads::prelude::*;
 use std::mem;
 
 /// Fewer indices than this are not worth several threads.

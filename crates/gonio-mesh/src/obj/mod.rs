@@ -32,11 +32,12 @@ pub(crate) use attributes::not_finite_behind_position;
 use attributes::{Attributes, Segment};
 use faces::Faces;
 use gonio_light::color::srgb_decode_f32;
+use gonio_threads::HAS_THREADS;
+use gonio_threads::prelude::*;
 use materials::MaterialTable;
 use parts::Parts;
 pub(crate) use parts::SmoothingGroup;
 use pieces::Plan;
-use rayon::prelude::*;
 use statistics::Statistics;
 use std::mem;
 use std::ops::Range;
@@ -58,7 +59,7 @@ use vertices::{CornerAttributes, Vertices};
 ///   them). Non-finite numbers of a normal, a texture coordinate or a colour are replaced by 0.
 /// - Vertex colours are interpreted as sRGB from 0 to 1, as Blender and MeshLab write them (if larger: from 0 to 255).
 ///
-/// Large files are read on as many threads as rayon's current pool has; the result does not depend on their number.
+/// Large files are read on as many threads as rayon's current pool has, on the web on one; the result does not depend on their number.
 pub fn read(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits) -> Result<Model, ReadError> {
     read_as_utf8(bytes, |text| read_with(text, sidecars, limits, Plan::for_size(text.len())))
 }
@@ -88,8 +89,11 @@ fn read_with(bytes: &[u8], sidecars: &mut dyn Sidecars, limits: &Limits, plan: P
 }
 
 fn read_attributes(bytes: &[u8], plan: Plan) -> Attributes {
-    let pieces = pieces::split(bytes, plan.pieces);
     let parse = |piece: Range<usize>| Attributes::parse(bytes, piece, plan.fast_path);
+    if !HAS_THREADS {
+        return parse(0..bytes.len());
+    }
+    let pieces = pieces::split(bytes, plan.pieces);
     pieces::attributes(match pieces.as_slice() {
         [all] => vec![parse(all.clone())],
         _ => pieces.into_par_iter().map(parse).collect(),
@@ -116,25 +120,28 @@ fn read_second_pass(
     let reports = mem::take(&mut attributes.reports);
     let segments = mem::take(&mut attributes.segments);
     let first_error = attributes.error.take().or_else(|| too_many(attributes));
-    let stretches = pieces::stretches(&segments, plan.stretches);
+    let stretches = if HAS_THREADS { pieces::stretches(&segments, plan.stretches) } else { vec![segments.as_slice()] };
     let most = limits.max_triangles;
     let parse = |stretch: &[Segment], room| Faces::read(bytes, attributes, stretch, room, most, plan.fast_path);
     let mut indices = Vec::new();
     let read: Result<Vec<Faces<'_>>, ReadError> = match stretches.as_slice() {
         [all] => parse(all, Triangles::of_all(triangles::likely_count(all))).map(|faces| vec![faces]),
-        _ => {
+        several if HAS_THREADS => {
             indices = vec![0; 3 * triangles::likely_count(&segments)];
-            let rooms = triangles::rooms(&mut indices, &stretches);
-            let read: Vec<_> = stretches.par_iter().zip(rooms).map(|(stretch, room)| parse(stretch, room)).collect();
+            let rooms = triangles::rooms(&mut indices, several);
+            let read: Vec<_> = several.par_iter().zip(rooms).map(|(stretch, room)| parse(stretch, room)).collect();
             read.into_iter().collect()
         }
+        _ => Ok(Vec::new()),
     };
     let faces = match (read, first_error) {
         // The second pass stopped where the first one failed.
         (Err(error), _) if error.place.line.is_some() => return Err(error),
         (_, Some(error)) | (Err(error), None) => return Err(error),
         // There are too many kinds of unknown statements to count them in pieces.
-        (Ok(faces), None) if faces.len() > 1 && faces.iter().any(|faces| faces.statistics.tallies.is_full) => {
+        (Ok(faces), None)
+            if HAS_THREADS && faces.len() > 1 && faces.iter().any(|faces| faces.statistics.tallies.is_full) =>
+        {
             drop(faces);
             vec![parse(&segments, Triangles::of_all(0))?]
         }

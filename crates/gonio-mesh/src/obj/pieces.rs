@@ -4,7 +4,8 @@ use super::attributes::{Attributes, Segment};
 use super::triangles::Triangles;
 use super::vertices::{Corner, CornerAttributes, Vertices};
 use crate::ReadError;
-use rayon::prelude::*;
+use gonio_threads::HAS_THREADS;
+use gonio_threads::prelude::*;
 use std::mem;
 use std::ops::Range;
 
@@ -27,7 +28,7 @@ impl Plan {
     pub(super) fn for_size(size: usize) -> Self {
         let most = size / SMALLEST_PIECE;
         // Only asked when needed, because asking may start the threads.
-        let threads = if most < 2 { 1 } else { rayon::current_num_threads() };
+        let threads = if most < 2 { 1 } else { gonio_threads::current_num_threads() };
         let for_each = |count: usize| if threads < 2 { 1 } else { (count * threads).min(most) };
         Plan { pieces: for_each(8), stretches: for_each(1), fast_path: true }
     }
@@ -144,6 +145,9 @@ fn concatenate<const N: usize>(parts: Vec<Vec<[f32; N]>>) -> Vec<[f32; N]> {
 pub(super) fn vertices(stretches: &mut [(Vertices, Triangles<'_>)]) -> Result<Vertices, ReadError> {
     let Some(((first, _), rest)) = stretches.split_first_mut() else { return Ok(Vertices::new(0)) };
     let mut all = mem::take(first);
+    if !HAS_THREADS {
+        return Ok(all);
+    }
     let mut rest: Vec<Stretch<'_, '_>> = rest.iter_mut().map(Stretch::new).collect();
     let shared = first_attributes(&mut all, &mut rest);
     if rest.iter().all(|stretch| !stretch.differs && stretch.vertices.extras.corners.is_empty()) {

@@ -1,6 +1,7 @@
 //! Collects triangles in their final place, as long as there is room.
 
 use super::attributes::Segment;
+use gonio_threads::HAS_THREADS;
 
 /// Triangles of a range of a file.
 pub(super) struct Triangles<'a> {
@@ -73,11 +74,14 @@ pub(super) fn rooms<'a>(all: &'a mut [u32], stretches: &[&[Segment]]) -> Vec<Tri
 
 /// Closes the gaps between the used parts. `parts` are the results of [`Triangles::finish`], in order.
 pub(super) fn join(mut all: Vec<u32>, stretches: &[&[Segment]], mut parts: Vec<(usize, Vec<u32>)>) -> Vec<u32> {
-    if let ([_], 0) = (parts.as_slice(), all.len())
+    if (!HAS_THREADS || matches!((parts.as_slice(), all.len()), ([_], 0)))
         && let Some((_, mut only)) = parts.pop()
     {
         only.shrink_to_fit();
         return only;
+    }
+    if !HAS_THREADS {
+        return Vec::new();
     }
     let sizes = stretches.iter().map(|stretch| 3 * likely_count(stretch));
     let mut first = 0;

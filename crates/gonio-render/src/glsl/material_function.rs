@@ -1,5 +1,6 @@
 //! The BRDFs of materials as parts of scene programs.
 
+use crate::shader_text::shader_text;
 use gonio_bsdf::merl;
 use gonio_scene::MaterialBrdf;
 use std::sync::Arc;
@@ -7,7 +8,7 @@ use std::sync::Arc;
 /// Texels in a row of a MERL table: a divisor of its cells, so that it has 900 rows.
 pub const MERL_WIDTH: usize = merl::CELLS / 900;
 
-const MERL: &str = include_str!("../../shaders/merl.glsl");
+const MERL: &str = shader_text!("../../shaders/merl.glsl");
 
 /// A smooth boundary: 0 but for single directions.
 const NOTHING: &str = "vec3 gonioBrdfBRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(0.0); }\n";

@@ -1,15 +1,16 @@
 //! Programs over a whole picture: from linear light to the numbers that are shown, differences, and the finished picture.
 
 use super::{COLOR, bit, constants, define};
+use crate::shader_text::shader_text;
 use gonio_gl::Dialect;
 use gonio_gl::target::SamplesOf;
 use gonio_light::color::{ColorEncoding, ToneMap};
 use gonio_scene::difference::{HEAT, SIGNED};
 use std::fmt::Write;
 
-const DISPLAY_LIGHT: &str = include_str!("../../shaders/display_light.glsl");
-pub(super) const OUTPUT_VERT: &str = include_str!("../../shaders/output.vert");
-const OUTPUT_FRAG: &str = include_str!("../../shaders/output.frag");
+const DISPLAY_LIGHT: &str = shader_text!("../../shaders/display_light.glsl");
+pub(super) const OUTPUT_VERT: &str = shader_text!("../../shaders/output.vert");
+const OUTPUT_FRAG: &str = shader_text!("../../shaders/output.frag");
 
 /// The encoding that an output program writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -83,7 +84,7 @@ pub(super) fn tone_map_define(tone_map: ToneMap) -> &'static str {
     }
 }
 
-const DIFFERENCE_FRAG: &str = include_str!("../../shaders/difference.frag");
+const DIFFERENCE_FRAG: &str = shader_text!("../../shaders/difference.frag");
 
 /// Vertex and fragment shader; the scales' colours are generated from those of `gonio-scene`.
 pub fn difference_sources(dialect: Dialect) -> [String; 2] {

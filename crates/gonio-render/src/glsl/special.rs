@@ -2,19 +2,20 @@
 
 use super::define;
 use super::output::output_vertex;
+use crate::shader_text::shader_text;
 use gonio_gl::Dialect;
 use gonio_scene::scene::SHADOW_OPACITY;
 use std::fmt::Write;
 
-const PLAIN_VERT: &str = include_str!("../../shaders/plain.vert");
-const UV_CHECKER_FRAG: &str = include_str!("../../shaders/uv_checker.frag");
-const COUNT_FRAG: &str = include_str!("../../shaders/count.frag");
-const OVERDRAW_FRAG: &str = include_str!("../../shaders/overdraw.frag");
-const WIREFRAME_VERT: &str = include_str!("../../shaders/wireframe.vert");
-const WIREFRAME_FRAG: &str = include_str!("../../shaders/wireframe.frag");
-const LINE_VERT: &str = include_str!("../../shaders/line.vert");
-const LINE_FRAG: &str = include_str!("../../shaders/line.frag");
-const SHADOW_MAP_FRAG: &str = include_str!("../../shaders/shadow_map.frag");
+const PLAIN_VERT: &str = shader_text!("../../shaders/plain.vert");
+const UV_CHECKER_FRAG: &str = shader_text!("../../shaders/uv_checker.frag");
+const COUNT_FRAG: &str = shader_text!("../../shaders/count.frag");
+const OVERDRAW_FRAG: &str = shader_text!("../../shaders/overdraw.frag");
+const WIREFRAME_VERT: &str = shader_text!("../../shaders/wireframe.vert");
+const WIREFRAME_FRAG: &str = shader_text!("../../shaders/wireframe.frag");
+const LINE_VERT: &str = shader_text!("../../shaders/line.vert");
+const LINE_FRAG: &str = shader_text!("../../shaders/line.frag");
+const SHADOW_MAP_FRAG: &str = shader_text!("../../shaders/shadow_map.frag");
 
 /// The colours of 0, 1, 2 ... fragments at a pixel, as displayed; the last is for 8 and more. Dark to light,
 /// blue through green and yellow to red, so that they can also be distinguished by lightness.

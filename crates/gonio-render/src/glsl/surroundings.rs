@@ -2,15 +2,16 @@
 
 use super::{BRDF, ENVIRONMENT_LIGHT, FRESNEL, OPTICS, SceneKey, bit, define};
 use super::{MapSet, Reflectance};
+use crate::shader_text::shader_text;
 use gonio_gl::Dialect;
 use gonio_light::Specular;
 
-const SURROUNDINGS: &str = include_str!("../../shaders/surroundings.glsl");
-const SIGHT: &str = include_str!("../../shaders/sight.glsl");
-const ENVIRONMENT_LIGHTING: &str = include_str!("../../shaders/environment_lighting.glsl");
-const BODY: &str = include_str!("../../shaders/body.glsl");
-const SKY_VERT: &str = include_str!("../../shaders/sky.vert");
-const SKY_FRAG: &str = include_str!("../../shaders/sky.frag");
+const SURROUNDINGS: &str = shader_text!("../../shaders/surroundings.glsl");
+const SIGHT: &str = shader_text!("../../shaders/sight.glsl");
+const ENVIRONMENT_LIGHTING: &str = shader_text!("../../shaders/environment_lighting.glsl");
+const BODY: &str = shader_text!("../../shaders/body.glsl");
+const SKY_VERT: &str = shader_text!("../../shaders/sky.vert");
+const SKY_FRAG: &str = shader_text!("../../shaders/sky.frag");
 
 /// The optics of a surface that looks the environment up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -51,13 +51,13 @@ impl Renderer {
         let output = OutputTarget::new(gl, [width, height], false)?;
         let look = DisplaySettings::new(view, frame);
         let mut statistics = GpuStatistics::default();
-        self.shadow_maps(scene, frame, &mut notes)?;
+        let shadows = self.shadow_maps(scene, frame, &mut notes)?;
         for first_row in (0..height).step_by(band_rows as usize) {
             let band = Band { picture_height: height, first_row, rows: band_rows.min(height - first_row) };
             let queries = StatisticsQueries::begin(gl, &shared.info)?;
             let draw_calls = {
                 let _group = DebugGroup::new(gl, "scene");
-                self.draw_scene(scene, frame, view, &target, first_row)?
+                self.draw_scene(scene, frame, view, shadows.as_deref(), &target, first_row)?
             };
             let counted = queries.end(gl, draw_calls).read();
             if first_row == 0 {

@@ -20,6 +20,7 @@ pub use user_pass::{SampledTexture, UniformValues, UserPass, displayed_environme
 use crate::glsl::texture_unit;
 use crate::light_table::LightTable;
 use crate::scene_on_gpu::{GpuCache, GpuObject, GpuScene, Run};
+use crate::shadows_on_gpu::ShadowMaps;
 use crate::textures;
 use gonio_gl::Dialect;
 use gonio_gl::DriverInfo;
@@ -123,11 +124,11 @@ impl Renderer {
         let mut notes = Vec::new();
         let target = self.target_for(scene, frame, frame.height as i32, precision, 1, &mut notes)?;
         // Before counting: the counters are those of the picture.
-        self.shadow_maps(scene, frame, &mut notes)?;
+        let shadows = self.shadow_maps(scene, frame, &mut notes)?;
         let queries = StatisticsQueries::begin(gl, &shared.info)?;
         let draw_calls = {
             let _group = DebugGroup::new(gl, "scene");
-            self.draw_scene(scene, frame, view, &target, 0)?
+            self.draw_scene(scene, frame, view, shadows.as_deref(), &target, 0)?
         };
         let statistics = queries.end(gl, draw_calls);
         target.resolve(gl);
@@ -185,23 +186,24 @@ impl Renderer {
         Ok(target)
     }
 
-    /// Draws the rows from `first_row` (from the picture's bottom) that `target` has room for.
+    /// Draws the rows from `first_row` (from the picture's bottom) that `target` has room for, with [`Self::shadow_maps`] of the
+    /// frame.
     fn draw_scene(
         &mut self,
         scene: &GpuScene,
         frame: &Frame,
         view: Option<ViewSpec>,
+        shadows: Option<&ShadowMaps>,
         target: &Target,
         first_row: i32,
     ) -> Result<u32, GlError> {
         let shared = self.shared.clone();
         let gl = &shared.gl;
-        let shadows = self.shadow_maps(scene, frame, &mut Vec::new())?;
-        if let Some(shadows) = &shadows {
+        if let Some(shadows) = shadows {
             shadows.bind(gl);
         }
         gl.active_texture(glow::TEXTURE0 + texture_unit("light_table"));
-        self.light_table.fill(gl, &frame.lights, shadows.as_ref().map(|shadows| &shadows.plan));
+        self.light_table.fill(gl, &frame.lights, shadows.map(|shadows| &shadows.plan));
         target.begin(gl, first_row, frame.height as i32);
         gl.enable(glow::DEPTH_TEST);
         gl.depth_func(glow::LESS);

@@ -255,7 +255,8 @@ impl Renderer {
         // One more than the panes, so that their targets are kept.
         let target = self.target_for(scene, &frame, 1, ColorPrecision::Full, PANES + 1, &mut notes)?;
         let from_below = (frame.height.max(1) - 1 - y) as i32;
-        self.draw_scene(scene, &frame, None, &target, from_below)?;
+        let shadows = self.shadow_maps(scene, &frame, &mut notes)?;
+        self.draw_scene(scene, &frame, None, shadows.as_deref(), &target, from_below)?;
         target.resolve(gl);
         let output = OutputTarget::new(gl, target.size, true)?;
         let row = Band { picture_height: 1, first_row: 0, rows: 1 };

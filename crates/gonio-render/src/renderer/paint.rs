@@ -88,6 +88,23 @@ impl Renderer {
         self.render(scene, frame, view)?.linear()
     }
 
+    /// [`Self::paint`] of the picture alone, without shadows: a module that calls only this contains no code for shadow maps,
+    /// debug views, overlays and counters.
+    pub fn paint_scene(&mut self, scene: &GpuScene, frame: &Frame, canvas: &mut DisplayTexture) -> Result<(), GlError> {
+        let shared = self.shared.clone();
+        let _state = SavedState::save(&shared.gl);
+        let height = frame.height as i32;
+        let mut notes = Vec::new();
+        let target = self.target_for(scene, frame, height, ColorPrecision::Half, PANES, &mut notes)?;
+        canvas.fit([frame.width, frame.height])?;
+        let look = DisplaySettings::new(None, frame).to_be_shown();
+        shared.output_program_for(&target, look.encoded())?;
+        self.draw_scene(scene, frame, None, None, &target, 0)?;
+        target.resolve(&shared.gl);
+        let whole = Band { picture_height: height, first_row: 0, rows: height };
+        shared.output_into(canvas.output(), &target, whole, &look, look.encoded())
+    }
+
     fn paint_onto(
         &mut self,
         scene: &GpuScene,
@@ -115,13 +132,14 @@ impl Renderer {
             // Before anything is drawn: checking whether a program linked waits for all earlier draws.
             shared.output_program_for(&target, look.encoded())?;
         }
-        if special.is_none() {
-            self.shadow_maps(scene, frame, &mut notes)?;
-        }
+        let shadows = match special {
+            None => self.shadow_maps(scene, frame, &mut notes)?,
+            Some(_) => None,
+        };
         let queries = counted.then(|| StatisticsQueries::begin(gl, &shared.info)).transpose()?;
         let drawn = match special {
             Some(special) => shared.draw_special(special, scene, frame, &target),
-            None => self.draw_scene(scene, frame, view, &target, 0),
+            None => self.draw_scene(scene, frame, view, shadows.as_deref(), &target, 0),
         };
         // Counters end even if drawing failed, because they could not be started again.
         let statistics = queries.map(|q| q.end(gl, drawn.as_ref().copied().unwrap_or_default()).read());

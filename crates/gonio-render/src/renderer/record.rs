@@ -55,8 +55,8 @@ impl Renderer {
         let target = self.target_for(scene, frame, frame.height as i32, ColorPrecision::Half, PANES, &mut notes)?;
         {
             let _group = DebugGroup::new(gl, "scene");
-            self.shadow_maps(scene, frame, &mut notes)?;
-            self.draw_scene(scene, frame, view, &target, 0)?;
+            let shadows = self.shadow_maps(scene, frame, &mut notes)?;
+            self.draw_scene(scene, frame, view, shadows.as_deref(), &target, 0)?;
         }
         target.resolve(gl);
         let rows = target.size[1];

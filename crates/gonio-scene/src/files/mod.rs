@@ -38,6 +38,10 @@ pub trait FileSource: Send + Sync {
     fn builtin(&self, name: &str) -> Option<FileBytes> {
         builtin(name).map(FileBytes::from_static)
     }
+    /// A built-in file that is made and not stored, a sphere; or the error that there is none of this name.
+    fn made(&self, name: &str) -> Result<FileBytes, Error> {
+        sphere_file(name).map(FileBytes::from).ok_or_else(|| no_builtin(name))
+    }
     /// Whether a built-in file that is missing now is being downloaded: whatever was read without it must be read again
     /// afterwards.
     fn is_coming(&self, _name: &str) -> bool {
@@ -108,6 +112,9 @@ macro_rules! forward {
             fn builtin(&self, name: &str) -> Option<FileBytes> {
                 (**self).builtin(name)
             }
+            fn made(&self, name: &str) -> Result<FileBytes, Error> {
+                (**self).made(name)
+            }
             fn is_coming(&self, name: &str) -> bool {
                 (**self).is_coming(name)
             }
@@ -148,10 +155,7 @@ pub(crate) fn resolve(base: &Path, name: &str) -> PathBuf {
 /// A file of `files`, or a built-in one.
 pub(crate) fn read(files: &dyn FileSource, path: &Path) -> Result<FileBytes, Error> {
     match builtin_of(path) {
-        Some(name) => {
-            let made = sphere_file(&name).map(FileBytes::from);
-            made.or_else(|| files.builtin(&name)).ok_or_else(|| no_builtin(&name))
-        }
+        Some(name) => files.builtin(&name).map_or_else(|| files.made(&name), Ok),
         None => files.read(path),
     }
 }

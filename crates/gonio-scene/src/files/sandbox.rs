@@ -52,6 +52,9 @@ impl<S: FileSource> FileSource for Sandbox<S> {
     fn builtin(&self, name: &str) -> Option<FileBytes> {
         self.inner.builtin(name)
     }
+    fn made(&self, name: &str) -> Result<FileBytes, Error> {
+        self.inner.made(name)
+    }
 
     fn is_coming(&self, name: &str) -> bool {
         self.inner.is_coming(name)

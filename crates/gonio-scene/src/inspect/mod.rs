@@ -11,6 +11,7 @@ use crate::files::{self, Budgeted, FileSource};
 use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
 use crate::material_brdf::BrdfLibrary;
 use crate::model_file::{self, ModelFile};
+use crate::readers::PictureReader;
 use crate::scene_file::MaterialOverride;
 use crate::texture_library::TextureUse;
 use gonio_mesh::topology::{self, TopologyReport};
@@ -125,7 +126,7 @@ pub struct ImageReport {
 pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Inspection, ReadError> {
     let files = &Budgeted::new(files, limits.max_bytes);
     let mut file = model_file::read_within(&files::resolve(Path::new(""), input), input, files, limits)?;
-    let mut binder = MaterialBinder::new(files, files.budget(), BrdfLibrary::default());
+    let mut binder = MaterialBinder::new(files, files.budget(), PictureReader::ALL, BrdfLibrary::default());
     let (folders, used) = (file.texture_folders(), used_materials(&file.model));
     binder.add(0, &MaterialOverride::default(), &MaterialSource::of_file(&file, &folders, &used));
     let bound = binder.finish();

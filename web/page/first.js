@@ -1,0 +1,94 @@
+// Draws the first picture with a small module, then loads the application, which takes its place when it has drawn the same.
+//
+// The small module reads OBJ models: the first scene, and a model in the page's address. For anything else the application is
+// loaded at once. It explains what is wrong with a file, so a failure here only means no early picture.
+
+import initialise, { FirstScene } from "./gonio_first.js";
+import { noModule } from "./trouble.js";
+
+const frame = document.getElementById("frame");
+
+/** The files of the scene to draw, each `{ name, url }` with its name below `builtin:`, the model first; none if the application
+ * has to draw it. */
+function files() {
+  const asked = new URLSearchParams(location.search).get("open");
+  if (location.hash !== "") return [];
+  if (asked !== null) {
+    return asked.toLowerCase().endsWith(".obj") ? [{ name: `page/${asked.replaceAll(/^.*\//g, "")}`, url: asked }] : [];
+  }
+  const first = [...document.querySelectorAll("[data-builtin][data-when=first]")];
+  return first.map((element) => ({ name: element.dataset.builtin, url: element.href }));
+}
+
+/** The response for a file. */
+async function fetched(url) {
+  const response = await fetch(url, { credentials: "same-origin" });
+  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
+  return response;
+}
+
+/** Fetches a file. Returns a function that gives it to a scene: a texture decoded by the browser. */
+async function fetchFile({ name, url }) {
+  const response = await fetched(url);
+  if (!/\.(png|jpe?g)$/i.test(name)) {
+    const bytes = new Uint8Array(await response.arrayBuffer());
+    return (scene) => scene.give(name, bytes);
+  }
+  const bitmap = await createImageBitmap(await response.blob(), { colorSpaceConversion: "none", premultiplyAlpha: "none" });
+  const { width, height } = bitmap;
+  const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+  context.drawImage(bitmap, 0, 0);
+  const { data } = context.getImageData(0, 0, width, height);
+  return (scene) => scene.give_texture(name, width, height, new Uint8Array(data.buffer));
+}
+
+async function draw() {
+  const module = fetched(document.getElementById("first-module").href);
+  // Reported below.
+  module.catch(() => {});
+  const [model, ...more] = files();
+  if (model === undefined) {
+    // The page's head has requested it, and a browser warns of what is requested in vain. It is kept for the next visit.
+    module.then((response) => response.arrayBuffer()).catch(() => {});
+    return;
+  }
+  const arriving = Promise.all([model, ...more].map(fetchFile));
+  arriving.catch(() => {});
+  await initialise({ module_or_path: module });
+  const scene = new FirstScene();
+  for (const hand of await arriving) hand(scene);
+  const canvas = document.getElementById("first");
+  // The frame may have changed its size meanwhile.
+  const { width, height } = frame.querySelector(".view").getBoundingClientRect();
+  [canvas.width, canvas.height] = [width, height].map((side) => Math.max(1, Math.round(side * devicePixelRatio)));
+  // Its picture stays until the application's is there.
+  const context = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false, preserveDrawingBuffer: true });
+  if (context === null) return;
+  scene.draw(context, model.name);
+  scene.free();
+  frame.classList.add("lit");
+  performance.mark("gonio-first-picture");
+}
+
+/** Removes the canvas, with its memory, once the application's picture has replaced it. */
+function withdraw() {
+  const canvas = document.getElementById("first");
+  canvas.width = canvas.height = 1;
+  canvas.remove();
+}
+
+async function run() {
+  await draw().catch((error) => console.info("gonio draws its first picture later:", error));
+  // A frame for the picture to appear in, before the application keeps the page busy.
+  await new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); setTimeout(resolve, 200); });
+  let start;
+  try {
+    ({ start } = await import(new URL(document.getElementById("main").content, document.baseURI).href));
+  } catch (error) {
+    noModule(error);
+    return;
+  }
+  await start(withdraw);
+}
+
+run();
