@@ -58,6 +58,8 @@ async function draw() {
   const scene = new FirstScene();
   for (const hand of await arriving) hand(scene);
   const canvas = document.getElementById("first");
+  // The application was faster.
+  if (canvas === null) return;
   // The frame may have changed its size meanwhile.
   const { width, height } = frame.querySelector(".view").getBoundingClientRect();
   [canvas.width, canvas.height] = [width, height].map((side) => Math.max(1, Math.round(side * devicePixelRatio)));
@@ -77,10 +79,15 @@ function withdraw() {
   canvas.remove();
 }
 
+/** Milliseconds that the first picture may take before the application is loaded beside it: its files may be on a slow way. */
+const PATIENCE = 1000;
+const after = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
 async function run() {
-  await draw().catch((error) => console.info("gonio draws its first picture later:", error));
+  const drawn = draw().catch((error) => console.info("gonio draws its first picture later:", error));
+  await Promise.race([drawn, after(PATIENCE)]);
   // A frame for the picture to appear in, before the application keeps the page busy.
-  await new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); setTimeout(resolve, 200); });
+  await new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve)); after(200).then(resolve); });
   let start;
   try {
     ({ start } = await import(new URL(document.getElementById("main").content, document.baseURI).href));
