@@ -77,7 +77,7 @@ async function visit(url, mark) {
   // Of gonio: since when its picture has all samples. Asked for from outside, so it is known to a tenth of a second.
   let whole;
   while (whole === undefined) {
-    const now = await page.evaluate(() => document.getElementById("lab") === null || window.gonio?.state()?.frame.complete ? performance.now() : undefined);
+    const now = await page.evaluate(() => document.getElementById("lab") === null || (document.body.classList.contains("running") && window.gonio.state().frame.complete) ? performance.now() : undefined);
     if (now !== undefined) whole = now;
     else await new Promise((resolve) => setTimeout(resolve, 50));
   }
