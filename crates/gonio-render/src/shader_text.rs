@@ -1,4 +1,4 @@
-//! The text of shaders: on the web without comments and indentation, which are a fifth of it.
+//! The text of shaders: on the web without comments and indentation, which are a quarter of it.
 
 /// The text of the file at `$path`, relative to the source file. Its lines keep their numbers.
 macro_rules! shader_text {

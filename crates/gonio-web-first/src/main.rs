@@ -78,9 +78,11 @@ mod first {
             let gl = Gl::of_window(Arc::new(glow::Context::from_webgl2_context(context)));
             let text = |error: gonio_gl::GlError| error.to_string();
             let mut renderer = Renderer::new(gl.clone()).map_err(text)?;
-            let frame = Frame { width, height, ..scene.frame(0.0) };
-            let samples = if renderer.info().is_software() { 1 } else { frame.samples };
-            let frame = Frame { samples, ..frame };
+            let mut frame = Frame { width, height, ..scene.frame(0.0) };
+            // As the application's first picture.
+            if renderer.info().is_software() {
+                frame.samples = 1;
+            }
             let uploaded = renderer.upload(&scene).map_err(text)?;
             let mut canvas = DisplayTexture::new(&gl, [width, height]).map_err(text)?;
             renderer.paint_scene(&uploaded, &frame, &mut canvas).map_err(text)?;

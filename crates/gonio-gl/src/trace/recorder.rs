@@ -14,8 +14,8 @@ use std::collections::HashMap;
 /// Most errors that are fetched at once: a driver may keep several flags, and a lost context returns errors without end.
 const MOST_ERRORS: usize = 8;
 
-/// Notes calls. A trait, so that a program that records nothing does not contain [`Recorder`]: it is a tenth of the module
-/// that draws the page's first picture.
+/// Notes calls. A trait, so that a program that records nothing does not contain [`Recorder`]: it would be a twentieth of the
+/// module that draws the page's first picture.
 pub trait Record {
     /// Opens a debug group.
     fn enter_group(&mut self, name: &str);

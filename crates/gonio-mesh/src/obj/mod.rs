@@ -132,6 +132,7 @@ fn read_second_pass(
             let read: Vec<_> = several.par_iter().zip(rooms).map(|(stretch, room)| parse(stretch, room)).collect();
             read.into_iter().collect()
         }
+        // Without threads there is one stretch.
         _ => Ok(Vec::new()),
     };
     let faces = match (read, first_error) {
