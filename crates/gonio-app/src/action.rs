@@ -74,4 +74,8 @@ pub enum Action {
     CloseShaders,
     /// Dismisses a message.
     Dismiss(u64),
+    /// Dismisses all messages.
+    DismissAll,
+    /// Shows all messages, or only the newest.
+    ExpandMessages,
 }

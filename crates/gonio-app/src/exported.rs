@@ -131,7 +131,9 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
                 MessageSeverity::Warning => "warning",
                 MessageSeverity::Error => "error",
             };
-            json!({ "id": message.id, "severity": severity, "text": message.text, "times": message.times })
+            json!({
+                "id": message.id, "severity": severity, "file": message.file, "text": message.text, "times": message.times,
+            })
         })
         .collect();
     let panes: Vec<Value> = document

@@ -136,10 +136,139 @@ fn a_mistake_is_named_and_its_line_is_a_click_away() {
         (&state["verdict"]["word"], &state["verdict"]["mistakes"][0]),
         (&"wrong".into(), &"normal-by-model-matrix".into())
     );
-    assert_eq!((&state["page"], &state["file"]), (&"verdict".into(), &"reference.frag".into()));
+    assert_eq!((&state["page"], &state["file"]), (&"verdict".into(), &"reference.vert".into()));
     window.steps(2);
+    window.click("file-0");
+    assert_eq!(window.state()["file"], "reference.frag");
     window.click("mistake-0");
     assert_eq!(window.state()["file"], "reference.vert");
+}
+
+#[test]
+fn a_verdict_shows_the_scene_that_differs_most_and_each_other_one_at_a_click() {
+    let start = answer("ex04", |_, text| text.replace("mat3(itM)", "mat3(M)"));
+    // All scenes of the verdict are visible.
+    let mut window = Window::open(start, vec2(1280.0, 1600.0));
+    window.wait("the program", |s| s["drawn"] == true);
+    window.click("shown-both");
+    assert_eq!((&window.state()["scene"], &window.state()["test"]), (&"the lab's".into(), &false.into()));
+    window.press(Modifiers::COMMAND, Key::Enter);
+    let state = window.wait("the verdict", |s| s["verdict"].is_object());
+    assert_eq!(state["test"], true);
+    window.steps(2);
+    let of = |window: &Window| {
+        differing(&window.pixels(PreviewPicture::Yours).0, &window.pixels(PreviewPicture::Reference).0)
+    };
+    let shown = state["scene"].as_str().unwrap().to_owned();
+    assert!(of(&window) > 1000, "{shown}: {} pixels differ", of(&window));
+    // The lab's own scene hides the mistake.
+    window.click("test-scene-lab");
+    assert_eq!((&window.state()["scene"], of(&window)), (&"lab".into(), 0));
+    window.click(&format!("test-scene-{shown}"));
+    assert_eq!(window.state()["scene"], shown.as_str());
+    // The scenes to look at are still offered.
+    window.click("scene-stretched");
+    assert_eq!((&window.state()["scene"], &window.state()["test"]), (&"stretched".into(), &false.into()));
+}
+
+#[test]
+fn hints_go_from_the_symptom_to_the_fix() {
+    let start = answer("ex04", |_, text| text.replace("mat3(itM)", "mat3(M)"));
+    let mut window = Window::open(start, DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    window.press(Modifiers::COMMAND, Key::Enter);
+    window.wait("the verdict", |s| s["verdict"].is_object());
+    window.steps(2);
+    let marks = |window: &Window| window.state()["marks"].as_array().unwrap().len();
+    let has = |window: &Window, id: &str| exported::widgets(&window.harness.ctx).iter().any(|widget| widget.id == id);
+    assert_eq!((window.state()["hints"].clone(), marks(&window), has(&window, "mistake-0")), ("line".into(), 1, true));
+    window.click("hints-symptom");
+    assert_eq!((marks(&window), has(&window, "mistake-0")), (0, false));
+    let told = |window: &Window| {
+        let widgets = exported::widgets(&window.harness.ctx);
+        widgets.into_iter().find(|widget| widget.id == "verdict").unwrap().value
+    };
+    assert!(!told(&window).to_string().contains("inverse transpose"), "{}", told(&window));
+    window.click("hints-name");
+    assert!(told(&window).to_string().contains("inverse transpose"), "{}", told(&window));
+    assert_eq!((marks(&window), has(&window, "mistake-0")), (0, false));
+    window.click("file-0");
+    window.click("hints-fix");
+    assert_eq!((marks(&window), window.state()["file"].clone()), (1, "reference.vert".into()));
+    let mark = window.state()["marks"][0]["text"].as_str().unwrap().to_owned();
+    assert!(mark.contains("itM"), "{mark}");
+}
+
+#[test]
+fn the_lamp_is_dragged_in_the_picture() {
+    let mut window = Window::open(right("ex04"), DESK);
+    window.wait("the program", |s| s["drawn"] == true);
+    window.steps(2);
+    let lamp = |window: &Window| -> Vec<f64> { serde_json::from_value(window.state()["lamp"].clone()).unwrap() };
+    let (before, from) = (lamp(&window), window.center("lamp-0"));
+    let (pixels, _) = window.pixels(PreviewPicture::Yours);
+    window.drag(from, vec2(-60.0, 30.0));
+    let after = lamp(&window);
+    assert!(after[0] < before[0] - 0.1 && after[1] < before[1] - 0.05, "{before:?} {after:?}");
+    assert!(differing(&pixels, &window.pixels(PreviewPicture::Yours).0) > 1000);
+    let (yours, reference) = (window.pixels(PreviewPicture::Yours).0, window.pixels(PreviewPicture::Reference).0);
+    assert_eq!(differing(&yours, &reference), 0, "both pictures have the same lamp");
+    assert!((window.center("lamp-0") - (from + vec2(-60.0, 30.0))).length() < 2.0);
+    window.click("frame");
+    assert_eq!(lamp(&window), before);
+    // A mirror has no lamp, and nothing plays where nothing moves.
+    let window = Window::open(right("ex09"), DESK);
+    assert_eq!(window.state()["lamp"], Value::Null);
+    let has = |window: &Window, id: &str| exported::widgets(&window.harness.ctx).iter().any(|widget| widget.id == id);
+    assert!(!has(&window, "play"));
+    assert!(has(&Window::open(right("ex07"), DESK), "play"));
+}
+
+#[test]
+fn the_editor_indents_comments_and_finds() {
+    let mut window = Window::open(right("ex04"), DESK);
+    window.click("editor");
+    window.press(Modifiers::COMMAND, Key::End);
+    let before = window.text();
+    let typed = |window: &mut Window, text: &str| {
+        window.harness.event(Event::Text(text.into()));
+        window.steps(1);
+    };
+    window.press(Modifiers::NONE, Key::Enter);
+    typed(&mut window, "void f() {");
+    window.press(Modifiers::NONE, Key::Enter);
+    typed(&mut window, "int findable;");
+    window.press(Modifiers::NONE, Key::Enter);
+    typed(&mut window, "}");
+    assert_eq!(window.text(), format!("{before}\nvoid f() {{\n    int findable;\n}}"));
+    window.press(Modifiers::COMMAND, Key::Slash);
+    assert!(window.text().ends_with("\n// }"), "{}", window.text());
+    window.press(Modifiers::COMMAND, Key::F);
+    typed(&mut window, "INDABLE");
+    window.steps(2);
+    let found = exported::widgets(&window.harness.ctx).into_iter().find(|widget| widget.id == "found").unwrap();
+    assert_eq!(found.value, "1 of 1");
+    // Escape goes back to the text, with the match selected.
+    window.press(Modifiers::NONE, Key::Escape);
+    window.steps(2);
+    typed(&mut window, "x");
+    assert!(window.text().contains("int fx;"), "{}", window.text());
+}
+
+#[test]
+fn the_list_tells_what_was_checked() {
+    let mut window = Window::open(answer("ex04", |_, text| text.replace("mat3(itM)", "mat3(M)")), DESK);
+    window.press(Modifiers::COMMAND, Key::Enter);
+    window.wait("the verdict", |s| s["verdict"].is_object());
+    window.click("exercises");
+    window.steps(30);
+    let state = |window: &Window, id: &str| {
+        let widgets = exported::widgets(&window.harness.ctx);
+        widgets.into_iter().find(|widget| widget.id == id).unwrap().value
+    };
+    assert_eq!(state(&window, "exercise-ex04"), "wrong");
+    assert_eq!(state(&window, "exercise-ex03"), "not started");
+    assert_eq!(window.app().session().settings.outcomes.len(), 1, "it is kept for the next window");
 }
 
 #[test]

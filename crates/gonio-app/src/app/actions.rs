@@ -104,6 +104,8 @@ impl App {
                 }
             }
             Action::Dismiss(id) => self.session.messages.dismiss(id),
+            Action::DismissAll => self.session.messages.dismiss_all(),
+            Action::ExpandMessages => self.session.messages.is_expanded = !self.session.messages.is_expanded,
             Action::ShowBench => self.bench.open(),
             Action::ShowStations => self.stations.open(),
             Action::ShowBake => self.show_bake(),

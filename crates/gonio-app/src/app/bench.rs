@@ -5,7 +5,7 @@ use crate::baking;
 use crate::bench::{BenchFunctions, BenchView};
 use crate::panels;
 use crate::platform::Purpose;
-use crate::session::{MessageSeverity, Session};
+use crate::session::{MessageCause, MessageSeverity, Session};
 use egui::Ui;
 use gonio_bsdf::NamedBsdf;
 
@@ -25,6 +25,7 @@ impl App {
 
     /// Adds the functions of files to the bench: names and contents.
     pub(super) fn open_bench_files(&mut self, ctx: &egui::Context, files: Vec<(String, Vec<u8>)>) {
+        self.session.messages.clear(MessageCause::BenchFiles);
         self.bench.open_files(files, self.platform.as_mut(), ctx);
     }
 
@@ -32,11 +33,11 @@ impl App {
     pub(super) fn bench_ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = Vec::new();
+        panels::messages(ui, &self.session.messages, &mut actions);
         for (is_error, sentence) in self.bench.ui(ui, self.platform.as_mut(), &mut actions) {
             let severity = if is_error { MessageSeverity::Error } else { MessageSeverity::Warning };
-            self.session.messages.report(severity, sentence);
+            self.session.messages.report_about(MessageCause::BenchFiles, severity, None, sentence);
         }
-        panels::messages(ui, &self.session, &mut actions);
         panels::path_field(ui, &mut self.session, Purpose::Bench, &mut actions);
         for action in actions {
             self.act(&ctx, action);

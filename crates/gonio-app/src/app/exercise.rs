@@ -5,7 +5,7 @@ use crate::exercise::{ExerciseView, Start};
 use crate::files::{ExerciseFile, ShaderFiles, short};
 use crate::panels;
 use crate::platform::Purpose;
-use crate::session::{MessageSeverity, OwnShaders, Tab};
+use crate::session::{MessageCause, MessageSeverity, OwnShaders, Tab};
 use crate::step;
 use egui::Ui;
 use gonio_scene::files::FileSource;
@@ -20,6 +20,7 @@ impl App {
 
     /// Shows an exercise with a student's files. Errors become messages in the window.
     pub fn begin_exercise(&mut self, ctx: &egui::Context, start: Start) {
+        self.session.messages.clear(MessageCause::ExerciseFiles);
         if let Err(error) = self.exercise.begin(start) {
             self.session.messages.report(MessageSeverity::Error, error);
         }
@@ -42,10 +43,11 @@ impl App {
         let taken = self.exercise.take(files);
         let severity = if taken.announcement.is_some() { MessageSeverity::Warning } else { MessageSeverity::Error };
         if let Some(announcement) = taken.announcement {
+            self.session.messages.clear(MessageCause::ExerciseFiles);
             self.session.announcement = announcement;
         }
         if let Some(ignored) = taken.ignored {
-            self.session.messages.report(severity, ignored);
+            self.session.messages.report_about(MessageCause::ExerciseFiles, severity, None, ignored);
         }
     }
 
@@ -53,18 +55,25 @@ impl App {
     pub(super) fn exercise_ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = Vec::new();
+        panels::messages(ui, &self.session.messages, &mut actions);
         let mut failures = self.exercise.restore_drafts(&ctx, self.platform.as_mut());
         failures.extend(self.exercise.ui(ui, self.pane_renderer.as_mut(), self.platform.as_mut(), &mut actions));
         failures.extend(self.exercise.follow_drafts(&ctx, self.platform.as_mut()));
         for sentence in failures {
             self.session.messages.report(MessageSeverity::Error, sentence);
         }
-        panels::messages(ui, &self.session, &mut actions);
+        if self.exercise.outcomes != self.session.settings.outcomes {
+            self.session.settings.outcomes.clone_from(&self.exercise.outcomes);
+            self.platform.keep(&self.session.settings);
+        }
         panels::path_field(ui, &mut self.session, Purpose::Exercise, &mut actions);
         for action in actions {
             self.act(&ctx, action);
         }
-        self.asked_to_close &= self.exercise.works().any(|work| work.is_changed() || work.has_unsaved_before());
+        if !self.exercise.works().any(|work| work.is_changed() || work.has_unsaved_before()) {
+            self.asked_to_close = false;
+            self.session.messages.clear(MessageCause::Closing);
+        }
         let paths = self.exercise.paths();
         if paths != self.watched {
             self.watch(&ctx);
@@ -100,7 +109,7 @@ impl App {
         ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
         self.asked_to_close = true;
         self.exercise.is_open = true;
-        self.session.messages.report(MessageSeverity::Warning, sentence);
+        self.session.messages.report_about(MessageCause::Closing, MessageSeverity::Warning, None, sentence);
     }
 
     /// Watches the files of the scene and of the exercises.

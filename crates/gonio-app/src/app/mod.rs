@@ -16,7 +16,7 @@ use crate::exercise::ExerciseView;
 use crate::files::{Layered, short};
 use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
-use crate::session::{MessageSeverity, OwnShaders, Session, Tab};
+use crate::session::{MessageCause, MessageSeverity, OwnShaders, Session, Tab};
 use crate::stations::StationRoom;
 use crate::truth::{TraceRequest, TracedPane};
 use crate::{exported, panels, scene_view, shortcuts, theme};
@@ -130,6 +130,7 @@ impl App {
         if opening.inputs.is_empty() {
             opening.inputs.push(FIRST_SCENE.to_owned());
         }
+        app.exercise.outcomes.clone_from(&app.session.settings.outcomes);
         app.start(ctx, opening, files);
         app
     }
@@ -186,6 +187,15 @@ impl App {
 
     /// One frame: input, actions, document, pictures, window.
     pub fn ui(&mut self, ui: &mut Ui) {
+        let reported = self.session.messages.count();
+        self.frame(ui);
+        // Messages of this frame are shown in the next one.
+        if self.session.messages.count() != reported {
+            ui.ctx().request_repaint();
+        }
+    }
+
+    fn frame(&mut self, ui: &mut Ui) {
         let start = Instant::now();
         let ctx = ui.ctx().clone();
         self.receive(&ctx);
@@ -345,7 +355,9 @@ impl App {
             Event::BenchFiles(files) => self.open_bench_files(ctx, files),
             Event::SaveTo(product, place) => self.save(product, &place),
             Event::Changed(paths) => self.changed_on_disk(ctx, paths),
-            Event::Failed(error) => self.session.messages.report(MessageSeverity::Error, error),
+            Event::Failed(error) => {
+                self.session.messages.report_about(MessageCause::Opening, MessageSeverity::Error, None, error);
+            }
         }
     }
 
@@ -374,7 +386,8 @@ impl App {
         let loaded = match finished.result {
             Ok(loaded) => loaded,
             Err(sentence) => {
-                self.session.messages.report(MessageSeverity::Error, sentence);
+                let messages = &mut self.session.messages;
+                messages.report_about(MessageCause::Opening, MessageSeverity::Error, None, sentence);
                 if matches!(finished.requested, LoadRequest::Scene(_)) {
                     self.history.revert(&mut self.document);
                 }
@@ -384,12 +397,17 @@ impl App {
         self.files = finished.files;
         self.read = finished.paths;
         self.watch(ctx);
+        self.session.messages.clear(MessageCause::Scene);
+        if !matches!(finished.requested, LoadRequest::Scene(_)) {
+            self.session.messages.clear(MessageCause::Opening);
+        }
         for found in &loaded.diagnostics {
             let severity = match found.severity {
                 Found::Note => continue,
                 Found::Warning => MessageSeverity::Warning,
             };
-            self.session.messages.report(severity, found.to_string());
+            let file = found.place.file.clone();
+            self.session.messages.report_about(MessageCause::Scene, severity, file, found.to_string());
         }
         match finished.requested {
             LoadRequest::Open(opening) => {

@@ -22,10 +22,10 @@ impl App {
     pub(super) fn stations_ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let mut actions = Vec::new();
+        panels::messages(ui, &self.session.messages, &mut actions);
         for error in self.stations.ui(ui, self.platform.as_mut(), &mut actions) {
             self.session.messages.report(MessageSeverity::Error, error);
         }
-        panels::messages(ui, &self.session, &mut actions);
         for action in actions {
             self.act(&ctx, action);
         }

@@ -6,6 +6,7 @@ use super::work::{ExercisePage, Judged, Work};
 use crate::platform::{CheckRequest, CheckResult, Pending, Platform, TrialOutcome};
 use egui::Context;
 use gonio_check::submission::SourceFile;
+use gonio_check::verdict::Outcome;
 use gonio_exercises::buffers;
 use gonio_exercises::exercise::ExerciseKind;
 use std::collections::{HashMap, VecDeque};
@@ -34,16 +35,17 @@ impl Check {
         work.checking = false;
     }
 
-    /// Shows the verdict once it has arrived.
-    pub fn poll(&mut self, work: &mut Work) {
+    /// Shows the verdict once it has arrived. Returns its outcome then.
+    pub fn poll(&mut self, work: &mut Work) -> Option<Outcome> {
         if let Some((_, pending)) = &mut self.running
             && let Some(verdict) = pending.poll()
             && let Some((of, _)) = self.running.take()
         {
-            work.judged = Some(Judged { verdict, of });
-            work.checking = false;
-            work.page = ExercisePage::Verdict;
+            let outcome = verdict.as_ref().ok().map(|verdict| verdict.verdict);
+            work.take_verdict(Judged { verdict, of });
+            return outcome;
         }
+        None
     }
 }
 

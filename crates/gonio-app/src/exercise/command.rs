@@ -28,6 +28,8 @@ pub enum ExerciseCommand {
     Save,
     /// Save the files in memory to this folder.
     SaveInto(String),
+    /// Opens the search in the text.
+    Find,
     /// Undo in the current file.
     Undo,
     /// Redo in the current file.

@@ -1,18 +1,43 @@
 //! The list of exercises.
 
 use super::command::ExerciseCommand;
+use super::thumbnails::Thumbnails;
 use super::work::Work;
 use crate::exported::{self, WidgetRole};
-use crate::theme::{self, colors};
-use egui::{CentralPanel, CornerRadius, Frame, Label, Margin, RichText, ScrollArea, Sense, Ui, UiBuilder};
+use crate::scene_view::drawing::PaneRenderer;
+use crate::scene_view::{picture_size, present};
+use crate::theme::{self, colors, colors::Tint, icons};
+use egui::{
+    Align2, CentralPanel, CornerRadius, Frame, Label, Margin, Rect, RichText, ScrollArea, Sense, Ui, UiBuilder, Vec2,
+    vec2,
+};
 use gonio_check::verdict::Outcome;
-use gonio_exercises::exercise;
+use gonio_exercises::exercise::{self, Exercise, ExerciseKind};
+use gonio_gl::GlError;
+use std::collections::BTreeMap;
 
 /// Longest line of text, points.
-const WIDTH: f32 = 720.0;
+const WIDTH: f32 = 760.0;
+/// Size of the goal's picture, points.
+const THUMBNAIL: Vec2 = vec2(92.0, 69.0);
 
-/// Shows the exercises, a card each; `begun` are those in progress.
-pub fn show(ui: &mut Ui, begun: &[&Work], commands: &mut Vec<ExerciseCommand>) {
+/// What is known about the exercises: those in progress, and the last outcomes by id.
+pub struct Progress<'a> {
+    /// The exercises in progress.
+    pub begun: &'a [&'a Work],
+    /// The outcome of the last check of each exercise, also of earlier windows.
+    pub outcomes: &'a BTreeMap<String, Outcome>,
+}
+
+/// Shows the exercises, a card each, with the picture of the goal.
+pub fn show(
+    ui: &mut Ui,
+    progress: &Progress<'_>,
+    mut thumbnails: Option<&mut Thumbnails>,
+    mut panes: Option<&mut PaneRenderer>,
+    commands: &mut Vec<ExerciseCommand>,
+) -> Result<(), GlError> {
+    let (mut result, mut was_one_drawn) = (Ok(()), false);
     let inside = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
     CentralPanel::default().frame(inside).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
@@ -27,56 +52,137 @@ pub fn show(ui: &mut Ui, begun: &[&Work], commands: &mut Vec<ExerciseCommand>) {
                     ui.add(Label::new(RichText::new(sentence).weak()).wrap());
                     ui.add_space(8.0);
                     for exercise in exercise::all() {
-                        let begun = begun.iter().find(|work| work.exercise.id == exercise.id);
-                        card(ui, exercise, begun.map(|work| state_of(work)), commands);
+                        let picture = card(ui, exercise, state_of(exercise, progress), commands);
+                        let (Some(thumbnails), Some(panes)) = (thumbnails.as_deref_mut(), panes.as_deref_mut()) else {
+                            continue;
+                        };
+                        if !ui.is_rect_visible(picture) {
+                            continue;
+                        }
+                        if let Some(shown) = thumbnails.picture(exercise, panes) {
+                            present(ui, picture, shown);
+                        } else if !thumbnails.is_done(exercise) {
+                            // One in each frame, so that the list can be used meanwhile.
+                            if !std::mem::replace(&mut was_one_drawn, true) {
+                                let size = picture_size(picture, ui.ctx().pixels_per_point());
+                                result = thumbnails.draw(exercise, size, panes);
+                            }
+                            ui.ctx().request_repaint();
+                        }
                     }
                 });
             });
         });
     });
+    result
 }
 
-/// State of an exercise, in a word.
-fn state_of(work: &Work) -> &'static str {
-    let outcome = work.judged.as_ref().and_then(|judged| judged.verdict.as_ref().ok()).map(|found| found.verdict);
-    match outcome {
-        Some(Outcome::Correct) => "correct",
-        _ if work.is_changed() => "unsaved",
-        _ => "in progress",
+/// The state of an exercise in words, with its colour; the colour is `None` for one that was not started.
+fn state_of(exercise: &Exercise, progress: &Progress<'_>) -> (String, Option<Tint>) {
+    let work = progress.begun.iter().find(|work| work.exercise.id == exercise.id);
+    let judged = work.and_then(|work| work.judged.as_ref()).and_then(|judged| judged.verdict.as_ref().ok());
+    let outcome = judged.map(|verdict| verdict.verdict).or_else(|| progress.outcomes.get(&exercise.id).copied());
+    let (word, tint) = match outcome {
+        Some(Outcome::Correct) => ("correct", Some(colors::CORRECT)),
+        Some(Outcome::Wrong) => ("wrong", Some(colors::WRONG)),
+        Some(Outcome::DoesNotCompile) => ("does not compile", Some(colors::WRONG)),
+        Some(Outcome::Unsure) => ("not judged", Some(colors::ACCENT)),
+        None if work.is_some() => ("in progress", Some(colors::ACCENT)),
+        None => ("not started", None),
+    };
+    match work.is_some_and(|work| work.is_changed()) {
+        true => (format!("{word}, unsaved changes"), tint),
+        false => (word.to_owned(), tint),
     }
 }
 
-fn card(ui: &mut Ui, exercise: &exercise::Exercise, state: Option<&str>, commands: &mut Vec<ExerciseCommand>) {
+/// Shows the card of an exercise. Returns the place of its picture, where an icon is shown until there is one.
+fn card(
+    ui: &mut Ui,
+    exercise: &Exercise,
+    (state, tint): (String, Option<Tint>),
+    commands: &mut Vec<ExerciseCommand>,
+) -> Rect {
     let builder = UiBuilder::new().id_salt(&exercise.id).sense(Sense::click());
+    let mut picture = Rect::NOTHING;
     let response = ui
         .scope_builder(builder, |ui| {
             let hovered = ui.response().hovered();
             let fill = if hovered { ui.visuals().widgets.hovered.bg_fill } else { ui.visuals().faint_bg_color };
-            let frame =
-                Frame::NONE.fill(fill).corner_radius(CornerRadius::same(7)).inner_margin(Margin::symmetric(12, 9));
+            let frame = Frame::NONE.fill(fill).corner_radius(CornerRadius::same(7)).inner_margin(Margin::same(8));
             frame.show(ui, |ui| {
                 ui.set_min_width(ui.available_width());
-                ui.horizontal(|ui| {
-                    ui.add(words(RichText::new(&exercise.id).monospace().color(colors::ACCENT.of(ui))));
-                    ui.add(words(
-                        RichText::new(&exercise.title).font(theme::bold(14.5)).color(ui.visuals().strong_text_color()),
-                    ));
-                    if let Some(state) = state {
-                        let color = if state == "correct" { colors::NORMAL } else { colors::WARNING };
-                        ui.add(words(RichText::new(state).small().color(color.of(ui))));
-                    }
+                ui.horizontal_top(|ui| {
+                    ui.spacing_mut().item_spacing.x = 12.0;
+                    picture = ui.allocate_exact_size(THUMBNAIL, Sense::hover()).0;
+                    ui.painter().rect_filled(picture, 4.0, ui.visuals().extreme_bg_color);
+                    let color = ui.visuals().weak_text_color();
+                    let font = theme::icon_font(30.0);
+                    ui.painter().text(picture.center(), Align2::CENTER_CENTER, icon(exercise.kind), font, color);
+                    ui.vertical(|ui| {
+                        ui.horizontal_wrapped(|ui| {
+                            ui.spacing_mut().item_spacing.x = 8.0;
+                            ui.add(words(RichText::new(&exercise.id).monospace().color(colors::ACCENT.of(ui))));
+                            let title = RichText::new(&exercise.title).font(theme::bold(14.5));
+                            ui.add(words(title.color(ui.visuals().strong_text_color())));
+                            let color = tint.map_or(ui.visuals().weak_text_color(), |tint| tint.of(ui));
+                            ui.add(words(RichText::new(&state).small().color(color)));
+                        });
+                        ui.add(words(RichText::new(&exercise.summary)).wrap());
+                    });
                 });
-                ui.add(words(RichText::new(&exercise.summary)).wrap());
             });
         })
         .response;
-    exported::note(ui, &response, &format!("exercise-{}", exercise.id), WidgetRole::Button, &exercise.title, "");
+    let id = format!("exercise-{}", exercise.id);
+    exported::note(ui, &response, &id, WidgetRole::Button, &exercise.title, state.as_str());
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{} {}, {state}", exercise.id, exercise.title))
+    });
     if response.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
         commands.push(ExerciseCommand::Begin(exercise.id.clone()));
+    }
+    picture
+}
+
+/// An icon for the kind of answer.
+fn icon(kind: ExerciseKind) -> &'static str {
+    match kind {
+        ExerciseKind::Shaders => icons::SPHERE,
+        ExerciseKind::Buffers => icons::POLYGON,
+        ExerciseKind::GlProgram => icons::CODE,
+        ExerciseKind::Faces => icons::CUBE,
+        ExerciseKind::Baking => icons::CHECKERBOARD,
     }
 }
 
 /// A label that lets clicks through to the card.
 fn words(text: RichText) -> Label {
     Label::new(text).selectable(false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exercise::Judged;
+    use gonio_check::verdict::Verdict;
+
+    #[test]
+    fn an_exercise_has_the_state_of_its_last_check() {
+        let ex04 = exercise::find("ex04").unwrap();
+        let mut outcomes = BTreeMap::new();
+        let state =
+            |begun: &[&Work], outcomes: &BTreeMap<String, Outcome>| state_of(ex04, &Progress { begun, outcomes }).0;
+        assert_eq!(state(&[], &outcomes), "not started");
+        let mut work = Work::new(ex04, Vec::new());
+        assert_eq!(state(&[&work], &outcomes), "in progress");
+        outcomes.insert("ex04".to_owned(), Outcome::Wrong);
+        assert_eq!(state(&[], &outcomes), "wrong", "of an earlier window");
+        let verdict = Verdict::new("ex04", Outcome::Correct, "right");
+        work.judged = Some(Judged { verdict: Ok(verdict), of: work.content() });
+        assert_eq!(state(&[&work], &outcomes), "correct");
+        let current = work.current;
+        work.files[current].text.push(' ');
+        assert_eq!(state(&[&work], &outcomes), "correct, unsaved changes");
+    }
 }

@@ -11,7 +11,8 @@
 //! | `drafts` | unsaved text, kept for the next window |
 //! | `fix` | the proposed fix of a verdict |
 //! | `editor` | the files' texts, with colours and marked lines |
-//! | `toolbar`, `list`, `pictures` | the toolbar, the exercises, the pictures and their settings |
+//! | `toolbar`, `list`, `thumbnails` | the toolbar; the exercises, with the pictures of their goals |
+//! | `pictures`, `lamp` | the pictures and their settings; the lamp in them |
 //! | `markdown`, `figure`, `pages` | the pages: the text and its figures; the verdict and the variables |
 //! | `state_json` | its part of the exported state |
 //!
@@ -25,6 +26,7 @@ mod editor;
 mod figure;
 mod file_sets;
 mod fix;
+mod lamp;
 mod list;
 mod markdown;
 mod pages;
@@ -33,6 +35,7 @@ mod pictures;
 mod preview;
 mod saving;
 mod state_json;
+mod thumbnails;
 mod toolbar;
 mod work;
 
@@ -41,7 +44,7 @@ pub use command::{ExerciseCommand, Start};
 pub use drafts::MOST_AGE as MOST_AGE_OF_DRAFTS;
 pub use file_sets::{OpenFileSet, ReplaceOutcome};
 pub use preview::PreviewPicture;
-pub use work::{ExercisePage, Judged, OpenFile, PictureMode, ProgramFacts, Work};
+pub use work::{ExercisePage, Hints, Judged, OpenFile, PictureMode, ProgramFacts, Work};
 
 use crate::action::Action;
 use crate::exported::{self, WidgetRole};
@@ -54,8 +57,12 @@ use check::Check;
 use compiler::Compiler;
 use drafts::Drafts;
 use egui::{Context, Frame, Margin, Panel, ScrollArea, Ui};
+use gonio_check::verdict::Outcome;
 use gonio_exercises::exercise::ExerciseKind;
+use gonio_gl::GlError;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
+use thumbnails::Thumbnails;
 
 /// Below this width (points) everything is stacked: a phone in portrait orientation.
 const NARROW: f32 = 720.0;
@@ -75,6 +82,9 @@ pub struct ExerciseView {
     check: Check,
     drafts: Drafts,
     stepper: Stepper,
+    thumbnails: Option<Thumbnails>,
+    /// The outcome of the last check of each exercise, by id.
+    pub outcomes: BTreeMap<String, Outcome>,
 }
 
 impl ExerciseView {
@@ -156,6 +166,7 @@ impl ExerciseView {
     /// Drops everything on the GPU, because its context is lost or will be.
     pub fn release(&mut self) {
         self.compiler.release();
+        self.thumbnails = None;
     }
 
     /// The pixels of a picture as last drawn, for tests: RGBA, the top row first; and its width and height.
@@ -186,14 +197,15 @@ impl ExerciseView {
         }
         let Some(work) = work else {
             toolbar::show(ui, None, &mut commands);
-            let begun: Vec<&Work> = self.works().collect();
-            list::show(ui, &begun, &mut commands);
+            failures.extend(self.show_list(ui, pane_renderer, &mut commands).err().map(|error| error.to_string()));
             self.apply(&ctx, commands, platform, actions, &mut failures);
             return failures;
         };
         let seconds = ctx.input(|i| f64::from(i.stable_dt));
         work.clock.advance(seconds);
-        self.check.poll(work);
+        if let Some(outcome) = self.check.poll(work) {
+            self.outcomes.insert(work.exercise.id.clone(), outcome);
+        }
         self.compiler.follow(&ctx, work, pane_renderer.as_deref(), platform, &mut failures);
         toolbar::show(ui, Some(work), &mut commands);
         let drawn = if ui.available_width() < NARROW {
@@ -210,6 +222,20 @@ impl ExerciseView {
         }
         self.apply(&ctx, commands, platform, actions, &mut failures);
         failures
+    }
+
+    fn show_list(
+        &mut self,
+        ui: &mut Ui,
+        panes: Option<&mut PaneRenderer>,
+        commands: &mut Vec<ExerciseCommand>,
+    ) -> Result<(), GlError> {
+        if let (None, Some(panes)) = (&self.thumbnails, &panes) {
+            self.thumbnails = Some(Thumbnails::new(panes.gl())?);
+        }
+        let begun: Vec<&Work> = self.work.iter().chain(&self.aside).collect();
+        let progress = list::Progress { begun: &begun, outcomes: &self.outcomes };
+        list::show(ui, &progress, self.thumbnails.as_mut(), panes, commands)
     }
 
     /// Applies commands.
@@ -362,6 +388,11 @@ fn apply_to_work(
     match command {
         ExerciseCommand::Check => check.start(ctx, work, platform),
         ExerciseCommand::StopChecking => check.stop(work),
+        ExerciseCommand::Find => {
+            if let Some(file) = work.files.get(work.current) {
+                crate::step::find::open(ctx, file.id());
+            }
+        }
         ExerciseCommand::Save => {
             let failures = saving::save(work, platform);
             if work.asking.is_some() {

@@ -2,9 +2,10 @@
 
 use super::command::ExerciseCommand;
 use super::fix;
-use super::work::{Judged, Work};
+use super::work::{Hints, Judged, Work};
 use crate::exported::{self, WidgetRole};
 use crate::theme::{self, colors, icons};
+use crate::widgets;
 use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui};
 use gonio_check::feedback::Feedback;
 use gonio_check::mistakes;
@@ -21,7 +22,7 @@ pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>
     ui.horizontal_wrapped(|ui| {
         if work.exercise.kind != ExerciseKind::Baking {
             let tip = "Also accept the ways of the lab's own solutions where they differ from the textbook";
-            crate::widgets::toggle(ui, "as-the-lab", "accept the lab's variants", &mut work.as_the_lab, tip);
+            widgets::toggle(ui, "as-the-lab", "Accept the lab's shortcuts", &mut work.as_the_lab, tip);
         }
         if !work.checking && ui.button("Check").clicked() {
             commands.push(ExerciseCommand::Check);
@@ -67,23 +68,28 @@ pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>
 }
 
 fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict, commands: &mut Vec<ExerciseCommand>) {
-    head(ui, verdict);
+    head(ui, work, verdict);
     for message in &verdict.messages {
         compiler_message(ui, work, message);
     }
+    hints(ui, work, verdict);
     for (index, mistake) in verdict.mistakes.iter().enumerate() {
-        self::mistake(ui, work, index, mistake);
+        self::mistake(ui, work, verdict, index, mistake);
     }
-    fix::show(ui, work, &verdict.proposed_fix, commands);
-    terms(ui, verdict);
-    scenes(ui, verdict);
+    if work.hints == Hints::Fix {
+        fix::show(ui, work, &verdict.proposed_fix, commands);
+    }
+    if work.hints >= Hints::Name {
+        terms(ui, verdict);
+    }
+    scenes(ui, work, verdict);
     if !verdict.peculiarities.is_empty() {
         heading(ui, "Correct, but worth knowing");
         for peculiarity in &verdict.peculiarities {
             dotted(ui, &peculiarity.name, None);
         }
     }
-    if !verdict.warnings.is_empty() {
+    if !verdict.warnings.is_empty() && work.hints >= Hints::Line {
         heading(ui, "Warnings");
         for warning in &verdict.warnings {
             dotted(ui, warning, Some(colors::WARNING.of(ui)));
@@ -91,13 +97,16 @@ fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict, commands: &mut Vec<Exe
     }
 }
 
-fn head(ui: &mut Ui, verdict: &Verdict) {
+fn head(ui: &mut Ui, work: &Work, verdict: &Verdict) {
     let (word, icon, tint) = match verdict.verdict {
-        Outcome::Correct => ("Correct", icons::CHECK, colors::NORMAL),
-        Outcome::Wrong => ("Wrong", icons::WARNING, colors::WARNING),
+        Outcome::Correct => ("Correct", icons::CHECK, colors::CORRECT),
+        Outcome::Wrong => ("Wrong", icons::X, colors::WRONG),
         Outcome::DoesNotCompile => ("Does not compile", icons::WARNING_CIRCLE, colors::ERROR),
         Outcome::Unsure => ("Not judged", icons::QUESTION, colors::ACCENT),
     };
+    // The summary of a wrong answer names its mistakes.
+    let is_told = verdict.verdict != Outcome::Wrong || work.hints >= Hints::Name;
+    let summary = if is_told { verdict.summary.clone() } else { wrong_scenes(verdict) };
     let color = tint.of(ui);
     let frame = Frame::NONE.fill(color.gamma_multiply(0.14)).corner_radius(CornerRadius::same(6));
     let response = frame.inner_margin(Margin::symmetric(10, 8)).show(ui, |ui| {
@@ -106,34 +115,86 @@ fn head(ui: &mut Ui, verdict: &Verdict) {
             ui.label(RichText::new(icon).font(theme::icon_font(18.0)).color(color));
             ui.label(RichText::new(word).font(theme::bold(16.0)).color(color));
         });
-        ui.add(Label::new(verdict.summary.as_str()).wrap());
+        ui.add(Label::new(summary.as_str()).wrap());
     });
-    exported::note(ui, &response.response, "verdict", WidgetRole::Text, word, &verdict.summary);
+    exported::note(ui, &response.response, "verdict", WidgetRole::Text, word, &summary);
 }
 
-fn mistake(ui: &mut Ui, work: &mut Work, index: usize, mistake: &FoundMistake) {
+/// How many of the test scenes are wrong.
+fn wrong_scenes(verdict: &Verdict) -> String {
+    let whole = || verdict.scenes.iter().filter(|scene| !scene.scene.ends_with(" alone"));
+    match (whole().filter(|scene| !scene.right).count(), whole().count()) {
+        (_, 0) => "The result differs from the correct one.".to_owned(),
+        (wrong, all) => format!("{wrong} of {all} test scenes differ from the correct picture."),
+    }
+}
+
+/// The steps of hints: how much is shown, and the next one.
+fn hints(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
+    if verdict.mistakes.is_empty() {
+        return;
+    }
+    // The teacher may have left out the last steps.
+    let has_line = verdict.mistakes.iter().any(|mistake| mistake.line.is_some());
+    let has_fix = !verdict.proposed_fix.is_empty() || verdict.mistakes.iter().any(|mistake| !mistake.fix.is_empty());
+    let step = |hints: &Hints| match hints {
+        Hints::Symptom => (*hints, "symptom", "What can be seen in the picture"),
+        Hints::Name => (*hints, "name", "The mistakes by name"),
+        Hints::Line => (*hints, "line", "The line of each mistake, also marked in the editor"),
+        Hints::Fix => (*hints, "fix", "How to fix each mistake"),
+    };
+    let is_offered = |hints: &&Hints| match hints {
+        Hints::Symptom | Hints::Name => true,
+        Hints::Line => has_line,
+        Hints::Fix => has_fix,
+    };
+    let steps: Vec<_> = Hints::ALL.iter().filter(is_offered).map(step).collect();
+    let before = work.hints;
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new("Show up to the").weak());
+        widgets::choice(ui, "hints", "Show up to the", &mut work.hints, &steps, Hints::default());
+    });
+    if work.hints > before && before < Hints::Line {
+        work.go_to_first_line();
+    }
+}
+
+fn mistake(ui: &mut Ui, work: &mut Work, verdict: &Verdict, index: usize, mistake: &FoundMistake) {
     let frame = Frame::NONE.fill(ui.visuals().faint_bg_color).corner_radius(CornerRadius::same(6));
     frame.inner_margin(Margin::symmetric(10, 8)).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
         ui.spacing_mut().item_spacing.y = 5.0;
+        if work.hints == Hints::Symptom {
+            let symptom = match mistake.looks_like.as_str() {
+                "" => "The picture differs from the correct one.",
+                symptom => symptom,
+            };
+            labelled(ui, "Symptom:", symptom);
+            return;
+        }
         let name = RichText::new(&mistake.name).font(theme::bold(14.0)).color(ui.visuals().strong_text_color());
         ui.add(Label::new(name).wrap());
         let share = match mistake.share_explained {
             share if share > 0.0 => format!("It explains {:.1} % of the difference.", 100.0 * share),
-            _ => "Found in the source; the picture happens to be correct.".to_owned(),
+            _ if verdict.scenes.iter().all(|scene| scene.right) => {
+                "It does not change the pictures of the test scenes.".to_owned()
+            }
+            _ => "Found in the source.".to_owned(),
         };
         ui.label(RichText::new(format!("{}   {share}", mistake.id)).small().weak());
-        if let (Some(file), Some(line)) = (&mistake.file, mistake.line) {
+        if let (Some(file), Some(line)) = (&mistake.file, mistake.line.filter(|_| work.hints >= Hints::Line)) {
             place(ui, work, &format!("mistake-{index}"), file, line, mistake.quoted.as_deref());
         }
         labelled(ui, "Symptom:", &mistake.looks_like);
-        labelled(ui, "How to fix it:", &mistake.fix);
+        if work.hints == Hints::Fix {
+            labelled(ui, "How to fix it:", &mistake.fix);
+        }
         if !mistake.or.is_empty() {
             let names: Vec<String> = mistake.or.iter().map(|id| name_of(id)).collect();
             labelled(ui, "Same picture as:", &names.join("; "));
         }
         if mistake.lab_does_it {
-            weak(ui, "The lab's own solution does the same; `accept the lab's variants` passes it.");
+            weak(ui, "The lab's own solution does the same; `Accept the lab's shortcuts` passes it.");
         }
         if !mistake.lecture_section.is_empty() {
             weak(ui, &format!("Taught in: {}", mistake.lecture_section));
@@ -185,9 +246,9 @@ fn terms(ui: &mut Ui, verdict: &Verdict) {
     ui.horizontal_wrapped(|ui| {
         for term in &verdict.terms {
             let (word, color) = match term.state {
-                TermState::Right => ("correct", colors::NORMAL.of(ui)),
-                TermState::Wrong => ("wrong", colors::ERROR.of(ui)),
-                TermState::NotSeparable => ("not separable", ui.visuals().weak_text_color()),
+                TermState::Right => ("correct", colors::CORRECT.of(ui)),
+                TermState::Wrong => ("wrong", colors::WRONG.of(ui)),
+                TermState::NotSeparable => ("not tested separately", ui.visuals().weak_text_color()),
             };
             ui.label(format!("{}", term.term));
             ui.label(RichText::new(word).color(color));
@@ -196,29 +257,48 @@ fn terms(ui: &mut Ui, verdict: &Verdict) {
     });
 }
 
-/// The test scenes, without those of single terms.
-fn scenes(ui: &mut Ui, verdict: &Verdict) {
+/// The test scenes, without those of single terms. A click on one shows its pictures.
+fn scenes(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
     if verdict.scenes.is_empty() {
         return;
     }
     heading(ui, "Test scenes");
+    let shown = work.scene().filter(|scene| scene.is_test).map(|scene| scene.name.to_string());
     for scene in verdict.scenes.iter().filter(|scene| !scene.scene.ends_with(" alone")) {
+        let can_be_shown = work.scenes.iter().any(|known| known.is_test && known.name == scene.scene);
+        let (icon, color) =
+            if scene.right { (icons::CHECK, colors::CORRECT.of(ui)) } else { (icons::X, colors::WRONG.of(ui)) };
         ui.horizontal_wrapped(|ui| {
-            let (icon, color) =
-                if scene.right { (icons::CHECK, colors::NORMAL.of(ui)) } else { (icons::X, colors::ERROR.of(ui)) };
             ui.label(RichText::new(icon).font(theme::icon_font(13.0)).color(color));
-            ui.label(RichText::new(&scene.scene).color(ui.visuals().strong_text_color()));
+            if can_be_shown {
+                let chosen = shown.as_ref() == Some(&scene.scene);
+                let link = ui.add(egui::Button::selectable(chosen, scene.scene.as_str()));
+                let id = format!("test-scene-{}", widgets::slug(&scene.scene));
+                exported::note(ui, &link, &id, WidgetRole::Button, &scene.scene, chosen);
+                if link.on_hover_text("Show the pictures of this scene").clicked() {
+                    work.look_at_test(&scene.scene);
+                }
+            } else {
+                ui.label(RichText::new(&scene.scene).color(ui.visuals().strong_text_color()));
+            }
             if !scene.right {
-                ui.label(
-                    RichText::new(format!("{:.0} % of the pixels differ", 100.0 * scene.pixels_beyond)).color(color),
-                );
+                let share = format!("{} of pixels differ", percent(scene.pixels_beyond));
+                ui.label(RichText::new(share).color(color));
             }
             ui.add(Label::new(RichText::new(scene.shows.as_ref()).weak()).wrap());
         });
     }
 }
 
-/// A mistake's name, where the bank knows it.
+/// A share as a percentage: never 0 % for a few pixels.
+fn percent(share: f64) -> String {
+    match 100.0 * share {
+        percent if percent > 0.0 && percent < 1.0 => "less than 1 %".to_owned(),
+        percent => format!("{percent:.0} %"),
+    }
+}
+
+/// A mistake's name, where the catalogue has it.
 fn name_of(id: &str) -> String {
     mistakes::find(id).map_or_else(|| format!("`{id}`"), |known| format!("“{}”", known.name))
 }

@@ -1,8 +1,8 @@
 //! The pictures beside the editor, with their settings.
 
-use super::picture_files;
 use super::preview::{Preview, PreviewPicture, situations};
 use super::work::{PictureMode, Work};
+use super::{lamp, picture_files};
 use crate::exported::{self, WidgetRole};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::scene_view::{navigation, picture_size, present};
@@ -12,6 +12,7 @@ use crate::theme::{colors, icons};
 use crate::widgets;
 use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, pos2, vec2};
 use gonio_exercises::exercise::ExerciseKind;
+use gonio_exercises::preview::PreviewScene;
 use gonio_gl::GlError;
 use std::sync::Arc;
 
@@ -61,6 +62,7 @@ pub fn show(
             None => sentence(ui, rect, nothing_yet(picture, work)),
         }
         step::margin::marker(ui, rect, stepper);
+        lamp::show(ui, rect, work, index);
         if pictures.len() > 1 {
             written(ui, rect, Align2::LEFT_BOTTOM, name, GROUND);
         }
@@ -176,16 +178,25 @@ fn settings(ui: &mut Ui, work: &mut Work, preview: &Preview, stepper: &mut Stepp
 fn scene_and_time(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper) {
     if work.scenes.len() > 1 {
         let mut scene = work.scene;
+        // Of the checker's scenes, only the one that is shown: the verdict lists them all.
+        let offered = work.scenes.iter().enumerate().filter(|(index, scene)| !scene.is_test || *index == work.scene);
+        let name = |scene: &PreviewScene| match scene.is_test {
+            true => format!("test: {}", scene.name),
+            false => scene.name.to_string(),
+        };
+        let offered: Vec<(usize, String, &str)> =
+            offered.map(|(index, scene)| (index, name(scene), scene.shows)).collect();
         let options: Vec<(usize, &str, &str)> =
-            work.scenes.iter().enumerate().map(|(index, scene)| (index, scene.name, scene.shows)).collect();
+            offered.iter().map(|(index, name, shows)| (*index, name.as_str(), *shows)).collect();
         if widgets::choice(ui, "scene", "Scene", &mut scene, &options, 0) {
             work.look_at(scene);
         }
     }
-    let playing = work.clock.playing;
-    let (icon, tip) = if playing { (icons::PAUSE, "Pause") } else { (icons::PLAY, "Play") };
-    if widgets::icon_button(ui, "play", icon, tip).clicked() {
-        work.clock.playing = !playing;
+    if work.moves() || work.clock.playing {
+        let (icon, tip) = if work.clock.playing { (icons::PAUSE, "Pause") } else { (icons::PLAY, "Play") };
+        if widgets::icon_button(ui, "play", icon, tip).clicked() {
+            work.clock.playing = !work.clock.playing;
+        }
     }
     if widgets::icon_button(ui, "frame", icons::FRAME_CORNERS, "Reset the camera").clicked() {
         let clock = work.clock;

@@ -12,7 +12,7 @@ use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
 use std::sync::Arc;
 
 /// Background colour, a dark grey as in the lab's programs.
-const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
+pub const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
 /// 8-bit steps that get the last colour of the map of differences.
 const FULL_SCALE: f64 = 48.0;
 
@@ -180,7 +180,11 @@ pub fn situations(work: &Work, size: [u32; 2]) -> Vec<(PreviewShape, TestScene)>
         up: camera.up.as_vec3(),
         fov_rad: scene.eye.fov_rad,
     };
-    scene.test_scenes(&eye, work.clock.time as f32, size)
+    let mut objects = scene.test_scenes(&eye, work.clock.time as f32, size);
+    for (_, values) in objects.iter_mut().filter(|_| scene.has_lamp) {
+        values.light.position += work.lamp_offset;
+    }
+    objects
 }
 
 impl PictureMode {

@@ -1,6 +1,6 @@
 //! The view's part of the exported state.
 
-use super::work::{ExercisePage, Work};
+use super::work::{ExercisePage, Hints, Work};
 use super::{ExerciseView, pictures};
 use crate::step::code::MarkKind;
 use serde_json::{Value, json};
@@ -15,6 +15,7 @@ use serde_json::{Value, json};
 /// | `drafts` | number of files with unsaved text that is kept for the next window |
 /// | `before` | number of sets of files that were open before and can be put back |
 /// | `file`, `page`, `shown`, `scene` | the file in the editor, the page beside it, the picture mode, and the scene |
+/// | `test`, `hints`, `lamp` | whether the scene is one of the checker's; how much of the verdict is shown; the lamp's place, or null |
 /// | `marks` | marked lines of all files: `file`, `line`, `kind` (error, warning, mistake), `text` |
 /// | `unusable` | the reason why there are no shaders to draw, or null |
 /// | `drawn`, `older`, `tried` | whether a pair is drawn; whether it is an older one; whether the newer one is being tried outside of the window |
@@ -74,6 +75,12 @@ fn of_work(work: &Work) -> Value {
         ExercisePage::Verdict => "verdict",
         ExercisePage::Variables => "variables",
     };
+    let hints = match work.hints {
+        Hints::Symptom => "symptom",
+        Hints::Name => "name",
+        Hints::Line => "line",
+        Hints::Fix => "fix",
+    };
     json!({
         "id": work.exercise.id,
         "files": files,
@@ -81,7 +88,10 @@ fn of_work(work: &Work) -> Value {
         "file": work.files.get(work.current).map(|file| &file.name),
         "page": page,
         "shown": pictures::word(work.shown),
-        "scene": work.scene().map(|scene| scene.name),
+        "scene": work.scene().map(|scene| scene.name.as_ref()),
+        "test": work.scene().is_some_and(|scene| scene.is_test),
+        "hints": hints,
+        "lamp": work.lamp().map(|lamp| lamp.to_array()),
         "marks": marks,
         "unusable": work.program.unusable,
         "drawn": work.program.is_drawn,

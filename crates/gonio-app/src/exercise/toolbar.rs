@@ -114,6 +114,9 @@ fn files(ui: &mut Ui, work: &Work, commands: &mut Vec<ExerciseCommand>) {
     if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, "Redo in this file (Ctrl + Y)", forth) {
         commands.push(ExerciseCommand::Redo);
     }
+    if icon(ui, "find-open", icons::MAGNIFYING_GLASS, "Find in this file (Ctrl + F)", file.is_some()) {
+        commands.push(ExerciseCommand::Find);
+    }
 }
 
 /// The dialog for the folder to save to.

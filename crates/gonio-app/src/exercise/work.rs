@@ -5,10 +5,12 @@ use crate::files::ExerciseFile;
 use crate::session::Clock;
 use crate::step::code::{Mark, MarkKind};
 use egui::Id;
+use glam::Vec3;
+use gonio_check::roles::Role;
 use gonio_check::submission::SourceFile;
-use gonio_check::verdict::Verdict;
+use gonio_check::verdict::{FoundMistake, SceneVerdict, Verdict};
 use gonio_exercises::exercise::{Exercise, ExerciseKind};
-use gonio_exercises::preview::{Note, NoteKind, PreviewScene, VariableValue, scenes};
+use gonio_exercises::preview::{self, Note, NoteKind, PreviewScene, VariableValue};
 use gonio_scene::settings::{Aim, CameraSettings};
 use std::path::PathBuf;
 
@@ -157,6 +159,25 @@ pub enum ExercisePage {
     Variables,
 }
 
+/// How much of a verdict is shown: each step is a further hint.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Hints {
+    /// Whether it is right, and what can be seen in the picture.
+    Symptom,
+    /// Also the mistakes by name.
+    Name,
+    /// Also their lines, which are marked in the editor.
+    #[default]
+    Line,
+    /// Also how to fix them.
+    Fix,
+}
+
+impl Hints {
+    /// All steps, each showing more than the one before.
+    pub const ALL: [Hints; 4] = [Hints::Symptom, Hints::Name, Hints::Line, Hints::Fix];
+}
+
 /// Facts about the pair in the editor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ProgramFacts {
@@ -200,7 +221,7 @@ pub struct Work {
     pub shown: PictureMode,
     /// The page beside the editor.
     pub page: ExercisePage,
-    /// The scenes of the preview.
+    /// The scenes of the preview, then the checker's.
     pub scenes: Vec<PreviewScene>,
     /// Index of the current scene.
     pub scene: usize,
@@ -208,6 +229,8 @@ pub struct Work {
     pub camera: CameraSettings,
     /// The animation's time.
     pub clock: Clock,
+    /// The lamp's way from its place in the scene, in world space: the user may drag it.
+    pub lamp_offset: Vec3,
     /// Whether variants of the lab's own solutions are accepted.
     pub as_the_lab: bool,
     /// Facts about the pair in the editor.
@@ -216,6 +239,8 @@ pub struct Work {
     pub trials: u32,
     /// The last verdict.
     pub judged: Option<Judged>,
+    /// How much of the verdict is shown.
+    pub hints: Hints,
     /// Whether a check is running.
     pub checking: bool,
     /// The line to scroll to: file and line.
@@ -239,7 +264,7 @@ impl Work {
             false => files.into_iter().enumerate().map(opened).collect(),
         };
         let current = Work::first_shown(exercise, &files);
-        let scenes = scenes(exercise);
+        let scenes = preview::scenes(exercise).into_iter().chain(preview::test_scenes(exercise)).collect();
         let mut work = Work {
             exercise,
             files,
@@ -250,10 +275,12 @@ impl Work {
             scene: 0,
             camera: CameraSettings::default(),
             clock: Clock::default(),
+            lamp_offset: Vec3::ZERO,
             as_the_lab: false,
             program: ProgramFacts::default(),
             trials: 0,
             judged: None,
+            hints: Hints::default(),
             checking: false,
             jump: None,
             asking: None,
@@ -302,6 +329,55 @@ impl Work {
             ..CameraSettings::default()
         };
         self.clock = Clock { time: 0.0, playing: scene.swing.length() > 0.0 };
+        self.lamp_offset = Vec3::ZERO;
+    }
+
+    /// Switches to the checker's scene of this name. Returns whether there is one.
+    pub fn look_at_test(&mut self, name: &str) -> bool {
+        let index = self.scenes.iter().position(|scene| scene.is_test && scene.name == name);
+        index.inspect(|&index| self.look_at(index)).is_some()
+    }
+
+    /// Takes a verdict: shows its page, the scene that differs most, and the first line that is named.
+    pub fn take_verdict(&mut self, judged: Judged) {
+        self.page = ExercisePage::Verdict;
+        self.checking = false;
+        if let Ok(verdict) = &judged.verdict {
+            // Differences of single terms are part of those of whole scenes.
+            let differing = || verdict.scenes.iter().filter(|scene| !scene.right);
+            let whole = differing().filter(|scene| !scene.scene.ends_with(" alone"));
+            let by_share = |a: &&SceneVerdict, b: &&SceneVerdict| a.pixels_beyond.total_cmp(&b.pixels_beyond);
+            let most = whole.max_by(by_share).or_else(|| differing().max_by(by_share));
+            if let Some(most) = most {
+                self.look_at_test(&most.scene);
+            }
+        }
+        self.judged = Some(judged);
+        self.go_to_first_line();
+    }
+
+    /// Shows the first line that the verdict names, if the hints tell it.
+    pub fn go_to_first_line(&mut self) {
+        let Some(Judged { verdict: Ok(verdict), .. }) = &self.judged else { return };
+        let of_mistake = verdict.mistakes.iter().filter(|_| self.hints >= Hints::Line);
+        let of_mistake = of_mistake.filter_map(|mistake| Some((mistake.file.clone()?, mistake.line?)));
+        let of_compiler = verdict.messages.iter().filter_map(|message| Some((message.file.clone(), message.line?)));
+        if let Some((file, line)) = of_compiler.chain(of_mistake).next() {
+            self.go_to(&file, line);
+        }
+    }
+
+    /// The lamp's place at this moment, in world space; `None` in scenes without a lamp.
+    pub fn lamp(&self) -> Option<Vec3> {
+        let scene = self.scene().filter(|scene| scene.has_lamp)?;
+        Some(scene.values.light.position + scene.swing * (self.clock.time as f32).sin() + self.lamp_offset)
+    }
+
+    /// Whether anything changes with the time: the lamp swings, or the program reads the time.
+    pub fn moves(&self) -> bool {
+        let is_time =
+            |variable: &VariableValue| variable.role.as_ref().is_some_and(|(role, _)| *role == Role::Time.to_string());
+        self.scene().is_some_and(|scene| scene.swing.length() > 0.0) || self.program.variables.iter().any(is_time)
     }
 
     /// The current scene.
@@ -348,8 +424,12 @@ impl Work {
         });
         let mut marks: Vec<Mark> = notes.collect();
         if let Some(Judged { verdict: Ok(verdict), .. }) = self.judged.as_ref().filter(|_| !self.is_judged_before()) {
-            for mistake in verdict.mistakes.iter().filter(|mistake| mistake.file.as_ref() == Some(&file.name)) {
-                let text = format!("{}\n{}", mistake.name, mistake.fix);
+            let of_file = |mistake: &&FoundMistake| mistake.file.as_ref() == Some(&file.name);
+            for mistake in verdict.mistakes.iter().filter(of_file).filter(|_| self.hints >= Hints::Line) {
+                let text = match self.hints {
+                    Hints::Fix => format!("{}\n{}", mistake.name, mistake.fix),
+                    _ => mistake.name.clone(),
+                };
                 marks.extend(mistake.line.map(|line| Mark { line, kind: MarkKind::Mistake, text }));
             }
             let known = |line: u32, marks: &[Mark]| marks.iter().any(|mark| mark.line == line);

@@ -1,70 +1,13 @@
-//! Windows over the picture: messages, keyboard shortcuts, the path field.
+//! Windows over the picture: keyboard shortcuts, the path field.
 
 use crate::action::Action;
 use crate::exported::{self, WidgetRole};
 use crate::platform::Purpose;
-use crate::session::{MessageSeverity, Session};
+use crate::session::Session;
 use crate::shortcuts;
-use crate::theme::{self, colors, icons};
-use egui::{
-    Align2, Area, Frame, Grid, Id, Key, Label, Margin, Order, RichText, ScrollArea, Stroke, TextEdit, Ui, Window, vec2,
-};
+use crate::theme;
+use egui::{Align2, Grid, Key, Label, RichText, ScrollArea, TextEdit, Ui, Window, vec2};
 use gonio_scene::files::BUILTIN;
-
-/// Most messages that are shown at once.
-const MOST: usize = 3;
-const WIDTH: f32 = 380.0;
-
-/// Shows the messages at the lower left; they stay until they are dismissed.
-pub fn messages(ui: &Ui, session: &Session, actions: &mut Vec<Action>) {
-    let messages = session.messages.list();
-    if messages.is_empty() {
-        return;
-    }
-    let offset = vec2(12.0, -44.0);
-    Area::new(Id::unique("messages")).order(Order::Foreground).anchor(Align2::LEFT_BOTTOM, offset).show(
-        ui.ctx(),
-        |ui| {
-            ui.set_max_width(WIDTH.min(ui.ctx().content_rect().width() - 24.0));
-            for message in messages.iter().take(MOST) {
-                let (tint, icon) = match message.severity {
-                    MessageSeverity::Error => (colors::ERROR, icons::WARNING_CIRCLE),
-                    MessageSeverity::Warning => (colors::WARNING, icons::WARNING),
-                    MessageSeverity::Note => (colors::ACCENT, icons::INFO),
-                };
-                let color = tint.of(ui);
-                let frame = Frame::popup(ui.style()).inner_margin(Margin::same(10)).stroke(Stroke::new(1.0, color));
-                frame.show(ui, |ui| {
-                    ui.horizontal_top(|ui| {
-                        ui.label(RichText::new(icon).font(theme::icon_font(18.0)).color(color));
-                        ui.vertical(|ui| {
-                            ui.add(egui::Label::new(&message.text).wrap());
-                            if message.times > 1 {
-                                ui.label(RichText::new(format!("{} times", message.times)).small().weak());
-                            }
-                            ui.horizontal(|ui| {
-                                let id = |what: &str| format!("{what}-{}", message.id);
-                                let read = ui.small_button("Dismiss");
-                                exported::note(ui, &read, &id("dismiss"), WidgetRole::Button, "Dismiss", "");
-                                if read.clicked() {
-                                    actions.push(Action::Dismiss(message.id));
-                                }
-                                let copy = ui.small_button("Copy");
-                                exported::note(ui, &copy, &id("copy"), WidgetRole::Button, "Copy", "");
-                                if copy.clicked() {
-                                    actions.push(Action::CopyText(message.text.clone()));
-                                }
-                            });
-                        });
-                    });
-                });
-            }
-            if messages.len() > MOST {
-                ui.label(RichText::new(format!("and {} more", messages.len() - MOST)).small().weak());
-            }
-        },
-    );
-}
 
 /// Shows the keyboard shortcuts if they are requested.
 pub fn help(ui: &Ui, session: &mut Session) {

@@ -6,6 +6,7 @@ mod dialogs;
 mod equation;
 mod frame;
 mod lights;
+mod messages;
 mod objects;
 mod picture;
 mod probe;
@@ -13,7 +14,8 @@ mod shaders;
 mod status;
 mod top_bar;
 
-pub use dialogs::{messages, path_field};
+pub use dialogs::path_field;
+pub use messages::show as messages;
 
 use crate::action::Action;
 use crate::baking;
@@ -61,6 +63,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
             ui.horizontal(|ui| status::show_time(ui, document, session, actions));
         });
     }
+    messages(ui, &session.messages, actions);
     let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 8));
     if narrow {
         let is_atlas = session.tab == Tab::Bake && session.baking.shows_atlas && !is_landscape(ui);
@@ -81,7 +84,6 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, history
             panel.show(ui, |ui| shaders::texts(ui, shaders));
         }
     }
-    messages(ui, session, actions);
     dialogs::help(ui, session);
     path_field(ui, session, Purpose::Scene, actions);
 }

@@ -16,7 +16,8 @@ mod projection;
 mod toolbar;
 mod vectors;
 
-pub(crate) use paint::{line, picture_size, present};
+pub(crate) use gizmos::in_screen_plane;
+pub(crate) use paint::{disc, line, picture_size, present};
 pub use projection::Projection;
 
 use crate::document::{Document, PaneArrangement};

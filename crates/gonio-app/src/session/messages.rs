@@ -1,4 +1,4 @@
-//! Messages, which stay until they are dismissed.
+//! Messages, which stay until they are dismissed or their cause is gone.
 
 /// Severity of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -11,13 +11,35 @@ pub enum MessageSeverity {
     Error,
 }
 
+/// The cause of a message: when it is gone, so are its messages ([`Messages::clear`]).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum MessageCause {
+    /// Something that happened once, and anything that is withdrawn by its text.
+    #[default]
+    Event,
+    /// A scene or file that could not be opened; gone when one can be.
+    Opening,
+    /// The files of the open scene; gone when they are read again.
+    Scene,
+    /// Files that were dropped on an exercise; gone when others are taken, or another exercise is begun.
+    ExerciseFiles,
+    /// Files that were dropped on the BRDF bench; gone when others are.
+    BenchFiles,
+    /// Unsaved text when the window was to be closed; gone when it is saved.
+    Closing,
+}
+
 /// A message of one sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UserMessage {
-    /// Identifies the message.
+    /// Identifies the message; newer ones have larger numbers.
     pub id: u64,
     /// Severity of a message.
     pub severity: MessageSeverity,
+    /// Its cause.
+    pub cause: MessageCause,
+    /// The file that it concerns: messages about one file are shown together.
+    pub file: Option<String>,
     /// The sentence.
     pub text: String,
     /// Number of times that it was reported.
@@ -29,17 +51,28 @@ pub struct UserMessage {
 pub struct Messages {
     list: Vec<UserMessage>,
     next: u64,
+    /// Whether all are shown, or only as many as need little room.
+    pub is_expanded: bool,
 }
 
 impl Messages {
-    /// Adds a message. A repeated one is counted.
+    /// Adds a message about an event.
     pub fn report(&mut self, severity: MessageSeverity, text: impl Into<String>) {
+        self.report_about(MessageCause::Event, severity, None, text);
+    }
+
+    /// Adds a message with its cause, perhaps about a file. A repeated one is counted and is the newest again.
+    pub fn report_about(
+        &mut self,
+        cause: MessageCause,
+        severity: MessageSeverity,
+        file: Option<String>,
+        text: impl Into<String>,
+    ) {
         let text = text.into();
-        if let Some(known) = self.list.iter_mut().find(|m| m.severity == severity && m.text == text) {
-            known.times += 1;
-            return;
-        }
-        self.list.push(UserMessage { id: self.next, severity, text, times: 1 });
+        let known = self.list.iter().position(|m| m.severity == severity && m.text == text);
+        let times = known.map_or(0, |known| self.list.remove(known).times) + 1;
+        self.list.push(UserMessage { id: self.next, severity, cause, file, text, times });
         self.next += 1;
     }
 
@@ -48,24 +81,48 @@ impl Messages {
         self.list.retain(|message| message.id != id);
     }
 
+    /// Removes all messages.
+    pub fn dismiss_all(&mut self) {
+        self.list.clear();
+    }
+
+    /// Removes the messages of a cause that is gone.
+    pub fn clear(&mut self, cause: MessageCause) {
+        self.list.retain(|message| message.cause != cause);
+    }
+
     /// Removes the messages with this text, which no longer hold.
     pub fn withdraw(&mut self, text: &str) {
         self.list.retain(|message| message.text != text);
     }
 
-    /// Removes all messages except errors.
-    pub fn forget_remarks(&mut self) {
-        self.list.retain(|message| message.severity == MessageSeverity::Error);
-    }
-
-    /// The messages in order.
+    /// The messages, the oldest first.
     pub fn list(&self) -> &[UserMessage] {
         &self.list
+    }
+
+    /// The messages as they are shown: those about one file together, the group of the newest message first, and within
+    /// a group in their order.
+    pub fn grouped(&self) -> Vec<(Option<&str>, Vec<&UserMessage>)> {
+        let mut groups: Vec<(Option<&str>, Vec<&UserMessage>)> = Vec::new();
+        for message in self.list.iter().rev() {
+            let file = message.file.as_deref();
+            match groups.iter_mut().find(|(known, _)| file.is_some() && *known == file) {
+                Some((_, group)) => group.insert(0, message),
+                None => groups.push((file, vec![message])),
+            }
+        }
+        groups
     }
 
     /// The last error that has not been dismissed.
     pub fn last_error(&self) -> Option<&str> {
         self.list.iter().rev().find(|m| m.severity == MessageSeverity::Error).map(|m| m.text.as_str())
+    }
+
+    /// The id of the next message: it differs between two moments if one was reported between them.
+    pub fn count(&self) -> u64 {
+        self.next
     }
 }
 
@@ -77,14 +134,42 @@ mod tests {
     fn messages_stay_until_dismissed_and_repeats_are_counted() {
         let mut messages = Messages::default();
         messages.report(MessageSeverity::Error, "no such file");
-        messages.report(MessageSeverity::Error, "no such file");
         messages.report(MessageSeverity::Note, "lit by its own light");
-        assert_eq!(messages.list().len(), 2);
-        assert_eq!(messages.list()[0].times, 2);
-        messages.forget_remarks();
+        messages.report(MessageSeverity::Error, "no such file");
+        let shown: Vec<(&str, u32)> = messages.list().iter().map(|m| (m.text.as_str(), m.times)).collect();
+        assert_eq!(shown, [("lit by its own light", 1), ("no such file", 2)], "a repeated one is the newest");
         assert_eq!(messages.last_error(), Some("no such file"));
-        assert_eq!(messages.list().len(), 1);
-        messages.dismiss(messages.list()[0].id);
-        assert_eq!(messages.last_error(), None);
+        messages.dismiss(messages.list()[1].id);
+        assert_eq!((messages.last_error(), messages.list().len()), (None, 1));
+    }
+
+    #[test]
+    fn a_cause_that_is_gone_takes_its_messages_along() {
+        let mut messages = Messages::default();
+        let causes = [MessageCause::Event, MessageCause::Opening, MessageCause::Scene];
+        for cause in causes {
+            messages.report_about(cause, MessageSeverity::Warning, None, format!("{cause:?}"));
+        }
+        messages.clear(MessageCause::Scene);
+        messages.clear(MessageCause::Closing);
+        let left: Vec<&str> = messages.list().iter().map(|message| message.text.as_str()).collect();
+        assert_eq!(left, ["Event", "Opening"]);
+    }
+
+    #[test]
+    fn messages_about_a_file_are_together_and_the_newest_group_is_first() {
+        let mut messages = Messages::default();
+        let reported = [(Some("a.mtl"), "1"), (None, "2"), (Some("b.obj"), "3"), (Some("a.mtl"), "4"), (None, "5")];
+        for (file, text) in reported {
+            messages.report_about(MessageCause::Scene, MessageSeverity::Warning, file.map(str::to_owned), text);
+        }
+        let shown: Vec<(Option<&str>, Vec<&str>)> = messages
+            .grouped()
+            .into_iter()
+            .map(|(file, group)| (file, group.into_iter().map(|message| message.text.as_str()).collect()))
+            .collect();
+        let expected =
+            [(None, vec!["5"]), (Some("a.mtl"), vec!["1", "4"]), (Some("b.obj"), vec!["3"]), (None, vec!["2"])];
+        assert_eq!(shown, expected);
     }
 }

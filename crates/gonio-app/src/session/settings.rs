@@ -1,6 +1,8 @@
 //! Settings that are kept between sessions.
 
+use gonio_check::verdict::Outcome;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Settings on disk, or in the browser's storage.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -13,6 +15,9 @@ pub struct Settings {
     /// The settings of the last bake as JSON, which is parsed when they are shown; `None` before the first.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bake: Option<String>,
+    /// The outcome of the last check of each exercise, by id.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub outcomes: BTreeMap<String, Outcome>,
 }
 
 impl Settings {
@@ -53,7 +58,8 @@ mod tests {
 
     #[test]
     fn settings_survive_a_round_trip_and_damaged_ones_are_defaults() {
-        let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()], bake: Some("{}".into()) };
+        let outcomes = BTreeMap::from([("ex04".to_owned(), Outcome::Wrong)]);
+        let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()], bake: Some("{}".into()), outcomes };
         assert_eq!(Settings::from_text(&settings.to_text()), settings);
         assert_eq!(Settings::from_text("{\"dark\": 3}"), Settings::default());
         assert_eq!(Settings::from_text("{}"), Settings::default());

@@ -1,6 +1,6 @@
 //! The text of a file: line numbers, marked lines, GLSL in colours, the values of its steps, and messages below.
 
-use super::{Stepper, bar, margin};
+use super::{Stepper, bar, find, margin, typing};
 use crate::exported::{self, WidgetRole};
 use crate::theme::colors::{self, Tint};
 use crate::theme::{self, icons};
@@ -67,6 +67,7 @@ pub fn show(
     stepper: &mut Stepper,
 ) -> Option<u32> {
     bar::bar(ui, stepper);
+    let found = find::show(ui, of.id, text.as_str());
     let below = messages_height(ui, of.marks, error);
     let table = bar::table_height(stepper, ui.available_height());
     let height = (ui.available_height() - below - table).max(60.0);
@@ -74,7 +75,7 @@ pub fn show(
     frame.show(ui, |ui| {
         ui.set_min_size(vec2(ui.available_width(), height - 8.0));
         ui.set_max_height(height - 8.0);
-        lines(ui, of, text, stepper);
+        lines(ui, of, text, found.map(|range| range.start), stepper);
     });
     if table > 0.0 {
         ui.allocate_ui(vec2(ui.available_width(), table), |ui| bar::table(ui, stepper));
@@ -82,14 +83,17 @@ pub fn show(
     messages(ui, of.marks, error)
 }
 
-/// Shows a text with its numbers and marks, and the values of its steps.
-fn lines(ui: &mut Ui, of: &Code<'_>, text: &mut dyn TextBuffer, stepper: &mut Stepper) {
+/// Shows a text with its numbers and marks, and the values of its steps. `found` is a character to scroll to.
+fn lines(ui: &mut Ui, of: &Code<'_>, text: &mut dyn TextBuffer, found: Option<usize>, stepper: &mut Stepper) {
     let Code { id, name, marks, jump, is_fixed } = *of;
     let font = TextStyle::Monospace.resolve(ui.style());
     let count = text.as_str().lines().count() + usize::from(text.as_str().ends_with('\n'));
     let digit = ui.painter().layout_no_wrap("0".into(), font.clone(), Color32::WHITE).size().x;
     let digits = count.max(1).to_string().len().max(2) as f32;
     let gutter = MARK_WIDTH + 4.0 + digits * digit + GAP;
+    if !is_fixed {
+        typing::keys(ui, id, text);
+    }
     if let Some(line) = jump {
         put_cursor(ui, id, text.as_str(), line);
     }
@@ -118,6 +122,10 @@ fn lines(ui: &mut Ui, of: &Code<'_>, text: &mut dyn TextBuffer, stepper: &mut St
             if let Some(line) = jump {
                 output.response.request_focus();
                 let place = row_rect(&output, line);
+                ui.scroll_to_rect(place, Some(Align::Center));
+            }
+            if let Some(index) = found {
+                let place = output.galley.pos_from_cursor(CCursor::new(index)).translate(output.galley_pos.to_vec2());
                 ui.scroll_to_rect(place, Some(Align::Center));
             }
             if let Some(steps) = stepper.steps_in(name, text.as_str()) {

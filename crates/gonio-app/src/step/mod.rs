@@ -7,6 +7,7 @@
 //! | `values` | a shader's steps: values by line, variables, movements |
 //! | `bar` | the buttons and keys, and the table of variables |
 //! | `code` | the text of a file with line numbers, marks and colours |
+//! | `typing`, `find` | keys of the editor beyond a text field's own; the search in a text |
 //! | `margin` | the values beside the lines, the expression under the pointer, and the work beside the interface |
 //!
 //! The interpreter runs beside the interface ([`Platform::run`]). Requests are made from what is drawn; an answer is shown until
@@ -14,8 +15,10 @@
 
 pub mod bar;
 pub mod code;
+pub mod find;
 pub mod margin;
 pub mod source;
+mod typing;
 pub mod values;
 
 use crate::platform::Platform;

@@ -53,6 +53,10 @@ pub const REFLECTION: Tint = Tint::new([0xc0, 0x2b, 0x3a], [0xff, 0x7f, 0x8a]);
 pub const HALF: Tint = Tint::new([0x7a, 0x3f, 0xc4], [0xbc, 0x98, 0xff]);
 /// A warning.
 pub const WARNING: Tint = Tint::new([0x9a, 0x62, 0x00], [0xff, 0xc0, 0x4d]);
+/// Something that is right.
+pub const CORRECT: Tint = NORMAL;
+/// Something that is wrong: the same as an error.
+pub const WRONG: Tint = ERROR;
 /// An error.
 pub const ERROR: Tint = Tint::new([0xb8, 0x1f, 0x2f], [0xff, 0x8a, 0x8f]);
 /// The x axis.

@@ -10,7 +10,7 @@ pub use files::{FileUse, SortedFiles, is_answer, is_complete, is_replaced, sort_
 pub use pair::{CompiledPair, Note, NoteKind, SubmittedPair};
 pub(crate) use renderer::held;
 pub use renderer::{PreviewRenderer, VariableValue};
-pub use scene::{Eye, PreviewObject, PreviewScene, PreviewShape, scenes};
+pub use scene::{Eye, PreviewObject, PreviewScene, PreviewShape, scenes, test_scenes};
 
 use crate::exercise::{Exercise, ExerciseKind};
 use gonio_check::submission::SourceFile;

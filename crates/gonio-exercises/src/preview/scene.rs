@@ -1,9 +1,10 @@
-//! The preview scenes of an exercise: the lab's own, and one that shows mistakes that the lab's own hides.
+//! The preview scenes of an exercise: the lab's own, one that shows mistakes that the lab's own hides, and the checker's.
 
 use crate::exercise::Exercise;
 use glam::{Mat4, Quat, Vec3};
 use gonio_check::comparison::Task;
 use gonio_check::testbench::{TestLight, TestMesh, TestScene, TestShape, mesh, scene::LAB_LIGHT};
+use std::borrow::Cow;
 
 /// The shape of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -22,11 +23,15 @@ pub enum PreviewShape {
     Pyramid,
     /// The pyramid within a globe of many colours.
     Landmarks,
+    /// The sphere of the test scenes.
+    TestSphere,
+    /// The torus of the test scenes.
+    TestTorus,
 }
 
 impl PreviewShape {
     /// All shapes, in the order of [`PreviewShape::index`].
-    pub const ALL: [PreviewShape; 7] = [
+    pub const ALL: [PreviewShape; 9] = [
         PreviewShape::ExtremelyCoarse,
         PreviewShape::Coarse,
         PreviewShape::Smooth,
@@ -34,6 +39,8 @@ impl PreviewShape {
         PreviewShape::Cube,
         PreviewShape::Pyramid,
         PreviewShape::Landmarks,
+        PreviewShape::TestSphere,
+        PreviewShape::TestTorus,
     ];
 
     /// Its index in [`PreviewShape::ALL`].
@@ -51,6 +58,18 @@ impl PreviewShape {
             PreviewShape::Cube => TestShape::Cube.mesh(),
             PreviewShape::Pyramid => TestShape::Pyramid.mesh(),
             PreviewShape::Landmarks => TestShape::Landmarks.mesh(),
+            PreviewShape::TestSphere => TestShape::Sphere.mesh(),
+            PreviewShape::TestTorus => TestShape::Torus.mesh(),
+        }
+    }
+
+    fn of_test(shape: TestShape) -> Self {
+        match shape {
+            TestShape::Sphere => PreviewShape::TestSphere,
+            TestShape::Torus => PreviewShape::TestTorus,
+            TestShape::Cube => PreviewShape::Cube,
+            TestShape::Pyramid => PreviewShape::Pyramid,
+            TestShape::Landmarks => PreviewShape::Landmarks,
         }
     }
 }
@@ -81,13 +100,13 @@ pub struct PreviewObject {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PreviewScene {
     /// A short name.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// The purpose of the scene, in one sentence.
     pub shows: &'static str,
     /// The objects.
     pub objects: Vec<PreviewObject>,
-    /// The light at time 0, without its swing.
-    pub light: TestLight,
+    /// The light at time 0, without its swing, and the other values that programs get.
+    pub values: TestScene,
     /// The light moves by this vector times sin(now), as in the lab's exercise 07.
     pub swing: Vec3,
     /// The initial camera.
@@ -96,6 +115,10 @@ pub struct PreviewScene {
     pub has_sky: bool,
     /// Whether the camera turns in place, as under a sky, instead of moving around a target.
     pub looks_around: bool,
+    /// Whether it is one of the checker's scenes, of which verdicts tell.
+    pub is_test: bool,
+    /// Whether the light lights the objects.
+    pub has_lamp: bool,
 }
 
 impl PreviewScene {
@@ -105,29 +128,51 @@ impl PreviewScene {
         let [width, height] = size.map(|side| side.max(1) as f32);
         let longer = (width / height).max(height / width);
         let fov_y_rad = 2.0 * ((0.5 * eye.fov_rad).tan() * longer).atan();
-        let light = TestLight { position: self.light.position + self.swing * time.sin(), ..self.light };
+        let light = self.values.light;
+        let light = TestLight { position: light.position + self.swing * time.sin(), ..light };
         let test_scene = |object: &PreviewObject| TestScene {
-            name: self.name.to_owned(),
-            shows: self.shows,
-            shape: TestShape::Sphere,
             world_from_model: object.world_from_model,
             eye: eye.position,
             target: eye.target,
             up: eye.up,
             fov_y_rad,
             light,
-            other: None,
-            material: Vec3::new(0.5, 0.6, 0.8),
-            shininess: 32.0,
-            roughness: 0.2,
-            refraction_index: 1.52,
             time,
+            ..self.values.clone()
         };
         self.objects.iter().map(|object| (object.shape, test_scene(object))).collect()
     }
 }
 
-/// The scenes of an exercise, the lab's first; at least one.
+/// The checker's scenes of an exercise; none if the checker draws nothing for it.
+pub fn test_scenes(exercise: &Exercise) -> Vec<PreviewScene> {
+    let Some(task) = Task::find(&exercise.id) else { return Vec::new() };
+    let has_sky = matches!(exercise.id.as_str(), "ex09" | "ex10");
+    task.test_scenes()
+        .0
+        .into_iter()
+        .map(|values| PreviewScene { has_sky, has_lamp: task.model.is_lit(), ..of_test(values) })
+        .collect()
+}
+
+/// The same objects, values and camera as in a test scene.
+fn of_test(values: TestScene) -> PreviewScene {
+    let shape = PreviewShape::of_test(values.shape);
+    PreviewScene {
+        name: values.name.clone().into(),
+        shows: values.shows,
+        objects: vec![PreviewObject { shape, world_from_model: values.world_from_model }],
+        swing: Vec3::ZERO,
+        eye: Eye { position: values.eye, target: values.target, up: values.up, fov_rad: values.fov_y_rad },
+        has_sky: false,
+        looks_around: shape == PreviewShape::Cube,
+        is_test: true,
+        has_lamp: false,
+        values,
+    }
+}
+
+/// The scenes of an exercise to look at, the lab's first; at least one.
 pub fn scenes(exercise: &Exercise) -> Vec<PreviewScene> {
     match exercise.id.as_str() {
         "ex01" => vec![pyramid(), landmarks()],
@@ -140,7 +185,8 @@ pub fn scenes(exercise: &Exercise) -> Vec<PreviewScene> {
             let position = task.map_or(LAB_LIGHT.position, |task| task.light_position);
             let light = TestLight { position, ..lamp };
             let lab = if task.is_some_and(|task| task.attenuated) { one_sphere(light) } else { three_spheres(light) };
-            vec![lab, stretched(lamp)]
+            let has_lamp = task.is_some_and(|task| task.model.is_lit());
+            [lab, stretched(lamp)].map(|scene| PreviewScene { has_lamp, ..scene }).into()
         }
     }
 }
@@ -156,7 +202,35 @@ fn scene(
     light: TestLight,
     eye: Eye,
 ) -> PreviewScene {
-    PreviewScene { name, shows, objects, light, swing: Vec3::ZERO, eye, has_sky: false, looks_around: false }
+    let values = TestScene {
+        name: name.to_owned(),
+        shows,
+        shape: TestShape::Sphere,
+        world_from_model: Mat4::IDENTITY,
+        eye: eye.position,
+        target: eye.target,
+        up: eye.up,
+        fov_y_rad: eye.fov_rad,
+        light,
+        other: None,
+        material: Vec3::new(0.5, 0.6, 0.8),
+        shininess: 32.0,
+        roughness: 0.2,
+        refraction_index: 1.52,
+        time: 0.0,
+    };
+    PreviewScene {
+        name: name.into(),
+        shows,
+        objects,
+        values,
+        swing: Vec3::ZERO,
+        eye,
+        has_sky: false,
+        looks_around: false,
+        is_test: false,
+        has_lamp: false,
+    }
 }
 
 /// The scene of exercise 01: a camera in front of the pyramid that looks straight ahead.
@@ -254,6 +328,23 @@ mod tests {
         for (size, times) in [([200, 100], 2.0), ([100, 300], 3.0)] {
             assert!((seen(size) / square - times).abs() < 1e-4, "{size:?}");
         }
+    }
+
+    #[test]
+    fn a_preview_of_a_test_scene_has_the_values_that_the_checker_uses() {
+        for exercise in exercise::all() {
+            let expected = Task::find(&exercise.id).map_or_else(Vec::new, |task| task.test_scenes().0);
+            let previews = test_scenes(exercise);
+            assert_eq!(previews.len(), expected.len(), "{}", exercise.id);
+            for (preview, mut expected) in previews.iter().zip(expected) {
+                let (shape, seen) = preview.test_scenes(&preview.eye, expected.time, [64, 64]).remove(0);
+                assert_eq!(shape.mesh(), expected.shape.mesh(), "{}", expected.name);
+                assert!((seen.fov_y_rad - expected.fov_y_rad).abs() < 1e-6, "{}", expected.name);
+                expected.fov_y_rad = seen.fov_y_rad;
+                assert_eq!(seen, expected);
+            }
+        }
+        assert!(test_scenes(exercise::find("ex04").unwrap()).len() >= 9);
     }
 
     #[test]

@@ -13,6 +13,8 @@
 mod drag;
 mod draw;
 
+pub(crate) use drag::in_screen_plane;
+
 use super::navigation::Dragging;
 use super::{Projection, paint};
 use crate::document::Document;

@@ -130,7 +130,9 @@ pub fn run(args: &StepArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
     let (scene, is_compared) = (args.scene.clone(), !args.files.is_empty());
     let request = SceneRequest { exercise, files, scene, size: args.size, time: args.time, is_compared };
     let place = StepPlace { at: args.at, vertex: args.vertex, corners: args.corners, vertex_option: "--vertex" };
-    let step = move |scene: &_, of: &PreviewScene, right: Option<&_>| Ok((step(scene, right, place)?, of.name));
+    let step = move |scene: &_, of: &PreviewScene, right: Option<&_>| {
+        Ok((step(scene, right, place)?, of.name.clone().into_owned()))
+    };
     let ((stepped, scene), warnings) = with_scene(request, step)?;
     for warning in &warnings {
         reporter.warning(warning);

@@ -83,11 +83,16 @@ pub fn goal(exercise: &'static Exercise) -> Result<Vec<u8>, CliError> {
 
 /// The scene with this name, or the lab's own.
 pub fn scene(name: Option<&str>, exercise: &Exercise) -> Result<PreviewScene, CliError> {
-    let scenes = preview::scenes(exercise);
+    let mut scenes = preview::scenes(exercise);
     let Some(name) = name else {
         return scenes.into_iter().next().ok_or_else(|| CliError::new(format!("{} has no scene", exercise.id)));
     };
-    let names: Vec<&str> = scenes.iter().map(|scene| scene.name).collect();
+    for test in preview::test_scenes(exercise) {
+        if scenes.iter().all(|known| known.name != test.name) {
+            scenes.push(test);
+        }
+    }
+    let names: Vec<&str> = scenes.iter().map(|scene| scene.name.as_ref()).collect();
     let known = format!("{} has no scene `{name}`; its scenes are {}", exercise.id, names.join(", "));
     scenes.into_iter().find(|scene| scene.name == name).ok_or_else(|| CliError::new(known))
 }

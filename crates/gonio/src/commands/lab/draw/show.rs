@@ -58,7 +58,7 @@ pub fn run(
     let (stage, background) = (args.file.stage(), background());
     let draw = move |scene: &SteppedScene, of: &PreviewScene, right: Option<&RightAnswer>| {
         let pictures = scene.picture(stage, place, background, right).map_err(CliError::new)?;
-        Ok((pictures, of.name))
+        Ok((pictures, of.name.clone().into_owned()))
     };
     let ((pictures, scene), mut warnings) = with_scene(request, draw)?;
     let PictureBeside { own: picture, right, quantity } = pictures;

@@ -1,0 +1,129 @@
+//! The tray of messages below the picture.
+
+use crate::action::Action;
+use crate::exported::{self, WidgetRole};
+use crate::session::{MessageSeverity, Messages, UserMessage};
+use crate::theme::{self, colors, icons};
+use crate::widgets::icon_button;
+use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
+
+/// Most messages that are shown before the tray is opened.
+const FEW: usize = 3;
+/// Largest share of the window's height.
+const MOST_HEIGHT: f32 = 0.3;
+/// Width of the icons and buttons of a row, points.
+const BUTTONS_WIDTH: f32 = 84.0;
+
+/// Shows the messages in a panel at the bottom, the newest first; none without messages. It takes its room from the picture, so
+/// that it never covers it.
+pub fn show(ui: &mut Ui, messages: &Messages, actions: &mut Vec<Action>) {
+    if messages.list().is_empty() {
+        return;
+    }
+    let most_height = (MOST_HEIGHT * ui.ctx().content_rect().height()).max(72.0);
+    let frame = Frame::NONE.inner_margin(Margin::symmetric(10, 4)).fill(ui.visuals().faint_bg_color);
+    Panel::bottom("messages").frame(frame).resizable(false).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        let groups = messages.grouped();
+        let count = messages.list().len();
+        if count > 1 {
+            header(ui, messages, actions);
+        }
+        ScrollArea::vertical().id_salt("message list").max_height(most_height).auto_shrink([false, true]).show(
+            ui,
+            |ui| {
+                let mut left = if messages.is_expanded { usize::MAX } else { FEW };
+                for (file, group) in &groups {
+                    if left == 0 {
+                        break;
+                    }
+                    let heading = file.filter(|_| group.len() > 1);
+                    if let Some(file) = heading {
+                        let text = format!("{file}: {} messages", group.len());
+                        ui.add(Label::new(RichText::new(text).small().weak()).truncate());
+                    }
+                    for message in group.iter().take(left) {
+                        row(ui, message, heading, actions);
+                    }
+                    left -= left.min(group.len());
+                }
+            },
+        );
+    });
+}
+
+/// The number of messages, with buttons for all of them.
+fn header(ui: &mut Ui, messages: &Messages, actions: &mut Vec<Action>) {
+    let count = messages.list().len();
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(format!("{count} messages")).small().weak());
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let all = ui.small_button("Dismiss all");
+            exported::note(ui, &all, "dismiss-all", WidgetRole::Button, "Dismiss all", "");
+            if all.clicked() {
+                actions.push(Action::DismissAll);
+            }
+            if count > FEW {
+                let label = if messages.is_expanded { "Show fewer" } else { "Show all" };
+                let more = ui.small_button(label);
+                exported::note(ui, &more, "messages-all", WidgetRole::Button, label, messages.is_expanded);
+                if more.clicked() {
+                    actions.push(Action::ExpandMessages);
+                }
+            }
+        });
+    });
+}
+
+/// A message. Below a heading with its file, the file's name is not repeated.
+fn row(ui: &mut Ui, message: &UserMessage, heading: Option<&str>, actions: &mut Vec<Action>) {
+    let (tint, icon) = match message.severity {
+        MessageSeverity::Error => (colors::ERROR, icons::WARNING_CIRCLE),
+        MessageSeverity::Warning => (colors::WARNING, icons::WARNING),
+        MessageSeverity::Note => (colors::ACCENT, icons::INFO),
+    };
+    ui.horizontal_top(|ui| {
+        let color = tint.of(ui);
+        ui.label(RichText::new(icon).font(theme::icon_font(16.0)).color(color));
+        let mut text = shortened(&message.text, heading).to_owned();
+        if message.times > 1 {
+            text = format!("{text} ({} times)", message.times);
+        }
+        let width = (ui.available_width() - BUTTONS_WIDTH).max(60.0);
+        ui.allocate_ui_with_layout(egui::vec2(width, 0.0), Layout::top_down(Align::LEFT), |ui| {
+            ui.set_width(width);
+            ui.add_space(2.0);
+            let label = ui.add(Label::new(text).wrap());
+            exported::note(ui, &label, &format!("message-{}", message.id), WidgetRole::Text, &message.text, "");
+        });
+        ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+            if icon_button(ui, &format!("dismiss-{}", message.id), icons::X, "Dismiss").clicked() {
+                actions.push(Action::Dismiss(message.id));
+            }
+            if icon_button(ui, &format!("copy-{}", message.id), icons::COPY, "Copy the message").clicked() {
+                actions.push(Action::CopyText(message.text.clone()));
+            }
+        });
+    });
+}
+
+/// A message's text without the file's name at its start, if that is the heading.
+fn shortened<'a>(text: &'a str, heading: Option<&str>) -> &'a str {
+    heading
+        .and_then(|file| text.strip_prefix(file))
+        .and_then(|rest| rest.strip_prefix(':'))
+        .map_or(text, str::trim_start)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_name_of_a_file_is_not_repeated_below_its_heading() {
+        assert_eq!(shortened("a.mtl:3: unknown word", Some("a.mtl")), "3: unknown word");
+        assert_eq!(shortened("a.mtl: unknown word", Some("a.mtl")), "unknown word");
+        assert_eq!(shortened("a.mtl: unknown word", None), "a.mtl: unknown word");
+        assert_eq!(shortened("a.mtlx: unknown word", Some("a.mtl")), "a.mtlx: unknown word");
+    }
+}
