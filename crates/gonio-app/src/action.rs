@@ -74,6 +74,8 @@ pub enum Action {
     CloseShaders,
     /// Dismisses a message.
     Dismiss(u64),
+    /// Restores the edited scene that another one has replaced.
+    RestoreScene,
     /// Dismisses all messages.
     DismissAll,
     /// Shows all messages, or only the newest.

@@ -18,6 +18,7 @@
 //! | [`stations`] | the stations beyond the rendering equation: pictures, sliders, laws |
 //! | [`exercise`] | an exercise: the student's files, their picture, the checker |
 //! | [`files`] | files that the user drops, chooses or links to |
+//! | `focus` | the ring around the focused control |
 //! | [`saving`] | pictures and scenes as files |
 //! | [`platform`] | what desktop and web implement differently |
 //! | [`truth`] | traced pictures: requests and answers |
@@ -34,6 +35,7 @@ pub mod document;
 pub mod exercise;
 pub mod exported;
 pub mod files;
+mod focus;
 pub mod panels;
 pub mod platform;
 pub mod saving;

@@ -47,7 +47,7 @@ const TABLE: &[Shortcut] = &[
     row(PICTURE, "Right button + drag", "look around"),
     row(PICTURE, "Wheel", "zoom"),
     row(PICTURE, "w a s d, z q s d, arrows", "fly; e and c move up and down; Shift is faster"),
-    row(PICTURE, "F", "frame all objects").on(Modifiers::NONE, Key::F, || Action::Frame),
+    row(PICTURE, "F", "frame all").on(Modifiers::NONE, Key::F, || Action::Frame),
     row(PICTURE, "Space", "play or pause the animation").on(Modifiers::NONE, Key::Space, || Action::PlayOrPause),
     row(PICTURE, "P", "probe the pixel under the pointer; a click pins it, Esc unpins it").on(
         Modifiers::NONE,

@@ -413,3 +413,48 @@ fn a_click_lists_the_light_of_a_traced_pixel() {
     assert_eq!(window.app().session().traced[0].requests, requests);
     assert_ne!(window.app().session().pixel_light().map(|light| light.pixel), Some(first));
 }
+
+#[test]
+fn an_edited_scene_that_was_replaced_is_restored_with_its_history() {
+    let mut window = Window::open("replaced");
+    let open = |window: &mut Window, name: &str| {
+        let ctx = window.harness.ctx.clone();
+        let files = std::sync::Arc::new(gonio_scene::files::BuiltinOnly);
+        window.harness.state_mut().as_mut().unwrap().open(&ctx, vec![name.to_owned()], files);
+        window.wait_for_title(name.trim_start_matches("builtin:"));
+    };
+    let messages = |window: &Window| -> Vec<String> {
+        window.app().session().messages.list().iter().map(|message| message.text.clone()).collect()
+    };
+    // Nothing is kept of a scene that was only looked at.
+    open(&mut window, "builtin:three-spheres");
+    assert_eq!(messages(&window), [""; 0]);
+    let original = window.app().document().scene.clone();
+    window.drag(window.center("light-0-handle"), vec2(-30.0, 20.0));
+    let edited = window.app().document().scene.clone();
+    assert_ne!(edited.lights, original.lights);
+    open(&mut window, "builtin:cube");
+    assert_eq!(messages(&window), ["Replaced three-spheres (unsaved)"]);
+    window.steps(3);
+    window.click_at(window.center("restore-scene"));
+    window.wait_for_title("three-spheres");
+    assert_eq!(window.app().document().scene, edited);
+    assert_eq!(messages(&window), [""; 0], "the cube was not edited");
+    window.press(Modifiers::COMMAND, Key::Z);
+    assert_eq!(window.app().document().scene.lights, original.lights, "its steps can still be undone");
+    let told = window.app().session().announcement.clone();
+    assert!(told.starts_with("Undone: moved "), "{told}");
+}
+
+impl Window {
+    fn wait_for_title(&mut self, title: &str) {
+        for _ in 0..600 {
+            self.steps(2);
+            if self.app().session().title == title && self.app().session().busy.is_none() {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(100));
+        }
+        panic!("timed out waiting for {title}: {}", self.app().session().title);
+    }
+}

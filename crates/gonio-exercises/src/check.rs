@@ -5,7 +5,9 @@ use crate::buffers::{self, Expected};
 use crate::cubemap;
 use crate::exercise::{Exercise, ExerciseKind};
 use crate::gl_program::{self, GlProgramFiles, GlProgramImage};
-use gonio_check::comparison::Evidence;
+use crate::preview::SubmittedPair;
+use crate::step::endless_loop;
+use gonio_check::comparison::{ENDLESS, Evidence};
 use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict, join_names};
@@ -103,10 +105,31 @@ fn whole(
         start_vertex: exercise.file("start.vert"),
         start_fragment: exercise.file("start.frag"),
     };
-    match feedback {
-        Feedback::Fix => gonio_check::check(&mut checker.shaders, &shader_exercise, files, options),
-        _ => gonio_check::check_without_fix(&mut checker.shaders, &shader_exercise, files, options),
+    let (verdict, evidence) = match feedback {
+        Feedback::Fix => gonio_check::check(&mut checker.shaders, &shader_exercise, files.clone(), options),
+        _ => gonio_check::check_without_fix(&mut checker.shaders, &shader_exercise, files.clone(), options),
+    }?;
+    Ok((with_endless_loop(verdict, exercise, files), evidence))
+}
+
+/// The verdict on a program with an endless loop, with the line of that loop.
+fn with_endless_loop(mut verdict: Verdict, exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
+    if verdict.summary != ENDLESS {
+        return verdict;
     }
+    let pair = SubmittedPair::gather(exercise, files).ok();
+    if let Some(found) = pair.and_then(|pair| endless_loop(exercise, &pair)) {
+        verdict.summary = found.to_string();
+        verdict.messages.push(CompilerMessage {
+            file: found.file,
+            line: Some(found.line),
+            column: None,
+            text: "this loop never ends".to_owned(),
+            quoted: None,
+            explanation: None,
+        });
+    }
+    verdict
 }
 
 /// Whether the answer is pictures: whether there are other pictures than those handed out.

@@ -50,13 +50,13 @@ impl App {
                 self.session.announcement = "copied".into();
             }
             Action::Undo => {
-                if self.history.undo(&mut self.document) {
-                    self.session.announcement = "undone".into();
+                if let Some(step) = self.history.undo(&mut self.document) {
+                    self.session.announcement = format!("Undone: {step}");
                 }
             }
             Action::Redo => {
-                if self.history.redo(&mut self.document) {
-                    self.session.announcement = "redone".into();
+                if let Some(step) = self.history.redo(&mut self.document) {
+                    self.session.announcement = format!("Redone: {step}");
                 }
             }
             Action::Frame => {
@@ -104,6 +104,7 @@ impl App {
                 }
             }
             Action::Dismiss(id) => self.session.messages.dismiss(id),
+            Action::RestoreScene => self.restore_scene(ctx),
             Action::DismissAll => self.session.messages.dismiss_all(),
             Action::ExpandMessages => self.session.messages.is_expanded = !self.session.messages.is_expanded,
             Action::ShowBench => self.bench.open(),
@@ -136,7 +137,12 @@ impl App {
         let folder = cfg!(not(target_arch = "wasm32")).then(|| Path::new(place).parent()).flatten();
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
-            Ok(place) => self.session.announcement = format!("saved {place}"),
+            Ok(place) => {
+                self.session.announcement = format!("saved {place}");
+                if product == Product::Scene {
+                    self.saved = self.document.scene.clone();
+                }
+            }
             Err(error) => self.session.messages.report(MessageSeverity::Error, error),
         }
     }

@@ -25,7 +25,9 @@ impl App {
 
     /// Adds the functions of files to the bench: names and contents.
     pub(super) fn open_bench_files(&mut self, ctx: &egui::Context, files: Vec<(String, Vec<u8>)>) {
-        self.session.messages.clear(MessageCause::BenchFiles);
+        for (name, _) in &files {
+            self.session.messages.clear_of_file(MessageCause::BenchFiles, name);
+        }
         self.bench.open_files(files, self.platform.as_mut(), ctx);
     }
 

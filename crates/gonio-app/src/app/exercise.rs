@@ -71,7 +71,7 @@ impl App {
             self.act(&ctx, action);
         }
         if !self.exercise.works().any(|work| work.is_changed() || work.has_unsaved_before()) {
-            self.asked_to_close = false;
+            self.asked_to_close &= self.is_scene_edited();
             self.session.messages.clear(MessageCause::Closing);
         }
         let paths = self.exercise.paths();
@@ -91,24 +91,29 @@ impl App {
             return;
         }
         let end = match failures.first() {
-            Some(error) => format!("closing again discards it, because {error}"),
-            None => "closing again keeps it as a draft, which is restored when you open these files again".to_owned(),
+            Some(error) => format!("Close again to discard your changes: {error}"),
+            None => "Close again to keep them as a draft, which is restored when you open these files again".to_owned(),
         };
         let changed = self.exercise.works().find(|work| work.is_changed());
         let before = || self.exercise.works().find(|work| work.has_unsaved_before());
         let sentence = match (changed, before()) {
             (Some(work), _) => {
-                format!("your changes to {} are not saved: Ctrl + S saves them, and {end}", work.exercise.id)
+                format!("Your changes to {} are not saved: Ctrl + S saves them. {end}", work.exercise.id)
             }
             (None, Some(work)) => format!(
-                "your changes to the previous files of {} are not saved: `Put back` restores them, and {end}",
+                "Your changes to the previous files of {} are not saved: `Restore` brings them back. {end}",
                 work.exercise.id
+            ),
+            (None, None) if self.is_scene_edited() => format!(
+                "Your changes to the scene {} are not saved: Ctrl + Shift + S saves them. Close again to discard your changes",
+                self.session.title
             ),
             (None, None) => return,
         };
+        let is_of_exercise = changed.is_some() || before().is_some();
         ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
         self.asked_to_close = true;
-        self.exercise.is_open = true;
+        self.exercise.is_open |= is_of_exercise;
         self.session.messages.report_about(MessageCause::Closing, MessageSeverity::Warning, None, sentence);
     }
 

@@ -1,5 +1,6 @@
 //! Loading scenes without blocking the window: in a thread, or on the web between two frames.
 
+use crate::app::unsaved::ReplacedScene;
 use crate::files::{ReadRecorder, ShaderFiles, short};
 use gonio_mesh::{Limits, ReadError};
 use gonio_scene::edit::{self, Edited};
@@ -38,6 +39,8 @@ pub enum LoadRequest {
     Scene(Box<SceneSettings>),
     /// The document's scene again, because its files have changed.
     Refresh(Box<SceneSettings>),
+    /// An edited scene that another one has replaced.
+    Restore(Box<ReplacedScene>),
 }
 
 /// The result of a request.
@@ -170,20 +173,23 @@ fn read(requested: &LoadRequest, files: &dyn FileSource, limits: &Limits) -> Res
             }
             load::load_within(scene, Path::new(""), files, limits).map_err(sentence)
         }
-        LoadRequest::Scene(scene) | LoadRequest::Refresh(scene) => {
-            let loaded =
-                load::load_within(SceneFile::from(&**scene), Path::new(""), files, limits).map_err(sentence)?;
-            // Loading adds lights to a scene without any; here the user removed them.
-            if !scene.lights.is_empty() || loaded.settings.lights.is_empty() {
-                return Ok(loaded);
-            }
-            let mut dark = loaded.settings.clone();
-            dark.lights.clear();
-            match edit::apply(&loaded, dark).map_err(|error| error.to_string())? {
-                Edited::Done(applied) => Ok(applied.loaded),
-                Edited::NeedsFiles(_) => Ok(loaded),
-            }
-        }
+        LoadRequest::Scene(scene) | LoadRequest::Refresh(scene) => read_settings(scene, files, limits),
+        LoadRequest::Restore(replaced) => read_settings(&replaced.document.scene, files, limits),
+    }
+}
+
+/// Loads a scene that was edited.
+fn read_settings(scene: &SceneSettings, files: &dyn FileSource, limits: &Limits) -> Result<Scene, String> {
+    let loaded = load::load_within(SceneFile::from(scene), Path::new(""), files, limits).map_err(|e| e.to_string())?;
+    // Loading adds lights to a scene without any; here the user removed them.
+    if !scene.lights.is_empty() || loaded.settings.lights.is_empty() {
+        return Ok(loaded);
+    }
+    let mut dark = loaded.settings.clone();
+    dark.lights.clear();
+    match edit::apply(&loaded, dark).map_err(|error| error.to_string())? {
+        Edited::Done(applied) => Ok(applied.loaded),
+        Edited::NeedsFiles(_) => Ok(loaded),
     }
 }
 

@@ -6,9 +6,11 @@ mod bench;
 mod exercise;
 pub mod loader;
 mod stations;
+pub mod unsaved;
 
 use crate::action::Action;
 use crate::app::bench::with_places;
+use crate::app::unsaved::ReplacedScene;
 use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names};
 use crate::bench::BenchView;
 use crate::document::{Document, History};
@@ -19,11 +21,11 @@ use crate::scene_view::drawing::PaneRenderer;
 use crate::session::{MessageCause, MessageSeverity, OwnShaders, Session, Tab};
 use crate::stations::StationRoom;
 use crate::truth::{TraceRequest, TracedPane};
-use crate::{exported, panels, scene_view, shortcuts, theme};
+use crate::{exported, focus, panels, scene_view, shortcuts, theme};
 use egui::Ui;
 use gonio_gl::Gl;
 use gonio_mesh::Severity as Found;
-use gonio_scene::Scene;
+use gonio_scene::{Scene, SceneSettings};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::FileSource;
 use gonio_scene::settings::CameraSettings;
@@ -45,6 +47,10 @@ pub struct App {
     /// The options that the scene was opened with, and its camera then.
     opened: SceneOpening,
     opened_camera: CameraSettings,
+    /// The scene as it was opened or saved last.
+    saved: SceneSettings,
+    /// An edited scene that another one has replaced.
+    replaced: Option<Box<ReplacedScene>>,
     /// Files that changed on disk and have not been reloaded.
     changed: Vec<PathBuf>,
     /// Watched files of the open scene.
@@ -105,6 +111,8 @@ impl App {
             files: platform.files(),
             opened: SceneOpening::default(),
             opened_camera: CameraSettings::default(),
+            saved: SceneSettings::default(),
+            replaced: None,
             changed: Vec::new(),
             read: Vec::new(),
             watched: Vec::new(),
@@ -187,8 +195,10 @@ impl App {
 
     /// One frame: input, actions, document, pictures, window.
     pub fn ui(&mut self, ui: &mut Ui) {
+        focus::allow_slow_double_clicks(ui.ctx());
         let reported = self.session.messages.count();
         self.frame(ui);
+        focus::ring(ui.ctx());
         // Messages of this frame are shown in the next one.
         if self.session.messages.count() != reported {
             ui.ctx().request_repaint();
@@ -394,6 +404,9 @@ impl App {
                 return;
             }
         };
+        if matches!(finished.requested, LoadRequest::Open(_) | LoadRequest::Restore(_)) {
+            self.keep_replaced();
+        }
         self.files = finished.files;
         self.read = finished.paths;
         self.watch(ctx);
@@ -410,6 +423,7 @@ impl App {
             self.session.messages.report_about(MessageCause::Scene, severity, file, found.to_string());
         }
         match finished.requested {
+            LoadRequest::Restore(replaced) => self.take_restored(*replaced),
             LoadRequest::Open(opening) => {
                 self.session.title = short(&opening.inputs);
                 self.session.clock = Default::default();
@@ -419,6 +433,7 @@ impl App {
                 self.session.announcement = format!("opened {}", self.session.title);
                 self.document = Document::from_scene(loaded.settings.clone());
                 self.history = History::new(&self.document);
+                self.saved = loaded.settings.clone();
                 self.opened_camera = loaded.settings.camera.clone();
                 self.remember(&opening.inputs);
                 self.opened = opening;
@@ -432,6 +447,7 @@ impl App {
                 self.session.unframed = loaded.camera_was_framed && !was_moved;
                 self.opened_camera = loaded.settings.camera.clone();
                 self.document.scene = loaded.settings.clone();
+                self.saved = loaded.settings.clone();
                 if was_moved {
                     // It is applied with the rest of the document below.
                     self.document.scene.camera = camera;

@@ -1,5 +1,6 @@
 //! The document: everything that is edited, saved and undone, as plain data; and its history.
 
+mod changes;
 mod pane;
 
 pub use pane::{
@@ -65,22 +66,24 @@ impl History {
         !self.redo.is_empty()
     }
 
-    /// Goes back one step; returns `false` if there is none. A gesture that has not ended is a step.
-    pub fn undo(&mut self, document: &mut Document) -> bool {
+    /// Goes back one step and describes it ("moved key light"); `None` if there is none. A gesture that has not ended is a step.
+    pub fn undo(&mut self, document: &mut Document) -> Option<String> {
         self.observe(document, false);
-        let Some(earlier) = self.undo.pop() else { return false };
+        let earlier = self.undo.pop()?;
+        let step = changes::description(&earlier, &self.settled);
         self.redo.push(std::mem::replace(&mut self.settled, earlier.clone()));
         *document = earlier;
-        true
+        Some(step)
     }
 
-    /// Goes forward one step; returns `false` if there is none.
-    pub fn redo(&mut self, document: &mut Document) -> bool {
+    /// Goes forward one step and describes it; `None` if there is none.
+    pub fn redo(&mut self, document: &mut Document) -> Option<String> {
         self.observe(document, false);
-        let Some(later) = self.redo.pop() else { return false };
+        let later = self.redo.pop()?;
+        let step = changes::description(&self.settled, &later);
         self.undo.push(std::mem::replace(&mut self.settled, later.clone()));
         *document = later;
-        true
+        Some(step)
     }
 
     /// Reverts to the last settled document, because a change since then cannot be applied.
@@ -108,10 +111,10 @@ mod tests {
             history.observe(&document, true);
         }
         history.observe(&document, false);
-        assert!(history.undo(&mut document));
+        assert_eq!(history.undo(&mut document).as_deref(), Some("changed the picture\'s settings"));
         assert_eq!(document, with_exposure(0.0));
-        assert!(!history.undo(&mut document));
-        assert!(history.redo(&mut document));
+        assert_eq!(history.undo(&mut document), None);
+        assert_eq!(history.redo(&mut document).as_deref(), Some("changed the picture\'s settings"));
         assert_eq!(document, with_exposure(5.0));
         assert!(!history.can_redo());
     }
@@ -122,11 +125,11 @@ mod tests {
         let mut history = History::new(&document);
         document = with_exposure(1.0);
         history.observe(&document, false);
-        assert!(history.undo(&mut document));
+        assert_eq!(history.undo(&mut document).as_deref(), Some("changed the picture\'s settings"));
         document = with_exposure(2.0);
         history.observe(&document, false);
-        assert!(!history.redo(&mut document));
-        assert!(history.undo(&mut document));
+        assert_eq!(history.redo(&mut document), None);
+        assert_eq!(history.undo(&mut document).as_deref(), Some("changed the picture\'s settings"));
         assert_eq!(document, with_exposure(0.0));
     }
 
@@ -137,7 +140,7 @@ mod tests {
         document = with_exposure(1.0);
         history.observe(&document, true);
         assert!(history.can_undo(&document));
-        assert!(history.undo(&mut document));
+        assert_eq!(history.undo(&mut document).as_deref(), Some("changed the picture\'s settings"));
         assert_eq!(document, with_exposure(0.0));
     }
 

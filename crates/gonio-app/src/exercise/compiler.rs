@@ -8,7 +8,9 @@ use crate::scene_view::drawing::PaneRenderer;
 use egui::Context;
 use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::ExerciseKind;
+use gonio_check::verdict::CompilerMessage;
 use gonio_exercises::preview::{Note, NoteKind, SubmittedPair};
+use gonio_exercises::step::{EndlessLoop, endless_loop};
 use std::time::Duration;
 use web_time::Instant;
 
@@ -118,8 +120,13 @@ impl Compiler {
         let key = ContentKey::new(&content);
         let outcome = self.trials.known(key).cloned();
         if let Some(TrialOutcome::Refused(reason)) = outcome {
+            let pair = SubmittedPair::gather(work.exercise, content.clone()).ok();
+            let found = pair.and_then(|pair| endless_loop(work.exercise, &pair));
             self.compiled = Some(content);
-            return refuse(work, reason);
+            let Some(found) = found else { return refuse(work, reason) };
+            refuse(work, format!("Not drawn: {found}"));
+            work.program.notes.push(note_of(&found));
+            return;
         }
         // The exercise's own files are harmless.
         if outcome.is_none() && platform.tries_every_pair() && !is_start(work, &content) {
@@ -193,6 +200,19 @@ impl Compiler {
         self.trials.poll();
         work.program.is_tried = self.trials.slow().is_some();
     }
+}
+
+/// A mark at the loop's line.
+fn note_of(found: &EndlessLoop) -> Note {
+    let message = CompilerMessage {
+        file: found.file.clone(),
+        line: Some(found.line),
+        column: None,
+        text: "this loop never ends".to_owned(),
+        quoted: None,
+        explanation: None,
+    };
+    Note { kind: NoteKind::Error, message }
 }
 
 /// Notes why the pair cannot be drawn; the last drawn one stays visible.

@@ -132,12 +132,12 @@ fn question(
 fn put_back(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     let before = work.before.last()?;
     ui.horizontal_wrapped(|ui| {
-        let unsaved = if before.files.iter().any(OpenFile::is_changed) { ", with unsaved changes" } else { "" };
-        let sentence = format!("Previously open: {}{unsaved}.", before.names_beside(&work.files));
+        let unsaved = if before.files.iter().any(OpenFile::is_changed) { " (unsaved)" } else { "" };
+        let sentence = format!("Replaced {}{unsaved}.", before.names_beside(&work.files));
         ui.add(Label::new(RichText::new(sentence).small().weak()).wrap());
-        let button = ui.small_button("Put back");
-        exported::note(ui, &button, "put-back", WidgetRole::Button, "Put back", work.before.len());
-        let tip = "Switch back to the files that were open before; these can be put back in the same way";
+        let button = ui.small_button("Restore");
+        exported::note(ui, &button, "put-back", WidgetRole::Button, "Restore", work.before.len());
+        let tip = "Switch back to the files that were open before; these can be restored in the same way";
         button.on_hover_text(tip).clicked().then_some(ExerciseCommand::PutBack)
     })
     .inner

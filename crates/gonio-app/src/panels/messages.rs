@@ -2,7 +2,7 @@
 
 use crate::action::Action;
 use crate::exported::{self, WidgetRole};
-use crate::session::{MessageSeverity, Messages, UserMessage};
+use crate::session::{MessageAnswer, MessageSeverity, Messages, UserMessage};
 use crate::theme::{self, colors, icons};
 use crate::widgets::icon_button;
 use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
@@ -95,6 +95,13 @@ fn row(ui: &mut Ui, message: &UserMessage, heading: Option<&str>, actions: &mut 
             ui.add_space(2.0);
             let label = ui.add(Label::new(text).wrap());
             exported::note(ui, &label, &format!("message-{}", message.id), WidgetRole::Text, &message.text, "");
+            if let Some(MessageAnswer::RestoreScene) = message.answer {
+                let restore = ui.small_button("Restore");
+                exported::note(ui, &restore, "restore-scene", WidgetRole::Button, "Restore", "");
+                if restore.clicked() {
+                    actions.push(Action::RestoreScene);
+                }
+            }
         });
         ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
             if icon_button(ui, &format!("dismiss-{}", message.id), icons::X, "Dismiss").clicked() {

@@ -82,7 +82,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
         if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, "Redo (Ctrl + Y)", history.can_redo()) {
             actions.push(Action::Redo);
         }
-        if icon(ui, "frame", icons::FRAME_CORNERS, "Frame all objects (F)", session.loaded.is_some()) {
+        if icon(ui, "frame", icons::FRAME_CORNERS, "Frame all (F)", session.loaded.is_some()) {
             actions.push(Action::Frame);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

@@ -23,10 +23,19 @@ pub enum MessageCause {
     Scene,
     /// Files that were dropped on an exercise; gone when others are taken, or another exercise is begun.
     ExerciseFiles,
-    /// Files that were dropped on the BRDF bench; gone when others are.
+    /// A file that was dropped on the BRDF bench; gone when it is read again.
     BenchFiles,
     /// Unsaved text when the window was to be closed; gone when it is saved.
     Closing,
+    /// An edited scene was replaced; gone when it is restored or replaced by a newer one.
+    Replaced,
+}
+
+/// What can be done about a message, as a button beside it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MessageAnswer {
+    /// Restores the edited scene that another one has replaced.
+    RestoreScene,
 }
 
 /// A message of one sentence.
@@ -44,6 +53,8 @@ pub struct UserMessage {
     pub text: String,
     /// Number of times that it was reported.
     pub times: u32,
+    /// What can be done about it.
+    pub answer: Option<MessageAnswer>,
 }
 
 /// Messages that have not been dismissed.
@@ -72,8 +83,15 @@ impl Messages {
         let text = text.into();
         let known = self.list.iter().position(|m| m.severity == severity && m.text == text);
         let times = known.map_or(0, |known| self.list.remove(known).times) + 1;
-        self.list.push(UserMessage { id: self.next, severity, cause, file, text, times });
+        self.list.push(UserMessage { id: self.next, severity, cause, file, text, times, answer: None });
         self.next += 1;
+    }
+
+    /// Adds a button to the message that was reported last.
+    pub fn answer_last(&mut self, answer: MessageAnswer) {
+        if let Some(last) = self.list.last_mut() {
+            last.answer = Some(answer);
+        }
     }
 
     /// Removes a message.
@@ -89,6 +107,12 @@ impl Messages {
     /// Removes the messages of a cause that is gone.
     pub fn clear(&mut self, cause: MessageCause) {
         self.list.retain(|message| message.cause != cause);
+    }
+
+    /// Removes the messages of a cause that begin with this file's name, because the file is read again.
+    pub fn clear_of_file(&mut self, cause: MessageCause, file: &str) {
+        let is_about = |text: &str| text.strip_prefix(file).is_some_and(|rest| rest.starts_with(':'));
+        self.list.retain(|message| message.cause != cause || !is_about(&message.text));
     }
 
     /// Removes the messages with this text, which no longer hold.
@@ -154,6 +178,12 @@ mod tests {
         messages.clear(MessageCause::Closing);
         let left: Vec<&str> = messages.list().iter().map(|message| message.text.as_str()).collect();
         assert_eq!(left, ["Event", "Opening"]);
+        for text in ["a.glsl: no main", "b.glsl: no main"] {
+            messages.report_about(MessageCause::BenchFiles, MessageSeverity::Error, None, text);
+        }
+        messages.clear_of_file(MessageCause::BenchFiles, "a.glsl");
+        assert_eq!(messages.list().len(), 3);
+        assert_eq!(messages.last_error(), Some("b.glsl: no main"));
     }
 
     #[test]

@@ -9,7 +9,7 @@ mod settings;
 
 pub use comparison::PaneComparison;
 pub use equation::{BeforeAlone, EquationView, Term};
-pub use messages::{MessageCause, MessageSeverity, Messages, UserMessage};
+pub use messages::{MessageAnswer, MessageCause, MessageSeverity, Messages, UserMessage};
 pub use own_shaders::OwnShaders;
 pub use probing::Probing;
 pub use settings::Settings;

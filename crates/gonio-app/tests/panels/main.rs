@@ -205,7 +205,7 @@ impl Bench {
 
     pub fn undo(&mut self) {
         let app = self.app();
-        assert!(app.history.undo(&mut app.document), "nothing to undo");
+        assert!(app.history.undo(&mut app.document).is_some(), "nothing to undo");
         self.settle();
     }
 }

@@ -164,7 +164,10 @@ pub(crate) fn drawn_unless_endless<T: Numbers>(
     Ok(seen)
 }
 
+/// The summary of the verdict on a program with an endless loop.
+pub const ENDLESS: &str = "a loop in a shader never ends";
+
 /// Returns the verdict on a program with an endless loop.
 pub(crate) fn endless_verdict(exercise: &str) -> Verdict {
-    Verdict::new(exercise, Outcome::Unsure, "a loop in a shader never ends")
+    Verdict::new(exercise, Outcome::Unsure, ENDLESS)
 }

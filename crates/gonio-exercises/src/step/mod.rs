@@ -5,6 +5,7 @@
 //! own shaders run on any scene ([`UserPair`]), with the values of [`gonio_check::user_shaders`].
 
 mod coverage;
+mod endless;
 mod listing;
 mod pair;
 mod picture;
@@ -19,6 +20,7 @@ mod value;
 #[cfg(test)]
 mod tests;
 
+pub use endless::{EndlessLoop, endless_loop};
 pub use listing::{ListedCondition, ListedLine, ListedPlace, ListedStep, ListedVariable, StepListing};
 pub use pair::{PixelSurface, StepOptions, StepWork, SteppedPair, SteppedScene, SteppedStage};
 pub use picture::{ExpressionMapping, ExpressionPicture, NEVER_WRITTEN_COLOUR, PictureBeside};

@@ -118,16 +118,16 @@ fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
     });
     let tip = "Applied last, in world units";
     let mut translate = spec.translate;
-    row(ui, "Translate", tip, |ui| {
-        Vector::new(&id("translate"), "translate").tip(tip).default([0.0; 3]).show(ui, &mut translate)
+    row(ui, "Translation", tip, |ui| {
+        Vector::new(&id("translate"), "translation").tip(tip).default([0.0; 3]).show(ui, &mut translate)
     });
     if translate != spec.translate {
         spec.move_to(translate);
     }
     let tip = "About the world's x, then y, then z axis";
-    row(ui, "Rotate", tip, |ui| {
+    row(ui, "Rotation", tip, |ui| {
         let id = id("rotate");
-        let vector = Vector::new(&id, "rotate").tip(tip).unit("\u{b0}").default([0.0; 3]);
+        let vector = Vector::new(&id, "rotation").tip(tip).unit("\u{b0}").default([0.0; 3]);
         vector.range(-36000.0..=36000.0).step(0.5).show(ui, &mut spec.rotate)
     });
     let before = spec.scale;

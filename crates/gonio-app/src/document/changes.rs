@@ -1,0 +1,131 @@
+//! A change of the document in words, for undo and redo.
+
+use super::Document;
+use gonio_scene::SceneSettings;
+use gonio_scene::scene_file::ObjectSpec;
+use gonio_scene::settings::LightSettings;
+
+/// Describes the step between two documents as a past participle with its object: "moved key light".
+pub fn description(before: &Document, after: &Document) -> String {
+    if before.scene != after.scene {
+        return of_scenes(&before.scene, &after.scene);
+    }
+    match (before.panes.list.len(), after.panes.list.len()) {
+        (fewer, more) if fewer < more => "added a pane".to_owned(),
+        (more, fewer) if fewer < more => "removed a pane".to_owned(),
+        _ if before.panes.arrangement != after.panes.arrangement => "changed the arrangement of the panes".to_owned(),
+        _ => "changed what a pane shows".to_owned(),
+    }
+}
+
+fn of_scenes(before: &SceneSettings, after: &SceneSettings) -> String {
+    let names = |lights: &[LightSettings]| lights.iter().map(|light| light.name.clone()).collect::<Vec<_>>();
+    let light = "light";
+    if let Some(change) = of_lists(&names(&before.lights), &names(&after.lights), light) {
+        return change;
+    }
+    let names = |objects: &[ObjectSpec]| objects.iter().map(|object| object.name.clone()).collect::<Vec<_>>();
+    if let Some(change) = of_lists(&names(&before.objects), &names(&after.objects), "object") {
+        return change;
+    }
+    let lights = before.lights.iter().zip(&after.lights).enumerate().find(|(_, (before, after))| before != after);
+    if let Some((index, (before, after))) = lights {
+        return format!("{} {}", of_light(before, after), named(&after.name, light, index));
+    }
+    let objects = before.objects.iter().zip(&after.objects).enumerate().find(|(_, (before, after))| before != after);
+    if let Some((index, (before, after))) = objects {
+        return format!("{} {}", of_object(before, after), named(&after.name, "object", index));
+    }
+    let what = if before.equation != after.equation {
+        "changed the equation"
+    } else if before.environment != after.environment {
+        "changed the environment"
+    } else if before.background != after.background {
+        "changed the background"
+    } else if before.picture != after.picture {
+        "changed the picture's settings"
+    } else {
+        "moved the camera"
+    };
+    what.to_owned()
+}
+
+/// What was added to or removed from a list of names; `None` if it has as many.
+fn of_lists(before: &[String], after: &[String], kind: &str) -> Option<String> {
+    let (verb, longer, shorter) = match before.len().cmp(&after.len()) {
+        std::cmp::Ordering::Less => ("added", after, before),
+        std::cmp::Ordering::Greater => ("removed", before, after),
+        std::cmp::Ordering::Equal => return None,
+    };
+    let index = longer.iter().zip(shorter).take_while(|(a, b)| a == b).count();
+    let name = longer.get(index).map_or("", String::as_str);
+    Some(format!("{verb} {}", named(name, kind, index)))
+}
+
+/// A name, or the kind and number of something without one.
+fn named(name: &str, kind: &str, index: usize) -> String {
+    if name.is_empty() { format!("{kind} {}", index + 1) } else { name.to_owned() }
+}
+
+fn of_light(before: &LightSettings, after: &LightSettings) -> &'static str {
+    if before.enabled != after.enabled {
+        if after.enabled { "switched on" } else { "switched off" }
+    } else if before.position != after.position {
+        "moved"
+    } else if before.direction != after.direction {
+        "turned"
+    } else if before.name != after.name {
+        "renamed"
+    } else if before.color != after.color || before.spectrum != after.spectrum {
+        "changed the colour of"
+    } else if before.intensity != after.intensity {
+        "changed the intensity of"
+    } else {
+        "changed"
+    }
+}
+
+fn of_object(before: &ObjectSpec, after: &ObjectSpec) -> &'static str {
+    if before.translate != after.translate {
+        "moved"
+    } else if before.rotate != after.rotate {
+        "turned"
+    } else if before.scale != after.scale {
+        "scaled"
+    } else if before.name != after.name {
+        "renamed"
+    } else if before.material != after.material {
+        "changed the material of"
+    } else {
+        "changed"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gonio_scene::scene_file::LightSourceKind;
+
+    #[test]
+    fn a_step_is_described_by_what_it_changed() {
+        let mut key = LightSettings::new(LightSourceKind::Point);
+        key.name = "key light".to_owned();
+        let mut before = Document::default();
+        before.scene.lights = vec![key.clone(), LightSettings::new(LightSourceKind::Point)];
+        before.scene.objects = vec![ObjectSpec { name: "cube".into(), ..ObjectSpec::default() }];
+        let change = |edit: &dyn Fn(&mut Document)| {
+            let mut after = before.clone();
+            edit(&mut after);
+            description(&before, &after)
+        };
+        assert_eq!(change(&|d| d.scene.lights[0].position = Some([1.0; 3])), "moved key light");
+        assert_eq!(change(&|d| d.scene.lights[1].enabled = !d.scene.lights[1].enabled), "switched off light 2");
+        assert_eq!(change(&|d| drop(d.scene.lights.remove(0))), "removed key light");
+        assert_eq!(change(&|d| d.scene.lights.push(key.clone())), "added key light");
+        assert_eq!(change(&|d| d.scene.objects[0].rotate[1] = 4.0), "turned cube");
+        assert_eq!(change(&|d| d.scene.equation.diffuse = false), "changed the equation");
+        assert_eq!(change(&|d| d.scene.picture.exposure = 2.0), "changed the picture's settings");
+        assert_eq!(change(&|d| d.scene.camera.position = [9.0; 3]), "moved the camera");
+        assert_eq!(change(&|d| d.panes.pair = [0, 0]), "changed what a pane shows");
+    }
+}
