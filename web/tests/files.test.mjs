@@ -81,6 +81,13 @@ test("a model without its materials is shown, and the file that lacks is named u
   await lab.drop(MODEL, MATERIALS);
   const told = await lab.until((state) => settled(state) && state.messages.length > 0);
   assert.ok(told.messages.some(({ severity, text }) => severity === "warning" && text.includes("paint.png")), JSON.stringify(told.messages));
+  // It is adopted when it is dropped later, not taken for an environment.
+  await lab.drop(TEXTURE);
+  const adopted = await lab.until((state) => settled(state) && state.messages.length === 0);
+  assert.deepEqual([adopted.title, adopted.scene.environment ?? null], ["square.obj", told.scene.environment ?? null]);
+  await lab.rest();
+  const [greenLater, magentaLater] = painted(await lab.saved());
+  assert.ok(greenLater > 0.05 && magentaLater > 0.05, `${greenLater} green, ${magentaLater} magenta`);
 }, options);
 
 test("a file that cannot be read leaves everything as it was, and says where it is broken", async (lab) => {

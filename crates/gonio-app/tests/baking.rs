@@ -131,7 +131,14 @@ fn a_bake_is_cancelled_by_its_button_and_by_another_scene() {
     window.click("bake-start");
     window.until("a step", |s| s["bake"]["running"] == true);
     let files: Arc<dyn FileSource> = Arc::new(BuiltinOnly);
-    let input = SceneInput { inputs: vec!["builtin:cube".into()], environment: None, shaders: None, files };
+    let input = SceneInput {
+        inputs: vec!["builtin:cube".into()],
+        environment: None,
+        shaders: None,
+        names: Vec::new(),
+        problem: None,
+        files,
+    };
     window.here.coming.borrow_mut().push(Event::Open(input));
     let state = window.until("the cube", |s| s["title"] == "cube" || s["title"] == "builtin:cube");
     assert_eq!(state["bake"]["running"], false);

@@ -6,6 +6,7 @@ mod support;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2, vec2};
 use glam::DVec3;
 use gonio_app::exported;
+use gonio_app::platform::{Event as PlatformEvent, SceneInput};
 use gonio_app::session::{Selection, Tab};
 use gonio_app::truth::{PixelLight, TraceFacts, TracedPane};
 use gonio_reference::ReferenceScene;
@@ -444,6 +445,42 @@ fn an_edited_scene_that_was_replaced_is_restored_with_its_history() {
     assert_eq!(window.app().document().scene.lights, original.lights, "its steps can still be undone");
     let told = window.app().session().announcement.clone();
     assert!(told.starts_with("Undone: moved "), "{told}");
+}
+
+#[test]
+fn sidecars_that_are_dropped_later_are_adopted() {
+    let mut window = Window::open("sidecars");
+    let drop = |window: &mut Window, files: &[(&str, &str)]| {
+        let mut memory = gonio_app::files::MemoryFiles::default();
+        files.iter().for_each(|(name, text)| memory.insert(name, text.as_bytes().to_vec()));
+        let input = SceneInput::gathered(memory.names(), std::sync::Arc::new(memory));
+        window.here.coming.borrow_mut().push(PlatformEvent::Open(input));
+        window.steps(2);
+    };
+    let warnings = |window: &Window| -> Vec<String> {
+        window.app().session().messages.list().iter().map(|message| message.text.clone()).collect()
+    };
+    drop(&mut window, &[("m/t.obj", "mtllib red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n")]);
+    window.wait_for_title("t.obj");
+    assert!(warnings(&window).iter().any(|text| text.contains("red.mtl")), "{:?}", warnings(&window));
+    let shown = |window: &Window| {
+        let loaded = window.app().session().loaded.clone().unwrap();
+        loaded.materials_in_file(0).first().map(|material| material.diffuse)
+    };
+    let before = shown(&window);
+    // Another file is not adopted, and says so.
+    drop(&mut window, &[("other.mtl", "newmtl other\n")]);
+    assert!(warnings(&window).iter().any(|text| text.contains("`other.mtl` belongs to a model")));
+    drop(&mut window, &[("Red.mtl", "newmtl red\nKd 1 0 0\n")]);
+    for _ in 0..200 {
+        window.steps(2);
+        if warnings(&window).is_empty() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    assert_eq!((warnings(&window), window.app().session().title.as_str()), (Vec::new(), "t.obj"));
+    assert_ne!(shown(&window), before);
 }
 
 impl Window {

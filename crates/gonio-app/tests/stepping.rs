@@ -255,7 +255,7 @@ fn drop_files(window: &mut Window, files: &[(&str, &str)]) {
     let mut memory = MemoryFiles::default();
     files.iter().for_each(|(name, text)| memory.insert(name, text.as_bytes().to_vec()));
     let GatheredInputs { inputs, environment, shaders } = gather(&memory.names(), &memory).unwrap();
-    let input = SceneInput { inputs, environment, shaders, files: Arc::new(memory) };
+    let input = SceneInput { inputs, environment, shaders, names: Vec::new(), problem: None, files: Arc::new(memory) };
     window.here.coming.borrow_mut().push(PlatformEvent::Open(input));
     window.steps(3);
 }

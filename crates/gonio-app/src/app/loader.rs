@@ -51,6 +51,8 @@ pub struct LoadOutcome {
     pub files: Arc<dyn FileSource>,
     /// The paths that were read.
     pub paths: Vec<PathBuf>,
+    /// Those at which there is no file.
+    pub missing: Vec<PathBuf>,
     /// The scene, or an error in one sentence.
     pub result: Result<Scene, String>,
 }
@@ -153,8 +155,8 @@ impl Job {
     }
 
     fn finished(self, result: Result<Scene, String>) -> (u64, LoadOutcome) {
-        let paths = self.recording.paths();
-        (self.number, LoadOutcome { requested: self.requested, files: self.files, paths, result })
+        let (paths, missing) = (self.recording.paths(), self.recording.missing());
+        (self.number, LoadOutcome { requested: self.requested, files: self.files, paths, missing, result })
     }
 }
 

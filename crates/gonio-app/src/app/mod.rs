@@ -10,12 +10,12 @@ pub mod unsaved;
 
 use crate::action::Action;
 use crate::app::bench::with_places;
-use crate::app::unsaved::ReplacedScene;
 use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names};
+use crate::app::unsaved::ReplacedScene;
 use crate::bench::BenchView;
 use crate::document::{Document, History};
 use crate::exercise::ExerciseView;
-use crate::files::{Layered, short};
+use crate::files::{Adopted, Layered, base_name, short};
 use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::session::{MessageCause, MessageSeverity, OwnShaders, Session, Tab};
@@ -25,10 +25,10 @@ use crate::{exported, focus, panels, scene_view, shortcuts, theme};
 use egui::Ui;
 use gonio_gl::Gl;
 use gonio_mesh::Severity as Found;
-use gonio_scene::{Scene, SceneSettings};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::FileSource;
 use gonio_scene::settings::CameraSettings;
+use gonio_scene::{Scene, SceneSettings};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use web_time::Instant;
@@ -55,6 +55,8 @@ pub struct App {
     changed: Vec<PathBuf>,
     /// Watched files of the open scene.
     read: Vec<PathBuf>,
+    /// Files that the open scene names and that were not found.
+    missing: Vec<PathBuf>,
     /// Watched files of the exercises.
     watched: Vec<PathBuf>,
     /// Whether closing the window was refused once because of unsaved text.
@@ -115,6 +117,7 @@ impl App {
             replaced: None,
             changed: Vec::new(),
             read: Vec::new(),
+            missing: Vec::new(),
             watched: Vec::new(),
             asked_to_close: false,
             platform,
@@ -346,9 +349,16 @@ impl App {
     /// Handles an event of the platform.
     fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
-            Event::Open(SceneInput { shaders: Some(shaders), inputs, environment, files }) => {
-                self.open_shaders(ctx, shaders, files.clone());
-                self.handle(ctx, Event::Open(SceneInput { shaders: None, inputs, environment, files }));
+            Event::Open(input) if input.inputs.is_empty() && input.shaders.is_none() && self.lacks(&input.names) => {
+                self.adopt(ctx, &input);
+            }
+            Event::Open(SceneInput { problem: Some(problem), .. }) => {
+                self.session.messages.report_about(MessageCause::Opening, MessageSeverity::Error, None, problem);
+            }
+            Event::Open(input @ SceneInput { shaders: Some(_), .. }) => {
+                let SceneInput { shaders, files, .. } = input.clone();
+                self.open_shaders(ctx, shaders.unwrap_or_default(), files);
+                self.handle(ctx, Event::Open(SceneInput { shaders: None, ..input }));
             }
             Event::Open(SceneInput { inputs, environment, files, .. }) if !inputs.is_empty() => {
                 self.stations.leave();
@@ -369,6 +379,21 @@ impl App {
                 self.session.messages.report_about(MessageCause::Opening, MessageSeverity::Error, None, error);
             }
         }
+    }
+
+    /// Whether the open scene names files that were not found and that are among these.
+    fn lacks(&self, names: &[String]) -> bool {
+        let lower = |name: &str| base_name(name).to_lowercase();
+        let missing: Vec<String> = self.missing.iter().map(|path| lower(&path.to_string_lossy())).collect();
+        self.session.loaded.is_some() && names.iter().any(|name| missing.contains(&lower(name)))
+    }
+
+    /// Reads the open scene again, with files that it lacked.
+    fn adopt(&mut self, ctx: &egui::Context, input: &SceneInput) {
+        let files = Arc::new(Adopted::new(self.files.clone(), input.files.clone(), &input.names));
+        self.session.busy = Some(format!("reading {}", short(&input.names)));
+        let request = LoadRequest::Refresh(Box::new(self.document.scene.clone()));
+        self.loader.start(request, files, self.opened.limits, ctx);
     }
 
     /// Reloads files that changed on disk. A changed scene file replaces the document's scene; for other files the
@@ -408,7 +433,7 @@ impl App {
             self.keep_replaced();
         }
         self.files = finished.files;
-        self.read = finished.paths;
+        (self.read, self.missing) = (finished.paths, finished.missing);
         self.watch(ctx);
         self.session.messages.clear(MessageCause::Scene);
         if !matches!(finished.requested, LoadRequest::Scene(_)) {

@@ -45,7 +45,8 @@ fn tabs(ui: &mut Ui, work: &mut Work) {
             let mut label = RichText::new(name);
             match worst {
                 Some(MarkKind::Error) => label = label.color(colors::ERROR.of(ui)),
-                Some(_) => label = label.color(colors::WARNING.of(ui)),
+                Some(MarkKind::Mistake) => label = label.color(colors::WRONG.of(ui)),
+                Some(MarkKind::Warning) => label = label.color(colors::WARNING.of(ui)),
                 None if chosen => label = label.color(ui.visuals().strong_text_color()),
                 None => {}
             }

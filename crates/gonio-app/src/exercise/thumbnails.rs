@@ -3,10 +3,13 @@
 use super::preview::BACKGROUND;
 use crate::scene_view::drawing::PaneRenderer;
 use gonio_exercises::exercise::{Exercise, ExerciseKind};
-use gonio_exercises::preview::{self, CompiledPair, PreviewRenderer, PreviewShape, SubmittedPair};
+use gonio_exercises::preview::{self, CompiledPair, Eye, PreviewRenderer, PreviewShape, SubmittedPair};
 use gonio_gl::{Gl, GlError};
 use gonio_render::{DisplayTexture, Presentation};
 use std::collections::BTreeMap;
+
+/// The field of view, as a share of the scene's own.
+const ZOOM: f32 = 0.72;
 
 /// The pictures that were drawn, in one OpenGL context.
 pub struct Thumbnails {
@@ -54,7 +57,10 @@ impl Thumbnails {
         let pair = preview::reference(exercise).ok().and_then(|pair| pair.compile(&self.gl).ok());
         let (Some(pair), Some(scene)) = (pair, preview::scenes(exercise).into_iter().next()) else { return Ok(None) };
         self.renderer.prepare(&scene)?;
-        let objects = scene.test_scenes(&scene.eye, 0.0, size);
+        // Objects fill more of a small picture than of a large one.
+        let zoom = if scene.looks_around { 1.0 } else { ZOOM };
+        let eye = Eye { fov_rad: scene.eye.fov_rad * zoom, ..scene.eye };
+        let objects = scene.test_scenes(&eye, 0.0, size);
         let mut texture = DisplayTexture::new(&self.gl, size)?;
         panes.renderer().paint_user_program(&mut texture, size, BACKGROUND, || {
             if let (Some(sky), Some((_, first)), true) = (&self.sky, objects.first(), scene.has_sky) {

@@ -16,7 +16,7 @@ pub mod zip;
 
 pub use gathered::{GatheredInputs, gather};
 pub use memory::MemoryFiles;
-pub use sources::{Layered, ReadRecorder};
+pub use sources::{Adopted, Layered, ReadRecorder};
 pub use zip::pack;
 
 use gonio_check::submission::SourceFile;

@@ -1,7 +1,9 @@
-//! Sources of files on top of others: one source before another, and a record of the files that were read.
+//! Sources of files on top of others: one source before another, files that were dropped later, and a record of the files that
+//! were read.
 
+use super::base_name;
 use gonio_scene::files::{FileBytes, FileSource};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -45,6 +47,47 @@ impl FileSource for Layered {
     }
 }
 
+/// A source, and beside it files that were dropped later: they are found by their names alone, in whatever folder a model looks
+/// for them.
+pub struct Adopted {
+    first: Arc<dyn FileSource>,
+    later: Arc<dyn FileSource>,
+    /// Paths in `later` by name, in lower case.
+    names: BTreeMap<String, PathBuf>,
+}
+
+impl Adopted {
+    /// Adds the files `names` of `later` to those of `first`, which go before.
+    pub fn new(first: Arc<dyn FileSource>, later: Arc<dyn FileSource>, names: &[String]) -> Self {
+        let named = |name: &String| (base_name(name).to_lowercase(), PathBuf::from(name));
+        Adopted { first, later, names: names.iter().map(named).collect() }
+    }
+}
+
+impl FileSource for Adopted {
+    fn read_within(&self, path: &Path, most: u64) -> Result<FileBytes, Error> {
+        match self.first.read_within(path, most) {
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                let name = base_name(&path.to_string_lossy()).to_lowercase();
+                self.names.get(&name).map_or(Err(error), |later| self.later.read_within(later, most))
+            }
+            other => other,
+        }
+    }
+
+    fn list(&self, folder: &Path) -> Vec<PathBuf> {
+        self.first.list(folder)
+    }
+
+    fn builtin(&self, name: &str) -> Option<FileBytes> {
+        self.first.builtin(name)
+    }
+
+    fn is_coming(&self, name: &str) -> bool {
+        self.first.is_coming(name)
+    }
+}
+
 /// Most files that are recorded, because watching more would be too expensive.
 const MOST: usize = 2000;
 
@@ -57,6 +100,7 @@ pub struct ReadRecorder {
 #[derive(Default)]
 struct Requests {
     paths: BTreeSet<PathBuf>,
+    missing: BTreeSet<PathBuf>,
     files: usize,
     bytes: u64,
     /// Built-in files that had not arrived yet.
@@ -72,6 +116,11 @@ impl ReadRecorder {
     /// The requested paths, each once.
     pub fn paths(&self) -> Vec<PathBuf> {
         self.lock().paths.iter().cloned().collect()
+    }
+
+    /// The requested paths at which there is no file.
+    pub fn missing(&self) -> Vec<PathBuf> {
+        self.lock().missing.iter().cloned().collect()
     }
 
     /// Number of files read so far, and their bytes.
@@ -103,9 +152,15 @@ impl FileSource for ReadRecorder {
         if requests.paths.len() < MOST {
             requests.paths.insert(path.to_owned());
         }
-        if let Ok(bytes) = &read {
-            requests.files += 1;
-            requests.bytes += bytes.len() as u64;
+        match &read {
+            Ok(bytes) => {
+                requests.files += 1;
+                requests.bytes += bytes.len() as u64;
+            }
+            Err(error) if error.kind() == ErrorKind::NotFound && requests.missing.len() < MOST => {
+                requests.missing.insert(path.to_owned());
+            }
+            Err(_) => {}
         }
         read
     }
@@ -204,5 +259,18 @@ mod tests {
         assert!(recording.read(Path::new("a.obj")).is_ok());
         recording.forget();
         assert_eq!((recording.amount(), recording.paths()), ((0, 0), Vec::new()));
+    }
+
+    #[test]
+    fn a_file_that_was_dropped_later_is_found_by_its_name() {
+        let model = one("model/cube.obj", "cube");
+        let later = one("Downloads/Wood.png", "wood");
+        let record = ReadRecorder::new(model.clone());
+        let wanted = Path::new("model/textures/wood.PNG");
+        assert!(record.read(wanted).is_err() && record.read(Path::new("model/cube.obj")).is_ok());
+        assert_eq!(record.missing(), [wanted.to_owned()]);
+        let both = Adopted::new(model, later.clone(), &later.names());
+        assert_eq!(both.read(wanted).unwrap().into_vec(), b"wood");
+        assert!(both.read(Path::new("model/stone.png")).is_err());
     }
 }

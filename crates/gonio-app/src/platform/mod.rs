@@ -7,7 +7,7 @@ pub mod web;
 
 use crate::baking::{BakeRequest, BakeTask};
 use crate::files::link::StationLink;
-use crate::files::{ExerciseFile, ShaderFiles};
+use crate::files::{ExerciseFile, GatheredInputs, ShaderFiles, gather};
 use crate::saving::Product;
 use crate::session::Settings;
 use crate::stations::StationTask;
@@ -29,8 +29,23 @@ pub struct SceneInput {
     pub environment: Option<String>,
     /// The user's own shaders.
     pub shaders: Option<ShaderFiles>,
+    /// The names of all files, which may be sidecars that the open scene lacks.
+    pub names: Vec<String>,
+    /// The reason why none of them is opened by itself, in one sentence.
+    pub problem: Option<String>,
     /// The source of these files and of those beside them.
     pub files: Arc<dyn FileSource>,
+}
+
+impl SceneInput {
+    /// Finds the inputs among files of `files`.
+    pub fn gathered(names: Vec<String>, files: Arc<dyn FileSource>) -> Self {
+        let (GatheredInputs { inputs, environment, shaders }, problem) = match gather(&names, &*files) {
+            Ok(gathered) => (gathered, None),
+            Err(problem) => (GatheredInputs::default(), Some(problem)),
+        };
+        SceneInput { inputs, environment, shaders, names, problem, files }
+    }
 }
 
 /// The purpose of opened files.

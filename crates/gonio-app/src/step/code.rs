@@ -195,7 +195,8 @@ fn numbers(ui: &Ui, output: &TextEditOutput, marks: &[Mark], gutter: f32, id: Id
 fn tint(kind: MarkKind) -> colors::Tint {
     match kind {
         MarkKind::Error => colors::ERROR,
-        MarkKind::Mistake | MarkKind::Warning => colors::WARNING,
+        MarkKind::Mistake => colors::WRONG,
+        MarkKind::Warning => colors::WARNING,
     }
 }
 

@@ -66,7 +66,9 @@ mod tests {
         };
         assert_eq!(found(&|_, text| text.to_owned()), None);
         let begin = "void main() {";
-        for (name, end) in [("reference.vert", "while (true) { }"), ("reference.frag", "for (int i = 0; i < 5; i *= 2) { }")] {
+        for (name, end) in
+            [("reference.vert", "while (true) { }"), ("reference.frag", "for (int i = 0; i < 5; i *= 2) { }")]
+        {
             let change = |of: &str, text: &str| match of == name {
                 true => text.replace(begin, &format!("{begin}\n{end}")),
                 false => text.to_owned(),

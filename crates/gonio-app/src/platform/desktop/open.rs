@@ -1,7 +1,7 @@
 //! Opens files on disk in a thread: the model among several files, or a student's files; both in folders and zip files.
 
 use super::Access;
-use crate::files::{ExerciseFile, GatheredInputs, Layered, MemoryFiles, gather, zip};
+use crate::files::{ExerciseFile, Layered, MemoryFiles, zip};
 use crate::platform::{Event, Purpose, SceneInput};
 use gonio_scene::files::{Disk, FileSource, Sandbox};
 use std::path::Path;
@@ -47,8 +47,7 @@ fn scene_input(paths: Vec<String>, access: Access) -> Result<SceneInput, String>
     }
     names.extend(memory.names());
     let files = if memory.is_empty() { disk } else { Arc::new(Layered { first: Arc::new(memory), then: disk }) };
-    let GatheredInputs { inputs, environment, shaders } = gather(&names, &*files)?;
-    Ok(SceneInput { inputs, environment, shaders, files })
+    Ok(SceneInput::gathered(names, files))
 }
 
 fn files_in(folder: &str) -> Vec<String> {

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::baking::{BakeRequest, BakeTask};
 use crate::files::link::StationLink;
-use crate::files::{ExerciseFile, GatheredInputs, Layered, MemoryFiles, gather, link, zip};
+use crate::files::{ExerciseFile, Layered, MemoryFiles, link, zip};
 use crate::saving::Product;
 use crate::session::Settings;
 use crate::stations::StationTask;
@@ -105,7 +105,7 @@ impl Web {
         let (page, events, ctx) = (self.files.clone(), self.events.clone(), ctx.clone());
         wasm_bindgen_futures::spawn_local(async move {
             let event = match (unpacked(files).await, purpose) {
-                (Ok(memory), Purpose::Scene) => scene_input(memory, page).map(Event::Open),
+                (Ok(memory), Purpose::Scene) => Ok(Event::Open(scene_input(memory, page))),
                 (Ok(memory), Purpose::Exercise) => exercise_files(&memory).map(Event::ExerciseFiles),
                 (Ok(memory), Purpose::Bench) => exercise_files(&memory)
                     .map(|files| Event::BenchFiles(files.into_iter().map(|file| (file.name, file.bytes)).collect())),
@@ -143,11 +143,11 @@ fn exercise_files(memory: &MemoryFiles) -> Result<Vec<ExerciseFile>, String> {
     memory.names().into_iter().map(file).collect()
 }
 
-fn scene_input(memory: MemoryFiles, page: PageFiles) -> Result<SceneInput, String> {
-    let GatheredInputs { inputs, environment, shaders } = gather(&memory.names(), &memory)?;
+fn scene_input(memory: MemoryFiles, page: PageFiles) -> SceneInput {
+    let names = memory.names();
     // Scenes may also name built-in models, which the page fetches.
     let files = Arc::new(Layered { first: Arc::new(memory), then: Arc::new(page) });
-    Ok(SceneInput { inputs, environment, shaders, files })
+    SceneInput::gathered(names, files)
 }
 
 impl Platform for Web {
