@@ -29,26 +29,24 @@ pub fn show(ui: &mut Ui, messages: &Messages, actions: &mut Vec<Action>) {
         if count > 1 {
             header(ui, messages, actions);
         }
-        ScrollArea::vertical().id_salt("message list").max_height(most_height).auto_shrink([false, true]).show(
-            ui,
-            |ui| {
-                let mut left = if messages.is_expanded { usize::MAX } else { FEW };
-                for (file, group) in &groups {
-                    if left == 0 {
-                        break;
-                    }
-                    let heading = file.filter(|_| group.len() > 1);
-                    if let Some(file) = heading {
-                        let text = format!("{file}: {} messages", group.len());
-                        ui.add(Label::new(RichText::new(text).small().weak()).truncate());
-                    }
-                    for message in group.iter().take(left) {
-                        row(ui, message, heading, actions);
-                    }
-                    left -= left.min(group.len());
+        let list = ScrollArea::vertical().id_salt("message list").auto_shrink([false, true]);
+        list.max_height(most_height).min_scrolled_height(most_height).show(ui, |ui| {
+            let mut left = if messages.is_expanded { usize::MAX } else { FEW };
+            for (file, group) in &groups {
+                if left == 0 {
+                    break;
                 }
-            },
-        );
+                let heading = file.filter(|_| group.len() > 1);
+                if let Some(file) = heading {
+                    let text = format!("{file}: {} messages", group.len());
+                    ui.add(Label::new(RichText::new(text).small().weak()).truncate());
+                }
+                for message in group.iter().take(left) {
+                    row(ui, message, heading, actions);
+                }
+                left -= left.min(group.len());
+            }
+        });
     });
 }
 
@@ -86,6 +84,10 @@ fn row(ui: &mut Ui, message: &UserMessage, heading: Option<&str>, actions: &mut 
         let color = tint.of(ui);
         ui.label(RichText::new(icon).font(theme::icon_font(16.0)).color(color));
         let mut text = shortened(&message.text, heading).to_owned();
+        if message.severity == MessageSeverity::Warning {
+            // The icon says so.
+            text = text.replacen("warning: ", "", 1);
+        }
         if message.times > 1 {
             text = format!("{text} ({} times)", message.times);
         }

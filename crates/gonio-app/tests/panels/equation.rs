@@ -54,6 +54,24 @@ fn a_term_alone_and_all_again() {
     assert_eq!(bench.document().scene.equation, before);
 }
 
+#[test]
+fn a_button_shows_a_term_alone_and_all_again() {
+    let mut bench = Bench::new(SCENE, Tab::Lights);
+    let before = bench.document().scene.equation.clone();
+    for term in ["ambient", "emitted", "diffuse", "specular"] {
+        let id = format!("solo-{term}");
+        assert_eq!(bench.widget(&id).value, "false");
+        bench.click(&id);
+        let e = &bench.document().scene.equation;
+        let on =
+            [("ambient", e.ambient), ("emitted", e.emitted), ("diffuse", e.diffuse), ("specular", e.specular_term)];
+        assert!(on.iter().all(|(other, on)| *on == (*other == term)), "{term}: {on:?}");
+        assert_eq!(bench.widget(&id).value, "true");
+        bench.click(&id);
+        assert_eq!(bench.document().scene.equation, before, "{term}");
+    }
+}
+
 /// A term that was off before another one was shown alone is off afterwards.
 #[test]
 fn leaving_a_term_alone_restores_the_switches() {

@@ -32,6 +32,9 @@ const ABOVE: f32 = 21.0;
 const BELOW: f32 = 12.0;
 /// Room for the buttons at the right.
 const BUTTONS: f32 = 56.0;
+/// Room for the buttons that show a term alone, and the width of the panel from which there is room.
+const SOLO: f32 = 236.0;
+const WIDE: f32 = 940.0;
 /// Below this width the parameters are hidden until the definitions are opened.
 const NARROW: f32 = 780.0;
 
@@ -45,13 +48,17 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     let shown = effective(document);
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
-        let room = ui.available_width() - BUTTONS;
+        let wide = ui.available_width() >= WIDE;
+        let room = ui.available_width() - BUTTONS - if wide { SOLO } else { 0.0 };
         let lines = fitted(ui, &formula::equation(&shown), room);
         let clicked = lines_of_terms(ui, &lines, room, document, session);
         if let Some((term, alone)) = clicked {
             act(document, session, actions, term, alone);
         }
         ui.add_space(4.0);
+        if wide {
+            solo(ui, document, session, actions);
+        }
         buttons(ui, document, session);
     });
     if !narrow || session.equation.open {
@@ -180,6 +187,45 @@ fn act(document: &mut Document, session: &mut Session, actions: &mut Vec<Action>
         (Some(false), _) => format!("{term} is off"),
         (None, _) => format!("{term}"),
     };
+}
+
+/// Buttons that show a term alone.
+fn solo(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    let size = vec2(SOLO, ui.spacing().interact_size.y);
+    let mut asked = None;
+    ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        ui.set_min_size(size);
+        ui.spacing_mut().button_padding = vec2(5.0, 1.0);
+        ui.spacing_mut().item_spacing.x = 2.0;
+        ui.add_space(8.0);
+        for term in switch::SUMMANDS.into_iter().rev() {
+            let word = match term {
+                Term::Ambient => "A",
+                Term::Emitted => "E",
+                Term::Environment => "env",
+                Term::Diffuse => "diff",
+                _ => "spec",
+            };
+            if switch::is_on(document, term).is_none() {
+                continue;
+            }
+            let is_alone = switch::is_alone(document, term);
+            let color = switch::tint(term).map_or(ui.visuals().text_color(), |tint| tint.of(ui));
+            let button = egui::Button::new(RichText::new(word).small().color(color)).selected(is_alone);
+            let response = ui.add(button);
+            let name = format!("{term} alone");
+            response.widget_info(|| WidgetInfo::selected(egui::Role::Switch, true, is_alone, &name));
+            exported::note(ui, &response, &format!("solo-{term}"), WidgetRole::Toggle, &name, is_alone);
+            let tip = if is_alone { "Show all terms again" } else { "Show this term alone (or double-click it)" };
+            if response.on_hover_text(tip).clicked() {
+                asked = Some(term);
+            }
+        }
+        ui.label(RichText::new("Alone").small().weak());
+    });
+    if let Some(term) = asked {
+        act(document, session, actions, term, true);
+    }
 }
 
 fn buttons(ui: &mut Ui, document: &mut Document, session: &mut Session) {

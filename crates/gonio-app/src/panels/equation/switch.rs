@@ -120,6 +120,16 @@ pub fn alone(document: &mut Document, view: &mut EquationView, term: Term) {
     set(document, term, true);
 }
 
+/// Whether a summand is shown alone.
+pub fn is_alone(document: &Document, term: Term) -> bool {
+    let of_environment = term == Term::Environment;
+    let stays = |other: Term| of_environment && matches!(other, Term::Diffuse | Term::Specular);
+    let is_off = |other: Term| is_on(document, other) != Some(true);
+    is_on(document, term) == Some(true)
+        && SUMMANDS.into_iter().filter(|other| *other != term).all(|other| stays(other) || is_off(other))
+        && (!of_environment || lights_on(document).is_empty())
+}
+
 /// Indices of the lights that are on.
 fn lights_on(document: &Document) -> Vec<usize> {
     document.scene.lights.iter().enumerate().filter(|(_, light)| light.enabled).map(|(index, _)| index).collect()
