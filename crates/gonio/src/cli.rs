@@ -52,6 +52,9 @@ About gonio:
     };
 }
 
+/// The commands by subject: headings that end with a colon, and below each its commands, indented.
+pub const OVERVIEW: &str = overview!();
+
 /// Lights 3D models with the light equation and shows every term of it at every pixel.
 #[derive(Parser, Debug)]
 #[command(name = "gonio", bin_name = "gonio", version = commands::about::VERSION, propagate_version = true)]
