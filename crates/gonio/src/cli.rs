@@ -52,9 +52,6 @@ About gonio:
     };
 }
 
-/// The commands by subject: headings that end with a colon, and below each its commands, indented.
-pub const OVERVIEW: &str = overview!();
-
 /// Lights 3D models with the light equation and shows every term of it at every pixel.
 #[derive(Parser, Debug)]
 #[command(name = "gonio", bin_name = "gonio", version = commands::about::VERSION, propagate_version = true)]
@@ -269,6 +266,16 @@ mod tests {
                 after.contains("Examples:") && after.contains(&format!("gonio {}", command.get_name())),
                 "{command}"
             );
+        }
+    }
+
+    /// clap's own command `help` repeats the others and has none.
+    #[test]
+    fn every_command_has_its_section_in_the_reference() {
+        let pages = commands::reference::pages(command());
+        for command in command().get_subcommands().filter(|command| command.get_name() != "help") {
+            let heading = format!("\n## gonio {}\n", command.get_name());
+            assert_eq!(pages.iter().filter(|(_, text)| text.contains(&heading)).count(), 1, "{heading}");
         }
     }
 
