@@ -1,6 +1,7 @@
 //! Development tasks: tests, benchmarks, fuzzing, the web page. `cargo xtask help` lists them.
 
 mod bench;
+mod book;
 mod checks;
 mod fixtures;
 mod fuzz;
@@ -38,6 +39,9 @@ cargo xtask bench web        the page in headless Chromium against a three.js pa
 cargo xtask fuzz [TARGET...] [--minutes N]
                              fuzz every reader, 20 minutes each; needs cargo-fuzz and nightly Rust
 cargo xtask web [--dev]      build the web page into dist and print its size; needs node and npm
+cargo xtask book [--pictures]
+                             write what the program generates for the book in docs, and build it; needs mdbook
+    --pictures               also draw the book's pictures
 cargo xtask schema           update assets/scene.schema.json
 cargo xtask score            measure the checker and update the table in exercises/README.md
 cargo xtask licenses         update the third-party notices that `gonio licenses` prints
@@ -60,6 +64,7 @@ fn main() -> ExitCode {
         ["bench", names @ ..] => bench::run(names),
         ["fuzz", words @ ..] => fuzz::run(words),
         ["web", words @ ..] => web::run(words),
+        ["book", words @ ..] => book::run(words),
         ["schema"] => schema(),
         ["score"] => score::run(),
         ["licenses"] => licenses::run(&root()),

@@ -269,6 +269,16 @@ mod tests {
         }
     }
 
+    /// clap's own command `help` repeats the others and has none.
+    #[test]
+    fn every_command_has_its_section_in_the_reference() {
+        let pages = commands::reference::pages(command());
+        for command in command().get_subcommands().filter(|command| command.get_name() != "help") {
+            let heading = format!("\n## gonio {}\n", command.get_name());
+            assert_eq!(pages.iter().filter(|(_, text)| text.contains(&heading)).count(), 1, "{heading}");
+        }
+    }
+
     #[test]
     fn every_option_has_one_of_a_few_headings() {
         const HEADINGS: [&str; 22] = [

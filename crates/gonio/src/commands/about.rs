@@ -1,7 +1,7 @@
 //! `gonio completions`, `gonio man`, `gonio licenses` and `gonio --version`.
 
 use crate::backend::{self, driver_line};
-use crate::commands::serve;
+use crate::commands::{reference, serve};
 use crate::error::{CliError, CommandOutcome};
 use crate::options::BackendOptions;
 use crate::output::{OutputFiles, OutputPath};
@@ -38,11 +38,16 @@ pub struct CompletionsArgs {
 Examples:
   gonio man | man -l -
   gonio man ~/.local/share/man/man1
-      Writes gonio.1, gonio-render.1, gonio-lab-check.1 and so on; then `man gonio-render` works.")]
+      Writes gonio.1, gonio-render.1, gonio-lab-check.1 and so on; then `man gonio-render` works.
+  gonio man --markdown reference
+      Writes the reference of gonio's book: commands, exercises, mistakes, models.")]
 pub struct ManArgs {
     /// Folder to write the pages of all commands to; without it, or as -, gonio(1) goes to stdout.
     #[arg(value_name = "DIR")]
     pub folder: Option<OutputPath>,
+    /// Write the reference of gonio's book, in Markdown, in place of manual pages.
+    #[arg(long, help_heading = "Output options", requires = "folder")]
+    pub markdown: bool,
 }
 
 /// Print the licences of gonio and its dependencies.
@@ -65,18 +70,26 @@ pub fn completions(args: &CompletionsArgs, command: &mut clap::Command) -> Resul
 pub fn man(args: &ManArgs, mut command: clap::Command, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     command.build();
     let Some(folder) = args.folder.as_ref().and_then(OutputPath::file) else {
+        if args.markdown {
+            return Err(CliError::new("the reference is several files: name a folder for them, not -"));
+        }
         report::write_stdout(&manual_page(command)?)?;
         return Ok(CommandOutcome::Done);
     };
     let mut pages = Vec::new();
-    manual_pages(command, &mut pages)?;
+    if args.markdown {
+        pages.extend(reference::pages(command).into_iter().map(|(name, text)| (name, text.into_bytes())));
+    } else {
+        manual_pages(command, &mut pages)?;
+    }
     let mut files = OutputFiles::new();
     files.make_folder(folder)?;
     for (name, page) in &pages {
         files.add(&folder.join(name), page)?;
     }
     files.commit()?;
-    reporter.note(format!("wrote {} manual pages to `{}`", pages.len(), folder.display()));
+    let kind = if args.markdown { "pages of the reference" } else { "manual pages" };
+    reporter.note(format!("wrote {} {kind} to `{}`", pages.len(), folder.display()));
     Ok(CommandOutcome::Done)
 }
 

@@ -12,6 +12,7 @@ pub mod frame;
 pub mod inspect;
 pub mod lab;
 pub mod probe;
+pub mod reference;
 pub mod render;
 pub mod scene;
 pub mod serve;

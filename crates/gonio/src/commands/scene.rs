@@ -7,6 +7,7 @@ use crate::output::OutputPath;
 use crate::report::{Reporter, json_text};
 use crate::terminal::toml_for_terminal;
 use clap::Args;
+use gonio_app::files::link;
 use gonio_scene::SceneFile;
 use std::path::{Path, PathBuf};
 
@@ -20,6 +21,8 @@ Examples:
       The same picture, drawn from it.
   gonio scene model.obj --shading flat --light \"directional direction=0,-1,0\"
       The scene with options of render.
+  gonio scene builtin:cube --shading flat --link
+      What follows the address of gonio's page to open this scene there: #scene=...
   gonio scene --schema > scene.schema.json
       The schema by which an editor completes and checks scene files.
 
@@ -31,6 +34,11 @@ pub struct SceneArgs {
     /// Print the JSON Schema of scene files instead.
     #[arg(long, help_heading = "Output options", conflicts_with = "inputs")]
     pub schema: bool,
+    /// Print the link to this scene instead, to be appended to the address of gonio's page.
+    ///
+    /// A link contains the scene, but no files: all models and environments must be built in.
+    #[arg(long, help_heading = "Output options", conflicts_with = "schema")]
+    pub link: bool,
     /// File to write; - is stdout, the default.
     #[arg(long, short, help_heading = "Output options", value_name = "FILE")]
     pub output: Option<OutputPath>,
@@ -58,6 +66,14 @@ fn effective(args: &SceneArgs, reporter: &Reporter) -> Result<String, CliError> 
         loading::load_scene(&args.inputs, &args.scene, reporter)?
     };
     reporter.diagnostics(&loaded.diagnostics);
+    if args.link {
+        let link = link::of_scene(&loaded.settings).map_err(CliError::new)?;
+        return if reporter.json() {
+            json_text(&serde_json::json!({ "command": "scene", "inputs": args.inputs, "link": format!("#{link}") }))
+        } else {
+            Ok(format!("#{link}\n"))
+        };
+    }
     let mut scene = SceneFile::from(&loaded.settings);
     if let Some(folder) = args.output.as_ref().and_then(OutputPath::file).and_then(Path::parent) {
         for object in &mut scene.objects {

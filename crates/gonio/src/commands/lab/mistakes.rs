@@ -35,14 +35,18 @@ pub fn run(args: &MistakesArgs, reporter: &Reporter) -> Result<CommandOutcome, C
     Ok(CommandOutcome::Done)
 }
 
-/// The catalogue's mistakes, and those that are not changes of a line.
+/// The catalogue's mistakes, and those that are not changes of a line, each kind with its heading.
+pub fn by_kind() -> [(&'static str, Vec<Mistake>); 3] {
+    [
+        ("A quantity that is computed wrongly", mistakes::all().to_vec()),
+        ("The program as a whole", structural()),
+        ("Baking", gonio_exercises::baking::mistakes().to_vec()),
+    ]
+}
+
+/// All mistakes.
 fn all() -> Vec<Mistake> {
-    mistakes::all()
-        .iter()
-        .cloned()
-        .chain(structural())
-        .chain(gonio_exercises::baking::mistakes().iter().cloned())
-        .collect()
+    by_kind().into_iter().flat_map(|(_, mistakes)| mistakes).collect()
 }
 
 fn list(reporter: &Reporter) -> Result<CommandOutcome, CliError> {

@@ -6,7 +6,7 @@ pub mod child_process;
 pub mod draw;
 mod exercises;
 mod intake;
-mod mistakes;
+pub mod mistakes;
 mod open;
 mod score;
 pub mod step;
