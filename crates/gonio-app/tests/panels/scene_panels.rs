@@ -159,6 +159,20 @@ fn refraction_values_are_edited_and_reset() {
 }
 
 #[test]
+fn a_mirror_without_an_environment_says_so_and_offers_one() {
+    let mut bench = Bench::new("builtin:cube", Tab::Objects);
+    bench.click("object-0");
+    assert!(bench.document().scene.environment.is_none() && !bench.has("object-0-no-environment"));
+    bench.type_into("object-0-reflectivity", "0.5");
+    assert!(bench.has("object-0-no-environment"));
+    bench.click("object-0-add-sky");
+    assert_eq!(bench.document().scene.environment.as_ref().map(|e| e.image.as_str()), Some("sky"));
+    assert!(!bench.has("object-0-no-environment"));
+    bench.undo();
+    assert!(bench.document().scene.environment.is_none());
+}
+
+#[test]
 fn sample_models_are_added_duplicated_and_removed() {
     let mut bench = Bench::new("builtin:suzanne", Tab::Objects);
     bench.click("add-object");

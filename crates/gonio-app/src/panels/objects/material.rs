@@ -67,6 +67,12 @@ pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index
     optics(ui, with, &first, &line);
 }
 
+/// Whether the material reflects or refracts its surroundings.
+pub fn mirrors_surroundings(with: &MaterialOverride) -> bool {
+    let positive = |value: Option<f64>| value.is_some_and(|value| value > 0.0);
+    with.medium.is_some() || positive(with.reflectivity) || positive(with.transmission)
+}
+
 fn named(material: &Material) -> &str {
     if material.name.is_empty() { "unnamed" } else { &material.name }
 }

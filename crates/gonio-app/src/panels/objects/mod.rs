@@ -6,11 +6,11 @@ use crate::action::Action;
 use crate::document::Document;
 use crate::exported::{self, WidgetRole};
 use crate::session::{Selection, Session};
-use crate::theme::{self, icons};
+use crate::theme::{self, colors, icons};
 use crate::widgets::{
     NO_BREAK, NumberField, Vector, choice, compact, grouped, heading, icon_button, named_options, row, toggle,
 };
-use egui::{Align, Atom, Button, Frame, Layout, Margin, RichText, TextEdit, Ui, WidgetInfo, vec2};
+use egui::{Align, Atom, Button, Frame, Label, Layout, Margin, RichText, TextEdit, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use gonio_scene::scene_file::{MotionSpec, Normals, ObjectSpec, Shading};
 use gonio_scene::settings::{Aim, CameraSettings};
@@ -93,9 +93,11 @@ fn title(
 }
 
 fn details(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>, index: usize, count: usize) -> Option<Edit> {
+    let has_environment = document.scene.environment.is_some();
+    let mut wants_sky = false;
     let spec = document.scene.objects.get_mut(index)?;
     let frame = Frame::NONE.fill(ui.visuals().faint_bg_color).corner_radius(6).inner_margin(Margin::symmetric(8, 6));
-    frame
+    let edit = frame
         .show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;
             place(ui, spec, index);
@@ -104,9 +106,26 @@ fn details(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>, index: 
             let files = loaded.map(|l| l.materials_in_file(index)).unwrap_or_default();
             heading(ui, "Material");
             material::show(ui, &mut spec.material, &files, index);
+            if !has_environment && material::mirrors_surroundings(&spec.material) {
+                wants_sky = without_surroundings(ui, index);
+            }
             tools(ui, index, count)
         })
-        .inner
+        .inner;
+    if wants_sky {
+        document.scene.set_environment("sky");
+    }
+    edit
+}
+
+/// Says why glass and mirrors look flat without an environment. Returns whether to add one.
+fn without_surroundings(ui: &mut Ui, index: usize) -> bool {
+    let text = "There is no environment, so this material shows only the background in its reflections and refractions.";
+    let label = ui.add(Label::new(RichText::new(text).color(colors::WARNING.of(ui))).wrap());
+    exported::note(ui, &label, &format!("object-{index}-no-environment"), WidgetRole::Text, text, "");
+    let add = ui.button("Add a sky");
+    exported::note(ui, &add, &format!("object-{index}-add-sky"), WidgetRole::Button, "Add a sky", "");
+    add.clicked()
 }
 
 fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
