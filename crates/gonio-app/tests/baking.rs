@@ -139,7 +139,7 @@ fn a_bake_is_cancelled_by_its_button_and_by_another_scene() {
         problem: None,
         files,
     };
-    window.here.coming.borrow_mut().push(Event::Open(input));
+    window.here.coming.borrow_mut().push(Event::Open(Box::new(input)));
     let state = window.until("the cube", |s| s["title"] == "cube" || s["title"] == "builtin:cube");
     assert_eq!(state["bake"]["running"], false);
     assert_eq!(state["messages"][0]["text"], "baking was cancelled, because another scene was opened");

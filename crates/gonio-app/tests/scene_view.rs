@@ -454,7 +454,7 @@ fn sidecars_that_are_dropped_later_are_adopted() {
         let mut memory = gonio_app::files::MemoryFiles::default();
         files.iter().for_each(|(name, text)| memory.insert(name, text.as_bytes().to_vec()));
         let input = SceneInput::gathered(memory.names(), std::sync::Arc::new(memory));
-        window.here.coming.borrow_mut().push(PlatformEvent::Open(input));
+        window.here.coming.borrow_mut().push(PlatformEvent::Open(Box::new(input)));
         window.steps(2);
     };
     let warnings = |window: &Window| -> Vec<String> {

@@ -256,7 +256,7 @@ fn drop_files(window: &mut Window, files: &[(&str, &str)]) {
     files.iter().for_each(|(name, text)| memory.insert(name, text.as_bytes().to_vec()));
     let GatheredInputs { inputs, environment, shaders } = gather(&memory.names(), &memory).unwrap();
     let input = SceneInput { inputs, environment, shaders, names: Vec::new(), problem: None, files: Arc::new(memory) };
-    window.here.coming.borrow_mut().push(PlatformEvent::Open(input));
+    window.here.coming.borrow_mut().push(PlatformEvent::Open(Box::new(input)));
     window.steps(3);
 }
 

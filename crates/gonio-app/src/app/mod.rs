@@ -232,6 +232,7 @@ impl App {
         self.follow_document(&ctx);
         self.draw(ui);
         self.settle(&ctx);
+        self.note_learned();
         let end = Instant::now();
         self.session.traced.iter_mut().for_each(|traced| traced.take_times(start, end));
         self.publish(&ctx);
@@ -349,28 +350,7 @@ impl App {
     /// Handles an event of the platform.
     fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
-            Event::Open(input) if input.inputs.is_empty() && input.shaders.is_none() && self.lacks(&input.names) => {
-                self.adopt(ctx, &input);
-            }
-            Event::Open(SceneInput { problem: Some(problem), .. }) => {
-                self.session.messages.report_about(MessageCause::Opening, MessageSeverity::Error, None, problem);
-            }
-            Event::Open(input @ SceneInput { shaders: Some(_), .. }) => {
-                let SceneInput { shaders, files, .. } = input.clone();
-                self.open_shaders(ctx, shaders.unwrap_or_default(), files);
-                self.handle(ctx, Event::Open(SceneInput { shaders: None, ..input }));
-            }
-            Event::Open(SceneInput { inputs, environment, files, .. }) if !inputs.is_empty() => {
-                self.stations.leave();
-                let limits = self.opened.limits;
-                self.start(ctx, SceneOpening { inputs, environment, limits, ..SceneOpening::default() }, files);
-            }
-            Event::Open(SceneInput { environment: Some(image), files, .. }) => {
-                // The environment may be in another place than the scene.
-                self.files = Arc::new(Layered { first: files, then: self.files.clone() });
-                self.document.scene.set_environment(&image);
-            }
-            Event::Open(_) => {}
+            Event::Open(input) => self.open_input(ctx, *input),
             Event::ExerciseFiles(files) => self.open_exercise_files(files),
             Event::BenchFiles(files) => self.open_bench_files(ctx, files),
             Event::SaveTo(product, place) => self.save(product, &place),
@@ -378,6 +358,29 @@ impl App {
             Event::Failed(error) => {
                 self.session.messages.report_about(MessageCause::Opening, MessageSeverity::Error, None, error);
             }
+        }
+    }
+
+    /// Opens what the user chose or dropped: files that the open scene lacks, shaders, a scene, or an environment.
+    fn open_input(&mut self, ctx: &egui::Context, input: SceneInput) {
+        if input.inputs.is_empty() && input.shaders.is_none() && self.lacks(&input.names) {
+            return self.adopt(ctx, &input);
+        }
+        let SceneInput { inputs, environment, shaders, problem, files, .. } = input;
+        if let Some(problem) = problem {
+            return self.session.messages.report_about(MessageCause::Opening, MessageSeverity::Error, None, problem);
+        }
+        if let Some(shaders) = shaders {
+            self.open_shaders(ctx, shaders, files.clone());
+        }
+        if !inputs.is_empty() {
+            self.stations.leave();
+            let limits = self.opened.limits;
+            self.start(ctx, SceneOpening { inputs, environment, limits, ..SceneOpening::default() }, files);
+        } else if let Some(image) = environment {
+            // The environment may be in another place than the scene.
+            self.files = Arc::new(Layered { first: files, then: self.files.clone() });
+            self.document.scene.set_environment(&image);
         }
     }
 

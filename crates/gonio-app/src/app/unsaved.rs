@@ -3,7 +3,7 @@
 use super::App;
 use super::loader::{LoadRequest, SceneOpening};
 use crate::document::{Document, History};
-use crate::session::{MessageAnswer, MessageCause, MessageSeverity};
+use crate::session::{MessageAnswer, MessageCause, MessageSeverity, UsageHint};
 use gonio_scene::SceneSettings;
 use gonio_scene::files::FileSource;
 use gonio_scene::settings::CameraSettings;
@@ -33,6 +33,25 @@ impl App {
     /// Whether the scene was edited since it was opened or saved.
     pub(super) fn is_scene_edited(&self) -> bool {
         self.session.loaded.is_some() && differ(&self.document.scene, &self.saved)
+    }
+
+    /// Notes what the user has found out, so that its hint goes away.
+    pub(super) fn note_learned(&mut self) {
+        if self.session.loaded.is_none() || self.session.settings.hint().is_none() {
+            return;
+        }
+        let scene = &self.document.scene;
+        let done = [
+            (UsageHint::Probe, self.session.probing.pinned.is_some()),
+            (UsageHint::Lamp, scene.lights != self.saved.lights),
+            (UsageHint::Term, scene.equation != self.saved.equation),
+        ];
+        let learned = &mut self.session.settings.learned;
+        let before = learned.len();
+        learned.extend(done.into_iter().filter(|(_, done)| *done).map(|(hint, _)| hint));
+        if learned.len() > before {
+            self.platform.keep(&self.session.settings);
+        }
     }
 
     /// Keeps the edited scene that is about to be replaced, and offers to restore it.

@@ -22,7 +22,7 @@ const WIDTH: f32 = 760.0;
 const THUMBNAIL: Vec2 = vec2(92.0, 69.0);
 
 /// What is known about the exercises: those in progress, and the last outcomes by id.
-pub struct Progress<'a> {
+pub struct ExerciseProgress<'a> {
     /// The exercises in progress.
     pub begun: &'a [&'a Work],
     /// The outcome of the last check of each exercise, also of earlier windows.
@@ -32,7 +32,7 @@ pub struct Progress<'a> {
 /// Shows the exercises, a card each, with the picture of the goal.
 pub fn show(
     ui: &mut Ui,
-    progress: &Progress<'_>,
+    progress: &ExerciseProgress<'_>,
     mut thumbnails: Option<&mut Thumbnails>,
     mut panes: Option<&mut PaneRenderer>,
     commands: &mut Vec<ExerciseCommand>,
@@ -78,7 +78,7 @@ pub fn show(
 }
 
 /// The state of an exercise in words, with its colour; the colour is `None` for one that was not started.
-fn state_of(exercise: &Exercise, progress: &Progress<'_>) -> (String, Option<Tint>) {
+fn state_of(exercise: &Exercise, progress: &ExerciseProgress<'_>) -> (String, Option<Tint>) {
     let work = progress.begun.iter().find(|work| work.exercise.id == exercise.id);
     let judged = work.and_then(|work| work.judged.as_ref()).and_then(|judged| judged.verdict.as_ref().ok());
     let outcome = judged.map(|verdict| verdict.verdict).or_else(|| progress.outcomes.get(&exercise.id).copied());
@@ -162,6 +162,7 @@ fn words(text: RichText) -> Label {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use crate::exercise::Judged;
@@ -171,8 +172,9 @@ mod tests {
     fn an_exercise_has_the_state_of_its_last_check() {
         let ex04 = exercise::find("ex04").unwrap();
         let mut outcomes = BTreeMap::new();
-        let state =
-            |begun: &[&Work], outcomes: &BTreeMap<String, Outcome>| state_of(ex04, &Progress { begun, outcomes }).0;
+        let state = |begun: &[&Work], outcomes: &BTreeMap<String, Outcome>| {
+            state_of(ex04, &ExerciseProgress { begun, outcomes }).0
+        };
         assert_eq!(state(&[], &outcomes), "not started");
         let mut work = Work::new(ex04, Vec::new());
         assert_eq!(state(&[&work], &outcomes), "in progress");

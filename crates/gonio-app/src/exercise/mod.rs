@@ -234,7 +234,7 @@ impl ExerciseView {
             self.thumbnails = Some(Thumbnails::new(panes.gl())?);
         }
         let begun: Vec<&Work> = self.work.iter().chain(&self.aside).collect();
-        let progress = list::Progress { begun: &begun, outcomes: &self.outcomes };
+        let progress = list::ExerciseProgress { begun: &begun, outcomes: &self.outcomes };
         list::show(ui, &progress, self.thumbnails.as_mut(), panes, commands)
     }
 

@@ -183,6 +183,7 @@ impl FileSource for ReadRecorder {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use crate::files::MemoryFiles;

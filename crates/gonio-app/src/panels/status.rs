@@ -48,7 +48,12 @@ pub fn show(ui: &mut Ui, session: &Session) {
                     };
                     ui.add(Label::new(RichText::new(text).small()).truncate());
                 } else {
-                    ui.add(Label::new(RichText::new(&session.announcement).small().weak()).truncate());
+                    let hint = session.settings.hint().filter(|_| !narrow && session.loaded.is_some());
+                    let text = match hint {
+                        Some(hint) => format!("{}   {}", session.announcement, hint.sentence()),
+                        None => session.announcement.clone(),
+                    };
+                    ui.add(Label::new(RichText::new(text).small().weak()).truncate());
                 }
             });
         });

@@ -62,7 +62,7 @@ pub enum Purpose {
 /// An event of the platform.
 pub enum Event {
     /// Files to open.
-    Open(SceneInput),
+    Open(Box<SceneInput>),
     /// Files for the exercise, including those in folders and zip files.
     ExerciseFiles(Vec<ExerciseFile>),
     /// Files of functions for the BRDF bench: names and contents.

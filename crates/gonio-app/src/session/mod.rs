@@ -2,6 +2,7 @@
 
 pub mod comparison;
 mod equation;
+mod hints;
 mod messages;
 mod own_shaders;
 pub mod probing;
@@ -9,6 +10,7 @@ mod settings;
 
 pub use comparison::PaneComparison;
 pub use equation::{BeforeAlone, EquationView, Term};
+pub use hints::UsageHint;
 pub use messages::{MessageAnswer, MessageCause, MessageSeverity, Messages, UserMessage};
 pub use own_shaders::OwnShaders;
 pub use probing::Probing;

@@ -1,8 +1,9 @@
 //! Settings that are kept between sessions.
 
+use super::UsageHint;
 use gonio_check::verdict::Outcome;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Settings on disk, or in the browser's storage.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -18,6 +19,9 @@ pub struct Settings {
     /// The outcome of the last check of each exercise, by id.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub outcomes: BTreeMap<String, Outcome>,
+    /// The hints that are not shown any more, because the user has done what they say.
+    #[serde(skip_serializing_if = "BTreeSet::is_empty")]
+    pub learned: BTreeSet<UsageHint>,
 }
 
 impl Settings {
@@ -29,6 +33,11 @@ impl Settings {
         self.recent.retain(|known| *known != input);
         self.recent.insert(0, input);
         self.recent.truncate(Self::MOST_RECENT);
+    }
+
+    /// The hint to show now, if any is left.
+    pub fn hint(&self) -> Option<UsageHint> {
+        UsageHint::ALL.into_iter().find(|hint| !self.learned.contains(hint))
     }
 
     /// Parses stored settings; damaged ones are replaced by defaults.
@@ -59,8 +68,10 @@ mod tests {
     #[test]
     fn settings_survive_a_round_trip_and_damaged_ones_are_defaults() {
         let outcomes = BTreeMap::from([("ex04".to_owned(), Outcome::Wrong)]);
+        let learned = BTreeSet::from([UsageHint::Probe]);
         let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()], bake: Some("{}".into()), outcomes };
         assert_eq!(Settings::from_text(&settings.to_text()), settings);
+        assert_eq!((Settings::default().hint(), settings.hint()), (Some(UsageHint::Probe), Some(UsageHint::Lamp)));
         assert_eq!(Settings::from_text("{\"dark\": 3}"), Settings::default());
         assert_eq!(Settings::from_text("{}"), Settings::default());
     }

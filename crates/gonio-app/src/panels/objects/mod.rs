@@ -120,7 +120,8 @@ fn details(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>, index: 
 
 /// Says why glass and mirrors look flat without an environment. Returns whether to add one.
 fn without_surroundings(ui: &mut Ui, index: usize) -> bool {
-    let text = "There is no environment, so this material shows only the background in its reflections and refractions.";
+    let text =
+        "There is no environment, so this material shows only the background in its reflections and refractions.";
     let label = ui.add(Label::new(RichText::new(text).color(colors::WARNING.of(ui))).wrap());
     exported::note(ui, &label, &format!("object-{index}-no-environment"), WidgetRole::Text, text, "");
     let add = ui.button("Add a sky");

@@ -13,7 +13,7 @@ pub fn in_thread(paths: Vec<String>, purpose: Purpose, access: Access, sender: S
     let ctx = ctx.clone();
     std::thread::spawn(move || {
         let event = match purpose {
-            Purpose::Scene => scene_input(paths, access).map(Event::Open),
+            Purpose::Scene => scene_input(paths, access).map(|input| Event::Open(Box::new(input))),
             Purpose::Exercise => read_exercise_files(&paths).map(Event::ExerciseFiles),
             Purpose::Bench => read_bench_files(&paths).map(Event::BenchFiles),
         };

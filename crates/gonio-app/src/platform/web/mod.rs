@@ -105,7 +105,7 @@ impl Web {
         let (page, events, ctx) = (self.files.clone(), self.events.clone(), ctx.clone());
         wasm_bindgen_futures::spawn_local(async move {
             let event = match (unpacked(files).await, purpose) {
-                (Ok(memory), Purpose::Scene) => Ok(Event::Open(scene_input(memory, page))),
+                (Ok(memory), Purpose::Scene) => Ok(Event::Open(Box::new(scene_input(memory, page)))),
                 (Ok(memory), Purpose::Exercise) => exercise_files(&memory).map(Event::ExerciseFiles),
                 (Ok(memory), Purpose::Bench) => exercise_files(&memory)
                     .map(|files| Event::BenchFiles(files.into_iter().map(|file| (file.name, file.bytes)).collect())),

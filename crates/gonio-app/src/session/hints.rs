@@ -1,0 +1,29 @@
+//! Hints for first-time users, which go away with use.
+
+use serde::{Deserialize, Serialize};
+
+/// Something that users may not find by themselves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum UsageHint {
+    /// Clicking a pixel probes it.
+    Probe,
+    /// Lamps can be dragged.
+    Lamp,
+    /// Terms are switches.
+    Term,
+}
+
+impl UsageHint {
+    /// All hints, in the order in which they are shown.
+    pub const ALL: [UsageHint; 3] = [UsageHint::Probe, UsageHint::Lamp, UsageHint::Term];
+
+    /// The hint in one sentence.
+    pub fn sentence(self) -> &'static str {
+        match self {
+            UsageHint::Probe => "Tip: click the picture to see every number of the equation at that pixel.",
+            UsageHint::Lamp => "Tip: drag a lamp in the picture.",
+            UsageHint::Term => "Tip: click a term of the equation to switch it off.",
+        }
+    }
+}
