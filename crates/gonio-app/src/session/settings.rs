@@ -69,7 +69,8 @@ mod tests {
     fn settings_survive_a_round_trip_and_damaged_ones_are_defaults() {
         let outcomes = BTreeMap::from([("ex04".to_owned(), Outcome::Wrong)]);
         let learned = BTreeSet::from([UsageHint::Probe]);
-        let settings = Settings { dark: Some(true), recent: vec!["a b.obj".into()], bake: Some("{}".into()), outcomes };
+        let settings =
+            Settings { dark: Some(true), recent: vec!["a b.obj".into()], bake: Some("{}".into()), outcomes, learned };
         assert_eq!(Settings::from_text(&settings.to_text()), settings);
         assert_eq!((Settings::default().hint(), settings.hint()), (Some(UsageHint::Probe), Some(UsageHint::Lamp)));
         assert_eq!(Settings::from_text("{\"dark\": 3}"), Settings::default());
