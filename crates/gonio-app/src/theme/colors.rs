@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn reports_have_the_same_colors() {
-        let style = include_str!("../../../gonio-exercises/src/report/colors.css");
+        let style = include_str!("../../../gonio-exercises/src/report/style.css");
         let themes = style.split_once("@media");
         for (name, tint) in [("right", NORMAL), ("warning", WARNING), ("error", ERROR), ("accent", ACCENT)] {
             for is_dark in [false, true] {

@@ -21,7 +21,7 @@ pub struct PageKind {
 /// A whole page. `title` is plain text, `body` HTML. The page loads nothing, and runs nothing but the script of its kind; its
 /// content security policy forbids everything else.
 pub fn document(title: &str, kind: PageKind, body: &str) -> String {
-    let style = concat!(include_str!("colors.css"), include_str!("style.css"));
+    let style = include_str!("style.css");
     let policy = kind
         .script
         .map_or_else(String::new, |script| format!("; script-src 'sha256-{}'", base64(&sha256(script.as_bytes()))));

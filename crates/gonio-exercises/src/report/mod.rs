@@ -33,4 +33,4 @@ pub use picture::contact_sheet;
 pub use similarity::{Fingerprint, SimilarGroup, similar_groups, similar_pairs, similarity};
 pub use table::{Row, RowMistake, csv};
 pub use text::{is_hidden, push_visible, visible};
-pub use thumbnail::Thumbnail;
+pub use thumbnail::SubmissionThumbnail;

@@ -1,7 +1,7 @@
 //! A batch as a table.
 
 use super::text::{is_hidden, line, name, place, plain, points, unit, word};
-use super::thumbnail::Thumbnail;
+use super::thumbnail::SubmissionThumbnail;
 use gonio_check::verdict::{Outcome, Verdict};
 use serde::{Deserialize, Serialize};
 
@@ -31,7 +31,7 @@ pub struct Row {
     pub seconds: f64,
     /// The picture for the overview.
     #[serde(skip)]
-    pub thumbnail: Option<Thumbnail>,
+    pub thumbnail: Option<SubmissionThumbnail>,
 }
 
 /// A mistake of a submission in a batch.
@@ -77,7 +77,7 @@ impl Row {
 
     /// Adds the picture for the overview.
     #[must_use]
-    pub fn with_thumbnail(self, thumbnail: Option<Thumbnail>) -> Self {
+    pub fn with_thumbnail(self, thumbnail: Option<SubmissionThumbnail>) -> Self {
         Row { thumbnail, ..self }
     }
 

@@ -446,7 +446,7 @@ fn a_long_file_does_not_make_a_long_page() {
 
 /// A class of four, with a name that is hostile and one that is empty.
 fn class() -> Vec<Row> {
-    let thumbnail = Thumbnail::new(&evil(Outcome::Wrong), &evidence());
+    let thumbnail = SubmissionThumbnail::new(&evil(Outcome::Wrong), &evidence());
     assert!(thumbnail.is_some());
     vec![
         evil_row().with_thumbnail(thumbnail),
@@ -525,8 +525,8 @@ fn one_is_singular() {
 
 #[test]
 fn texts_can_be_read_on_every_ground_in_both_themes() {
-    let colors = include_str!("colors.css");
-    let (light, dark) = colors.split_once("@media").unwrap();
+    let style = include_str!("style.css");
+    let (light, dark) = style.split_once("@media").unwrap();
     for theme in [light, dark] {
         let luminance = |name: &str| {
             let (_, value) = theme.split_once(&format!("--{name}: #")).expect(name);

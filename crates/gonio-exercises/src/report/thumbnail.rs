@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 /// The picture of one test scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Thumbnail {
+pub struct SubmissionThumbnail {
     /// The test scene.
     pub scene: String,
     /// The submission's picture, as the address of an `img`.
@@ -18,7 +18,7 @@ pub struct Thumbnail {
     pub pixels_beyond: f64,
 }
 
-impl Thumbnail {
+impl SubmissionThumbnail {
     /// The picture of the test scene in which most pixels differ; that of the first scene if all are right. `None` if nothing
     /// was drawn.
     pub fn new(verdict: &Verdict, evidence: &Evidence) -> Option<Self> {
@@ -31,7 +31,7 @@ impl Thumbnail {
             if is_more { scene } else { most }
         })?;
         let uri = |kind| pictures.find(&most.scene, kind).map(|picture| picture.data_uri());
-        Some(Thumbnail {
+        Some(SubmissionThumbnail {
             scene: most.scene.clone(),
             yours: uri(PictureKind::Yours)?,
             reference: uri(PictureKind::Reference).filter(|_| !most.right),
@@ -68,15 +68,15 @@ mod tests {
         };
         let shares = [(true, 0.9), (false, 0.25), (false, 0.5), (false, 0.5)];
         verdict.scenes = scenes.iter().zip(shares).map(|(name, (right, share))| scene(name, right, share)).collect();
-        let thumbnail = Thumbnail::new(&verdict, &evidence).unwrap();
+        let thumbnail = SubmissionThumbnail::new(&verdict, &evidence).unwrap();
         assert_eq!((thumbnail.scene.as_str(), thumbnail.pixels_beyond), ("c", 0.5));
         assert!(thumbnail.reference.is_some_and(|reference| reference != thumbnail.yours));
         verdict.scenes[1].pixels_beyond = f64::NAN;
-        assert_eq!(Thumbnail::new(&verdict, &evidence).unwrap().pixels_beyond, 1.0);
+        assert_eq!(SubmissionThumbnail::new(&verdict, &evidence).unwrap().pixels_beyond, 1.0);
         verdict.scenes.truncate(1);
-        let right = Thumbnail::new(&verdict, &evidence).unwrap();
+        let right = SubmissionThumbnail::new(&verdict, &evidence).unwrap();
         assert_eq!((right.scene.as_str(), right.pixels_beyond, right.reference), ("a", 0.0, None));
         verdict.scenes.clear();
-        assert_eq!(Thumbnail::new(&verdict, &evidence), None);
+        assert_eq!(SubmissionThumbnail::new(&verdict, &evidence), None);
     }
 }

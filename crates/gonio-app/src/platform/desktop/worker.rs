@@ -10,7 +10,7 @@ use gonio_check::CheckOptions;
 use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
-use gonio_exercises::report::Thumbnail;
+use gonio_exercises::report::SubmissionThumbnail;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::{Error, ErrorKind, Read, Write};
@@ -56,7 +56,7 @@ pub struct WorkerAnswer {
     /// The verdict as a web page, if it was requested and could be created.
     pub page: Option<Vec<u8>>,
     /// The most telling pictures, if a page was requested and something was drawn.
-    pub thumbnail: Option<Thumbnail>,
+    pub thumbnail: Option<SubmissionThumbnail>,
     /// The contact sheet as PNG, if it was requested and something was drawn.
     pub sheet: Option<Vec<u8>>,
 }
@@ -78,7 +78,7 @@ struct RequestHeader {
 struct AnswerHeader {
     verdict: Result<Verdict, String>,
     page: Option<u64>,
-    thumbnail: Option<Thumbnail>,
+    thumbnail: Option<SubmissionThumbnail>,
     sheet: Option<u64>,
 }
 
@@ -301,7 +301,7 @@ mod tests {
         let answer = WorkerAnswer {
             verdict: Verdict::new("ex04", Outcome::Wrong, "as asked"),
             page: Some(b"<html>".to_vec()),
-            thumbnail: Some(Thumbnail {
+            thumbnail: Some(SubmissionThumbnail {
                 scene: "lab".into(),
                 yours: "data:a".into(),
                 reference: None,

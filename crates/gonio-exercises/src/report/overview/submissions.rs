@@ -6,7 +6,7 @@ use crate::report::html::{Icon, MOST_SHOWN, capital, prose};
 use crate::report::navigation::shown_name;
 use crate::report::table::Row;
 use crate::report::text::{by_name, count, escaped_line, line, percent, points, word, words};
-use crate::report::thumbnail::Thumbnail;
+use crate::report::thumbnail::SubmissionThumbnail;
 use gonio_check::verdict::Outcome;
 use std::fmt::Write as _;
 
@@ -103,7 +103,7 @@ fn place_ranks(rows: &[&Row]) -> Vec<usize> {
 }
 
 fn pictures(row: &Row) -> String {
-    let Some(Thumbnail { scene, yours, reference, pixels_beyond }) = &row.thumbnail else {
+    let Some(SubmissionThumbnail { scene, yours, reference, pixels_beyond }) = &row.thumbnail else {
         return "<td role=\"cell\" class=\"pictures\" data-key=\"-1\"></td>".to_owned();
     };
     let scene = escaped_line(scene);

@@ -8,12 +8,12 @@ use crate::error::{CliError, CommandOutcome, io_reason};
 use crate::output::{OutputFiles, OutputPath, atomic};
 use crate::report::Reporter;
 
-use gonio_app::platform::desktop::worker;
+use gonio_app::platform::desktop::worker::{self, WorkerAnswer};
 use gonio_check::submission::{self, SourceFile};
 use gonio_check::verdict::{Outcome as Word, Verdict};
 use gonio_exercises::content_hash;
 use gonio_exercises::exercise::Exercise;
-use gonio_exercises::report::{self, Fingerprint, Row, Thumbnail, page_name};
+use gonio_exercises::report::{self, Fingerprint, Row, SubmissionThumbnail, page_name};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -33,7 +33,7 @@ struct StoredVerdict {
     content: u64,
     seconds: f64,
     verdict: Verdict,
-    thumbnail: Option<Thumbnail>,
+    thumbnail: Option<SubmissionThumbnail>,
 }
 
 /// A submission that was checked.
@@ -41,7 +41,7 @@ struct Checked {
     label: String,
     verdict: Verdict,
     seconds: f64,
-    thumbnail: Option<Thumbnail>,
+    thumbnail: Option<SubmissionThumbnail>,
     fingerprint: Option<Fingerprint>,
 }
 
@@ -222,11 +222,9 @@ fn one(
         return Ok(Checked { label, verdict, seconds, thumbnail, fingerprint });
     }
     let start = Instant::now();
-    let (verdict, made, thumbnail) = match gathered.left_out.first() {
+    let WorkerAnswer { verdict, page: made, thumbnail, .. } = match gathered.left_out.first() {
         // A damaged zip, say, is the verdict about this submission alone.
-        Some(reason) if gathered.files.is_empty() => {
-            (Verdict::new(&exercise.id, Word::Unsure, reason.clone()), None, None)
-        }
+        Some(reason) if gathered.files.is_empty() => unsure(exercise, reason.clone()),
         _ => checked(args, exercise, gathered, &label, program)?,
     };
     let seconds = start.elapsed().as_secs_f64();
@@ -239,6 +237,12 @@ fn one(
     Ok(Checked { label, verdict, seconds, thumbnail, fingerprint })
 }
 
+/// The answer about a submission that could not be checked.
+fn unsure(exercise: &Exercise, reason: String) -> WorkerAnswer {
+    let verdict = Verdict::new(&exercise.id, Word::Unsure, reason);
+    WorkerAnswer { verdict, page: None, thumbnail: None, sheet: None }
+}
+
 /// The verdict, and the page and its thumbnail if the process got as far as making them.
 fn checked(
     args: &CheckArgs,
@@ -246,14 +250,14 @@ fn checked(
     gathered: GatheredFiles,
     label: &str,
     program: &Path,
-) -> Result<(Verdict, Option<Vec<u8>>, Option<Thumbnail>), CliError> {
+) -> Result<WorkerAnswer, CliError> {
     let mut request = args.request(exercise, gathered);
     request.page = Some(label.to_owned());
     let not_started = |error| CliError::io("gonio cannot start itself for a check", &error);
     let worker = worker::start(program, request, true).map_err(not_started)?;
     Ok(match worker.wait(args.patience(), || false) {
-        Ok(answer) => (answer.verdict, answer.page, answer.thumbnail),
-        Err(reason) => (Verdict::new(&exercise.id, Word::Unsure, reason), None, None),
+        Ok(answer) => answer,
+        Err(reason) => unsure(exercise, reason),
     })
 }
 

@@ -109,7 +109,8 @@ fn check(request: WorkerRequest) -> Result<WorkerAnswer, String> {
     verdict.warnings.extend(request.left_out);
     let page = request.page.map(|label| report::page(&label, &verdict, evidence.as_ref(), &sources).into_bytes());
     let drawn = evidence.as_ref();
-    let thumbnail = drawn.filter(|_| page.is_some()).and_then(|evidence| report::Thumbnail::new(&verdict, evidence));
+    let thumbnail =
+        drawn.filter(|_| page.is_some()).and_then(|evidence| report::SubmissionThumbnail::new(&verdict, evidence));
     let sheet = drawn.filter(|_| request.sheet).map(|evidence| report::contact_sheet(evidence, &verdict));
     Ok(WorkerAnswer { verdict, page, thumbnail, sheet })
 }
