@@ -9,7 +9,7 @@ use gonio_check::verdict::{
     CompilerMessage, FoundMistake, Outcome, Peculiarity, PropertyState, PropertyVerdict, ProposedEdit, SceneVerdict,
     TermState, TermVerdict, Verdict,
 };
-use gonio_exercises::report::{self, Row};
+use gonio_exercises::report::{self, Overview, Row};
 
 /// Words that only one part of [`verdict`] has, with the first level that shows the part.
 const PARTS: [(&str, Feedback); 14] = [
@@ -74,12 +74,15 @@ fn reports(verdict: &Verdict) -> Vec<(&'static str, String)> {
     let rows = [Row::new("ada", verdict, 0.5)];
     vec![
         ("json", serde_json::to_string(verdict).unwrap()),
-        ("page", report::page("ada", verdict, None)),
+        ("page", report::page("ada", verdict, None, &[])),
         ("junit", report::junit(&[("ada".to_owned(), verdict.clone())])),
         ("gradescope", report::gradescope(verdict, 10.0)),
         ("code runner", report::code_runner(verdict)),
-        ("csv", report::csv(&rows)),
-        ("overview", report::overview("ex04", &rows, &[], &[])),
+        ("csv", report::csv(&rows, 100.0)),
+        (
+            "overview",
+            report::overview(&Overview { title: "ex04", rows: &rows, similar: &[], skipped: &[], most_points: 100.0 }),
+        ),
         ("rows", serde_json::to_string(&rows).unwrap()),
     ]
 }

@@ -106,7 +106,8 @@ fn a_batch_shows_as_much_as_the_last_run_asked_for() {
         for file in files {
             let text = String::from_utf8(lab.read(file)).unwrap();
             assert_eq!(is_word(&text, "normal-by-model-matrix"), is_named, "{file} at {level}");
-            let has_place = is_word(&text, "reference.vert");
+            // The name of the file alone is the heading of its code.
+            let has_place = [":", "</span>, line"].iter().any(|rest| is_word(&text, &format!("reference.vert{rest}")));
             assert_eq!(has_place, level == "line", "{file} at {level}");
         }
     }
@@ -260,6 +261,101 @@ fn a_check_ends_with_its_caller() {
     assert!(terminated.success());
     asked.wait().unwrap();
     until(|| workers().is_empty());
+}
+
+#[test]
+fn the_pages_of_a_class_lead_to_one_another() {
+    let lab = Lab::new();
+    let evil = "=<script>alert(1)<\u{202e}\u{1b}[2J\u{7f} #%&?\"";
+    for (student, to) in
+        [("Zoé", "mat3(M)"), ("group 10", "mat3(itM)"), ("Group 9", "mat3(M)"), (evil, "norml"), ("中村", "mat3(itM)")]
+    {
+        hand_in(&lab, "ex04", &format!("class/{student}"), "mat3(itM)", to);
+    }
+    let check = |folder: &str| {
+        let folder = lab.path(folder).to_string_lossy().into_owned();
+        let out = lab.path("results").to_string_lossy().into_owned();
+        lab.run(&["lab", "check", "ex04", &folder, "-o", &out, "--points", "20"])
+    };
+    let run = check("class");
+    assert!(run.text().contains("5 submissions: 2 correct, 2 wrong, 1 does not compile, 0 unsure"), "{}", run.text());
+    // All have the same text but for a word: one group.
+    let groups: Vec<&str> = run.text().lines().filter(|line| line.starts_with("similar: ")).collect();
+    assert!(matches!(groups.as_slice(), [one] if one.contains("Group 9, group 10")), "{groups:?}");
+    let page = |name: &str| String::from_utf8(lab.read(&format!("results/{name}"))).unwrap();
+    let neighbours = |page: &str| {
+        let (nav, _) = page.split_once("</nav>").unwrap();
+        nav.matches("rel=\"").count()
+    };
+    assert_eq!(["Group 9.html", "Zoé.html", "中村.html"].map(|name| neighbours(&page(name))), [2, 2, 1]);
+    assert!(page("Group 9.html").contains("<span>group 10</span> →</a>"));
+    assert!(page("Zoé.html").contains("class=\"marked\"") && page("Zoé.html").contains("href=\"#line-"));
+    let overview = page("index.html");
+    assert!(overview.contains("#finding-1\">reference.vert:"), "{overview}");
+    // Each wrong one beside the correct picture, and a correct one alone.
+    assert_eq!(overview.matches("src=\"data:image/png").count(), 2 * 2 + 2);
+    assert_eq!(links(&lab, "results"), 4 * 5 + 5);
+    let table = lab.read("results/table.csv");
+    assert!(table.starts_with("\u{feff}name,verdict,points,of_points,mistakes,reason,".as_bytes()));
+    let table = String::from_utf8(table).unwrap();
+    assert!(table.contains("\r\nZoé,wrong,") && table.contains("\r\n中村,correct,20,20,,,"), "{table}");
+    assert!(table.contains("\"'=<script>alert(1)<\\u{202e}\\x1b[2J\\x7f #%&?\"\"\""), "{table}");
+
+    // One leaves, and the pages of the others are linked again without a check.
+    std::fs::remove_dir_all(lab.path("class/group 10")).unwrap();
+    let checked = |name: &str| std::fs::metadata(lab.path("results/kept").join(name)).unwrap().modified().unwrap();
+    let before = checked("Group 9.html.json");
+    check("class");
+    assert!(page("Group 9.html").contains("<span>Zoé</span> →</a>"));
+    assert_eq!(checked("Group 9.html.json"), before);
+    for student in ["Group 9", "Zoé", evil] {
+        std::fs::remove_dir_all(lab.path(&format!("class/{student}"))).unwrap();
+    }
+    let out = lab.path("one").to_string_lossy().into_owned();
+    let run = lab.run(&["lab", "check", "ex04", &lab.path("class").to_string_lossy(), "-o", &out]).good();
+    assert!(run.text().contains("1 submission: 1 correct"), "{}", run.text());
+    links(&lab, "one");
+}
+
+/// Follows every link in every page of a folder, within it, and returns their number without those within a page.
+fn links(lab: &Lab, folder: &str) -> usize {
+    let pages: std::collections::BTreeMap<String, String> = all_files(&lab.path(folder))
+        .into_iter()
+        .filter(|(path, _)| path.extension().is_some_and(|ending| ending == "html"))
+        .map(|(path, bytes)| {
+            (path.file_name().unwrap().to_str().unwrap().to_owned(), String::from_utf8(bytes).unwrap())
+        })
+        .collect();
+    let has_place = |page: &str, place: &str| page.matches(&format!(" id=\"{place}\"")).count() == 1;
+    let mut count = 0;
+    for (name, page) in &pages {
+        assert!(!page.contains("http:") && !page.contains("https:") && !page.contains("<script>alert"), "{name}");
+        for link in page.split("href=\"").skip(1).map(|rest| rest.split_once('"').unwrap().0) {
+            let (address, place) = link.split_once('#').map_or((link, None), |(address, place)| (address, Some(place)));
+            let target = match address.strip_prefix("./") {
+                Some(address) => {
+                    count += 1;
+                    pages.get(&percent_decoded(address)).unwrap_or_else(|| panic!("{name} leads to {address}"))
+                }
+                None => {
+                    assert!(address.is_empty(), "{name} leads to {address}");
+                    page
+                }
+            };
+            assert!(place.is_none_or(|place| has_place(target, place)), "{name} leads to {link}");
+        }
+    }
+    count
+}
+
+fn percent_decoded(address: &str) -> String {
+    let mut parts = address.split('%');
+    let mut bytes = parts.next().unwrap_or_default().as_bytes().to_vec();
+    for part in parts {
+        bytes.push(u8::from_str_radix(&part[..2], 16).unwrap());
+        bytes.extend_from_slice(&part.as_bytes()[2..]);
+    }
+    String::from_utf8(bytes).unwrap()
 }
 
 /// Waits for a condition that must become true; a minute is far more than it takes.

@@ -65,3 +65,22 @@ pub const AXIS_X: Tint = REFLECTION;
 pub const AXIS_Y: Tint = NORMAL;
 /// The z axis.
 pub const AXIS_Z: Tint = VIEW;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reports_have_the_same_colors() {
+        let style = include_str!("../../../gonio-exercises/src/report/style.css");
+        let themes = style.split_once("@media");
+        for (name, tint) in [("right", NORMAL), ("warning", WARNING), ("error", ERROR), ("accent", ACCENT)] {
+            for is_dark in [false, true] {
+                let [r, g, b, _] = tint.in_theme(is_dark).to_array();
+                let line = format!("--{name}: #{r:02x}{g:02x}{b:02x};");
+                let theme = themes.map_or("", |(light, dark)| if is_dark { dark } else { light });
+                assert!(theme.contains(&line), "{line} in {theme}");
+            }
+        }
+    }
+}

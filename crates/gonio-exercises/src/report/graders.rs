@@ -1,8 +1,8 @@
 //! Results for the graders of courses: Gradescope, and CodeRunner in Moodle.
 
-use super::html::{messages_html, mistakes_html, notes_html, proposed_fix_html, verdict_html};
 use super::junit::proposed_fix_text;
 use super::text::{line, percent, place, plain, unit, words};
+use super::verdict_parts::{messages_html, mistakes_html, notes_html, proposed_fix_html, verdict_html};
 use gonio_check::verdict::{Outcome, SceneVerdict, TermState, Verdict};
 use serde_json::{Value, json};
 
@@ -77,8 +77,12 @@ pub fn code_runner(verdict: &Verdict) -> String {
     for scene in &verdict.scenes {
         results.push(row(scene.right, format!("scene: {}", line(&scene.scene)), scene_words(scene)));
     }
-    let prologue =
-        [verdict_html(verdict, false), mistakes_html(verdict), proposed_fix_html(verdict), messages_html(verdict)];
+    let prologue = [
+        verdict_html(verdict, false),
+        mistakes_html(verdict, None),
+        proposed_fix_html(verdict, None),
+        messages_html(verdict, None),
+    ];
     let prologue = prologue.concat();
     json!({
         "fraction": unit(verdict.score),
@@ -106,7 +110,7 @@ fn term_words(state: TermState) -> &'static str {
     match state {
         TermState::Right => "right",
         TermState::Wrong => "wrong",
-        TermState::NotSeparable => "its strength is not a uniform, so it cannot be tested alone",
+        TermState::NotSeparable => "not tested separately: its strength is not a uniform",
     }
 }
 
@@ -114,7 +118,7 @@ fn scene_words(scene: &SceneVerdict) -> String {
     match scene.right {
         true => format!("the same as the reference ({})", line(&scene.shows)),
         false => format!(
-            "{} of the pixels differ from the reference, by up to {:.3} ({})",
+            "{} of pixels differ from the reference, by up to {:.3} ({})",
             percent(scene.pixels_beyond),
             scene.worst,
             line(&scene.shows)
@@ -165,7 +169,9 @@ fn text_output(verdict: &Verdict) -> String {
     if !verdict.peculiarities.is_empty() || !verdict.warnings.is_empty() {
         lines.push(String::new());
     }
-    lines.extend(verdict.peculiarities.iter().map(|known| format!("right, by another method: {}", line(&known.name))));
+    lines.extend(
+        verdict.peculiarities.iter().map(|known| format!("correct, by a different method: {}", line(&known.name))),
+    );
     lines.extend(verdict.warnings.iter().map(|warning| format!("warning: {}", line(warning))));
     lines.join("\n")
 }

@@ -92,7 +92,7 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
                 End::Failure(format!("<failure message=\"the {} term is wrong\"/>", escaped_line(&term.term)))
             }
             TermState::NotSeparable => {
-                let message = "its strength is not a uniform, so it cannot be tested alone";
+                let message = "not tested separately: its strength is not a uniform";
                 End::Skipped(format!("<skipped message=\"{message}\"/>"))
             }
         };
@@ -102,7 +102,7 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
         let end = match scene.right {
             true => End::Passed,
             false => End::Failure(format!(
-                "<failure message=\"{} of the pixels differ, by up to {:.3}\">{}</failure>",
+                "<failure message=\"{} of pixels differ, by up to {:.3}\">{}</failure>",
                 percent(scene.pixels_beyond),
                 scene.worst,
                 escaped(&scene.shows)
@@ -113,7 +113,7 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
     let output: Vec<String> = verdict
         .peculiarities
         .iter()
-        .map(|peculiarity| format!("right, by another method: {}", escaped_line(&peculiarity.name)))
+        .map(|peculiarity| format!("correct, by a different method: {}", escaped_line(&peculiarity.name)))
         .chain(verdict.warnings.iter().map(|warning| format!("warning: {}", escaped_line(warning))))
         .collect();
     let output = match output.is_empty() {

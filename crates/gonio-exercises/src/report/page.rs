@@ -1,9 +1,14 @@
 //! The page of a submission.
 
-use super::html::{Icon, document, messages_html, mistakes_html, notes_html, proposed_fix_html, shown, verdict_html};
+use super::html::{Icon, PageKind, document, shown};
+use super::listing::Listing;
 use super::picture::{PictureKind, Pictures, heat};
-use super::text::{count, escaped_line, percent};
+use super::text::{count, escaped_line, escaped_name, name, percent};
+use super::verdict_parts::{messages_html, mistakes_html, notes_html, proposed_fix_html, verdict_html};
+use crate::exercise::{Exercise, ExerciseKind};
+use crate::preview::is_answer;
 use gonio_check::comparison::Evidence;
+use gonio_check::submission::SourceFile;
 use gonio_check::testbench::TILE;
 use gonio_check::verdict::{BoundVariable, Outcome, SceneVerdict, TermState, TermVerdict, Verdict};
 use std::fmt::Write as _;
@@ -11,31 +16,48 @@ use std::fmt::Write as _;
 /// Side of a picture in CSS pixels: an integer multiple, so that all its pixels are squares of the same size.
 const SHOWN: u32 = 4 * TILE;
 
-/// A page for a student, as one HTML file that loads and runs nothing: the verdict, each mistake with its place and fix, the
-/// proposed change as a diff, the compiler's messages, terms, scenes with pictures if there is evidence, peculiarities, warnings, and the roles of variables.
-/// `label` is the submission's name. The page follows the light or dark theme of the system, and fits a phone.
+/// A page for a student and the teacher, as one HTML file that loads and runs nothing: the verdict, each mistake with its place
+/// and fix, the proposed change as a diff, the compiler's messages, terms, scenes with pictures if there is evidence, the code with
+/// marked lines, peculiarities, warnings, and the roles of variables. `label` is the submission's name; `sources` are its files, of
+/// which programs and those with findings are shown. The page follows the light or dark theme of the system, and fits a phone. [`super::with_neighbours`] adds links to
+/// other pages of a class.
 ///
 /// Pictures are linear light encoded as sRGB; pixels are enlarged without smoothing; NaN is magenta; a chequered background
 /// shows where nothing is drawn. Differences are colours on one scale for the whole page.
-pub fn page(label: &str, verdict: &Verdict, evidence: Option<&Evidence>) -> String {
+pub fn page(label: &str, verdict: &Verdict, evidence: Option<&Evidence>, sources: &[SourceFile]) -> String {
     let exercise = crate::exercise::find(&verdict.exercise);
     let title = exercise.map_or_else(String::new, |exercise| format!(" · {}", escaped_line(&exercise.title)));
     let pictures = evidence.map(|evidence| Pictures::new(evidence, verdict)).filter(|pictures| pictures.count() > 0);
+    let is_listed = |file: &&SourceFile| is_listed(exercise, verdict, file);
+    let listing = Listing::new(verdict, sources.iter().filter(is_listed));
     let mut body = format!(
         "<header>\n<p class=\"over\">{}{title}</p>\n<h1>{}</h1>\n</header>\n",
         escaped_line(&verdict.exercise),
-        escaped_line(label)
+        escaped_name(label)
     );
     body.push_str(&verdict_html(verdict, true));
-    body.push_str(&mistakes_html(verdict));
-    body.push_str(&proposed_fix_html(verdict));
-    body.push_str(&messages_html(verdict));
+    body.push_str(&mistakes_html(verdict, Some(&listing)));
+    body.push_str(&proposed_fix_html(verdict, Some(&listing)));
+    body.push_str(&messages_html(verdict, Some(&listing)));
     body.push_str(&terms(&verdict.terms));
     body.push_str(&scenes(verdict, pictures.as_ref()));
+    body.push_str(&listing.html());
     body.push_str(&notes_html(verdict));
     body.push_str(&bound(&verdict.bound));
     body.push_str("<footer><p>Checked by gonio.</p></footer>\n");
-    document(&format!("{label}: {}", super::text::words(verdict.verdict)), &body)
+    let kind = PageKind { style: include_str!("page.css"), script: None };
+    document(&format!("{}: {}", name(label), super::text::words(verdict.verdict)), kind, &body)
+}
+
+/// Whether the file is shown: a program, or a file with findings.
+fn is_listed(exercise: Option<&Exercise>, verdict: &Verdict, file: &SourceFile) -> bool {
+    let is_program = exercise.is_some_and(|exercise| match exercise.kind {
+        ExerciseKind::Shaders | ExerciseKind::Faces | ExerciseKind::GlProgram => is_answer(exercise, file),
+        ExerciseKind::Buffers | ExerciseKind::Baking => false,
+    });
+    is_program
+        || verdict.mistakes.iter().any(|mistake| mistake.file.as_ref() == Some(&file.name))
+        || verdict.messages.iter().any(|message| message.file == file.name)
 }
 
 fn terms(terms: &[TermVerdict]) -> String {
@@ -47,7 +69,7 @@ fn terms(terms: &[TermVerdict]) -> String {
         let (class, icon, words) = match term.state {
             TermState::Right => ("right", Icon::Right, "right"),
             TermState::Wrong => ("wrong", Icon::Wrong, "wrong"),
-            TermState::NotSeparable => ("apart", Icon::None, "not tested alone"),
+            TermState::NotSeparable => ("apart", Icon::None, "not tested separately"),
         };
         let _ = writeln!(
             html,
@@ -59,7 +81,7 @@ fn terms(terms: &[TermVerdict]) -> String {
     html.push_str("</ul>\n");
     if terms.iter().any(|term| term.state == TermState::NotSeparable) {
         html.push_str(
-            "<p class=\"hint\">A term can be tested alone if its strength is a uniform, which can be set to 0.</p>\n",
+            "<p class=\"hint\">A term can be tested separately if its strength is a uniform, which can be set to 0.</p>\n",
         );
     }
     html.push_str("</section>\n");
@@ -73,7 +95,7 @@ fn scenes(verdict: &Verdict, pictures: Option<&Pictures<'_>>) -> String {
     let (alone, whole): (Vec<_>, Vec<_>) = verdict.scenes.iter().partition(|scene| scene.scene.ends_with(" alone"));
     let mut html = String::from("<section class=\"scenes\">\n<h2>Scene by scene</h2>\n");
     if !whole.is_empty() {
-        html.push_str(&table(verdict, &whole, pictures));
+        html.push_str(&table(verdict, &whole, pictures, 1));
     }
     if !alone.is_empty() {
         let right = alone.iter().filter(|scene| scene.right).count();
@@ -81,7 +103,7 @@ fn scenes(verdict: &Verdict, pictures: Option<&Pictures<'_>>) -> String {
             html,
             "<details>\n<summary>With one term alone: {right} of {} right</summary>\n{}</details>\n",
             count(alone.len(), "scene", "scenes"),
-            table(verdict, &alone, pictures)
+            table(verdict, &alone, pictures, 1 + whole.len())
         );
     }
     if let Some(pictures) = pictures {
@@ -102,8 +124,10 @@ fn caption(kind: PictureKind, verdict: &Verdict) -> &'static str {
     }
 }
 
+/// A table of scenes, of which `first` is the number of the first one in the page. A box in each row enlarges its pictures.
+///
 /// Elements have explicit roles: on narrow pages the cells are laid out differently, and browsers no longer expose a table.
-fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures<'_>>) -> String {
+fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures<'_>>, first: usize) -> String {
     let kinds = pictures.map(Pictures::kinds).unwrap_or_default();
     let mut html = String::from(
         "<table role=\"table\">\n<thead role=\"rowgroup\"><tr role=\"row\"><th role=\"columnheader\" \
@@ -113,15 +137,20 @@ fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures
         let _ = write!(html, "<th role=\"columnheader\" scope=\"col\">{}</th>", caption(*kind, verdict));
     }
     html.push_str("</tr></thead>\n<tbody role=\"rowgroup\">\n");
-    for scene in scenes {
-        let _ = write!(html, "<tr role=\"row\">{}", scene_head(scene));
+    for (number, scene) in (first..).zip(scenes) {
+        let zoom = format!("zoom-{number}");
+        let has_picture = pictures.is_some_and(|pictures| pictures.find(&scene.scene, PictureKind::Yours).is_some());
+        let _ = write!(html, "<tr role=\"row\">{}", scene_head(scene, has_picture.then_some(zoom.as_str())));
         for kind in &kinds {
             let caption = caption(*kind, verdict);
             let picture = pictures.and_then(|pictures| pictures.find(&scene.scene, *kind));
             let picture = picture.map_or_else(String::new, |picture| {
                 let name = escaped_line(&scene.scene);
                 let uri = picture.data_uri();
-                format!("<img alt=\"{caption}, {name}\" width=\"{SHOWN}\" height=\"{SHOWN}\" src=\"{uri}\">")
+                format!(
+                    "<label for=\"{zoom}\"><img alt=\"{caption}, {name}\" width=\"{SHOWN}\" height=\"{SHOWN}\" \
+                     src=\"{uri}\"></label>"
+                )
             });
             let _ = write!(
                 html,
@@ -134,19 +163,27 @@ fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures
     html
 }
 
-fn scene_head(scene: &SceneVerdict) -> String {
+/// The head of a row; `zoom` is the id of the box that enlarges its pictures, if it has any.
+fn scene_head(scene: &SceneVerdict, zoom: Option<&str>) -> String {
     let (class, icon) = if scene.right { ("right", Icon::Right) } else { ("wrong", Icon::Wrong) };
     let measure = match scene.right {
         true => String::new(),
         false => format!(
-            "<span class=\"measure\">{} of its pixels differ, by up to {:.2}</span>",
+            "<span class=\"measure\">{} of pixels differ, by up to {:.2}</span>",
             percent(scene.pixels_beyond),
             scene.worst
         ),
     };
+    let zoom = zoom.map_or_else(String::new, |id| {
+        format!(
+            "<label class=\"zoom\"><input type=\"checkbox\" id=\"{id}\" aria-label=\"Large pictures of {}\"><span>Large \
+             pictures</span></label>",
+            escaped_line(&scene.scene)
+        )
+    });
     format!(
         "<th role=\"rowheader\" scope=\"row\"><span class=\"name {class}\">{}<span><b>{}</b> \
-         {class}</span></span><span class=\"shows\">{}</span>{measure}</th>",
+         {class}</span></span><span class=\"shows\">{}</span>{measure}{zoom}</th>",
         icon.svg(),
         escaped_line(&scene.scene),
         escaped_line(&scene.shows)
@@ -185,7 +222,7 @@ fn legend(verdict: &Verdict, pictures: &Pictures<'_>) -> String {
     let own_way = match verdict.peculiarities.is_empty() {
         true => "",
         false => {
-            " The reference uses its own method: where yours is right by another method, the pictures may differ \
+            " The reference uses its own method: where yours is correct by a different method, the pictures may differ \
              although the scene is right."
         }
     };

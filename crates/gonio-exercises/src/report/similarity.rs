@@ -5,8 +5,9 @@
 //! occurrence, so that an inserted declaration does not affect later k-grams. Numbers count by value. Declarations that the
 //! host program prescribes (uniforms, attributes, varyings, structs) and the start files of the exercise are left out.
 
+use super::text::by_name;
 use gonio_glsl::{Item, Parsed, Span, TokenPlace, TokenRange};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Number of tokens in a gram: about a statement. Shorter grams are common to all programs.
 const GRAM: usize = 12;
@@ -62,6 +63,53 @@ pub fn similar_pairs(submissions: &[(String, Fingerprint)], least: f64) -> Vec<(
     }
     pairs.sort_by(|a, b| b.2.total_cmp(&a.2));
     pairs
+}
+
+/// Submissions that are similar to one another, directly or by others between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SimilarGroup {
+    /// The labels, by name.
+    pub members: Vec<String>,
+    /// The similar pairs among them with their similarity, the most similar first.
+    pub pairs: Vec<(String, String, f64)>,
+}
+
+impl SimilarGroup {
+    /// The highest similarity of two members, 0 to 1.
+    pub fn highest(&self) -> f64 {
+        self.pairs.first().map_or(0.0, |(.., share)| *share)
+    }
+}
+
+/// The connected components of similar pairs, the one with the highest similarity first.
+pub fn similar_groups(pairs: &[(String, String, f64)]) -> Vec<SimilarGroup> {
+    let mut group_of: BTreeMap<&str, usize> = BTreeMap::new();
+    for (number, (a, b, _)) in pairs.iter().enumerate() {
+        let known = [a, b].map(|label| group_of.get(label.as_str()).copied());
+        let joined = known.into_iter().flatten().min().unwrap_or(number);
+        for group in group_of.values_mut().filter(|group| known.contains(&Some(**group))) {
+            *group = joined;
+        }
+        group_of.insert(a, joined);
+        group_of.insert(b, joined);
+    }
+    let mut groups: BTreeMap<usize, SimilarGroup> = BTreeMap::new();
+    let empty = || SimilarGroup { members: Vec::new(), pairs: Vec::new() };
+    for (label, group) in &group_of {
+        groups.entry(*group).or_insert_with(empty).members.push((*label).to_owned());
+    }
+    for pair in pairs {
+        if let Some(group) = group_of.get(pair.0.as_str()).and_then(|group| groups.get_mut(group)) {
+            group.pairs.push(pair.clone());
+        }
+    }
+    let mut groups: Vec<SimilarGroup> = groups.into_values().collect();
+    for group in &mut groups {
+        group.members.sort_by(|a, b| by_name(a, b));
+        group.pairs.sort_by(|a, b| b.2.total_cmp(&a.2));
+    }
+    groups.sort_by(|a, b| b.highest().total_cmp(&a.highest()));
+    groups
 }
 
 /// Words with a fixed meaning; all others are names that someone chose.
@@ -223,6 +271,25 @@ uniform vec3 lampe;   out vec4 couleur; in vec3 normale;
         assert!(similarity(&[ONE], &[&more], &[]) > 0.7);
         assert_eq!(similarity(&[ONE], &[&more], &[ONE]), 0.0);
         assert_eq!(similarity(&[&more], &[&more], &[ONE]), 1.0);
+    }
+
+    #[test]
+    fn a_chain_is_one_group() {
+        let pair = |a: &str, b: &str, share| (a.to_owned(), b.to_owned(), share);
+        // a and b, then c and d, then the link between them; e and f have nothing to do with these.
+        let pairs = [
+            pair("b 10", "a", 0.86),
+            pair("e", "f", 0.9),
+            pair("c", "d", 0.87),
+            pair("b 9", "a", 0.88),
+            pair("c", "b 9", 0.99),
+        ];
+        let groups = similar_groups(&pairs);
+        assert_eq!(groups.len(), 2);
+        assert_eq!(groups[0].members, ["a", "b 9", "b 10", "c", "d"]);
+        assert_eq!((groups[0].highest(), groups[0].pairs.len(), groups[0].pairs[3].2), (0.99, 4, 0.86));
+        assert_eq!((groups[1].members.join(" "), groups[1].pairs.len()), ("e f".to_owned(), 1));
+        assert_eq!(similar_groups(&[]), []);
     }
 
     #[test]

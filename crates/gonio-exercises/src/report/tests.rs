@@ -3,6 +3,7 @@
 
 use super::*;
 use gonio_check::comparison::Evidence;
+use gonio_check::submission::SourceFile;
 use gonio_check::testbench::{Atlas, TILE};
 use gonio_check::verdict::{
     BoundVariable, CompilerMessage, FoundMistake, Outcome, Peculiarity, ProposedEdit, SceneVerdict, TermState,
@@ -75,6 +76,14 @@ struct Markup {
     elements: Vec<(String, Vec<(String, String)>)>,
     /// All text, with references resolved.
     text: String,
+}
+
+impl Markup {
+    /// The values of an attribute, in order.
+    fn attributes<'a>(&'a self, wanted: &'a str) -> impl Iterator<Item = &'a str> {
+        let all = self.elements.iter().flat_map(|(_, attributes)| attributes);
+        all.filter(move |(name, _)| name == wanted).map(|(_, value)| value.as_str())
+    }
 }
 
 /// Reads XML, and HTML that is written like it: elements in `empty` need no end tag.
@@ -154,22 +163,35 @@ fn resolved(text: &str) -> String {
     resolved
 }
 
+/// Reads a page, which runs nothing but the overview's own script, and whose links lead to pages beside it and to places in it.
 fn read_page(page: &str) -> Markup {
     assert!(page.starts_with("<!DOCTYPE html>\n"));
-    let markup = read_markup(page, &["meta", "img", "br"]);
+    let page = page.replacen(&format!("<script>{}</script>\n", overview::SCRIPT), "", 1);
+    let markup = read_markup(&page, &["meta", "img", "br", "input"]);
+    let ids: Vec<&str> = markup.attributes("id").collect();
+    for (index, id) in ids.iter().enumerate() {
+        assert!(!ids[..index].contains(id), "{id} twice");
+    }
     for (name, attributes) in &markup.elements {
         assert!(!["script", "iframe", "object", "base", "form", "link"].contains(&name.as_str()), "{name}");
         for (attribute, value) in attributes {
             assert!(!attribute.starts_with("on"), "{attribute}");
             let is_safe = match attribute.as_str() {
                 "src" => value.starts_with("data:image/png;base64,"),
-                "href" => value.starts_with("./") && value.ends_with(".html"),
+                "href" => match value.split_once('#') {
+                    Some(("", place)) => ids.contains(&place),
+                    Some((page, place)) => {
+                        page.starts_with("./") && page.ends_with(".html") && place.starts_with("finding-")
+                    }
+                    None => value.starts_with("./") && value.ends_with(".html"),
+                },
+                "for" => ids.contains(&value.as_str()),
                 _ => true,
             };
             assert!(is_safe, "{attribute}={value}");
         }
     }
-    nothing_invisible(page);
+    nothing_invisible(&page);
     markup
 }
 
@@ -178,10 +200,10 @@ fn nothing_invisible(text: &str) {
     assert!(hidden.is_empty(), "{hidden:?}");
 }
 
-/// Reads CSV. Quoted cells may contain anything, the others no comma, quote or line break.
+/// Reads CSV with a byte order mark. Quoted cells may contain anything, the others no comma, quote or line break.
 fn read_csv(table: &str) -> Vec<Vec<String>> {
     let (mut rows, mut row, mut cell, mut quoted) = (Vec::new(), Vec::new(), String::new(), false);
-    let mut characters = table.chars().peekable();
+    let mut characters = table.strip_prefix('\u{feff}').expect("a byte order mark").chars().peekable();
     while let Some(c) = characters.next() {
         match (quoted, c) {
             (true, '"') if characters.peek() == Some(&'"') => cell.extend(characters.next()),
@@ -314,24 +336,30 @@ fn a_table_has_a_line_per_submission() {
     let mut second = evil(Outcome::DoesNotCompile);
     second.mistakes.clear();
     second.messages[0].file = "a b.frag".to_owned();
+    second.summary = "`lum` is not declared".to_owned();
     let mut third = evil(Outcome::Wrong);
-    third.mistakes.push(FoundMistake { id: "ambient-twice".to_owned(), file: None, ..third.mistakes[0].clone() });
-    third.mistakes[0].file = Some("a b.frag".to_owned());
-    let rows = [evil_row(), Row::new("second", &second, f64::NAN), Row::new("third, and last", &third, 1.0)];
-    let table = csv(&rows);
-    nothing_invisible(&table);
+    third.mistakes[0] = FoundMistake::new("normal-by-model-matrix", "The normal is wrong", 0.9971);
+    third.mistakes.push(FoundMistake {
+        id: "ambient-twice".to_owned(),
+        name: "A is added twice".to_owned(),
+        ..third.mistakes[0].clone().at("a b.frag", Some(14), "")
+    });
+    third.warnings.clear();
+    let rows = [evil_row(), Row::new("second", &second, f64::NAN), Row::new("José, 中村", &third, 1.0)];
+    let table = csv(&rows, 20.0);
+    assert!(table.as_bytes().starts_with(b"\xEF\xBB\xBFname,verdict,points,"), "{table}");
+    nothing_invisible(table.trim_start_matches('\u{feff}'));
     let read = read_csv(&table);
     assert_eq!(read.len(), 4);
-    assert!(read.iter().all(|row| row.len() == 9), "{read:?}");
-    assert_eq!(read[0][0], "submission");
-    assert!(read[1][0].starts_with("</script>") && read[1][0].contains("\n=1+1"), "{:?}", read[1][0]);
-    assert_eq!(read[2][6], "a b.frag:3");
-    assert_eq!(read[3][0], "third, and last");
-    assert_eq!(
-        read[3][1..7],
-        ["ex04", "wrong", "0.3333", "normal-by-model-matrix ambient-twice", "0.9971 0.9971", "a_b.frag:14 ?"]
-    );
-    assert_eq!(read[2][8], "0.000");
+    assert!(read.iter().all(|row| row.len() == 13), "{read:?}");
+    assert!(read[1][0].starts_with("</script>") && read[1][0].contains("\\r\\n=1+1"), "{:?}", read[1][0]);
+    assert_eq!(read[2][..6], ["second", "does-not-compile", "6.67", "20", "", "a b.frag:3: `lum` is not declared"]);
+    assert_eq!((read[2][10].as_str(), read[2][12].as_str()), ("a b.frag:3", "0.000"));
+    let reason = "The normal is wrong; a b.frag:14: A is added twice";
+    let titles = "The normal is wrong; A is added twice";
+    assert_eq!(read[3][..6], ["José, 中村", "wrong", "6.67", "20", titles, reason]);
+    let ids = "normal-by-model-matrix ambient-twice";
+    assert_eq!(read[3][6..], ["ex04", "0.3333", ids, "0.9971 0.9971", "? a_b.frag:14", "", "1.000"]);
 }
 
 #[test]
@@ -339,12 +367,22 @@ fn no_cell_is_a_formula() {
     for label in ["=1+1", "+1", "-1", "@SUM(A1)", "  =1", "\u{200b}=1", "\t=1", "\r\n=1", "\0=1", "＝1"] {
         let mut row = evil_row();
         row.submission = label.to_owned();
-        let read = read_csv(&csv(&[row]));
+        row.mistakes[0].name = label.to_owned();
+        row.mistakes[0].place = None;
+        let read = read_csv(&csv(&[row], 1.0));
         assert!(read[1][0].starts_with('\''), "{label:?}: {:?}", read[1][0]);
+        // The title and the reason begin with an apostrophe, or with the escape of a hidden character.
+        for column in [4, 5] {
+            assert!(read[1][column].starts_with(['\'', '\\']), "{label:?}: {:?}", read[1][column]);
+        }
     }
-    let mut row = evil_row();
-    row.submission = "a=b".to_owned();
-    assert_eq!(read_csv(&csv(&[row]))[1][0], "a=b");
+    for (label, expected) in
+        [("=cmd|' /C calc'!A0", "'=cmd|' /C calc'!A0"), ("a=b", "a=b"), ("علی\u{200c}رضا", "علی\u{200c}رضا")]
+    {
+        let mut row = evil_row();
+        row.submission = label.to_owned();
+        assert_eq!(read_csv(&csv(&[row], 1.0))[1][0], expected);
+    }
 }
 
 #[test]
@@ -353,7 +391,9 @@ fn a_page_shows_everything_and_runs_nothing() {
     for outcome in OUTCOMES {
         let verdict = evil(outcome);
         for evidence in [None, Some(&evidence)] {
-            let page = page(EVIL, &verdict, evidence);
+            let text = format!("void main() {{}}\n{}\n", EVIL.replace('\0', "")).repeat(9);
+            let sources = [SourceFile::new(EVIL, text)];
+            let page = with_neighbours(&page(EVIL, &verdict, evidence, &sources), Some(EVIL), Some("\u{202e}"));
             let markup = read_page(&page);
             let pictures = markup.elements.iter().filter(|(name, _)| name == "img").count();
             assert_eq!(pictures, evidence.map_or(0, |_| 12));
@@ -366,6 +406,11 @@ fn a_page_shows_everything_and_runs_nothing() {
             assert!(markup.text.contains("</script><script>alert('1')</script>\"'&amp;<!--]]>"));
             let alone = markup.elements.iter().filter(|(name, _)| name == "h1").count();
             assert_eq!(alone, 1);
+            // The mistake's line and the message's are marked, and both lead back.
+            let back: Vec<&str> = markup.attributes("href").filter(|place| place.starts_with("#finding")).collect();
+            assert_eq!(back, ["#finding-2", "#finding-1"], "in the order of lines");
+            assert_eq!(markup.attributes("href").filter(|place| place.starts_with("#line-")).count(), 3);
+            assert_eq!(markup.attributes("class").filter(|class| class.starts_with("marked")).count(), 2);
         }
     }
 }
@@ -374,7 +419,7 @@ fn a_page_shows_everything_and_runs_nothing() {
 fn a_page_of_a_right_answer_mentions_no_mistakes() {
     let mut verdict = Verdict::new("ex04", Outcome::Correct, "right in every scene");
     verdict.terms = vec![TermVerdict { term: "diffuse".into(), state: TermState::Right }];
-    let markup = read_page(&page("ada", &verdict, None));
+    let markup = read_page(&page("ada", &verdict, None, &[]));
     assert!(markup.text.contains("Right in every scene.") && markup.text.contains("Correct"));
     assert!(
         !markup.text.contains("What is wrong")
@@ -392,39 +437,119 @@ fn a_long_file_does_not_make_a_long_page() {
     verdict.messages = vec![message; 300];
     verdict.warnings = vec!["w".repeat(1 << 16); 300];
     verdict.bound = vec![verdict.bound[0].clone(); 300];
-    let page = page("long", &verdict, None);
+    let sources = vec![SourceFile::new(EVIL, "z".repeat(1 << 16)); 300];
+    let page = page("long", &verdict, None, &sources);
     read_page(&page);
     assert!(page.len() < 1 << 20, "{}", page.len());
     assert!(page.contains("And 260 more"));
 }
 
-#[test]
-fn an_overview_counts_sorts_and_links() {
-    let mut rows = vec![evil_row(), Row::new("Group 10", &Verdict::new("ex04", Outcome::Correct, ""), 0.5)];
-    rows.push(Row::new("group 9", &evil(Outcome::Wrong), 0.5));
-    rows.push(Row::new("", &Verdict::new("ex04", Outcome::Unsure, EVIL), f64::INFINITY));
+/// A class of four, with a name that is hostile and one that is empty.
+fn class() -> Vec<Row> {
+    let thumbnail = SubmissionThumbnail::new(&evil(Outcome::Wrong), &evidence());
+    assert!(thumbnail.is_some());
+    vec![
+        evil_row().with_thumbnail(thumbnail),
+        Row::new("Group 10", &Verdict::new("ex04", Outcome::Correct, ""), 0.5),
+        Row::new("group 9", &evil(Outcome::Wrong), 0.5),
+        Row::new("", &Verdict::new("ex04", Outcome::Unsure, EVIL), f64::INFINITY),
+    ]
+}
+
+fn overview_of(rows: &[Row]) -> String {
     let similar = [("group 9".to_owned(), "Group 10".to_owned(), 0.7), (EVIL.to_owned(), "group 9".to_owned(), 0.96)];
-    let page = overview(EVIL, &rows, &similar, &[EVIL.to_owned()]);
+    let similar = similar_groups(&similar);
+    overview(&Overview { title: EVIL, rows, similar: &similar, skipped: &[EVIL.to_owned()], most_points: 20.0 })
+}
+
+#[test]
+fn an_overview_begins_with_the_submissions_and_ends_with_similarity() {
+    let page = overview_of(&class());
     let markup = read_page(&page);
-    let links: Vec<&str> = markup
-        .elements
-        .iter()
-        .filter(|(name, _)| name == "a")
-        .filter_map(|(_, attributes)| attributes.iter().find(|(name, _)| name == "href"))
-        .map(|(_, address)| address.as_str())
-        .collect();
-    assert_eq!(links.len(), 8);
-    assert_eq!(links[1], "./group%209.html");
-    assert_eq!(links[2..4], ["./group%209.html", "./Group%2010.html"]);
-    assert_eq!((links[4], links[6], links[7]), ("./~.html", "./group%209.html", "./Group%2010.html"));
-    assert!(markup.text.contains("96 %") && markup.text.contains("70 %"));
-    // Two of four are wrong, and both make the mistake: its bar is full, that of the verdict is half.
-    let widths: Vec<&str> = markup
-        .elements
-        .iter()
-        .flat_map(|(_, attributes)| attributes)
-        .filter_map(|(name, value)| (name == "style").then_some(value.as_str()))
-        .collect();
-    assert_eq!(widths, ["width: 25.0%", "width: 50.0%", "width: 25.0%", "width: 100.0%"]);
-    read_page(&overview("none", &[], &[], &[]));
+    let at = |heading: &str| page.find(&format!("<h2>{heading}</h2>")).expect(heading);
+    let order = ["Submissions", "Mistakes", "Not checked", "Similar submissions"].map(at);
+    assert!(order.is_sorted(), "{order:?}");
+    let table = &page[..order[1]];
+    let first = |words: &str| table.find(words).expect(words);
+    // By name, without case and with numbers by value.
+    assert!(first("(no name)") < first(">group 9<") && first(">group 9<") < first(">Group 10<"), "{table}");
+    for words in ["4 submissions", "2 wrong", "1 correct", "1 could not be judged", "of 20", "100 % of pixels differ"] {
+        assert!(markup.text.contains(words), "{words}: {}", markup.text);
+    }
+    // The chain of three is one group.
+    assert!(markup.text.contains("3 submissions, up to 96 % the same"), "{}", markup.text);
+    assert!(markup.text.contains("2 similar pairs") && markup.text.contains("70 %"));
+    // Both wrong ones make the mistake, and their rows are linked.
+    assert_eq!(markup.attributes("style").collect::<Vec<_>>(), ["width: 50.0%"]);
+    assert_eq!(markup.attributes("href").filter(|place| place.starts_with("#submission-")).count(), 2);
+    let finding = "./group%209.html#finding-1";
+    assert_eq!(markup.attributes("href").filter(|place| *place == finding).count(), 1);
+    read_page(&overview(&Overview { title: "none", rows: &[], similar: &[], skipped: &[], most_points: f64::NAN }));
+}
+
+#[test]
+fn every_column_of_an_overview_has_what_it_is_sorted_by() {
+    let rows = class();
+    let markup = read_page(&overview_of(&rows));
+    assert_eq!(markup.attributes("aria-sort").collect::<Vec<_>>(), ["none", "ascending", "none", "none", "none"]);
+    let keys: Vec<f64> = markup.attributes("data-key").map(|key| key.parse().expect(key)).collect();
+    let keys: Vec<&[f64]> = keys.chunks_exact(5).collect();
+    assert_eq!(keys.len(), rows.len());
+    let column = |column: usize| keys.iter().map(|row| row[column]).collect::<Vec<f64>>();
+    // In the order of names: the hostile one, the empty one, 9 and 10.
+    let names: Vec<&str> = markup.attributes("href").filter(|place| !place.contains('#')).take(4).collect();
+    assert_eq!(names[0], "./~.html");
+    assert_eq!(names[2..], ["./group%209.html", "./Group%2010.html"]);
+    assert_eq!(column(0), [-1.0, 1.0, -1.0, -1.0]);
+    assert_eq!(column(1), [0.0, 1.0, 2.0, 3.0]);
+    assert_eq!(column(2), [2.0, 1.0, 1.0, 0.0]);
+    assert_eq!(column(3), [0.0, 6.67, 6.67, 20.0]);
+    assert_eq!(column(4), [2.0, 0.0, 0.0, 2.0]);
+}
+
+#[test]
+fn one_is_singular() {
+    let mut verdict = Verdict::new("ex04", Outcome::DoesNotCompile, "no");
+    verdict.warnings = vec!["w".to_owned()];
+    let rows = [Row::new("ada", &verdict, 1.0)];
+    let one = |skipped: &[String]| {
+        read_page(&overview(&Overview { title: "t", rows: &rows, similar: &[], skipped, most_points: 1.0 })).text
+    };
+    let text = one(&[]);
+    assert!(
+        ["1 submission\n", "1 does not compile", "1 warning\n"].iter().all(|words| text.contains(words.trim())),
+        "{text}"
+    );
+    assert!(!text.contains("1 submissions") && !text.contains("1 do not") && !text.contains("1 warnings"), "{text}");
+}
+
+#[test]
+fn texts_can_be_read_on_every_ground_in_both_themes() {
+    let style = include_str!("style.css");
+    let (light, dark) = style.split_once("@media").unwrap();
+    for theme in [light, dark] {
+        let luminance = |name: &str| {
+            let (_, value) = theme.split_once(&format!("--{name}: #")).expect(name);
+            let channel = |at: usize| {
+                let encoded = f64::from(u8::from_str_radix(&value[at..at + 2], 16).unwrap()) / 255.0;
+                if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+            };
+            0.2126 * channel(0) + 0.7152 * channel(2) + 0.0722 * channel(4)
+        };
+        // WCAG 2.2, 1.4.3: 4.5 for text at level AA.
+        let readable = |text: &str, ground: &str| {
+            let (a, b) = (luminance(text), luminance(ground));
+            let contrast = (a.max(b) + 0.05) / (a.min(b) + 0.05);
+            assert!(contrast >= 4.5, "{text} on {ground}: {contrast:.2} in {theme}");
+        };
+        for text in ["text", "soft", "right", "warning", "error", "accent"] {
+            ["ground", "card"].into_iter().for_each(|ground| readable(text, ground));
+        }
+        for ground in ["code", "right-ground", "warning-ground", "error-ground", "accent-ground"] {
+            ["text", "soft"].into_iter().for_each(|text| readable(text, ground));
+        }
+        for tint in ["right", "warning", "error", "accent"] {
+            readable(tint, &format!("{tint}-ground"));
+        }
+    }
 }

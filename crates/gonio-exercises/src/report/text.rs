@@ -80,8 +80,13 @@ pub fn line(text: &str) -> String {
 
 /// Escapes text for the content and the attributes of XML and HTML.
 pub fn escaped(text: &str) -> String {
+    marked_up(&plain(text))
+}
+
+/// The text with references instead of characters that have a meaning in XML and HTML.
+fn marked_up(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for c in plain(text).chars() {
+    for c in text.chars() {
         match c {
             '&' => escaped.push_str("&amp;"),
             '<' => escaped.push_str("&lt;"),
@@ -97,6 +102,31 @@ pub fn escaped(text: &str) -> String {
 /// The result of [`escaped`] on one line, for attributes of XML.
 pub fn escaped_line(text: &str) -> String {
     escaped(&line(text))
+}
+
+/// A person's name on one line, as it is: characters that join or separate letters (in Persian and Indic scripts, and in emoji)
+/// are kept after a letter or sign beyond ASCII; all other hidden characters become escapes as in [`plain`].
+pub fn name(text: &str) -> String {
+    let mut name = String::with_capacity(text.len().min(MOST_CHARACTERS));
+    let mut before = ' ';
+    for (index, c) in text.chars().enumerate() {
+        if index == MOST_CHARACTERS {
+            name.push('…');
+            break;
+        }
+        match c {
+            '\u{200c}' | '\u{200d}' | '\u{fe0f}' if !before.is_ascii() && !is_hidden(before) => name.push(c),
+            c => push_visible(&mut name, c),
+        }
+        // A coloured heart, say, is joined to another sign after its variation selector.
+        before = if c == '\u{fe0f}' { before } else { c };
+    }
+    name.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The result of [`name`], escaped for the content and the attributes of XML and HTML.
+pub fn escaped_name(text: &str) -> String {
+    marked_up(&name(text))
 }
 
 /// A share in percent. Only the whole is 100 %.
@@ -137,6 +167,37 @@ pub fn word(outcome: Outcome) -> &'static str {
         Outcome::DoesNotCompile => "does-not-compile",
         Outcome::Unsure => "unsure",
     }
+}
+
+/// The points for a share of the whole: at most two decimals; `most` only for the whole.
+pub fn points(share: f64, most: f64) -> f64 {
+    let (share, most) = (unit(share), if most.is_finite() { most.max(0.0) } else { 0.0 });
+    let rounded = (share * most * 100.0).round() / 100.0;
+    if share < 1.0 { rounded.min((most * 100.0).ceil() / 100.0 - 0.01).max(0.0) } else { most }
+}
+
+/// Compares names without case, and with numbers by value: `group 9` comes before `group 10`.
+pub fn by_name(a: &str, b: &str) -> std::cmp::Ordering {
+    let key = |name: &str| {
+        let mut key: Vec<(String, u64)> = Vec::new();
+        let (mut word, mut number) = (String::new(), None::<u64>);
+        for c in name.to_lowercase().chars() {
+            match (c.to_digit(10), number) {
+                (Some(digit), known) => {
+                    number = Some(known.unwrap_or(0).saturating_mul(10).saturating_add(u64::from(digit)));
+                }
+                (None, Some(known)) => {
+                    key.push((std::mem::take(&mut word), known));
+                    number = None;
+                    word.push(c);
+                }
+                (None, None) => word.push(c),
+            }
+        }
+        key.push((word, number.unwrap_or(0)));
+        key
+    };
+    key(a).cmp(&key(b)).then_with(|| a.cmp(b))
 }
 
 /// A number with its noun: `1 scene`, `2 scenes`.
@@ -188,6 +249,34 @@ mod tests {
         assert_eq!(plain("\u{ffff}\u{fffe}"), r"\u{ffff}\u{fffe}");
         assert_eq!(plain("Ünïcode 日本 العربية"), "Ünïcode 日本 العربية");
         assert_eq!(line("  a\n\tb\u{2029}c "), r"a b\u{2029}c");
+    }
+
+    #[test]
+    fn names_are_kept_as_they_are() {
+        for kept in [
+            "Zoé Müller",
+            "中村 健",
+            "علی\u{200c}رضا",
+            "क्\u{200d}ष",
+            "👩\u{200d}🔬",
+            "❤\u{fe0f}\u{200d}🔥",
+            "=cmd",
+            "O'Neill",
+        ] {
+            assert_eq!(name(kept), kept);
+        }
+        assert_eq!(
+            name("a\u{200d}b\u{202e}c\0\r\nd é\u{200d}\u{200d}"),
+            "a\\u{200d}b\\u{202e}c\\x00\\r\\nd é\u{200d}\\u{200d}"
+        );
+        assert_eq!(escaped_name("<b> & \"é\""), "&lt;b&gt; &amp; &quot;é&quot;");
+    }
+
+    #[test]
+    fn only_the_whole_has_all_points() {
+        assert_eq!([points(1.0, 20.0), points(0.5, 20.0), points(0.999_99, 20.0)], [20.0, 10.0, 19.99]);
+        assert_eq!([points(f64::NAN, 5.0), points(1.0, f64::NAN), points(0.5, -3.0)], [0.0; 3]);
+        assert_eq!(points(1.0 / 3.0, 100.0), 33.33);
     }
 
     #[test]

@@ -10,6 +10,7 @@ use gonio_check::CheckOptions;
 use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
+use gonio_exercises::report::SubmissionThumbnail;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::{Error, ErrorKind, Read, Write};
@@ -54,6 +55,8 @@ pub struct WorkerAnswer {
     pub verdict: Verdict,
     /// The verdict as a web page, if it was requested and could be created.
     pub page: Option<Vec<u8>>,
+    /// The most telling pictures, if a page was requested and something was drawn.
+    pub thumbnail: Option<SubmissionThumbnail>,
     /// The contact sheet as PNG, if it was requested and something was drawn.
     pub sheet: Option<Vec<u8>>,
 }
@@ -75,6 +78,7 @@ struct RequestHeader {
 struct AnswerHeader {
     verdict: Result<Verdict, String>,
     page: Option<u64>,
+    thumbnail: Option<SubmissionThumbnail>,
     sheet: Option<u64>,
 }
 
@@ -122,7 +126,7 @@ impl Worker {
         let answer = self.reader.join().unwrap_or_else(|_| Err("its answer could not be read".into()));
         // A failure to write is ignored: the worker may have answered before it had read everything.
         let _ = self.writer.join();
-        let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, sheet: None });
+        let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, thumbnail: None, sheet: None });
         match ended.map_err(|error| format!("the check could not be monitored: {error}"))? {
             Ended::TooLong => without_pictures(Verdict::endless(&self.exercise, patience.as_secs())),
             Ended::TooLarge => without_pictures(Verdict::too_large(&self.exercise)),
@@ -157,10 +161,11 @@ pub fn serve(
     let answer = check(request);
     let length = |bytes: &Option<Vec<u8>>| bytes.as_ref().map(|bytes| bytes.len() as u64);
     let (header, page, sheet) = match answer {
-        Ok(WorkerAnswer { verdict, page, sheet }) => {
-            (AnswerHeader { verdict: Ok(verdict), page: length(&page), sheet: length(&sheet) }, page, sheet)
+        Ok(WorkerAnswer { verdict, page, thumbnail, sheet }) => {
+            let (page_length, sheet_length) = (length(&page), length(&sheet));
+            (AnswerHeader { verdict: Ok(verdict), page: page_length, thumbnail, sheet: sheet_length }, page, sheet)
         }
-        Err(error) => (AnswerHeader { verdict: Err(error), page: None, sheet: None }, None, None),
+        Err(error) => (AnswerHeader { verdict: Err(error), page: None, thumbnail: None, sheet: None }, None, None),
     };
     write_header(&mut output, &header)?;
     for bytes in [page, sheet].into_iter().flatten() {
@@ -235,6 +240,7 @@ fn read_answer(output: impl Read) -> Result<Option<WorkerAnswer>, String> {
     let (page, sheet) = (read(header.page), read(header.sheet));
     Ok(Some(WorkerAnswer {
         verdict: header.verdict?,
+        thumbnail: header.thumbnail,
         page: page.map_err(unreadable)?,
         sheet: sheet.map_err(unreadable)?,
     }))
@@ -295,6 +301,12 @@ mod tests {
         let answer = WorkerAnswer {
             verdict: Verdict::new("ex04", Outcome::Wrong, "as asked"),
             page: Some(b"<html>".to_vec()),
+            thumbnail: Some(SubmissionThumbnail {
+                scene: "lab".into(),
+                yours: "data:a".into(),
+                reference: None,
+                pixels_beyond: 0.25,
+            }),
             sheet: None,
         };
         let answered = answer.clone();

@@ -8,12 +8,12 @@ use crate::error::{CliError, CommandOutcome, io_reason};
 use crate::output::{OutputFiles, OutputPath, atomic};
 use crate::report::Reporter;
 
-use gonio_app::platform::desktop::worker;
+use gonio_app::platform::desktop::worker::{self, WorkerAnswer};
 use gonio_check::submission::{self, SourceFile};
 use gonio_check::verdict::{Outcome as Word, Verdict};
 use gonio_exercises::content_hash;
 use gonio_exercises::exercise::Exercise;
-use gonio_exercises::report::{self, Fingerprint, Row, page_name};
+use gonio_exercises::report::{self, Fingerprint, Row, SubmissionThumbnail, page_name};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -22,6 +22,8 @@ use std::time::Instant;
 
 /// Two submissions are similar from this share on.
 const SIMILAR: f64 = 0.85;
+/// The format of pages: those of another one are made again.
+const PAGE_FORMAT: &str = "2";
 /// Most bytes of a pair of shaders that is compared with others.
 const MAX_COMPARED_BYTES: usize = 256 << 10;
 
@@ -31,6 +33,7 @@ struct StoredVerdict {
     content: u64,
     seconds: f64,
     verdict: Verdict,
+    thumbnail: Option<SubmissionThumbnail>,
 }
 
 /// A submission that was checked.
@@ -38,6 +41,7 @@ struct Checked {
     label: String,
     verdict: Verdict,
     seconds: f64,
+    thumbnail: Option<SubmissionThumbnail>,
     fingerprint: Option<Fingerprint>,
 }
 
@@ -92,15 +96,22 @@ fn report(
     reporter: &Reporter,
 ) -> Result<CommandOutcome, CliError> {
     checked.sort_by(|a, b| a.label.cmp(&b.label));
-    let rows: Vec<Row> = checked.iter().map(|one| Row::new(&one.label, &one.verdict, one.seconds)).collect();
+    link_pages(&checked, results)?;
+    let row = |one: &mut Checked| Row::new(&one.label, &one.verdict, one.seconds).with_thumbnail(one.thumbnail.take());
+    let rows: Vec<Row> = checked.iter_mut().map(row).collect();
     let fingerprints: Vec<(String, Fingerprint)> =
         checked.iter_mut().filter_map(|one| Some((one.label.clone(), one.fingerprint.take()?))).collect();
-    let similar = report::similar_pairs(&fingerprints, SIMILAR);
-    let title = format!("{}: {}", exercise.id, exercise.title);
-    let overview = report::overview(&title, &rows, &similar, &class.skipped);
+    let similar = report::similar_groups(&report::similar_pairs(&fingerprints, SIMILAR));
+    let overview = report::overview(&report::Overview {
+        title: &exercise.title,
+        rows: &rows,
+        similar: &similar,
+        skipped: &class.skipped,
+        most_points: args.points,
+    });
     let mut files = OutputFiles::new();
     files.add(&results.join("index.html"), overview.as_bytes())?;
-    files.add(&results.join("table.csv"), report::csv(&rows).as_bytes())?;
+    files.add(&results.join("table.csv"), report::csv(&rows, args.points).as_bytes())?;
     let is_stdout_taken = args.junit.as_ref().is_some_and(OutputPath::is_stdout);
     if let Some(output) = &args.junit {
         let verdicts: Vec<(String, Verdict)> = checked.into_iter().map(|one| (one.label, one.verdict)).collect();
@@ -124,6 +135,24 @@ fn report(
     }
     let right = rows.iter().all(|row| row.verdict == Word::Correct);
     Ok(if right { CommandOutcome::Done } else { CommandOutcome::CheckFailed })
+}
+
+/// Links each page to the overview and to the pages before and after it, which another run may have added or removed.
+fn link_pages(checked: &[Checked], results: &Path) -> Result<(), CliError> {
+    let mut labels: Vec<&str> = checked.iter().map(|one| one.label.as_str()).collect();
+    report::in_page_order(&mut labels);
+    for (at, label) in labels.iter().enumerate() {
+        let path = results.join(page_name(label));
+        let bytes = std::fs::read(&path)
+            .map_err(|error| CliError::io(format!("cannot read the page `{}` again", path.display()), &error))?;
+        let page = String::from_utf8_lossy(&bytes);
+        let before = at.checked_sub(1).map(|before| labels[before]);
+        let linked = report::with_neighbours(&page, before, labels.get(at + 1).copied());
+        if linked != page {
+            atomic::write(&path, linked.as_bytes())?;
+        }
+    }
+    Ok(())
 }
 
 /// The folder for the results, which is never inside the submissions.
@@ -187,41 +216,48 @@ fn one(
     let content = content(args, exercise, &gathered.files, &gathered.left_out);
     let fingerprint = fingerprint_of(exercise, &gathered.files);
     let known = std::fs::read(&kept_path).ok().and_then(|bytes| serde_json::from_slice::<StoredVerdict>(&bytes).ok());
-    if let Some(StoredVerdict { verdict, seconds, .. }) =
+    if let Some(StoredVerdict { verdict, seconds, thumbnail, .. }) =
         known.filter(|known| known.content == content && page.exists())
     {
-        return Ok(Checked { label, verdict, seconds, fingerprint });
+        return Ok(Checked { label, verdict, seconds, thumbnail, fingerprint });
     }
     let start = Instant::now();
-    let (verdict, made) = match gathered.left_out.first() {
+    let WorkerAnswer { verdict, page: made, thumbnail, .. } = match gathered.left_out.first() {
         // A damaged zip, say, is the verdict about this submission alone.
-        Some(reason) if gathered.files.is_empty() => (Verdict::new(&exercise.id, Word::Unsure, reason.clone()), None),
+        Some(reason) if gathered.files.is_empty() => unsure(exercise, reason.clone()),
         _ => checked(args, exercise, gathered, &label, program)?,
     };
     let seconds = start.elapsed().as_secs_f64();
-    let made = made.unwrap_or_else(|| report::page(&label, &verdict, None).into_bytes());
+    let made = made.unwrap_or_else(|| report::page(&label, &verdict, None, &submission.gather().files).into_bytes());
     atomic::write(&page, &made)?;
-    let kept = serde_json::to_vec(&StoredVerdict { content, seconds, verdict: verdict.clone() })
+    let stored = StoredVerdict { content, seconds, verdict: verdict.clone(), thumbnail: thumbnail.clone() };
+    let kept = serde_json::to_vec(&stored)
         .map_err(|error| CliError::new(format!("cannot write {}: {error}", kept_path.display())))?;
     atomic::write(&kept_path, &kept)?;
-    Ok(Checked { label, verdict, seconds, fingerprint })
+    Ok(Checked { label, verdict, seconds, thumbnail, fingerprint })
 }
 
-/// The verdict, and the page if the process got as far as making one.
+/// The answer about a submission that could not be checked.
+fn unsure(exercise: &Exercise, reason: String) -> WorkerAnswer {
+    let verdict = Verdict::new(&exercise.id, Word::Unsure, reason);
+    WorkerAnswer { verdict, page: None, thumbnail: None, sheet: None }
+}
+
+/// The verdict, and the page and its thumbnail if the process got as far as making them.
 fn checked(
     args: &CheckArgs,
     exercise: &Exercise,
     gathered: GatheredFiles,
     label: &str,
     program: &Path,
-) -> Result<(Verdict, Option<Vec<u8>>), CliError> {
+) -> Result<WorkerAnswer, CliError> {
     let mut request = args.request(exercise, gathered);
     request.page = Some(label.to_owned());
     let not_started = |error| CliError::io("gonio cannot start itself for a check", &error);
     let worker = worker::start(program, request, true).map_err(not_started)?;
     Ok(match worker.wait(args.patience(), || false) {
-        Ok(answer) => (answer.verdict, answer.page),
-        Err(reason) => (Verdict::new(&exercise.id, Word::Unsure, reason), None),
+        Ok(answer) => answer,
+        Err(reason) => unsure(exercise, reason),
     })
 }
 
@@ -231,7 +267,7 @@ fn content(args: &CheckArgs, exercise: &Exercise, files: &[SourceFile], left_out
     let api = if args.es { "es" } else { "core" };
     let pair = args.pair.as_deref().unwrap_or_default();
     let feedback = args.feedback.unwrap_or(exercise.feedback).word();
-    let options = [exercise.id.as_str(), convention, api, pair, feedback, env!("CARGO_PKG_VERSION")];
+    let options = [exercise.id.as_str(), convention, api, pair, feedback, env!("CARGO_PKG_VERSION"), PAGE_FORMAT];
     let options = options.into_iter().chain(left_out.iter().map(String::as_str)).map(str::as_bytes);
     content_hash(options.chain(files.iter().flat_map(|file| [file.name.as_bytes(), &file.bytes])))
 }

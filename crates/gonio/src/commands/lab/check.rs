@@ -29,8 +29,8 @@ Examples:
   gonio lab check ex07 mine --feedback verdict
       Only whether it is right, and in which test scenes.
   gonio lab check ex07 submissions -o results
-      Each folder and each zip in `submissions` is one submission; the results are a page for each, a table and an overview. \
-Submissions that have not changed since the last check are not checked again. A zip of the whole class works too, and so do the \
+      Each folder and each zip in `submissions` is one submission; the results are a page for each, a table (.csv) and an overview \
+(index.html) with pictures, which sorts by any column. Submissions that have not changed since the last check are not checked again. A zip of the whole class works too, and so do the \
 downloads of Moodle, Canvas, Blackboard and Brightspace, in folders or flat.
 
 Any names and extensions work, and any `#version`. The checker recognises attributes and uniforms by the words in their names and by \
@@ -82,7 +82,7 @@ pub struct CheckArgs {
     /// Write the verdict as JSON for Moodle's CodeRunner.
     #[arg(long, value_name = "FILE.json", help_heading = "Output options")]
     pub code_runner: Option<OutputPath>,
-    /// Points for a correct answer, for Gradescope.
+    /// Points for a correct answer, in Gradescope's file and in the table and overview of many submissions.
     #[arg(long, value_name = "N", default_value = "100", value_parser = values::not_negative,
           help_heading = "Output options")]
     pub points: f64,
@@ -196,11 +196,15 @@ fn check_one(
     Ok(if answer.verdict.verdict == Word::Correct { CommandOutcome::Done } else { CommandOutcome::CheckFailed })
 }
 
-fn write(args: &CheckArgs, label: &str, WorkerAnswer { verdict, page, sheet }: &WorkerAnswer) -> Result<(), CliError> {
+fn write(
+    args: &CheckArgs,
+    label: &str,
+    WorkerAnswer { verdict, page, sheet, .. }: &WorkerAnswer,
+) -> Result<(), CliError> {
     let mut files = OutputFiles::new();
     if let Some(output) = &args.page {
         // The check that makes the pictures may have been stopped.
-        let page = page.clone().unwrap_or_else(|| report::page(label, verdict, None).into_bytes());
+        let page = page.clone().unwrap_or_else(|| report::page(label, verdict, None, &[]).into_bytes());
         files.add_output(output, page)?;
     }
     if let Some(output) = &args.sheet {

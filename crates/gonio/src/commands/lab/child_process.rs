@@ -7,7 +7,7 @@
 use super::exercise;
 use crate::error::{CliError, CommandOutcome};
 use crate::options::GeneralOptions;
-use crate::report::{self, Reporter};
+use crate::report::{Reporter, output_for_gonio};
 use clap::Args;
 use gonio_app::platform::desktop::child;
 use gonio_app::platform::desktop::trial::TrialAnswer;
@@ -17,6 +17,7 @@ use gonio_check::testbench::TestScene;
 use gonio_exercises::Checker;
 use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview::{self, CompiledPair, PreviewRenderer, PreviewScene, PreviewShape, SubmittedPair};
+use gonio_exercises::report;
 use gonio_gl::headless::HeadlessOptions;
 use gonio_gl::{Gl, GlError, HeadlessContext};
 use gonio_render::{DisplayTexture, Renderer};
@@ -80,7 +81,7 @@ const STACK_BYTES: usize = 256 << 20;
 /// Reads one request from stdin and writes one answer to stdout.
 pub fn check_worker() -> Result<CommandOutcome, CliError> {
     let failed = |error| CliError::io("cannot answer the check", &error);
-    worker::serve(std::io::stdin(), report::output_for_gonio(), |request| {
+    worker::serve(std::io::stdin(), output_for_gonio(), |request| {
         let checking = std::thread::Builder::new().stack_size(STACK_BYTES).spawn(move || check(request));
         let checking = checking.map_err(|error| format!("cannot start the check: {error}"))?;
         // The panic has been reported on stderr; without an answer the process counts as crashed.
@@ -90,22 +91,28 @@ pub fn check_worker() -> Result<CommandOutcome, CliError> {
     Ok(CommandOutcome::Done)
 }
 
+/// Most bytes of a file that a page may show.
+const MAX_SHOWN_BYTES: usize = 1 << 20;
+
 fn check(request: WorkerRequest) -> Result<WorkerAnswer, String> {
     let exercise = exercise(&request.exercise).map_err(|error| error.to_string())?;
     let context = HeadlessContext::with_options(&HeadlessOptions { es: request.es, ..Default::default() })
         .map_err(|error| error.message)?;
     let mut checker = Checker::new(context.gl());
     let feedback = request.feedback.unwrap_or(exercise.feedback);
+    let is_shown = |file: &&SourceFile| request.page.is_some() && file.bytes.len() <= MAX_SHOWN_BYTES;
+    let sources: Vec<SourceFile> = request.files.iter().filter(is_shown).cloned().collect();
     let checked = gonio_exercises::check(&mut checker, exercise, request.files, &request.options, feedback);
     let (mut verdict, evidence) = checked.map_err(|error| CliError::from(error).to_string())?;
     // The process ends next, and the system frees it faster.
     std::mem::forget((checker, context));
     verdict.warnings.extend(request.left_out);
-    let page =
-        request.page.map(|label| gonio_exercises::report::page(&label, &verdict, evidence.as_ref()).into_bytes());
-    let sheet =
-        evidence.filter(|_| request.sheet).map(|evidence| gonio_exercises::report::contact_sheet(&evidence, &verdict));
-    Ok(WorkerAnswer { verdict, page, sheet })
+    let page = request.page.map(|label| report::page(&label, &verdict, evidence.as_ref(), &sources).into_bytes());
+    let drawn = evidence.as_ref();
+    let thumbnail =
+        drawn.filter(|_| page.is_some()).and_then(|evidence| report::SubmissionThumbnail::new(&verdict, evidence));
+    let sheet = drawn.filter(|_| request.sheet).map(|evidence| report::contact_sheet(evidence, &verdict));
+    Ok(WorkerAnswer { verdict, page, thumbnail, sheet })
 }
 
 /// gonio's own program, for processes that a shader may crash.

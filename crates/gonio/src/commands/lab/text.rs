@@ -3,7 +3,7 @@
 use crate::terminal::{Style, TerminalPage};
 use gonio_check::proposed_fix::{self, DiffLine};
 use gonio_check::verdict::{FoundMistake, Outcome, PropertyState, ProposedEdit, TermState, Verdict};
-use gonio_exercises::report::Row;
+use gonio_exercises::report::{Row, SimilarGroup};
 
 const BOLD: Style = Style::Bold;
 const DIM: Style = Style::Dim;
@@ -44,7 +44,7 @@ pub fn verdict(verdict: &Verdict) -> TerminalPage {
         let words = verdict.terms.iter().map(|term| match term.state {
             TermState::Right => format!("{} {GREEN}right{GREEN:#}", term.term),
             TermState::Wrong => format!("{} {RED}wrong{RED:#}", term.term),
-            TermState::NotSeparable => format!("{} {DIM}not separable{DIM:#}", term.term),
+            TermState::NotSeparable => format!("{} {DIM}not tested separately{DIM:#}", term.term),
         });
         page.blank();
         page.line(format_args!("  {BOLD}Terms{BOLD:#}   {}", words.collect::<Vec<_>>().join(", ")));
@@ -53,21 +53,23 @@ pub fn verdict(verdict: &Verdict) -> TerminalPage {
     if verdict.verdict == Outcome::Wrong && !whole.is_empty() {
         let words = whole.iter().map(|scene| match scene.right {
             true => format!("{} {GREEN}right{GREEN:#}", scene.scene),
-            false => format!("{} {RED}wrong{RED:#} ({:.0} %)", scene.scene, 100.0 * scene.pixels_beyond),
+            false => {
+                format!("{} {RED}wrong{RED:#} ({:.0} % of pixels differ)", scene.scene, 100.0 * scene.pixels_beyond)
+            }
         });
         page.line(format_args!("  {BOLD}Scenes{BOLD:#}  {}", words.collect::<Vec<_>>().join(", ")));
     }
     let fails: Vec<_> = verdict.properties.iter().filter(|p| p.state == PropertyState::Wrong).collect();
     if !fails.is_empty() {
         page.blank();
-        page.line(format_args!("  {BOLD}Self-consistency{BOLD:#}"));
+        page.line(format_args!("  {BOLD}Consistency checks{BOLD:#}"));
         for property in fails {
             page.line(format_args!("    {} ({})", property.sentence, property.scenes.join(", ")));
         }
     }
     if !verdict.peculiarities.is_empty() {
         page.blank();
-        page.line(format_args!("  {BOLD}Right, by another method{BOLD:#}"));
+        page.line(format_args!("  {BOLD}Correct, by a different method{BOLD:#}"));
         for peculiarity in &verdict.peculiarities {
             page.line(format_args!("    {}: {}", peculiarity.id, peculiarity.name));
         }
@@ -151,8 +153,11 @@ fn proposed_fix(page: &mut TerminalPage, edits: &[ProposedEdit]) {
     }
 }
 
+/// Most members of a group of similar submissions in a line.
+const MOST_MEMBERS: usize = 6;
+
 /// Many submissions, one line each, with a summary.
-pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> TerminalPage {
+pub fn table(rows: &[Row], similar: &[SimilarGroup]) -> TerminalPage {
     let width = rows.iter().map(|row| row.submission.chars().count()).max().unwrap_or(0).min(40);
     let mut page = TerminalPage::new();
     for row in rows {
@@ -173,16 +178,25 @@ pub fn table(rows: &[Row], similar: &[(String, String, f64)]) -> TerminalPage {
     }
     let count = |outcome| rows.iter().filter(|row| row.verdict == outcome).count();
     page.blank();
+    let [submissions, compile] = [
+        if rows.len() == 1 { "submission" } else { "submissions" },
+        if count(Outcome::DoesNotCompile) == 1 { "does not compile" } else { "do not compile" },
+    ];
     page.line(format_args!(
-        "{} submissions: {} correct, {} wrong, {} do not compile, {} unsure",
+        "{} {submissions}: {} correct, {} wrong, {} {compile}, {} unsure",
         rows.len(),
         count(Outcome::Correct),
         count(Outcome::Wrong),
         count(Outcome::DoesNotCompile),
         count(Outcome::Unsure)
     ));
-    for (a, b, share) in similar {
-        page.line(format_args!("{YELLOW}similar{YELLOW:#}: {a} and {b}, {:.0} %", 100.0 * share));
+    for group in similar {
+        let others = group.members.len().saturating_sub(MOST_MEMBERS);
+        let mut members = group.members.iter().take(MOST_MEMBERS).cloned().collect::<Vec<_>>().join(", ");
+        if others > 0 {
+            members.push_str(&format!(" and {others} more"));
+        }
+        page.line(format_args!("{YELLOW}similar{YELLOW:#}: {members}, up to {:.0} %", 100.0 * group.highest()));
     }
     page
 }
