@@ -74,7 +74,7 @@ mod tests {
     fn reports_have_the_same_colors() {
         let style = include_str!("../../../gonio-exercises/src/report/style.css");
         let themes = style.split_once("@media");
-        for (name, tint) in [("right", NORMAL), ("warning", WARNING), ("error", ERROR), ("accent", ACCENT)] {
+        for (name, tint) in [("right", CORRECT), ("warning", WARNING), ("error", WRONG), ("accent", ACCENT)] {
             for is_dark in [false, true] {
                 let [r, g, b, _] = tint.in_theme(is_dark).to_array();
                 let line = format!("--{name}: #{r:02x}{g:02x}{b:02x};");
