@@ -19,6 +19,7 @@
 //! | [`exercise`] | an exercise: the student's files, their picture, the checker |
 //! | [`files`] | files that the user drops, chooses or links to |
 //! | [`saving`] | pictures and scenes as files |
+//! | `missing_glyphs` | characters that no font can draw |
 //! | [`platform`] | what desktop and web implement differently |
 //! | [`truth`] | traced pictures: requests and answers |
 //! | [`widgets`] | numbers, colours, choices |
@@ -34,6 +35,7 @@ pub mod document;
 pub mod exercise;
 pub mod exported;
 pub mod files;
+mod missing_glyphs;
 pub mod panels;
 pub mod platform;
 pub mod saving;
