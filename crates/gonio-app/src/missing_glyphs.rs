@@ -75,8 +75,10 @@ fn sentence(missing: &BTreeSet<char>, advice: &str) -> String {
     }
     let last = list.pop().unwrap_or_default();
     let list = if list.is_empty() { last } else { format!("{} and {last}", list.join(", ")) };
-    let noun = if missing.len() == 1 { "character" } else { "characters" };
-    format!("No font has the {noun} {list}, displayed as a box: {advice}")
+    match missing.len() {
+        1 => format!("No font has the character {list}, displayed as a box: {advice}"),
+        _ => format!("No font has the characters {list}, displayed as boxes: {advice}"),
+    }
 }
 
 #[cfg(test)]
@@ -89,7 +91,7 @@ mod tests {
         assert_eq!(say("中"), "No font has the character 中 (U+4E2D), displayed as a box: install one");
         assert_eq!(
             say("中文"),
-            "No font has the characters 中 (U+4E2D) and 文 (U+6587), displayed as a box: install one"
+            "No font has the characters 中 (U+4E2D) and 文 (U+6587), displayed as boxes: install one"
         );
         assert!(say("абвгдежзик").contains("з (U+0437) and 2 more, displayed"), "{}", say("абвгдежзик"));
     }

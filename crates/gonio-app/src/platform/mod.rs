@@ -150,7 +150,7 @@ pub trait Platform {
     /// [`FontSearch::NotFound`]. On the page the browser has been asked before.
     fn find_fonts(&mut self, characters: &BTreeSet<char>, ctx: &egui::Context) -> FontSearch {
         let _ = (characters, ctx);
-        FontSearch::NotFound { advice: "install a font that has it, and load the page again".into() }
+        FontSearch::NotFound { advice: "install a font of this script and load the page again".into() }
     }
     /// Returns a function that tells whether the current frame is on the screen.
     fn shown(&mut self, ctx: &egui::Context) -> FrameShown {

@@ -87,7 +87,7 @@ fn advice(characters: &BTreeSet<char>, has_fonts: bool) -> String {
         packages.push("fonts-noto-core");
     }
     format!(
-        "install a font that has it, on Debian and Ubuntu by `apt-get install {}`, and restart gonio",
+        "install a font of this script, on Debian and Ubuntu by `apt-get install {}`, and restart gonio",
         packages.join(" ")
     )
 }
