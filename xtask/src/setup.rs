@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Debian packages that the tests need: OpenGL on the CPU; RenderDoc, its Python module and the X server that opening a
-/// capture requires; libraries for a window under X, and simulated input; the browser.
+/// capture requires; libraries for a window under X, simulated input, and a font with Cyrillic letters; the browser.
 const PACKAGES: &[&str] = &[
     "libegl1",
     "libgl1-mesa-dri",
@@ -18,6 +18,7 @@ const PACKAGES: &[&str] = &[
     "libxi6",
     "libxkbcommon-x11-0",
     "xdotool",
+    "fonts-dejavu-core",
     "chromium",
 ];
 

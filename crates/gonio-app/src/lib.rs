@@ -20,6 +20,7 @@
 //! | [`files`] | files that the user drops, chooses or links to |
 //! | `focus` | the ring around the focused control |
 //! | [`saving`] | pictures and scenes as files |
+//! | `missing_glyphs` | characters that no font can draw |
 //! | [`platform`] | what desktop and web implement differently |
 //! | [`truth`] | traced pictures: requests and answers |
 //! | [`widgets`] | numbers, colours, choices |
@@ -36,6 +37,7 @@ pub mod exercise;
 pub mod exported;
 pub mod files;
 mod focus;
+mod missing_glyphs;
 pub mod panels;
 pub mod platform;
 pub mod saving;

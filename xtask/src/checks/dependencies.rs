@@ -19,9 +19,6 @@ pub struct Rule {
 
 /// The one place that says it. A new crate adds itself here.
 pub const RULES: &[Rule] = &[
-    // Stand-ins for other people's crates below egui: thin/README.md.
-    Rule { krate: "harfrust", may_know: &[], tests_may_know: &[] },
-    Rule { krate: "vello_cpu", may_know: &[], tests_may_know: &[] },
     // Tables of test cases: every crate's tests may read them (`FOR_ALL_TESTS`).
     Rule { krate: "gonio-fixtures", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-light", may_know: &[], tests_may_know: &[] },
@@ -111,14 +108,11 @@ const BELOW_GALLERY: &[&str] = &[
     "gonio-gl",
     "gonio-render",
     "gonio-beyond",
-    "harfrust",
-    "vello_cpu",
 ];
 const BELOW_SIMPLIFY: &[&str] =
     &["gonio-light", "gonio-image", "gonio-scene", "gonio-reference", "gonio-trace", "gonio-gallery"];
 const BELOW_BAKING: &[&str] = &["gonio-light", "gonio-mesh", "gonio-rays", "gonio-image", "gonio-scene", "gonio-atlas"];
-/// It sets text as the window does.
-const BELOW_PLOTS: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "vello_cpu"];
+const BELOW_PLOTS: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf"];
 const BELOW_BEYOND: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "gonio-plot", "gonio-trace"];
 const BELOW_CHECK: &[&str] = &[
     "gonio-light",

@@ -16,6 +16,7 @@ use crate::bench::BenchView;
 use crate::document::{Document, History};
 use crate::exercise::ExerciseView;
 use crate::files::{Adopted, Layered, base_name, short};
+use crate::missing_glyphs::MissingGlyphs;
 use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
 use crate::session::{MessageCause, MessageSeverity, OwnShaders, Session, Tab};
@@ -68,6 +69,7 @@ pub struct App {
     stations: StationRoom,
     /// Tells when a sketch is on the screen. The full picture waits for that, because drawing it may delay the sketch.
     sketched: Option<FrameShown>,
+    missing_glyphs: MissingGlyphs,
 }
 
 impl App {
@@ -126,7 +128,9 @@ impl App {
             bench: BenchView::default(),
             stations: StationRoom::default(),
             sketched: None,
+            missing_glyphs: MissingGlyphs::default(),
         };
+        app.missing_glyphs.observe(ctx);
         let mut files = app.files.clone();
         if opening.inputs.is_empty() {
             match app.platform.first() {
@@ -150,6 +154,7 @@ impl App {
     /// graphics and restore them later. Documents and open files are kept.
     pub fn resume(&mut self, ctx: &egui::Context, gl: Option<Gl>) {
         theme::install(ctx);
+        self.missing_glyphs.observe(ctx);
         self.exercise.release();
         self.bench.release();
         self.stations.release();
@@ -200,18 +205,19 @@ impl App {
     pub fn ui(&mut self, ui: &mut Ui) {
         focus::allow_slow_double_clicks(ui.ctx());
         let reported = self.session.messages.count();
-        self.frame(ui);
-        focus::ring(ui.ctx());
+        let ctx = ui.ctx().clone();
+        self.frame(ui, &ctx);
+        self.missing_glyphs.follow(&ctx, self.platform.as_mut(), &mut self.session.messages);
+        focus::ring(&ctx);
         // Messages of this frame are shown in the next one.
         if self.session.messages.count() != reported {
-            ui.ctx().request_repaint();
+            ctx.request_repaint();
         }
     }
 
-    fn frame(&mut self, ui: &mut Ui) {
+    fn frame(&mut self, ui: &mut Ui, ctx: &egui::Context) {
         let start = Instant::now();
-        let ctx = ui.ctx().clone();
-        self.receive(&ctx);
+        self.receive(ctx);
         if self.exercise.is_open {
             self.session.traced.iter_mut().for_each(TracedPane::stop);
             return self.exercise_ui(ui);
@@ -224,18 +230,18 @@ impl App {
             self.session.traced.iter_mut().for_each(TracedPane::stop);
             return self.stations_ui(ui);
         }
-        self.advance(&ctx);
+        self.advance(ctx);
         self.take_traced();
         for action in self.show_panels(ui) {
-            self.act(&ctx, action);
+            self.act(ctx, action);
         }
-        self.follow_document(&ctx);
+        self.follow_document(ctx);
         self.draw(ui);
-        self.settle(&ctx);
+        self.settle(ctx);
         self.note_learned();
         let end = Instant::now();
         self.session.traced.iter_mut().for_each(|traced| traced.take_times(start, end));
-        self.publish(&ctx);
+        self.publish(ctx);
     }
 
     /// Handles events of the platform, loaded files, and a request to close the window.

@@ -15,6 +15,7 @@ use crate::truth::Tracer;
 use gonio_check::verdict::{Outcome, Verdict};
 use gonio_scene::files::FileSource;
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
@@ -84,6 +85,20 @@ pub enum FileDialog {
     Unavailable,
 }
 
+/// State of a search for fonts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FontSearch {
+    /// The search goes on; the window is repainted when it has ended.
+    Running,
+    /// Fonts were found. They draw the characters from the next frame on, as far as they have them.
+    Installed,
+    /// There is no font with these characters.
+    NotFound {
+        /// How to get one, as the end of a sentence, without a full stop.
+        advice: String,
+    },
+}
+
 /// Time after which a painted picture counts as being on the screen.
 const MOMENT: Duration = Duration::from_millis(100);
 
@@ -145,6 +160,12 @@ pub trait Platform {
     fn take_draft(&mut self, key: &str) -> Option<String> {
         let _ = key;
         None
+    }
+    /// Looks for fonts with characters that no installed font has. Called after each frame until it answers
+    /// [`FontSearch::NotFound`]. On the page the browser has been asked before.
+    fn find_fonts(&mut self, characters: &BTreeSet<char>, ctx: &egui::Context) -> FontSearch {
+        let _ = (characters, ctx);
+        FontSearch::NotFound { advice: "install a font of this script and load the page again".into() }
     }
     /// Returns a function that tells whether the current frame is on the screen.
     fn shown(&mut self, ctx: &egui::Context) -> FrameShown {

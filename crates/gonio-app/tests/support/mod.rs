@@ -5,7 +5,8 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use gonio_app::exported::{self, Widget};
 use gonio_app::platform::{
-    ByCheck, CheckRequest, CheckResult, Event as PlatformEvent, FileDialog, Pending, Platform, Purpose, TrialOutcome,
+    ByCheck, CheckRequest, CheckResult, Event as PlatformEvent, FileDialog, FontSearch, Pending, Platform, Purpose,
+    TrialOutcome,
 };
 use gonio_app::saving::Product;
 use gonio_app::session::Settings;
@@ -17,6 +18,7 @@ use gonio_exercises::exercise;
 use gonio_gl::HeadlessContext;
 use gonio_scene::files::{Disk, FileSource};
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
@@ -30,6 +32,10 @@ pub struct Here {
     pub asked: Rc<RefCell<Option<Purpose>>>,
     /// Trials with an outcome set by the test.
     pub trials: Rc<RefCell<Trials>>,
+    /// Fonts of the system that were not found yet.
+    pub fonts: Rc<RefCell<Option<Arc<dyn egui::FontProvider>>>>,
+    /// Number of searches for fonts.
+    pub searches: Rc<RefCell<usize>>,
 }
 
 /// Trials whose outcome the test decides.
@@ -91,6 +97,16 @@ impl Platform for Here {
         Settings::default()
     }
     fn keep(&mut self, _: &Settings) {}
+    fn find_fonts(&mut self, _: &BTreeSet<char>, ctx: &egui::Context) -> FontSearch {
+        *self.searches.borrow_mut() += 1;
+        match self.fonts.borrow_mut().take() {
+            Some(provider) => {
+                ctx.add_font_provider(provider);
+                FontSearch::Installed
+            }
+            None => FontSearch::NotFound { advice: "install one".into() },
+        }
+    }
     fn tries_every_pair(&self) -> bool {
         self.trials.borrow().is_on
     }
@@ -196,6 +212,8 @@ impl Window {
         self.steps(2);
     }
 
+    // Not every file of tests uses it.
+    #[allow(dead_code)]
     pub fn press(&mut self, modifiers: Modifiers, key: Key) {
         self.harness.key_press_modifiers(modifiers, key);
         self.steps(3);

@@ -5,6 +5,7 @@ mod check;
 pub mod child;
 mod dialog;
 mod drafts;
+mod fonts;
 mod open;
 pub(super) mod stations;
 mod storage;
@@ -13,7 +14,9 @@ pub mod trial;
 mod watch;
 pub mod worker;
 
-use super::{CheckRequest, CheckResult, Event, FileDialog, Pending, Platform, Purpose, Ready, TrialOutcome};
+use super::{
+    CheckRequest, CheckResult, Event, FileDialog, FontSearch, Pending, Platform, Purpose, Ready, TrialOutcome,
+};
 use crate::exercise::Start;
 use crate::files::ShaderFiles;
 use crate::files::link::StationLink;
@@ -21,11 +24,13 @@ use crate::saving::Product;
 use crate::session::Settings;
 use crate::{Adjust, App, SceneOpening};
 use drafts::DraftFolder;
+use fonts::SystemFonts;
 use gonio_bsdf::NamedBsdf;
 use gonio_gl::Gl;
 use gonio_mesh::Limits;
 use gonio_scene::files::{BUILTIN, DiskAndInput, FileSource, Sandbox};
 use serde_json::Value;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -88,6 +93,8 @@ pub fn run_within(
         renderer: eframe::Renderer::Glow,
         // Flat colours need no dithering, and software drivers would compute noise for each pixel.
         dithering: false,
+        // gonio asks for the system's fonts when it needs them: `fonts`.
+        system_font_fallback: false,
         ..Default::default()
     };
     let access = Access { max_bytes: options.limits.max_bytes, sandbox: options.sandbox };
@@ -139,6 +146,7 @@ struct Desktop {
     state: Option<PathBuf>,
     program: Option<PathBuf>,
     drafts: Option<DraftFolder>,
+    fonts: SystemFonts,
 }
 
 impl Desktop {
@@ -151,7 +159,17 @@ impl Desktop {
             Arc::new(disk)
         };
         let drafts = storage::drafts_folder().map(DraftFolder::new);
-        Desktop { files, access, sender, receiver, watcher: None, state, program, drafts }
+        Desktop {
+            files,
+            access,
+            sender,
+            receiver,
+            watcher: None,
+            state,
+            program,
+            drafts,
+            fonts: SystemFonts::default(),
+        }
     }
 }
 
@@ -200,6 +218,10 @@ impl Platform for Desktop {
         }
         let path = std::path::absolute(input).ok()?;
         path.is_file().then(|| path.to_string_lossy().into_owned())
+    }
+
+    fn find_fonts(&mut self, characters: &BTreeSet<char>, ctx: &egui::Context) -> FontSearch {
+        self.fonts.find(characters, ctx)
     }
 
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
