@@ -81,18 +81,19 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
     let bindgen = bindgen(root)?;
     let [first, rest] = profiles;
     let programs = [
-        ("gonio-web-first", first, "gonio_first"),
-        ("gonio-web", rest, "gonio"),
-        ("gonio-web-trace", rest, "gonio_trace"),
+        ("gonio-web-first", first, "gonio_first", "-O3"),
+        // -O3 takes five times as long for a module of this size and makes it no smaller.
+        ("gonio-web", rest, "gonio", "-O2"),
+        ("gonio-web-trace", rest, "gonio_trace", "-O2"),
     ];
-    for (program, profile, name) in programs {
+    for (program, profile, name, _) in programs {
         let module = folder.join(target).join(profile).join(format!("{program}.wasm"));
         checked(Command::new(&bindgen).args([&module, &stage]).arg(name))?;
     }
     if build == Build::Shipped {
         say("optimising the modules (wasm-opt)");
-        for (_, _, name) in programs {
-            optimise(&web, &stage.join(format!("{name}_bg.wasm")))?;
+        for (_, _, name, level) in programs {
+            optimise(&web, &stage.join(format!("{name}_bg.wasm")), level)?;
         }
     }
     say("bundling the page");
@@ -118,8 +119,8 @@ pub fn node(web: &Path) -> Command {
     command
 }
 
-/// Runs wasm-opt on a file, in place. It takes a minute and is deterministic, so input and output are cached.
-fn optimise(web: &Path, module: &Path) -> Result<(), String> {
+/// Runs wasm-opt on a file, in place. It takes minutes and is deterministic, so input and output are cached.
+fn optimise(web: &Path, module: &Path, level: &str) -> Result<(), String> {
     let (input, output) = (module.with_extension("unoptimised.wasm"), module.with_extension("optimised.wasm"));
     let fresh = read(module)?;
     let known = output.is_file() && std::fs::read(&input).is_ok_and(|bytes| bytes == fresh);
@@ -127,7 +128,15 @@ fn optimise(web: &Path, module: &Path) -> Result<(), String> {
         let _ = std::fs::remove_file(&output);
         write(&input, &fresh)?;
         let start = Instant::now();
-        checked(node(web).arg("node_modules/binaryen/bin/wasm-opt").arg(&input).args(WASM_OPT).arg("-o").arg(&output))?;
+        checked(
+            node(web)
+                .arg("node_modules/binaryen/bin/wasm-opt")
+                .arg(&input)
+                .arg(level)
+                .args(WASM_OPT)
+                .arg("-o")
+                .arg(&output),
+        )?;
         println!("  {:.0} s", start.elapsed().as_secs_f64());
     }
     write(module, &read(&output)?)
@@ -141,9 +150,9 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
     std::fs::write(path, bytes).map_err(|e| format!("cannot write {}: {e}", path.display()))
 }
 
-/// Optimises for speed but inlines little. Brotli compresses better when related functions are neighbours and large
+/// Little is inlined. Brotli compresses better when related functions are neighbours and large
 /// functions are not inlined into their only caller.
-const WASM_OPT: &[&str] = &["-O3", "--one-caller-inline-max-function-size", "20", "--reorder-functions-by-name"];
+const WASM_OPT: &[&str] = &["--one-caller-inline-max-function-size", "20", "--reorder-functions-by-name"];
 
 /// Runs a command. Its output is the error if it fails.
 fn checked(command: &mut Command) -> Result<(), String> {

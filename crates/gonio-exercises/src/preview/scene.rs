@@ -259,7 +259,7 @@ fn one_sphere(light: TestLight) -> PreviewScene {
     let eye = eye([0.0, 0.0, 0.0], [0.0, 0.0, -2.0], 38.0);
     let shows = "the lab's own: a sphere at half its size, and a lamp that swings";
     // Attenuation leaves a third of the light: with the lab's strengths the sphere would be nearly black.
-    let light = TestLight { ambient: 0.15, diffuse: 1.0, ..light };
+    let light = TestLight { ambient: 0.15, diffuse: 0.8, ..light };
     let mut scene = scene("the lab's", shows, objects, light, eye);
     scene.values.material = Vec3::new(0.85, 0.92, 1.0);
     PreviewScene { swing: Vec3::new(0.0, 0.0, 2.0), ..scene }

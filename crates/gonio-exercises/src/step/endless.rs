@@ -1,6 +1,6 @@
 //! The loop of a pair of shaders that never ends, found on the CPU.
 
-use super::{StepListing, StepOptions, StepWork, SteppedPair, SteppedScene};
+use super::{StepOptions, StepWork, SteppedPair, SteppedScene, SteppedStage};
 use crate::exercise::Exercise;
 use crate::preview::{self, SubmittedPair};
 use gonio_check::roles::Bindings;
@@ -34,19 +34,17 @@ impl std::fmt::Display for EndlessLoop {
 pub fn endless_loop(exercise: &Exercise, submitted: &SubmittedPair) -> Option<EndlessLoop> {
     // Without a compiled program, every variable is bound by its name and type.
     let pair = Arc::new(SteppedPair::new(submitted, &Bindings::default()).ok()?);
-    let of_listing = |listing: StepListing| {
-        let (line, _) = listing.endless?;
-        Some(EndlessLoop { file: listing.file, line })
-    };
+    let found = |stage: &SteppedStage, line: u32| EndlessLoop { file: stage.text.file.clone(), line };
     preview::scenes(exercise).iter().find_map(|scene| {
         let objects = scene.test_scenes(&scene.eye, 0.0, [SIDE; 2]);
         let drawn = SteppedScene::new(pair.clone(), &objects, StepOptions { work: WORK, ..StepOptions::square(SIDE) });
         if let Some(vertex) = drawn.endless_vertex() {
-            return drawn.step_vertex(vertex).and_then(of_listing);
+            return drawn.endless_line_at_vertex(vertex).map(|line| found(&pair.vertex, line));
         }
         PLACES.iter().find_map(|place| {
             let pixel = place.map(|share| (share * SIDE as f32) as u32);
-            drawn.step_pixel(drawn.nearest_drawn(pixel)?).and_then(of_listing)
+            let line = drawn.endless_line_at_pixel(drawn.nearest_drawn(pixel)?)?;
+            Some(found(&pair.fragment, line))
         })
     })
 }

@@ -6,8 +6,8 @@ use super::syntax::{Syntax, counted, one_line};
 use super::value::ShownValue;
 use gonio_glsl::{Span, Stage};
 use gonio_interpreter::{
-    AnomalyKind, ExprId, InputRate, PointValues, RunOptions, StageInputs, StageRun, StatementId, TraceStep, TraceWrite,
-    run,
+    AnomalyKind, EndedEarly, ExprId, InputRate, PointValues, RunOptions, StageInputs, StageRun, StatementId, TraceStep,
+    TraceWrite, run,
 };
 use std::collections::{HashMap, HashSet};
 
@@ -123,6 +123,27 @@ impl SteppedScene {
         Some(self.list(&self.pair.vertex, &inputs, 0, false))
     }
 
+    /// The line of the loop that does not end in the fragment shader at a pixel.
+    pub(super) fn endless_line_at_pixel(&self, pixel: [u32; 2]) -> Option<u32> {
+        let surface = self.surface(pixel)?;
+        let stage = &self.pair.fragment;
+        let quads = stage.compiled.takes_derivatives;
+        self.endless_line(stage, &self.fragment_inputs(surface.object, &[pixel], quads), quads)
+    }
+
+    /// The line of the loop that does not end in the vertex shader at a vertex.
+    pub(super) fn endless_line_at_vertex(&self, vertex: u32) -> Option<u32> {
+        let (object, within) = self.vertex(vertex)?;
+        self.endless_line(&self.pair.vertex, &self.inputs_of_vertices(object, &[within]), false)
+    }
+
+    fn endless_line(&self, stage: &SteppedStage, inputs: &StageInputs, quads: bool) -> Option<u32> {
+        let most_work = self.options.work.point;
+        let options = RunOptions { textures: &*self.textures, quads, most_work, ..RunOptions::default() };
+        let ended = run(&stage.compiled, inputs, &options).ended?;
+        Some(line_of_loop(stage, &Syntax::new(stage), ended))
+    }
+
     fn list(&self, stage: &SteppedStage, inputs: &StageInputs, point: usize, quads: bool) -> StepListing {
         let options = RunOptions {
             textures: &*self.textures,
@@ -144,6 +165,17 @@ impl SteppedScene {
         let seen = Seen { point, run: run(&stage.compiled, inputs, &watching) };
         Lister { stage, syntax, result, seen, inputs, point }.list(&unwritten, origin)
     }
+}
+
+/// The line of the innermost loop in which a run ended early.
+fn line_of_loop(stage: &SteppedStage, syntax: &Syntax, ended: EndedEarly) -> u32 {
+    let last = ended.statement.and_then(|id| stage.compiled.source.statements.get(id.0 as usize));
+    let last = last.map(|statement| statement.span).unwrap_or_default();
+    let around = |span: &&Span| span.start <= last.start && last.end <= span.end;
+    let loops = syntax.loops.iter().map(|(_, span)| span).filter(around);
+    let innermost = loops.min_by_key(|span| span.end - span.start);
+    let span = innermost.unwrap_or(&last);
+    stage.text.place(span.line, span.column).1
 }
 
 /// The values of watched expressions at the point.
@@ -205,19 +237,7 @@ impl Lister<'_> {
                 .filter(|_| discarded)
                 .find(|id| self.syntax.discards.contains(id))
                 .map(|id| self.line(self.stage.compiled.source.statements[id.0 as usize].span)),
-            endless: result.ended.map(|ended| {
-                let last = ended.statement.and_then(|id| self.stage.compiled.source.statements.get(id.0 as usize));
-                let last = last.map(|statement| statement.span).unwrap_or_default();
-                let around = |span: &&Span| span.start <= last.start && last.end <= span.end;
-                let innermost = self
-                    .syntax
-                    .loops
-                    .iter()
-                    .map(|(_, span)| span)
-                    .filter(around)
-                    .min_by_key(|span| span.end - span.start);
-                (self.line(*innermost.unwrap_or(&last)), result.statements)
-            }),
+            endless: result.ended.map(|ended| (line_of_loop(self.stage, &self.syntax, ended), result.statements)),
             is_truncated: result.is_truncated,
         }
     }
