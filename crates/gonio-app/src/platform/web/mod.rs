@@ -160,7 +160,7 @@ impl Platform for Web {
         Some(text.and_then(|text| {
             let mut memory = MemoryFiles::default();
             memory.insert("linked.toml", text.into_bytes());
-            scene_input(memory, self.files.clone())
+            Ok(scene_input(memory, self.files.clone()))
         }))
     }
 
