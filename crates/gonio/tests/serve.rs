@@ -275,10 +275,9 @@ fn the_embedded_page_is_served_or_reported_missing() {
     // Every file that the page names is complete, also for a client that accepts no compression.
     let names: Vec<&str> =
         index.text().split('"').filter(|word| word.ends_with(".wasm") || word.ends_with(".js")).collect();
-    // Three scripts, those of the page, the checker and the tracer, the tracer's module, and the page's, in two halves unless
-    // it was built with `--dev`.
+    // Three modules, those of the first picture, the application and the tracer, with their scripts, and the checker's script.
     let modules = names.iter().filter(|name| name.ends_with(".wasm")).count();
-    assert!((2..=3).contains(&modules) && names.len() == modules + 3, "{names:?}");
+    assert!(modules == 3 && names.len() == modules + 4, "{names:?}");
     for name in names {
         let answer = server.get(&format!("/{name}"));
         assert_eq!((answer.status, answer.header("content-encoding")), (200, ""), "{name}");

@@ -154,6 +154,8 @@ export class Lab {
 
   /** Scrolls the panel to a widget that lies below what is seen of it. */
   async reveal(id) {
+    // The tray of messages lies at the bottom and is never scrolled away.
+    if (/^(dismiss|copy)-|^(restore-scene|messages-all)$/.test(id)) return;
     const { width, height } = this.page.viewportSize() ?? { width: Infinity, height: Infinity };
     for (let turns = 0; turns < 8; turns++) {
       const [x, y] = await this.middle(id);
