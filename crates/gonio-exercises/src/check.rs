@@ -120,14 +120,7 @@ fn with_endless_loop(mut verdict: Verdict, exercise: &Exercise, files: Vec<Sourc
     let pair = SubmittedPair::gather(exercise, files).ok();
     if let Some(found) = pair.and_then(|pair| endless_loop(exercise, &pair)) {
         verdict.summary = found.to_string();
-        verdict.messages.push(CompilerMessage {
-            file: found.file,
-            line: Some(found.line),
-            column: None,
-            text: "this loop never ends".to_owned(),
-            quoted: None,
-            explanation: None,
-        });
+        verdict.messages.push(found.message());
     }
     verdict
 }

@@ -7,10 +7,9 @@ use crate::platform::{Platform, TrialOutcome};
 use crate::scene_view::drawing::PaneRenderer;
 use egui::Context;
 use gonio_check::submission::SourceFile;
-use gonio_check::verdict::CompilerMessage;
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_exercises::preview::{Note, NoteKind, SubmittedPair};
-use gonio_exercises::step::{EndlessLoop, endless_loop};
+use gonio_exercises::step::endless_loop;
 use std::time::Duration;
 use web_time::Instant;
 
@@ -125,7 +124,7 @@ impl Compiler {
             self.compiled = Some(content);
             let Some(found) = found else { return refuse(work, reason) };
             refuse(work, format!("Not drawn: {found}"));
-            work.program.notes.push(note_of(&found));
+            work.program.notes.push(Note { kind: NoteKind::Error, message: found.message() });
             return;
         }
         // The exercise's own files are harmless.
@@ -200,19 +199,6 @@ impl Compiler {
         self.trials.poll();
         work.program.is_tried = self.trials.slow().is_some();
     }
-}
-
-/// A mark at the loop's line.
-fn note_of(found: &EndlessLoop) -> Note {
-    let message = CompilerMessage {
-        file: found.file.clone(),
-        line: Some(found.line),
-        column: None,
-        text: "this loop never ends".to_owned(),
-        quoted: None,
-        explanation: None,
-    };
-    Note { kind: NoteKind::Error, message }
 }
 
 /// Notes why the pair cannot be drawn; the last drawn one stays visible.

@@ -4,6 +4,7 @@ use super::{StepOptions, StepWork, SteppedPair, SteppedScene, SteppedStage};
 use crate::exercise::Exercise;
 use crate::preview::{self, SubmittedPair};
 use gonio_check::roles::Bindings;
+use gonio_check::verdict::CompilerMessage;
 use std::sync::Arc;
 
 /// Side of the picture whose pixels are tried.
@@ -20,6 +21,21 @@ pub struct EndlessLoop {
     pub file: String,
     /// The line at which the loop begins, from 1.
     pub line: u32,
+}
+
+impl EndlessLoop {
+    /// A message at its line.
+    #[must_use]
+    pub fn message(&self) -> CompilerMessage {
+        CompilerMessage {
+            file: self.file.clone(),
+            line: Some(self.line),
+            column: None,
+            text: "this loop never ends".to_owned(),
+            quoted: None,
+            explanation: None,
+        }
+    }
 }
 
 impl std::fmt::Display for EndlessLoop {
