@@ -64,7 +64,7 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<ExerciseCom
                     commands.push(ExerciseCommand::List);
                 }
                 check(ui, work, narrow, commands);
-                files(ui, work, commands);
+                files(ui, work, narrow, commands);
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let dark = ui.visuals().dark_mode;
@@ -97,7 +97,7 @@ fn check(ui: &mut Ui, work: &Work, narrow: bool, commands: &mut Vec<ExerciseComm
     }
 }
 
-fn files(ui: &mut Ui, work: &Work, commands: &mut Vec<ExerciseCommand>) {
+fn files(ui: &mut Ui, work: &Work, narrow: bool, commands: &mut Vec<ExerciseCommand>) {
     let tip = "Open your own files in place of these (Ctrl + O), or drop them here";
     if icon(ui, "open-files", icons::FOLDER_OPEN, tip, true) {
         commands.push(ExerciseCommand::Open);
@@ -114,7 +114,8 @@ fn files(ui: &mut Ui, work: &Work, commands: &mut Vec<ExerciseCommand>) {
     if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, "Redo in this file (Ctrl + Y)", forth) {
         commands.push(ExerciseCommand::Redo);
     }
-    if icon(ui, "find-open", icons::MAGNIFYING_GLASS, "Find in this file (Ctrl + F)", file.is_some()) {
+    // A phone has no room for it.
+    if !narrow && icon(ui, "find-open", icons::MAGNIFYING_GLASS, "Find in this file (Ctrl + F)", file.is_some()) {
         commands.push(ExerciseCommand::Find);
     }
 }

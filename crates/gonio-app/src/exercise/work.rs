@@ -347,7 +347,9 @@ impl Work {
             let differing = || verdict.scenes.iter().filter(|scene| !scene.right);
             let whole = differing().filter(|scene| !scene.scene.ends_with(" alone"));
             let by_share = |a: &&SceneVerdict, b: &&SceneVerdict| a.pixels_beyond.total_cmp(&b.pixels_beyond);
-            let most = whole.max_by(by_share).or_else(|| differing().max_by(by_share));
+            // Of several that differ as much, the first: the scenes that distinguish most mistakes go first.
+            let most = |scenes: Vec<&SceneVerdict>| scenes.into_iter().rev().max_by(by_share).cloned();
+            let most = most(whole.collect()).or_else(|| most(differing().collect()));
             if let Some(most) = most {
                 self.look_at_test(&most.scene);
             }

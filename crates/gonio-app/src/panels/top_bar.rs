@@ -10,7 +10,7 @@ use egui::{Align, Layout, RichText, ScrollArea, Ui};
 use gonio_scene::files;
 
 /// Below this width (points) a menu contains the file actions.
-const NARROW: f32 = 560.0;
+const NARROW: f32 = 680.0;
 /// Tooltip of the BRDF bench.
 const BENCH: &str = "BRDF bench: reflection functions plotted, compared and checked";
 /// Name and tooltip of the stations.
