@@ -14,8 +14,11 @@ use options::SharedOptions;
 /// A page of the reference: the name of its file and its text.
 pub type ReferencePage = (String, String);
 
-/// The group of commands that ends with a list of what it works on, by its heading in the overview.
-const LISTS: &[(&str, fn() -> String)] = &[
+/// A group of commands by its heading, and the list that it ends with.
+type GroupList = (&'static str, fn() -> String);
+
+/// The groups of commands that end with a list of what they work on.
+const LISTS: &[GroupList] = &[
     ("Pictures", lists::stations),
     ("Environments", lists::environments),
     ("Materials", lists::brdf_models),
