@@ -18,6 +18,7 @@ const PACKAGES: &[&str] = &[
     "libxi6",
     "libxkbcommon-x11-0",
     "xdotool",
+    "libfontconfig1",
     "fonts-dejavu-core",
     "chromium",
 ];
