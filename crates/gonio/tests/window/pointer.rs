@@ -41,6 +41,8 @@ fn a_light_is_dragged_with_a_real_pointer() {
     let (x, y) = window.find("light-0-handle");
     let before = window.state();
     move_to(&mut window, (x, y));
+    // The frame that was noticed may be an earlier one, in which the pointer was not over the handle yet.
+    window.rest();
     noticed(&mut window, &["mousedown", "1"]);
     for step in 1..=4 {
         move_to(&mut window, (x - 20 * step, y + 10 * step));
