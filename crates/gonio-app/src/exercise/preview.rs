@@ -12,7 +12,7 @@ use gonio_render::{DifferenceScale, DisplayTexture, Presentation};
 use std::sync::Arc;
 
 /// Background colour, a dark grey as in the lab's programs.
-pub const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
+const BACKGROUND: [f32; 3] = [0.13, 0.14, 0.16];
 /// 8-bit steps that get the last colour of the map of differences.
 const FULL_SCALE: f64 = 48.0;
 
@@ -150,13 +150,7 @@ impl Preview {
             none => none.insert(DisplayTexture::new(&self.gl, size)?),
         };
         let sky = self.sky.as_ref().filter(|_| scene.has_sky);
-        let stage = &self.stage;
-        pane_renderer.renderer().paint_user_program(canvas, size, BACKGROUND, || {
-            if let (Some(sky), Some((_, first))) = (sky, bodies.first()) {
-                stage.draw(sky, &[(PreviewShape::Cube, first.clone())]);
-            }
-            stage.draw(pair, bodies);
-        })?;
+        paint(&self.stage, pair, sky, bodies, canvas, size, pane_renderer)?;
         self.pictures += 1;
         self.drawn[which] = Some(requested);
         Ok(())
@@ -167,6 +161,24 @@ impl Preview {
         let canvas = self.canvases.get(picture as usize)?.as_ref()?;
         Some((canvas.read8(), canvas.size()))
     }
+}
+
+/// Paints a prepared scene with a program, in front of the sky if there is one.
+pub fn paint(
+    stage: &PreviewRenderer,
+    pair: &CompiledPair,
+    sky: Option<&CompiledPair>,
+    objects: &[(PreviewShape, TestScene)],
+    canvas: &mut DisplayTexture,
+    size: [u32; 2],
+    panes: &mut PaneRenderer,
+) -> Result<(), GlError> {
+    panes.renderer().paint_user_program(canvas, size, BACKGROUND, || {
+        if let (Some(sky), Some((_, first))) = (sky, objects.first()) {
+            stage.draw(sky, &[(PreviewShape::Cube, first.clone())]);
+        }
+        stage.draw(pair, objects);
+    })
 }
 
 /// The inputs of programs for each body of the scene at this moment.

@@ -1,9 +1,9 @@
 //! Small pictures of the exercises' goals, for the list.
 
-use super::preview::BACKGROUND;
+use super::preview::paint;
 use crate::scene_view::drawing::PaneRenderer;
 use gonio_exercises::exercise::{Exercise, ExerciseKind};
-use gonio_exercises::preview::{self, CompiledPair, Eye, PreviewRenderer, PreviewShape, SubmittedPair};
+use gonio_exercises::preview::{self, CompiledPair, Eye, PreviewRenderer, SubmittedPair};
 use gonio_gl::{Gl, GlError};
 use gonio_render::{DisplayTexture, Presentation};
 use std::collections::BTreeMap;
@@ -62,12 +62,8 @@ impl Thumbnails {
         let eye = Eye { fov_rad: scene.eye.fov_rad * zoom, ..scene.eye };
         let objects = scene.test_scenes(&eye, 0.0, size);
         let mut texture = DisplayTexture::new(&self.gl, size)?;
-        panes.renderer().paint_user_program(&mut texture, size, BACKGROUND, || {
-            if let (Some(sky), Some((_, first)), true) = (&self.sky, objects.first(), scene.has_sky) {
-                self.renderer.draw(sky, &[(PreviewShape::Cube, first.clone())]);
-            }
-            self.renderer.draw(&pair, &objects);
-        })?;
+        let sky = self.sky.as_ref().filter(|_| scene.has_sky);
+        paint(&self.renderer, &pair, sky, &objects, &mut texture, size, panes)?;
         Ok(Some(texture))
     }
 

@@ -22,6 +22,10 @@ pub fn keys(ui: &Ui, id: Id, text: &mut dyn TextBuffer) {
     if !text.is_mutable() || !ui.memory(|memory| memory.has_focus(id)) {
         return;
     }
+    // The text is copied only in frames with such a key.
+    if !ui.input(|input| input.events.iter().any(is_handled)) {
+        return;
+    }
     let Some(mut state) = TextEditState::load(ui.ctx(), id) else { return };
     let Some(range) = state.cursor.char_range() else { return };
     let [from, to] = range.sorted_cursors().map(|cursor| cursor.index.0);
@@ -34,6 +38,15 @@ pub fn keys(ui: &Ui, id: Id, text: &mut dyn TextBuffer) {
     let cursors = CCursorRange::two(CCursor::new(edited.selection.start), CCursor::new(edited.selection.end));
     state.cursor.set_char_range(Some(cursors));
     state.store(ui.ctx(), id);
+}
+
+/// Whether an event may be one of the keys of this module.
+fn is_handled(event: &Event) -> bool {
+    match event {
+        Event::Text(text) => text == "}",
+        Event::Key { key, pressed, .. } => *pressed && matches!(key, Key::Enter | Key::Tab | Key::Slash),
+        _ => false,
+    }
 }
 
 /// Handles the events of a frame, of which a slow one has several: keys that insert text become that text, in their order. Returns
@@ -145,13 +158,19 @@ impl Edited {
         if is_indentation { removed_step(line, self.step()) } else { 0 }
     }
 
-    /// Changes each line that the selection touches; the selection is then these lines.
-    fn with_lines(&self, change: impl Fn(&str) -> String) -> Self {
+    /// The bytes of the lines that the selection touches, without the last line break.
+    fn touched_lines(&self) -> Range<usize> {
         let (from, to) = (self.byte(self.selection.start), self.byte(self.selection.end));
         let start = self.text.get(..from).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
         // A selection that ends at the beginning of a line does not touch that line.
         let last = if to > from && self.text.as_bytes().get(to - 1) == Some(&b'\n') { to - 1 } else { to };
         let end = self.text.get(last..).and_then(|after| after.find('\n')).map_or(self.text.len(), |at| last + at);
+        start..end
+    }
+
+    /// Changes each line that the selection touches; the selection is then these lines.
+    fn with_lines(&self, change: impl Fn(&str) -> String) -> Self {
+        let (from, Range { start, end }) = (self.byte(self.selection.start), self.touched_lines());
         let lines: Vec<String> = self.text.get(start..end).unwrap_or_default().split('\n').map(change).collect();
         let (lines, mut text) = (lines.join("\n"), self.text.clone());
         text.replace_range(start..end, &lines);
@@ -179,11 +198,8 @@ impl Edited {
 
     /// Makes the lines of the selection comments, or, if all of them are, removes the comment marks.
     fn with_comments_toggled(&self) -> Self {
-        let (from, to) = (self.byte(self.selection.start), self.byte(self.selection.end));
-        let start = self.text.get(..from).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
-        let last = if to > from && self.text.as_bytes().get(to - 1) == Some(&b'\n') { to - 1 } else { to };
-        let end = self.text.get(last..).and_then(|after| after.find('\n')).map_or(self.text.len(), |at| last + at);
-        let lines = || self.text.get(start..end).unwrap_or_default().split('\n').filter(|line| !line.trim().is_empty());
+        let touched = self.text.get(self.touched_lines()).unwrap_or_default();
+        let lines = || touched.split('\n').filter(|line| !line.trim().is_empty());
         let are_comments = lines().count() > 0 && lines().all(|line| line.trim_start().starts_with("//"));
         let column = lines().map(|line| line.len() - line.trim_start().len()).min().unwrap_or(0);
         self.with_lines(|line| {
