@@ -21,6 +21,8 @@ pub struct Rule {
 pub const RULES: &[Rule] = &[
     // Tables of test cases: every crate's tests may read them (`FOR_ALL_TESTS`).
     Rule { krate: "gonio-fixtures", may_know: &[], tests_may_know: &[] },
+    // Texts for people, which know nothing of what they are about.
+    Rule { krate: "gonio-language", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-light", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-threads", may_know: &[], tests_may_know: &[] },
     Rule { krate: "gonio-mesh", may_know: &["gonio-light", "gonio-threads"], tests_may_know: &[] },
@@ -115,6 +117,7 @@ const BELOW_BAKING: &[&str] = &["gonio-light", "gonio-mesh", "gonio-rays", "goni
 const BELOW_PLOTS: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf"];
 const BELOW_BEYOND: &[&str] = &["gonio-light", "gonio-image", "gonio-bsdf", "gonio-plot", "gonio-trace"];
 const BELOW_CHECK: &[&str] = &[
+    "gonio-language",
     "gonio-light",
     "gonio-mesh",
     "gonio-image",
@@ -127,6 +130,7 @@ const BELOW_CHECK: &[&str] = &[
     "gonio-interpreter",
 ];
 const BELOW_EXERCISES: &[&str] = &[
+    "gonio-language",
     "gonio-light",
     "gonio-mesh",
     "gonio-image",
@@ -143,6 +147,7 @@ const BELOW_EXERCISES: &[&str] = &[
     "gonio-submissions",
 ];
 const BELOW_SHELLS: &[&str] = &[
+    "gonio-language",
     "gonio-light",
     "gonio-mesh",
     "gonio-image",
@@ -164,6 +169,7 @@ const BELOW_SHELLS: &[&str] = &[
 ];
 /// `gonio view` opens the window.
 const COMMAND_LINE: &[&str] = &[
+    "gonio-language",
     "gonio-light",
     "gonio-mesh",
     "gonio-image",

@@ -1,0 +1,4 @@
+# Languages.
+
+# The language's own name.
+language-name = français

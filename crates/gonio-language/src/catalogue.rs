@@ -1,0 +1,112 @@
+//! Texts by id.
+
+use crate::Language;
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource};
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+/// The files of `locales`, which every language has.
+macro_rules! files {
+    ($($name:literal),+ $(,)?) => {
+        /// Their names.
+        #[cfg(test)]
+        pub const NAMES: &[&str] = &[$($name),+];
+
+        /// The texts of a language's files.
+        pub const fn files(language: Language) -> &'static [&'static str] {
+            match language {
+                Language::English => &[$(include_str!(concat!("../locales/en/", $name, ".ftl"))),+],
+                Language::French => &[$(include_str!(concat!("../locales/fr/", $name, ".ftl"))),+],
+            }
+        }
+    };
+}
+
+files!("bench", "check", "exercises", "language", "reports", "scene", "window");
+
+/// The texts of a language.
+struct Catalogue {
+    bundle: FluentBundle<FluentResource>,
+    /// Texts without arguments, ready to be shown: a window shows hundreds of them in each frame.
+    plain: HashMap<String, String>,
+}
+
+static ENGLISH: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::new(Language::English));
+static FRENCH: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::new(Language::French));
+
+impl Catalogue {
+    fn of(language: Language) -> &'static Self {
+        match language {
+            Language::English => &ENGLISH,
+            Language::French => &FRENCH,
+        }
+    }
+
+    fn new(language: Language) -> Self {
+        let tag = language.code().parse().unwrap_or_default();
+        let mut bundle = FluentBundle::new_concurrent(vec![tag]);
+        // The marks that isolate an argument from a text of the other direction would be copied along with code, and no
+        // language here is written from right to left.
+        bundle.set_use_isolating(false);
+        for text in files(language) {
+            // A test parses every file; what can be read of a damaged one is used.
+            let resource = FluentResource::try_new((*text).to_owned()).unwrap_or_else(|(resource, _)| resource);
+            bundle.add_resource_overriding(resource);
+        }
+        let plain = files(language).iter().flat_map(|text| ids(text));
+        let plain = plain.filter_map(|id| formatted_by(&bundle, &id, None).map(|text| (id, text))).collect();
+        Catalogue { bundle, plain }
+    }
+}
+
+/// The ids of the texts in a file: those of messages, and `ID.NAME` of attributes.
+pub fn ids(file: &str) -> Vec<String> {
+    let mut message = String::new();
+    let mut ids = Vec::new();
+    for line in file.lines() {
+        let name = |line: &str| line.split_once('=').map(|(name, _)| name.trim().to_owned());
+        if let Some(attribute) = line.strip_prefix(' ').and_then(|line| line.trim_start().strip_prefix('.')) {
+            ids.extend(name(attribute).map(|name| format!("{message}.{name}")));
+        } else if line.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            message = name(line).unwrap_or_default();
+            ids.push(message.clone());
+        }
+    }
+    ids
+}
+
+/// The text of an id with arguments; `None` if there is none, or if it needs other arguments.
+fn formatted_by(bundle: &FluentBundle<FluentResource>, id: &str, arguments: Option<&FluentArgs<'_>>) -> Option<String> {
+    let (message, attribute) = id.split_once('.').map_or((id, None), |(message, name)| (message, Some(name)));
+    let message = bundle.get_message(message)?;
+    let pattern = match attribute {
+        Some(name) => message.get_attribute(name)?.value(),
+        None => message.value()?,
+    };
+    let mut errors = Vec::new();
+    let text = bundle.format_pattern(pattern, arguments, &mut errors).into_owned();
+    errors.is_empty().then_some(text)
+}
+
+/// The text of an id, in English if the language lacks it. An unknown id is its own text; `cargo xtask house` finds it.
+pub fn text(language: Language, id: &'static str) -> &'static str {
+    own_text(language, id).or_else(|| own_text(Language::English, id)).unwrap_or(id)
+}
+
+/// The text of an id in this language alone.
+pub fn own_text(language: Language, id: &str) -> Option<&'static str> {
+    Catalogue::of(language).plain.get(id).map(String::as_str)
+}
+
+/// The text of an id with arguments, in English if the language lacks it.
+#[must_use]
+pub fn formatted(language: Language, id: &str, arguments: &FluentArgs<'_>) -> String {
+    [language, Language::English]
+        .into_iter()
+        .find_map(|language| formatted_by(&Catalogue::of(language).bundle, id, Some(arguments)))
+        .unwrap_or_else(|| id.to_owned())
+}
+
+#[cfg(test)]
+mod tests;
