@@ -127,21 +127,21 @@ fn card(
                         ui.horizontal_wrapped(|ui| {
                             ui.spacing_mut().item_spacing.x = 8.0;
                             ui.add(words(RichText::new(&exercise.id).monospace().color(colors::ACCENT.of(ui))));
-                            let title = RichText::new(&exercise.title).font(theme::bold(14.5));
+                            let title = RichText::new(exercise.title()).font(theme::bold(14.5));
                             ui.add(words(title.color(ui.visuals().strong_text_color())));
                             let color = tint.map_or(ui.visuals().weak_text_color(), |tint| tint.of(ui));
                             ui.add(words(RichText::new(&state).small().color(color)));
                         });
-                        ui.add(words(RichText::new(&exercise.summary)).wrap());
+                        ui.add(words(RichText::new(exercise.summary())).wrap());
                     });
                 });
             });
         })
         .response;
     let id = format!("exercise-{}", exercise.id);
-    exported::note(ui, &response, &id, WidgetRole::Button, &exercise.title, state.as_str());
+    exported::note(ui, &response, &id, WidgetRole::Button, exercise.title(), state.as_str());
     response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{} {}, {state}", exercise.id, exercise.title))
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{} {}, {state}", exercise.id, exercise.title()))
     });
     if response.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
         commands.push(ExerciseCommand::Begin(exercise.id.clone()));

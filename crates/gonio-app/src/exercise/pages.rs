@@ -304,7 +304,7 @@ fn percent(share: f64) -> String {
 
 /// A mistake's name, where the catalogue has it.
 fn name_of(id: &str) -> String {
-    mistakes::find(id).map_or_else(|| format!("`{id}`"), |known| format!("“{}”", known.name))
+    mistakes::find(id).map_or_else(|| format!("`{id}`"), |known| format!("“{}”", known.texts().name))
 }
 
 fn heading(ui: &mut Ui, text: &str) {

@@ -64,7 +64,7 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<ExerciseCom
                 let label = if narrow {
                     work.exercise.id.clone()
                 } else {
-                    format!("{}  {}", work.exercise.id, work.exercise.title)
+                    format!("{}  {}", work.exercise.id, work.exercise.title())
                 };
                 if button(ui, "exercises", RichText::new(label), tr!("exercise-select-another-exercise"), true) {
                     commands.push(ExerciseCommand::List);
