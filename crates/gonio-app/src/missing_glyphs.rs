@@ -72,10 +72,10 @@ fn sentence(missing: &BTreeSet<char>, advice: &str) -> String {
     let mut list: Vec<String> =
         missing.iter().take(MOST_LISTED).map(|&c| format!("{c} (U+{:04X})", u32::from(c))).collect();
     if missing.len() > MOST_LISTED {
-        list.push(tr!("window-more", most_listed = missing.len() - MOST_LISTED));
+        list.push(tr!("window-more", count = missing.len() - MOST_LISTED));
     }
     let last = list.pop().unwrap_or_default();
-    let list = if list.is_empty() { last } else { tr!("window-and", join = list.join(", "), last = last) };
+    let list = if list.is_empty() { last } else { tr!("window-and", names = list.join(", "), last = last) };
     match missing.len() {
         1 => tr!("window-no-font-has-the-character-displayed", list = list, advice = advice),
         _ => tr!("window-no-font-has-the-characters-displayed", list = list, advice = advice),

@@ -170,7 +170,7 @@ fn settings(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
                     NumberField::new("bake-margin", tr!("bench-margin")).unit("%").range(0.0..=10.0).default(1.0);
                 field.step(0.1).width(64.0).show(ui, &mut percent);
                 job.margin = 0.01 * percent;
-                let texels = tr!("bench-texels", size = format!("{:.1}", job.margin * f64::from(job.size)));
+                let texels = tr!("bench-texels", count = format!("{:.1}", job.margin * f64::from(job.size)));
                 ui.label(RichText::new(texels).small().weak());
             });
         }
@@ -204,7 +204,7 @@ fn start(ui: &mut Ui, baking: &Baking, triangles: usize, actions: &mut Vec<Actio
         let remark = match (triangles, baking.job.maps.len()) {
             (0, _) => tr!("bench-there-is-no-triangle-to-bake").to_owned(),
             (_, 0) => tr!("bench-choose-at-least-one-map").to_owned(),
-            (count, _) => tr!("bench-triangles", space = grouped(count as u64, SPACE)),
+            (count, _) => tr!("bench-triangles", count = grouped(count as u64, SPACE)),
         };
         ui.label(RichText::new(remark).small().weak());
         close(ui, actions);
@@ -373,7 +373,7 @@ fn figures(ui: &mut Ui, result: &BakedResult) {
         ),
         (
             "bake-overlaps",
-            tr!("bench-texels", size = number(report.overlapping_texels)),
+            tr!("bench-texels", count = number(report.overlapping_texels)),
             tr!("bench-texels-that-two-or-more-triangles"),
             report.overlapping_texels > 0,
         ),
@@ -389,7 +389,7 @@ fn figures(ui: &mut Ui, result: &BakedResult) {
     if report.margin_texels > 0.0 {
         rows.push((
             "bench-margin",
-            tr!("bench-texels", size = format!("{:.1}", report.margin_texels)),
+            tr!("bench-texels", count = format!("{:.1}", report.margin_texels)),
             tr!("bench-the-distance-between-charts"),
             false,
         ));
@@ -400,7 +400,7 @@ fn figures(ui: &mut Ui, result: &BakedResult) {
         ("bake-mirrored", report.mirrored_triangles, false),
     ];
     for (name, count, is_wrong) in odd.into_iter().filter(|(_, count, _)| *count > 0) {
-        rows.push((name, tr!("bench-triangles", space = number(count)), "", is_wrong));
+        rows.push((name, tr!("bench-triangles", count = number(count)), "", is_wrong));
     }
     Grid::new("bake figures").num_columns(2).spacing([14.0, 2.0]).show(ui, |ui| {
         for (name, value, tip, is_odd) in rows {

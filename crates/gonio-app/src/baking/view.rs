@@ -299,7 +299,7 @@ fn sentence(result: &BakedResult, background: AtlasBackground, place: AtlasPlace
         "bench-texel-chart",
         column = column,
         row = row,
-        space = grouped(u64::from(place.chart) + 1, SPACE),
+        chart = grouped(u64::from(place.chart) + 1, SPACE),
         object = object
     );
     if let AtlasBackground::Map(index) = background

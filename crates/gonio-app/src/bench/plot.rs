@@ -237,8 +237,8 @@ impl BenchPlot {
         tr!(
             "bench-plot-of-light-at-degrees",
             name = gonio_language::name(settings.kind.name()),
-            join = names.join(", "),
-            theta_i_deg = settings.theta_i_deg
+            functions = names.join(", "),
+            degrees = settings.theta_i_deg
         )
     }
 }

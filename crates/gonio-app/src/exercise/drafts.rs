@@ -192,7 +192,7 @@ fn unsaved<'a>(works: impl Iterator<Item = &'a Work>) -> Vec<Unsaved<'a>> {
 
 fn keep(key: &str, exercise: &str, file: &OpenFile, platform: &mut dyn Platform) -> Result<(), String> {
     if file.text.len() > MOST_BYTES {
-        return Err(tr!("exercise-the-file-is-larger-than-mb", most_bytes = MOST_BYTES / (1024 * 1024)));
+        return Err(tr!("exercise-the-file-is-larger-than-mb", megabytes = MOST_BYTES / (1024 * 1024)));
     }
     let draft = Draft {
         exercise: exercise.to_owned(),

@@ -128,10 +128,10 @@ pub(super) fn listed(names: &[&str]) -> String {
     match names {
         [] => tr!("exercise-nothing").to_owned(),
         [one] => (*one).to_owned(),
-        [first @ .., last] if names.len() <= MOST => tr!("exercise-and", join = first.join(", "), last = last),
+        [first @ .., last] if names.len() <= MOST => tr!("exercise-and", names = first.join(", "), last = last),
         several => {
             let first: Vec<&str> = several.iter().take(MOST - 1).copied().collect();
-            tr!("exercise-and-more", join = first.join(", "), count = several.len() - first.len())
+            tr!("exercise-and-more", names = first.join(", "), count = several.len() - first.len())
         }
     }
 }

@@ -26,9 +26,9 @@ pub fn show(ui: &mut Ui, session: &Session) {
                 let samples = if facts.samples == 0 { loaded.settings.picture.samples } else { facts.samples };
                 text = tr!(
                     "window-triangles-samples",
-                    space = grouped(exported::triangles(session) as u64, SPACE),
+                    triangles = grouped(exported::triangles(session) as u64, SPACE),
                     samples = samples,
-                    text = text
+                    time = text
                 );
             }
             let label = ui.label(RichText::new(text).monospace().small().weak());

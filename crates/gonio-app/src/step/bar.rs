@@ -147,7 +147,7 @@ fn corners(ui: &mut Ui, stepper: &mut Stepper) {
         let mut corner = stepper.corner();
         let nearest = stepper.nearest_corner();
         let tips = [0, 1, 2].map(|at| {
-            tr!("exercise-vertex-with-a-weight-of-at", at = vertices[at], at2 = format!("{:.2}", shares[at]))
+            tr!("exercise-vertex-with-a-weight-of-at", vertex = vertices[at], weight = format!("{:.2}", shares[at]))
         });
         let options = [0, 1, 2].map(|at| {
             (at, [tr!("exercise-corner-1"), tr!("exercise-corner-2"), tr!("exercise-corner-3")][at], tips[at].as_str())

@@ -232,7 +232,7 @@ fn messages(ui: &mut Ui, marks: &[Mark], error: Option<&str>) -> Option<u32> {
             }
         }
         if marks.len() > MOST_LISTED {
-            ui.label(RichText::new(tr!("exercise-and-more-2", most_listed = marks.len() - MOST_LISTED)).small().weak());
+            ui.label(RichText::new(tr!("exercise-and-more-2", count = marks.len() - MOST_LISTED)).small().weak());
         }
     });
     requested

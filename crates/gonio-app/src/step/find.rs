@@ -69,7 +69,7 @@ pub fn show(ui: &mut Ui, id: Id, text: &str) -> Option<Range<usize>> {
         let count = match (found.len(), search.query.is_empty()) {
             (_, true) => String::new(),
             (0, false) => tr!("exercise-not-found").to_owned(),
-            (count, false) => tr!("exercise-of", count = search.current.min(count - 1) + 1, count2 = count),
+            (count, false) => tr!("exercise-of", number = search.current.min(count - 1) + 1, count = count),
         };
         let label = ui.label(RichText::new(&count).small().weak());
         exported::note(ui, &label, "found", WidgetRole::Text, tr!("exercise-matches"), &count);

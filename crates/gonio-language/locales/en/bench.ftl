@@ -50,14 +50,14 @@ bench-size = Size
 bench-samples-of-each-texel = Samples of each texel
 bench-samples = Samples
 bench-the-distance-between-charts-as-a = The distance between charts, as a share of the side
-bench-texels = { $size } texels
+bench-texels = { $count } texels
 bench-rays-of-each-texel-for-ambient = Rays of each texel for ambient occlusion
 bench-rays = Rays
 bench-bake-again = Bake again
 bench-bake-textures = Bake textures
 bench-there-is-no-triangle-to-bake = There is no triangle to bake.
 bench-choose-at-least-one-map = Choose at least one map.
-bench-triangles = { $space } triangles
+bench-triangles = { $count } triangles
 bench-error = Error
 bench-preparing-the-atlas = preparing the atlas
 bench-about = , about { $left }
@@ -113,7 +113,7 @@ bench-outline-the-charts = Outline the charts
 bench-point-at-a-chart-its-place = Point at a chart: its place on the model is marked. A click keeps it.
 bench-marked-texel = Marked texel
 bench-of = {" "}of { $name }
-bench-texel-chart = Texel { $column }, { $row }, chart { $space }{ $object }
+bench-texel-chart = Texel { $column }, { $row }, chart { $chart }{ $object }
 
 ## bench/checks
 
@@ -151,7 +151,7 @@ bench-bench-picture = bench picture
 ## bench/plot
 
 bench-the-computation-ended-unexpectedly = the computation ended unexpectedly
-bench-plot-of-light-at-degrees = { $name } plot of { $join }, light at { $theta_i_deg } degrees
+bench-plot-of-light-at-degrees = { $name } plot of { $functions }, light at { $degrees } degrees
 bench-no-function-is-shown-add-a = No function is shown: add a model, or open a .binary, .brdf or .glsl file.
 
 ## bench/settings

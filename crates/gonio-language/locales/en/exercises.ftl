@@ -10,7 +10,7 @@ exercise-nothing-is-drawn-no-attribute-was = Nothing is drawn: no attribute was 
 
 exercise-the-draft-of-is-damaged-and = the draft of { $name } is damaged and was not restored: { $error }
 exercise-the-unsaved-changes-to-could-not = the unsaved changes to { $name } could not be kept as a draft: { $error }; Ctrl + S saves the file
-exercise-the-file-is-larger-than-mb = the file is larger than { $most_bytes } MB
+exercise-the-file-is-larger-than-mb = the file is larger than { $megabytes } MB
 exercise-less-than-a-minute-ago = less than a minute ago
 exercise-minutes-ago = { NUMBER($count) ->
     [one] { $count } minute ago
@@ -46,8 +46,8 @@ exercise-switch-back-to-the-files-that = Switch back to the files that were open
 
 exercise-opened = opened { $names }
 exercise-opened-in-place = opened { $names } in place of { $others }
-exercise-and = { $join } and { $last }
-exercise-and-more = { $join } and { $count } more
+exercise-and = { $names } and { $last }
+exercise-and-more = { $names } and { $count } more
 
 ## exercise/fix
 
@@ -200,7 +200,7 @@ exercise-pixel = Pixel { $x }, { $y }
 exercise-the-fragment-shader-at-this-pixel = The fragment shader at this pixel
 exercise-the-vertex-shader-at-a-corner = The vertex shader at a corner of the triangle at this pixel
 exercise-shader = Shader
-exercise-vertex-with-a-weight-of-at = Vertex { $at }, with a weight of { $at2 } at this pixel
+exercise-vertex-with-a-weight-of-at = Vertex { $vertex }, with a weight of { $weight } at this pixel
 exercise-corner-1 = corner 1
 exercise-corner-2 = corner 2
 exercise-corner-3 = corner 3
@@ -227,14 +227,14 @@ exercise-go-to-this-step = Go to this step
 ## step/code
 
 exercise-line = Line { $line }: { $text }
-exercise-and-more-2 = and { $most_listed } more
+exercise-and-more-2 = and { $count } more
 
 ## step/find
 
 exercise-search-field = search field
 exercise-find = Find
 exercise-not-found = not found
-exercise-of = { $count } of { $count2 }
+exercise-of = { $number } of { $count }
 exercise-matches = Matches
 exercise-previous-match-shift-f3 = Previous match (Shift + F3)
 exercise-next-match-f3 = Next match (F3)

@@ -34,7 +34,7 @@ scene-from-eye-to-opengl-s-clip = From eye to OpenGL's clip space: z from -1 (ne
 scene-nothing-has-been-drawn-yet = Nothing has been drawn yet
 scene-vertex-shader-runs-where-gouraud-shading = Vertex shader runs, where Gouraud shading evaluates the equation; fragment shader runs (including helper fragments in blocks of 2 x 2), where the other shadings do; and the time of the last finished frame
 scene-the-panes-have-not-been-compared = The panes have not been compared yet
-scene-pixels = { $space } pixels, { $percent } %
+scene-pixels = { $count } pixels, { $percent } %
 scene-differing = Differing
 scene-by-more-than-1-255-in = By more than 1/255 in some channel
 scene-largest = Largest
@@ -83,7 +83,7 @@ scene-signed = Signed
 
 ## panels/compare/plot
 
-scene-triangles-of-255 = { $name }: { $point } triangles, { $point2 } of 255
+scene-triangles-of-255 = { $name }: { $triangles } triangles, { $difference } of 255
 
 ## panels/compare/settings
 
@@ -198,7 +198,7 @@ scene-not-tested = not tested
 scene-written = { $test }, written
 scene-not-written = { $test }, not written
 scene-front-is = { $cull }, front is { $front_face }
-scene-and = { $color } and { $color2 }
+scene-and = { $first } and { $second }
 scene-vertex-shader-runs = vertex shader runs
 scene-fragment-shader-runs = fragment shader runs
 scene-x-from = { $width } x { $height } from { $x }, { $y }
@@ -225,7 +225,7 @@ scene-into-x = into `{ $name }`: { $width } x { $height }{ $samples } { $format 
 scene-vertices = { $other }, { $count } vertices
 scene-no-problems-found-in-this-frame = No problems found in this frame
 scene-every-sampler-reads-a-bound-texture = Every sampler reads a bound texture, every uniform is set, and every attribute has data.
-scene-and-more-2 = {" "}and { $draws } more
+scene-and-more-2 = {" "}and { $count } more
 scene-draw = draw { $draw }{ $more }
 
 ## panels/lights/details
@@ -256,7 +256,7 @@ scene-duplicate-this-light = Duplicate this light
 scene-move-up = Move up
 scene-move-down = Move down
 scene-remove-this-light = Remove this light
-scene-att-at-d = att = { $here } at d = { $here2 }
+scene-att-at-d = att = { $attenuation } at d = { $distance }
 scene-att-as-a-function-of-the = att as a function of the distance d; the dot marks the centre of the scene
 scene-the-light-does-not-move = The light does not move
 scene-motion = Motion
@@ -340,7 +340,7 @@ scene-as-in-the-file = As in the file
 
 scene-bake-textures = Bake textures...
 scene-unwrap-the-objects-and-bake-their = Unwrap the objects, and bake their colours, normals or light into textures (Ctrl + B)
-scene-triangles-2 = { $no_break } triangles
+scene-triangles-2 = { $count } triangles
 scene-properties-of = Properties of { $name }
 scene-material = Material
 scene-there-is-no-environment-so-this = There is no environment, so this material shows only the background in its reflections and refractions.
@@ -358,7 +358,7 @@ scene-source-of-the-mesh-s-normals = Source of the mesh's normals
 scene-edges-with-a-larger-angle-stay = Edges with a larger angle stay sharp; 180° averages all normals
 scene-crease-angle-2 = Crease angle
 scene-crease-angle = crease angle
-scene-triangles-vertices = { $no_break } triangles, { $no_break2 } vertices
+scene-triangles-vertices = { $triangles } triangles, { $vertices } vertices
 scene-mesh = Mesh
 scene-as-it-is-drawn = As it is drawn
 scene-frame-this-object = Frame this object
@@ -440,7 +440,7 @@ scene-bar-length-luminance = { $n }
 
 ## panels/probe/lights
 
-scene-corner-vertex-weight = Corner { $number }: vertex { $vertex }, weight { $number2 }
+scene-corner-vertex-weight = Corner { $number }: vertex { $vertex }, weight { $weight }
 scene-at-the-centroid-of-the-triangle = At the centroid of the triangle
 scene-interpolated = Interpolated
 scene-diffuse-light = diffuse light
@@ -585,7 +585,7 @@ scene-light-2 = { $name } light { $index }
 
 ## scene_view/lobe/paint
 
-scene-towards-v-of-the-peak = towards V { $to_eye }, { $share } % of the peak
+scene-towards-v-of-the-peak = towards V { $value }, { $share } % of the peak
 
 ## scene_view/observer
 

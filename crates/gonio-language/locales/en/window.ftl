@@ -127,8 +127,8 @@ window-the-zip-file-is-truncated-or = the zip file is truncated or damaged: crea
 
 ## missing_glyphs
 
-window-more = { $most_listed } more
-window-and = { $join } and { $last }
+window-more = { $count } more
+window-and = { $names } and { $last }
 window-no-font-has-the-character-displayed = No font has the character { $list }, displayed as a box: { $advice }
 window-no-font-has-the-characters-displayed = No font has the characters { $list }, displayed as boxes: { $advice }
 
@@ -159,7 +159,7 @@ window-copy-the-message = Copy the message
 ## panels/status
 
 window-x-ms = { $width } x { $height } { $draw_ms } ms
-window-triangles-samples = { $space } triangles  { $samples } samples  { $text }
+window-triangles-samples = { $triangles } triangles  { $samples } samples  { $time }
 window-size-of-the-current-pane-and = Size of the current pane, and time of the last finished frame
 window-files-and-megabytes = { NUMBER($count) ->
     [one] { $count } file, { $megabytes } MB
@@ -228,7 +228,7 @@ window-a-folder-in-could-not-be = a folder in `{ $root }` could not be created: 
 ## platform/desktop/fonts
 
 window-install-a-font-of-this-script-2 = install a font of this script and restart gonio
-window-install-a-font-of-this-script = install a font of this script, on Debian and Ubuntu by `apt-get install { $join }`, and restart gonio
+window-install-a-font-of-this-script = install a font of this script, on Debian and Ubuntu by `apt-get install { $packages }`, and restart gonio
 
 ## platform/desktop/mod
 
@@ -245,8 +245,8 @@ window-the-display-cannot-be-reached-check = the display cannot be reached ({ $w
 
 ## platform/desktop/open
 
-window-there-are-no-files-in = there are no files in { $join }
-window-there-are-more-than-files-in = there are more than { $MOST_FILES } files in { $join }: open only those of the exercise
+window-there-are-no-files-in = there are no files in { $places }
+window-there-are-more-than-files-in = there are more than { $count } files in { $places }: open only those of the exercise
 window-is-too-large-for-an-exercise = `{ $path }` is too large for an exercise: { $megabytes } MB
 window-cannot-be-read = `{ $folder }` cannot be read: { $error }
 
@@ -279,7 +279,7 @@ window-this-shader-crashed-the-process-that = This shader crashed the process th
 window-this-shader-needs-about-seconds-for = This shader needs about { $seconds } seconds for a single picture, so the window does not draw it: look for a loop with too many iterations
 window-this-shader-failed-in-a-test = This shader failed in a test, so the window does not draw it: { $why }
 window-the-process-that-tests-shaders-gave = the process that tests shaders gave no answer
-window-this-shader-did-not-finish-within = This shader did not finish within { $as_secs } seconds in a test, so the window does not draw it: look for a loop that never ends
+window-this-shader-did-not-finish-within = This shader did not finish within { $seconds } seconds in a test, so the window does not draw it: look for a loop that never ends
 window-this-shader-took-more-than-1 = This shader took more than 1 GB of memory in a test, so the window does not draw it: look for very large arrays, or macros that multiply each other
 window-the-test-of-this-shader-was = the test of this shader was stopped
 
@@ -314,7 +314,7 @@ window-the-browser-s-storage-for-this = the browser's storage for this page is f
 ## platform/web/mod
 
 window-only-built-in-files-can-be = only built-in files can be read here
-window-a-web-page-cannot-open-by = a web page cannot open { $join } by its path: drop the file on the page
+window-a-web-page-cannot-open-by = a web page cannot open { $names } by its path: drop the file on the page
 window-the-verdict-could-not-be-understood = the verdict could not be understood: { $error }
 
 ## platform/web/stations

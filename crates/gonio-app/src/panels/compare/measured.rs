@@ -65,7 +65,7 @@ pub fn difference(ui: &mut Ui, panes: &Panes, session: &Session) {
             ui.end_row();
         };
         let differing =
-            tr!("scene-pixels", space = grouped(facts.differing, SPACE), percent = format!("{:.2}", facts.percent()));
+            tr!("scene-pixels", count = grouped(facts.differing, SPACE), percent = format!("{:.2}", facts.percent()));
         row(tr!("scene-differing"), tr!("scene-by-more-than-1-255-in"), differing);
         row(tr!("scene-largest"), tr!("scene-8-bit-steps"), format!("{:.0}/255", facts.spread.max));
         row(tr!("scene-mean"), tr!("scene-of-the-absolute-differences-8-bit"), format!("{:.3}/255", facts.spread.mean));

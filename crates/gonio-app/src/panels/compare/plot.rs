@@ -134,8 +134,8 @@ impl Plot {
         let text = tr!(
             "scene-triangles-of-255",
             name = line.name,
-            point = format!("{:.0}", point[0]),
-            point2 = format!("{:.3}", point[1])
+            triangles = format!("{:.0}", point[0]),
+            difference = format!("{:.3}", point[1])
         );
         let galley = ui.painter().layout_no_wrap(text, font.clone(), ui.visuals().strong_text_color());
         let size = galley.size() + vec2(12.0, 6.0);

@@ -47,7 +47,7 @@ fn facts(ui: &mut Ui, draw: &DrawRecord) {
     });
     let blend = state.blend.as_ref();
     let blend = blend
-        .map_or(tr!("scene-off").to_owned(), |blend| tr!("scene-and", color = blend.color[0], color2 = blend.color[1]));
+        .map_or(tr!("scene-off").to_owned(), |blend| tr!("scene-and", first = blend.color[0], second = blend.color[1]));
     let [x, y, width, height] = state.viewport;
     Grid::new("draw facts").num_columns(2).spacing([12.0, 2.0]).show(ui, |ui| {
         for (name, value) in [

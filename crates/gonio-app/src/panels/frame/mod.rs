@@ -135,7 +135,7 @@ fn findings(ui: &mut Ui, taken: &mut RecordedFrame) {
                 ui.label(RichText::new(icon).font(theme::icon_font(15.0)).color(color));
                 ui.label(RichText::new(gonio_language::name(finding.rule.name())).font(theme::bold(13.5)).color(color));
                 let more =
-                    if finding.draws > 1 { tr!("scene-and-more-2", draws = finding.draws - 1) } else { String::new() };
+                    if finding.draws > 1 { tr!("scene-and-more-2", count = finding.draws - 1) } else { String::new() };
                 if ui.link(tr!("scene-draw", draw = finding.draw, more = more)).clicked() {
                     chosen = finding.draw;
                 }

@@ -256,7 +256,7 @@ fn falloff(ui: &mut Ui, [constant, linear, quadratic]: [f64; 3], reach: f64, her
         painter.circle_filled(dot, 3.0, color);
     }
     let font = FontId::proportional(10.5);
-    let text = tr!("scene-att-at-d", here = compact(at(here)), here2 = compact(here));
+    let text = tr!("scene-att-at-d", attenuation = compact(at(here)), distance = compact(here));
     painter.text(plot.right_top(), Align2::RIGHT_TOP, text, font, weak);
     response.on_hover_text(tr!("scene-att-as-a-function-of-the"));
 }

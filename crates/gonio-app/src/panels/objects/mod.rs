@@ -61,7 +61,7 @@ fn title(
     let Some(spec) = document.scene.objects.get(index) else { return };
     let mesh = loaded.and_then(|l| l.meshes.get(l.objects.get(index)?.mesh));
     let size = mesh.map_or(String::new(), |mesh| {
-        tr!("scene-triangles-2", no_break = grouped(mesh.triangle_count() as u64, NO_BREAK))
+        tr!("scene-triangles-2", count = grouped(mesh.triangle_count() as u64, NO_BREAK))
     });
     let toggle_open = ui
         .horizontal(|ui| {
@@ -213,8 +213,8 @@ fn surface(ui: &mut Ui, spec: &mut ObjectSpec, loaded: Option<&Scene>, index: us
     if let Some(mesh) = mesh {
         let text = tr!(
             "scene-triangles-vertices",
-            no_break = grouped(mesh.triangle_count() as u64, NO_BREAK),
-            no_break2 = grouped(mesh.positions.len() as u64, NO_BREAK)
+            triangles = grouped(mesh.triangle_count() as u64, NO_BREAK),
+            vertices = grouped(mesh.positions.len() as u64, NO_BREAK)
         );
         row(ui, tr!("scene-mesh"), tr!("scene-as-it-is-drawn"), |ui| ui.label(RichText::new(text).small().weak()));
     }

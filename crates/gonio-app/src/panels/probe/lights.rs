@@ -20,7 +20,7 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection)
                         "scene-corner-vertex-weight",
                         number = number,
                         vertex = vertex,
-                        number2 = format!("{:.4}", probe.barycentrics.to_array()[number % 3])
+                        weight = format!("{:.4}", probe.barycentrics.to_array()[number % 3])
                     )
                 }
                 _ => tr!("scene-at-the-centroid-of-the-triangle").to_owned(),

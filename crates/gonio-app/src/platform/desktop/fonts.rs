@@ -87,7 +87,7 @@ fn advice(characters: &BTreeSet<char>, has_fonts: bool) -> String {
     if characters.iter().any(|c| !is_cjk(c) && !is_emoji(c)) {
         packages.push("fonts-noto-core");
     }
-    tr!("window-install-a-font-of-this-script", join = packages.join(" "))
+    tr!("window-install-a-font-of-this-script", packages = packages.join(" "))
 }
 
 #[cfg(test)]

@@ -83,9 +83,9 @@ fn read_exercise_files(paths: &[String]) -> Result<Vec<ExerciseFile>, String> {
         }
     }
     match files.len() {
-        0 => Err(tr!("window-there-are-no-files-in", join = paths.join(", "))),
+        0 => Err(tr!("window-there-are-no-files-in", places = paths.join(", "))),
         1..=MOST_FILES => Ok(files),
-        _ => Err(tr!("window-there-are-more-than-files-in", MOST_FILES = MOST_FILES, join = paths.join(", "))),
+        _ => Err(tr!("window-there-are-more-than-files-in", count = MOST_FILES, places = paths.join(", "))),
     }
 }
 

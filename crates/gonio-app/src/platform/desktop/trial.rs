@@ -149,7 +149,7 @@ fn answered(status: ExitStatus, output: &str) -> TrialOutcome {
 fn stopped(ended: Ended) -> TrialOutcome {
     match ended {
         Ended::TooLong => {
-            TrialOutcome::Refused(tr!("window-this-shader-did-not-finish-within", as_secs = MOST_TIME.as_secs()))
+            TrialOutcome::Refused(tr!("window-this-shader-did-not-finish-within", seconds = MOST_TIME.as_secs()))
         }
         Ended::TooLarge => TrialOutcome::Refused(tr!("window-this-shader-took-more-than-1").into()),
         Ended::GivenUp | Ended::ByItself(_) => {

@@ -187,7 +187,7 @@ impl Platform for Web {
     }
 
     fn open_paths(&mut self, paths: Vec<String>, _: Purpose, ctx: &egui::Context) {
-        let error = tr!("window-a-web-page-cannot-open-by", join = paths.join(", "));
+        let error = tr!("window-a-web-page-cannot-open-by", names = paths.join(", "));
         self.events.borrow_mut().push(Event::Failed(error));
         ctx.request_repaint();
     }

@@ -110,7 +110,7 @@ pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name):
     painter.circle(eye, 4.0, colors::VIEW.in_theme(true), Stroke::new(1.5, Color32::WHITE));
 
     let share = 100.0 * lobe.eye_share();
-    let text = tr!("scene-towards-v-of-the-peak", to_eye = compact(lobe.to_eye), share = format!("{share:.0}"));
+    let text = tr!("scene-towards-v-of-the-peak", value = compact(lobe.to_eye), share = format!("{share:.0}"));
     let ink = Color32::from_gray(235);
     let below = rect.center_bottom() - vec2(0.0, 8.0);
     painter.text(below, Align2::CENTER_BOTTOM, &text, FontId::proportional(11.0), ink);
