@@ -60,7 +60,8 @@ fn shape(text: &str) -> Shape<'_> {
 
 /// Paragraphs, items and headings outside of blocks of code, each on one line.
 fn sentences(text: &str) -> BTreeSet<String> {
-    let outside = text.split("```").step_by(2);
+    let without_code = text.lines().filter(|line| !line.starts_with("    ")).collect::<Vec<_>>().join("\n");
+    let outside = without_code.split("```").step_by(2);
     let paragraphs = outside.flat_map(|part| part.split("\n\n")).flat_map(|paragraph| paragraph.split("\n- "));
     let joined = paragraphs.map(|paragraph| paragraph.split_whitespace().collect::<Vec<_>>().join(" "));
     joined.filter(|paragraph| paragraph.split(' ').count() > 3).collect()
