@@ -1,5 +1,6 @@
 //! Compiles a pair of shaders, and reports errors and portability problems at the student's own lines.
 
+use gonio_language::tr;
 use crate::driver_log::{self, DriverMessage};
 use crate::submission::StageText;
 use crate::verdict::{CompilerMessage, Outcome, Verdict};
@@ -178,7 +179,7 @@ pub(crate) fn first_message(messages: &[CompilerMessage], broken: &BrokenProgram
 pub(crate) fn strictness(vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Vec<String> {
     let warning = |stage: &ParsedStage<'_>, problem: &Problem| {
         let (file, line, _) = stage.text.place(problem.span.line, problem.span.column);
-        format!("{file}:{line}: {}; other compilers may reject it", problem.message)
+        tr!("check-compiler-other-compilers-may-reject-it", file = file, line = line, message = problem.message)
     };
     let mut warnings: Vec<String> = Vec::new();
     for stage in [vertex, fragment] {

@@ -1,5 +1,6 @@
 //! A proposed fix as a diff, and its application to a text.
 
+use gonio_language::tr;
 use crate::verdict::ProposedEdit;
 
 /// A line of a diff.
@@ -48,8 +49,8 @@ impl ProposedEdit {
 /// The sentence above the diff of a proposed fix.
 pub fn promise(edits: &[ProposedEdit]) -> &'static str {
     match edits.len() {
-        1 => "With this change every test scene is right.",
-        _ => "With these changes every test scene is right.",
+        1 => tr!("check-with-this-change-every-test-scene"),
+        _ => tr!("check-with-these-changes-every-test-scene"),
     }
 }
 

@@ -7,7 +7,7 @@ use crate::exercise::{Exercise, ExerciseKind};
 use crate::gl_program::{self, GlProgramFiles, GlProgramImage};
 use crate::preview::SubmittedPair;
 use crate::step::endless_loop;
-use gonio_check::comparison::{ENDLESS, Evidence};
+use gonio_check::comparison::{Evidence, endless};
 use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict, join_names};
@@ -114,7 +114,7 @@ fn whole(
 
 /// The verdict on a program with an endless loop, with the line of that loop.
 fn with_endless_loop(mut verdict: Verdict, exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
-    if verdict.summary != ENDLESS {
+    if verdict.summary != endless() {
         return verdict;
     }
     let pair = SubmittedPair::gather(exercise, files).ok();

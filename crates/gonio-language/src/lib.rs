@@ -36,7 +36,7 @@ macro_rules! tr {
     ($id:expr $(,)?) => { $crate::text($id) };
     ($id:expr, $($name:ident = $value:expr),+ $(,)?) => {{
         let mut arguments = $crate::FluentArgs::new();
-        $(arguments.set(stringify!($name), $crate::Argument::argument(&$value));)+
+        $(arguments.set(stringify!($name), $crate::Argument::argument(&$value).into_owned());)+
         $crate::formatted($crate::Language::current(), $id, &arguments)
     }};
 }

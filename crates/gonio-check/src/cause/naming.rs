@@ -1,5 +1,6 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
+use gonio_language::tr;
 use super::model::{Quantity, TELLING};
 use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, SUMS, TERMS, is_name};
 use super::program::Change;
@@ -67,7 +68,7 @@ impl ProvenCause {
     /// What it is, as a sentence; empty if that is unknown.
     #[must_use]
     pub fn is_in_words(&self) -> String {
-        self.is.as_ref().map(|is| format!("Here it is {is}.")).unwrap_or_default()
+        self.is.as_ref().map(|is| tr!("check-here-it-is", quantity = is)).unwrap_or_default()
     }
 
     /// Whether it has a name.

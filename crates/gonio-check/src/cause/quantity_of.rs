@@ -4,6 +4,7 @@
 //! An expression is what its values are in the test scenes. What a wrong one should be follows from the cause: with the
 //! cause's right values, the values that depend on it become right too.
 
+use gonio_language::tr;
 use super::model::{AnswerMethod, Mistakes, Model, Space, TELLING};
 use super::naming::ProvenCause;
 use super::observed::{Observed, Observer};
@@ -41,10 +42,10 @@ impl ExpressionQuantity {
     #[must_use]
     pub fn sentence(&self) -> String {
         match (&self.cause, &self.words) {
-            (Some(should), _) => format!("This {should}: here the values begin to be wrong."),
-            (None, Some(words)) if self.is_right => format!("This is {words}."),
-            (None, Some(words)) => format!("This should be {words}; an earlier value is wrong."),
-            (None, None) => "An earlier value is wrong.".to_owned(),
+            (Some(should), _) => tr!("check-this-should", should = should),
+            (None, Some(words)) if self.is_right => tr!("check-this-is", quantity = words),
+            (None, Some(words)) => tr!("check-this-should-be-after-a-wrong-value", quantity = words),
+            (None, None) => tr!("check-an-earlier-value-is-wrong").to_owned(),
         }
     }
 }

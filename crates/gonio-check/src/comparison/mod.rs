@@ -21,6 +21,7 @@ pub use predict::{CompiledModel, declared};
 pub(crate) use properties::report_violations;
 pub use task::{PLACES, TASKS, Task};
 
+use gonio_language::tr;
 use crate::cause::ModelSolutions;
 use crate::mistakes::ModelSolution;
 use crate::roles::{Declared, NamesFile};
@@ -165,9 +166,11 @@ pub(crate) fn drawn_unless_endless<T: Numbers>(
 }
 
 /// The summary of the verdict on a program with an endless loop.
-pub const ENDLESS: &str = "a loop in a shader never ends";
+pub fn endless() -> &'static str {
+    tr!("check-a-loop-in-a-shader-never")
+}
 
 /// Returns the verdict on a program with an endless loop.
 pub(crate) fn endless_verdict(exercise: &str) -> Verdict {
-    Verdict::new(exercise, Outcome::Unsure, ENDLESS)
+    Verdict::new(exercise, Outcome::Unsure, endless())
 }

@@ -1,5 +1,6 @@
 //! Predicts the picture of a model solution under a hypothesis by drawing it.
 
+use gonio_language::tr;
 use super::fit::{Fit, fit};
 use super::parameterisation::{Lights, Parameterisation};
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
@@ -63,7 +64,7 @@ impl CompiledModel {
         let sources = if is_own { self.hypotheses.written(hypothesis) } else { self.hypotheses.sources() };
         let [vertex, fragment] = sources.map(|source| for_context(&self.gl, &source));
         let program = UserProgram::new(&self.gl, &vertex, &fragment)
-            .map_err(|broken| GlError::new(format!("gonio's own shader does not compile on this driver: {broken}")))?;
+            .map_err(|broken| GlError::new(tr!("check-own-shader-does-not-compile", error = broken.to_string())))?;
         // The names of uniforms that select hypotheses contain words of the equation.
         let known: Vec<Declared> = declared(&program)
             .into_iter()

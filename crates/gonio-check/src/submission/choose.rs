@@ -1,5 +1,6 @@
 //! Chooses the pair among several shaders.
 
+use gonio_language::tr;
 use super::error::{IntakeError, list};
 use super::stage::stage_of_word;
 use super::text::StageText;
@@ -22,7 +23,7 @@ impl Candidate {
     fn shown(&self) -> String {
         match &self.variable {
             Some(variable) if !variable.is_empty() => format!("{} `{variable}`", self.text.file),
-            Some(_) => format!("{} line {}", self.text.file, self.text.place(1, 1).1),
+            Some(_) => tr!("check-submission-line", file = self.text.file, place = self.text.place(1, 1).1),
             None => self.text.file.clone(),
         }
     }
@@ -219,13 +220,7 @@ pub(super) fn choose(
     warnings.dedup();
     if candidates.len() > 2 {
         let all: Vec<String> = candidates.iter().map(|c| format!("{} ({})", c.shown(), c.stage)).collect();
-        warnings.push(format!(
-            "there are several shaders: {}; {} and {} were checked. If that is the wrong pair, hand in only the \
-             right one, or name it.",
-            list(&all),
-            vertex.shown(),
-            fragment.shown()
-        ));
+        warnings.push(tr!("check-submission-there-are-several-shaders-and-were", all = list(&all), shown = vertex.shown(), shown2 = fragment.shown()));
     }
     Ok((vertex.clone(), fragment.clone(), warnings))
 }

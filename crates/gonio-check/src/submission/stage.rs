@@ -1,5 +1,6 @@
 //! Determines the stage of a text from its name, and from its content if the name is unclear or contradicts it.
 
+use gonio_language::tr;
 use crate::words::words_of;
 use gonio_glsl::Stage;
 
@@ -143,10 +144,8 @@ pub(super) fn determine(shown: &str, name: &str, code: &str) -> (Option<Stage>, 
         (StageHint::One(named), Some(content))
             if named != content && !(named == Stage::Fragment && found.rather_fragment) =>
         {
-            let because = if content == Stage::Vertex { "gl_Position" } else { "what only a fragment shader has" };
-            let warning = format!(
-                "{shown} is named like a {named} shader, but holds {because}: taken as the {content} shader. Rename it."
-            );
+            let because = if content == Stage::Vertex { "gl_Position" } else { tr!("check-submission-what-only-a-fragment-shader-has") };
+            let warning = tr!("check-submission-is-named-like-a-shader-but", shown = shown, named = named.to_string(), because = because, content = content.to_string());
             (Some(content), Some(warning))
         }
         (StageHint::One(named), _) => (Some(named), None),

@@ -14,6 +14,7 @@ pub use pair::PairTexts;
 pub use uniforms::{UniformSource, UserUniform, parse_setting};
 pub use user_inputs::UserInputs;
 
+use gonio_language::tr;
 use crate::comparison::declared;
 use crate::compile::{self, ParsedStage};
 use crate::submission::{SourceFile, StageText, read_shader};
@@ -76,7 +77,7 @@ impl UserShaders {
         };
         let (vertex, fragment) = (read(vertex)?, read(fragment)?);
         if vertex.is_none() && fragment.is_none() {
-            return Err("there is neither a vertex nor a fragment shader".to_owned());
+            return Err(tr!("check-inputs-there-is-neither-a-vertex-nor").to_owned());
         }
         Ok(UserShaders { vertex, fragment, names: OwnNames::read(names)?, warnings })
     }
