@@ -184,7 +184,7 @@ impl<'a> Comparison<'a> {
             ("normals-missing", expected.has.normals && !reading.has.normals),
         ];
         let lacking = lacks.iter().filter(|(_, lacks)| *lacks);
-        let lacking = lacking.filter_map(|(id, _)| MISTAKES.iter().find(|mistake| mistake.words.id == *id)).collect();
+        let lacking = lacking.filter_map(|(id, _)| MISTAKES.iter().find(|mistake| mistake.id == *id)).collect();
         let mut comparison =
             Comparison { expected, compared, triangles, given, lacking, warnings, shares: Shares::default() };
         comparison.shares = comparison.shares();
@@ -298,14 +298,14 @@ impl<'a> Comparison<'a> {
             self.lacking.iter().map(|mistake| buffer_mistake(mistake, 1.0, None)).collect();
         for mistake in named.wrong.mistakes.iter().filter_map(|number| MISTAKES.get(*number)) {
             if mistake.is_harmless {
-                warnings.push(format!("{}: {}", mistake.words.name, mistake.words.explanation));
+                warnings.push(format!("{}: {}", mistake.words().name, mistake.words().explanation));
             } else {
                 mistakes.push(buffer_mistake(mistake, share, example.clone()));
             }
         }
         let mut alternatives: Vec<Vec<&'static str>> = Vec::new();
         for other in &best.hypotheses[1..] {
-            let ids: Vec<&'static str> = other.wrong.mistakes.iter().map(|number| MISTAKES[*number].words.id).collect();
+            let ids: Vec<&'static str> = other.wrong.mistakes.iter().map(|number| MISTAKES[*number].id).collect();
             if other.wrong.mistakes != named.wrong.mistakes && !alternatives.contains(&ids) {
                 alternatives.push(ids);
             }
@@ -384,7 +384,7 @@ struct Best<'a> {
 }
 
 fn buffer_mistake(mistake: &Mistake, share_explained: f64, example: Option<Example>) -> BufferMistake {
-    let words = mistake.words;
+    let words = mistake.words();
     BufferMistake {
         id: words.id,
         name: words.name,

@@ -93,9 +93,9 @@ impl GlProgramMistake {
     pub(super) fn new(words: &GlProgramMistakeName, message: &str, fix: &str, line: u32, quoted: &str) -> Self {
         GlProgramMistake {
             id: words.id.to_owned(),
-            name: words.name.to_owned(),
-            explanation: format!("{message}. {}", words.explanation),
-            looks_like: words.looks_like.to_owned(),
+            name: words.name().to_owned(),
+            explanation: format!("{message}. {}", words.explanation()),
+            looks_like: words.looks_like().to_owned(),
             fix: fix.to_owned(),
             line,
             quoted: quoted.to_owned(),

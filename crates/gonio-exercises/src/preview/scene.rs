@@ -160,7 +160,7 @@ fn of_test(values: TestScene) -> PreviewScene {
     let shape = PreviewShape::of_test(values.shape);
     PreviewScene {
         name: values.name.clone().into(),
-        shows: values.shows,
+        shows: values.shows(),
         objects: vec![PreviewObject { shape, world_from_model: values.world_from_model }],
         swing: Vec3::ZERO,
         eye: Eye { position: values.eye, target: values.target, up: values.up, fov_rad: values.fov_y_rad },
