@@ -1,5 +1,6 @@
 //! Checks a student's files, for every kind of exercise.
 
+use gonio_language::tr;
 use crate::baking::{self, Original, original::FetchedFiles};
 use crate::buffers::{self, Expected};
 use crate::cubemap;
@@ -162,8 +163,8 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     let answers = answers(&files, &buffers::ENDINGS);
     let [answer] = answers.as_slice() else {
         let summary = match answers.len() {
-            0 => "there is no buffer among the files: hand in a .csv, .json or .bin as text.md describes".to_owned(),
-            count => format!("there are {count} buffers among the files; check one at a time"),
+            0 => tr!("check-there-is-no-buffer-among-the").to_owned(),
+            count => tr!("check-there-are-buffers-among-the-files", count = count),
         };
         return Verdict::new(&exercise.id, Outcome::Unsure, summary);
     };
@@ -177,20 +178,16 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
         .filter_map(|(name, text)| Some((name.to_owned(), Expected::from_obj(text.as_bytes()).ok()?)))
         .collect();
     let Some((model, expected)) = buffers::choose(&models, &answer.name, &buffer) else {
-        let summary = "the buffer resembles none of the exercise's models; name the file after its model, for \
-                       example cube.csv";
+        let summary = tr!("check-the-buffer-resembles-none-of-the");
         return Verdict::new(&exercise.id, Outcome::Unsure, summary);
     };
     let found = buffers::compare(expected, &buffer);
     let outcome = found.verdict;
     let names: Vec<&str> = found.mistakes.iter().map(|mistake| mistake.name).collect();
     let summary = match (outcome, names.is_empty()) {
-        (Outcome::Correct, _) => format!("all {} triangles of {model} are right", found.shares.triangles_expected),
-        (_, false) => format!("{} (of {model})", join_names(names)),
-        (_, true) => format!(
-            "{:.0} % of the triangles of {model} are right; no known mistake explains the others",
-            100.0 * found.shares.all
-        ),
+        (Outcome::Correct, _) => tr!("check-all-triangles-of-are-right", count = found.shares.triangles_expected, model = model),
+        (_, false) => tr!("check-mistakes-of-model", names = join_names(names), model = model),
+        (_, true) => tr!("check-of-the-triangles-of-are-right", percent = format!("{:.0}", 100.0 * found.shares.all), model = model),
     };
     let mut verdict = Verdict::new(&exercise.id, outcome, summary);
     verdict.score = if outcome == Outcome::Correct { 1.0 } else { found.shares.all.min(0.95) };
@@ -224,8 +221,8 @@ fn host_program(
     let answers = answers(&files, &[".txt"]);
     let [answer] = answers.as_slice() else {
         let summary = match answers.len() {
-            0 => "there is no GL program among the files: hand in a .txt as text.md describes".to_owned(),
-            count => format!("there are {count} GL programs among the files; check one at a time"),
+            0 => tr!("check-there-is-no-gl-program-among").to_owned(),
+            count => tr!("check-there-are-gl-programs-among-the", count = count),
         };
         return Ok(Verdict::new(&exercise.id, Outcome::Unsure, summary));
     };

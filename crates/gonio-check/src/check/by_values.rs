@@ -149,7 +149,7 @@ impl Judging<'_> {
                     tr!("check-the-lookup-is-right-in-every").to_owned();
                 judged.verdict.peculiarities.push(Peculiarity {
                     id: "lookup-mixed".to_owned(),
-                    name: tr!("check-the-colour-of-the-cubemap-is-2")
+                    name: tr!("check-lookup-mixed")
                         .to_owned(),
                 });
                 return Ok(Some(judged));
@@ -157,7 +157,7 @@ impl Judging<'_> {
             let count = |judged: &Judged| judged.verdict.mistakes.len();
             if best.as_ref().is_none_or(|best| count(&judged) < count(best)) {
                 judged.verdict.warnings.push(
-                    tr!("check-the-colour-of-the-cubemap-is")
+                    tr!("check-only-the-lookup-was-judged")
                         .to_owned(),
                 );
                 best = Some(judged);
@@ -264,7 +264,7 @@ impl Judging<'_> {
             assumed.push(tr!("check-all-but-one-of-the-object").to_owned());
         }
         verdict.summary = match (assumed.is_empty(), verdict.peculiarities.is_empty()) {
-            (false, _) => tr!("check-right-in-every-test-scene-provided", join = assumed.join(", ")),
+            (false, _) => tr!("check-right-in-every-test-scene-provided", assumptions = assumed.join(", ")),
             (true, true) => tr!("check-right-in-every-scene").to_owned(),
             (true, false) => tr!("check-right-in-every-scene-by-another").to_owned(),
         };
@@ -377,11 +377,11 @@ fn unexplained(task: &Task, mut verdict: Verdict, bindings: &Bindings) -> Verdic
     let unknown: Vec<String> = unknown.map(|declared| format!("`{}`", declared.name)).collect();
     if !unknown.is_empty() {
         verdict.verdict = Outcome::Unsure;
-        verdict.summary = tr!("check-the-picture-differs-from-the-reference", join = unknown.join(", "));
+        verdict.summary = tr!("check-the-picture-differs-from-the-reference", names = unknown.join(", "));
         return verdict;
     }
     let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
-    verdict.summary = tr!("check-no-known-mistake-explains-the-difference", join = wrong.join(", "));
+    verdict.summary = tr!("check-no-known-mistake-explains-the-difference", scenes = wrong.join(", "));
     verdict.score = score_of_wrong(&verdict);
     report_violations(&mut verdict);
     verdict
@@ -394,7 +394,7 @@ fn assumption(bound: &Bound) -> String {
         Role::ViewRotation | Role::ViewProjectionRotation => {
             tr!("check-the-program-sends-without-its-translation", name = name)
         }
-        role => tr!("check-is", name = name, role = role.to_string()),
+        role => tr!("check-assumed-role", name = name, role = role.to_string()),
     }
 }
 

@@ -222,9 +222,9 @@ fn is_unchanged(exercise: &ShaderExercise<'_>, submission: &Submission) -> bool 
 fn report_unchanged(verdict: &mut Verdict) {
     verdict.summary = match verdict.mistakes.first() {
         Some(first) => {
-            tr!("check-these-are-the-unchanged-start-files-2", name = first.name)
+            tr!("check-unchanged-start-files-with-mistake", name = first.name)
         }
-        None => tr!("check-these-are-the-unchanged-start-files").to_owned(),
+        None => tr!("check-unchanged-start-files").to_owned(),
     };
     verdict.peculiarities.clear();
 }

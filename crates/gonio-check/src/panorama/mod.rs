@@ -136,8 +136,7 @@ pub fn verdict(
         0 => {}
         6 => sentences.push(tr!("check-panorama-no-face-is-right-and-no").to_owned()),
         _ => {
-            let s = if unexplained.len() == 1 { "face" } else { "faces" };
-            sentences.push(tr!("check-panorama-no-known-mistake-explains-the", s = s, unexplained = names(unexplained)));
+            sentences.push(tr!("check-panorama-no-known-mistake-explains-the", count = unexplained.len(), faces = names(unexplained)));
         }
     }
     verdict.summary = join_names(sentences.iter().map(String::as_str));

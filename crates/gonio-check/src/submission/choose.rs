@@ -23,7 +23,7 @@ impl Candidate {
     fn shown(&self) -> String {
         match &self.variable {
             Some(variable) if !variable.is_empty() => format!("{} `{variable}`", self.text.file),
-            Some(_) => tr!("check-submission-line", file = self.text.file, place = self.text.place(1, 1).1),
+            Some(_) => tr!("check-submission-line", file = self.text.file, line = self.text.place(1, 1).1),
             None => self.text.file.clone(),
         }
     }
@@ -220,7 +220,7 @@ pub(super) fn choose(
     warnings.dedup();
     if candidates.len() > 2 {
         let all: Vec<String> = candidates.iter().map(|c| format!("{} ({})", c.shown(), c.stage)).collect();
-        warnings.push(tr!("check-submission-there-are-several-shaders-and-were", all = list(&all), shown = vertex.shown(), shown2 = fragment.shown()));
+        warnings.push(tr!("check-submission-there-are-several-shaders-and-were", all = list(&all), vertex = vertex.shown(), fragment = fragment.shown()));
     }
     Ok((vertex.clone(), fragment.clone(), warnings))
 }

@@ -221,7 +221,7 @@ fn utf8_or_latin1(file: &str, bytes: &[u8]) -> Result<(String, Option<String>), 
             let controls = bytes.iter().filter(|b| b.is_ascii_control() && !b.is_ascii_whitespace()).count();
             let foreign = bytes.iter().filter(|b| !b.is_ascii()).count();
             if controls > 0 || foreign * 5 > bytes.len() {
-                return binary(tr!("check-submission-invalid-utf-8-at-offset", valid_up_to = error.valid_up_to()));
+                return binary(tr!("check-submission-invalid-utf-8-at-offset", offset = error.valid_up_to()));
             }
             let warning = tr!("check-submission-is-not-utf-8-gonio-read", file = file);
             Ok((bytes.iter().map(|&b| char::from(b)).collect(), Some(warning)))

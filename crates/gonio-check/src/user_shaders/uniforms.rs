@@ -74,7 +74,7 @@ impl UserUniform {
         let element = components(&self.glsl_type);
         if given != expected && given != element {
             let numbers = if expected == 1 { tr!("check-inputs-1-number") } else { &tr!("check-inputs-numbers", expected = expected) };
-            return Err(tr!("check-inputs-is-a-and-takes-not", name = self.name, glsl_type = self.glsl_type, numbers = numbers, given = given));
+            return Err(tr!("check-inputs-uniform-takes-numbers", name = self.name, glsl_type = self.glsl_type, numbers = numbers, given = given));
         }
         self.values = values.iter().copied().cycle().take(expected).collect();
         self.source = UniformSource::Chosen;

@@ -146,7 +146,7 @@ impl UserInputs {
         Err(match (nearest(name, known.iter().copied()), known.is_empty()) {
             (Some(near), _) => tr!("check-inputs-the-shaders-have-no-uniform-did", name = name, near = near),
             (None, true) => tr!("check-inputs-the-shaders-have-no-uniform-nor", name = name),
-            (None, false) => tr!("check-inputs-the-shaders-have-no-uniform-they", name = name, join = known.join(", ")),
+            (None, false) => tr!("check-inputs-the-shaders-have-no-uniform-they", name = name, names = known.join(", ")),
         })
     }
 
@@ -180,7 +180,7 @@ impl UserInputs {
             return Err(match nearest(name, all.iter().copied()) {
                 Some(near) => tr!("check-inputs-the-shaders-have-no-sampler-did", name = name, near = near),
                 None if all.is_empty() => tr!("check-inputs-the-shaders-have-no-sampler-nor", name = name),
-                None => tr!("check-inputs-the-shaders-have-no-sampler-they", name = name, join = all.join(", ")),
+                None => tr!("check-inputs-the-shaders-have-no-sampler-they", name = name, names = all.join(", ")),
             });
         };
         self.samplers[place].1 = SampledTexture::File(self.files.len());
@@ -262,8 +262,8 @@ fn wrong_entries(bindings: &Bindings, names: &OwnNames) -> Vec<CompilerMessage> 
         } else if ty.contains("sampler") {
             tr!("check-inputs-is-a-sampler-which-takes-a", name = name)
         } else if ![one, all].contains(&values.len()) {
-            let numbers = if all == 1 { tr!("check-inputs-1-number").to_owned() } else { tr!("check-inputs-numbers-2", all = all) };
-            tr!("check-inputs-is-a-and-takes-not-2", name = name, ty = ty, numbers = numbers, count = values.len())
+            let numbers = if all == 1 { tr!("check-inputs-1-number").to_owned() } else { tr!("check-inputs-all-numbers", all = all) };
+            tr!("check-inputs-names-takes-numbers", name = name, ty = ty, numbers = numbers, count = values.len())
         } else {
             continue;
         };

@@ -1,5 +1,6 @@
 //! The materials of an answer: which picture they show, and by which path.
 
+use gonio_language::tr;
 use super::answer::{AnswerMaterial, PathState, TextureReference};
 use super::findings::{BakeFinding, BakeFindings, Candidate, Examination};
 
@@ -38,7 +39,7 @@ impl Examination<'_> {
             let (id, detail) = match (&first.texture, others.len() == materials.len()) {
                 (TextureReference::Missing(PathState::Absolute), true) => ("texture-path-absolute", first.path.clone()),
                 (TextureReference::Missing(_), true) => ("texture-path-broken", first.path.clone()),
-                _ if is_wrong_image => ("wrong-image", format!("{} instead of {}", first.path, self.name(chosen))),
+                _ if is_wrong_image => ("wrong-image", tr!("check-baking-instead-of", path = first.path, chosen = self.name(chosen))),
                 (_, true) => ("old-textures-kept", String::new()),
                 (_, false) => ("materials-left", names.join(", ")),
             };
@@ -54,7 +55,7 @@ impl Examination<'_> {
                 PathState::Right => None,
                 PathState::OtherCase => {
                     let warning =
-                        format!("{} and the file's name differ in case: Linux does not find it", material.path);
+                        tr!("check-baking-and-the-file-s-name-differ", path = material.path);
                     findings.warnings.push(warning);
                     None
                 }
@@ -73,11 +74,7 @@ impl Examination<'_> {
                     .mistakes
                     .push(BakeFinding { place: quoted(material), ..BakeFinding::of("color-factor-left", detail) });
             } else {
-                findings.warnings.push(format!(
-                    "material {} has a factor of {r:.2} beside its texture: programs that multiply them show it darker; \
-                     write Kd 1 1 1",
-                    material.name
-                ));
+                findings.warnings.push(tr!("check-baking-material-has-a-factor-of-beside", name = material.name, factor = format!("{r:.2}")));
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Compares a student's buffer with a model, and explains the difference.
 
+use gonio_language::tr;
 use super::buffer::{Attributes, Buffer, Reading, Vertex};
 use super::expected::{Expected, Hypothesis};
 use super::fit::{Fit, SubmittedTriangles, closed_key, corner_keys, fit, matches};
@@ -87,7 +88,7 @@ pub fn compare(expected: &Expected, buffer: &Buffer) -> BufferFindings {
     let reading = likely_reading(expected, buffer);
     let mut comparison = Comparison::new(expected, &reading);
     comparison.warnings.extend(buffer.warnings.iter().cloned());
-    comparison.warnings.extend(reading.remark.map(str::to_owned));
+    comparison.warnings.extend(reading.remark.map(|id| tr!(id).to_owned()));
     comparison.verdict()
 }
 
@@ -174,10 +175,7 @@ impl<'a> Comparison<'a> {
         let given = SubmittedTriangles::new(&triangles, &expected.keys, compared);
         let mut warnings = Vec::new();
         if !reading.vertices.len().is_multiple_of(3) {
-            warnings.push(format!(
-                "the buffer has {} rows, which is not a multiple of three: three rows make a triangle",
-                reading.vertices.len()
-            ));
+            warnings.push(tr!("check-buffer-the-buffer-has-rows-which-is", count = reading.vertices.len()));
         }
         let lacks = [
             ("tex-coords-missing", expected.has.tex_coords && !reading.has.tex_coords),
@@ -224,7 +222,7 @@ impl<'a> Comparison<'a> {
         }
         let coarse = same::loosely(self.expected, &self.triangles, left.clone(), self.compared, FEW_DIGITS);
         if coarse.is_nothing() {
-            let warning = "numbers are rounded to few digits: the buffer is right, but write at least six digits (std::setprecision, %.6f)";
+            let warning = tr!("check-buffer-numbers-are-rounded-to-few-digits");
             self.warnings.push(warning.to_owned());
             return self.only_lacking();
         }
@@ -320,7 +318,7 @@ impl<'a> Comparison<'a> {
         let is_foreign = self.expected.keys.share_known(&vertices, Attributes::default()) < 0.5;
         if is_foreign {
             self.warnings.push(
-                "most of the buffer's numbers are not in the model's file: is it the buffer of another model?"
+                tr!("check-buffer-most-of-the-buffer-s-numbers")
                     .to_owned(),
             );
         }

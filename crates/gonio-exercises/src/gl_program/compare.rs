@@ -1,5 +1,6 @@
 //! Compares the student's picture with the reference's.
 
+use gonio_language::tr;
 use super::suspects::Case;
 use gonio_gl::GlError;
 use gonio_gl::trace::SamplingRecord;
@@ -68,7 +69,7 @@ impl<'a> Judge<'a> {
             let steps = sampled(self.reference, &key);
             let run = self.run(&steps, false).map_err(|failure| match failure {
                 GlProgramFailure::Driver(error) => error,
-                other => GlError::new(format!("cannot draw the exercise's own program: {other}")),
+                other => GlError::new(tr!("check-gl-cannot-draw-the-exercise-s-own", error = other.to_string())),
             })?;
             self.pictures.insert(key.clone(), run.pixels);
         }

@@ -12,6 +12,7 @@ pub(crate) use renderer::held;
 pub use renderer::{PreviewRenderer, VariableValue};
 pub use scene::{Eye, PreviewObject, PreviewScene, PreviewShape, scenes, test_scenes};
 
+use gonio_language::tr;
 use crate::exercise::{Exercise, ExerciseKind};
 use gonio_check::submission::SourceFile;
 
@@ -36,6 +37,6 @@ fn answer(exercise: &Exercise) -> Result<SubmittedPair, String> {
 
 /// The pair that draws the sky behind reflecting and refracting objects.
 pub fn sky() -> Result<SubmittedPair, String> {
-    let exercise = crate::exercise::find("ex08").ok_or("the exercise about skyboxes is missing")?;
+    let exercise = crate::exercise::find("ex08").ok_or(tr!("check-preview-the-exercise-about-skyboxes-is-missing"))?;
     answer(exercise)
 }

@@ -1,5 +1,6 @@
 //! Reads and compiles a pair of shaders while it is being written.
 
+use gonio_language::tr;
 use crate::exercise::Exercise;
 use gonio_check::comparison::declared;
 use gonio_check::compile::{self, ParsedStage};
@@ -116,10 +117,7 @@ impl SubmittedPair {
             })
             .collect();
         let unused = bindings.unused.iter().map(|name| {
-            format!(
-                "names.toml mentions `{name}`, which the shaders do \
-            not use"
-            )
+            tr!("check-preview-names-toml-mentions-which-the-shaders", name = name)
         });
         let warnings = self.submission.warnings.iter().cloned().chain(unused).collect();
         Ok(CompiledPair { program, bindings, notes, warnings })

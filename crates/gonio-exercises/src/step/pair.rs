@@ -1,5 +1,6 @@
 //! A pair of shaders for the interpreter, and its run over the vertices of a scene.
 
+use gonio_language::tr;
 use super::coverage::{Coverage, Plane, SurfacePoint, Triangle, fragment_at, ndc, ndc_from_bottom, quad_of};
 use super::textures::PreviewTextures;
 use super::value::StructTypes;
@@ -40,9 +41,9 @@ impl SteppedStage {
                 file: file.to_owned(),
                 line: Some(line),
                 column: Some(column),
-                text: format!("gonio cannot run {} on the CPU", unsupported.construct),
+                text: tr!("check-step-gonio-cannot-run-on-the-cpu", construct = unsupported.construct),
                 quoted: text.line(unsupported.span.line).map(str::to_owned),
-                explanation: Some("rewrite this part without it to step through the shader".to_owned()),
+                explanation: Some(tr!("check-step-rewrite-this-part-without-it-to").to_owned()),
             };
             Note { kind: NoteKind::Error, message }
         })?;

@@ -1,6 +1,7 @@
 //! The picture that a user's shaders draw, shaded on the CPU: as OpenGL draws it with several samples for each pixel and one run
 //! of the fragment shader for each pixel of a triangle.
 
+use gonio_language::tr;
 use super::coverage::{Plane, SurfacePoint, Triangle, bounds, ndc_from_bottom, quad_of};
 use super::pair::{StepWork, SteppedObject};
 use super::user_scene::{UserPair, UserPart};
@@ -146,7 +147,7 @@ impl UserPair {
         let span = ended.statement.and_then(|id| of.compiled.source.statements.get(id.0 as usize)).map(|s| s.span);
         let span = span.unwrap_or_default();
         let (file, line, _) = of.text.place(span.line, span.column);
-        format!("{file}:{line}: the shader does not end here within the time that the CPU gives it; shorten its loops")
+        tr!("check-step-the-shader-does-not-end-here", file = file, line = line)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Values of shader variables as people read them.
 
+use gonio_language::tr;
 use gonio_glsl::{Checked, Scalar, Type, builtin_structs};
 use serde_json::{Map, json};
 use std::collections::HashMap;
@@ -207,7 +208,7 @@ impl ShownValue {
                 list(f, parts)?;
                 let left = (*count as usize).saturating_sub(parts.len());
                 if left > 0 {
-                    write!(f, ", and {left} more")?;
+                    f.write_str(&tr!("check-step-and-more", left = left))?;
                 }
                 f.write_str("}")
             }

@@ -5,17 +5,17 @@
 check-no-attribute-looks-like-the-position = no attribute looks like the position: name it `position`, or assign its role in names.toml
 check-the-output-is-not-the-vertex = the output is not the vertex colour (`color`), so only positions were compared, which is what this exercise is about; the pictures show distances
 check-the-lookup-is-right-in-every = the lookup is right in every scene; its colour is changed afterwards
-check-the-colour-of-the-cubemap-is-2 = The colour of the cubemap is mixed with other colours; the pictures show the lookup alone
-check-the-colour-of-the-cubemap-is = the colour of the cubemap is mixed with other colours; only the lookup was judged, and the pictures show it
+check-lookup-mixed = The colour of the cubemap is mixed with other colours; the pictures show the lookup alone
+check-only-the-lookup-was-judged = the colour of the cubemap is mixed with other colours; only the lookup was judged, and the pictures show it
 check-the-diffuse-light-is-drawn-in = The diffuse light is drawn in steps (toon shading)
 check-all-but-one-of-the-object = all but one of the object's colours are white
-check-right-in-every-test-scene-provided = right in every test scene, provided that { $join }
+check-right-in-every-test-scene-provided = right in every test scene, provided that { $assumptions }
 check-right-in-every-scene = right in every scene
 check-right-in-every-scene-by-another = right in every scene, by another method
-check-the-picture-differs-from-the-reference = the picture differs from the reference, but the meaning of { $join } is unknown: state it in names.toml
-check-no-known-mistake-explains-the-difference = no known mistake explains the difference from the reference in: { $join }
+check-the-picture-differs-from-the-reference = the picture differs from the reference, but the meaning of { $names } is unknown: state it in names.toml
+check-no-known-mistake-explains-the-difference = no known mistake explains the difference from the reference in: { $scenes }
 check-the-program-sends-without-its-translation = the program sends `{ $name }` without its translation
-check-is = `{ $name }` is `{ $role }`
+check-assumed-role = `{ $name }` is `{ $role }`
 check-with-this-value-every-test-scene = With this value every test scene is right.
 
 ## check/corrections
@@ -29,8 +29,8 @@ check-the-picture-has-a-single-colour = the picture has a single colour in every
 
 check-cannot-be-checked-yet = { $id } cannot be checked yet
 check-the-picture-is-right-here-only = { $name }; the picture is right here only by chance
-check-these-are-the-unchanged-start-files-2 = these are the unchanged start files; { $name }
-check-these-are-the-unchanged-start-files = these are the unchanged start files
+check-unchanged-start-files-with-mistake = these are the unchanged start files; { $name }
+check-unchanged-start-files = these are the unchanged start files
 check-right-by-the-standard-of-the = right by the standard of the lab's own solutions
 
 ## comparison/conclusion
@@ -80,13 +80,16 @@ check-panorama-face-shows-what-belongs-on = Face { $face } shows what belongs on
 check-panorama-the-order-of-opengl-s-faces = The order of OpenGL's faces is +X, -X, +Y, -Y, +Z, -Z.
 check-panorama-all-six-faces-are-right = all six faces are right
 check-panorama-no-face-is-right-and-no = no face is right, and no known mistake explains the faces
-check-panorama-no-known-mistake-explains-the = no known mistake explains the { $s } { $unexplained }
+check-panorama-no-known-mistake-explains-the = no known mistake explains { $count ->
+        [one] the face { $faces }
+       *[other] the faces { $faces }
+    }
 check-panorama-they-have-of-the-panorama-s = { $name }: they have { $sharpness } % of the panorama's sharpness
 
 ## submission/choose
 
-check-submission-line = { $file } line { $place }
-check-submission-there-are-several-shaders-and-were = there are several shaders: { $all }; { $shown } and { $shown2 } were checked. If that is the wrong pair, hand in only the right one, or name it.
+check-submission-line = { $file } line { $line }
+check-submission-there-are-several-shaders-and-were = there are several shaders: { $all }; { $vertex } and { $fragment } were checked. If that is the wrong pair, hand in only the right one, or name it.
 
 ## submission/mod
 
@@ -106,7 +109,7 @@ check-submission-is-utf-16-which-no-glsl = { $file } is UTF-16, which no GLSL co
 check-submission-broken-utf-16 = broken UTF-16
 check-submission-zeros-in-utf-16-text = zeros in UTF-16 text
 check-submission-a-zero-byte-at-offset = a zero byte at offset { $offset }
-check-submission-invalid-utf-8-at-offset = invalid UTF-8 at offset { $valid_up_to }
+check-submission-invalid-utf-8-at-offset = invalid UTF-8 at offset { $offset }
 check-submission-is-not-utf-8-gonio-read = { $file } is not UTF-8; gonio read it as Latin-1. Save the file as UTF-8, or write comments without accents.
 
 ## roles/file
@@ -173,7 +176,7 @@ check-inputs-gonio-s-vertex-shader-does-not = { $file }:{ $line }:{ $column }: g
 
 check-inputs-1-number = 1 number
 check-inputs-numbers = { $expected } numbers
-check-inputs-is-a-and-takes-not = `{ $name }` is a { $glsl_type } and takes { $numbers }, not { $given }
+check-inputs-uniform-takes-numbers = `{ $name }` is a { $glsl_type } and takes { $numbers }, not { $given }
 check-inputs-its-initialiser = its initialiser
 check-inputs-your-value = your value
 check-inputs-not-recognised-a-guess = not recognised: a guess
@@ -188,10 +191,10 @@ check-inputs-the-uniform-has-no-effect-on = the uniform `{ $name }` has no effec
 check-inputs-is-a-sampler-texture-gives-it = `{ $name }` is a sampler; --texture gives it a picture
 check-inputs-the-shaders-have-no-uniform-did = the shaders have no uniform `{ $name }`; did you mean `{ $near }`?
 check-inputs-the-shaders-have-no-uniform-nor = the shaders have no uniform `{ $name }`, nor any other
-check-inputs-the-shaders-have-no-uniform-they = the shaders have no uniform `{ $name }`; they have { $join }
+check-inputs-the-shaders-have-no-uniform-they = the shaders have no uniform `{ $name }`; they have { $names }
 check-inputs-the-shaders-have-no-sampler-did = the shaders have no sampler `{ $name }`; did you mean `{ $near }`?
 check-inputs-the-shaders-have-no-sampler-nor = the shaders have no sampler `{ $name }`, nor any other
-check-inputs-the-shaders-have-no-sampler-they = the shaders have no sampler `{ $name }`; they have { $join }
+check-inputs-the-shaders-have-no-sampler-they = the shaders have no sampler `{ $name }`; they have { $names }
 check-inputs-the-material-s-colour-texture = the material's colour texture
 check-inputs-the-material-s-specular-texture = the material's specular texture
 check-inputs-the-material-s-normal-map = the material's normal map
@@ -204,8 +207,8 @@ check-inputs-the-scene-has-no-light-the = the scene has no light; the shaders re
 check-inputs-the-model-has-no-colour-texture = the model has no colour texture; the shaders read white instead
 check-inputs-is-an-attribute-which-takes-a = `{ $name }` is an attribute, which takes a role such as "position", not a value
 check-inputs-is-a-sampler-which-takes-a = `{ $name }` is a sampler, which takes a role such as "diffuse-texture", not a value
-check-inputs-numbers-2 = { $all } numbers
-check-inputs-is-a-and-takes-not-2 = `{ $name }` is a { $ty } and takes { $numbers }, not { $count }
+check-inputs-all-numbers = { $all } numbers
+check-inputs-names-takes-numbers = `{ $name }` is a { $ty } and takes { $numbers }, not { $count }
 check-inputs-an-attribute = an attribute
 check-inputs-a-sampler = a sampler
 check-inputs-a-uniform = a uniform
@@ -808,3 +811,453 @@ check-buffer-empty-slot-passed-over = v//vn is read as v/vt
 check-buffer-short-corners-lost = Faces whose corners are not v/vt/vn are left out
     .explanation = A corner may also be v, v/vt or v//vn. Faces with such corners are missing: "%d/%d/%d" does not match them.
     .fix = Split corners at `/`, and check how many parts there are and which are empty.
+
+## buffers/buffer
+
+check-buffer-the-columns-are-x-y-z = the columns are x y z nx ny nz u v here; expected x y z u v nx ny nz
+check-buffer-the-numbers-are-64-bit-floats = the numbers are 64-bit floats; expected 32-bit ones (float, np.float32, Float32Array)
+check-buffer-line = line { $line }: { $message }
+check-buffer-line-column = line { $line }, column { $column }: { $message }
+
+## buffers/compare
+
+check-buffer-the-buffer-has-rows-which-is = the buffer has { $count } rows, which is not a multiple of three: three rows make a triangle
+check-buffer-numbers-are-rounded-to-few-digits = numbers are rounded to few digits: the buffer is right, but write at least six digits (std::setprecision, %.6f)
+check-buffer-most-of-the-buffer-s-numbers = most of the buffer's numbers are not in the model's file: is it the buffer of another model?
+
+## buffers/formats
+
+check-buffer-file-too-large = the file has { $count } MB; at most { $most } MB are read
+check-buffer-the-file-is-empty-was-it = the file is empty: was it closed before the program ended?
+check-buffer-raw-floats-take-4-bytes-each = raw floats take 4 bytes each, but the file has { $count } bytes: was it opened as text ("w" instead of "wb", without std::ios::binary)?
+check-buffer-floats-not-of-stride = the file has { $floats } floats, which is not a multiple of the { $stride } that its name states
+check-buffer-floats-not-whole-vertices = the file has { $floats } floats, which is not a multiple of 3, 5, 6 or 8: not whole vertices
+
+## buffers/json
+
+check-buffer-expected-a-list-of-rows-a = expected a list of rows, a list of objects, {"{"}"positions", "tex_coords", "normals"{"}"} or {"{"}"vertices", "indices"{"}"}
+check-buffer-json-too-large = the file has { $count } MB; at most { $most } MB of JSON are read: write raw floats instead
+check-buffer-json-has-no-nan-write-null = {" "}(JSON has no NaN: write null)
+check-buffer-invalid-json = invalid JSON: { $message }{ $hint }
+check-buffer-the-list-is-empty-no-vertex = the list is empty: no vertex was written
+check-buffer-the-file-has-no-vertices = the file has no vertices
+check-buffer-a-vertex-buffer = a vertex buffer
+check-buffer-the-list-has-numbers-which-is = the list has { $count } numbers, which is not a multiple of 3, 5, 6 or 8
+check-buffer-row-is-not-a-list-of = row { $number } is not a list of numbers; { $shapes }
+check-buffer-row-has-numbers-but-the-first = row { $number } has { $count } numbers, but the first one has { $first }
+check-buffer-a-row-has-numbers-it-may = a row has { $count } numbers; it may have 3 (x y z), 5 (x y z u v), 6 (x y z nx ny nz) or 8 (x y z u v nx ny nz)
+check-buffer-vertex-is-not-an-object-but = vertex { $number } is not an object, but the first one is
+check-buffer-vertex = vertex { $number }: { $message }
+check-buffer-vertex-does-not-have-the-same = vertex { $number } does not have the same attributes as the first one
+check-buffer-has-numbers-instead-of = `{ $key }` has { $found } numbers instead of { $count }
+check-buffer-has-no-number = has no number `{ $name }`
+check-buffer-is-unknown-and-was-ignored = `{ $key }` is unknown and was ignored
+check-buffer-vertices-is-one-list-of-numbers = "vertices" is one list of numbers; with indices it must be a list of rows, [[x, y, z], ...]
+check-buffer-texture-coordinates = texture coordinates
+check-buffer-normals = normals
+check-buffer-there-are-positions-and-each-vertex = there are { $positions } positions and { $count } { $name }: each vertex of the buffer needs one of each, combined as the faces define
+check-buffer-has-numbers-which-is-not-a = `{ $key }` has { $count } numbers, which is not a multiple of { $width }
+check-buffer-row-of-is-not-a-list = row { $number } of `{ $key }` is not a list of { $width } numbers
+check-buffer-is-not-a-list-of-numbers = `{ $key }` is not a list of numbers
+check-buffer-indices-is-not-a-list-of = "indices" is not a list of numbers
+check-buffer-index-is-expected-an-integer-from = index { $number } is { $value }; expected an integer from 0 to 16777215
+check-buffer-indices-count-from-0-here = : indices count from 0 here
+check-buffer-index-is-out-of-range-there = index { $index } is out of range: there are { $count } vertices{ $hint }
+
+## buffers/table
+
+check-buffer-the-file-has-no-rows = the file has no rows
+check-buffer-the-file-has-a-header-but = the file has a header but no rows
+check-buffer-the-numbers-have-decimal-commas-write = the numbers have decimal commas: write decimal points, which every program reads
+check-buffer-of-the-numbers-are-nan-or = { $count } of the numbers are NaN or infinite
+check-buffer-a-row-has-numbers-without-a = a row has { $width } numbers; without a header line it may have 3 (x y z), 5 (x y z u v), 6 (x y z nx ny nz) or 8 (x y z u v nx ny nz)
+check-buffer-the-file-is-utf-16-text = the file is UTF-16 text (PowerShell's `>` writes it): save it as UTF-8
+check-buffer-the-file-is-binary-use-the = the file is binary: use the ending `.raw` for raw floats
+check-buffer-the-file-is-not-utf-8 = the file is not UTF-8 text
+check-buffer-a-number-is-missing-here = a number is missing here
+check-buffer-is-not-a-number = `{ $cell }` is not a number
+check-buffer-do-the-numbers-have-decimal-commas = {" "}(do the numbers have decimal commas? Write decimal points.)
+check-buffer-this-row-has-numbers-but-the = this row has { $count } numbers, but the first one has { $width }{ $comma }
+check-buffer-the-column-is-named-twice = the column `{ $name }` is named twice
+check-buffer-the-column-is-unknown-and-was = the column `{ $name }` is unknown and was ignored
+check-buffer-the-header-has-no-column-the = the header has no column { $name }: the names are x y z, u v, nx ny nz
+
+## gl_program/check
+
+check-gl-cannot-read-the-exercise-s-own = cannot read the exercise's own program: { $first }
+check-gl-the-picture-is-right = the picture is right
+check-gl-the-picture-is-right-but = the picture is right; but { $text }
+check-gl-the-picture-is-right-and-there = the picture is right, and there are { $many } warnings
+check-gl-line-of-mistake = line { $line }: { $name }
+check-gl-unexplained-with-rejected-call = the picture is wrong, and no known mistake explains it; OpenGL rejected a call: { $error }
+check-gl-unexplained = the picture is wrong, and no known mistake explains it
+
+## gl_program/compare
+
+check-gl-cannot-draw-the-exercise-s-own = cannot draw the exercise's own program: { $error }
+
+## gl_program/findings
+
+check-gl-line-of-error = line { $line }: { $message }
+check-gl-and-more = { $first }, and { $more } more
+check-gl-did-you-mean = did you mean `{ $known }`?
+check-gl-the-files-are = the files are { $files }
+check-gl-unknown-file = unknown file `{ $file }`
+check-gl-and-do-not-link = `{ $vertex }` and `{ $fragment }` do not link: { $log }
+check-gl-the-outputs-of-the-vertex-shader = the outputs of the vertex shader and the inputs of the fragment shader must have the same names and types
+check-gl-opengl-could-not-create-a-program = OpenGL could not create a program from the shaders
+check-gl-the-shader-does-not-compile = the shader does not compile: { $log }
+check-gl-although-the-picture-is-right = { $message }, although the picture is right
+check-gl-opengl-rejects-with = OpenGL rejects { $call } with { $code }: { $why }
+check-gl-depth-test-is-enabled-but-no = DEPTH_TEST is enabled, but no call clears DEPTH_BUFFER_BIT: a second frame would stay empty
+check-gl-the-program-has-no-uniform-and = the program has no uniform `{ $uniform }`, and OpenGL reports no error
+check-gl-clamp-to-border-mixes-the-border = CLAMP_TO_BORDER mixes the border's colour, black, into the texture's edge
+
+## gl_program/program
+
+check-gl-the-text-has-bytes = the text has { $count } bytes
+check-gl-at-most-mb-are-read = at most { $most } MB are read
+check-gl-the-file-is-not-text = the file is not text
+check-gl-hand-in-the-gl-program-as = hand in the GL program as text
+check-gl-call-within-list = the list `{ $name }`, which starts in line { $line }, has no end before this call
+check-gl-there-are-more-than-calls = there are more than { $most } calls
+check-gl-leave-some-out = leave some out
+check-gl-list-without-end = the list `{ $name }`, which starts in line { $line }, has no end
+check-gl-write-a-line-with-end-after = write a line with `end` after its last number
+check-gl-the-program-has-no-calls = the program has no calls
+check-gl-each-line-has-a-call-for = each line has a call, for example `gen_texture`
+check-gl-expects-one-name-and-the-numbers = `{ $text }` expects one name, and the numbers on the following lines
+check-gl-for-example-corners = for example `{ $text } corners`
+check-gl-cannot-be-a-name = `{ $text }` cannot be a name
+check-gl-choose-a-name-that-is-not = choose a name that is not a call
+check-gl-already-exists = `{ $text }` already exists
+check-gl-choose-another-name = choose another name
+check-gl-write-integers-from-0 = write integers from 0
+check-gl-is-not-an-index = `{ $text }` is not an index
+check-gl-write-numbers-such-as-0-5 = write numbers such as 0.5, and `end` after the last one
+check-gl-is-not-a-number = `{ $text }` is not a number
+check-gl-the-list-has-more-than-numbers = the list `{ $name }` has more than { $most } numbers
+check-gl-make-it-shorter-a-buffer-may = make it shorter: a buffer may have at most 1 MB
+
+## gl_program/signature
+
+check-gl-a-list-of-numbers = a list of numbers
+check-gl-an-image = an image
+check-gl-a-number = a number
+check-gl-expected-spaces-around = expected spaces around `=`
+check-gl-write-name-call = write `name = call`
+check-gl-expected-a-call-after = expected a call after `=`
+check-gl-write-name-gen-texture-or-the = write `name = gen_texture` or the like
+check-gl-expects-argument-but-got = `{ $text }` expects { $count ->
+        [one] { $count } argument
+       *[other] { $count } arguments
+    }, but got { $given }
+check-gl-write = write `{ $text }`
+check-gl-write-plain = write { $text }
+check-gl-is-a-constant-of-opengl = `{ $text }` is a constant of OpenGL
+check-gl-is-already = `{ $text }` is already { $words }
+check-gl-take-another-name = take another name
+check-gl-write-name = write `name = { $text }`
+check-gl-the-result-of-is-not-stored = the result of `{ $text }` is not stored
+check-gl-returns-nothing-that-can-be-stored = `{ $text }` returns nothing that can be stored in `{ $text2 }`
+check-gl-write-without-a-name = write `{ $text }` without a name
+check-gl-unknown-word = unknown call `{ $word }`
+check-gl-an-argument-is-missing = an argument is missing
+check-gl-write-the-name-that-it-has = write the name that it has in the shader; gonio looks up its location
+check-gl-cannot-be-the-name-of-a = `{ $text }` cannot be the name of a shader variable
+check-gl-is-too-large = `{ $text }` is too large
+check-gl-is-not-an-integer = `{ $text }` is not an integer
+check-gl-write-an-integer-such-as-32 = write an integer such as 32
+check-gl-write-a-number-such-as-0 = write a number such as 0.5
+check-gl-is-neither-true-nor-false = `{ $other }` is neither TRUE nor FALSE
+check-gl-write-false = write FALSE
+check-gl-named-is-not-a-number = `{ $text }` is { $words }, not a number
+check-gl-use-a-name-that-stores-the = use a name that stores the result of a call
+check-gl-a-line-must-come-before-this = a line `{ $text } = ...` must come before this one
+check-gl-named-is-of-another-kind = `{ $text }` is { $words }, not { $words2 }
+check-gl-create-one-with = create one with `{ $how }`
+check-gl-create-it-first-with = create it first, with `{ $how }`
+check-gl-is-not-defined-yet = `{ $text }` is not defined yet
+check-gl-write-without-gl-commas-and-parentheses = write `{ $bare }`, without GL_, commas and parentheses
+check-gl-write-constants-in-upper-case-without = write constants in upper case, without GL_
+check-gl-unknown-constant = unknown constant `{ $text }`
+check-gl-write-with-its-arguments-without-parentheses = write `{ $known }`, with its arguments without parentheses and commas
+check-gl-write-calls-without-gl-in-lower = write calls without `gl`, in lower case, with `_` between words
+check-gl-text-md-has-a-table-of = text.md has a table of the calls
+check-gl-unknown-call = unknown call `{ $text }`
+
+## gl_program/suspects/picture
+
+check-gl-the-index-buffer-contains-unsigned-int = the index buffer contains UNSIGNED_INT, but is read as { $name }
+check-gl-write-unsigned-int = write UNSIGNED_INT
+check-gl-the-draw-begins-at-byte-of = the draw begins at byte { $offset } of the index buffer
+check-gl-write-0 = write 0
+check-gl-the-indices-in-start-at-1 = the indices in `{ $name }` start at 1, but the first corner is 0
+check-gl-subtract-1-from-each = subtract 1 from each
+check-gl-contains-other-corners-than-0-1 = `{ $name }` contains other corners than 0, 1 and 2
+check-gl-write-0-1-2 = write 0 1 2
+check-gl-no-element-array-buffer-or-another = no ELEMENT_ARRAY_BUFFER, or another one, is bound in the vertex array that is drawn
+check-gl-write-bind-buffer-element-array-buffer = write `bind_buffer ELEMENT_ARRAY_BUFFER { $buffer }` after bind_vertex_array
+check-gl-is-created-but-never-used = `{ $name }` is created but never used
+check-gl-write-use-program-before-the-uniforms = write `use_program { $name }` before the uniforms and the draw
+check-gl-0-unbinds-the-program-and-the = 0 unbinds the program, and the draw that follows has none
+check-gl-this-is-not-the-number-of = this is not the number of `{ $name }`
+check-gl-write-use-program = write `use_program { $name }`
+check-gl-the-picture-is-drawn-into-x = the picture is drawn into { $width } x { $height } pixels at ({ $x }, { $y })
+check-gl-set-it-to-0-0-and = set it to 0 0 and the picture's width and height, or remove it
+check-gl-this-clears-what-line-has-drawn = this clears what line { $line } has drawn
+check-gl-write-it-before-the-draw = write it before the draw
+check-gl-the-picture-keeps-its-previous-content = the picture keeps its previous content
+check-gl-write-clear-color-buffer-bit-before = write `clear COLOR_BUFFER_BIT` before it
+check-gl-write-clear-color = write `clear_color { $r } { $g } { $b } { $a }`
+check-gl-no-clear-color-comes-before-this = no clear_color comes before this, so the background is black
+check-gl-clear-in-line-uses-the-colour = clear, in line { $line }, uses the colour that was set before it
+check-gl-write-it-before-clear = write it before clear
+check-gl-the-background-is-not-the-exercise = the background is not the exercise's dark grey-blue
+check-gl-the-triangle-s-corners-are-clockwise = the triangle's corners are clockwise, and CULL_FACE discards such triangles
+check-gl-remove-it = remove it
+check-gl-write-draw-arrays-at-the-end = write `draw_arrays { $name } { $first } { $count }` at the end
+check-gl-no-call-draws-anything = no call draws anything
+check-gl-vertices-are-drawn-but-there-are = { $many } vertices are drawn, but there are { $count }
+check-gl-the-draw-begins-at-vertex = the draw begins at vertex { $from }
+check-gl-indices-are-drawn-but-there-are = { $many } indices are drawn, but there are { $count }
+check-gl-joins-the-corners-in-another-way = { $name } joins the corners in another way than { $name2 }
+check-gl-the-calls-that-follow-are-meant = the calls that follow are meant for the draw, but come after it
+check-gl-write-it-at-the-end = write it at the end
+
+## gl_program/suspects/textures
+
+check-gl-the-draw-in-line-has-already = the draw in line { $draw } has already read `{ $uniform }`
+check-gl-is-set-to-the-name-of = `{ $uniform }` is set to `{ $name }`, the name of a texture, which is bound to unit { $unit }
+check-gl-write-uniform-1i = write `uniform_1i { $uniform } { $unit }`
+check-gl-is-a-sampler-and-a-sampler = `{ $uniform }` is a sampler, and a sampler is an integer
+check-gl-reads-unit-but-the-texture-is = `{ $uniform }` reads unit { $value }, but the texture is bound to unit { $unit }
+check-gl-write-uniform-1i-or-bind-the = write `uniform_1i { $uniform } { $unit }`, or bind the texture to unit { $value }
+check-gl-the-program-has-no-uniform-its = the program has no uniform `{ $uniform }`; its sampler is `{ $sampler }`
+check-gl-no-program-is-in-use-here = no program is in use here: use_program comes in line { $line }, and `{ $uniform }` stays 0
+check-gl-write-it-after-use-program-in = write it after use_program in line { $line }
+check-gl-is-made-active-only-after-the = { $name } is made active only after the texture was bound, in line { $bind }
+check-gl-write-it-before-bind-texture-in = write it before bind_texture in line { $bind }
+check-gl-a-plain-number-is-not-a = a plain number is not a unit, and OpenGL rejects it: write a unit such as { $name }
+check-gl-is-never-set-and-reads-unit = `{ $sampler }` is never set and reads unit 0, but the texture is bound to unit { $unit }
+check-gl-write-uniform-1i-after-use-program = write `uniform_1i { $sampler } { $unit }` after use_program
+check-gl-texture-is-deleted = the texture is deleted before the draw in line { $line }
+check-gl-buffer-is-deleted = the buffer is deleted before the draw in line { $line }
+check-gl-vertex-array-is-deleted = the vertex array is deleted before the draw in line { $line }
+check-gl-delete-it-after-the-draw = delete it after the draw
+check-gl-is-the-target-of-another-kind = { $written } is the target of another kind of texture: the sampler2D reads TEXTURE_2D
+check-gl-write-texture-2d-in-this-line = write TEXTURE_2D in this line and in all others for this texture
+check-gl-write-texture-2d = write TEXTURE_2D
+check-gl-write-bind-texture-texture-2d-before = write `bind_texture TEXTURE_2D { $name }` before the texture's other calls
+check-gl-the-texture-is-never-bound = the texture `{ $name }` is never bound
+check-gl-the-call-in-line-is-meant = the call in line { $first } is meant for this texture, but comes before it is bound
+check-gl-write-it-before-line = write it before line { $line }
+check-gl-0-unbinds-the-texture-so-the = 0 unbinds the texture, so the draw reads an empty unit
+check-gl-this-texture-replaces-the-one-to = this texture replaces the one to draw, because the same unit is active
+check-gl-call-active-texture-with-another-unit = call active_texture with another unit before it
+check-gl-should-be-drawn-but-something-else = `{ $name }` should be drawn, but something else is bound here
+check-gl-write-bind-texture = write `bind_texture { $name } { $name2 }`
+check-gl-with-this-levels-are-read-that = with this { $name }, levels are read that do not exist
+check-gl-opengl-rejects-for-texture-mag-filter = OpenGL rejects { $name } for TEXTURE_MAG_FILTER, and TEXTURE_MIN_FILTER is unchanged
+check-gl-write-texture-min-filter = write TEXTURE_MIN_FILTER
+check-gl-opengl-rejects-and-texture-min-filter = OpenGL rejects { $name }, and TEXTURE_MIN_FILTER is unchanged
+check-gl-write-linear = write LINEAR
+check-gl-the-filter-set-in-line-needs = the filter set in line { $line } needs mipmaps, but this image has none
+check-gl-write-generate-mipmap-texture-2d-after = write `generate_mipmap TEXTURE_2D` after it, or use the filter LINEAR
+check-gl-texture-min-filter-is-never-set = TEXTURE_MIN_FILTER is never set; its default needs mipmaps, and this image has none
+check-gl-write-tex-parameter-texture-2d-texture = write `tex_parameter TEXTURE_2D TEXTURE_MIN_FILTER LINEAR`, or `generate_mipmap TEXTURE_2D` after it
+check-gl-the-image-comes-only-in-line = the image comes only in line { $image }
+check-gl-write-it-after-line = write it after line { $image }
+check-gl-the-texture-bound-here-is-not = the texture bound here is not the one that got its image in line { $image }
+check-gl-write-it-right-after-line = write it right after line { $image }
+check-gl-the-format-does-not-keep-the = the format { $name } does not keep the colours of the image
+check-gl-write-rgb8 = write RGB8
+check-gl-the-image-is-passed-to-level = the image is passed to level { $level }, and level 0 stays empty
+check-gl-write-level-0 = write level 0
+check-gl-is-loaded-but-the-exercise-s = `{ $file }` is loaded, but the exercise's image is `{ $right }`
+check-gl-write-tex-image-2d-texture-2d = write `tex_image_2d TEXTURE_2D 0 RGB8 { $image }` after it
+check-gl-this-texture-never-gets-an-image = this texture never gets an image
+
+## gl_program/suspects/vertices
+
+check-gl-write-bind-vertex-array-after-it = write `bind_vertex_array { $name }` after it
+check-gl-is-created-but-never-bound = `{ $name }` is created but never bound
+check-gl-write-array-gen-vertex-array-and = write `array = gen_vertex_array` and `bind_vertex_array array` before it
+check-gl-no-vertex-array-is-bound-to = no vertex array is bound to store this setting
+check-gl-line-is-meant-for-this-vertex = line { $line } is meant for this vertex array, but comes before it is bound
+check-gl-0-unbinds-the-vertex-array-before = 0 unbinds the vertex array before the draw in line { $draw }
+check-gl-bind-the-vertex-array-again-before = bind the vertex array again before the draw, or remove this call
+check-gl-the-attributes-were-described-in-but = the attributes were described in `{ $name }`, but another vertex array is bound at the draw
+check-gl-write-bind-vertex-array = write `bind_vertex_array { $name }`
+check-gl-0-unbinds-the-vertex-array-but = 0 unbinds the vertex array, but the calls that follow are meant for it
+check-gl-write-bind-buffer-array-buffer-after = write `bind_buffer ARRAY_BUFFER { $buffer }` after it
+check-gl-is-created-but-never-bound-to = `{ $buffer }` is created but never bound to ARRAY_BUFFER
+check-gl-line-is-meant-for-this-buffer = line { $line } is meant for this buffer, but comes before it is bound
+check-gl-0-unbinds-the-buffer-from-so = 0 unbinds the buffer from { $name }, so the calls that follow have none
+check-gl-this-buffer-is-not-read-from = this buffer is not read from { $name }
+check-gl-write-buffer-data-array-buffer-static = write `buffer_data ARRAY_BUFFER { $data } STATIC_DRAW` after it
+check-gl-this-buffer-never-gets-any-bytes = this buffer never gets any bytes
+check-gl-stride = stride { $stride }
+check-gl-offset = offset { $offset }
+check-gl-size = size { $size }
+check-gl-has-but-the-data-needs = `{ $attribute }` has { $was }, but the data needs { $is }
+check-gl-described-here-but-never-enabled = { $names }: described here, but never enabled
+check-gl-write-enable-vertex-attrib-array-after = write `enable_vertex_attrib_array { $name }` after it
+check-gl-is-disabled-before-the-draw-in = `{ $attribute }` is disabled before the draw in line { $draw }
+check-gl-write-vertex-attrib-pointer-float-false = write `vertex_attrib_pointer { $name } { $size } FLOAT FALSE { $stride } { $offset }`
+check-gl-no-vertex-attrib-pointer-says-where = no vertex_attrib_pointer says where `{ $name }` is
+check-gl-the-program-has-no-attribute-and = the program has no attribute `{ $wrong }`, and `{ $meant }` gets no data
+check-gl-is-used-here-but-is-never = `{ $name }` is used here, but `{ $meant }` is never described
+check-gl-the-buffer-is-filled-with-but = the buffer is filled with `{ $data }`, but the corners are in `{ $other }`
+check-gl-does-not-contain-the-exercise-s = `{ $name }` does not contain the exercise's numbers
+check-gl-restore-the-original-numbers = restore the original numbers
+
+## baking/answer
+
+check-baking-the-picture-has-x-texels-at = the picture has { $width } x { $height } texels; at most { $most } x { $most } are checked, bake a smaller one
+check-baking-the-pictures-of-this-folder-are = the pictures of this folder are too large together; hand in the baked one alone
+
+## baking/findings
+
+check-baking-has-triangles = { $name } has { $triangles } triangles
+check-baking-triangles-of-are-not-in-the = { $extra } triangles of { $name } are not in the original model
+check-baking-the-model-is-times-as-large = the model is { $scale } times as large as the original
+check-baking-the-model-is-in-another-place = the model is in another place than the original
+check-baking-their-area-is-times-that-of = their area is { $area } times that of the picture
+check-baking-of-the-texels = { $conflicts } % of the texels, { $both }
+check-baking-charts-overlap-but-only-where-they = charts overlap, but only where they have the same colour
+check-baking-of-them = { $outside } % of them
+check-baking-some-texture-coordinates-are-outside-of = some texture coordinates are outside of 0 to 1; the picture is right there because it repeats
+check-baking-of-a-lookup-at-a-border = { $share } % of a lookup at a border
+check-baking-x-texels-of-the-surface-has = { $width } x { $height } texels, { $share } % of the surface has another colour
+check-baking-x-texels-are-few-details-are = { $width } x { $height } texels are few: details are lost; 1024 x 1024 keeps them
+check-baking-is-transparent-on-the-surface-programs = { $name } is transparent on the surface: programs that use its alpha show holes; save it as RGB
+
+## baking/materials
+
+check-baking-instead-of = { $path } instead of { $chosen }
+check-baking-and-the-file-s-name-differ = { $path } and the file's name differ in case: Linux does not find it
+check-baking-material-has-a-factor-of-beside = material { $name } has a factor of { $factor } beside its texture: programs that multiply them show it darker; write Kd 1 1 1
+
+## baking/original
+
+check-baking-only-built-in-files-can-be = only built-in files can be read here
+check-baking-the-exercise-s-file-was-not = the exercise's file { $path } was not downloaded
+check-baking-the-exercise-has-no-model-to = the exercise has no model to bake
+
+## baking/verdict
+
+check-baking-no-model-handed-in = there is no model among the files: hand in the .obj with its .mtl and the baked picture, or a .glb
+check-baking-there-are-models-among-the-files = there are { $count } models among the files; check one at a time
+check-baking-no-model = there is no model among the files
+check-baking-the-picture-of-is-right-everywhere = the picture of { $name } is right everywhere on the model
+check-baking-the-colours-of-one-part = the colours of one part
+check-baking-not-read = not read: { $reason }
+check-baking-of-the-surface-has-the-right = { $percent } % of the surface has the right colour; no known mistake explains the others ({ $parts })
+
+## cubemap
+
+check-cubemap-there-are-pictures-among-the-files = there are { $count } pictures among the files; hand in six faces
+check-cubemap-hand-in-the-six-faces-as = { $name }: hand in the six faces as PNG or JPEG
+check-cubemap-there-are-no-faces-among-the = there are no faces among the files: hand in six pictures, posx.png to negz.png
+check-cubemap-the-faces-must-be-square-and = the faces must be square and of the same size; one has { $width } x { $height } pixels, another { $width2 } x { $height2 }
+check-cubemap-the-faces-have-x-pixels-at = the faces have { $size } x { $size } pixels; at least { $least } x { $least } are needed
+check-cubemap-the-faces-have-x-pixels-much = the faces have { $size } x { $size } pixels: much of the panorama's detail is lost; { $natural } x { $natural } would keep it
+check-cubemap-the-exercise-has-no-panorama-hand = the exercise has no panorama; hand yours in with the faces
+check-cubemap-is-not-a-panorama = { $name } is not a panorama
+check-cubemap-has-x-pixels-which-is-neither = { $name } has { $width } x { $height } pixels, which is neither a cross nor a strip of six faces; hand in posx.png to negz.png
+check-cubemap-was-read-as-a = { $name } was read as a { $arrangement }
+
+## preview/files
+
+check-preview-none-of-these-files-is-an = none of these files is an answer: { $id } reads { $kind }
+check-preview-and-more = {" "}and { $more } more
+check-preview-ignored-reads = ignored: { $names }{ $more }; { $id } reads { $reads }
+check-preview-a-scene = a scene
+check-preview-a-model = a model
+check-preview-is-leave-the-exercises-with-the = { $name } is { $what }: leave the exercises with the arrow at the top left, and open it there
+check-preview-there-is-no-shader-in-reads = there is no shader in { $name }: { $id } reads { $reads }
+check-preview-does-not-read-it-reads = { $id } does not read { $name }: it reads { $reads }
+check-preview-reads-shaders = a vertex and a fragment shader, in files of any names or as strings of a program, and names.toml
+check-preview-reads-shaders-or-faces = a vertex and a fragment shader, or six faces as pictures
+check-preview-a-vertex-buffer-csv-tsv-json = a vertex buffer (.csv, .tsv, .json, or raw floats as .bin, .raw or .f32)
+check-preview-gl-programs-txt = GL programs (.txt)
+check-preview-a-model-with-its-materials-and = a model with its materials and its picture (.obj, .mtl and .png, or .glb)
+
+## preview/mod
+
+check-preview-the-exercise-about-skyboxes-is-missing = the exercise about skyboxes is missing
+
+## preview/pair
+
+check-preview-names-toml-mentions-which-the-shaders = names.toml mentions `{ $name }`, which the shaders do not use
+
+## preview/renderer
+
+check-preview-the-exercise-s-sky = the exercise's sky
+check-preview-from-the-mesh = from the mesh
+check-preview-0-0-0-1-not-in = 0 0 0 1: not in the mesh
+check-preview-a-value = a value
+check-preview-unit-0-gonio-s-sky = unit 0: gonio's sky
+check-preview-unit-1-white = unit 1: white
+
+## preview/scene
+
+check-preview-lab-pyramid = the lab's own: a pyramid at the origin
+check-preview-the-pyramid-turned-and-moved-within = the pyramid turned and moved within a globe of many colours, seen by a camera that is turned as well
+check-preview-lab-lamp = the lab's own: a sphere at half its size, and a lamp that swings
+check-preview-lab-spheres = the lab's own: a sphere of few triangles, one of more, one of many
+check-preview-a-ring-that-is-stretched-turned = a ring that is stretched, turned and moved: it shows normals multiplied by M, and matrices in the wrong order
+check-preview-a-ring-stretched-and-turned-its = a ring, stretched and turned: its normals are nothing like its positions
+check-preview-a-smooth-sphere-under-the-lab = a smooth sphere under the lab's sky
+check-preview-the-sky-seen-by-a-camera = the sky, seen by a camera away from the origin: a sky that comes nearer is wrong
+
+## step/endless
+
+check-step-this-loop-never-ends = this loop never ends
+check-step-the-loop-in-line-of-never = the loop in line { $line } of { $file } never ends
+
+## step/pair
+
+check-step-gonio-cannot-run-on-the-cpu = gonio cannot run { $construct } on the CPU
+check-step-rewrite-this-part-without-it-to = rewrite this part without it to step through the shader
+
+## step/picture
+
+check-step-black-is-and-white-is = black is { $least } and white is { $greatest }
+check-step-black-is-false-and-white-is = black is false and white is true
+check-step-colour = red, green and blue are its components, from 0 to 1
+check-step-direction = red, green and blue are (x + 1) / 2 of its components, from -1 to 1
+check-step-range = red, green and blue are its components, from { $least } to { $greatest }
+check-step-there-is-no-expression-point-at = { $file }:{ $line }:{ $column }: there is no expression; point at a name or an operator
+check-step-the-shader-does-not-end = ; the shader does not end
+check-step-choose-another-expression = ; choose another expression
+check-step-no-pixel-evaluates = { $file }:{ $line }:{ $column }: no pixel evaluates `{ $text }`{ $why }
+check-step-has-the-type-choose-a-number = { $file }:{ $line }:{ $column }: `{ $text }` has the type { $written }; choose a number or a vector, such as a member of it or a column
+
+## step/user_picture
+
+check-step-the-shader-does-not-end-here = { $file }:{ $line }: the shader does not end here within the time that the CPU gives it; shorten its loops
+
+## step/value
+
+check-step-and-more = , and { $left } more
+
+## check
+
+check-there-is-no-buffer-among-the = there is no buffer among the files: hand in a .csv, .json or .bin as text.md describes
+check-there-are-buffers-among-the-files = there are { $count } buffers among the files; check one at a time
+check-the-buffer-resembles-none-of-the = the buffer resembles none of the exercise's models; name the file after its model, for example cube.csv
+check-all-triangles-of-are-right = all { $count } triangles of { $model } are right
+check-mistakes-of-model = { $names } (of { $model })
+check-of-the-triangles-of-are-right = { $percent } % of the triangles of { $model } are right; no known mistake explains the others
+check-there-is-no-gl-program-among = there is no GL program among the files: hand in a .txt as text.md describes
+check-there-are-gl-programs-among-the = there are { $count } GL programs among the files; check one at a time
+
+## class
+
+check-a-system-file-not-a-student = a system file, not a student's
+check-it-is-beside-the-submissions-not = it is beside the submissions, not in one of them
+check-it-contains-no-answer = it contains no answer
+check-an-earlier-attempt-of-the-same = an earlier attempt of the same student
+
