@@ -18,6 +18,7 @@ use crate::mistakes::{Mistake, ModelSolution, TERMS, term_of};
 use crate::roles::{Bindings, Bound, Declared, Role, VariableKind};
 use crate::source::Analysis;
 use crate::submission::{StageText, Submission};
+use crate::testbench::scene;
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
 use gonio_glsl::{Span, Stage};
@@ -380,7 +381,7 @@ fn unexplained(task: &Task, mut verdict: Verdict, bindings: &Bindings) -> Verdic
         verdict.summary = tr!("check-the-picture-differs-from-the-reference", names = unknown.join(", "));
         return verdict;
     }
-    let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
+    let wrong: Vec<String> = verdict.scenes.iter().filter(|s| !s.right).map(|s| scene::title(&s.scene)).collect();
     verdict.summary = tr!("check-no-known-mistake-explains-the-difference", scenes = wrong.join(", "));
     verdict.score = score_of_wrong(&verdict);
     report_violations(&mut verdict);

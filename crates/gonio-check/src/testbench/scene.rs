@@ -1,6 +1,6 @@
 //! The test scenes. Each has a comment or a text about the mistakes that it distinguishes.
 
-use gonio_language::tr;
+use gonio_language::{Language, text_in, tr};
 use super::TestShape;
 use glam::{Mat3, Mat4, Quat, Vec3};
 
@@ -192,6 +192,27 @@ fn placed(at: [f32; 3], turn_deg: [f32; 3], scale: [f32; 3]) -> Mat4 {
     let [x, y, z] = turn_deg.map(f32::to_radians);
     let turn = Quat::from_euler(glam::EulerRot::YXZ, y, x, z);
     Mat4::from_scale_rotation_translation(scale.into(), turn, at.into())
+}
+
+/// Returns the name of a test scene for people, by its id in verdicts. Ids of no test scene are returned as they are.
+#[must_use]
+pub fn title(id: &str) -> String {
+    if let Some((scene, term)) = id.strip_suffix(" alone").and_then(|id| id.rsplit_once(", ")) {
+        return tr!("check-scene-alone", scene = title(scene), term = term_title(term));
+    }
+    text_of("check-scene-name", id)
+}
+
+/// Returns the name of a term for people, by its id in verdicts: `ambient`, `diffuse` or `specular`.
+#[must_use]
+pub fn term_title(id: &str) -> String {
+    text_of("check-term", id)
+}
+
+/// The text of an id with words and spaces; the id itself if it has none.
+fn text_of(kind: &str, id: &str) -> String {
+    let text = text_in(Language::current(), &format!("{kind}-{}", id.replace(' ', "-")));
+    text.unwrap_or(id).to_owned()
 }
 
 /// Returns the nine scenes for programs that compute light.

@@ -1261,3 +1261,32 @@ check-it-is-beside-the-submissions-not = it is beside the submissions, not in on
 check-it-contains-no-answer = it contains no answer
 check-an-earlier-attempt-of-the-same = an earlier attempt of the same student
 
+
+## Names of test scenes and terms, by their ids in verdicts
+
+check-scene-name-lab = lab
+check-scene-name-stretched = stretched
+check-scene-name-coarse = coarse
+check-scene-name-behind = behind
+check-scene-name-near = near
+check-scene-name-middle = middle
+check-scene-name-far = far
+check-scene-name-turned = turned
+check-scene-name-coloured = coloured
+check-scene-name-two-lights = two lights
+check-scene-name-second-light = second light
+check-scene-name-front = front
+check-scene-name-ahead = ahead
+check-scene-name-right = right
+check-scene-name-moved = moved
+check-scene-name-up = up
+check-scene-name-above = above
+check-scene-name-tilted = tilted
+check-scene-name-off-centre = off centre
+check-scene-name-to-the-right = to the right
+check-scene-name-close = close
+check-scene-name-face = face
+check-scene-alone = { $scene }, { $term } alone
+check-term-ambient = ambient
+check-term-diffuse = diffuse
+check-term-specular = specular
