@@ -1,11 +1,11 @@
 //! Compiles a pair of shaders, and reports errors and portability problems at the student's own lines.
 
-use gonio_language::tr;
 use crate::driver_log::{self, DriverMessage};
 use crate::submission::StageText;
 use crate::verdict::{CompilerMessage, Outcome, Verdict};
 use gonio_gl::Gl;
 use gonio_glsl::{Checked, Limit, Lookup, LoopBound, OutputVersion, Parsed, Problem, Severity, Stage, Translated};
+use gonio_language::tr;
 use gonio_render::user_program::{BrokenProgram, UserProgram};
 
 /// A shader of a submission, parsed, checked and translated for the context.

@@ -1,9 +1,9 @@
 //! How much of a verdict is shown: from right or wrong alone up to the change that makes a program right.
 
-use gonio_language::{Language, text_in, tr};
 use crate::check::WRONG_VALUE;
 use crate::comparison::Evidence;
 use crate::verdict::{Outcome, Verdict};
+use gonio_language::{Language, text_in, tr};
 use serde::{Deserialize, Serialize};
 
 /// How much of a verdict is shown. Each level shows everything that the levels before it show.

@@ -1,7 +1,7 @@
 //! A proposed fix as a diff, and its application to a text.
 
-use gonio_language::tr;
 use crate::verdict::ProposedEdit;
+use gonio_language::tr;
 
 /// A line of a diff.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Verdicts: the results of checks, for people and machines.
 
-use gonio_language::tr;
 use crate::mistakes::Mistake;
+use gonio_language::tr;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 
@@ -248,7 +248,7 @@ pub struct Peculiarity {
 
 /// Joins the names of several mistakes into one summary.
 pub fn join_names<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
-    names.into_iter().collect::<Vec<_>>().join("; also: ")
+    names.into_iter().collect::<Vec<_>>().join(tr!("check-also"))
 }
 
 impl Verdict {
@@ -278,8 +278,7 @@ impl Verdict {
 
     /// Creates the verdict on a check that was stopped after a number of seconds.
     pub fn endless(exercise: &str, seconds: u64) -> Self {
-        let summary =
-            tr!("check-the-check-did-not-finish-within", seconds = seconds);
+        let summary = tr!("check-the-check-did-not-finish-within", seconds = seconds);
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 

@@ -1,6 +1,5 @@
 //! Checks a student's files, for every kind of exercise.
 
-use gonio_language::tr;
 use crate::baking::{self, Original, original::FetchedFiles};
 use crate::buffers::{self, Expected};
 use crate::cubemap;
@@ -14,6 +13,7 @@ use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict, join_names};
 use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise};
 use gonio_gl::{Gl, GlError};
+use gonio_language::tr;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -185,9 +185,15 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     let outcome = found.verdict;
     let names: Vec<&str> = found.mistakes.iter().map(|mistake| mistake.name).collect();
     let summary = match (outcome, names.is_empty()) {
-        (Outcome::Correct, _) => tr!("check-all-triangles-of-are-right", count = found.shares.triangles_expected, model = model),
+        (Outcome::Correct, _) => {
+            tr!("check-all-triangles-of-are-right", count = found.shares.triangles_expected, model = model)
+        }
         (_, false) => tr!("check-mistakes-of-model", names = join_names(names), model = model),
-        (_, true) => tr!("check-of-the-triangles-of-are-right", percent = format!("{:.0}", 100.0 * found.shares.all), model = model),
+        (_, true) => tr!(
+            "check-of-the-triangles-of-are-right",
+            percent = format!("{:.0}", 100.0 * found.shares.all),
+            model = model
+        ),
     };
     let mut verdict = Verdict::new(&exercise.id, outcome, summary);
     verdict.score = if outcome == Outcome::Correct { 1.0 } else { found.shares.all.min(0.95) };

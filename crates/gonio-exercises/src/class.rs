@@ -12,8 +12,8 @@
 //! | Blackboard | `Exercise 7_user_attempt_2026-11-20-18-04-11_light.vert` |
 //! | Brightspace | `12345-67890 - First Last - Nov 20, 2026 604 PM - light.vert` |
 
-use gonio_language::tr;
 use gonio_check::words::words_of;
+use gonio_language::tr;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One entry of a folder or an archive, or one argument of a command.

@@ -4,7 +4,6 @@
 //! upside down, a wrong angle) is a hypothesis of the catalogue, as in other exercises. A mistake in one (rotated, mirrored,
 //! swapped) is found face by face: each is compared with all six faces in all eight orientations.
 
-use gonio_language::tr;
 use crate::exercise::Exercise;
 use gonio_check::ShaderChecker;
 use gonio_check::comparison::{Evidence, SourceSupport};
@@ -17,6 +16,7 @@ use gonio_environment::{Arrangement, Face, Layout, Panorama, arrange, names};
 use gonio_gl::GlError;
 use gonio_image::decode::{DecodedContent, FileFormat, decode};
 use gonio_image::{DecodeLimits, Image};
+use gonio_language::tr;
 
 /// Side of the reference's faces in pixels: fine enough for the details of a panorama of usual size.
 const FINE: u32 = 128;
@@ -84,7 +84,9 @@ impl SubmittedFaces {
                 decode(&file.name, &file.bytes, &DecodeLimits::default()).map_err(|error| error.to_string())?;
             match decoded.shape {
                 DecodedContent::Picture(image) => read.push((file.name.as_str(), image)),
-                DecodedContent::Faces(_) => return Err(tr!("check-cubemap-hand-in-the-six-faces-as", name = file.name)),
+                DecodedContent::Faces(_) => {
+                    return Err(tr!("check-cubemap-hand-in-the-six-faces-as", name = file.name));
+                }
             }
         }
         let mut warnings = Vec::new();
@@ -103,7 +105,13 @@ impl SubmittedFaces {
         };
         let size = faces[0].width;
         if let Some(other) = faces.iter().find(|face| face.width != face.height || face.width != size) {
-            return Err(tr!("check-cubemap-the-faces-must-be-square-and", width = faces[0].width, height = faces[0].height, width2 = other.width, height2 = other.height));
+            return Err(tr!(
+                "check-cubemap-the-faces-must-be-square-and",
+                width = faces[0].width,
+                height = faces[0].height,
+                width2 = other.width,
+                height2 = other.height
+            ));
         }
         if size < LEAST {
             return Err(tr!("check-cubemap-the-faces-have-x-pixels-at", size = size, least = LEAST));
@@ -138,8 +146,7 @@ fn is_panorama(name: &str, image: &Image) -> bool {
 
 /// The exercise's own panorama.
 fn given(exercise: &Exercise) -> Result<Image, String> {
-    let (name, bytes) =
-        exercise.pictures().next().ok_or(tr!("check-cubemap-the-exercise-has-no-panorama-hand"))?;
+    let (name, bytes) = exercise.pictures().next().ok_or(tr!("check-cubemap-the-exercise-has-no-panorama-hand"))?;
     match decode(name, bytes, &DecodeLimits::default()).map_err(|error| error.to_string())?.shape {
         DecodedContent::Picture(image) => Ok(image),
         DecodedContent::Faces(_) => Err(tr!("check-cubemap-is-not-a-panorama", name = name)),
@@ -150,7 +157,12 @@ fn given(exercise: &Exercise) -> Result<Image, String> {
 fn in_one(name: &str, image: &Image, warnings: &mut Vec<String>) -> Result<[Image; 6], String> {
     let arrangement = arrange::recognise(image.width, image.height).arrangement;
     if matches!(arrangement, Arrangement::Equirectangular | Arrangement::Faces) {
-        return Err(tr!("check-cubemap-has-x-pixels-which-is-neither", name = name, width = image.width, height = image.height));
+        return Err(tr!(
+            "check-cubemap-has-x-pixels-which-is-neither",
+            name = name,
+            width = image.width,
+            height = image.height
+        ));
     }
     let arranged = arrange::to_cubemap(image, arrangement, Layout::OpenGl).map_err(|error| error.to_string())?;
     warnings.extend(arranged.warnings);

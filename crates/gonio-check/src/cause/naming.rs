@@ -1,6 +1,5 @@
 //! Names for proven repairs: the mistakes of the catalogue that assign the same wrong quantity to the same variable.
 
-use gonio_language::tr;
 use super::model::{Quantity, TELLING};
 use super::observed::{DIFFUSE_NAMES, Observed, Observer, SCALED, SPECULAR_NAMES, SUMS, TERMS, is_name};
 use super::program::Change;
@@ -10,6 +9,7 @@ use super::words;
 use crate::mistakes::{Mistake, ModelSolution};
 use gonio_glsl::{Span, Stage};
 use gonio_interpreter::ExprId;
+use gonio_language::tr;
 
 /// A proven cause.
 #[derive(Clone, Debug)]

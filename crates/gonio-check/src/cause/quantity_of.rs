@@ -4,7 +4,6 @@
 //! An expression is what its values are in the test scenes. What a wrong one should be follows from the cause: with the
 //! cause's right values, the values that depend on it become right too.
 
-use gonio_language::tr;
 use super::model::{AnswerMethod, Mistakes, Model, Space, TELLING};
 use super::naming::ProvenCause;
 use super::observed::{Observed, Observer};
@@ -22,6 +21,7 @@ use crate::source::Analysis;
 use crate::submission::Submission;
 use gonio_glsl::{OutputVersion, Span, Stage};
 use gonio_interpreter::ExprId;
+use gonio_language::tr;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 

@@ -1,7 +1,6 @@
 //! Corrects a verdict by the values that a program computes: a right program is never wrong, a mistake is named only
 //! where another value repairs every test scene, and an unlisted one gets its line and both quantities in words.
 
-use gonio_language::tr;
 use crate::cause::edit::TextFix;
 use crate::cause::naming::ProvenCause;
 use crate::cause::place::MistakePlace;
@@ -22,6 +21,7 @@ use crate::testbench::scene;
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
 use gonio_glsl::{Span, Stage};
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 
 /// The id of a wrong value that no mistake of the catalogue explains.
@@ -127,10 +127,7 @@ impl Judging<'_> {
         text.text = checker.places_fragment();
         let fragment = ParsedStage::new(&text, Stage::Fragment, self.stages[1].target);
         let Some(mut judged) = self.with_fragment(checker, PLACES, &fragment)? else { return Ok(None) };
-        judged.verdict.warnings.push(
-            tr!("check-the-output-is-not-the-vertex")
-                .to_owned(),
-        );
+        judged.verdict.warnings.push(tr!("check-the-output-is-not-the-vertex").to_owned());
         Ok(Some(judged))
     }
 
@@ -146,21 +143,16 @@ impl Judging<'_> {
             let fragment = ParsedStage::new(&text, Stage::Fragment, fragment.target);
             let Some(mut judged) = self.with_fragment(checker, self.task, &fragment)? else { continue };
             if judged.verdict.verdict == Outcome::Correct {
-                judged.verdict.summary =
-                    tr!("check-the-lookup-is-right-in-every").to_owned();
-                judged.verdict.peculiarities.push(Peculiarity {
-                    id: "lookup-mixed".to_owned(),
-                    name: tr!("check-lookup-mixed")
-                        .to_owned(),
-                });
+                judged.verdict.summary = tr!("check-the-lookup-is-right-in-every").to_owned();
+                judged
+                    .verdict
+                    .peculiarities
+                    .push(Peculiarity { id: "lookup-mixed".to_owned(), name: tr!("check-lookup-mixed").to_owned() });
                 return Ok(Some(judged));
             }
             let count = |judged: &Judged| judged.verdict.mistakes.len();
             if best.as_ref().is_none_or(|best| count(&judged) < count(best)) {
-                judged.verdict.warnings.push(
-                    tr!("check-only-the-lookup-was-judged")
-                        .to_owned(),
-                );
+                judged.verdict.warnings.push(tr!("check-only-the-lookup-was-judged").to_owned());
                 best = Some(judged);
             }
         }
@@ -430,7 +422,11 @@ fn proven(groups: &[Vec<ProvenCause>], submission: &Submission) -> Vec<FoundMist
 }
 
 fn unlisted(cause: &ProvenCause, submission: &Submission) -> FoundMistake {
-    let found = FoundMistake::new(WRONG_VALUE, tr!("check-wrong-value", text = one_line(&cause.text), should = cause.should), 1.0);
+    let found = FoundMistake::new(
+        WRONG_VALUE,
+        tr!("check-wrong-value", text = one_line(&cause.text), should = cause.should),
+        1.0,
+    );
     let taught = found.taught(cause.is_in_words(), tr!("check-with-this-value-every-test-scene"), "");
     placed(taught, (cause.stage, cause.span), submission)
 }

@@ -1,10 +1,10 @@
 //! Corrections of a verdict: blank pictures, and the terms that a mistake concerns.
 
-use gonio_language::tr;
 use crate::comparison::{Evidence, PIXEL_TOLERANCE};
 use crate::mistakes::term_of;
 use crate::testbench::Atlas;
 use crate::verdict::{Outcome, TermState, Verdict};
+use gonio_language::tr;
 
 /// A picture that does not distinguish mistakes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

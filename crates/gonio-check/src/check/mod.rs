@@ -7,7 +7,6 @@ mod proposed;
 pub use by_values::WRONG_VALUE;
 pub use proposed::with_edits;
 
-use gonio_language::tr;
 use crate::cause::DiagnosisDepth;
 use crate::comparison::{Evidence, Prepared, ShaderChecker, Task};
 use crate::compile::{ParsedStage, compile, compiler_messages, does_not_link, first_message, strictness};
@@ -20,6 +19,7 @@ use crate::submission::{SourceFile, Submission};
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
 use gonio_glsl::{OutputVersion, Stage};
+use gonio_language::tr;
 use std::rc::Rc;
 
 /// Options of a check.

@@ -1,6 +1,5 @@
 //! The parts of a verdict that pictures and roles give.
 
-use gonio_language::tr;
 use super::compare::Comparison;
 use super::parameterisation::Parameterisation;
 use super::predict::Strengths;
@@ -9,6 +8,7 @@ use crate::mistakes::Mistake;
 use crate::roles::Bindings;
 use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{BoundVariable, FoundMistake, Peculiarity, SceneVerdict, TermState, TermVerdict, Verdict};
+use gonio_language::tr;
 
 /// The highest score of a wrong answer, however many scenes are right.
 pub(crate) const MOST_FOR_WRONG: f64 = 0.9;
@@ -66,10 +66,8 @@ pub(crate) fn peculiarities_of(
         all.push(Peculiarity { id: "light-per-vertex".to_owned(), name });
     }
     // Terms of later exercises are not wrong; diffuse light beside a highlight is usual.
-    const AHEAD: [(usize, &str, &str); 2] = [
-        (0, "ambient-added", "check-ambient-added"),
-        (2, "specular-added", "check-highlight-added"),
-    ];
+    const AHEAD: [(usize, &str, &str); 2] =
+        [(0, "ambient-added", "check-ambient-added"), (2, "specular-added", "check-highlight-added")];
     for (term, id, name) in AHEAD {
         let is_there = strengths[term].is_some_and(|strength| strength.iter().any(|s| *s > 1e-2));
         if is_there && !task.required[term] {

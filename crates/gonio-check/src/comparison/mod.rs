@@ -21,7 +21,6 @@ pub use predict::{CompiledModel, declared};
 pub(crate) use properties::report_violations;
 pub use task::{PLACES, TASKS, Task};
 
-use gonio_language::tr;
 use crate::cause::ModelSolutions;
 use crate::mistakes::ModelSolution;
 use crate::roles::{Declared, NamesFile};
@@ -30,6 +29,7 @@ use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::{Gl, GlError};
 use gonio_glsl::DRAWN_ALL_THE_SAME;
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 use std::collections::HashMap;
 use std::rc::Rc;

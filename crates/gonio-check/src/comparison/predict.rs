@@ -1,12 +1,12 @@
 //! Predicts the picture of a model solution under a hypothesis by drawing it.
 
-use gonio_language::tr;
 use super::fit::{Fit, fit};
 use super::parameterisation::{Lights, Parameterisation};
 use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use crate::roles::{self, Bindings, Declared, NamesFile, VariableKind};
 use crate::testbench::{Atlas, TestScene, Testbench, for_context};
 use gonio_gl::{Gl, GlError};
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};

@@ -1,6 +1,5 @@
 //! Self-consistency: properties of every light equation, tested with the student's program alone.
 
-use gonio_language::tr;
 use super::compare::{PIXEL_TOLERANCE, channel_difference};
 use super::parameterisation::Parameterisation;
 use crate::roles::{Bindings, Role};
@@ -8,6 +7,7 @@ use crate::testbench::{Atlas, TestLight, TestScene, Testbench};
 use crate::verdict::{Outcome, PropertyState, PropertyVerdict, Verdict};
 use glam::{EulerRot, Quat};
 use gonio_gl::GlError;
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 
 /// Number of test scenes that are used: a stretched torus and a coarse sphere.

@@ -22,14 +22,8 @@ const fn removed(signs: &'static [&'static [&'static str]], means: &'static str)
 
 /// The first match is used, so special cases precede general ones.
 const USUAL: &[Usual] = &[
-    removed(
-        &[&["gl_fragcolor"], &["gl_fragdata"]],
-        "check-compiler-frag-color-removed",
-    ),
-    removed(
-        &[&["texture2d"], &["texturecube"]],
-        "check-compiler-texture-functions-renamed",
-    ),
+    removed(&[&["gl_fragcolor"], &["gl_fragdata"]], "check-compiler-frag-color-removed"),
+    removed(&[&["texture2d"], &["texturecube"]], "check-compiler-texture-functions-renamed"),
     removed(
         &[&["`attribute'"], &["'attribute'"], &["\"attribute\""], &["'varying'"], &["`varying'"], &["\"varying\""]],
         "check-compiler-attribute-and-varying-removed",
@@ -208,10 +202,7 @@ const USUAL: &[Usual] = &[
         ],
         "check-compiler-varying-of-two-types",
     ),
-    usual(
-        &[&["interpolation qualif"], &["flat", "must"], &["qualified as flat"]],
-        "check-compiler-flat-in-one-stage",
-    ),
+    usual(&[&["interpolation qualif"], &["flat", "must"], &["qualified as flat"]], "check-compiler-flat-in-one-stage"),
     usual(
         &[
             &["uniform", "differ"],
@@ -314,10 +305,7 @@ const USUAL: &[Usual] = &[
         ],
         "check-compiler-condition-not-bool",
     ),
-    usual(
-        &[&["sampler", "uniform"], &["sampler", "must be"], &["opaque"]],
-        "check-compiler-sampler-not-uniform",
-    ),
+    usual(&[&["sampler", "uniform"], &["sampler", "must be"], &["opaque"]], "check-compiler-sampler-not-uniform"),
     usual(
         &[&["no precision"], &["precision", "declared"], &["default precision"], &["precision", "must"]],
         "check-compiler-no-precision",

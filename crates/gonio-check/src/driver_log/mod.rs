@@ -6,9 +6,9 @@ mod log;
 pub use explain::explain;
 pub use log::{LogLine, LogSeverity, read_log};
 
-use gonio_language::tr;
 use crate::submission::{StageText, without_comments};
 use crate::words::distance;
+use gonio_language::tr;
 use std::collections::BTreeSet;
 
 /// A message of a driver with its position in the student's file.

@@ -12,7 +12,6 @@ pub use bench::FaceBench;
 pub use explain::{Explanation, FaceTask};
 pub use tiles::{Tiles, Tolerance};
 
-use gonio_language::tr;
 use crate::comparison::{Evidence, Prepared, ShaderChecker};
 use crate::mistakes::{
     self,
@@ -23,6 +22,7 @@ use crate::roles::{self, Role, VariableKind};
 use crate::testbench::TILE;
 use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict, join_names};
 use gonio_gl::GlError;
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 
 /// Checks a program that draws the faces, with one draw call each.
@@ -136,7 +136,11 @@ pub fn verdict(
         0 => {}
         6 => sentences.push(tr!("check-panorama-no-face-is-right-and-no").to_owned()),
         _ => {
-            sentences.push(tr!("check-panorama-no-known-mistake-explains-the", count = unexplained.len(), faces = names(unexplained)));
+            sentences.push(tr!(
+                "check-panorama-no-known-mistake-explains-the",
+                count = unexplained.len(),
+                faces = names(unexplained)
+            ));
         }
     }
     verdict.summary = join_names(sentences.iter().map(String::as_str));
@@ -177,7 +181,11 @@ pub fn blur(verdict: &mut Verdict, sharpness: f64) {
         return;
     }
     let mut mistake = found("faces-blurred", 1.0);
-    mistake.name = tr!("check-panorama-they-have-of-the-panorama-s", name = mistake.name, sharpness = format!("{:.0}", 100.0 * sharpness));
+    mistake.name = tr!(
+        "check-panorama-they-have-of-the-panorama-s",
+        name = mistake.name,
+        sharpness = format!("{:.0}", 100.0 * sharpness)
+    );
     verdict.verdict = Outcome::Wrong;
     verdict.score = 0.8;
     verdict.summary.clone_from(&mistake.name);

@@ -1,7 +1,7 @@
 //! Reads `names.toml`, which assigns roles to names that gonio does not recognise.
 
-use gonio_language::tr;
 use super::role::Role;
+use gonio_language::tr;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -96,9 +96,9 @@ impl NamesFile {
                     }
                 }
             }
-            other => Meaning::Value(vec![number(&other).ok_or_else(|| {
-                error(tr!("check-inputs-must-be-a-role-such-as", name = name))
-            })?]),
+            other => Meaning::Value(vec![
+                number(&other).ok_or_else(|| error(tr!("check-inputs-must-be-a-role-such-as", name = name)))?,
+            ]),
         };
         self.lines.insert(name.clone(), line);
         self.names.insert(name, meaning);

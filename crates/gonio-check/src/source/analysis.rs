@@ -1,13 +1,13 @@
 //! Analyses the source of a pair of shaders: the constants written in it, the roles of matrices by their use, and the
 //! lines of mistakes with a panorama.
 
-use gonio_language::tr;
 use super::constants::{self, SourceConstants};
 use super::{Answer, panorama, power_under_maximum};
 use crate::dataflow::{Id, Op, Reading, Shader};
 use crate::roles::{self, Declared, NamesFile, Role};
 use gonio_glsl::ast::BinaryOp;
 use gonio_glsl::{Span, Stage};
+use gonio_language::tr;
 
 /// An expression in the student's source.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,11 @@
 //! Chooses the pair among several shaders.
 
-use gonio_language::tr;
 use super::error::{IntakeError, list};
 use super::stage::stage_of_word;
 use super::text::StageText;
 use crate::words::words_of;
 use gonio_glsl::Stage;
+use gonio_language::tr;
 
 /// A shader that was found.
 #[derive(Clone, Debug)]
@@ -220,7 +220,12 @@ pub(super) fn choose(
     warnings.dedup();
     if candidates.len() > 2 {
         let all: Vec<String> = candidates.iter().map(|c| format!("{} ({})", c.shown(), c.stage)).collect();
-        warnings.push(tr!("check-submission-there-are-several-shaders-and-were", all = list(&all), vertex = vertex.shown(), fragment = fragment.shown()));
+        warnings.push(tr!(
+            "check-submission-there-are-several-shaders-and-were",
+            all = list(&all),
+            vertex = vertex.shown(),
+            fragment = fragment.shown()
+        ));
     }
     Ok((vertex.clone(), fragment.clone(), warnings))
 }

@@ -18,9 +18,9 @@ pub use error::IntakeError;
 pub use stage::without_comments;
 pub use text::StageText;
 
-use gonio_language::tr;
 use choose::Candidate;
 use gonio_glsl::Stage;
+use gonio_language::tr;
 
 /// A file as it was handed in.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -321,7 +321,11 @@ impl Intake {
         for (index, (name, text)) in std::mem::take(&mut self.undecided).into_iter().enumerate() {
             match missing {
                 Some(stage) if index == 0 => {
-                    let warning = Some(tr!("check-submission-neither-the-name-nor-the-content", name = name, stage = stage.to_string()));
+                    let warning = Some(tr!(
+                        "check-submission-neither-the-name-nor-the-content",
+                        name = name,
+                        stage = stage.to_string()
+                    ));
                     let text = StageText::whole(name, text);
                     self.candidates.push(Candidate { stage, text, variable: None, warning });
                 }

@@ -1,8 +1,8 @@
 //! Determines the stage of a text from its name, and from its content if the name is unclear or contradicts it.
 
-use gonio_language::tr;
 use crate::words::words_of;
 use gonio_glsl::Stage;
+use gonio_language::tr;
 
 /// Returns the stage that a word names.
 pub(super) fn stage_of_word(word: &str) -> Option<Stage> {
@@ -144,8 +144,18 @@ pub(super) fn determine(shown: &str, name: &str, code: &str) -> (Option<Stage>, 
         (StageHint::One(named), Some(content))
             if named != content && !(named == Stage::Fragment && found.rather_fragment) =>
         {
-            let because = if content == Stage::Vertex { "gl_Position" } else { tr!("check-submission-what-only-a-fragment-shader-has") };
-            let warning = tr!("check-submission-is-named-like-a-shader-but", shown = shown, named = named.to_string(), because = because, content = content.to_string());
+            let because = if content == Stage::Vertex {
+                "gl_Position"
+            } else {
+                tr!("check-submission-what-only-a-fragment-shader-has")
+            };
+            let warning = tr!(
+                "check-submission-is-named-like-a-shader-but",
+                shown = shown,
+                named = named.to_string(),
+                because = because,
+                content = content.to_string()
+            );
             (Some(content), Some(warning))
         }
         (StageHint::One(named), _) => (Some(named), None),

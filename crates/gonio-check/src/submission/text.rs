@@ -1,7 +1,7 @@
 //! The text of a stage, decoded from the bytes of a file, and the position of each of its characters in that file.
 
-use gonio_language::tr;
 use super::error::IntakeError;
+use gonio_language::tr;
 
 /// The start of a piece of the text that is contiguous in the file, up to the end of the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -181,10 +181,9 @@ pub(super) fn decode(file: &str, bytes: &[u8]) -> Result<(String, Option<String>
         return Err(IntakeError::TooLarge { file: file_owned(), bytes: bytes.len() });
     }
     let (text, warning) = match bytes {
-        [0xEF, 0xBB, 0xBF, rest @ ..] => (
-            utf8_or_latin1(file, rest)?.0,
-            Some(tr!("check-submission-begins-with-a-byte-order-mark", file = file)),
-        ),
+        [0xEF, 0xBB, 0xBF, rest @ ..] => {
+            (utf8_or_latin1(file, rest)?.0, Some(tr!("check-submission-begins-with-a-byte-order-mark", file = file)))
+        }
         [0xFF, 0xFE, rest @ ..] => (utf16(file, rest, u16::from_le_bytes)?, Some(utf16_warning(file))),
         [0xFE, 0xFF, rest @ ..] => (utf16(file, rest, u16::from_be_bytes)?, Some(utf16_warning(file))),
         _ => utf8_or_latin1(file, bytes)?,
@@ -205,7 +204,9 @@ fn utf16_warning(file: &str) -> String {
 fn utf16(file: &str, bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, IntakeError> {
     let binary = |because: &str| IntakeError::Binary { file: file.to_owned(), because: because.to_owned() };
     let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
-    let text: String = char::decode_utf16(units).collect::<Result<_, _>>().map_err(|_| binary(tr!("check-submission-broken-utf-16")))?;
+    let text: String = char::decode_utf16(units)
+        .collect::<Result<_, _>>()
+        .map_err(|_| binary(tr!("check-submission-broken-utf-16")))?;
     if text.contains('\0') { Err(binary(tr!("check-submission-zeros-in-utf-16-text"))) } else { Ok(text) }
 }
 

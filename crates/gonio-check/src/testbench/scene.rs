@@ -1,8 +1,8 @@
 //! The test scenes. Each has a comment or a text about the mistakes that it distinguishes.
 
-use gonio_language::{Language, text_in, tr};
 use super::TestShape;
 use glam::{Mat3, Mat4, Quat, Vec3};
+use gonio_language::{Language, text_in, tr};
 
 /// The distance of a sun in world units: its rays are parallel to 1/10000 of a radian all over a model.
 const SUN_DISTANCE: f32 = 1e5;
@@ -389,44 +389,20 @@ pub fn cameras() -> Vec<TestScene> {
         ..base(name, shows)
     };
     vec![
-        camera(
-            "turned",
-            "check-scene-camera-turned",
-            [1.1, 0.7, 1.0],
-            [0.2, -0.1, -0.4],
-            [0.0, 1.0, 0.0],
-        ),
+        camera("turned", "check-scene-camera-turned", [1.1, 0.7, 1.0], [0.2, -0.1, -0.4], [0.0, 1.0, 0.0]),
         TestScene {
             world_from_model: placed([-0.4, 0.2, 0.1], [-70.0, 10.0, -30.0], [0.7; 3]),
-            ..camera(
-                "above",
-                "check-scene-camera-above",
-                [-0.7, 1.4, 0.5],
-                [-0.3, 0.1, 0.1],
-                [0.0, 1.0, 0.0],
-            )
+            ..camera("above", "check-scene-camera-above", [-0.7, 1.4, 0.5], [-0.3, 0.1, 0.1], [0.0, 1.0, 0.0])
         },
         camera("tilted", "check-scene-camera-tilted", [-0.9, -0.5, -1.2], [0.5, 0.2, -0.3], [0.48, 0.8, 0.36]),
         TestScene {
             world_from_model: placed([2.0, -1.1, 0.6], [15.0, -35.0, 60.0], [0.9, 0.6, 1.2]),
-            ..camera(
-                "off centre",
-                "check-scene-camera-off-centre",
-                [2.6, -0.2, 1.7],
-                [2.3, -0.9, 0.2],
-                [0.0, 1.0, 0.0],
-            )
+            ..camera("off centre", "check-scene-camera-off-centre", [2.6, -0.2, 1.7], [2.3, -0.9, 0.2], [0.0, 1.0, 0.0])
         },
         TestScene {
             shape: TestShape::Pyramid,
             world_from_model: Mat4::IDENTITY,
-            ..camera(
-                "lab",
-                "check-scene-camera-lab",
-                [0.0, 0.0, 2.0],
-                [0.0, 0.0, 1.0],
-                [0.0, 1.0, 0.0],
-            )
+            ..camera("lab", "check-scene-camera-lab", [0.0, 0.0, 2.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0])
         },
         TestScene {
             shape: TestShape::Pyramid,
@@ -441,13 +417,7 @@ pub fn cameras() -> Vec<TestScene> {
         },
         TestScene {
             world_from_model: placed([0.1, 0.3, -0.2], [200.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
-            ..camera(
-                "behind",
-                "check-scene-camera-behind",
-                [-0.6, -0.7, -1.5],
-                [0.0, 0.6, -0.1],
-                [0.0, 1.0, 0.0],
-            )
+            ..camera("behind", "check-scene-camera-behind", [-0.6, -0.7, -1.5], [0.0, 0.6, -0.1], [0.0, 1.0, 0.0])
         },
         TestScene {
             world_from_model: placed([0.0, 0.1, 0.0], [30.0, 0.0, 0.0], [0.5; 3]),

@@ -1,8 +1,8 @@
 //! The values of roles in a frame: matrices, camera, lights and materials.
 
-use gonio_language::tr;
 use crate::roles::Role;
 use glam::{DMat3, DMat4, DVec3};
+use gonio_language::tr;
 use gonio_light::light::ambient_color;
 use gonio_light::{Attenuation, Light, LightKind};
 use gonio_mesh::AmbientRule;
@@ -47,18 +47,18 @@ pub(super) fn origin(role: Role) -> String {
             tr!("check-inputs-from-the-camera").to_owned()
         }
         Role::Yaw | Role::Pitch => tr!("check-inputs-from-the-camera-in-degrees").to_owned(),
-        Role::LightPos(i) => light(i, "position"),
+        Role::LightPos(i) => light(i, tr!("check-inputs-position")),
         Role::LightPosInView(i) => light(i, tr!("check-inputs-position-in-view-space")),
-        Role::LightDirection(i) => light(i, "direction"),
+        Role::LightDirection(i) => light(i, tr!("check-inputs-direction")),
         Role::LightDirectionInView(i) => light(i, tr!("check-inputs-direction-in-view-space")),
         Role::LightHalfVector(i) => light(i, tr!("check-inputs-half-vector")),
-        Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => light(i, "colour"),
-        Role::DiffuseStrength(i) | Role::SpecularStrength(i) => light(i, "strength"),
+        Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => light(i, tr!("check-inputs-colour")),
+        Role::DiffuseStrength(i) | Role::SpecularStrength(i) => light(i, tr!("check-inputs-strength")),
         Role::AmbientColor(_) | Role::AmbientStrength(_) => tr!("check-inputs-the-ambient-light").to_owned(),
         Role::AttenuationConstant(i)
         | Role::AttenuationLinear(i)
         | Role::AttenuationQuadratic(i)
-        | Role::Attenuation(i) => light(i, "attenuation"),
+        | Role::Attenuation(i) => light(i, tr!("check-inputs-attenuation")),
         Role::LightCount => tr!("check-inputs-the-number-of-lights").to_owned(),
         Role::Time => tr!("check-inputs-the-time-in-seconds").to_owned(),
         Role::Resolution => tr!("check-inputs-the-picture-s-size-in-pixels").to_owned(),

@@ -14,13 +14,13 @@ pub use pair::PairTexts;
 pub use uniforms::{UniformSource, UserUniform, parse_setting};
 pub use user_inputs::UserInputs;
 
-use gonio_language::tr;
 use crate::comparison::declared;
 use crate::compile::{self, ParsedStage};
 use crate::submission::{SourceFile, StageText, read_shader};
 use crate::verdict::CompilerMessage;
 use gonio_gl::Gl;
 use gonio_glsl::{Class, OutputVersion, Severity, Stage};
+use gonio_language::tr;
 use gonio_render::UserPass;
 use gonio_render::user_program::{UserProgram, is_embedded};
 use gonio_scene::{Frame, Scene};

@@ -1,9 +1,9 @@
 //! The `names.toml` beside a user's shaders.
 
-use gonio_language::tr;
 use crate::roles::NamesFile;
 use crate::submission::SourceFile;
 use crate::verdict::CompilerMessage;
+use gonio_language::tr;
 use std::path::{Path, PathBuf};
 
 /// The paths where a `names.toml` for these shaders may be: the folder of each, once.

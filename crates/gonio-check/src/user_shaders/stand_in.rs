@@ -1,12 +1,12 @@
 //! Writes the stage that the user left out: a vertex shader that feeds a fragment shader by the names of its inputs, or a
 //! fragment shader that shows the shape.
 
-use gonio_language::tr;
 use super::uniforms::components;
 use crate::roles::{self, Bindings, Declared, How, Meaning, NamesFile, Role};
 use crate::submission::StageText;
 use crate::words::words_of;
 use gonio_glsl::{Interface, Storage, Type, Variable};
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// The inputs of the stand-ins, under names that no user's shader has.
@@ -173,7 +173,13 @@ impl Varyings {
         let value = self.value(&input.name, &ty).unwrap_or_else(|| {
             if input.is_used {
                 let (file, line, column) = text.place(input.span.line, input.span.column);
-                warnings.push(tr!("check-inputs-gonio-s-vertex-shader-does-not", file = file, line = line, column = column, name = input.name));
+                warnings.push(tr!(
+                    "check-inputs-gonio-s-vertex-shader-does-not",
+                    file = file,
+                    line = line,
+                    column = column,
+                    name = input.name
+                ));
             }
             format!("{ty}(0)")
         });

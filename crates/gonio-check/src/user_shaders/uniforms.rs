@@ -1,11 +1,11 @@
 //! The uniforms of a user's program: where each value comes from, and how it is chosen.
 
-use gonio_language::tr;
 use super::inputs::{self, DrawInputs};
 use crate::compile::ParsedStage;
 use crate::roles::{Declared, Role};
 use crate::words::words_of;
 use gonio_glsl::{OutputVersion, Type};
+use gonio_language::tr;
 use gonio_scene::{Frame, Scene};
 
 /// Where the value of a uniform comes from.
@@ -73,8 +73,18 @@ impl UserUniform {
         let (expected, given) = (self.values.len(), values.len());
         let element = components(&self.glsl_type);
         if given != expected && given != element {
-            let numbers = if expected == 1 { tr!("check-inputs-1-number") } else { &tr!("check-inputs-numbers", expected = expected) };
-            return Err(tr!("check-inputs-uniform-takes-numbers", name = self.name, glsl_type = self.glsl_type, numbers = numbers, given = given));
+            let numbers = if expected == 1 {
+                tr!("check-inputs-1-number")
+            } else {
+                &tr!("check-inputs-numbers", expected = expected)
+            };
+            return Err(tr!(
+                "check-inputs-uniform-takes-numbers",
+                name = self.name,
+                glsl_type = self.glsl_type,
+                numbers = numbers,
+                given = given
+            ));
         }
         self.values = values.iter().copied().cycle().take(expected).collect();
         self.source = UniformSource::Chosen;
@@ -176,8 +186,7 @@ pub(super) fn initial_values(stage: &ParsedStage<'_>) -> Vec<(String, Vec<f32>)>
 /// # Errors
 /// A sentence that names the part that is not a value.
 pub fn parse_setting(text: &str) -> Result<(String, Vec<f32>), String> {
-    let wrong =
-        || tr!("check-inputs-invalid-uniform-expected-name-value-value", text = text);
+    let wrong = || tr!("check-inputs-invalid-uniform-expected-name-value-value", text = text);
     let (name, values) = text.split_once('=').ok_or_else(wrong)?;
     let name = name.trim();
     if name.is_empty() || values.trim().is_empty() {
@@ -191,9 +200,11 @@ pub fn parse_setting(text: &str) -> Result<(String, Vec<f32>), String> {
     let value = |word: &str| match word.trim() {
         "true" => Ok(1.0),
         "false" => Ok(0.0),
-        word => word.parse::<f32>().ok().filter(|value| value.is_finite()).ok_or_else(|| {
-            tr!("check-inputs-invalid-value-of-the-uniform-expected", word = word, name = name)
-        }),
+        word => word
+            .parse::<f32>()
+            .ok()
+            .filter(|value| value.is_finite())
+            .ok_or_else(|| tr!("check-inputs-invalid-value-of-the-uniform-expected", word = word, name = name)),
     };
     let values = values.split(',').map(value).collect::<Result<_, _>>()?;
     Ok((name.to_owned(), values))

@@ -1,6 +1,5 @@
 //! The attributes, uniforms and samplers of a user's pair of shaders, and where each gets its value.
 
-use gonio_language::tr;
 use super::inputs;
 use super::names::OwnNames;
 use super::stand_in;
@@ -8,6 +7,7 @@ use super::uniforms::{UniformSource, UserUniform, components};
 use crate::roles::{self, Bindings, Bound, Declared, Fixed, How, Role, VariableKind};
 use crate::verdict::CompilerMessage;
 use crate::words::nearest;
+use gonio_language::tr;
 use gonio_render::{SampledTexture, VertexData};
 use gonio_scene::scene_file::LightSourceKind;
 use gonio_scene::{Frame, Scene, Texture};
@@ -90,7 +90,11 @@ impl UserInputs {
         let unused: Vec<String> = all_names.into_iter().filter(|name| !is_active(name)).collect();
         for name in bindings.unused.iter().filter(|name| !names_used.contains(name)) {
             let Some((file, line)) = names.place(name) else { continue };
-            let why = if unused.contains(name) { tr!("check-inputs-has-no-effect-on-the-picture") } else { tr!("check-inputs-is-not-in-the-shaders") };
+            let why = if unused.contains(name) {
+                tr!("check-inputs-has-no-effect-on-the-picture")
+            } else {
+                tr!("check-inputs-is-not-in-the-shaders")
+            };
             warnings.push(format!("{file}:{line}: `{name}` {why}"));
         }
         warnings.truncate(MOST_WARNINGS);
@@ -146,7 +150,9 @@ impl UserInputs {
         Err(match (nearest(name, known.iter().copied()), known.is_empty()) {
             (Some(near), _) => tr!("check-inputs-the-shaders-have-no-uniform-did", name = name, near = near),
             (None, true) => tr!("check-inputs-the-shaders-have-no-uniform-nor", name = name),
-            (None, false) => tr!("check-inputs-the-shaders-have-no-uniform-they", name = name, names = known.join(", ")),
+            (None, false) => {
+                tr!("check-inputs-the-shaders-have-no-uniform-they", name = name, names = known.join(", "))
+            }
         })
     }
 
@@ -219,10 +225,7 @@ impl UserInputs {
         }
         let reads = |texture| self.samplers.iter().any(|(_, read)| *read == texture);
         if reads(SampledTexture::Environment) && scene.environment.is_none() {
-            missing.push(
-                tr!("check-inputs-the-scene-has-no-environment-the")
-                    .to_owned(),
-            );
+            missing.push(tr!("check-inputs-the-scene-has-no-environment-the").to_owned());
         }
         let is_lit = |light: &gonio_scene::settings::LightSettings| light.kind != LightSourceKind::Ambient;
         let reads_light = |uniform: &UserUniform| match uniform.source {
@@ -262,7 +265,11 @@ fn wrong_entries(bindings: &Bindings, names: &OwnNames) -> Vec<CompilerMessage> 
         } else if ty.contains("sampler") {
             tr!("check-inputs-is-a-sampler-which-takes-a", name = name)
         } else if ![one, all].contains(&values.len()) {
-            let numbers = if all == 1 { tr!("check-inputs-1-number").to_owned() } else { tr!("check-inputs-all-numbers", all = all) };
+            let numbers = if all == 1 {
+                tr!("check-inputs-1-number").to_owned()
+            } else {
+                tr!("check-inputs-all-numbers", all = all)
+            };
             tr!("check-inputs-names-takes-numbers", name = name, ty = ty, numbers = numbers, count = values.len())
         } else {
             continue;
@@ -281,7 +288,10 @@ fn wrong_entries(bindings: &Bindings, names: &OwnNames) -> Vec<CompilerMessage> 
             (VariableKind::Uniform, false) => (inputs::has_value(*role), tr!("check-inputs-a-uniform")),
         };
         if !fits {
-            errors.push(names.error(name, tr!("check-inputs-is-which-cannot-have-the-role", name = name, what = what, role = role.to_string())));
+            errors.push(names.error(
+                name,
+                tr!("check-inputs-is-which-cannot-have-the-role", name = name, what = what, role = role.to_string()),
+            ));
         }
     }
     errors
@@ -305,9 +315,8 @@ fn attributes(bindings: &Bindings, warnings: &mut Vec<String>) -> Vec<(String, V
         };
         all.push((bound.declared.name.clone(), data));
     }
-    warnings.extend(not_recognised.iter().map(|name| {
-        tr!("check-inputs-the-attribute-is-not-recognised-and", name = name)
-    }));
+    warnings
+        .extend(not_recognised.iter().map(|name| tr!("check-inputs-the-attribute-is-not-recognised-and", name = name)));
     all
 }
 

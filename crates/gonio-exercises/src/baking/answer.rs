@@ -1,8 +1,8 @@
 //! What a student hands in: a model, its materials, and pictures.
 
-use gonio_language::tr;
 use super::original::Original;
 use gonio_check::submission::SourceFile;
+use gonio_language::tr;
 use gonio_mesh::{Limits, Material, Mesh, TextureMap, Wrap};
 use gonio_scene::Texture;
 use gonio_scene::files::{FileBytes, FileSource, within};
@@ -211,7 +211,12 @@ fn decode(name: &str, bytes: &[u8], left: u64) -> Result<Texture, String> {
     if let Some([width, height]) = gonio_scene::picture_size(bytes, name)
         && width.max(height) > MOST_TEXELS
     {
-        return Err(tr!("check-baking-the-picture-has-x-texels-at", width = width, height = height, most = MOST_TEXELS));
+        return Err(tr!(
+            "check-baking-the-picture-has-x-texels-at",
+            width = width,
+            height = height,
+            most = MOST_TEXELS
+        ));
     }
     if gonio_scene::picture_size(bytes, name).is_some_and(|[width, height]| u64::from(width) * u64::from(height) > left)
     {

@@ -1,6 +1,5 @@
 //! Everything that is found in an answer.
 
-use gonio_language::tr;
 use super::answer::{Answer, TextureReference};
 use super::colors::{ColorFinding, PartColors};
 use super::expected::Expected;
@@ -11,6 +10,7 @@ use super::materials::quoted;
 use super::original::Original;
 use super::picture::{SquarePicture, Tone, Turn};
 use super::seams::Seams;
+use gonio_language::tr;
 use std::collections::BTreeMap;
 
 /// The share of covered texels from which an overlap, or a chart outside, is a mistake rather than rounding.
@@ -71,7 +71,10 @@ pub fn examine(answer: &Answer, original: &Original) -> BakeFindings {
     let mut findings = BakeFindings::default();
     let Some(matching) = Matching::new(&original.surface.mesh, &answer.mesh) else {
         let triangles = answer.mesh.triangle_count();
-        findings.mistakes.push(BakeFinding::of("wrong-model", tr!("check-baking-has-triangles", name = answer.name, triangles = triangles)));
+        findings.mistakes.push(BakeFinding::of(
+            "wrong-model",
+            tr!("check-baking-has-triangles", name = answer.name, triangles = triangles),
+        ));
         return findings;
     };
     findings.model(answer, &matching, original);
@@ -115,7 +118,8 @@ impl BakeFindings {
             self.mistakes.push(BakeFinding::new("axes-turned"));
         }
         if (placement.scale - 1.0).abs() > 1e-3 {
-            self.warnings.push(tr!("check-baking-the-model-is-times-as-large", scale = format!("{:.4}", 1.0 / placement.scale)));
+            self.warnings
+                .push(tr!("check-baking-the-model-is-times-as-large", scale = format!("{:.4}", 1.0 / placement.scale)));
         }
         if placement.offset.length() > 1e-2 * matching.diagonal {
             self.warnings.push(tr!("check-baking-the-model-is-in-another-place").to_owned());
@@ -159,7 +163,10 @@ impl Examination<'_> {
         if area > LARGEST_AREA {
             // Baking all of them would take long, and most of the texels could not be judged.
             findings.mistakes.push(match kept.is_empty() {
-                true => BakeFinding::of("charts-overlap", tr!("check-baking-their-area-is-times-that-of", area = format!("{area:.1}"))),
+                true => BakeFinding::of(
+                    "charts-overlap",
+                    tr!("check-baking-their-area-is-times-that-of", area = format!("{area:.1}")),
+                ),
                 false => self.kept_coordinates(&kept, is_all_kept),
             });
             return;
@@ -256,14 +263,21 @@ impl Examination<'_> {
         } else if is_conflict {
             let both = right.conflicting.map(|pair| pair.map(|t| self.layout.part[t as usize]));
             let both: Vec<u16> = both.into_iter().flatten().flatten().collect();
-            let detail = tr!("check-baking-of-the-texels", conflicts = format!("{:.1}", 100.0 * conflicts), both = self.names(&both));
+            let detail = tr!(
+                "check-baking-of-the-texels",
+                conflicts = format!("{:.1}", 100.0 * conflicts),
+                both = self.names(&both)
+            );
             findings.mistakes.push(BakeFinding::of("charts-overlap", detail));
         } else if right.overlaps as f64 / covered > OVERLAP {
             findings.warnings.push(tr!("check-baking-charts-overlap-but-only-where-they").to_owned());
         }
         let outside = self.share_outside();
         if outside > OVERLAP {
-            findings.mistakes.push(BakeFinding::of("charts-outside", tr!("check-baking-of-them", outside = format!("{:.1}", 100.0 * outside))));
+            findings.mistakes.push(BakeFinding::of(
+                "charts-outside",
+                tr!("check-baking-of-them", outside = format!("{:.1}", 100.0 * outside)),
+            ));
         }
     }
 
@@ -340,10 +354,7 @@ impl Examination<'_> {
                 && !reaches_out
                 && !findings.mistakes.iter().any(|m| m.id == "charts-outside")
             {
-                findings.warnings.push(
-                    tr!("check-baking-some-texture-coordinates-are-outside-of")
-                        .to_owned(),
-                );
+                findings.warnings.push(tr!("check-baking-some-texture-coordinates-are-outside-of").to_owned());
             }
         }
         let is_empty = findings.mistakes.iter().any(|m| m.id == "picture-empty");
@@ -410,12 +421,15 @@ impl Examination<'_> {
         }
         let share = lost as f64 / all.max(1) as f64;
         if share > BLURRED {
-            let detail = tr!("check-baking-x-texels-of-the-surface-has", width = width, height = height, share = format!("{:.0}", 100.0 * share));
+            let detail = tr!(
+                "check-baking-x-texels-of-the-surface-has",
+                width = width,
+                height = height,
+                share = format!("{:.0}", 100.0 * share)
+            );
             findings.mistakes.push(BakeFinding::of("picture-too-small", detail));
         } else {
-            findings
-                .warnings
-                .push(tr!("check-baking-x-texels-are-few-details-are", width = width, height = height));
+            findings.warnings.push(tr!("check-baking-x-texels-are-few-details-are", width = width, height = height));
         }
     }
 

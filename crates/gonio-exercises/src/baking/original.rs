@@ -1,10 +1,10 @@
 //! The exercise's own model: the surface that is baked, and its diffuse colour at any point.
 
-use gonio_language::tr;
 use crate::exercise::Exercise;
 use glam::{DVec3, DVec4};
 use gonio_bake::SceneSurface;
 use gonio_bake::texels::TexelSample;
+use gonio_language::tr;
 use gonio_scene::files::{FileBytes, FileSource};
 use gonio_scene::{Scene, load};
 use std::collections::BTreeMap;
@@ -47,7 +47,8 @@ impl Original {
     pub fn load(exercise: &Exercise, files: &FetchedFiles) -> Result<Self, String> {
         let mut given = Vec::new();
         for path in &exercise.given {
-            let bytes = files.builtin(path).ok_or_else(|| tr!("check-baking-the-exercise-s-file-was-not", path = path))?;
+            let bytes =
+                files.builtin(path).ok_or_else(|| tr!("check-baking-the-exercise-s-file-was-not", path = path))?;
             given.push((Exercise::given_name(path).to_owned(), bytes));
         }
         let model = exercise.given.first().ok_or(tr!("check-baking-the-exercise-has-no-model-to"))?;

@@ -1,6 +1,5 @@
 //! The verdict on a baked model.
 
-use gonio_language::tr;
 use super::answer::{Answer, is_model};
 use super::findings::{BakeFinding, BakeFindings, examine};
 use super::mistakes;
@@ -8,6 +7,7 @@ use super::original::Original;
 use crate::exercise::Exercise;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict, join_names};
+use gonio_language::tr;
 
 /// Most models that are checked; the best of them counts.
 const MOST_MODELS: usize = 4;
@@ -27,9 +27,7 @@ pub fn check(exercise: &Exercise, files: &[SourceFile], original: &Original) -> 
     }
     match models.len() {
         0 => {
-            return unsure(
-                tr!("check-baking-no-model-handed-in"),
-            );
+            return unsure(tr!("check-baking-no-model-handed-in"));
         }
         count if count > MOST_MODELS => {
             return unsure(&tr!("check-baking-there-are-models-among-the-files", count = count));
@@ -81,7 +79,11 @@ fn unexplained(findings: &BakeFindings) -> String {
     let (all, right) = findings.parts.iter().fold((0, 0), |(a, r), (_, part)| (a + part.texels, r + part.right));
     let wrong: Vec<&str> =
         findings.parts.iter().filter(|(_, part)| !part.is_right()).map(|(name, _)| name.as_str()).collect();
-    tr!("check-baking-of-the-surface-has-the-right", percent = format!("{:.0}", 100.0 * right as f64 / all.max(1) as f64), parts = wrong.join(", "))
+    tr!(
+        "check-baking-of-the-surface-has-the-right",
+        percent = format!("{:.0}", 100.0 * right as f64 / all.max(1) as f64),
+        parts = wrong.join(", ")
+    )
 }
 
 fn named(exercise: &Exercise, finding: &BakeFinding) -> Option<FoundMistake> {

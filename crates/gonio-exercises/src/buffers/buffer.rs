@@ -83,12 +83,7 @@ struct Layout {
 
 const LAYOUTS: [Layout; 5] = [
     Layout { width: 8, tex_coord: Some(3), normal: Some(5), remark: None },
-    Layout {
-        width: 8,
-        tex_coord: Some(6),
-        normal: Some(3),
-        remark: Some("check-buffer-the-columns-are-x-y-z"),
-    },
+    Layout { width: 8, tex_coord: Some(6), normal: Some(3), remark: Some("check-buffer-the-columns-are-x-y-z") },
     Layout { width: 6, tex_coord: None, normal: Some(3), remark: None },
     Layout { width: 5, tex_coord: Some(3), normal: None, remark: None },
     Layout { width: 3, tex_coord: None, normal: None, remark: None },

@@ -1,6 +1,5 @@
 //! Compares a student's buffer with a model, and explains the difference.
 
-use gonio_language::tr;
 use super::buffer::{Attributes, Buffer, Reading, Vertex};
 use super::expected::{Expected, Hypothesis};
 use super::fit::{Fit, SubmittedTriangles, closed_key, corner_keys, fit, matches};
@@ -8,6 +7,7 @@ use super::keys::{join, triangle};
 use super::mistakes::{MISTAKES, Mistake};
 use super::same::{self, Left};
 use gonio_check::verdict::Outcome;
+use gonio_language::tr;
 use serde::Serialize;
 
 /// The share that a mistake must explain to be named: triangles in both buffers divided by those in either. The exercise
@@ -317,10 +317,7 @@ impl<'a> Comparison<'a> {
         // More than half of the positions' numbers are not in the file.
         let is_foreign = self.expected.keys.share_known(&vertices, Attributes::default()) < 0.5;
         if is_foreign {
-            self.warnings.push(
-                tr!("check-buffer-most-of-the-buffer-s-numbers")
-                    .to_owned(),
-            );
+            self.warnings.push(tr!("check-buffer-most-of-the-buffer-s-numbers").to_owned());
         }
         let example = self.example(left, None);
         BufferFindings {

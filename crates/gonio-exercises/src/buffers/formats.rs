@@ -1,8 +1,8 @@
 //! Formats of vertex buffers: tells them apart, and reads raw floats. Text is read by `table`, JSON by `json`.
 
-use gonio_language::tr;
 use super::buffer::{Buffer, BufferError, Data, WIDTHS};
 use super::{json, table};
+use gonio_language::tr;
 
 /// Maximum size of a file, in bytes.
 pub const MOST_BYTES: usize = 100 << 20;
@@ -55,13 +55,11 @@ fn read_raw(bytes: &[u8], stride: Option<usize>) -> Result<Buffer, BufferError> 
     let fits = |width: &usize| floats.is_multiple_of(*width);
     match stride {
         Some(stride) if !fits(&stride) => {
-            let message =
-                tr!("check-buffer-floats-not-of-stride", floats = floats, stride = stride);
+            let message = tr!("check-buffer-floats-not-of-stride", floats = floats, stride = stride);
             return Err(BufferError::new(message));
         }
         None if !WIDTHS.iter().any(fits) => {
-            let message =
-                tr!("check-buffer-floats-not-whole-vertices", floats = floats);
+            let message = tr!("check-buffer-floats-not-whole-vertices", floats = floats);
             return Err(BufferError::new(message));
         }
         _ => {}

@@ -1,7 +1,7 @@
 //! Vertex buffers as JSON: rows, objects, or one list for each attribute, with or without indices.
 
-use gonio_language::tr;
 use super::buffer::{Attributes, Buffer, BufferError, Data, Vertex, WIDTHS, unit};
+use gonio_language::tr;
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use std::fmt;
 
@@ -137,7 +137,8 @@ fn list(rows: Vec<Tree>) -> Result<Data, BufferError> {
         };
         let first = *width.get_or_insert(row.len());
         if row.len() != first {
-            let message = tr!("check-buffer-row-has-numbers-but-the-first", number = number, count = row.len(), first = first);
+            let message =
+                tr!("check-buffer-row-has-numbers-but-the-first", number = number, count = row.len(), first = first);
             return Err(BufferError::new(message));
         }
         values.extend(row);
@@ -166,8 +167,8 @@ fn objects(rows: Vec<Tree>) -> Result<Data, BufferError> {
         let Tree::Object(fields) = row else {
             return Err(BufferError::new(tr!("check-buffer-vertex-is-not-an-object-but", number = number)));
         };
-        let (vertex, has) =
-            one_object(&fields).map_err(|message| BufferError::new(tr!("check-buffer-vertex", number = number, message = message)))?;
+        let (vertex, has) = one_object(&fields)
+            .map_err(|message| BufferError::new(tr!("check-buffer-vertex", number = number, message = message)))?;
         if *all.get_or_insert(has) != has {
             let message = tr!("check-buffer-vertex-does-not-have-the-same", number = number);
             return Err(BufferError::new(message));
@@ -193,7 +194,12 @@ fn one_object(fields: &[(String, Tree)]) -> Result<(Vertex, Attributes), String>
             }
             (Tree::Numbers(numbers), Some((_, start, count))) => {
                 if numbers.len() < count {
-                    return Err(tr!("check-buffer-has-numbers-instead-of", key = key, found = numbers.len(), count = count));
+                    return Err(tr!(
+                        "check-buffer-has-numbers-instead-of",
+                        key = key,
+                        found = numbers.len(),
+                        count = count
+                    ));
                 }
                 for (place, number) in (start..start + count).zip(numbers) {
                     all[place] = Some(*number);
@@ -236,7 +242,8 @@ fn object(fields: Vec<(String, Tree)>, warnings: &mut Vec<String>) -> Result<Dat
             name if POSITIONS.contains(&name) => positions = Some(rows_of::<3>(value, &key)?),
             name if TEX_COORDS.contains(&name) => tex_coords = Some(rows_of::<2>(value, &key)?),
             name if NORMALS.contains(&name) => normals = Some(rows_of::<3>(value, &key)?),
-            _ => warnings.push(tr!("check-buffer-is-unknown-and-was-ignored", key = key.chars().take(30).collect::<String>())),
+            _ => warnings
+                .push(tr!("check-buffer-is-unknown-and-was-ignored", key = key.chars().take(30).collect::<String>())),
         }
     }
     // Some programs write `{"vertices": positions, "normals": ...}`.
@@ -251,8 +258,7 @@ fn object(fields: Vec<(String, Tree)>, warnings: &mut Vec<String>) -> Result<Dat
         (None, Some(Tree::List(rows))) => list(rows)?,
         (None, Some(Tree::Numbers(values))) if indices.is_none() && !values.is_empty() => flat(values)?,
         (None, Some(Tree::Numbers(_))) => {
-            let message =
-                tr!("check-buffer-vertices-is-one-list-of-numbers");
+            let message = tr!("check-buffer-vertices-is-one-list-of-numbers");
             return Err(BufferError::new(message));
         }
         _ => return Err(BufferError::new(shapes())),
@@ -271,9 +277,16 @@ fn named(
     let has = Attributes { tex_coords: tex_coords.is_some(), normals: normals.is_some() };
     let tex_coords = tex_coords.unwrap_or_else(|| vec![[0.0; 2]; positions.len()]);
     let normals = normals.unwrap_or_else(|| vec![[0.0; 3]; positions.len()]);
-    for (name, count) in [(tr!("check-buffer-texture-coordinates"), tex_coords.len()), (tr!("check-buffer-normals"), normals.len())] {
+    for (name, count) in
+        [(tr!("check-buffer-texture-coordinates"), tex_coords.len()), (tr!("check-buffer-normals"), normals.len())]
+    {
         if count != positions.len() {
-            let message = tr!("check-buffer-there-are-positions-and-each-vertex", positions = positions.len(), count = count, name = name);
+            let message = tr!(
+                "check-buffer-there-are-positions-and-each-vertex",
+                positions = positions.len(),
+                count = count,
+                name = name
+            );
             return Err(BufferError::new(message));
         }
     }
@@ -286,13 +299,21 @@ fn rows_of<const N: usize>(tree: Tree, key: &str) -> Result<Vec<[f32; N]>, Buffe
     let key: String = key.chars().take(30).collect();
     match tree {
         Tree::Numbers(values) if values.len().is_multiple_of(N) => Ok(values.as_chunks::<N>().0.to_vec()),
-        Tree::Numbers(values) => {
-            Err(BufferError::new(tr!("check-buffer-has-numbers-which-is-not-a", key = key, count = values.len(), width = N)))
-        }
+        Tree::Numbers(values) => Err(BufferError::new(tr!(
+            "check-buffer-has-numbers-which-is-not-a",
+            key = key,
+            count = values.len(),
+            width = N
+        ))),
         Tree::List(rows) => {
             let row = |(number, row): (usize, Tree)| match row {
                 Tree::Numbers(values) if values.len() >= N => Ok(std::array::from_fn(|i| values[i])),
-                _ => Err(BufferError::new(tr!("check-buffer-row-of-is-not-a-list", number = number, key = key, width = N))),
+                _ => Err(BufferError::new(tr!(
+                    "check-buffer-row-of-is-not-a-list",
+                    number = number,
+                    key = key,
+                    width = N
+                ))),
             };
             (1..).zip(rows).map(row).collect()
         }

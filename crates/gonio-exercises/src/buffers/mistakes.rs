@@ -117,57 +117,18 @@ macro_rules! mistake {
 
 /// The likely ones first: if two explain a buffer equally well, the first is named.
 pub(super) static MISTAKES: [Mistake; 38] = [
-    mistake!(
-        "indices-from-0",
-        &[|r| r.from_zero = [true; 3]],
-    ),
-    mistake!(
-        "tex-coord-and-normal-swapped",
-        &[|r| r.slots = SlotUse::Swapped],
-    ),
-    Mistake {
-        is_harmless: true,
-        ..mistake!(
-            "v-flipped",
-            &[|r| r.flip_v = true],
-        )
-    },
-    mistake!(
-        "quads-first-triangle-only",
-        &[|r| r.polygons = Polygons::FirstTriangle],
-    ),
-    mistake!(
-        "quads-lost",
-        &[|r| r.polygons = Polygons::Lost],
-    ),
-    mistake!(
-        "quads-as-triangles",
-        &[|r| r.polygons = Polygons::Stream],
-    ),
-    mistake!(
-        "large-polygons-cut-short",
-        &[|r| r.polygons = Polygons::FirstQuad],
-    ),
-    mistake!(
-        "large-polygons-lost",
-        &[|r| r.polygons = Polygons::LargeLost],
-    ),
-    mistake!(
-        "concave-polygon-as-fan",
-        &[|r| r.polygons = Polygons::Fan],
-    ),
-    mistake!(
-        "normals-by-position",
-        &[|r| r.normal = From::Position],
-    ),
-    mistake!(
-        "tex-coords-by-position",
-        &[|r| r.tex_coord = From::Position],
-    ),
-    mistake!(
-        "vertices-not-split",
-        &[|r| r.unsplit = Some(Which::Last), |r| r.unsplit = Some(Which::First)],
-    ),
+    mistake!("indices-from-0", &[|r| r.from_zero = [true; 3]],),
+    mistake!("tex-coord-and-normal-swapped", &[|r| r.slots = SlotUse::Swapped],),
+    Mistake { is_harmless: true, ..mistake!("v-flipped", &[|r| r.flip_v = true],) },
+    mistake!("quads-first-triangle-only", &[|r| r.polygons = Polygons::FirstTriangle],),
+    mistake!("quads-lost", &[|r| r.polygons = Polygons::Lost],),
+    mistake!("quads-as-triangles", &[|r| r.polygons = Polygons::Stream],),
+    mistake!("large-polygons-cut-short", &[|r| r.polygons = Polygons::FirstQuad],),
+    mistake!("large-polygons-lost", &[|r| r.polygons = Polygons::LargeLost],),
+    mistake!("concave-polygon-as-fan", &[|r| r.polygons = Polygons::Fan],),
+    mistake!("normals-by-position", &[|r| r.normal = From::Position],),
+    mistake!("tex-coords-by-position", &[|r| r.tex_coord = From::Position],),
+    mistake!("vertices-not-split", &[|r| r.unsplit = Some(Which::Last), |r| r.unsplit = Some(Which::First)],),
     mistake!(
         "normals-missing",
         &[
@@ -176,104 +137,29 @@ pub(super) static MISTAKES: [Mistake; 38] = [
             |r| r.normal = From::Constant([0.0, 1.0, 0.0]),
         ],
     ),
-    mistake!(
-        "tex-coords-missing",
-        &[|r| r.tex_coord = From::Constant([0.0; 3])],
-    ),
-    mistake!(
-        "negative-as-positive",
-        &[|r| r.negative = Negative::Positive],
-    ),
-    mistake!(
-        "negative-faces-lost",
-        &[|r| r.negative = Negative::FacesLost],
-    ),
-    mistake!(
-        "negative-from-the-end-of-the-file",
-        &[|r| r.negative = Negative::FromEnd],
-    ),
-    mistake!(
-        "negative-one-too-far",
-        &[|r| r.negative = Negative::OneTooFar],
-    ),
-    mistake!(
-        "normal-indices-from-0",
-        &[|r| r.from_zero[2] = true],
-    ),
-    mistake!(
-        "tex-coord-indices-from-0",
-        &[|r| r.from_zero[1] = true],
-    ),
-    mistake!(
-        "position-indices-from-0",
-        &[|r| r.from_zero[0] = true],
-    ),
-    mistake!(
-        "u-and-v-swapped",
-        &[|r| r.swap_uv = true],
-    ),
-    mistake!(
-        "y-and-z-swapped",
-        &[|r| r.axes = Axes::SwappedYz],
-    ),
-    mistake!(
-        "turned-to-z-up",
-        &[|r| r.axes = Axes::ZUp],
-    ),
-    mistake!(
-        "winding-reversed",
-        &[|r| r.turned_over = true],
-    ),
-    mistake!(
-        "faces-ignored",
-        &[|r| r.order = Order::FacesIgnored],
-    ),
-    mistake!(
-        "indices-not-applied",
-        &[|r| r.order = Order::EachOnce],
-    ),
-    mistake!(
-        "one-normal-per-face",
-        &[|r| r.normal = From::FirstCorner],
-    ),
-    mistake!(
-        "normals-computed",
-        &[|r| r.normal = From::Geometry],
-    ),
-    mistake!(
-        "last-object-only",
-        &[|r| r.objects = Some(Which::Last)],
-    ),
-    mistake!(
-        "first-object-only",
-        &[|r| r.objects = Some(Which::First)],
-    ),
-    mistake!(
-        "indices-anew-in-each-object",
-        &[|r| r.anew = true],
-    ),
-    mistake!(
-        "first-lines-skipped",
-        &[|r| r.skips_first = true],
-    ),
-    mistake!(
-        "last-face-lost",
-        &[|r| r.loses_last_face = true],
-    ),
-    mistake!(
-        "numbers-truncated",
-        &[|r| r.numbers = Numbers::Truncated],
-    ),
-    mistake!(
-        "decimal-comma",
-        &[|r| r.numbers = Numbers::StoppedAtPoint],
-    ),
-    mistake!(
-        "empty-slot-passed-over",
-        &[|r| r.slots = SlotUse::EmptyPassedOver],
-    ),
-    mistake!(
-        "short-corners-lost",
-        &[|r| r.loses_partial = true],
-    ),
+    mistake!("tex-coords-missing", &[|r| r.tex_coord = From::Constant([0.0; 3])],),
+    mistake!("negative-as-positive", &[|r| r.negative = Negative::Positive],),
+    mistake!("negative-faces-lost", &[|r| r.negative = Negative::FacesLost],),
+    mistake!("negative-from-the-end-of-the-file", &[|r| r.negative = Negative::FromEnd],),
+    mistake!("negative-one-too-far", &[|r| r.negative = Negative::OneTooFar],),
+    mistake!("normal-indices-from-0", &[|r| r.from_zero[2] = true],),
+    mistake!("tex-coord-indices-from-0", &[|r| r.from_zero[1] = true],),
+    mistake!("position-indices-from-0", &[|r| r.from_zero[0] = true],),
+    mistake!("u-and-v-swapped", &[|r| r.swap_uv = true],),
+    mistake!("y-and-z-swapped", &[|r| r.axes = Axes::SwappedYz],),
+    mistake!("turned-to-z-up", &[|r| r.axes = Axes::ZUp],),
+    mistake!("winding-reversed", &[|r| r.turned_over = true],),
+    mistake!("faces-ignored", &[|r| r.order = Order::FacesIgnored],),
+    mistake!("indices-not-applied", &[|r| r.order = Order::EachOnce],),
+    mistake!("one-normal-per-face", &[|r| r.normal = From::FirstCorner],),
+    mistake!("normals-computed", &[|r| r.normal = From::Geometry],),
+    mistake!("last-object-only", &[|r| r.objects = Some(Which::Last)],),
+    mistake!("first-object-only", &[|r| r.objects = Some(Which::First)],),
+    mistake!("indices-anew-in-each-object", &[|r| r.anew = true],),
+    mistake!("first-lines-skipped", &[|r| r.skips_first = true],),
+    mistake!("last-face-lost", &[|r| r.loses_last_face = true],),
+    mistake!("numbers-truncated", &[|r| r.numbers = Numbers::Truncated],),
+    mistake!("decimal-comma", &[|r| r.numbers = Numbers::StoppedAtPoint],),
+    mistake!("empty-slot-passed-over", &[|r| r.slots = SlotUse::EmptyPassedOver],),
+    mistake!("short-corners-lost", &[|r| r.loses_partial = true],),
 ];

@@ -1,7 +1,7 @@
 //! Vertex buffers as text: one row per vertex, with columns separated by commas, semicolons, tabs or spaces.
 
-use gonio_language::tr;
 use super::buffer::{Attributes, Buffer, BufferError, Data, Vertex, WIDTHS, unit};
+use gonio_language::tr;
 
 /// Number of known columns: x y z, u v, nx ny nz.
 const COLUMNS: usize = 8;
@@ -56,7 +56,8 @@ fn decode(bytes: &[u8]) -> Result<&str, BufferError> {
         let message = tr!("check-buffer-the-file-is-binary-use-the");
         return Err(at_byte(bytes, at, message));
     }
-    std::str::from_utf8(bytes).map_err(|error| at_byte(bytes, error.valid_up_to(), tr!("check-buffer-the-file-is-not-utf-8")))
+    std::str::from_utf8(bytes)
+        .map_err(|error| at_byte(bytes, error.valid_up_to(), tr!("check-buffer-the-file-is-not-utf-8")))
 }
 
 fn at_byte(bytes: &[u8], at: usize, message: &str) -> BufferError {
@@ -133,7 +134,8 @@ impl Parser {
             } else {
                 ""
             };
-            let message = tr!("check-buffer-this-row-has-numbers-but-the", count = cells.len(), width = width, comma = comma);
+            let message =
+                tr!("check-buffer-this-row-has-numbers-but-the", count = cells.len(), width = width, comma = comma);
             return Err(BufferError::new(message).at(line.number, None));
         }
         Ok(cells.len())

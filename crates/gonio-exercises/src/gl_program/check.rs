@@ -3,7 +3,6 @@
 //! A mistake is named only if the picture is right without it: each suspect comes with the corrected program, which is
 //! executed. If no single correction makes the picture right, combinations are tried, the most promising first.
 
-use gonio_language::tr;
 use super::compare::{ENOUGH, Judge};
 use super::findings::{GlProgramFindings, GlProgramMistake, GlProgramWarning, errors, warnings};
 use super::names::name_of;
@@ -12,6 +11,7 @@ use super::suspects::Suspect;
 use gonio_check::verdict::Outcome;
 use gonio_gl::trace::Severity;
 use gonio_gl::{Gl, GlError};
+use gonio_language::tr;
 use gonio_render::gl_program::{GlProgramFailure, GlProgramFiles, GlProgramImage, GlProgramRun, Step};
 use gonio_render::user_program::is_embedded;
 use std::borrow::Cow;
@@ -154,7 +154,8 @@ fn summary(right: bool, mistakes: &[GlProgramMistake], run: &GlProgramRun, warni
             many => tr!("check-gl-the-picture-is-right-and-there", many = many),
         };
     }
-    let named: Vec<String> = mistakes.iter().map(|m| tr!("check-gl-line-of-mistake", line = m.line, name = m.name)).collect();
+    let named: Vec<String> =
+        mistakes.iter().map(|m| tr!("check-gl-line-of-mistake", line = m.line, name = m.name)).collect();
     match (named.is_empty(), run.errors.first()) {
         (false, _) => named.join("; "),
         (true, Some(error)) => {

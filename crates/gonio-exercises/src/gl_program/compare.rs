@@ -1,9 +1,9 @@
 //! Compares the student's picture with the reference's.
 
-use gonio_language::tr;
 use super::suspects::Case;
 use gonio_gl::GlError;
 use gonio_gl::trace::SamplingRecord;
+use gonio_language::tr;
 use gonio_render::gl_program::{
     Constant, GlCall, GlProgramFailure, GlProgramFiles, GlProgramOptions, GlProgramRun, Selector, Step, constant, run,
 };

@@ -1,12 +1,12 @@
 //! The findings about a GL program: mistakes, warnings, and errors that leave no picture.
 
-use gonio_language::tr;
 use super::names::GlProgramMistakeName;
 use super::program::{GlProgram, GlProgramError, MOST_ERRORS};
 use super::signature::shown;
 use gonio_check::verdict::Outcome;
 use gonio_check::words::nearest;
 use gonio_gl::trace::{Finding, Rule, Severity};
+use gonio_language::tr;
 use gonio_render::gl_program::{CallError, GlCall, GlProgramFailure, GlProgramFiles, GlProgramRun, Selector};
 use serde::Serialize;
 
@@ -72,7 +72,9 @@ impl GlProgramFindings {
     /// The findings for a text that is not a program.
     pub(super) fn broken(file: &str, errors: Vec<GlProgramError>) -> Self {
         let more = errors.len().saturating_sub(1);
-        let first = errors.first().map_or(String::new(), |error| tr!("check-gl-line-of-error", line = error.line, message = error.message));
+        let first = errors
+            .first()
+            .map_or(String::new(), |error| tr!("check-gl-line-of-error", line = error.line, message = error.message));
         let summary = if more == 0 { first } else { tr!("check-gl-and-more", first = first, more = more) };
         GlProgramFindings {
             file: file.to_owned(),
@@ -217,8 +219,7 @@ fn depth_never_cleared(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>
         .iter()
         .any(|step| matches!(&step.call, GlCall::Clear(bits) if bits.iter().any(|bit| bit.name == "DEPTH_BUFFER_BIT")));
     if let (Some(step), false) = (on, cleared) {
-        let text =
-            tr!("check-gl-depth-test-is-enabled-but-no").to_owned();
+        let text = tr!("check-gl-depth-test-is-enabled-but-no").to_owned();
         warnings.push(GlProgramWarning { line: Some(step.line), text });
     }
 }

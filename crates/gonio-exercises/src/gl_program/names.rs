@@ -171,7 +171,11 @@ mod tests {
         assert_eq!(not_in(&TESTS), [""; 0], "in no test");
         // Kebab-case words in the suspects are ids, of mistakes or of texts.
         let words = SUSPECTS.iter().flat_map(|text| text.split('"'));
-        let is_id = |word: &&str| word.contains('-') && !word.starts_with("check-") && word.chars().all(|c| c.is_ascii_lowercase() || c == '-');
+        let is_id = |word: &&str| {
+            word.contains('-')
+                && !word.starts_with("check-")
+                && word.chars().all(|c| c.is_ascii_lowercase() || c == '-')
+        };
         let used: BTreeSet<&str> = words.filter(is_id).collect();
         assert!(used.len() >= 55);
         for id in used {

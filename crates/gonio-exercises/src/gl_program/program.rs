@@ -1,7 +1,7 @@
 //! The text of a GL program, read into its calls: one call on a line, words separated by spaces.
 
-use gonio_language::tr;
 use super::signature::{self, LineError, Named, WORDS, Word, is_name, shown};
+use gonio_language::tr;
 use gonio_render::gl_program::{GlCall, Step};
 use serde::Serialize;
 use std::collections::HashMap;
@@ -62,10 +62,16 @@ impl GlProgram {
         };
         if text.len() > MOST_TEXT_BYTES {
             let most = MOST_TEXT_BYTES >> 20;
-            return Err(error(tr!("check-gl-the-text-has-bytes", count = text.len()), &tr!("check-gl-at-most-mb-are-read", most = most)));
+            return Err(error(
+                tr!("check-gl-the-text-has-bytes", count = text.len()),
+                &tr!("check-gl-at-most-mb-are-read", most = most),
+            ));
         }
         if text.contains('\0') {
-            return Err(error(tr!("check-gl-the-file-is-not-text").to_owned(), tr!("check-gl-hand-in-the-gl-program-as")));
+            return Err(error(
+                tr!("check-gl-the-file-is-not-text").to_owned(),
+                tr!("check-gl-hand-in-the-gl-program-as"),
+            ));
         }
         let steps = read(text, file_name)?;
         let lines = text.lines().map(str::to_owned).collect();
@@ -163,7 +169,11 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
             continue;
         }
         if steps.len() >= MOST_CALLS {
-            report(LineError::at(first, tr!("check-gl-there-are-more-than-calls", most = MOST_CALLS), tr!("check-gl-leave-some-out")));
+            report(LineError::at(
+                first,
+                tr!("check-gl-there-are-more-than-calls", most = MOST_CALLS),
+                tr!("check-gl-leave-some-out"),
+            ));
             break;
         }
         match signature::call(&words, &names) {
@@ -242,7 +252,11 @@ fn begin_list(words: &[Word<'_>], line: u32, names: &HashMap<String, Named>) -> 
         ));
     }
     if names.contains_key(name.text) {
-        return Err(LineError::at(*name, tr!("check-gl-already-exists", text = shown(name.text)), tr!("check-gl-choose-another-name")));
+        return Err(LineError::at(
+            *name,
+            tr!("check-gl-already-exists", text = shown(name.text)),
+            tr!("check-gl-choose-another-name"),
+        ));
     }
     let (name, whole) = (name.text.to_owned(), first.text == "indices");
     Ok(List { line, name, whole, floats: Vec::new(), indices: Vec::new(), too_long: false })
@@ -273,7 +287,8 @@ impl List {
             }
             if (self.floats.len() + self.indices.len()) * 4 > MOST_DATA_BYTES {
                 self.too_long = true;
-                let message = tr!("check-gl-the-list-has-more-than-numbers", name = self.name, most = MOST_DATA_BYTES / 4);
+                let message =
+                    tr!("check-gl-the-list-has-more-than-numbers", name = self.name, most = MOST_DATA_BYTES / 4);
                 return Err(LineError::at(*word, message, tr!("check-gl-make-it-shorter-a-buffer-may")));
             }
         }

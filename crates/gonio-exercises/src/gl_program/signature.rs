@@ -1,7 +1,7 @@
 //! The parameters of each call, word by word.
 
-use gonio_language::tr;
 use gonio_check::words::nearest;
+use gonio_language::tr;
 use gonio_render::gl_program::{
     CONSTANTS, Constant, GlCall, IntArgument, ObjectKind, Pointer, Selector, UniformArgument, constant,
 };
@@ -138,7 +138,11 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
     };
     let Some((&word, given)) = rest.split_first() else {
         let end = words[words.len() - 1];
-        return Err(LineError::at(end, tr!("check-gl-expected-a-call-after"), tr!("check-gl-write-name-gen-texture-or-the")));
+        return Err(LineError::at(
+            end,
+            tr!("check-gl-expected-a-call-after"),
+            tr!("check-gl-write-name-gen-texture-or-the"),
+        ));
     };
     let Some((_, expected)) = SIGNATURES.iter().find(|(known, _)| *known == word.text) else {
         return Err(no_call(word));
@@ -163,7 +167,11 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
             ));
         }
         Some(name) if constant(name.text).is_some() => {
-            return Err(LineError::at(name, tr!("check-gl-is-a-constant-of-opengl", text = name.text), tr!("check-gl-take-another-name")));
+            return Err(LineError::at(
+                name,
+                tr!("check-gl-is-a-constant-of-opengl", text = name.text),
+                tr!("check-gl-take-another-name"),
+            ));
         }
         Some(name) => match names.get(name.text) {
             Some(known @ (Named::Data | Named::Image)) => {
@@ -186,7 +194,8 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
             Err(LineError::at(word, tr!("check-gl-the-result-of-is-not-stored", text = word.text), help))
         }
         (None, Some(name)) => {
-            let message = tr!("check-gl-returns-nothing-that-can-be-stored", text = word.text, text2 = shown(name.text));
+            let message =
+                tr!("check-gl-returns-nothing-that-can-be-stored", text = word.text, text2 = shown(name.text));
             Err(LineError::at(name, message, tr!("check-gl-write-without-a-name", text = word.text)))
         }
         (None, None) => Ok((call, None)),
@@ -259,13 +268,18 @@ impl Arguments<'_> {
                 GlCall::DrawElements { mode, count, kind: self.constant(2)?, offset: self.whole(3)? }
             }
             _ => {
-                return Err(LineError { column: 1, message: tr!("check-gl-unknown-word", word = word), help: String::new() });
+                return Err(LineError {
+                    column: 1,
+                    message: tr!("check-gl-unknown-word", word = word),
+                    help: String::new(),
+                });
             }
         })
     }
 
     fn word(&self, at: usize) -> Result<Word<'_>, LineError> {
-        let missing = || LineError { column: 1, message: tr!("check-gl-an-argument-is-missing").to_owned(), help: String::new() };
+        let missing =
+            || LineError { column: 1, message: tr!("check-gl-an-argument-is-missing").to_owned(), help: String::new() };
         self.given.get(at).copied().ok_or_else(missing)
     }
 
@@ -307,7 +321,11 @@ impl Arguments<'_> {
         let word = self.word(at)?;
         let number = word.text.trim_end_matches('f').parse().ok().filter(|number: &f32| number.is_finite());
         number.ok_or_else(|| {
-            LineError::at(word, tr!("check-gl-is-not-a-number", text = shown(word.text)), tr!("check-gl-write-a-number-such-as-0"))
+            LineError::at(
+                word,
+                tr!("check-gl-is-not-a-number", text = shown(word.text)),
+                tr!("check-gl-write-a-number-such-as-0"),
+            )
         })
     }
 
@@ -316,7 +334,11 @@ impl Arguments<'_> {
         match word.text {
             "TRUE" => Ok(true),
             "FALSE" => Ok(false),
-            other => Err(LineError::at(word, tr!("check-gl-is-neither-true-nor-false", other = shown(other)), tr!("check-gl-write-false"))),
+            other => Err(LineError::at(
+                word,
+                tr!("check-gl-is-neither-true-nor-false", other = shown(other)),
+                tr!("check-gl-write-false"),
+            )),
         }
     }
 
@@ -366,7 +388,12 @@ impl Arguments<'_> {
         match self.names.get(word.text) {
             Some(named) if *named == expected => Ok(word.text.to_owned()),
             Some(named) => {
-                let message = tr!("check-gl-named-is-of-another-kind", text = word.text, words = named.words(), words2 = expected.words());
+                let message = tr!(
+                    "check-gl-named-is-of-another-kind",
+                    text = word.text,
+                    words = named.words(),
+                    words2 = expected.words()
+                );
                 Err(LineError::at(word, message, tr!("check-gl-create-one-with", how = how)))
             }
             None => {

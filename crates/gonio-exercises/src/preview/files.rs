@@ -1,12 +1,12 @@
 //! Files that are added to an exercise: the use of each, and the files that it replaces.
 
-use gonio_language::tr;
 use crate::baking;
 use crate::buffers;
 use crate::cubemap;
 use crate::exercise::{Exercise, ExerciseKind};
 use crate::gl_program::GlProgram;
 use gonio_check::submission::{self, Holds, SourceFile};
+use gonio_language::tr;
 use gonio_mesh::Format;
 
 /// The use of a file.
@@ -91,7 +91,13 @@ pub fn sort_files(exercise: &Exercise, files: &[SourceFile]) -> SortedFiles {
                 more => tr!("check-preview-and-more", more = more),
             };
             let reads = what_it_reads(exercise.kind);
-            Some(tr!("check-preview-ignored-reads", names = named.join(", "), more = more, id = exercise.id, reads = reads))
+            Some(tr!(
+                "check-preview-ignored-reads",
+                names = named.join(", "),
+                more = more,
+                id = exercise.id,
+                reads = reads
+            ))
         }
     };
     sorted

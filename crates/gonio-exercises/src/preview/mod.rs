@@ -12,9 +12,9 @@ pub(crate) use renderer::held;
 pub use renderer::{PreviewRenderer, VariableValue};
 pub use scene::{Eye, PreviewObject, PreviewScene, PreviewShape, scenes, test_scenes};
 
-use gonio_language::tr;
 use crate::exercise::{Exercise, ExerciseKind};
 use gonio_check::submission::SourceFile;
+use gonio_language::tr;
 
 /// Whether the answer is a pair of shaders that can be drawn in a preview scene.
 pub fn is_drawn(exercise: &Exercise) -> bool {

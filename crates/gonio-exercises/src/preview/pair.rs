@@ -1,6 +1,5 @@
 //! Reads and compiles a pair of shaders while it is being written.
 
-use gonio_language::tr;
 use crate::exercise::Exercise;
 use gonio_check::comparison::declared;
 use gonio_check::compile::{self, ParsedStage};
@@ -9,6 +8,7 @@ use gonio_check::submission::{SourceFile, Submission};
 use gonio_check::verdict::CompilerMessage;
 use gonio_gl::Gl;
 use gonio_glsl::{Class, OutputVersion, Severity, Stage};
+use gonio_language::tr;
 use gonio_render::user_program::{UserProgram, is_embedded};
 
 /// The severity of a message.
@@ -116,9 +116,8 @@ impl SubmittedPair {
                 strict.map(|problem| Note { kind: NoteKind::Warning, message: stage.message(problem) })
             })
             .collect();
-        let unused = bindings.unused.iter().map(|name| {
-            tr!("check-preview-names-toml-mentions-which-the-shaders", name = name)
-        });
+        let unused =
+            bindings.unused.iter().map(|name| tr!("check-preview-names-toml-mentions-which-the-shaders", name = name));
         let warnings = self.submission.warnings.iter().cloned().chain(unused).collect();
         Ok(CompiledPair { program, bindings, notes, warnings })
     }

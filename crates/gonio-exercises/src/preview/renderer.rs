@@ -1,12 +1,12 @@
 //! Draws previews, with meshes, the sky and a white texture on the GPU.
 
-use gonio_language::tr;
 use super::{CompiledPair, PreviewScene, PreviewShape};
 use gonio_check::roles::{Bound, Role, VariableKind};
 use gonio_check::testbench::{
     CUBEMAP_UNIT, SKY_SIDE, TestScene, WHITE_UNIT, numbers_of_array, samplers, sky_faces, stream_of, unit,
 };
 use gonio_gl::{Gl, GlError};
+use gonio_language::tr;
 use gonio_render::user_program::{FloatTexture, Stream, StreamMesh};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -121,7 +121,9 @@ impl CompiledPair {
     pub fn variable_values(&self, test_scene: &TestScene) -> Vec<VariableValue> {
         let bound = self.bindings.bound.iter().map(|bound| {
             let value = match (bound.declared.kind, held(bound, test_scene)) {
-                (VariableKind::Attribute, _) if stream_of(bound.role).is_some() => tr!("check-preview-from-the-mesh").to_owned(),
+                (VariableKind::Attribute, _) if stream_of(bound.role).is_some() => {
+                    tr!("check-preview-from-the-mesh").to_owned()
+                }
                 (VariableKind::Attribute, _) => tr!("check-preview-0-0-0-1-not-in").to_owned(),
                 (VariableKind::Uniform, None) => "0".to_owned(),
                 (VariableKind::Uniform, Some(values)) => written(&bound.declared.glsl_type, &values),

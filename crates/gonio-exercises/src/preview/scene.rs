@@ -1,10 +1,10 @@
 //! The preview scenes of an exercise: the lab's own, one that shows mistakes that the lab's own hides, and the checker's.
 
-use gonio_language::tr;
 use crate::exercise::Exercise;
 use glam::{Mat4, Quat, Vec3};
 use gonio_check::comparison::Task;
 use gonio_check::testbench::{TestLight, TestMesh, TestScene, TestShape, mesh, scene::LAB_LIGHT};
+use gonio_language::tr;
 use std::borrow::Cow;
 
 /// The shape of an object.
@@ -288,8 +288,7 @@ fn stretched(light: TestLight) -> PreviewScene {
     let model = Mat4::from_scale_rotation_translation(scale, turn, Vec3::new(0.4, -0.3, -0.6));
     let objects = vec![PreviewObject { shape: PreviewShape::Torus, world_from_model: model }];
     let light = TestLight { position: Vec3::new(1.6, 2.2, 1.2), ..light };
-    let shows =
-        tr!("check-preview-a-ring-that-is-stretched-turned");
+    let shows = tr!("check-preview-a-ring-that-is-stretched-turned");
     scene("stretched", shows, objects, light, eye([1.9, 1.1, 2.0], [0.4, -0.3, -0.6], 34.0))
 }
 

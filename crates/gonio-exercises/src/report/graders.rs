@@ -1,11 +1,11 @@
 //! Results for the graders of courses: Gradescope, and CodeRunner in Moodle.
 
-use gonio_language::tr;
 use super::junit::proposed_fix_text;
 use super::text::{line, percent, place, plain, unit, words};
 use super::verdict_parts::{messages_html, mistakes_html, notes_html, proposed_fix_html, verdict_html};
 use gonio_check::testbench::scene;
 use gonio_check::verdict::{Outcome, SceneVerdict, TermState, TermVerdict, Verdict};
+use gonio_language::tr;
 use serde_json::{Value, json};
 
 /// The content of Gradescope's `results.json`.
@@ -183,9 +183,7 @@ fn text_output(verdict: &Verdict) -> String {
     if !verdict.peculiarities.is_empty() || !verdict.warnings.is_empty() {
         lines.push(String::new());
     }
-    lines.extend(
-        verdict.peculiarities.iter().map(|known| tr!("report-other-method", name = line(&known.name))),
-    );
+    lines.extend(verdict.peculiarities.iter().map(|known| tr!("report-other-method", name = line(&known.name))));
     lines.extend(verdict.warnings.iter().map(|warning| tr!("report-warning", text = line(warning))));
     lines.join("\n")
 }

@@ -1,10 +1,10 @@
 //! JUnit XML, which build servers read.
 
-use gonio_language::tr;
 use super::text::{escaped, escaped_line, line, percent, place, plain, word};
 use gonio_check::proposed_fix;
 use gonio_check::testbench::scene;
 use gonio_check::verdict::{FoundMistake, Outcome, ProposedEdit, TermState, Verdict};
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// JUnit XML: a suite for each exercise and submission, with a case for the verdict, one for each term and one for each scene.

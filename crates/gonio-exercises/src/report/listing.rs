@@ -1,11 +1,11 @@
 //! The source of a submission with line numbers, and its findings marked.
 
-use gonio_language::tr;
 use super::address::finding_anchor;
 use super::html::{MOST_SHOWN, prose};
 use super::text::{escaped, escaped_line};
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
+use gonio_language::tr;
 use gonio_mesh::encoding::to_utf8;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;

@@ -1,8 +1,8 @@
 //! Links between the pages of a class.
 
-use gonio_language::tr;
 use super::address::{OVERVIEW, page_address};
 use super::text::{by_name, escaped_name};
+use gonio_language::tr;
 
 /// The start of the navigation, directly after that of a page's content.
 const START: &str = "<main>\n";

@@ -1,6 +1,5 @@
 //! The page of a submission.
 
-use gonio_language::tr;
 use super::html::{Icon, PageKind, document, shown};
 use super::listing::Listing;
 use super::picture::{PictureKind, Pictures, heat};
@@ -12,6 +11,7 @@ use gonio_check::comparison::Evidence;
 use gonio_check::submission::SourceFile;
 use gonio_check::testbench::{TILE, scene};
 use gonio_check::verdict::{BoundVariable, Outcome, SceneVerdict, TermState, TermVerdict, Verdict};
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// Side of a picture in CSS pixels: an integer multiple, so that all its pixels are squares of the same size.
@@ -250,7 +250,8 @@ fn bound(bound: &[BoundVariable]) -> String {
             escaped_line(&variable.glsl_type)
         )
     };
-    let rows = shown(bound, each, |more| format!("<tr><td colspan=\"3\">{}</td></tr>\n", tr!("report-and-more", more = more)));
+    let rows =
+        shown(bound, each, |more| format!("<tr><td colspan=\"3\">{}</td></tr>\n", tr!("report-and-more", more = more)));
     let variables = tr!("report-count-variables", count = bound.len());
     let (open, summary) = match unknown {
         0 => ("", variables),

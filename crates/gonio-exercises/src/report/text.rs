@@ -1,7 +1,7 @@
 //! Text for formats with markup: escaping, and visible forms of hidden characters.
 
-use gonio_language::tr;
 use gonio_check::verdict::Outcome;
+use gonio_language::tr;
 use std::borrow::Cow;
 use std::fmt::Write as _;
 

@@ -3,7 +3,6 @@
 //! With a listing, findings have anchors and their places are links into it. Graders show the parts within pages of their own and
 //! pass none.
 
-use gonio_language::tr;
 use super::address::finding_anchor;
 use super::html::{Icon, MOST_SHOWN, capital, prose, sentence, shown};
 use super::listing::Listing;
@@ -11,6 +10,7 @@ use super::text::{escaped, escaped_line, line, percent, word, words};
 use gonio_check::proposed_fix::{self, DiffLine};
 use gonio_check::testbench::scene;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, PropertyState, PropertyVerdict, ProposedEdit, Verdict};
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// Maximum number of characters of a compiler's message that are shown without unfolding.
@@ -154,9 +154,8 @@ pub fn proposed_fix_html(verdict: &Verdict, listing: Option<&Listing>) -> String
         let place = Quote { file: Some(&edit.file), line: Some(edit.line), ..Quote::default() }.html("h3", listing);
         format!("<article>\n{place}<pre class=\"diff\">{diff}</pre>\n</article>\n")
     };
-    let edits = shown(&verdict.proposed_fix, each, |more| {
-        format!("<p>{}</p>\n", tr!("report-and-more-changes", count = more))
-    });
+    let edits =
+        shown(&verdict.proposed_fix, each, |more| format!("<p>{}</p>\n", tr!("report-and-more-changes", count = more)));
     format!(
         "<section class=\"fix\">\n<h2>{}</h2>\n<p class=\"promise\">{}</p>\n{edits}</section>\n",
         tr!("report-how-it-becomes-right"),
@@ -228,7 +227,6 @@ fn properties_html(verdict: &Verdict) -> String {
     let each = |property: &&PropertyVerdict| {
         let (word, scenes) = match property.state {
             PropertyState::Wrong if !property.scenes.is_empty() => {
-                
                 let scenes: Vec<String> = property.scenes.iter().map(|name| scene::title(name)).collect();
                 (tr!("report-property-wrong"), format!(" <small>{}</small>", escaped_line(&scenes.join(", "))))
             }

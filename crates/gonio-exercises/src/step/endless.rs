@@ -1,11 +1,11 @@
 //! The loop of a pair of shaders that never ends, found on the CPU.
 
-use gonio_language::tr;
 use super::{StepOptions, StepWork, SteppedPair, SteppedScene, SteppedStage};
 use crate::exercise::Exercise;
 use crate::preview::{self, SubmittedPair};
 use gonio_check::roles::Bindings;
 use gonio_check::verdict::CompilerMessage;
+use gonio_language::tr;
 use std::sync::Arc;
 
 /// Side of the picture whose pixels are tried.

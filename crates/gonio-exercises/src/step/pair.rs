@@ -1,6 +1,5 @@
 //! A pair of shaders for the interpreter, and its run over the vertices of a scene.
 
-use gonio_language::tr;
 use super::coverage::{Coverage, Plane, SurfacePoint, Triangle, fragment_at, ndc, ndc_from_bottom, quad_of};
 use super::textures::PreviewTextures;
 use super::value::StructTypes;
@@ -15,6 +14,7 @@ use gonio_interpreter::{
     CompiledStage, EndedEarly, Fragment, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun,
     TextureSource, run,
 };
+use gonio_language::tr;
 use std::collections::HashMap;
 use std::sync::Arc;
 

@@ -1,6 +1,5 @@
 //! The values of one expression at all pixels, as a picture.
 
-use gonio_language::tr;
 use super::coverage::{Plane, lane_in_quad, ndc};
 use super::pair::{SteppedScene, SteppedStage};
 use super::right::RightAnswer;
@@ -10,6 +9,7 @@ use crate::report::NAN_COLOUR;
 use gonio_check::cause::quantity_of::ExpressionQuantity;
 use gonio_glsl::{Scalar, Stage, Type};
 use gonio_interpreter::{Evaluation, ExprId, LANES, RunOptions, run};
+use gonio_language::tr;
 
 /// The colour of values that were never written: cyan.
 pub const NEVER_WRITTEN_COLOUR: [u8; 4] = [0, 255, 255, 255];
@@ -172,8 +172,19 @@ impl SteppedScene {
             Some(index) => (candidates[index], &values[index]),
             None => {
                 let text = text_of(of, candidates[0]);
-                let why = if is_truncated { tr!("check-step-the-shader-does-not-end") } else { tr!("check-step-choose-another-expression") };
-                return Err(tr!("check-step-no-pixel-evaluates", file = file, line = line, column = column, text = text, why = why));
+                let why = if is_truncated {
+                    tr!("check-step-the-shader-does-not-end")
+                } else {
+                    tr!("check-step-choose-another-expression")
+                };
+                return Err(tr!(
+                    "check-step-no-pixel-evaluates",
+                    file = file,
+                    line = line,
+                    column = column,
+                    text = text,
+                    why = why
+                ));
             }
         };
         let source = of.compiled.source.expression(expr);
@@ -183,7 +194,14 @@ impl SteppedScene {
             Type::Scalar(_) => 1,
             Type::Vector(_, size) => usize::from(*size),
             _ => {
-                return Err(tr!("check-step-has-the-type-choose-a-number", file = file, line = line, column = column, text = text, written = ty.written()));
+                return Err(tr!(
+                    "check-step-has-the-type-choose-a-number",
+                    file = file,
+                    line = line,
+                    column = column,
+                    text = text,
+                    written = ty.written()
+                ));
             }
         };
         let span = source.map(|source| source.span).unwrap_or_default();

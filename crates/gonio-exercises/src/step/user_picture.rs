@@ -1,7 +1,6 @@
 //! The picture that a user's shaders draw, shaded on the CPU: as OpenGL draws it with several samples for each pixel and one run
 //! of the fragment shader for each pixel of a triangle.
 
-use gonio_language::tr;
 use super::coverage::{Plane, SurfacePoint, Triangle, bounds, ndc_from_bottom, quad_of};
 use super::pair::{StepWork, SteppedObject};
 use super::user_scene::{UserPair, UserPart};
@@ -9,6 +8,7 @@ use super::user_textures::UserTextures;
 use glam::Vec3;
 use gonio_glsl::{Stage, Type};
 use gonio_interpreter::{CompiledStage, EndedEarly, RunOptions, StageRun, run};
+use gonio_language::tr;
 use gonio_scene::{Frame, Picture, Scene};
 use std::ops::Range;
 

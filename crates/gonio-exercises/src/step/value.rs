@@ -1,7 +1,7 @@
 //! Values of shader variables as people read them.
 
-use gonio_language::tr;
 use gonio_glsl::{Checked, Scalar, Type, builtin_structs};
+use gonio_language::tr;
 use serde_json::{Map, json};
 use std::collections::HashMap;
 use std::fmt;

@@ -60,6 +60,7 @@ check-with-mipmaps-a-seam-would-appear = with mipmaps a seam would appear behind
 
 ## verdict
 
+check-also = ; also:{" "}
 check-the-check-did-not-finish-within = the check did not finish within { $seconds } seconds; is there a loop in a shader that never ends?
 check-the-check-crashed-the-graphics-driver = the check crashed: the graphics driver here cannot compile or run this shader
 check-the-check-was-stopped-because-it = the check was stopped because it took more than a gigabyte of memory; is there a giant array?
@@ -151,6 +152,11 @@ check-inputs-from-the-camera = from the camera
 check-inputs-from-the-camera-in-degrees = from the camera, in degrees
 check-inputs-position-in-view-space = position in view space
 check-inputs-direction-in-view-space = direction in view space
+check-inputs-position = position
+check-inputs-direction = direction
+check-inputs-colour = colour
+check-inputs-strength = strength
+check-inputs-attenuation = attenuation
 check-inputs-half-vector = half vector
 check-inputs-the-ambient-light = the ambient light
 check-inputs-the-number-of-lights = the number of lights

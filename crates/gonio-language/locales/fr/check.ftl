@@ -60,6 +60,7 @@ check-with-mipmaps-a-seam-would-appear = avec des mipmaps, une couture apparaît
 
 ## verdict
 
+check-also =  ; aussi :{" "}
 check-the-check-did-not-finish-within = la vérification ne s'est pas terminée en { $seconds } secondes ; y a-t-il dans un shader une boucle qui ne se termine jamais ?
 check-the-check-crashed-the-graphics-driver = la vérification a planté : le pilote graphique ne peut ici ni compiler ni exécuter ce shader
 check-the-check-was-stopped-because-it = la vérification a été arrêtée car elle occupait plus d'un gigaoctet de mémoire ; y a-t-il un tableau géant ?
@@ -151,6 +152,11 @@ check-inputs-from-the-camera = de la caméra
 check-inputs-from-the-camera-in-degrees = de la caméra, en degrés
 check-inputs-position-in-view-space = position dans l'espace de la caméra
 check-inputs-direction-in-view-space = direction dans l'espace de la caméra
+check-inputs-position = position
+check-inputs-direction = direction
+check-inputs-colour = couleur
+check-inputs-strength = intensité
+check-inputs-attenuation = atténuation
 check-inputs-half-vector = demi-vecteur
 check-inputs-the-ambient-light = la lumière ambiante
 check-inputs-the-number-of-lights = le nombre de lumières

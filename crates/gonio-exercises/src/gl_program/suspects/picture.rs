@@ -1,7 +1,7 @@
 //! Mistakes with indices, programs, draws, the viewport, clearing and tests.
 
-use gonio_language::tr;
 use super::{Case, Suspect, known};
+use gonio_language::tr;
 use gonio_render::gl_program::{Constant, GlCall, IntArgument, ObjectKind};
 
 /// Adds the suspects about the picture as a whole.
@@ -26,7 +26,13 @@ fn indices(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let whole = known("UNSIGNED_INT");
     if *kind != whole {
         let message = tr!("check-gl-the-index-buffer-contains-unsigned-int", name = kind.name);
-        found.push(case.suspect("index-type-wrong", case.draw, message, tr!("check-gl-write-unsigned-int"), draw(whole, *offset)));
+        found.push(case.suspect(
+            "index-type-wrong",
+            case.draw,
+            message,
+            tr!("check-gl-write-unsigned-int"),
+            draw(whole, *offset),
+        ));
     }
     if *offset != 0 {
         let message = tr!("check-gl-the-draw-begins-at-byte-of", offset = offset);
@@ -148,7 +154,13 @@ fn clear_color(case: &Case<'_>, found: &mut Vec<Suspect>) {
     };
     if at > clear {
         let message = tr!("check-gl-clear-in-line-uses-the-colour", line = case.line(clear));
-        found.push(case.suspect("clear-color-late", at, message, tr!("check-gl-write-it-before-clear"), case.moved(at, clear)));
+        found.push(case.suspect(
+            "clear-color-late",
+            at,
+            message,
+            tr!("check-gl-write-it-before-clear"),
+            case.moved(at, clear),
+        ));
     }
     for (at, step) in case.before() {
         if matches!(step.call, GlCall::ClearColor(color) if color != right) {
@@ -191,7 +203,12 @@ fn draws(case: &Case<'_>, found: &mut Vec<Suspect>) {
             }
             if from != first {
                 let call = GlCall::DrawArrays { mode: mine, first, count: many };
-                add("draw-first-wrong", call, tr!("check-gl-the-draw-begins-at-vertex", from = from), tr!("check-gl-write-plain", text = first));
+                add(
+                    "draw-first-wrong",
+                    call,
+                    tr!("check-gl-the-draw-begins-at-vertex", from = from),
+                    tr!("check-gl-write-plain", text = first),
+                );
             }
             if mine != mode {
                 let call = GlCall::DrawArrays { mode, first: from, count: many };

@@ -1,7 +1,7 @@
 //! Samplers and their units, and textures: bound, filled, filtered, and there when they are read.
 
-use gonio_language::tr;
 use super::{Case, Suspect, known};
+use gonio_language::tr;
 use gonio_render::gl_program::{
     Constant, GlCall, IntArgument, ObjectKind, Selector, Step, UniformArgument, texture_unit,
 };
@@ -39,7 +39,13 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if at > case.draw {
             let message = tr!("check-gl-the-draw-in-line-has-already", draw = case.line(case.draw), uniform = uniform);
             let corrected = case.moved(at, case.draw);
-            found.push(case.suspect("uniform-after-draw", at, message, tr!("check-gl-write-it-before-the-draw"), corrected));
+            found.push(case.suspect(
+                "uniform-after-draw",
+                at,
+                message,
+                tr!("check-gl-write-it-before-the-draw"),
+                corrected,
+            ));
         }
         if case.refused(at).is_some_and(|error| error.code == "INVALID_OPERATION") {
             before_use(case, at, uniform, found);
@@ -47,8 +53,7 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
         match given {
             UniformArgument::Whole(IntArgument::Variable(name)) if textures.contains(&name.as_str()) => {
                 for &unit in &units {
-                    let message =
-                        tr!("check-gl-is-set-to-the-name-of", uniform = uniform, name = name, unit = unit);
+                    let message = tr!("check-gl-is-set-to-the-name-of", uniform = uniform, name = name, unit = unit);
                     let fix = tr!("check-gl-write-uniform-1i", uniform = uniform, unit = unit);
                     let corrected = case.replaced(at, set(uniform, unit));
                     found.push(case.suspect("texture-name-as-unit", at, message, fix, corrected));
@@ -76,7 +81,8 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
         };
         for &unit in units.iter().filter(|unit| *number != IntArgument::Literal(**unit as i32)) {
             if samplers.iter().any(|sampler| sampler == uniform) {
-                let message = tr!("check-gl-reads-unit-but-the-texture-is", uniform = uniform, value = value, unit = unit);
+                let message =
+                    tr!("check-gl-reads-unit-but-the-texture-is", uniform = uniform, value = value, unit = unit);
                 let fix = tr!("check-gl-write-uniform-1i-or-bind-the", uniform = uniform, unit = unit, value = value);
                 let corrected = case.replaced(at, set(uniform, unit));
                 found.push(case.suspect("unbound-unit", at, message, fix, corrected));
@@ -128,8 +134,7 @@ fn before_use(case: &Case<'_>, at: usize, uniform: &str, found: &mut Vec<Suspect
     let mut uses =
         later.filter(|(_, step)| matches!(&step.call, GlCall::UseProgram(p) if *p != IntArgument::Literal(0)));
     let Some((used, step)) = uses.next() else { return };
-    let message =
-        tr!("check-gl-no-program-is-in-use-here", line = step.line, uniform = uniform);
+    let message = tr!("check-gl-no-program-is-in-use-here", line = step.line, uniform = uniform);
     let fix = tr!("check-gl-write-it-after-use-program-in", line = step.line);
     found.push(case.suspect("uniform-before-use-program", at, message, fix, case.moved(at, used + 1)));
 }
@@ -139,8 +144,7 @@ fn active_after_bind(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let Some(bind) = case.last(|call| matches!(call, GlCall::BindTexture { .. })) else { return };
     for (at, step) in case.before().skip(bind + 1) {
         let GlCall::ActiveTexture(Selector::Constant(unit)) = &step.call else { continue };
-        let message =
-            tr!("check-gl-is-made-active-only-after-the", name = unit.name, bind = case.line(bind));
+        let message = tr!("check-gl-is-made-active-only-after-the", name = unit.name, bind = case.line(bind));
         let fix = tr!("check-gl-write-it-before-bind-texture-in", bind = case.line(bind));
         found.push(case.suspect("active-texture-after-bind", at, message, fix, case.moved(at, bind)));
     }
@@ -154,10 +158,15 @@ fn active_number(case: &Case<'_>, found: &mut Vec<Suspect>) {
             IntArgument::Variable(_) => 0,
         };
         let unit = texture_unit(unit).unwrap_or(known("TEXTURE0"));
-        let message =
-            tr!("check-gl-a-plain-number-is-not-a", name = unit.name);
+        let message = tr!("check-gl-a-plain-number-is-not-a", name = unit.name);
         let corrected = case.replaced(at, GlCall::ActiveTexture(Selector::Constant(unit)));
-        found.push(case.suspect("active-texture-number", at, message, tr!("check-gl-write-plain", text = unit.name), corrected));
+        found.push(case.suspect(
+            "active-texture-number",
+            at,
+            message,
+            tr!("check-gl-write-plain", text = unit.name),
+            corrected,
+        ));
     }
 }
 
@@ -252,8 +261,7 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
     if let (Some(&bind), Some(first)) = (binds.first(), first_for)
         && first < bind
     {
-        let message =
-            tr!("check-gl-the-call-in-line-is-meant", first = case.line(first));
+        let message = tr!("check-gl-the-call-in-line-is-meant", first = case.line(first));
         let fix = tr!("check-gl-write-it-before-line", line = case.line(first));
         found.push(case.suspect("texture-bound-late", bind, message, fix, case.moved(bind, first)));
     }
@@ -296,8 +304,7 @@ fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if case.refused(at).is_some() && parameter.name == "TEXTURE_MAG_FILTER" && set.name.contains("MIPMAP") {
             let parameter = known("TEXTURE_MIN_FILTER");
             let call = GlCall::TexParameter { target: *target, parameter, value: value.clone() };
-            let message =
-                tr!("check-gl-opengl-rejects-for-texture-mag-filter", name = set.name);
+            let message = tr!("check-gl-opengl-rejects-for-texture-mag-filter", name = set.name);
             found.push(case.suspect(
                 "filter-refused",
                 at,
@@ -310,7 +317,13 @@ fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let value = Selector::Constant(known("LINEAR"));
             let call = GlCall::TexParameter { target: *target, parameter: *parameter, value };
             let message = tr!("check-gl-opengl-rejects-and-texture-min-filter", name = set.name);
-            found.push(case.suspect("filter-refused", at, message, tr!("check-gl-write-linear"), case.replaced(at, call)));
+            found.push(case.suspect(
+                "filter-refused",
+                at,
+                message,
+                tr!("check-gl-write-linear"),
+                case.replaced(at, call),
+            ));
         }
     }
 }
@@ -359,12 +372,24 @@ fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let call =
                 GlCall::TexImage2d { target: *target, level: *level, format: known("RGB8"), image: image.clone() };
             let message = tr!("check-gl-the-format-does-not-keep-the", name = format.name);
-            found.push(case.suspect("internal-format-wrong", at, message, tr!("check-gl-write-rgb8"), case.replaced(at, call)));
+            found.push(case.suspect(
+                "internal-format-wrong",
+                at,
+                message,
+                tr!("check-gl-write-rgb8"),
+                case.replaced(at, call),
+            ));
         }
         if *level != 0 {
             let call = GlCall::TexImage2d { target: *target, level: 0, format: *format, image: image.clone() };
             let message = tr!("check-gl-the-image-is-passed-to-level", level = level);
-            found.push(case.suspect("image-level-wrong", at, message, tr!("check-gl-write-level-0"), case.replaced(at, call)));
+            found.push(case.suspect(
+                "image-level-wrong",
+                at,
+                message,
+                tr!("check-gl-write-level-0"),
+                case.replaced(at, call),
+            ));
         }
     }
     let loads = |steps: &[Step]| {
@@ -382,7 +407,13 @@ fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if file != right {
             let call = GlCall::LoadImage { name: name.clone(), file: right.clone() };
             let message = tr!("check-gl-is-loaded-but-the-exercise-s", file = file, right = right);
-            found.push(case.suspect("image-wrong", at, message, tr!("check-gl-write", text = right), case.replaced(at, call)));
+            found.push(case.suspect(
+                "image-wrong",
+                at,
+                message,
+                tr!("check-gl-write", text = right),
+                case.replaced(at, call),
+            ));
         }
     }
     if let (false, Some((image, _))) = (any, loads(case.steps).into_iter().next()) {
@@ -391,6 +422,12 @@ fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
             GlCall::TexImage2d { target: known("TEXTURE_2D"), level: 0, format: known("RGB8"), image: image.clone() };
         let fix = tr!("check-gl-write-tex-image-2d-texture-2d", image = image);
         let corrected = case.inserted(bind + 1, [call]);
-        found.push(case.suspect("image-missing", bind, tr!("check-gl-this-texture-never-gets-an-image"), fix, corrected));
+        found.push(case.suspect(
+            "image-missing",
+            bind,
+            tr!("check-gl-this-texture-never-gets-an-image"),
+            fix,
+            corrected,
+        ));
     }
 }

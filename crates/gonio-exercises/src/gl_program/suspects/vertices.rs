@@ -1,7 +1,7 @@
 //! Attributes, and the vertex arrays and buffers that provide them.
 
-use gonio_language::tr;
 use super::{Case, Suspect, known};
+use gonio_language::tr;
 use gonio_render::gl_program::{GlCall, IntArgument, ObjectKind, Pointer, Step};
 
 /// Adds the suspects about vertex arrays, buffers and attributes.
@@ -62,8 +62,7 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let step = corrected.remove(made + 1);
             corrected.insert(first_for, step);
         }
-        let message =
-            tr!("check-gl-line-is-meant-for-this-vertex", line = case.line(first_for));
+        let message = tr!("check-gl-line-is-meant-for-this-vertex", line = case.line(first_for));
         let fix = tr!("check-gl-write-it-before-line", line = case.line(first_for));
         found.push(case.suspect("vertex-array-bound-late", bind, message, fix, corrected));
     }
@@ -76,8 +75,7 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
     }
     for name in arrays.iter().filter(|name| *bound != IntArgument::Variable((**name).to_owned())) {
         let call = GlCall::BindVertexArray(IntArgument::Variable((*name).to_owned()));
-        let message =
-            tr!("check-gl-the-attributes-were-described-in-but", name = name);
+        let message = tr!("check-gl-the-attributes-were-described-in-but", name = name);
         let fix = tr!("check-gl-write-bind-vertex-array", name = name);
         found.push(case.suspect("other-vertex-array", last, message, fix, case.replaced(last, call)));
     }
@@ -114,8 +112,7 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
         Some(bind) if first_for < bind => {
             let made = case.first(|call| matches!(call, GlCall::Generate { kind: ObjectKind::Buffer, .. }));
             let place = made.map_or(first_for, |made| (made + 1).min(first_for));
-            let message =
-                tr!("check-gl-line-is-meant-for-this-buffer", line = case.line(first_for));
+            let message = tr!("check-gl-line-is-meant-for-this-buffer", line = case.line(first_for));
             let fix = tr!("check-gl-write-it-before-line", line = case.line(first_for));
             found.push(case.suspect("buffer-bound-late", bind, message, fix, case.moved(bind, place)));
         }
@@ -153,7 +150,13 @@ fn buffer_targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
             *target = now;
         }
         let message = tr!("check-gl-this-buffer-is-not-read-from", name = was.name);
-        found.push(case.suspect("buffer-target-wrong", at, message, tr!("check-gl-write-plain", text = now.name), corrected));
+        found.push(case.suspect(
+            "buffer-target-wrong",
+            at,
+            message,
+            tr!("check-gl-write-plain", text = now.name),
+            corrected,
+        ));
     }
 }
 
@@ -193,9 +196,21 @@ fn changes<T: PartialEq>(mine: &mut T, right: T) -> bool {
 fn fields(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let right = reference(case);
     let fields: [Field; 4] = [
-        ("stride-wrong", |mine, right| changes(&mut mine.stride, right.stride), |p| tr!("check-gl-stride", stride = p.stride)),
-        ("offset-wrong", |mine, right| changes(&mut mine.offset, right.offset), |p| tr!("check-gl-offset", offset = p.offset)),
-        ("attribute-size-wrong", |mine, right| changes(&mut mine.size, right.size), |p| tr!("check-gl-size", size = p.size)),
+        (
+            "stride-wrong",
+            |mine, right| changes(&mut mine.stride, right.stride),
+            |p| tr!("check-gl-stride", stride = p.stride),
+        ),
+        (
+            "offset-wrong",
+            |mine, right| changes(&mut mine.offset, right.offset),
+            |p| tr!("check-gl-offset", offset = p.offset),
+        ),
+        (
+            "attribute-size-wrong",
+            |mine, right| changes(&mut mine.size, right.size),
+            |p| tr!("check-gl-size", size = p.size),
+        ),
         ("attribute-type-wrong", |mine, right| changes(&mut mine.kind, right.kind), |p| p.kind.name.to_owned()),
     ];
     for (id, change, words) in fields {
@@ -211,7 +226,8 @@ fn fields(case: &Case<'_>, found: &mut Vec<Suspect>) {
         else {
             continue;
         };
-        let message = tr!("check-gl-has-but-the-data-needs", attribute = was.attribute, was = words(was), is = words(is));
+        let message =
+            tr!("check-gl-has-but-the-data-needs", attribute = was.attribute, was = words(was), is = words(is));
         found.push(case.suspect(id, at, message, tr!("check-gl-write-plain", text = words(is)), corrected));
     }
 }
@@ -243,7 +259,8 @@ fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
     }
     for (at, step) in case.before() {
         if let GlCall::SwitchAttribute { attribute, on: false } = &step.call {
-            let message = tr!("check-gl-is-disabled-before-the-draw-in", attribute = attribute, draw = case.line(case.draw));
+            let message =
+                tr!("check-gl-is-disabled-before-the-draw-in", attribute = attribute, draw = case.line(case.draw));
             found.push(case.suspect("attribute-disabled", at, message, tr!("check-gl-remove-it"), case.without(at)));
         }
     }
@@ -260,7 +277,13 @@ fn described(case: &Case<'_>, found: &mut Vec<Suspect>) {
             .or(case.last(|call| matches!(call, GlCall::BufferData { .. })))
             .unwrap_or(0);
         let enabled = is_switched(case, &name, true);
-        let fix = tr!("check-gl-write-vertex-attrib-pointer-float-false", name = name, size = right.size, stride = right.stride, offset = right.offset);
+        let fix = tr!(
+            "check-gl-write-vertex-attrib-pointer-float-false",
+            name = name,
+            size = right.size,
+            stride = right.stride,
+            offset = right.offset
+        );
         let mut calls = vec![GlCall::VertexAttribPointer(right)];
         if enabled.is_none() {
             calls.push(GlCall::SwitchAttribute { attribute: name.clone(), on: true });
@@ -311,7 +334,13 @@ fn unknown_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
             });
             if let Some((at, corrected)) = changed {
                 let message = tr!("check-gl-the-program-has-no-attribute-and", wrong = wrong, meant = meant);
-                found.push(case.suspect("attribute-name-wrong", at, message, tr!("check-gl-write", text = meant), corrected));
+                found.push(case.suspect(
+                    "attribute-name-wrong",
+                    at,
+                    message,
+                    tr!("check-gl-write", text = meant),
+                    corrected,
+                ));
             }
         }
     }
@@ -329,7 +358,13 @@ fn repeated_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
             }
             let message = tr!("check-gl-is-used-here-but-is-never", name = name, meant = meant);
             let corrected = case.replaced(at, call);
-            found.push(case.suspect("attribute-name-wrong", at, message, tr!("check-gl-write", text = meant), corrected));
+            found.push(case.suspect(
+                "attribute-name-wrong",
+                at,
+                message,
+                tr!("check-gl-write", text = meant),
+                corrected,
+            ));
         }
     }
 }
@@ -366,7 +401,13 @@ fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 let call = GlCall::Data { name: name.clone(), numbers: right.clone() };
                 let message = tr!("check-gl-does-not-contain-the-exercise-s", name = name);
                 let corrected = case.replaced(at, call);
-                found.push(case.suspect("data-changed", at, message, tr!("check-gl-restore-the-original-numbers"), corrected));
+                found.push(case.suspect(
+                    "data-changed",
+                    at,
+                    message,
+                    tr!("check-gl-restore-the-original-numbers"),
+                    corrected,
+                ));
             }
         }
     }

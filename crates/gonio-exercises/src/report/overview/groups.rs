@@ -1,12 +1,12 @@
 //! Submissions with the same mistake, and similar submissions.
 
-use gonio_language::tr;
 use super::submissions::{link, row_anchor};
 use crate::report::html::{prose, shown};
 use crate::report::navigation::shown_name;
 use crate::report::similarity::SimilarGroup;
 use crate::report::table::Row;
 use crate::report::text::{by_name, escaped_line, percent, percent_of, words};
+use gonio_language::tr;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 

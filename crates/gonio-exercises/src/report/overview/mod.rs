@@ -3,12 +3,12 @@
 mod groups;
 mod submissions;
 
-use gonio_language::tr;
 use super::html::{Icon, PageKind, document};
 use super::similarity::SimilarGroup;
 use super::table::Row;
 use super::text::{by_name, escaped_line, line, word, words};
 use gonio_check::verdict::Outcome;
+use gonio_language::tr;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 

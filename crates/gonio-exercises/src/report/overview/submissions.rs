@@ -1,6 +1,5 @@
 //! The table of submissions.
 
-use gonio_language::tr;
 use super::OUTCOMES;
 use crate::report::address::{finding_anchor, page_address};
 use crate::report::html::{Icon, MOST_SHOWN, capital, prose};
@@ -9,6 +8,7 @@ use crate::report::table::Row;
 use crate::report::text::{by_name, escaped_line, line, percent, points, word, words};
 use crate::report::thumbnail::SubmissionThumbnail;
 use gonio_check::verdict::Outcome;
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// Side of a picture in CSS pixels: twice that of a test scene.
