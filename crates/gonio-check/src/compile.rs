@@ -5,6 +5,7 @@ use crate::submission::StageText;
 use crate::verdict::{CompilerMessage, Outcome, Verdict};
 use gonio_gl::Gl;
 use gonio_glsl::{Checked, Limit, Lookup, LoopBound, OutputVersion, Parsed, Problem, Severity, Stage, Translated};
+use gonio_language::tr;
 use gonio_render::user_program::{BrokenProgram, UserProgram};
 
 /// A shader of a submission, parsed, checked and translated for the context.
@@ -178,7 +179,7 @@ pub(crate) fn first_message(messages: &[CompilerMessage], broken: &BrokenProgram
 pub(crate) fn strictness(vertex: &ParsedStage<'_>, fragment: &ParsedStage<'_>) -> Vec<String> {
     let warning = |stage: &ParsedStage<'_>, problem: &Problem| {
         let (file, line, _) = stage.text.place(problem.span.line, problem.span.column);
-        format!("{file}:{line}: {}; other compilers may reject it", problem.message)
+        tr!("check-compiler-other-compilers-may-reject-it", file = file, line = line, message = problem.message)
     };
     let mut warnings: Vec<String> = Vec::new();
     for stage in [vertex, fragment] {

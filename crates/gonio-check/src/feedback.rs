@@ -3,6 +3,7 @@
 use crate::check::WRONG_VALUE;
 use crate::comparison::Evidence;
 use crate::verdict::{Outcome, Verdict};
+use gonio_language::{Language, text_in, tr};
 use serde::{Deserialize, Serialize};
 
 /// How much of a verdict is shown. Each level shows everything that the levels before it show.
@@ -20,8 +21,8 @@ pub enum Feedback {
     Fix,
 }
 
-/// The name at [`Feedback::Name`] of a mistake that no entry of the catalogue names: its own name says what belongs there.
-const UNLISTED: &str = "A value is wrong, in a way that is in no list";
+/// The id of the name at [`Feedback::Name`] of a mistake that no entry of the catalogue names: its own name says what belongs there.
+const UNLISTED: &str = "check-a-value-is-wrong-in-a";
 
 impl Feedback {
     /// All levels, each showing more than the one before.
@@ -60,14 +61,20 @@ impl Feedback {
     }
 }
 
+/// Whether a warning, in any language, is about files that were not read.
+fn is_of_ignored_file(warning: &str) -> bool {
+    let begins = |language| text_in(language, "check-submission-ignored").is_some_and(|word| warning.starts_with(word));
+    Language::ALL.into_iter().any(begins)
+}
+
 fn hide_places(verdict: &mut Verdict) {
     // Other warnings name lines, and some say what to write there.
-    verdict.warnings.retain(|warning| warning.starts_with("ignored: "));
+    verdict.warnings.retain(|warning| is_of_ignored_file(warning));
     for found in &mut verdict.mistakes {
         (found.file, found.line, found.quoted) = (None, None, None);
         found.fix.clear();
         if found.id == WRONG_VALUE {
-            found.name = UNLISTED.to_owned();
+            found.name = tr!(UNLISTED).to_owned();
             found.looks_like.clear();
         }
     }
@@ -88,8 +95,8 @@ fn hide_names(verdict: &mut Verdict) {
     if is_about_mistakes {
         let (right, all) = (verdict.scenes.iter().filter(|scene| scene.right).count(), verdict.scenes.len());
         verdict.summary = match all {
-            0 => "the answer is not right".to_owned(),
-            all => format!("{right} of {all} test scenes are right"),
+            0 => tr!("check-the-answer-is-not-right").to_owned(),
+            all => tr!("check-of-test-scenes-are-right", right = right, all = all),
         };
     }
 }

@@ -1,6 +1,7 @@
 //! A proposed fix as a diff, and its application to a text.
 
 use crate::verdict::ProposedEdit;
+use gonio_language::tr;
 
 /// A line of a diff.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,8 +49,8 @@ impl ProposedEdit {
 /// The sentence above the diff of a proposed fix.
 pub fn promise(edits: &[ProposedEdit]) -> &'static str {
     match edits.len() {
-        1 => "With this change every test scene is right.",
-        _ => "With these changes every test scene is right.",
+        1 => tr!("check-with-this-change-every-test-scene"),
+        _ => tr!("check-with-these-changes-every-test-scene"),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Verdicts: the results of checks, for people and machines.
 
 use crate::mistakes::Mistake;
+use gonio_language::tr;
 use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 
@@ -248,7 +249,7 @@ pub struct Peculiarity {
 
 /// Joins the names of several mistakes into one summary.
 pub fn join_names<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
-    names.into_iter().collect::<Vec<_>>().join("; also: ")
+    names.into_iter().collect::<Vec<_>>().join(tr!("check-also"))
 }
 
 impl Verdict {
@@ -278,20 +279,19 @@ impl Verdict {
 
     /// Creates the verdict on a check that was stopped after a number of seconds.
     pub fn endless(exercise: &str, seconds: u64) -> Self {
-        let summary =
-            format!("the check did not finish within {seconds} seconds; is there a loop in a shader that never ends?");
+        let summary = tr!("check-the-check-did-not-finish-within", seconds = seconds);
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 
     /// Creates the verdict on a check whose process crashed.
     pub fn crashed(exercise: &str) -> Self {
-        let summary = "the check crashed: the graphics driver here cannot compile or run this shader";
+        let summary = tr!("check-the-check-crashed-the-graphics-driver");
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 
     /// Creates the verdict on a check that was stopped because of its memory use.
     pub fn too_large(exercise: &str) -> Self {
-        let summary = "the check was stopped because it took more than a gigabyte of memory; is there a giant array?";
+        let summary = tr!("check-the-check-was-stopped-because-it");
         Verdict::new(exercise, Outcome::Unsure, summary)
     }
 }

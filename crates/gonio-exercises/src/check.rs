@@ -7,12 +7,13 @@ use crate::exercise::{Exercise, ExerciseKind};
 use crate::gl_program::{self, GlProgramFiles, GlProgramImage};
 use crate::preview::SubmittedPair;
 use crate::step::endless_loop;
-use gonio_check::comparison::{ENDLESS, Evidence};
+use gonio_check::comparison::{Evidence, endless};
 use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, Verdict, join_names};
 use gonio_check::{CheckOptions, ShaderChecker, ShaderExercise};
 use gonio_gl::{Gl, GlError};
+use gonio_language::tr;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -114,7 +115,7 @@ fn whole(
 
 /// The verdict on a program with an endless loop, with the line of that loop.
 fn with_endless_loop(mut verdict: Verdict, exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
-    if verdict.summary != ENDLESS {
+    if verdict.summary != endless() {
         return verdict;
     }
     let pair = SubmittedPair::gather(exercise, files).ok();
@@ -162,8 +163,8 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
     let answers = answers(&files, &buffers::ENDINGS);
     let [answer] = answers.as_slice() else {
         let summary = match answers.len() {
-            0 => "there is no buffer among the files: hand in a .csv, .json or .bin as text.md describes".to_owned(),
-            count => format!("there are {count} buffers among the files; check one at a time"),
+            0 => tr!("check-there-is-no-buffer-among-the").to_owned(),
+            count => tr!("check-there-are-buffers-among-the-files", count = count),
         };
         return Verdict::new(&exercise.id, Outcome::Unsure, summary);
     };
@@ -177,19 +178,21 @@ fn buffers(exercise: &Exercise, files: Vec<SourceFile>) -> Verdict {
         .filter_map(|(name, text)| Some((name.to_owned(), Expected::from_obj(text.as_bytes()).ok()?)))
         .collect();
     let Some((model, expected)) = buffers::choose(&models, &answer.name, &buffer) else {
-        let summary = "the buffer resembles none of the exercise's models; name the file after its model, for \
-                       example cube.csv";
+        let summary = tr!("check-the-buffer-resembles-none-of-the");
         return Verdict::new(&exercise.id, Outcome::Unsure, summary);
     };
     let found = buffers::compare(expected, &buffer);
     let outcome = found.verdict;
     let names: Vec<&str> = found.mistakes.iter().map(|mistake| mistake.name).collect();
     let summary = match (outcome, names.is_empty()) {
-        (Outcome::Correct, _) => format!("all {} triangles of {model} are right", found.shares.triangles_expected),
-        (_, false) => format!("{} (of {model})", join_names(names)),
-        (_, true) => format!(
-            "{:.0} % of the triangles of {model} are right; no known mistake explains the others",
-            100.0 * found.shares.all
+        (Outcome::Correct, _) => {
+            tr!("check-all-triangles-of-are-right", count = found.shares.triangles_expected, model = model)
+        }
+        (_, false) => tr!("check-mistakes-of-model", names = join_names(names), model = model),
+        (_, true) => tr!(
+            "check-of-the-triangles-of-are-right",
+            percent = format!("{:.0}", 100.0 * found.shares.all),
+            model = model
         ),
     };
     let mut verdict = Verdict::new(&exercise.id, outcome, summary);
@@ -224,8 +227,8 @@ fn host_program(
     let answers = answers(&files, &[".txt"]);
     let [answer] = answers.as_slice() else {
         let summary = match answers.len() {
-            0 => "there is no GL program among the files: hand in a .txt as text.md describes".to_owned(),
-            count => format!("there are {count} GL programs among the files; check one at a time"),
+            0 => tr!("check-there-is-no-gl-program-among").to_owned(),
+            count => tr!("check-there-are-gl-programs-among-the", count = count),
         };
         return Ok(Verdict::new(&exercise.id, Outcome::Unsure, summary));
     };

@@ -13,6 +13,7 @@
 //! | Brightspace | `12345-67890 - First Last - Nov 20, 2026 604 PM - light.vert` |
 
 use gonio_check::words::words_of;
+use gonio_language::tr;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// One entry of a folder or an archive, or one argument of a command.
@@ -126,11 +127,11 @@ fn each_its_own(entries: &[ClassEntry], chosen: &[usize], answers: &dyn Fn(usize
 
 fn why_skipped(entries: &[ClassEntry], at: usize, answers: &dyn Fn(usize) -> bool) -> &'static str {
     if is_noise(&entries[at].name) {
-        "a system file, not a student's"
+        tr!("check-a-system-file-not-a-student")
     } else if answers(at) {
-        "it is beside the submissions, not in one of them"
+        tr!("check-it-is-beside-the-submissions-not")
     } else {
-        "it contains no answer"
+        tr!("check-it-contains-no-answer")
     }
 }
 
@@ -215,7 +216,7 @@ fn flat_download(entries: &[ClassEntry], answers: &dyn Fn(usize) -> bool) -> Opt
     for (label, mut attempts) in groups {
         let Some((_, members)) = attempts.pop_last() else { continue };
         let earlier = attempts.into_values().flatten();
-        many.skipped.extend(earlier.map(|(at, _)| (at, "an earlier attempt of the same student")));
+        many.skipped.extend(earlier.map(|(at, _)| (at, tr!("check-an-earlier-attempt-of-the-same"))));
         many.submissions.push(Group { label, members });
     }
     many.skipped.sort_unstable();

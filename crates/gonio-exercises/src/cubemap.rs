@@ -16,6 +16,7 @@ use gonio_environment::{Arrangement, Face, Layout, Panorama, arrange, names};
 use gonio_gl::GlError;
 use gonio_image::decode::{DecodedContent, FileFormat, decode};
 use gonio_image::{DecodeLimits, Image};
+use gonio_language::tr;
 
 /// Side of the reference's faces in pixels: fine enough for the details of a panorama of usual size.
 const FINE: u32 = 128;
@@ -75,7 +76,7 @@ impl SubmittedFaces {
     pub fn read(exercise: &Exercise, files: &[SourceFile]) -> Result<Self, String> {
         let pictures: Vec<&SourceFile> = files.iter().filter(|file| is_picture(file)).collect();
         if pictures.len() > MOST {
-            return Err(format!("there are {} pictures among the files; hand in six faces", pictures.len()));
+            return Err(tr!("check-cubemap-there-are-pictures-among-the-files", count = pictures.len()));
         }
         let mut read: Vec<(&str, Image)> = Vec::new();
         for file in pictures {
@@ -83,7 +84,9 @@ impl SubmittedFaces {
                 decode(&file.name, &file.bytes, &DecodeLimits::default()).map_err(|error| error.to_string())?;
             match decoded.shape {
                 DecodedContent::Picture(image) => read.push((file.name.as_str(), image)),
-                DecodedContent::Faces(_) => return Err(format!("{}: hand in the six faces as PNG or JPEG", file.name)),
+                DecodedContent::Faces(_) => {
+                    return Err(tr!("check-cubemap-hand-in-the-six-faces-as", name = file.name));
+                }
             }
         }
         let mut warnings = Vec::new();
@@ -95,27 +98,27 @@ impl SubmittedFaces {
         };
         let faces = match others.as_slice() {
             [] => {
-                return Err("there are no faces among the files: hand in six pictures, posx.png to negz.png".to_owned());
+                return Err(tr!("check-cubemap-there-are-no-faces-among-the").to_owned());
             }
             [(name, image)] => in_one(name, image, &mut warnings)?,
             several => in_six(several, &mut warnings)?,
         };
         let size = faces[0].width;
         if let Some(other) = faces.iter().find(|face| face.width != face.height || face.width != size) {
-            return Err(format!(
-                "the faces must be square and of the same size; one has {} x {} pixels, another {} x {}",
-                faces[0].width, faces[0].height, other.width, other.height
+            return Err(tr!(
+                "check-cubemap-the-faces-must-be-square-and",
+                width = faces[0].width,
+                height = faces[0].height,
+                width2 = other.width,
+                height2 = other.height
             ));
         }
         if size < LEAST {
-            return Err(format!("the faces have {size} x {size} pixels; at least {LEAST} x {LEAST} are needed"));
+            return Err(tr!("check-cubemap-the-faces-have-x-pixels-at", size = size, least = LEAST));
         }
         let natural = panorama.width / 4;
         if size * 2 < natural {
-            warnings.push(format!(
-                "the faces have {size} x {size} pixels: much of the panorama's detail is lost; {natural} x \
-                 {natural} would keep it"
-            ));
+            warnings.push(tr!("check-cubemap-the-faces-have-x-pixels-much", size = size, natural = natural));
         }
         let panorama = Panorama::new(panorama).map_err(|error| error.to_string())?;
         Ok(SubmittedFaces { faces, panorama, warnings })
@@ -143,11 +146,10 @@ fn is_panorama(name: &str, image: &Image) -> bool {
 
 /// The exercise's own panorama.
 fn given(exercise: &Exercise) -> Result<Image, String> {
-    let (name, bytes) =
-        exercise.pictures().next().ok_or("the exercise has no panorama; hand yours in with the faces")?;
+    let (name, bytes) = exercise.pictures().next().ok_or(tr!("check-cubemap-the-exercise-has-no-panorama-hand"))?;
     match decode(name, bytes, &DecodeLimits::default()).map_err(|error| error.to_string())?.shape {
         DecodedContent::Picture(image) => Ok(image),
-        DecodedContent::Faces(_) => Err(format!("{name} is not a panorama")),
+        DecodedContent::Faces(_) => Err(tr!("check-cubemap-is-not-a-panorama", name = name)),
     }
 }
 
@@ -155,14 +157,16 @@ fn given(exercise: &Exercise) -> Result<Image, String> {
 fn in_one(name: &str, image: &Image, warnings: &mut Vec<String>) -> Result<[Image; 6], String> {
     let arrangement = arrange::recognise(image.width, image.height).arrangement;
     if matches!(arrangement, Arrangement::Equirectangular | Arrangement::Faces) {
-        return Err(format!(
-            "{name} has {} x {} pixels, which is neither a cross nor a strip of six faces; hand in posx.png to negz.png",
-            image.width, image.height
+        return Err(tr!(
+            "check-cubemap-has-x-pixels-which-is-neither",
+            name = name,
+            width = image.width,
+            height = image.height
         ));
     }
     let arranged = arrange::to_cubemap(image, arrangement, Layout::OpenGl).map_err(|error| error.to_string())?;
     warnings.extend(arranged.warnings);
-    warnings.push(format!("{name} was read as a {arrangement}"));
+    warnings.push(tr!("check-cubemap-was-read-as-a", name = name, arrangement = arrangement.to_string()));
     Ok(arranged.cubemap.faces(Layout::OpenGl))
 }
 

@@ -9,6 +9,7 @@ use super::words;
 use crate::mistakes::{Mistake, ModelSolution};
 use gonio_glsl::{Span, Stage};
 use gonio_interpreter::ExprId;
+use gonio_language::tr;
 
 /// A proven cause.
 #[derive(Clone, Debug)]
@@ -67,7 +68,7 @@ impl ProvenCause {
     /// What it is, as a sentence; empty if that is unknown.
     #[must_use]
     pub fn is_in_words(&self) -> String {
-        self.is.as_ref().map(|is| format!("Here it is {is}.")).unwrap_or_default()
+        self.is.as_ref().map(|is| tr!("check-here-it-is", quantity = is)).unwrap_or_default()
     }
 
     /// Whether it has a name.

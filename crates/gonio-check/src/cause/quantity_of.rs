@@ -21,6 +21,7 @@ use crate::source::Analysis;
 use crate::submission::Submission;
 use gonio_glsl::{OutputVersion, Span, Stage};
 use gonio_interpreter::ExprId;
+use gonio_language::tr;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -41,10 +42,10 @@ impl ExpressionQuantity {
     #[must_use]
     pub fn sentence(&self) -> String {
         match (&self.cause, &self.words) {
-            (Some(should), _) => format!("This {should}: here the values begin to be wrong."),
-            (None, Some(words)) if self.is_right => format!("This is {words}."),
-            (None, Some(words)) => format!("This should be {words}; an earlier value is wrong."),
-            (None, None) => "An earlier value is wrong.".to_owned(),
+            (Some(should), _) => tr!("check-this-should", should = should),
+            (None, Some(words)) if self.is_right => tr!("check-this-is", quantity = words),
+            (None, Some(words)) => tr!("check-this-should-be-after-a-wrong-value", quantity = words),
+            (None, None) => tr!("check-an-earlier-value-is-wrong").to_owned(),
         }
     }
 }

@@ -2,105 +2,107 @@
 
 use super::model::{Quantity, Space};
 use super::repair::{Make, Repair};
+use gonio_language::tr;
 
-/// The variables of the model solutions, and what they are.
+/// The variables of the model solutions, and the ids of their texts.
 const WORDS: [(&str, &str); 71] = [
-    ("world_position", "the position"),
-    ("world_place", "the position"),
-    ("model_position", "the position in model space"),
-    ("world_normal", "the normal"),
-    ("v_normal", "the normal"),
-    ("N", "the unit normal"),
-    ("to_light", "the vector from the surface to the light"),
-    ("L", "the unit direction from the surface to the light"),
-    ("-L", "the unit direction from the light to the surface"),
-    ("to_eye", "the vector from the surface to the eye"),
-    ("V", "the unit direction from the surface to the eye"),
-    ("from_eye", "the vector from the eye to the surface"),
-    ("I", "the unit direction from the eye to the surface"),
-    ("R", "the reflected or refracted direction"),
-    ("looked_up", "the direction to look up in the cubemap"),
-    ("H", "the unit half vector"),
-    ("L + V", "the sum of the directions to the light and to the eye"),
-    ("dot(N, L)", "the cosine between normal and light"),
-    ("dot(N, V)", "the cosine between normal and eye"),
-    ("dot(N, H)", "the cosine between normal and half vector"),
-    ("dot(R, V)", "the cosine between reflected direction and eye"),
-    ("vec4(position, 1.0)", "the position in model space"),
-    ("diffuse + specular", "the sum of the diffuse and the specular term"),
-    ("(diffuse + specular)", "the sum of the diffuse and the specular term"),
-    ("cos_theta", "the cosine between normal and light, at least 0"),
-    ("cos_highlight", "the cosine of the highlight"),
-    ("cos_phi", "the cosine of the highlight, at least 0"),
-    ("spec", "the cosine of the highlight to the power of the shininess"),
-    ("d", "the distance from the surface to the light"),
-    ("attenuation", "the attenuation"),
-    ("ambient", "the ambient term"),
-    ("diffuse", "the diffuse term"),
-    ("specular", "the specular term"),
-    ("diffuse_light", "the diffuse term times the attenuation"),
-    ("specular_light", "the specular term times the attenuation"),
-    ("attenuated", "the sum of diffuse and specular light, attenuated"),
-    ("lit", "the sum of all terms"),
-    ("colour", "the sum of all terms times the material's colour"),
-    ("FragColor", "the colour of the right answer"),
-    ("found", "the colour of the cubemap in the right direction"),
-    ("gl_Position", "the position on the screen: P V M times the position"),
-    ("light_pos", "the position of the light"),
-    ("u_view_pos", "the position of the eye"),
-    ("materialColour", "the material's colour"),
-    ("light.ambient_strength", "the ambient strength"),
-    ("light.diffuse_strength", "the diffuse strength"),
-    ("light.specular_strength", "the specular strength"),
-    ("light.constant", "the constant of the attenuation"),
-    ("light.linear", "the linear constant of the attenuation"),
-    ("light.quadratic", "the quadratic constant of the attenuation"),
-    ("shininess", "the shininess"),
-    ("roughness", "the roughness"),
-    ("PI", "pi"),
-    ("cos_delta", "the cosine between normal and half vector"),
-    ("tan_squared", "the squared tangent of the angle between normal and half vector"),
-    ("tangent", "the tangent of the angle between normal and half vector"),
-    ("delta", "the angle between normal and half vector"),
-    ("alpha_squared", "the square of the roughness"),
-    ("exponent", "the exponent of Ward's model"),
-    ("normalisation", "the normalisation of Ward's model, 4 pi alpha^2"),
-    ("divisor", "the normalisation of Ward's model times the root of the cosines"),
-    ("gauss", "the exponential of Ward's model"),
-    ("cos_view", "the cosine between normal and eye"),
-    ("root", "the root of the cosines of light and eye"),
-    ("diffuse_brdf", "the diffuse BRDF"),
-    ("specular_brdf", "Ward's specular BRDF"),
-    ("brdf", "the sum of the diffuse and the specular BRDF"),
-    ("irradiance", "the light of the lamp that the surface receives"),
-    ("ward", "Ward's specular BRDF without its strength"),
-    ("refractionIndice", "the index of refraction"),
-    ("ratio", "the ratio of the indices of refraction"),
+    ("world_position", "check-quantity-position"),
+    ("world_place", "check-quantity-position"),
+    ("model_position", "check-quantity-position-in-model-space"),
+    ("world_normal", "check-quantity-normal"),
+    ("v_normal", "check-quantity-normal"),
+    ("N", "check-quantity-unit-normal"),
+    ("to_light", "check-quantity-vector-to-light"),
+    ("L", "check-quantity-direction-to-light"),
+    ("-L", "check-quantity-direction-from-light"),
+    ("to_eye", "check-quantity-vector-to-eye"),
+    ("V", "check-quantity-direction-to-eye"),
+    ("from_eye", "check-quantity-vector-from-eye"),
+    ("I", "check-quantity-direction-from-eye"),
+    ("R", "check-quantity-reflected-or-refracted-direction"),
+    ("looked_up", "check-quantity-looked-up-direction"),
+    ("H", "check-quantity-unit-half-vector"),
+    ("L + V", "check-quantity-sum-of-directions"),
+    ("dot(N, L)", "check-quantity-cosine-of-light"),
+    ("dot(N, V)", "check-quantity-cosine-of-eye"),
+    ("dot(N, H)", "check-quantity-cosine-of-half-vector"),
+    ("dot(R, V)", "check-quantity-cosine-of-reflection"),
+    ("vec4(position, 1.0)", "check-quantity-position-in-model-space"),
+    ("diffuse + specular", "check-quantity-sum-of-terms"),
+    ("(diffuse + specular)", "check-quantity-sum-of-terms"),
+    ("cos_theta", "check-quantity-cosine-clamped"),
+    ("cos_highlight", "check-quantity-highlight-cosine"),
+    ("cos_phi", "check-quantity-highlight-cosine-clamped"),
+    ("spec", "check-quantity-highlight"),
+    ("d", "check-quantity-distance-to-light"),
+    ("attenuation", "check-quantity-attenuation"),
+    ("ambient", "check-quantity-ambient-term"),
+    ("diffuse", "check-quantity-diffuse-term"),
+    ("specular", "check-quantity-specular-term"),
+    ("diffuse_light", "check-quantity-diffuse-attenuated"),
+    ("specular_light", "check-quantity-specular-attenuated"),
+    ("attenuated", "check-quantity-attenuated-sum"),
+    ("lit", "check-quantity-sum-of-all-terms"),
+    ("colour", "check-quantity-coloured-sum"),
+    ("FragColor", "check-quantity-right-colour"),
+    ("found", "check-quantity-cubemap-colour"),
+    ("gl_Position", "check-quantity-position-on-screen"),
+    ("light_pos", "check-quantity-position-of-the-light"),
+    ("u_view_pos", "check-quantity-position-of-the-eye"),
+    ("materialColour", "check-quantity-material-s-colour"),
+    ("light.ambient_strength", "check-quantity-ambient-strength"),
+    ("light.diffuse_strength", "check-quantity-diffuse-strength"),
+    ("light.specular_strength", "check-quantity-specular-strength"),
+    ("light.constant", "check-quantity-attenuation-constant"),
+    ("light.linear", "check-quantity-attenuation-linear"),
+    ("light.quadratic", "check-quantity-attenuation-quadratic"),
+    ("shininess", "check-quantity-shininess"),
+    ("roughness", "check-quantity-roughness"),
+    ("PI", "check-quantity-pi"),
+    ("cos_delta", "check-quantity-cosine-of-half-vector"),
+    ("tan_squared", "check-quantity-squared-tangent"),
+    ("tangent", "check-quantity-tangent"),
+    ("delta", "check-quantity-angle"),
+    ("alpha_squared", "check-quantity-square-of-the-roughness"),
+    ("exponent", "check-quantity-exponent-of-ward"),
+    ("normalisation", "check-quantity-normalisation-of-ward"),
+    ("divisor", "check-quantity-divisor-of-ward"),
+    ("gauss", "check-quantity-exponential-of-ward"),
+    ("cos_view", "check-quantity-cosine-of-eye"),
+    ("root", "check-quantity-root-of-cosines"),
+    ("diffuse_brdf", "check-quantity-diffuse-brdf"),
+    ("specular_brdf", "check-quantity-ward-s-specular-brdf"),
+    ("brdf", "check-quantity-sum-of-brdfs"),
+    ("irradiance", "check-quantity-irradiance"),
+    ("ward", "check-quantity-ward-without-strength"),
+    ("refractionIndice", "check-quantity-index-of-refraction"),
+    ("ratio", "check-quantity-ratio-of-indices"),
 ];
 
 /// A quantity's name in words.
 fn words(name: &str) -> Option<&'static str> {
-    WORDS.iter().find(|(known, _)| *known == name).map(|(_, words)| *words)
+    WORDS.iter().find(|(known, _)| *known == name).map(|(_, id)| tr!(id))
 }
 
 /// A product of quantities in words: "the attenuation times the diffuse term".
 fn product(name: &str) -> String {
-    let factors: Vec<&str> = name.split(" * ").filter_map(words).collect();
-    match factors.as_slice() {
-        [_, ..] if factors.len() == name.split(" * ").count() => factors.join(" times "),
-        _ => format!("`{name}`"),
-    }
+    let factors: Option<Vec<&str>> = name.split(" * ").map(words).collect();
+    let product = factors.and_then(|factors| {
+        let factors = factors.into_iter().map(str::to_owned);
+        factors.reduce(|product, factor| tr!("check-quantity-product", product = product, factor = factor))
+    });
+    product.unwrap_or_else(|| format!("`{name}`"))
 }
 
 /// A right quantity in words: "the unit normal, in view space".
 #[must_use]
 pub fn quantity(quantity: &Quantity) -> String {
     let name = words(&quantity.name).map_or_else(|| product(&quantity.name), str::to_owned);
-    let of_vertices = if quantity.interpolated { ", interpolated" } else { "" };
-    match quantity.space {
-        Space::View => format!("{name}, in view space{of_vertices}"),
-        Space::World => format!("{name}{of_vertices}"),
-    }
+    let name = match quantity.space {
+        Space::View => tr!("check-quantity-in-view-space", quantity = name),
+        Space::World => name,
+    };
+    if quantity.interpolated { tr!("check-quantity-interpolated", quantity = name) } else { name }
 }
 
 /// What an expression should be.
@@ -108,14 +110,14 @@ pub fn quantity(quantity: &Quantity) -> String {
 pub fn should_be(repair: &Repair, quantities: &[Quantity], added: &str) -> String {
     let of = |index: usize| quantities.get(index).map(quantity).unwrap_or_default();
     match repair.make {
-        Make::Quantity(index) => format!("should be {}", of(index)),
-        Make::Negative => "should have the other sign".to_owned(),
-        Make::Unit => "should be normalised".to_owned(),
-        Make::NotNegative => "should be at least 0".to_owned(),
-        Make::Linear => "should not be raised to 1 / 2.2".to_owned(),
-        Make::Times(index) => format!("should be multiplied by {}", of(index)),
-        Make::Over(index) => format!("should be divided by {}", of(index)),
-        Make::Plus(_) => format!("should have `{added}` added"),
+        Make::Quantity(index) => tr!("check-should-be", quantity = of(index)),
+        Make::Negative => tr!("check-should-have-the-other-sign").to_owned(),
+        Make::Unit => tr!("check-should-be-normalised").to_owned(),
+        Make::NotNegative => tr!("check-should-be-at-least-zero").to_owned(),
+        Make::Linear => tr!("check-should-be-linear").to_owned(),
+        Make::Times(index) => tr!("check-should-be-multiplied", quantity = of(index)),
+        Make::Over(index) => tr!("check-should-be-divided", quantity = of(index)),
+        Make::Plus(_) => tr!("check-should-be-added", added = added),
     }
 }
 

@@ -17,9 +17,11 @@ use crate::mistakes::{Mistake, ModelSolution, TERMS, term_of};
 use crate::roles::{Bindings, Bound, Declared, Role, VariableKind};
 use crate::source::Analysis;
 use crate::submission::{StageText, Submission};
+use crate::testbench::scene;
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
 use gonio_glsl::{Span, Stage};
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 
 /// The id of a wrong value that no mistake of the catalogue explains.
@@ -79,7 +81,7 @@ impl Judging<'_> {
         let bindings = crate::roles::bind(&declared, &self.prepared.names);
         let is_position = |b: &Bound| b.declared.kind == VariableKind::Attribute && b.role == Role::Position;
         if !bindings.bound.iter().any(is_position) {
-            let sentence = "no attribute looks like the position: name it `position`, or assign its role in names.toml";
+            let sentence = tr!("check-no-attribute-looks-like-the-position");
             let mut verdict = Verdict::new(self.task.exercise, Outcome::Unsure, sentence);
             verdict.bound = bound(&bindings);
             return Ok((verdict, None));
@@ -105,7 +107,7 @@ impl Judging<'_> {
         if right.is_some() {
             verdict.verdict = Outcome::Correct;
             verdict.score = 1.0;
-            verdict.summary = "right in every scene".to_owned();
+            verdict.summary = tr!("check-right-in-every-scene").to_owned();
             return Ok((verdict, Some(evidence)));
         }
         Ok((unexplained(self.task, verdict, &bindings), Some(evidence)))
@@ -125,11 +127,7 @@ impl Judging<'_> {
         text.text = checker.places_fragment();
         let fragment = ParsedStage::new(&text, Stage::Fragment, self.stages[1].target);
         let Some(mut judged) = self.with_fragment(checker, PLACES, &fragment)? else { return Ok(None) };
-        judged.verdict.warnings.push(
-            "the output is not the vertex colour (`color`), so only positions were compared, which is what this exercise \
-             is about; the pictures show distances"
-                .to_owned(),
-        );
+        judged.verdict.warnings.push(tr!("check-the-output-is-not-the-vertex").to_owned());
         Ok(Some(judged))
     }
 
@@ -145,22 +143,16 @@ impl Judging<'_> {
             let fragment = ParsedStage::new(&text, Stage::Fragment, fragment.target);
             let Some(mut judged) = self.with_fragment(checker, self.task, &fragment)? else { continue };
             if judged.verdict.verdict == Outcome::Correct {
-                judged.verdict.summary =
-                    "the lookup is right in every scene; its colour is changed afterwards".to_owned();
-                judged.verdict.peculiarities.push(Peculiarity {
-                    id: "lookup-mixed".to_owned(),
-                    name: "The colour of the cubemap is mixed with other colours; the pictures show the lookup alone"
-                        .to_owned(),
-                });
+                judged.verdict.summary = tr!("check-the-lookup-is-right-in-every").to_owned();
+                judged
+                    .verdict
+                    .peculiarities
+                    .push(Peculiarity { id: "lookup-mixed".to_owned(), name: tr!("check-lookup-mixed").to_owned() });
                 return Ok(Some(judged));
             }
             let count = |judged: &Judged| judged.verdict.mistakes.len();
             if best.as_ref().is_none_or(|best| count(&judged) < count(best)) {
-                judged.verdict.warnings.push(
-                    "the colour of the cubemap is mixed with other colours; only the lookup was judged, and the \
-                     pictures show it"
-                        .to_owned(),
-                );
+                judged.verdict.warnings.push(tr!("check-only-the-lookup-was-judged").to_owned());
                 best = Some(judged);
             }
         }
@@ -244,7 +236,7 @@ impl Judging<'_> {
         if diagnosis.has_steps {
             verdict.peculiarities.push(Peculiarity {
                 id: "diffuse-in-steps".to_owned(),
-                name: "The diffuse light is drawn in steps (toon shading)".to_owned(),
+                name: tr!("check-the-diffuse-light-is-drawn-in").to_owned(),
             });
         }
         let bindings = &diagnosis.bindings;
@@ -262,12 +254,12 @@ impl Judging<'_> {
         let assumed = diagnosis.bindings.bound.iter().filter(is_open);
         let mut assumed: Vec<String> = assumed.map(assumption).collect();
         if diagnosis.parameterisation.white_material {
-            assumed.push("all but one of the object's colours are white".to_owned());
+            assumed.push(tr!("check-all-but-one-of-the-object").to_owned());
         }
         verdict.summary = match (assumed.is_empty(), verdict.peculiarities.is_empty()) {
-            (false, _) => format!("right in every test scene, provided that {}", assumed.join(", ")),
-            (true, true) => "right in every scene".to_owned(),
-            (true, false) => "right in every scene, by another method".to_owned(),
+            (false, _) => tr!("check-right-in-every-test-scene-provided", assumptions = assumed.join(", ")),
+            (true, true) => tr!("check-right-in-every-scene").to_owned(),
+            (true, false) => tr!("check-right-in-every-scene-by-another").to_owned(),
         };
         Judged { verdict, evidence: is_seen.then_some(evidence), fixes: Vec::new() }
     }
@@ -378,14 +370,11 @@ fn unexplained(task: &Task, mut verdict: Verdict, bindings: &Bindings) -> Verdic
     let unknown: Vec<String> = unknown.map(|declared| format!("`{}`", declared.name)).collect();
     if !unknown.is_empty() {
         verdict.verdict = Outcome::Unsure;
-        verdict.summary = format!(
-            "the picture differs from the reference, but the meaning of {} is unknown: state it in names.toml",
-            unknown.join(", ")
-        );
+        verdict.summary = tr!("check-the-picture-differs-from-the-reference", names = unknown.join(", "));
         return verdict;
     }
-    let wrong: Vec<&str> = verdict.scenes.iter().filter(|s| !s.right).map(|s| s.scene.as_str()).collect();
-    verdict.summary = format!("no known mistake explains the difference from the reference in: {}", wrong.join(", "));
+    let wrong: Vec<String> = verdict.scenes.iter().filter(|s| !s.right).map(|s| scene::title(&s.scene)).collect();
+    verdict.summary = tr!("check-no-known-mistake-explains-the-difference", scenes = wrong.join(", "));
     verdict.score = score_of_wrong(&verdict);
     report_violations(&mut verdict);
     verdict
@@ -396,9 +385,9 @@ fn assumption(bound: &Bound) -> String {
     let name = &bound.declared.name;
     match bound.role {
         Role::ViewRotation | Role::ViewProjectionRotation => {
-            format!("the program sends `{name}` without its translation")
+            tr!("check-the-program-sends-without-its-translation", name = name)
         }
-        role => format!("`{name}` is `{role}`"),
+        role => tr!("check-assumed-role", name = name, role = role.to_string()),
     }
 }
 
@@ -433,8 +422,12 @@ fn proven(groups: &[Vec<ProvenCause>], submission: &Submission) -> Vec<FoundMist
 }
 
 fn unlisted(cause: &ProvenCause, submission: &Submission) -> FoundMistake {
-    let found = FoundMistake::new(WRONG_VALUE, format!("`{}` {}", one_line(&cause.text), cause.should), 1.0);
-    let taught = found.taught(cause.is_in_words(), "With this value every test scene is right.", "");
+    let found = FoundMistake::new(
+        WRONG_VALUE,
+        tr!("check-wrong-value", text = one_line(&cause.text), should = cause.should),
+        1.0,
+    );
+    let taught = found.taught(cause.is_in_words(), tr!("check-with-this-value-every-test-scene"), "");
     placed(taught, (cause.stage, cause.span), submission)
 }
 

@@ -4,6 +4,7 @@ use crate::comparison::{Evidence, PIXEL_TOLERANCE};
 use crate::mistakes::term_of;
 use crate::testbench::Atlas;
 use crate::verdict::{Outcome, TermState, Verdict};
+use gonio_language::tr;
 
 /// A picture that does not distinguish mistakes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,17 +32,15 @@ impl Blank {
 
     fn sentence(self) -> &'static str {
         match self {
-            Blank::Nothing => "nothing is drawn: check the value of gl_Position",
+            Blank::Nothing => tr!("check-nothing-is-drawn-check-the-value"),
             Blank::Black => {
-                "the picture is black in every scene: look for a vector, colour or strength that is 0 and should not \
-                 be"
+                tr!("check-the-picture-is-black-in-every")
             }
             Blank::NoNumber => {
-                "every pixel is NaN in every scene: look for 0 divided by 0, or for a vector of length 0 that is \
-                 normalised"
+                tr!("check-every-pixel-is-nan-in-every")
             }
             Blank::Flat => {
-                "the picture has a single colour in every scene: no term depends on the position or the normal"
+                tr!("check-the-picture-has-a-single-colour")
             }
         }
     }

@@ -19,6 +19,7 @@ use crate::submission::{SourceFile, Submission};
 use crate::verdict::{FoundMistake, Outcome, Peculiarity, Verdict};
 use gonio_gl::GlError;
 use gonio_glsl::{OutputVersion, Stage};
+use gonio_language::tr;
 use std::rc::Rc;
 
 /// Options of a check.
@@ -93,7 +94,7 @@ fn check_files(
 ) -> Result<(Verdict, Option<Evidence>), GlError> {
     let unsure = |sentence: String| Ok((Verdict::new(exercise.id, Outcome::Unsure, sentence), None));
     let Some(task) = Task::find(exercise.id) else {
-        return unsure(format!("{} cannot be checked yet", exercise.id));
+        return unsure(tr!("check-cannot-be-checked-yet", id = exercise.id));
     };
     let hints = [exercise.id];
     let given = if purpose == Purpose::Fix { files.clone() } else { Vec::new() };
@@ -181,7 +182,7 @@ fn check_files(
         let found = placed(found, at);
         if verdict.verdict == Outcome::Correct {
             verdict.verdict = Outcome::Wrong;
-            verdict.summary = format!("{}; the picture is right here only by chance", found.name);
+            verdict.summary = tr!("check-the-picture-is-right-here-only", name = found.name);
             verdict.score = verdict.score.min(0.9);
         }
         if verdict.mistakes.iter().all(|known| known.id != found.id) {
@@ -221,9 +222,9 @@ fn is_unchanged(exercise: &ShaderExercise<'_>, submission: &Submission) -> bool 
 fn report_unchanged(verdict: &mut Verdict) {
     verdict.summary = match verdict.mistakes.first() {
         Some(first) => {
-            format!("these are the unchanged start files; {}", first.name)
+            tr!("check-unchanged-start-files-with-mistake", name = first.name)
         }
-        None => "these are the unchanged start files".to_owned(),
+        None => tr!("check-unchanged-start-files").to_owned(),
     };
     verdict.peculiarities.clear();
 }
@@ -255,6 +256,6 @@ fn pass_as_the_lab(verdict: &mut Verdict) {
     verdict.peculiarities.extend(passed.into_iter().map(|m| Peculiarity { id: m.id, name: m.name }));
     verdict.verdict = Outcome::Correct;
     verdict.scenes.iter_mut().for_each(|scene| scene.right = true);
-    verdict.summary = "right by the standard of the lab's own solutions".to_owned();
+    verdict.summary = tr!("check-right-by-the-standard-of-the").to_owned();
     verdict.score = 1.0;
 }

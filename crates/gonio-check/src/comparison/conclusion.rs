@@ -8,6 +8,7 @@ use crate::mistakes::Mistake;
 use crate::roles::Bindings;
 use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{BoundVariable, FoundMistake, Peculiarity, SceneVerdict, TermState, TermVerdict, Verdict};
+use gonio_language::tr;
 
 /// The highest score of a wrong answer, however many scenes are right.
 pub(crate) const MOST_FOR_WRONG: f64 = 0.9;
@@ -46,9 +47,7 @@ pub(super) fn warn_of_undefined(verdict: &mut Verdict, seen: &Atlas) {
     let is_undefined = |p: &&[f32; 4]| Atlas::is_drawn(p) && p.iter().take(3).any(|c| !c.is_finite());
     let undefined = seen.pixels.iter().filter(is_undefined).count();
     if undefined > 0 {
-        verdict.warnings.push(format!(
-            "{undefined} pixels are NaN or infinite: look for a division by 0, or a square root or power of a negative number"
-        ));
+        verdict.warnings.push(tr!("check-pixels-are-nan-or-infinite-look", undefined = undefined));
     }
 }
 
@@ -64,18 +63,16 @@ pub(crate) fn peculiarities_of(
     let peculiarity = |m: &&Mistake| Peculiarity { id: m.id.clone(), name: m.texts().name.into_owned() };
     let mut all: Vec<Peculiarity> = harmless.map(peculiarity).collect();
     if is_other_model {
-        let name = "The light is computed for each vertex (Gouraud shading)".to_owned();
+        let name = tr!("check-the-light-is-computed-for-each").to_owned();
         all.push(Peculiarity { id: "light-per-vertex".to_owned(), name });
     }
     // Terms of later exercises are not wrong; diffuse light beside a highlight is usual.
-    const AHEAD: [(usize, &str, &str); 2] = [
-        (0, "ambient-added", "Ambient light is added, which the exercise does not ask for"),
-        (2, "specular-added", "A highlight is added, which the exercise does not ask for"),
-    ];
+    const AHEAD: [(usize, &str, &str); 2] =
+        [(0, "ambient-added", "check-ambient-added"), (2, "specular-added", "check-highlight-added")];
     for (term, id, name) in AHEAD {
         let is_there = strengths[term].is_some_and(|strength| strength.iter().any(|s| *s > 1e-2));
         if is_there && !task.required[term] {
-            all.push(Peculiarity { id: id.to_owned(), name: name.to_owned() });
+            all.push(Peculiarity { id: id.to_owned(), name: tr!(name).to_owned() });
         }
     }
     all
@@ -90,7 +87,7 @@ pub(super) fn scenes(testbench: &Testbench, comparison: &Comparison) -> Vec<Scen
         .enumerate()
         .map(|(index, test_scene)| SceneVerdict {
             scene: test_scene.name.clone(),
-            shows: test_scene.shows.into(),
+            shows: test_scene.shows().into(),
             right: comparison.agrees(index),
             pixels_beyond: comparison.beyond.get(index).copied().unwrap_or(1.0),
             worst: comparison.worst.get(index).copied().unwrap_or(1.0),

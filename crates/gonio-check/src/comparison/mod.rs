@@ -29,6 +29,7 @@ use crate::testbench::{Atlas, Testbench};
 use crate::verdict::{Outcome, Verdict};
 use gonio_gl::{Gl, GlError};
 use gonio_glsl::DRAWN_ALL_THE_SAME;
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -165,9 +166,11 @@ pub(crate) fn drawn_unless_endless<T: Numbers>(
 }
 
 /// The summary of the verdict on a program with an endless loop.
-pub const ENDLESS: &str = "a loop in a shader never ends";
+pub fn endless() -> &'static str {
+    tr!("check-a-loop-in-a-shader-never")
+}
 
 /// Returns the verdict on a program with an endless loop.
 pub(crate) fn endless_verdict(exercise: &str) -> Verdict {
-    Verdict::new(exercise, Outcome::Unsure, ENDLESS)
+    Verdict::new(exercise, Outcome::Unsure, endless())
 }

@@ -6,6 +6,7 @@ use crate::mistakes::{Hypotheses, Hypothesis, ModelSolution};
 use crate::roles::{self, Bindings, Declared, NamesFile, VariableKind};
 use crate::testbench::{Atlas, TestScene, Testbench, for_context};
 use gonio_gl::{Gl, GlError};
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -63,7 +64,7 @@ impl CompiledModel {
         let sources = if is_own { self.hypotheses.written(hypothesis) } else { self.hypotheses.sources() };
         let [vertex, fragment] = sources.map(|source| for_context(&self.gl, &source));
         let program = UserProgram::new(&self.gl, &vertex, &fragment)
-            .map_err(|broken| GlError::new(format!("gonio's own shader does not compile on this driver: {broken}")))?;
+            .map_err(|broken| GlError::new(tr!("check-own-shader-does-not-compile", error = broken.to_string())))?;
         // The names of uniforms that select hypotheses contain words of the equation.
         let known: Vec<Declared> = declared(&program)
             .into_iter()

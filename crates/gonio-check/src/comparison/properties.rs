@@ -7,6 +7,7 @@ use crate::testbench::{Atlas, TestLight, TestScene, Testbench};
 use crate::verdict::{Outcome, PropertyState, PropertyVerdict, Verdict};
 use glam::{EulerRot, Quat};
 use gonio_gl::GlError;
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 
 /// Number of test scenes that are used: a stretched torus and a coarse sphere.
@@ -31,33 +32,13 @@ pub struct Student<'a> {
     pub parameterisation: &'a Parameterisation,
 }
 
-/// The ids, and the sentences if the property holds and if it does not.
+/// The ids, and those of the sentences if the property holds and if it does not.
 const WORDS: [(&str, &str, &str); 5] = [
-    (
-        "finite",
-        "every pixel is finite",
-        "some pixels are NaN or infinite: look for a division by 0, or a square root or power of a negative number",
-    ),
-    (
-        "unchanged-when-turned",
-        "the picture does not change when model, light and camera are rotated together",
-        "the picture changes when model, light and camera are rotated together: some vectors are in different spaces",
-    ),
-    (
-        "linear-in-light",
-        "half the light gives half the picture",
-        "half the light does not give half the picture: the colour must be linear in the light",
-    ),
-    (
-        "additive-over-lights",
-        "the picture with two lights is the sum of the pictures with each light alone",
-        "the picture with two lights is not the sum of the pictures with each light alone",
-    ),
-    (
-        "falls-with-distance",
-        "light falls off with distance as the attenuation constants require",
-        "light does not fall off as the attenuation constants require: doubling the constants must halve the light",
-    ),
+    ("finite", "check-property-finite", "check-property-finite.violated"),
+    ("unchanged-when-turned", "check-property-unchanged-when-turned", "check-property-unchanged-when-turned.violated"),
+    ("linear-in-light", "check-property-linear-in-light", "check-property-linear-in-light.violated"),
+    ("additive-over-lights", "check-property-additive-over-lights", "check-property-additive-over-lights.violated"),
+    ("falls-with-distance", "check-property-falls-with-distance", "check-property-falls-with-distance.violated"),
 ];
 
 impl Student<'_> {
@@ -81,7 +62,7 @@ impl Student<'_> {
         });
         let found =
             [Some(finite.collect()), self.turned(seen)?, self.linear(seen)?, self.additive()?, self.attenuated(seen)?];
-        let verdict = |((id, right, wrong), found): (&(&str, &str, &str), Option<Vec<usize>>)| {
+        let verdict = |((id, right, wrong), found): (&(&str, &'static str, &'static str), Option<Vec<usize>>)| {
             let (state, sentence) = match &found {
                 None => (PropertyState::NotApplicable, right),
                 Some(failing) if failing.is_empty() => (PropertyState::Right, right),
@@ -89,7 +70,7 @@ impl Student<'_> {
             };
             let name = |tile: usize| self.testbench.test_scenes().get(tile).map(|test_scene| test_scene.name.clone());
             let scenes = found.unwrap_or_default().into_iter().filter_map(name).collect();
-            PropertyVerdict { id: (*id).to_owned(), sentence: (*sentence).to_owned(), state, scenes }
+            PropertyVerdict { id: (*id).to_owned(), sentence: tr!(sentence).to_owned(), state, scenes }
         };
         Ok(WORDS.iter().zip(found).map(verdict).collect())
     }

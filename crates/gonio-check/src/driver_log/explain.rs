@@ -1,9 +1,12 @@
 //! Explains the usual messages of GLSL compilers in plain words.
 
+use gonio_language::{Language, tr};
+
 /// A kind of message: the texts that identify it, in lower case, and its explanation.
 struct Usual {
     /// Any one of these lists identifies it, if all of its texts occur in the message.
     signs: &'static [&'static [&'static str]],
+    /// The id of the explanation. If it names the name in the message, its attribute `unnamed` does not.
     means: &'static str,
     /// It names something that OpenGL's core profile removed: a better explanation than "undeclared".
     is_removed: bool,
@@ -17,19 +20,13 @@ const fn removed(signs: &'static [&'static [&'static str]], means: &'static str)
     Usual { signs, means, is_removed: true }
 }
 
-/// The first match is used, so special cases precede general ones. `{name}` is the name in the message.
+/// The first match is used, so special cases precede general ones.
 const USUAL: &[Usual] = &[
-    removed(
-        &[&["gl_fragcolor"], &["gl_fragdata"]],
-        "`gl_FragColor` was removed in version 330 core: declare `out vec4 FragColor;` and write to that.",
-    ),
-    removed(
-        &[&["texture2d"], &["texturecube"]],
-        "`texture2D` and `textureCube` are called `texture` since version 330 core.",
-    ),
+    removed(&[&["gl_fragcolor"], &["gl_fragdata"]], "check-compiler-frag-color-removed"),
+    removed(&[&["texture2d"], &["texturecube"]], "check-compiler-texture-functions-renamed"),
     removed(
         &[&["`attribute'"], &["'attribute'"], &["\"attribute\""], &["'varying'"], &["`varying'"], &["\"varying\""]],
-        "`attribute` and `varying` were removed in version 330 core: write `in` and `out`.",
+        "check-compiler-attribute-and-varying-removed",
     ),
     usual(
         &[
@@ -42,8 +39,7 @@ const USUAL: &[Usual] = &[
             &["bad #version"],
             &["version", "unsupported"],
         ],
-        "This computer's OpenGL does not support that `#version`: write `#version 330 core`, which every driver \
-         supports.",
+        "check-compiler-version-not-supported",
     ),
     usual(
         &[
@@ -53,7 +49,7 @@ const USUAL: &[Usual] = &[
             &["version", "must occur"],
             &["version directive"],
         ],
-        "`#version` must be the first line of the shader; only comments and empty lines may precede it.",
+        "check-compiler-version-not-first",
     ),
     usual(
         &[
@@ -71,11 +67,11 @@ const USUAL: &[Usual] = &[
             &["no `main'"],
             &["doesn't contain a main"],
         ],
-        "There is no `void main()`: every shader needs one, spelled exactly like this.",
+        "check-compiler-no-main",
     ),
     usual(
         &[&["must write to gl_position"], &["gl_position", "not written"], &["does not write to `gl_position"]],
-        "The vertex shader never writes to `gl_Position`, the position of the vertex.",
+        "check-compiler-position-not-written",
     ),
     usual(
         &[
@@ -86,7 +82,7 @@ const USUAL: &[Usual] = &[
             &["non-array", "dereference"],
             &["not of array"],
         ],
-        "Square brackets follow something that is not an array, vector or matrix.",
+        "check-compiler-not-an-array",
     ),
     usual(
         &[
@@ -96,11 +92,11 @@ const USUAL: &[Usual] = &[
             &["implicitly sized"],
             &["array", "unsized"],
         ],
-        "An array needs a constant size where it is declared: `vec3 lights[4];`.",
+        "check-compiler-array-without-size",
     ),
     usual(
         &[&["index", "out of bounds"], &["index", "out of range"], &["index", "bounds"], &["array index"]],
-        "The index is out of range: the first element has index 0, and the last one has the size minus 1.",
+        "check-compiler-index-out-of-range",
     ),
     usual(
         &[
@@ -118,8 +114,7 @@ const USUAL: &[Usual] = &[
             &["no field"],
             &["not a member"],
         ],
-        "What follows the dot is not a component or member: a vec3 has x, y, z (or r, g, b) but no w; a struct has \
-         only the members that it declares.",
+        "check-compiler-no-such-member",
     ),
     usual(
         &[
@@ -129,7 +124,7 @@ const USUAL: &[Usual] = &[
             &["constructor", "too many"],
             &["too much data"],
         ],
-        "Too many values in the parentheses: vec3 takes three numbers, or vectors with three components in total.",
+        "check-compiler-too-many-values",
     ),
     usual(
         &[
@@ -141,12 +136,11 @@ const USUAL: &[Usual] = &[
             &["too few components"],
             &["constructor", "not enough"],
         ],
-        "Too few values in the parentheses: vec4 takes four numbers, for example `vec4(v, 1.0)` for a vec3 v.",
+        "check-compiler-too-few-values",
     ),
     usual(
         &[&["initializer", "type"], &["initializer of type"], &["cannot initialize"]],
-        "The value on the right has a different type from the variable on the left: convert it, for example with \
-         `vec3(v4)` or `v4.xyz` for a vec4, `vec4(v3, 1.0)` for a vec3.",
+        "check-compiler-initialiser-of-another-type",
     ),
     usual(
         &[
@@ -162,8 +156,7 @@ const USUAL: &[Usual] = &[
             &["assignment to varying"],
             &["const", "assign"],
         ],
-        "`{name}` cannot be changed: `in`, `uniform` and `const` variables are read-only. Copy it to a variable of \
-         your own and change that.",
+        "check-compiler-read-only",
     ),
     usual(
         &[
@@ -177,9 +170,7 @@ const USUAL: &[Usual] = &[
             &["no matching constructor"],
             &["parameter types do not match"],
         ],
-        "No function `{name}` takes arguments of these types: check the type of each. `dot`, `reflect`, `cross` and \
-         `max` take two arguments of the same type (vec3 and vec3), `texture` takes a sampler and a vec2 (a vec3 for \
-         a cubemap).",
+        "check-compiler-no-function-for-these-types",
     ),
     usual(
         &[
@@ -196,8 +187,7 @@ const USUAL: &[Usual] = &[
             &["undeclared in vertex"],
             &["varying", "not written"],
         ],
-        "The fragment shader reads `{name}`, but the vertex shader has no `out` of that name: both must have the same name and \
-         type.",
+        "check-compiler-not-written-by-vertex-shader",
     ),
     usual(
         &[
@@ -210,13 +200,9 @@ const USUAL: &[Usual] = &[
             &["declared with type", "but", "input"],
             &["interface", "mismatch"],
         ],
-        "`{name}` is declared in both stages with different types: the vertex shader's `out` and the fragment \
-         shader's `in` must match.",
+        "check-compiler-varying-of-two-types",
     ),
-    usual(
-        &[&["interpolation qualif"], &["flat", "must"], &["qualified as flat"]],
-        "`flat` must be written in both stages or in neither; an integer varying requires it.",
-    ),
+    usual(&[&["interpolation qualif"], &["flat", "must"], &["qualified as flat"]], "check-compiler-flat-in-one-stage"),
     usual(
         &[
             &["uniform", "differ"],
@@ -224,7 +210,7 @@ const USUAL: &[Usual] = &[
             &["uniform", "declared as type"],
             &["uniform", "declared as"],
         ],
-        "The uniform `{name}` is declared in both stages with different types: the types must match.",
+        "check-compiler-uniform-of-two-types",
     ),
     usual(
         &[
@@ -236,7 +222,7 @@ const USUAL: &[Usual] = &[
             &["duplicate"],
             &["previous declaration"],
         ],
-        "`{name}` is declared twice in the same place: remove one, or rename it.",
+        "check-compiler-declared-twice",
     ),
     usual(
         &[
@@ -248,10 +234,9 @@ const USUAL: &[Usual] = &[
             &["identifier", "reserved"],
             &["keyword", "identifier"],
         ],
-        "`{name}` is reserved in GLSL (as are `input`, `output`, `sample`, `filter`, `texture`, names with `gl_` or \
-         two underscores): give it another name.",
+        "check-compiler-reserved-name",
     ),
-    usual(&[&["division by zero"], &["divide by zero"]], "A constant is divided by zero here."),
+    usual(&[&["division by zero"], &["divide by zero"]], "check-compiler-division-by-zero"),
     usual(
         &[
             &["wrong operand types"],
@@ -268,9 +253,7 @@ const USUAL: &[Usual] = &[
             &["matrix multiplication"],
             &["multiply"],
         ],
-        "The two sides of the operator do not match: vectors must have the same size (vec3 with vec3), a mat4 \
-         multiplies a vec4 (write `vec4(v, 1.0)`), and floats are written with a decimal point (`2.0` instead of \
-         `2`).",
+        "check-compiler-operands-do-not-match",
     ),
     usual(
         &[
@@ -282,7 +265,7 @@ const USUAL: &[Usual] = &[
             &["cannot convert", "int", "float"],
             &["global implicit"],
         ],
-        "Expected a float, found an integer: write it with a decimal point, `2.0` instead of `2`.",
+        "check-compiler-integer-instead-of-float",
     ),
     usual(
         &[
@@ -299,8 +282,7 @@ const USUAL: &[Usual] = &[
             &["conversion"],
             &["does not match variable"],
         ],
-        "The value and the variable have different types: take some components of the value (`v4.xyz`, `vec3(v4)`) or \
-         add the missing ones (`vec4(v3, 1.0)`).",
+        "check-compiler-different-types",
     ),
     usual(
         &[
@@ -311,7 +293,7 @@ const USUAL: &[Usual] = &[
             &["`return'"],
             &["'return'"],
         ],
-        "The returned value does not have the function's return type.",
+        "check-compiler-returned-type",
     ),
     usual(
         &[
@@ -321,27 +303,23 @@ const USUAL: &[Usual] = &[
             &["must be scalar boolean"],
             &["scalar boolean"],
         ],
-        "A condition must be a bool: write a comparison, for example `if (x > 0.0)`.",
+        "check-compiler-condition-not-bool",
     ),
-    usual(
-        &[&["sampler", "uniform"], &["sampler", "must be"], &["opaque"]],
-        "A sampler can only be a `uniform` or a function's parameter, not a variable or a varying.",
-    ),
+    usual(&[&["sampler", "uniform"], &["sampler", "must be"], &["opaque"]], "check-compiler-sampler-not-uniform"),
     usual(
         &[&["no precision"], &["precision", "declared"], &["default precision"], &["precision", "must"]],
-        "GLSL ES requires a precision: write `precision mediump float;` under the `#version`.",
+        "check-compiler-no-precision",
     ),
     usual(
         &[&["in", "out", "qualifier", "not"], &["storage qualifier"], &["qualifier"]],
-        "This declaration has a qualifier that is not allowed here: `in`, `out` and `uniform` belong outside of \
-         functions, each once, and `layout(location = 0)` on an `in` of a fragment shader needs version 410.",
+        "check-compiler-qualifier-not-allowed",
     ),
     usual(
         &[&["used uninitialized"], &["might be used before"], &["uninitialized"], &["use of uninitialised"]],
-        "`{name}` is read before it is assigned a value.",
+        "check-compiler-read-before-assigned",
     ),
-    usual(&[&["recursion"], &["recursive"]], "A function calls itself, which GLSL does not allow."),
-    usual(&[&["#include"], &["extension", "include"]], "GLSL has no `#include`: paste the text of that file here."),
+    usual(&[&["recursion"], &["recursive"]], "check-compiler-recursion"),
+    usual(&[&["#include"], &["extension", "include"]], "check-compiler-include"),
     usual(
         &[
             &["extension", "not supported"],
@@ -349,7 +327,7 @@ const USUAL: &[Usual] = &[
             &["unknown extension"],
             &["unsupported extension"],
         ],
-        "The graphics driver does not have that extension: remove the `#extension` line.",
+        "check-compiler-extension-missing",
     ),
     usual(
         &[
@@ -359,8 +337,7 @@ const USUAL: &[Usual] = &[
             &["unexpected character"],
             &["illegal non-ascii"],
         ],
-        "There is a character that GLSL does not allow, perhaps a quotation mark, a dash or a space copied from a web \
-         page or a text document: retype it.",
+        "check-compiler-character-not-allowed",
     ),
     usual(
         &[
@@ -374,21 +351,19 @@ const USUAL: &[Usual] = &[
             &["$undefined"],
             &["premature end"],
         ],
-        "The file ends too early: a `}`, a `*/` or an `#endif` is missing.",
+        "check-compiler-file-ends-too-early",
     ),
     usual(
         &[&["linking with uncompiled"], &["uncompiled"], &["not successfully compiled"], &["unspecialized shader"]],
-        "The program cannot be linked because one of its shaders did not compile: fix that first.",
+        "check-compiler-not-linked",
     ),
 ];
 
-/// The explanation of an undeclared name.
-const UNDECLARED: &str = "`{name}` is not declared here: declare it (`uniform`, `in`, or a variable before this \
-                          line), or check its spelling, including capitals.";
+/// The id of the explanation of an undeclared name.
+const UNDECLARED: &str = "check-compiler-undeclared";
 
-/// The explanation of a syntax error.
-const SYNTAX: &str = "The compiler cannot parse this. Often a semicolon or a bracket is missing at the end of the \
- previous line.";
+/// The id of the explanation of a syntax error.
+const SYNTAX: &str = "check-compiler-syntax";
 
 /// Returns a plain explanation of a usual message; `None` for others.
 #[must_use]
@@ -406,9 +381,11 @@ pub fn explain(text: &str) -> Option<String> {
     } else {
         return None;
     };
-    Some(match quoted_names(text).into_iter().next() {
-        Some(name) => means.replace("{name}", &name),
-        None => means.replace(" `{name}`", "").replace("`{name}`", "It"),
+    let unnamed = gonio_language::text_in(Language::current(), &format!("{means}.unnamed"));
+    Some(match (quoted_names(text).into_iter().next(), unnamed) {
+        (Some(name), Some(_)) => tr!(means, name = name),
+        (None, Some(unnamed)) => unnamed.to_owned(),
+        (_, None) => tr!(means).to_owned(),
     })
 }
 

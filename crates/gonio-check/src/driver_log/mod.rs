@@ -8,6 +8,7 @@ pub use log::{LogLine, LogSeverity, read_log};
 
 use crate::submission::{StageText, without_comments};
 use crate::words::distance;
+use gonio_language::tr;
 use std::collections::BTreeSet;
 
 /// A message of a driver with its position in the student's file.
@@ -120,7 +121,7 @@ fn similar_name(text: &str, stage: &StageText) -> Option<String> {
     let may_be = |word: &&str| *word != name && word.len() > 2 && !word.starts_with(|c: char| c.is_ascii_digit());
     let (slips, word) = known.iter().copied().filter(may_be).map(|word| (distance(word, &name), word)).min()?;
     let near = slips <= 2 && slips * 3 <= name.len() || word.eq_ignore_ascii_case(&name);
-    near.then(|| format!("Did you mean `{word}`?"))
+    near.then(|| tr!("check-compiler-did-you-mean", word = word))
 }
 
 /// Points to the line before a syntax error, if its semicolon is missing.
@@ -140,7 +141,7 @@ fn before(text: &str, line: Option<u32>, lines: &[&str], stage: &StageText) -> O
         return None;
     }
     let (_, line, _) = stage.place(u32::try_from(index + 1).ok()?, 0);
-    Some(format!("Line {line} ends without a semicolon: `{code}`."))
+    Some(tr!("check-compiler-line-ends-without-a-semicolon", line = line, code = code))
 }
 
 #[cfg(test)]

@@ -22,6 +22,7 @@ use crate::roles::{self, Role, VariableKind};
 use crate::testbench::TILE;
 use crate::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict, join_names};
 use gonio_gl::GlError;
+use gonio_language::tr;
 use gonio_render::user_program::UserProgram;
 
 /// Checks a program that draws the faces, with one draw call each.
@@ -40,10 +41,10 @@ pub(crate) fn check(
     };
     let has = |role: Role| bindings.bound.iter().any(|known| known.role == role);
     if !bindings.bound.iter().any(|b| b.declared.kind == VariableKind::Attribute && b.role == Role::Position) {
-        return unsure("no attribute looks like the position: name it `position`, or assign its role in names.toml");
+        return unsure(tr!("check-no-attribute-looks-like-the-position"));
     }
     if !bindings.bound.iter().any(|b| b.declared.glsl_type == "sampler2D") {
-        return unsure("the shaders do not read a panorama: declare `uniform sampler2D panorama;`");
+        return unsure(tr!("check-panorama-the-shaders-do-not-read-a"));
     }
     let bench = FaceBench::smooth(checker.gl(), TILE)?;
     // A program with a face number draws a square, one with a view matrix a cube around the camera.
@@ -83,8 +84,8 @@ fn found(id: &str, share: f64) -> FoundMistake {
             let name = |word: &str| FACES.iter().find(|(known, _)| *known == word).map_or("?", |(_, name)| name);
             let mut words = id.split('-').skip(1);
             let (face, shown) = (words.next().unwrap_or_default(), words.nth(1).unwrap_or_default());
-            let sentence = format!("Face {} shows what belongs on {}", name(face), name(shown));
-            let fix = "The order of OpenGL's faces is +X, -X, +Y, -Y, +Z, -Z.";
+            let sentence = tr!("check-panorama-face-shows-what-belongs-on", face = name(face), shown = name(shown));
+            let fix = tr!("check-panorama-the-order-of-opengl-s-faces");
             FoundMistake::new(id, sentence, share).taught("", fix, LECTURE_SECTION)
         }
     }
@@ -112,7 +113,7 @@ pub fn verdict(
     if explanation.is_right() {
         verdict.verdict = Outcome::Correct;
         verdict.score = 1.0;
-        verdict.summary = "all six faces are right".to_owned();
+        verdict.summary = tr!("check-panorama-all-six-faces-are-right").to_owned();
         return (verdict, evidence);
     }
     let names = |faces: &[usize]| -> String {
@@ -133,10 +134,13 @@ pub fn verdict(
     let mut sentences: Vec<String> = verdict.mistakes.iter().map(|mistake| mistake.name.clone()).collect();
     match unexplained.len() {
         0 => {}
-        6 => sentences.push("no face is right, and no known mistake explains the faces".to_owned()),
+        6 => sentences.push(tr!("check-panorama-no-face-is-right-and-no").to_owned()),
         _ => {
-            let s = if unexplained.len() == 1 { "face" } else { "faces" };
-            sentences.push(format!("no known mistake explains the {s} {}", names(unexplained)));
+            sentences.push(tr!(
+                "check-panorama-no-known-mistake-explains-the",
+                count = unexplained.len(),
+                faces = names(unexplained)
+            ));
         }
     }
     verdict.summary = join_names(sentences.iter().map(String::as_str));
@@ -145,12 +149,12 @@ pub fn verdict(
 
 fn scenes(explanation: &Explanation) -> Vec<SceneVerdict> {
     const SHOWS: [&str; 6] = [
-        "to the right: s runs towards -Z, t towards -Y",
-        "to the left: s runs towards +Z, t towards -Y",
-        "above: s runs towards +X, t towards +Z",
-        "below: s runs towards +X, t towards -Z",
-        "behind: s runs towards +X, t towards -Y",
-        "straight ahead: s runs towards -X, t towards -Y",
+        "check-panorama-shows-posx",
+        "check-panorama-shows-negx",
+        "check-panorama-shows-posy",
+        "check-panorama-shows-negy",
+        "check-panorama-shows-posz",
+        "check-panorama-shows-negz",
     ];
     let is_wrong = |face: usize| {
         let word = FACES[face].0;
@@ -163,7 +167,7 @@ fn scenes(explanation: &Explanation) -> Vec<SceneVerdict> {
     };
     let scene = |(face, fit): (usize, &tiles::Fit)| SceneVerdict {
         scene: format!("{} {}", FACES[face].1, FACES[face].0),
-        shows: SHOWS[face].into(),
+        shows: tr!(SHOWS[face]).into(),
         right: !is_wrong(face),
         pixels_beyond: fit.beyond,
         worst: fit.worst,
@@ -177,7 +181,11 @@ pub fn blur(verdict: &mut Verdict, sharpness: f64) {
         return;
     }
     let mut mistake = found("faces-blurred", 1.0);
-    mistake.name = format!("{}: they have {:.0} % of the panorama's sharpness", mistake.name, 100.0 * sharpness);
+    mistake.name = tr!(
+        "check-panorama-they-have-of-the-panorama-s",
+        name = mistake.name,
+        sharpness = format!("{:.0}", 100.0 * sharpness)
+    );
     verdict.verdict = Outcome::Wrong;
     verdict.score = 0.8;
     verdict.summary.clone_from(&mistake.name);

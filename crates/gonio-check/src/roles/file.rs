@@ -1,6 +1,7 @@
 //! Reads `names.toml`, which assigns roles to names that gonio does not recognise.
 
 use super::role::Role;
+use gonio_language::tr;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -44,7 +45,7 @@ pub struct NamesError {
 
 impl fmt::Display for NamesError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "names.toml, line {}: {}", self.line, self.message)
+        f.write_str(&tr!("check-inputs-names-toml-line", line = self.line, message = self.message))
     }
 }
 
@@ -91,15 +92,13 @@ impl NamesFile {
                 match numbers {
                     Some(numbers) if matches!(numbers.len(), 1..=16) => Meaning::Value(numbers),
                     _ => {
-                        return Err(error(format!(
-                            "`{name}` must be a list of 1 to 16 numbers, such as [1.0, 0.5, 0.0]"
-                        )));
+                        return Err(error(tr!("check-inputs-must-be-a-list-of-1", name = name)));
                     }
                 }
             }
-            other => Meaning::Value(vec![number(&other).ok_or_else(|| {
-                error(format!("`{name}` must be a role such as \"light-pos\", a number or a list of numbers"))
-            })?]),
+            other => Meaning::Value(vec![
+                number(&other).ok_or_else(|| error(tr!("check-inputs-must-be-a-role-such-as", name = name)))?,
+            ]),
         };
         self.lines.insert(name.clone(), line);
         self.names.insert(name, meaning);

@@ -16,6 +16,7 @@ mod tests;
 pub use file::{Meaning, NamesError, NamesFile};
 pub use role::{Role, UnknownRole};
 
+use gonio_language::tr;
 use std::fmt;
 
 /// Whether a variable is an attribute or a uniform.
@@ -71,10 +72,10 @@ pub enum How {
 impl fmt::Display for How {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Name => "by its name",
-            Self::Type => "by its type",
-            Self::Use => "by its name and its neighbours",
-            Self::NamesFile => "by names.toml",
+            Self::Name => tr!("check-inputs-by-its-name"),
+            Self::Type => tr!("check-inputs-by-its-type"),
+            Self::Use => tr!("check-inputs-by-its-name-and-its-neighbours"),
+            Self::NamesFile => tr!("check-inputs-by-names-toml"),
         })
     }
 }

@@ -1,5 +1,6 @@
 //! The roles of a shader's variables.
 
+use gonio_language::tr;
 use std::fmt;
 use std::str::FromStr;
 
@@ -304,7 +305,7 @@ pub struct UnknownRole {
 
 impl fmt::Display for UnknownRole {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "unknown role `{}`: did you mean `{}`?", self.word, self.nearest)
+        f.write_str(&tr!("check-inputs-unknown-role-did-you-mean", word = self.word, nearest = self.nearest))
     }
 }
 

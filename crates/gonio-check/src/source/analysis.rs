@@ -7,6 +7,7 @@ use crate::dataflow::{Id, Op, Reading, Shader};
 use crate::roles::{self, Declared, NamesFile, Role};
 use gonio_glsl::ast::BinaryOp;
 use gonio_glsl::{Span, Stage};
+use gonio_language::tr;
 
 /// An expression in the student's source.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,8 +78,7 @@ impl Analysis {
     #[must_use]
     pub fn in_source_only(&self) -> Vec<(&'static str, Place, String)> {
         let found = power_under_maximum(&self.reading).and_then(|node| self.place(node));
-        let sentence = "`pow` of a negative number is undefined: move `max` inside, \
-                        `pow(max(dot(R, V), 0.0), shininess)`";
+        let sentence = tr!("check-pow-of-a-negative-number-is");
         found.map(|place| ("specular-power-of-negative", place, sentence.to_owned())).into_iter().collect()
     }
 
@@ -104,8 +104,7 @@ impl Analysis {
         let by_itself =
             |call: Id| matches!(graph.op(call), Op::Call(name, _) if matches!(name.as_str(), "texture" | "texture2D"));
         let (call, _) = self.reading.lookups().into_iter().find(|(call, at)| by_itself(*call) && jumps(*at))?;
-        let sentence = "with mipmaps a seam would appear behind the camera, where u jumps from 1 to 0; \
-                        `textureLod(panorama, place, 0.0)` avoids it";
+        let sentence = tr!("check-with-mipmaps-a-seam-would-appear");
         Some((self.place(call)?, sentence.to_owned()))
     }
 

@@ -5,6 +5,7 @@ use super::stage::stage_of_word;
 use super::text::StageText;
 use crate::words::words_of;
 use gonio_glsl::Stage;
+use gonio_language::tr;
 
 /// A shader that was found.
 #[derive(Clone, Debug)]
@@ -22,7 +23,7 @@ impl Candidate {
     fn shown(&self) -> String {
         match &self.variable {
             Some(variable) if !variable.is_empty() => format!("{} `{variable}`", self.text.file),
-            Some(_) => format!("{} line {}", self.text.file, self.text.place(1, 1).1),
+            Some(_) => tr!("check-submission-line", file = self.text.file, line = self.text.place(1, 1).1),
             None => self.text.file.clone(),
         }
     }
@@ -219,12 +220,11 @@ pub(super) fn choose(
     warnings.dedup();
     if candidates.len() > 2 {
         let all: Vec<String> = candidates.iter().map(|c| format!("{} ({})", c.shown(), c.stage)).collect();
-        warnings.push(format!(
-            "there are several shaders: {}; {} and {} were checked. If that is the wrong pair, hand in only the \
-             right one, or name it.",
-            list(&all),
-            vertex.shown(),
-            fragment.shown()
+        warnings.push(tr!(
+            "check-submission-there-are-several-shaders-and-were",
+            all = list(&all),
+            vertex = vertex.shown(),
+            fragment = fragment.shown()
         ));
     }
     Ok((vertex.clone(), fragment.clone(), warnings))

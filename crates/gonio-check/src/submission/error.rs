@@ -1,6 +1,7 @@
 //! Errors in files that should be a pair of shaders.
 
 use gonio_glsl::Stage;
+use gonio_language::tr;
 use std::fmt;
 
 /// An error in files that should be a pair of shaders. Each message tells what is wrong, where, and what to do.
@@ -73,57 +74,44 @@ pub enum IntakeError {
 /// Lists names for a sentence: the first eight, and the number of others.
 pub(super) fn list(names: &[String]) -> String {
     const SHOWN: usize = 8;
-    let mut text = names.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
-    if names.len() > SHOWN {
-        text.push_str(&format!(" and {} more", names.len() - SHOWN));
+    let text = names.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
+    match names.len().saturating_sub(SHOWN) {
+        0 => text,
+        more => tr!("check-submission-list-and-more", names = text, more = more),
     }
-    text
 }
 
 impl fmt::Display for IntakeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoFiles => write!(f, "there are no files: hand in a vertex and a fragment shader"),
-            Self::Empty { file } => write!(f, "{file} is empty: save the shader in your editor and hand it in again"),
-            Self::Binary { file, because } => {
-                write!(f, "{file} is not a text file ({because}): hand in the shader's source as plain text")
+        let text = match self {
+            Self::NoFiles => tr!("check-submission-no-files").to_owned(),
+            Self::Empty { file } => tr!("check-submission-empty-file", file = file),
+            Self::Binary { file, because } => tr!("check-submission-binary-file", file = file, because = because),
+            Self::RichText { file } => tr!("check-submission-rich-text", file = file),
+            Self::TooLarge { file, bytes } => {
+                tr!("check-submission-too-large", file = file, bytes = bytes, most = super::text::LARGEST)
             }
-            Self::RichText { file } => write!(
-                f,
-                "{file} is a word processor's document, not plain text: save it as plain text (.txt) and hand that in"
+            Self::NoShader { files } => tr!("check-submission-no-shader", files = list(files)),
+            Self::MissingStage { missing, found } => tr!(
+                "check-submission-missing-stage",
+                missing = missing.to_string(),
+                found = list(found),
+                stage = missing.other().to_string()
             ),
-            Self::TooLarge { file, bytes } => write!(
-                f,
-                "{file} has {bytes} bytes, more than the limit of {}: hand in only the shader's source",
-                super::text::LARGEST
+            Self::SameStageTwice { stage, found } => tr!(
+                "check-submission-same-stage-twice",
+                found = list(found),
+                stage = stage.to_string(),
+                missing = stage.other().to_string()
             ),
-            Self::NoShader { files } => write!(
-                f,
-                "there is no shader in {}: hand in a vertex and a fragment shader, or the program that holds both as \
-                 strings",
-                list(files)
-            ),
-            Self::MissingStage { missing, found } => write!(
-                f,
-                "the {missing} shader is missing; found only {} ({}): hand in both stages",
-                list(found),
-                missing.other()
-            ),
-            Self::SameStageTwice { stage, found } => write!(
-                f,
-                "{} are all {stage} shaders, and there is no {} shader: hand in one of each",
-                list(found),
-                stage.other()
-            ),
-            Self::MissingInclude { file, line, included } => write!(
-                f,
-                "{file}:{line}: `{included}` is included and is not among the files: hand it in too, or paste its text \
-                 here"
-            ),
+            Self::MissingInclude { file, line, included } => {
+                tr!("check-submission-missing-include", file = file, line = line, included = included)
+            }
             Self::NotFound { requested, candidates } => {
-                write!(f, "no pair of shaders is called `{requested}`: choose one of {}", list(candidates))
+                tr!("check-submission-no-such-pair", requested = requested, candidates = list(candidates))
             }
-        }
+        };
+        f.write_str(&text)
     }
 }
 

@@ -20,6 +20,7 @@ pub use text::StageText;
 
 use choose::Candidate;
 use gonio_glsl::Stage;
+use gonio_language::tr;
 
 /// A file as it was handed in.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -256,7 +257,7 @@ impl Intake {
             let (stage, warning) =
                 stage::determine(&format!("{name} `{}`", literal.variable), &literal.variable, &code);
             let hole = literal.has_holes.then(|| {
-                format!("{name} inserts values into `{}` with ${{...}}; gonio left them out.", literal.variable)
+                tr!("check-submission-inserts-values-into-with-gonio-left", name = name, variable = literal.variable)
             });
             let Some(stage) = stage.filter(|_| !both) else { continue };
             self.candidates.push(Candidate {
@@ -320,8 +321,10 @@ impl Intake {
         for (index, (name, text)) in std::mem::take(&mut self.undecided).into_iter().enumerate() {
             match missing {
                 Some(stage) if index == 0 => {
-                    let warning = Some(format!(
-                        "neither the name nor the content of {name} shows its stage: taken as the {stage} shader."
+                    let warning = Some(tr!(
+                        "check-submission-neither-the-name-nor-the-content",
+                        name = name,
+                        stage = stage.to_string()
                     ));
                     let text = StageText::whole(name, text);
                     self.candidates.push(Candidate { stage, text, variable: None, warning });
@@ -345,11 +348,7 @@ impl Intake {
         if let [at] = misnamed.as_slice() {
             let found = &mut self.candidates[*at];
             found.stage = Stage::Fragment;
-            found.warning = Some(format!(
-                "{} is named like a vertex shader, but outputs a colour and no gl_Position: taken as the fragment \
-                 shader. Rename it.",
-                found.text.file
-            ));
+            found.warning = Some(tr!("check-submission-is-named-like-a-vertex-shader", file = found.text.file));
         }
     }
 
@@ -381,9 +380,10 @@ impl Intake {
         let mut warnings: Vec<String> =
             self.corrected.into_iter().filter(|(name, _)| is_taken(name)).map(|(_, warning)| warning).collect();
         warnings.extend(chosen_because);
-        warnings.extend(self.errors.iter().map(|error| format!("ignored: {error}")));
+        let ignored = tr!("check-submission-ignored");
+        warnings.extend(self.errors.iter().map(|error| format!("{ignored}{error}")));
         if !self.left_aside.is_empty() {
-            warnings.push(format!("ignored: {}", error::list(&self.left_aside)));
+            warnings.push(format!("{ignored}{}", error::list(&self.left_aside)));
         }
         Ok(Submission { vertex: vertex_text, fragment: fragment_text, names: self.names, warnings })
     }

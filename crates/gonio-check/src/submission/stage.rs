@@ -2,6 +2,7 @@
 
 use crate::words::words_of;
 use gonio_glsl::Stage;
+use gonio_language::tr;
 
 /// Returns the stage that a word names.
 pub(super) fn stage_of_word(word: &str) -> Option<Stage> {
@@ -143,9 +144,17 @@ pub(super) fn determine(shown: &str, name: &str, code: &str) -> (Option<Stage>, 
         (StageHint::One(named), Some(content))
             if named != content && !(named == Stage::Fragment && found.rather_fragment) =>
         {
-            let because = if content == Stage::Vertex { "gl_Position" } else { "what only a fragment shader has" };
-            let warning = format!(
-                "{shown} is named like a {named} shader, but holds {because}: taken as the {content} shader. Rename it."
+            let because = if content == Stage::Vertex {
+                "gl_Position"
+            } else {
+                tr!("check-submission-what-only-a-fragment-shader-has")
+            };
+            let warning = tr!(
+                "check-submission-is-named-like-a-shader-but",
+                shown = shown,
+                named = named.to_string(),
+                because = because,
+                content = content.to_string()
             );
             (Some(content), Some(warning))
         }

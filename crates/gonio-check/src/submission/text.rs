@@ -1,6 +1,7 @@
 //! The text of a stage, decoded from the bytes of a file, and the position of each of its characters in that file.
 
 use super::error::IntakeError;
+use gonio_language::tr;
 
 /// The start of a piece of the text that is contiguous in the file, up to the end of the line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -180,13 +181,9 @@ pub(super) fn decode(file: &str, bytes: &[u8]) -> Result<(String, Option<String>
         return Err(IntakeError::TooLarge { file: file_owned(), bytes: bytes.len() });
     }
     let (text, warning) = match bytes {
-        [0xEF, 0xBB, 0xBF, rest @ ..] => (
-            utf8_or_latin1(file, rest)?.0,
-            Some(format!(
-                "{file} begins with a byte order mark, which some compilers reject; gonio ignored it. Save the file \
-                 as UTF-8 without BOM."
-            )),
-        ),
+        [0xEF, 0xBB, 0xBF, rest @ ..] => {
+            (utf8_or_latin1(file, rest)?.0, Some(tr!("check-submission-begins-with-a-byte-order-mark", file = file)))
+        }
         [0xFF, 0xFE, rest @ ..] => (utf16(file, rest, u16::from_le_bytes)?, Some(utf16_warning(file))),
         [0xFE, 0xFF, rest @ ..] => (utf16(file, rest, u16::from_be_bytes)?, Some(utf16_warning(file))),
         _ => utf8_or_latin1(file, bytes)?,
@@ -201,20 +198,22 @@ pub(super) fn decode(file: &str, bytes: &[u8]) -> Result<(String, Option<String>
 }
 
 fn utf16_warning(file: &str) -> String {
-    format!("{file} is UTF-16, which no GLSL compiler reads; gonio converted it. Save the file as UTF-8.")
+    tr!("check-submission-is-utf-16-which-no-glsl", file = file)
 }
 
 fn utf16(file: &str, bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<String, IntakeError> {
     let binary = |because: &str| IntakeError::Binary { file: file.to_owned(), because: because.to_owned() };
     let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
-    let text: String = char::decode_utf16(units).collect::<Result<_, _>>().map_err(|_| binary("broken UTF-16"))?;
-    if text.contains('\0') { Err(binary("zeros in UTF-16 text")) } else { Ok(text) }
+    let text: String = char::decode_utf16(units)
+        .collect::<Result<_, _>>()
+        .map_err(|_| binary(tr!("check-submission-broken-utf-16")))?;
+    if text.contains('\0') { Err(binary(tr!("check-submission-zeros-in-utf-16-text"))) } else { Ok(text) }
 }
 
 fn utf8_or_latin1(file: &str, bytes: &[u8]) -> Result<(String, Option<String>), IntakeError> {
     let binary = |because: String| Err(IntakeError::Binary { file: file.to_owned(), because });
     if let Some(offset) = bytes.iter().position(|&b| b == 0) {
-        return binary(format!("a zero byte at offset {offset}"));
+        return binary(tr!("check-submission-a-zero-byte-at-offset", offset = offset));
     }
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok((text.to_owned(), None)),
@@ -223,12 +222,9 @@ fn utf8_or_latin1(file: &str, bytes: &[u8]) -> Result<(String, Option<String>), 
             let controls = bytes.iter().filter(|b| b.is_ascii_control() && !b.is_ascii_whitespace()).count();
             let foreign = bytes.iter().filter(|b| !b.is_ascii()).count();
             if controls > 0 || foreign * 5 > bytes.len() {
-                return binary(format!("invalid UTF-8 at offset {}", error.valid_up_to()));
+                return binary(tr!("check-submission-invalid-utf-8-at-offset", offset = error.valid_up_to()));
             }
-            let warning = format!(
-                "{file} is not UTF-8; gonio read it as Latin-1. Save the file as UTF-8, or write comments without \
-                 accents."
-            );
+            let warning = tr!("check-submission-is-not-utf-8-gonio-read", file = file);
             Ok((bytes.iter().map(|&b| char::from(b)).collect(), Some(warning)))
         }
     }

@@ -2,6 +2,7 @@
 
 use super::TestShape;
 use glam::{Mat3, Mat4, Quat, Vec3};
+use gonio_language::{Language, text_in, tr};
 
 /// The distance of a sun in world units: its rays are parallel to 1/10000 of a radian all over a model.
 const SUN_DISTANCE: f32 = 1e5;
@@ -50,7 +51,7 @@ impl TestLight {
 pub struct TestScene {
     /// A short name for tables.
     pub name: String,
-    /// The reason for this scene: what it shows that others do not.
+    /// The id of the sentence that says what this scene shows that others do not.
     pub shows: &'static str,
     /// The mesh to draw.
     pub shape: TestShape,
@@ -105,6 +106,12 @@ impl TestScene {
     pub fn elsewhere(&self) -> Vec3 {
         let centre = self.world_from_model.w_axis.truncate();
         centre + Quat::from_rotation_y(2.0) * (self.light.position - centre)
+    }
+
+    /// Returns the reason for this scene: what it shows that others do not.
+    #[must_use]
+    pub fn shows(&self) -> &'static str {
+        tr!(self.shows)
     }
 
     /// Returns the scene with the whole world rotated about its origin: object, lights and camera together, so that
@@ -187,6 +194,27 @@ fn placed(at: [f32; 3], turn_deg: [f32; 3], scale: [f32; 3]) -> Mat4 {
     Mat4::from_scale_rotation_translation(scale.into(), turn, at.into())
 }
 
+/// Returns the name of a test scene for people, by its id in verdicts. Ids of no test scene are returned as they are.
+#[must_use]
+pub fn title(id: &str) -> String {
+    if let Some((scene, term)) = id.strip_suffix(" alone").and_then(|id| id.rsplit_once(", ")) {
+        return tr!("check-scene-alone", scene = title(scene), term = term_title(term));
+    }
+    text_of("check-scene-name", id)
+}
+
+/// Returns the name of a term for people, by its id in verdicts: `ambient`, `diffuse` or `specular`.
+#[must_use]
+pub fn term_title(id: &str) -> String {
+    text_of("check-term", id)
+}
+
+/// The text of an id with words and spaces; the id itself if it has none.
+fn text_of(kind: &str, id: &str) -> String {
+    let text = text_in(Language::current(), &format!("{kind}-{}", id.replace(' ', "-")));
+    text.unwrap_or(id).to_owned()
+}
+
 /// Returns the nine scenes for programs that compute light.
 pub fn lit() -> Vec<TestScene> {
     let mut all = vec![
@@ -195,7 +223,7 @@ pub fn lit() -> Vec<TestScene> {
             world_from_model: placed([0.0, 0.0, -2.0], [0.0; 3], [0.5; 3]),
             eye: Vec3::new(0.0, 0.0, 0.0),
             target: Vec3::new(0.0, 0.0, -2.0),
-            ..base("lab", "the lab's own scene: a sphere at half its size")
+            ..base("lab", "check-scene-lab")
         },
         TestScene {
             world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.6, 1.2, 0.3]),
@@ -203,7 +231,7 @@ pub fn lit() -> Vec<TestScene> {
             target: Vec3::new(0.4, -0.3, -0.6),
             fov_y_rad: 0.42,
             light: TestLight { position: Vec3::new(1.6, 2.2, 1.2), ..LAB_LIGHT },
-            ..base("stretched", "a model that is stretched, rotated and moved")
+            ..base("stretched", "check-scene-stretched")
         },
         TestScene {
             shape: TestShape::Sphere,
@@ -211,7 +239,7 @@ pub fn lit() -> Vec<TestScene> {
             eye: Vec3::new(0.5, 0.5, 1.6),
             target: Vec3::new(-0.3, 0.2, 0.1),
             light: TestLight { position: Vec3::new(0.5, 0.8, 0.9), ..LAB_LIGHT },
-            ..base("coarse", "a coarse sphere close to the light")
+            ..base("coarse", "check-scene-coarse")
         },
         TestScene {
             world_from_model: placed([-0.2, 0.1, -0.3], [-60.0, 10.0, 0.0], [0.9; 3]),
@@ -220,7 +248,7 @@ pub fn lit() -> Vec<TestScene> {
             light: TestLight { position: Vec3::new(-1.2, 1.0, -2.2), ambient: 0.25, ..LAB_LIGHT },
             shininess: 6.0,
             roughness: 0.5,
-            ..base("behind", "the light behind the object")
+            ..base("behind", "check-scene-behind")
         },
     ];
     for (name, distance) in [("near", 1.5_f32), ("middle", 3.5), ("far", 8.0)] {
@@ -230,7 +258,7 @@ pub fn lit() -> Vec<TestScene> {
             eye: Vec3::new(-0.4, 0.6, 2.5),
             target: Vec3::new(0.2, 0.1, 0.0),
             light: TestLight { position: Vec3::new(0.2, 0.1, 0.0) + direction * distance, ambient: 0.35, ..LAB_LIGHT },
-            ..base(name, "the same light at three distances, with strong ambient light")
+            ..base(name, "check-scene-distances")
         });
     }
     all.push(TestScene {
@@ -240,7 +268,7 @@ pub fn lit() -> Vec<TestScene> {
         up: Vec3::new(0.5, 1.0, 0.2),
         fov_y_rad: 0.5,
         light: TestLight { position: Vec3::new(-1.5, 1.2, -2.0), ..LAB_LIGHT },
-        ..base("turned", "another camera, rotated and tilted")
+        ..base("turned", "check-scene-turned")
     });
     all.push(TestScene {
         shape: TestShape::Sphere,
@@ -251,7 +279,7 @@ pub fn lit() -> Vec<TestScene> {
         material: Vec3::new(0.85, 0.4, 0.15),
         shininess: 12.0,
         roughness: 0.4,
-        ..base("coloured", "another material with a strong colour")
+        ..base("coloured", "check-scene-coloured")
     });
     // The scenes that distinguish most come first: hypotheses are ranked in them.
     const TELLING: [&str; 4] = ["stretched", "coarse", "behind", "far"];
@@ -273,11 +301,11 @@ pub fn lit_by_two() -> Vec<TestScene> {
         other: Some(other),
         shininess: 8.0,
         roughness: 0.45,
-        ..base("two lights", "two lights with different positions and strengths")
+        ..base("two lights", "check-scene-two-lights")
     };
     let mut second = both.clone();
     second.name = "second light".to_owned();
-    second.shows = "the second of two lights alone";
+    second.shows = "check-scene-second-light";
     second.light = TestLight { brightness: 0.0, ..second.light.dark() };
     vec![both, second]
 }
@@ -290,7 +318,7 @@ pub fn isolated(whole: &[TestScene]) -> Vec<TestScene> {
         {
             let mut alone = test_scene.clone();
             alone.name = format!("{}, {term} alone", test_scene.name);
-            alone.shows = "one term alone";
+            alone.shows = "check-scene-one-term";
             let light = &mut alone.light;
             light.ambient *= kept[0];
             light.diffuse *= kept[1];
@@ -308,14 +336,14 @@ pub fn mirrored() -> Vec<TestScene> {
             world_from_model: placed([0.4, -0.3, -0.6], [35.0, 50.0, 20.0], [0.6, 1.2, 0.3]),
             eye: Vec3::new(1.9, 1.1, 2.0),
             target: Vec3::new(0.4, -0.3, -0.6),
-            ..base("stretched", "a model that is stretched, rotated and moved")
+            ..base("stretched", "check-scene-stretched")
         },
         TestScene {
             shape: TestShape::Sphere,
             world_from_model: placed([-1.5, 0.8, 0.6], [10.0, 20.0, 0.0], [0.5; 3]),
             eye: Vec3::new(-0.7, 0.3, 2.6),
             target: Vec3::new(-1.5, 0.8, 0.6),
-            ..base("coarse", "a coarse sphere at half its size, away from the origin")
+            ..base("coarse", "check-scene-coarse-mirror")
         },
         TestScene {
             world_from_model: placed([0.6, 0.4, -0.5], [20.0, -40.0, 30.0], [0.7, 0.5, 0.9]),
@@ -323,9 +351,9 @@ pub fn mirrored() -> Vec<TestScene> {
             target: Vec3::new(0.6, 0.4, -0.5),
             up: Vec3::new(0.5, 1.0, 0.2),
             refraction_index: 1.33,
-            ..base("turned", "another camera, rotated and tilted")
+            ..base("turned", "check-scene-turned")
         },
-        TestScene { shape: TestShape::Sphere, ..base("front", "a sphere in the middle") },
+        TestScene { shape: TestShape::Sphere, ..base("front", "check-scene-front") },
     ]
 }
 
@@ -340,10 +368,10 @@ pub fn skies() -> Vec<TestScene> {
         ..base(name, shows)
     };
     vec![
-        sky("ahead", "from the origin, straight ahead", [0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
-        sky("right", "from the origin, to the right", [0.0; 3], [1.0, 0.2, -0.3], [0.0, 1.0, 0.0]),
-        sky("moved", "the camera has moved", [0.5, 0.3, 0.4], [-0.6, 0.4, 0.8], [0.0, 1.0, 0.0]),
-        sky("up", "upwards, with a tilted head", [-3.0, 1.0, 2.0], [0.3, 1.0, 0.2], [0.4, 0.0, -1.0]),
+        sky("ahead", "check-scene-sky-ahead", [0.0; 3], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
+        sky("right", "check-scene-sky-right", [0.0; 3], [1.0, 0.2, -0.3], [0.0, 1.0, 0.0]),
+        sky("moved", "check-scene-sky-moved", [0.5, 0.3, 0.4], [-0.6, 0.4, 0.8], [0.0, 1.0, 0.0]),
+        sky("up", "check-scene-sky-up", [-3.0, 1.0, 2.0], [0.3, 1.0, 0.2], [0.4, 0.0, -1.0]),
     ]
 }
 
@@ -361,51 +389,27 @@ pub fn cameras() -> Vec<TestScene> {
         ..base(name, shows)
     };
     vec![
-        camera(
-            "turned",
-            "a camera that is rotated to the side and looks down",
-            [1.1, 0.7, 1.0],
-            [0.2, -0.1, -0.4],
-            [0.0, 1.0, 0.0],
-        ),
+        camera("turned", "check-scene-camera-turned", [1.1, 0.7, 1.0], [0.2, -0.1, -0.4], [0.0, 1.0, 0.0]),
         TestScene {
             world_from_model: placed([-0.4, 0.2, 0.1], [-70.0, 10.0, -30.0], [0.7; 3]),
-            ..camera(
-                "above",
-                "from above: up and Front are far from perpendicular",
-                [-0.7, 1.4, 0.5],
-                [-0.3, 0.1, 0.1],
-                [0.0, 1.0, 0.0],
-            )
+            ..camera("above", "check-scene-camera-above", [-0.7, 1.4, 0.5], [-0.3, 0.1, 0.1], [0.0, 1.0, 0.0])
         },
-        camera("tilted", "a tilted head: up is not Y", [-0.9, -0.5, -1.2], [0.5, 0.2, -0.3], [0.48, 0.8, 0.36]),
+        camera("tilted", "check-scene-camera-tilted", [-0.9, -0.5, -1.2], [0.5, 0.2, -0.3], [0.48, 0.8, 0.36]),
         TestScene {
             world_from_model: placed([2.0, -1.1, 0.6], [15.0, -35.0, 60.0], [0.9, 0.6, 1.2]),
-            ..camera(
-                "off centre",
-                "everything far from the origin, with the camera looking past it",
-                [2.6, -0.2, 1.7],
-                [2.3, -0.9, 0.2],
-                [0.0, 1.0, 0.0],
-            )
+            ..camera("off centre", "check-scene-camera-off-centre", [2.6, -0.2, 1.7], [2.3, -0.9, 0.2], [0.0, 1.0, 0.0])
         },
         TestScene {
             shape: TestShape::Pyramid,
             world_from_model: Mat4::IDENTITY,
-            ..camera(
-                "lab",
-                "the lab's own scene: M is the identity, and the camera is not rotated",
-                [0.0, 0.0, 2.0],
-                [0.0, 0.0, 1.0],
-                [0.0, 1.0, 0.0],
-            )
+            ..camera("lab", "check-scene-camera-lab", [0.0, 0.0, 2.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0])
         },
         TestScene {
             shape: TestShape::Pyramid,
             world_from_model: Mat4::IDENTITY,
             ..camera(
                 "to the right",
-                "the same, with the camera moved to the right",
+                "check-scene-camera-to-the-right",
                 [0.5, 0.0, 2.0],
                 [0.5, 0.0, 1.0],
                 [0.0, 1.0, 0.0],
@@ -413,17 +417,11 @@ pub fn cameras() -> Vec<TestScene> {
         },
         TestScene {
             world_from_model: placed([0.1, 0.3, -0.2], [200.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
-            ..camera(
-                "behind",
-                "from behind and below, looking up",
-                [-0.6, -0.7, -1.5],
-                [0.0, 0.6, -0.1],
-                [0.0, 1.0, 0.0],
-            )
+            ..camera("behind", "check-scene-camera-behind", [-0.6, -0.7, -1.5], [0.0, 0.6, -0.1], [0.0, 1.0, 0.0])
         },
         TestScene {
             world_from_model: placed([0.0, 0.1, 0.0], [30.0, 0.0, 0.0], [0.5; 3]),
-            ..camera("close", "close to the pyramid", [0.5, 0.3, 0.7], [-0.4, -0.1, -0.5], [0.0, 1.0, 0.0])
+            ..camera("close", "check-scene-camera-close", [0.5, 0.3, 0.7], [-0.4, -0.1, -0.5], [0.0, 1.0, 0.0])
         },
     ]
 }
@@ -444,7 +442,7 @@ pub fn face(face: usize) -> TestScene {
         target: ahead,
         up,
         fov_y_rad: std::f32::consts::FRAC_PI_2,
-        ..base("face", "one face of a cubemap")
+        ..base("face", "check-scene-face")
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::roles::Role;
 use glam::{DMat3, DMat4, DVec3};
+use gonio_language::tr;
 use gonio_light::light::ambient_color;
 use gonio_light::{Attenuation, Light, LightKind};
 use gonio_mesh::AmbientRule;
@@ -24,46 +25,46 @@ pub(super) struct DrawInputs<'a> {
 /// A sentence part that says where the value of a role comes from.
 pub(super) fn origin(role: Role) -> String {
     let light = |index: u32, what: &str| match index {
-        0 => format!("the first light's {what}"),
-        1 => format!("the second light's {what}"),
-        more => format!("light {}'s {what}", more + 1),
+        0 => tr!("check-inputs-the-first-light-s", what = what),
+        1 => tr!("check-inputs-the-second-light-s", what = what),
+        more => tr!("check-inputs-light-s", more = more + 1, what = what),
     };
     match role {
-        Role::Model => "the object's matrix M".to_owned(),
-        Role::View => "the camera's matrix V".to_owned(),
-        Role::Projection => "the camera's matrix P".to_owned(),
-        Role::ModelView => "V M of object and camera".to_owned(),
-        Role::ViewProjection => "the camera's P V".to_owned(),
-        Role::ModelViewProjection => "P V M of object and camera".to_owned(),
-        Role::NormalMatrix => "the object's inverse transpose of M".to_owned(),
-        Role::NormalMatrixOfModelView => "the inverse transpose of V M".to_owned(),
-        Role::ModelInverse => "the inverse of the object's matrix M".to_owned(),
-        Role::ViewInverse => "the inverse of the camera's matrix V".to_owned(),
-        Role::ModelViewInverse => "the inverse of V M".to_owned(),
-        Role::ViewRotation => "the camera's matrix V without its translation".to_owned(),
-        Role::ViewProjectionRotation => "the camera's P V without the translation".to_owned(),
+        Role::Model => tr!("check-inputs-the-object-s-matrix-m").to_owned(),
+        Role::View => tr!("check-inputs-the-camera-s-matrix-v").to_owned(),
+        Role::Projection => tr!("check-inputs-the-camera-s-matrix-p").to_owned(),
+        Role::ModelView => tr!("check-inputs-v-m-of-object-and-camera").to_owned(),
+        Role::ViewProjection => tr!("check-inputs-the-camera-s-p-v").to_owned(),
+        Role::ModelViewProjection => tr!("check-inputs-p-v-m-of-object-and").to_owned(),
+        Role::NormalMatrix => tr!("check-inputs-the-object-s-inverse-transpose-of").to_owned(),
+        Role::NormalMatrixOfModelView => tr!("check-inputs-the-inverse-transpose-of-v-m").to_owned(),
+        Role::ModelInverse => tr!("check-inputs-the-inverse-of-the-object-s").to_owned(),
+        Role::ViewInverse => tr!("check-inputs-the-inverse-of-the-camera-s").to_owned(),
+        Role::ModelViewInverse => tr!("check-inputs-the-inverse-of-v-m").to_owned(),
+        Role::ViewRotation => tr!("check-inputs-the-camera-s-matrix-v-without").to_owned(),
+        Role::ViewProjectionRotation => tr!("check-inputs-the-camera-s-p-v-without").to_owned(),
         Role::ViewPos | Role::ViewFront | Role::ViewUp | Role::WorldUp | Role::ViewRight | Role::ViewTarget => {
-            "from the camera".to_owned()
+            tr!("check-inputs-from-the-camera").to_owned()
         }
-        Role::Yaw | Role::Pitch => "from the camera, in degrees".to_owned(),
-        Role::LightPos(i) => light(i, "position"),
-        Role::LightPosInView(i) => light(i, "position in view space"),
-        Role::LightDirection(i) => light(i, "direction"),
-        Role::LightDirectionInView(i) => light(i, "direction in view space"),
-        Role::LightHalfVector(i) => light(i, "half vector"),
-        Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => light(i, "colour"),
-        Role::DiffuseStrength(i) | Role::SpecularStrength(i) => light(i, "strength"),
-        Role::AmbientColor(_) | Role::AmbientStrength(_) => "the ambient light".to_owned(),
+        Role::Yaw | Role::Pitch => tr!("check-inputs-from-the-camera-in-degrees").to_owned(),
+        Role::LightPos(i) => light(i, tr!("check-inputs-position")),
+        Role::LightPosInView(i) => light(i, tr!("check-inputs-position-in-view-space")),
+        Role::LightDirection(i) => light(i, tr!("check-inputs-direction")),
+        Role::LightDirectionInView(i) => light(i, tr!("check-inputs-direction-in-view-space")),
+        Role::LightHalfVector(i) => light(i, tr!("check-inputs-half-vector")),
+        Role::LightColor(i) | Role::DiffuseColor(i) | Role::SpecularColor(i) => light(i, tr!("check-inputs-colour")),
+        Role::DiffuseStrength(i) | Role::SpecularStrength(i) => light(i, tr!("check-inputs-strength")),
+        Role::AmbientColor(_) | Role::AmbientStrength(_) => tr!("check-inputs-the-ambient-light").to_owned(),
         Role::AttenuationConstant(i)
         | Role::AttenuationLinear(i)
         | Role::AttenuationQuadratic(i)
-        | Role::Attenuation(i) => light(i, "attenuation"),
-        Role::LightCount => "the number of lights".to_owned(),
-        Role::Time => "the time in seconds".to_owned(),
-        Role::Resolution => "the picture's size in pixels".to_owned(),
+        | Role::Attenuation(i) => light(i, tr!("check-inputs-attenuation")),
+        Role::LightCount => tr!("check-inputs-the-number-of-lights").to_owned(),
+        Role::Time => tr!("check-inputs-the-time-in-seconds").to_owned(),
+        Role::Resolution => tr!("check-inputs-the-picture-s-size-in-pixels").to_owned(),
         Role::Gamma => "2.2".to_owned(),
         Role::Tint => "1".to_owned(),
-        _ => "from the material".to_owned(),
+        _ => tr!("check-inputs-from-the-material").to_owned(),
     }
 }
 

@@ -20,6 +20,7 @@ use crate::submission::{SourceFile, StageText, read_shader};
 use crate::verdict::CompilerMessage;
 use gonio_gl::Gl;
 use gonio_glsl::{Class, OutputVersion, Severity, Stage};
+use gonio_language::tr;
 use gonio_render::UserPass;
 use gonio_render::user_program::{UserProgram, is_embedded};
 use gonio_scene::{Frame, Scene};
@@ -76,7 +77,7 @@ impl UserShaders {
         };
         let (vertex, fragment) = (read(vertex)?, read(fragment)?);
         if vertex.is_none() && fragment.is_none() {
-            return Err("there is neither a vertex nor a fragment shader".to_owned());
+            return Err(tr!("check-inputs-there-is-neither-a-vertex-nor").to_owned());
         }
         Ok(UserShaders { vertex, fragment, names: OwnNames::read(names)?, warnings })
     }

@@ -3,6 +3,7 @@
 use crate::roles::NamesFile;
 use crate::submission::SourceFile;
 use crate::verdict::CompilerMessage;
+use gonio_language::tr;
 use std::path::{Path, PathBuf};
 
 /// The paths where a `names.toml` for these shaders may be: the folder of each, once.
@@ -34,7 +35,7 @@ impl OwnNames {
             let name = &file.name;
             let text = std::str::from_utf8(&file.bytes).map_err(|error| {
                 let line = file.bytes[..error.valid_up_to()].iter().filter(|byte| **byte == b'\n').count() + 1;
-                format!("{name}:{line}: the file is not text in UTF-8")
+                tr!("check-inputs-the-file-is-not-text-in", name = name, line = line)
             })?;
             let text = text.strip_prefix('\u{feff}').unwrap_or(text);
             let read = NamesFile::parse(text)

@@ -6,6 +6,7 @@ use crate::roles::{self, Bindings, Declared, How, Meaning, NamesFile, Role};
 use crate::submission::StageText;
 use crate::words::words_of;
 use gonio_glsl::{Interface, Storage, Type, Variable};
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// The inputs of the stand-ins, under names that no user's shader has.
@@ -83,7 +84,7 @@ pub(super) fn vertex(
         "#version 330 core\n{}{outputs}void main() {{\n{WORLD}{body}}}\n",
         declarations(&format!("{WORLD}{body}"), true)
     );
-    StageText::whole("gonio's vertex shader", text)
+    StageText::whole(tr!("check-inputs-gonio-s-vertex-shader"), text)
 }
 
 /// A fragment shader for this vertex shader: its colour if it has one, otherwise the material's in the light of a lamp at the
@@ -117,7 +118,7 @@ gonio_out = vec4(gonio_diffuse * (0.15 + 0.85 * abs(normal.z)), 1.0);
         "#version 330 core\n{}{input}out vec4 gonio_out;\nvoid main() {{\n{body}}}\n",
         declarations(&body, false)
     );
-    StageText::whole("gonio's fragment shader", text)
+    StageText::whole(tr!("check-inputs-gonio-s-fragment-shader"), text)
 }
 
 fn interpolation(variable: &Variable) -> String {
@@ -172,10 +173,12 @@ impl Varyings {
         let value = self.value(&input.name, &ty).unwrap_or_else(|| {
             if input.is_used {
                 let (file, line, column) = text.place(input.span.line, input.span.column);
-                warnings.push(format!(
-                    "{file}:{line}:{column}: gonio's vertex shader does not know what `{}` is, and writes 0; give it \
-                     a name such as `world_position`, `normal`, `uv` or `color` or a role in names.toml, or add a vertex shader",
-                    input.name
+                warnings.push(tr!(
+                    "check-inputs-gonio-s-vertex-shader-does-not",
+                    file = file,
+                    line = line,
+                    column = column,
+                    name = input.name
                 ));
             }
             format!("{ty}(0)")

@@ -5,6 +5,7 @@ use crate::compile::ParsedStage;
 use crate::roles::{Declared, Role};
 use crate::words::words_of;
 use gonio_glsl::{OutputVersion, Type};
+use gonio_language::tr;
 use gonio_scene::{Frame, Scene};
 
 /// Where the value of a uniform comes from.
@@ -72,8 +73,18 @@ impl UserUniform {
         let (expected, given) = (self.values.len(), values.len());
         let element = components(&self.glsl_type);
         if given != expected && given != element {
-            let numbers = if expected == 1 { "1 number" } else { &format!("{expected} numbers") };
-            return Err(format!("`{}` is a {} and takes {numbers}, not {given}", self.name, self.glsl_type));
+            let numbers = if expected == 1 {
+                tr!("check-inputs-1-number")
+            } else {
+                &tr!("check-inputs-numbers", expected = expected)
+            };
+            return Err(tr!(
+                "check-inputs-uniform-takes-numbers",
+                name = self.name,
+                glsl_type = self.glsl_type,
+                numbers = numbers,
+                given = given
+            ));
         }
         self.values = values.iter().copied().cycle().take(expected).collect();
         self.source = UniformSource::Chosen;
@@ -89,10 +100,10 @@ impl UserUniform {
     pub fn origin(&self) -> String {
         match self.source {
             UniformSource::Scene(role) => inputs::origin(role),
-            UniformSource::Initialiser => "its initialiser".to_owned(),
+            UniformSource::Initialiser => tr!("check-inputs-its-initialiser").to_owned(),
             UniformSource::NamesFile => "names.toml".to_owned(),
-            UniformSource::Chosen => "your value".to_owned(),
-            UniformSource::Guess => "not recognised: a guess".to_owned(),
+            UniformSource::Chosen => tr!("check-inputs-your-value").to_owned(),
+            UniformSource::Guess => tr!("check-inputs-not-recognised-a-guess").to_owned(),
         }
     }
 
@@ -175,8 +186,7 @@ pub(super) fn initial_values(stage: &ParsedStage<'_>) -> Vec<(String, Vec<f32>)>
 /// # Errors
 /// A sentence that names the part that is not a value.
 pub fn parse_setting(text: &str) -> Result<(String, Vec<f32>), String> {
-    let wrong =
-        || format!("invalid uniform `{text}`: expected NAME=VALUE[,VALUE...], for example scale=2 or tint=1,0.5,0");
+    let wrong = || tr!("check-inputs-invalid-uniform-expected-name-value-value", text = text);
     let (name, values) = text.split_once('=').ok_or_else(wrong)?;
     let name = name.trim();
     if name.is_empty() || values.trim().is_empty() {
@@ -190,9 +200,11 @@ pub fn parse_setting(text: &str) -> Result<(String, Vec<f32>), String> {
     let value = |word: &str| match word.trim() {
         "true" => Ok(1.0),
         "false" => Ok(0.0),
-        word => word.parse::<f32>().ok().filter(|value| value.is_finite()).ok_or_else(|| {
-            format!("invalid value `{word}` of the uniform `{name}`: expected a number, true, false or #rrggbb")
-        }),
+        word => word
+            .parse::<f32>()
+            .ok()
+            .filter(|value| value.is_finite())
+            .ok_or_else(|| tr!("check-inputs-invalid-value-of-the-uniform-expected", word = word, name = name)),
     };
     let values = values.split(',').map(value).collect::<Result<_, _>>()?;
     Ok((name.to_owned(), values))

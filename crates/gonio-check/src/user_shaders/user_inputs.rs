@@ -7,6 +7,7 @@ use super::uniforms::{UniformSource, UserUniform, components};
 use crate::roles::{self, Bindings, Bound, Declared, Fixed, How, Role, VariableKind};
 use crate::verdict::CompilerMessage;
 use crate::words::nearest;
+use gonio_language::tr;
 use gonio_render::{SampledTexture, VertexData};
 use gonio_scene::scene_file::LightSourceKind;
 use gonio_scene::{Frame, Scene, Texture};
@@ -89,7 +90,11 @@ impl UserInputs {
         let unused: Vec<String> = all_names.into_iter().filter(|name| !is_active(name)).collect();
         for name in bindings.unused.iter().filter(|name| !names_used.contains(name)) {
             let Some((file, line)) = names.place(name) else { continue };
-            let why = if unused.contains(name) { "has no effect on the picture" } else { "is not in the shaders" };
+            let why = if unused.contains(name) {
+                tr!("check-inputs-has-no-effect-on-the-picture")
+            } else {
+                tr!("check-inputs-is-not-in-the-shaders")
+            };
             warnings.push(format!("{file}:{line}: `{name}` {why}"));
         }
         warnings.truncate(MOST_WARNINGS);
@@ -136,16 +141,18 @@ impl UserInputs {
             return uniform.choose(values).map(|()| None);
         }
         if self.unused.iter().any(|unused| unused == name) {
-            return Ok(Some(format!("the uniform `{name}` has no effect on the picture, so its value is ignored")));
+            return Ok(Some(tr!("check-inputs-the-uniform-has-no-effect-on", name = name)));
         }
         if self.sampler(name).is_some() {
-            return Err(format!("`{name}` is a sampler; --texture gives it a picture"));
+            return Err(tr!("check-inputs-is-a-sampler-texture-gives-it", name = name));
         }
         let known: Vec<&str> = self.uniforms.iter().map(|uniform| uniform.name.as_str()).collect();
         Err(match (nearest(name, known.iter().copied()), known.is_empty()) {
-            (Some(near), _) => format!("the shaders have no uniform `{name}`; did you mean `{near}`?"),
-            (None, true) => format!("the shaders have no uniform `{name}`, nor any other"),
-            (None, false) => format!("the shaders have no uniform `{name}`; they have {}", known.join(", ")),
+            (Some(near), _) => tr!("check-inputs-the-shaders-have-no-uniform-did", name = name, near = near),
+            (None, true) => tr!("check-inputs-the-shaders-have-no-uniform-nor", name = name),
+            (None, false) => {
+                tr!("check-inputs-the-shaders-have-no-uniform-they", name = name, names = known.join(", "))
+            }
         })
     }
 
@@ -177,9 +184,9 @@ impl UserInputs {
         let Some(place) = self.sampler(name) else {
             let all: Vec<&str> = self.samplers.iter().map(|(name, _)| name.as_str()).collect();
             return Err(match nearest(name, all.iter().copied()) {
-                Some(near) => format!("the shaders have no sampler `{name}`; did you mean `{near}`?"),
-                None if all.is_empty() => format!("the shaders have no sampler `{name}`, nor any other"),
-                None => format!("the shaders have no sampler `{name}`; they have {}", all.join(", ")),
+                Some(near) => tr!("check-inputs-the-shaders-have-no-sampler-did", name = name, near = near),
+                None if all.is_empty() => tr!("check-inputs-the-shaders-have-no-sampler-nor", name = name),
+                None => tr!("check-inputs-the-shaders-have-no-sampler-they", name = name, names = all.join(", ")),
             });
         };
         self.samplers[place].1 = SampledTexture::File(self.files.len());
@@ -190,12 +197,12 @@ impl UserInputs {
     /// The samplers in order of name, each with what it reads, as a part of a sentence.
     pub fn sampler_origins(&self) -> impl Iterator<Item = (&str, &'static str)> {
         let origin = |texture| match texture {
-            SampledTexture::DiffuseMap => "the material's colour texture",
-            SampledTexture::SpecularMap => "the material's specular texture",
-            SampledTexture::NormalMap => "the material's normal map",
-            SampledTexture::Environment => "the environment",
-            SampledTexture::File(_) => "your picture",
-            SampledTexture::White => "not recognised: white",
+            SampledTexture::DiffuseMap => tr!("check-inputs-the-material-s-colour-texture"),
+            SampledTexture::SpecularMap => tr!("check-inputs-the-material-s-specular-texture"),
+            SampledTexture::NormalMap => tr!("check-inputs-the-material-s-normal-map"),
+            SampledTexture::Environment => tr!("check-inputs-the-environment"),
+            SampledTexture::File(_) => tr!("check-inputs-your-picture"),
+            SampledTexture::White => tr!("check-inputs-not-recognised-white"),
         };
         self.samplers.iter().map(move |(name, texture)| (name.as_str(), origin(*texture)))
     }
@@ -214,14 +221,11 @@ impl UserInputs {
     pub fn missing_inputs(&self, scene: &Scene) -> Vec<String> {
         let mut missing = Vec::new();
         if self.reads(VertexData::TexCoord) && scene.meshes.iter().all(|mesh| mesh.tex_coords.is_empty()) {
-            missing.push("the model has no texture coordinates; the shaders read 0 instead".to_owned());
+            missing.push(tr!("check-inputs-the-model-has-no-texture-coordinates").to_owned());
         }
         let reads = |texture| self.samplers.iter().any(|(_, read)| *read == texture);
         if reads(SampledTexture::Environment) && scene.environment.is_none() {
-            missing.push(
-                "the scene has no environment; the shaders read a black cubemap, and --environment gives them one"
-                    .to_owned(),
-            );
+            missing.push(tr!("check-inputs-the-scene-has-no-environment-the").to_owned());
         }
         let is_lit = |light: &gonio_scene::settings::LightSettings| light.kind != LightSourceKind::Ambient;
         let reads_light = |uniform: &UserUniform| match uniform.source {
@@ -229,11 +233,11 @@ impl UserInputs {
             _ => false,
         };
         if self.uniforms.iter().any(reads_light) && !scene.settings.lights.iter().any(is_lit) {
-            missing.push("the scene has no light; the shaders read a white one at the camera".to_owned());
+            missing.push(tr!("check-inputs-the-scene-has-no-light-the").to_owned());
         }
         let has_map = |has: fn(&gonio_scene::Maps) -> bool| scene.materials.iter().any(|m| has(&m.maps));
         if reads(SampledTexture::DiffuseMap) && !has_map(|maps| maps.diffuse.is_some()) {
-            missing.push("the model has no colour texture; the shaders read white instead".to_owned());
+            missing.push(tr!("check-inputs-the-model-has-no-colour-texture").to_owned());
         }
         missing
     }
@@ -257,12 +261,16 @@ fn wrong_entries(bindings: &Bindings, names: &OwnNames) -> Vec<CompilerMessage> 
         let (name, ty) = (&declared.name, &declared.glsl_type);
         let (one, all) = (components(ty), components(ty) * declared.array.max(1) as usize);
         let text = if declared.kind == VariableKind::Attribute {
-            format!("`{name}` is an attribute, which takes a role such as \"position\", not a value")
+            tr!("check-inputs-is-an-attribute-which-takes-a", name = name)
         } else if ty.contains("sampler") {
-            format!("`{name}` is a sampler, which takes a role such as \"diffuse-texture\", not a value")
+            tr!("check-inputs-is-a-sampler-which-takes-a", name = name)
         } else if ![one, all].contains(&values.len()) {
-            let numbers = if all == 1 { "1 number".to_owned() } else { format!("{all} numbers") };
-            format!("`{name}` is a {ty} and takes {numbers}, not {}", values.len())
+            let numbers = if all == 1 {
+                tr!("check-inputs-1-number").to_owned()
+            } else {
+                tr!("check-inputs-all-numbers", all = all)
+            };
+            tr!("check-inputs-names-takes-numbers", name = name, ty = ty, numbers = numbers, count = values.len())
         } else {
             continue;
         };
@@ -275,12 +283,15 @@ fn wrong_entries(bindings: &Bindings, names: &OwnNames) -> Vec<CompilerMessage> 
         };
         let is_sampler = declared.glsl_type.contains("sampler");
         let (fits, what) = match (declared.kind, is_sampler) {
-            (VariableKind::Attribute, _) => (role.is_attribute(), "an attribute"),
-            (VariableKind::Uniform, true) => (is_texture(role), "a sampler"),
-            (VariableKind::Uniform, false) => (inputs::has_value(*role), "a uniform"),
+            (VariableKind::Attribute, _) => (role.is_attribute(), tr!("check-inputs-an-attribute")),
+            (VariableKind::Uniform, true) => (is_texture(role), tr!("check-inputs-a-sampler")),
+            (VariableKind::Uniform, false) => (inputs::has_value(*role), tr!("check-inputs-a-uniform")),
         };
         if !fits {
-            errors.push(names.error(name, format!("`{name}` is {what}, which cannot have the role `{role}`")));
+            errors.push(names.error(
+                name,
+                tr!("check-inputs-is-which-cannot-have-the-role", name = name, what = what, role = role.to_string()),
+            ));
         }
     }
     errors
@@ -304,12 +315,8 @@ fn attributes(bindings: &Bindings, warnings: &mut Vec<String>) -> Vec<(String, V
         };
         all.push((bound.declared.name.clone(), data));
     }
-    warnings.extend(not_recognised.iter().map(|name| {
-        format!(
-            "the attribute `{name}` is not recognised and reads 0, 0, 0, 1; names such as `position` are, and \
-             names.toml gives it a role"
-        )
-    }));
+    warnings
+        .extend(not_recognised.iter().map(|name| tr!("check-inputs-the-attribute-is-not-recognised-and", name = name)));
     all
 }
 
@@ -320,11 +327,11 @@ fn texture_of(declared: &Declared, role: Option<Role>, warnings: &mut Vec<String
         ("sampler2D", Some(Role::SpecularTexture)) => SampledTexture::SpecularMap,
         ("sampler2D", Some(Role::NormalTexture)) => SampledTexture::NormalMap,
         ("sampler2D", _) => {
-            warnings.push(format!("the sampler `{}` reads white; --texture gives it a picture", declared.name));
+            warnings.push(tr!("check-inputs-the-sampler-reads-white-texture-gives", name = declared.name));
             SampledTexture::White
         }
         (other, _) => {
-            warnings.push(format!("the sampler `{}` reads 0: gonio has no texture for {other}", declared.name));
+            warnings.push(tr!("check-inputs-the-sampler-reads-0-gonio-has", name = declared.name, other = other));
             SampledTexture::White
         }
     }

@@ -2,6 +2,7 @@
 
 use super::original::Original;
 use gonio_check::submission::SourceFile;
+use gonio_language::tr;
 use gonio_mesh::{Limits, Material, Mesh, TextureMap, Wrap};
 use gonio_scene::Texture;
 use gonio_scene::files::{FileBytes, FileSource, within};
@@ -210,13 +211,16 @@ fn decode(name: &str, bytes: &[u8], left: u64) -> Result<Texture, String> {
     if let Some([width, height]) = gonio_scene::picture_size(bytes, name)
         && width.max(height) > MOST_TEXELS
     {
-        return Err(format!(
-            "the picture has {width} x {height} texels; at most {MOST_TEXELS} x {MOST_TEXELS} are checked, bake a smaller one"
+        return Err(tr!(
+            "check-baking-the-picture-has-x-texels-at",
+            width = width,
+            height = height,
+            most = MOST_TEXELS
         ));
     }
     if gonio_scene::picture_size(bytes, name).is_some_and(|[width, height]| u64::from(width) * u64::from(height) > left)
     {
-        return Err("the pictures of this folder are too large together; hand in the baked one alone".to_owned());
+        return Err(tr!("check-baking-the-pictures-of-this-folder-are").to_owned());
     }
     Texture::decode(name, bytes)
 }

@@ -10,6 +10,7 @@ use super::materials::quoted;
 use super::original::Original;
 use super::picture::{SquarePicture, Tone, Turn};
 use super::seams::Seams;
+use gonio_language::tr;
 use std::collections::BTreeMap;
 
 /// The share of covered texels from which an overlap, or a chart outside, is a mistake rather than rounding.
@@ -70,7 +71,10 @@ pub fn examine(answer: &Answer, original: &Original) -> BakeFindings {
     let mut findings = BakeFindings::default();
     let Some(matching) = Matching::new(&original.surface.mesh, &answer.mesh) else {
         let triangles = answer.mesh.triangle_count();
-        findings.mistakes.push(BakeFinding::of("wrong-model", format!("{} has {triangles} triangles", answer.name)));
+        findings.mistakes.push(BakeFinding::of(
+            "wrong-model",
+            tr!("check-baking-has-triangles", name = answer.name, triangles = triangles),
+        ));
         return findings;
     };
     findings.model(answer, &matching, original);
@@ -105,7 +109,7 @@ impl BakeFindings {
         }
         let extra = matching.counterparts.iter().filter(|found| **found == Counterpart::Nothing).count();
         if 100 * extra > answer.mesh.triangle_count() {
-            self.warnings.push(format!("{extra} triangles of {} are not in the original model", answer.name));
+            self.warnings.push(tr!("check-baking-triangles-of-are-not-in-the", extra = extra, name = answer.name));
         }
         let placement = &matching.placement;
         if placement.is_mirrored() {
@@ -114,10 +118,11 @@ impl BakeFindings {
             self.mistakes.push(BakeFinding::new("axes-turned"));
         }
         if (placement.scale - 1.0).abs() > 1e-3 {
-            self.warnings.push(format!("the model is {:.4} times as large as the original", 1.0 / placement.scale));
+            self.warnings
+                .push(tr!("check-baking-the-model-is-times-as-large", scale = format!("{:.4}", 1.0 / placement.scale)));
         }
         if placement.offset.length() > 1e-2 * matching.diagonal {
-            self.warnings.push("the model is in another place than the original".to_owned());
+            self.warnings.push(tr!("check-baking-the-model-is-in-another-place").to_owned());
         }
         if answer.mesh.normals.is_empty() {
             self.mistakes.push(BakeFinding::new("normals-missing"));
@@ -158,7 +163,10 @@ impl Examination<'_> {
         if area > LARGEST_AREA {
             // Baking all of them would take long, and most of the texels could not be judged.
             findings.mistakes.push(match kept.is_empty() {
-                true => BakeFinding::of("charts-overlap", format!("their area is {area:.1} times that of the picture")),
+                true => BakeFinding::of(
+                    "charts-overlap",
+                    tr!("check-baking-their-area-is-times-that-of", area = format!("{area:.1}")),
+                ),
                 false => self.kept_coordinates(&kept, is_all_kept),
             });
             return;
@@ -255,14 +263,21 @@ impl Examination<'_> {
         } else if is_conflict {
             let both = right.conflicting.map(|pair| pair.map(|t| self.layout.part[t as usize]));
             let both: Vec<u16> = both.into_iter().flatten().flatten().collect();
-            let detail = format!("{:.1} % of the texels, {}", 100.0 * conflicts, self.names(&both));
+            let detail = tr!(
+                "check-baking-of-the-texels",
+                conflicts = format!("{:.1}", 100.0 * conflicts),
+                both = self.names(&both)
+            );
             findings.mistakes.push(BakeFinding::of("charts-overlap", detail));
         } else if right.overlaps as f64 / covered > OVERLAP {
-            findings.warnings.push("charts overlap, but only where they have the same colour".to_owned());
+            findings.warnings.push(tr!("check-baking-charts-overlap-but-only-where-they").to_owned());
         }
         let outside = self.share_outside();
         if outside > OVERLAP {
-            findings.mistakes.push(BakeFinding::of("charts-outside", format!("{:.1} % of them", 100.0 * outside)));
+            findings.mistakes.push(BakeFinding::of(
+                "charts-outside",
+                tr!("check-baking-of-them", outside = format!("{:.1}", 100.0 * outside)),
+            ));
         }
     }
 
@@ -339,10 +354,7 @@ impl Examination<'_> {
                 && !reaches_out
                 && !findings.mistakes.iter().any(|m| m.id == "charts-outside")
             {
-                findings.warnings.push(
-                    "some texture coordinates are outside of 0 to 1; the picture is right there because it repeats"
-                        .to_owned(),
-                );
+                findings.warnings.push(tr!("check-baking-some-texture-coordinates-are-outside-of").to_owned());
             }
         }
         let is_empty = findings.mistakes.iter().any(|m| m.id == "picture-empty");
@@ -379,7 +391,7 @@ impl Examination<'_> {
             part.is_some_and(|part| !unbaked[usize::from(part)]) && !self.layout.is_outside[t as usize]
         };
         let seams = Seams::measure(self.answer, self.layout, right, texture, turn, &is_judged);
-        let percent = |share: f64| format!("{:.0} % of a lookup at a border", 100.0 * share);
+        let percent = |share: f64| tr!("check-baking-of-a-lookup-at-a-border", share = format!("{:.0}", 100.0 * share));
         if seams.other_chart > SEAM {
             findings.mistakes.push(BakeFinding::of("charts-too-close", percent(seams.other_chart)));
         }
@@ -409,12 +421,15 @@ impl Examination<'_> {
         }
         let share = lost as f64 / all.max(1) as f64;
         if share > BLURRED {
-            let detail = format!("{width} x {height} texels, {:.0} % of the surface has another colour", 100.0 * share);
+            let detail = tr!(
+                "check-baking-x-texels-of-the-surface-has",
+                width = width,
+                height = height,
+                share = format!("{:.0}", 100.0 * share)
+            );
             findings.mistakes.push(BakeFinding::of("picture-too-small", detail));
         } else {
-            findings
-                .warnings
-                .push(format!("{width} x {height} texels are few: details are lost; 1024 x 1024 keeps them"));
+            findings.warnings.push(tr!("check-baking-x-texels-are-few-details-are", width = width, height = height));
         }
     }
 
@@ -429,10 +444,7 @@ impl Examination<'_> {
         };
         let clear = right.judged.iter().filter(|texel| is_clear(texel)).count();
         if clear * 50 > right.judged.len() {
-            findings.warnings.push(format!(
-                "{} is transparent on the surface: programs that use its alpha show holes; save it as RGB",
-                own.name
-            ));
+            findings.warnings.push(tr!("check-baking-is-transparent-on-the-surface-programs", name = own.name));
         }
     }
 }

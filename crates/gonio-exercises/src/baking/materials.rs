@@ -2,6 +2,7 @@
 
 use super::answer::{AnswerMaterial, PathState, TextureReference};
 use super::findings::{BakeFinding, BakeFindings, Candidate, Examination};
+use gonio_language::tr;
 
 impl Examination<'_> {
     /// Paths and materials, given the baked picture and the one that most of the surface shows.
@@ -38,7 +39,9 @@ impl Examination<'_> {
             let (id, detail) = match (&first.texture, others.len() == materials.len()) {
                 (TextureReference::Missing(PathState::Absolute), true) => ("texture-path-absolute", first.path.clone()),
                 (TextureReference::Missing(_), true) => ("texture-path-broken", first.path.clone()),
-                _ if is_wrong_image => ("wrong-image", format!("{} instead of {}", first.path, self.name(chosen))),
+                _ if is_wrong_image => {
+                    ("wrong-image", tr!("check-baking-instead-of", path = first.path, chosen = self.name(chosen)))
+                }
                 (_, true) => ("old-textures-kept", String::new()),
                 (_, false) => ("materials-left", names.join(", ")),
             };
@@ -53,8 +56,7 @@ impl Examination<'_> {
             let id = match state {
                 PathState::Right => None,
                 PathState::OtherCase => {
-                    let warning =
-                        format!("{} and the file's name differ in case: Linux does not find it", material.path);
+                    let warning = tr!("check-baking-and-the-file-s-name-differ", path = material.path);
                     findings.warnings.push(warning);
                     None
                 }
@@ -73,10 +75,10 @@ impl Examination<'_> {
                     .mistakes
                     .push(BakeFinding { place: quoted(material), ..BakeFinding::of("color-factor-left", detail) });
             } else {
-                findings.warnings.push(format!(
-                    "material {} has a factor of {r:.2} beside its texture: programs that multiply them show it darker; \
-                     write Kd 1 1 1",
-                    material.name
+                findings.warnings.push(tr!(
+                    "check-baking-material-has-a-factor-of-beside",
+                    name = material.name,
+                    factor = format!("{r:.2}")
                 ));
             }
         }

@@ -4,6 +4,7 @@ use crate::exercise::Exercise;
 use glam::{DVec3, DVec4};
 use gonio_bake::SceneSurface;
 use gonio_bake::texels::TexelSample;
+use gonio_language::tr;
 use gonio_scene::files::{FileBytes, FileSource};
 use gonio_scene::{Scene, load};
 use std::collections::BTreeMap;
@@ -16,7 +17,7 @@ pub struct FetchedFiles(pub BTreeMap<String, FileBytes>);
 
 impl FileSource for FetchedFiles {
     fn read_within(&self, _: &Path, _: u64) -> Result<FileBytes, Error> {
-        Err(Error::new(ErrorKind::NotFound, "only built-in files can be read here"))
+        Err(Error::new(ErrorKind::NotFound, tr!("check-baking-only-built-in-files-can-be")))
     }
 
     fn list(&self, _: &Path) -> Vec<PathBuf> {
@@ -46,10 +47,11 @@ impl Original {
     pub fn load(exercise: &Exercise, files: &FetchedFiles) -> Result<Self, String> {
         let mut given = Vec::new();
         for path in &exercise.given {
-            let bytes = files.builtin(path).ok_or_else(|| format!("the exercise's file {path} was not downloaded"))?;
+            let bytes =
+                files.builtin(path).ok_or_else(|| tr!("check-baking-the-exercise-s-file-was-not", path = path))?;
             given.push((Exercise::given_name(path).to_owned(), bytes));
         }
-        let model = exercise.given.first().ok_or("the exercise has no model to bake")?;
+        let model = exercise.given.first().ok_or(tr!("check-baking-the-exercise-has-no-model-to"))?;
         let input = format!("{}{model}", gonio_scene::files::BUILTIN);
         let scene = load::describe(&[&input], files).and_then(|scene| load::load(scene, Path::new(""), files));
         let scene = scene.map_err(|error| error.to_string())?;

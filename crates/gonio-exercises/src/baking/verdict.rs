@@ -7,6 +7,7 @@ use super::original::Original;
 use crate::exercise::Exercise;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{FoundMistake, Outcome, SceneVerdict, Verdict, join_names};
+use gonio_language::tr;
 
 /// Most models that are checked; the best of them counts.
 const MOST_MODELS: usize = 4;
@@ -26,12 +27,10 @@ pub fn check(exercise: &Exercise, files: &[SourceFile], original: &Original) -> 
     }
     match models.len() {
         0 => {
-            return unsure(
-                "there is no model among the files: hand in the .obj with its .mtl and the baked picture, or a .glb",
-            );
+            return unsure(tr!("check-baking-no-model-handed-in"));
         }
         count if count > MOST_MODELS => {
-            return unsure(&format!("there are {count} models among the files; check one at a time"));
+            return unsure(&tr!("check-baking-there-are-models-among-the-files", count = count));
         }
         _ => {}
     }
@@ -42,7 +41,7 @@ pub fn check(exercise: &Exercise, files: &[SourceFile], original: &Original) -> 
     let rank =
         |verdict: &Verdict| (verdict.verdict == Outcome::Correct, verdict.verdict == Outcome::Wrong, verdict.score);
     let better = |a: Verdict, b: Verdict| if rank(&b) > rank(&a) { b } else { a };
-    verdicts.reduce(better).unwrap_or_else(|| unsure("there is no model among the files"))
+    verdicts.reduce(better).unwrap_or_else(|| unsure(tr!("check-baking-no-model")))
 }
 
 fn in_words(exercise: &Exercise, answer: &Answer, findings: BakeFindings) -> Verdict {
@@ -52,7 +51,7 @@ fn in_words(exercise: &Exercise, answer: &Answer, findings: BakeFindings) -> Ver
     let found: Vec<FoundMistake> = findings.mistakes.iter().filter_map(|finding| named(exercise, finding)).collect();
     let is_right = found.is_empty() && !findings.is_unexplained;
     let (outcome, summary) = match (is_right, found.is_empty()) {
-        (true, _) => (Outcome::Correct, format!("the picture of {} is right everywhere on the model", answer.name)),
+        (true, _) => (Outcome::Correct, tr!("check-baking-the-picture-of-is-right-everywhere", name = answer.name)),
         (false, false) => (Outcome::Wrong, join_names(found.iter().map(|mistake| mistake.name.as_str()))),
         (false, true) => (Outcome::Wrong, unexplained(&findings)),
     };
@@ -64,14 +63,14 @@ fn in_words(exercise: &Exercise, answer: &Answer, findings: BakeFindings) -> Ver
     verdict.scenes = (findings.parts.iter())
         .map(|(name, part)| SceneVerdict {
             scene: name.clone(),
-            shows: "the colours of one part".into(),
+            shows: tr!("check-baking-the-colours-of-one-part").into(),
             right: part.is_right(),
             pixels_beyond: 1.0 - part.share(),
             worst: 0.0,
         })
         .collect();
     verdict.warnings = findings.warnings;
-    verdict.warnings.extend(answer.unreadable.iter().map(|reason| format!("not read: {reason}")));
+    verdict.warnings.extend(answer.unreadable.iter().map(|reason| tr!("check-baking-not-read", reason = reason)));
     verdict.mistakes = found;
     verdict
 }
@@ -80,10 +79,10 @@ fn unexplained(findings: &BakeFindings) -> String {
     let (all, right) = findings.parts.iter().fold((0, 0), |(a, r), (_, part)| (a + part.texels, r + part.right));
     let wrong: Vec<&str> =
         findings.parts.iter().filter(|(_, part)| !part.is_right()).map(|(name, _)| name.as_str()).collect();
-    format!(
-        "{:.0} % of the surface has the right colour; no known mistake explains the others ({})",
-        100.0 * right as f64 / all.max(1) as f64,
-        wrong.join(", ")
+    tr!(
+        "check-baking-of-the-surface-has-the-right",
+        percent = format!("{:.0}", 100.0 * right as f64 / all.max(1) as f64),
+        parts = wrong.join(", ")
     )
 }
 

@@ -1,5 +1,6 @@
 //! A student's vertex buffer, in whichever format it came, and the vertices in it.
 
+use gonio_language::tr;
 use serde::Serialize;
 use std::fmt;
 
@@ -65,6 +66,7 @@ pub(super) struct Reading {
     pub(super) vertices: Vec<Vertex>,
     pub(super) has: Attributes,
     /// A warning if this interpretation is unusual.
+    /// The id of a remark.
     pub(super) remark: Option<&'static str>,
 }
 
@@ -75,17 +77,13 @@ struct Layout {
     tex_coord: Option<usize>,
     /// First column of the normal.
     normal: Option<usize>,
+    /// The id of a remark.
     remark: Option<&'static str>,
 }
 
 const LAYOUTS: [Layout; 5] = [
     Layout { width: 8, tex_coord: Some(3), normal: Some(5), remark: None },
-    Layout {
-        width: 8,
-        tex_coord: Some(6),
-        normal: Some(3),
-        remark: Some("the columns are x y z nx ny nz u v here; expected x y z u v nx ny nz"),
-    },
+    Layout { width: 8, tex_coord: Some(6), normal: Some(3), remark: Some("check-buffer-the-columns-are-x-y-z") },
     Layout { width: 6, tex_coord: None, normal: Some(3), remark: None },
     Layout { width: 5, tex_coord: Some(3), normal: None, remark: None },
     Layout { width: 3, tex_coord: None, normal: None, remark: None },
@@ -121,7 +119,7 @@ fn by_width(values: &[f32], width: usize, remark: Option<&'static str>) -> Vec<R
 
 /// Interpretations as 32-bit floats, then as 64-bit floats, which are the default of NumPy and JavaScript.
 fn readings_of_bytes(bytes: &[u8], stride: Option<usize>) -> Vec<Reading> {
-    const DOUBLES: &str = "the numbers are 64-bit floats; expected 32-bit ones (float, np.float32, Float32Array)";
+    const DOUBLES: &str = "check-buffer-the-numbers-are-64-bit-floats";
     let singles: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
     let doubles = bytes.chunks_exact(8).map(|b| f64::from_le_bytes([b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]]));
     let doubles: Vec<f32> = doubles.map(|x| x as f32).collect();
@@ -172,14 +170,14 @@ impl BufferError {
 
 impl fmt::Display for BufferError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(line) = self.line {
-            write!(f, "line {line}")?;
-            if let Some(column) = self.column {
-                write!(f, ", column {column}")?;
+        let message = self.message.as_str();
+        match (self.line, self.column) {
+            (None, _) => f.write_str(message),
+            (Some(line), None) => f.write_str(&tr!("check-buffer-line", line = line, message = message)),
+            (Some(line), Some(column)) => {
+                f.write_str(&tr!("check-buffer-line-column", line = line, column = column, message = message))
             }
-            f.write_str(": ")?;
         }
-        f.write_str(&self.message)
     }
 }
 

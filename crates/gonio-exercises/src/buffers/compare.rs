@@ -7,6 +7,7 @@ use super::keys::{join, triangle};
 use super::mistakes::{MISTAKES, Mistake};
 use super::same::{self, Left};
 use gonio_check::verdict::Outcome;
+use gonio_language::tr;
 use serde::Serialize;
 
 /// The share that a mistake must explain to be named: triangles in both buffers divided by those in either. The exercise
@@ -87,7 +88,7 @@ pub fn compare(expected: &Expected, buffer: &Buffer) -> BufferFindings {
     let reading = likely_reading(expected, buffer);
     let mut comparison = Comparison::new(expected, &reading);
     comparison.warnings.extend(buffer.warnings.iter().cloned());
-    comparison.warnings.extend(reading.remark.map(str::to_owned));
+    comparison.warnings.extend(reading.remark.map(|id| tr!(id).to_owned()));
     comparison.verdict()
 }
 
@@ -174,17 +175,14 @@ impl<'a> Comparison<'a> {
         let given = SubmittedTriangles::new(&triangles, &expected.keys, compared);
         let mut warnings = Vec::new();
         if !reading.vertices.len().is_multiple_of(3) {
-            warnings.push(format!(
-                "the buffer has {} rows, which is not a multiple of three: three rows make a triangle",
-                reading.vertices.len()
-            ));
+            warnings.push(tr!("check-buffer-the-buffer-has-rows-which-is", count = reading.vertices.len()));
         }
         let lacks = [
             ("tex-coords-missing", expected.has.tex_coords && !reading.has.tex_coords),
             ("normals-missing", expected.has.normals && !reading.has.normals),
         ];
         let lacking = lacks.iter().filter(|(_, lacks)| *lacks);
-        let lacking = lacking.filter_map(|(id, _)| MISTAKES.iter().find(|mistake| mistake.words.id == *id)).collect();
+        let lacking = lacking.filter_map(|(id, _)| MISTAKES.iter().find(|mistake| mistake.id == *id)).collect();
         let mut comparison =
             Comparison { expected, compared, triangles, given, lacking, warnings, shares: Shares::default() };
         comparison.shares = comparison.shares();
@@ -224,7 +222,7 @@ impl<'a> Comparison<'a> {
         }
         let coarse = same::loosely(self.expected, &self.triangles, left.clone(), self.compared, FEW_DIGITS);
         if coarse.is_nothing() {
-            let warning = "numbers are rounded to few digits: the buffer is right, but write at least six digits (std::setprecision, %.6f)";
+            let warning = tr!("check-buffer-numbers-are-rounded-to-few-digits");
             self.warnings.push(warning.to_owned());
             return self.only_lacking();
         }
@@ -298,14 +296,14 @@ impl<'a> Comparison<'a> {
             self.lacking.iter().map(|mistake| buffer_mistake(mistake, 1.0, None)).collect();
         for mistake in named.wrong.mistakes.iter().filter_map(|number| MISTAKES.get(*number)) {
             if mistake.is_harmless {
-                warnings.push(format!("{}: {}", mistake.words.name, mistake.words.explanation));
+                warnings.push(format!("{}: {}", mistake.words().name, mistake.words().explanation));
             } else {
                 mistakes.push(buffer_mistake(mistake, share, example.clone()));
             }
         }
         let mut alternatives: Vec<Vec<&'static str>> = Vec::new();
         for other in &best.hypotheses[1..] {
-            let ids: Vec<&'static str> = other.wrong.mistakes.iter().map(|number| MISTAKES[*number].words.id).collect();
+            let ids: Vec<&'static str> = other.wrong.mistakes.iter().map(|number| MISTAKES[*number].id).collect();
             if other.wrong.mistakes != named.wrong.mistakes && !alternatives.contains(&ids) {
                 alternatives.push(ids);
             }
@@ -319,10 +317,7 @@ impl<'a> Comparison<'a> {
         // More than half of the positions' numbers are not in the file.
         let is_foreign = self.expected.keys.share_known(&vertices, Attributes::default()) < 0.5;
         if is_foreign {
-            self.warnings.push(
-                "most of the buffer's numbers are not in the model's file: is it the buffer of another model?"
-                    .to_owned(),
-            );
+            self.warnings.push(tr!("check-buffer-most-of-the-buffer-s-numbers").to_owned());
         }
         let example = self.example(left, None);
         BufferFindings {
@@ -384,7 +379,7 @@ struct Best<'a> {
 }
 
 fn buffer_mistake(mistake: &Mistake, share_explained: f64, example: Option<Example>) -> BufferMistake {
-    let words = mistake.words;
+    let words = mistake.words();
     BufferMistake {
         id: words.id,
         name: words.name,

@@ -2,6 +2,7 @@
 
 use super::buffer::{Buffer, BufferError, Data, WIDTHS};
 use super::{json, table};
+use gonio_language::tr;
 
 /// Maximum size of a file, in bytes.
 pub const MOST_BYTES: usize = 100 << 20;
@@ -11,11 +12,11 @@ pub const MOST_BYTES: usize = 100 << 20;
 /// floats per vertex.
 pub fn read_buffer(name: &str, bytes: &[u8]) -> Result<Buffer, BufferError> {
     if bytes.len() > MOST_BYTES {
-        let message = format!("the file has {} MB; at most {} MB are read", bytes.len() >> 20, MOST_BYTES >> 20);
+        let message = tr!("check-buffer-file-too-large", count = bytes.len() >> 20, most = MOST_BYTES >> 20);
         return Err(BufferError::new(message));
     }
     if bytes.is_empty() {
-        return Err(BufferError::new("the file is empty: was it closed before the program ended?"));
+        return Err(BufferError::new(tr!("check-buffer-the-file-is-empty-was-it")));
     }
     let ending = name.rsplit_once('.').map_or(String::new(), |(_, ending)| ending.to_ascii_lowercase());
     let is_text = looks_like_text(bytes);
@@ -47,24 +48,18 @@ fn looks_like_text(bytes: &[u8]) -> bool {
 /// Reads bytes as floats. `stride` is the number of floats per vertex, if the file's ending states it.
 fn read_raw(bytes: &[u8], stride: Option<usize>) -> Result<Buffer, BufferError> {
     if !bytes.len().is_multiple_of(4) {
-        let message = format!(
-            "raw floats take 4 bytes each, but the file has {} bytes: was it opened as text (\"w\" instead of \"wb\", \
-             without std::ios::binary)?",
-            bytes.len()
-        );
+        let message = tr!("check-buffer-raw-floats-take-4-bytes-each", count = bytes.len());
         return Err(BufferError::new(message));
     }
     let floats = bytes.len() / 4;
     let fits = |width: &usize| floats.is_multiple_of(*width);
     match stride {
         Some(stride) if !fits(&stride) => {
-            let message =
-                format!("the file has {floats} floats, which is not a multiple of the {stride} that its name states");
+            let message = tr!("check-buffer-floats-not-of-stride", floats = floats, stride = stride);
             return Err(BufferError::new(message));
         }
         None if !WIDTHS.iter().any(fits) => {
-            let message =
-                format!("the file has {floats} floats, which is not a multiple of 3, 5, 6 or 8: not whole vertices");
+            let message = tr!("check-buffer-floats-not-whole-vertices", floats = floats);
             return Err(BufferError::new(message));
         }
         _ => {}

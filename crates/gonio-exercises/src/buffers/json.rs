@@ -1,23 +1,21 @@
 //! Vertex buffers as JSON: rows, objects, or one list for each attribute, with or without indices.
 
 use super::buffer::{Attributes, Buffer, BufferError, Data, Vertex, WIDTHS, unit};
+use gonio_language::tr;
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use std::fmt;
 
 /// Maximum size in bytes: a tree of JSON takes ten times the memory of its text.
 const MOST_BYTES: usize = 32 << 20;
 
-const SHAPES: &str = "expected a list of rows, a list of objects, {\"positions\", \"tex_coords\", \"normals\"} or \
-                      {\"vertices\", \"indices\"}";
+fn shapes() -> &'static str {
+    tr!("check-buffer-expected-a-list-of-rows-a")
+}
 
 /// Reads JSON.
 pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
     if bytes.len() > MOST_BYTES {
-        let message = format!(
-            "the file has {} MB; at most {} MB of JSON are read: write raw floats instead",
-            bytes.len() >> 20,
-            MOST_BYTES >> 20
-        );
+        let message = tr!("check-buffer-json-too-large", count = bytes.len() >> 20, most = MOST_BYTES >> 20);
         return Err(BufferError::new(message));
     }
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
@@ -25,11 +23,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
         let text = error.to_string();
         let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
         let hint = match text.contains("expected value") && contains_nan(bytes) {
-            true => " (JSON has no NaN: write null)",
+            true => tr!("check-buffer-json-has-no-nan-write-null"),
             false => "",
         };
         let error_line = (error.line() > 0).then_some(error.line() as u64);
-        let error_at = BufferError::new(format!("invalid JSON: {message}{hint}"));
+        let error_at = BufferError::new(tr!("check-buffer-invalid-json", message = message, hint = hint));
         error_line.map_or(error_at.clone(), |line| error_at.at(line, Some(error.column() as u64)))
     })?;
     let mut warnings = Vec::new();
@@ -37,8 +35,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
         Tree::Numbers(values) if !values.is_empty() => flat(values)?,
         Tree::List(rows) => list(rows)?,
         Tree::Object(fields) => object(fields, &mut warnings)?,
-        Tree::Numbers(_) => return Err(BufferError::new("the list is empty: no vertex was written")),
-        Tree::Other(_) => return Err(BufferError::new(SHAPES)),
+        Tree::Numbers(_) => return Err(BufferError::new(tr!("check-buffer-the-list-is-empty-no-vertex"))),
+        Tree::Other(_) => return Err(BufferError::new(shapes())),
     };
     let is_empty = match &data {
         Data::Named { vertices, .. } => vertices.is_empty(),
@@ -46,7 +44,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
         Data::Raw { bytes, .. } => bytes.is_empty(),
     };
     if is_empty {
-        return Err(BufferError::new("the file has no vertices"));
+        return Err(BufferError::new(tr!("check-buffer-the-file-has-no-vertices")));
     }
     Ok(Buffer { data, warnings })
 }
@@ -72,7 +70,7 @@ impl<'de> Deserialize<'de> for Tree {
             type Value = Tree;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a vertex buffer")
+                f.write_str(tr!("check-buffer-a-vertex-buffer"))
             }
             fn visit_f64<E>(self, value: f64) -> Result<Tree, E> {
                 Ok(Tree::Other(Some(value as f32)))
@@ -120,7 +118,7 @@ impl<'de> Deserialize<'de> for Tree {
 /// Treats a list of numbers without rows like raw floats.
 fn flat(values: Vec<f32>) -> Result<Data, BufferError> {
     if !WIDTHS.iter().any(|width| values.len().is_multiple_of(*width)) {
-        let message = format!("the list has {} numbers, which is not a multiple of 3, 5, 6 or 8", values.len());
+        let message = tr!("check-buffer-the-list-has-numbers-which-is", count = values.len());
         return Err(BufferError::new(message));
     }
     Ok(Data::Raw { bytes: values.iter().flat_map(|value| value.to_le_bytes()).collect(), stride: None })
@@ -135,11 +133,12 @@ fn list(rows: Vec<Tree>) -> Result<Data, BufferError> {
     let mut width = None;
     for (number, row) in (1..).zip(rows) {
         let Tree::Numbers(row) = row else {
-            return Err(BufferError::new(format!("row {number} is not a list of numbers; {SHAPES}")));
+            return Err(BufferError::new(tr!("check-buffer-row-is-not-a-list-of", number = number, shapes = shapes())));
         };
         let first = *width.get_or_insert(row.len());
         if row.len() != first {
-            let message = format!("row {number} has {} numbers, but the first one has {first}", row.len());
+            let message =
+                tr!("check-buffer-row-has-numbers-but-the-first", number = number, count = row.len(), first = first);
             return Err(BufferError::new(message));
         }
         values.extend(row);
@@ -147,11 +146,7 @@ fn list(rows: Vec<Tree>) -> Result<Data, BufferError> {
     match width {
         Some(width) if WIDTHS.contains(&width) => Ok(Data::Rows { values, width }),
         width => {
-            let message = format!(
-                "a row has {} numbers; it may have 3 (x y z), 5 (x y z u v), 6 (x y z nx ny nz) or 8 (x y z u v nx \
-                 ny nz)",
-                width.unwrap_or(0)
-            );
+            let message = tr!("check-buffer-a-row-has-numbers-it-may", count = width.unwrap_or(0));
             Err(BufferError::new(message))
         }
     }
@@ -170,12 +165,12 @@ fn objects(rows: Vec<Tree>) -> Result<Data, BufferError> {
     let mut all = None;
     for (number, row) in (1..).zip(rows) {
         let Tree::Object(fields) = row else {
-            return Err(BufferError::new(format!("vertex {number} is not an object, but the first one is")));
+            return Err(BufferError::new(tr!("check-buffer-vertex-is-not-an-object-but", number = number)));
         };
-        let (vertex, has) =
-            one_object(&fields).map_err(|message| BufferError::new(format!("vertex {number}: {message}")))?;
+        let (vertex, has) = one_object(&fields)
+            .map_err(|message| BufferError::new(tr!("check-buffer-vertex", number = number, message = message)))?;
         if *all.get_or_insert(has) != has {
-            let message = format!("vertex {number} does not have the same attributes as the first one");
+            let message = tr!("check-buffer-vertex-does-not-have-the-same", number = number);
             return Err(BufferError::new(message));
         }
         vertices.push(vertex);
@@ -199,7 +194,12 @@ fn one_object(fields: &[(String, Tree)]) -> Result<(Vertex, Attributes), String>
             }
             (Tree::Numbers(numbers), Some((_, start, count))) => {
                 if numbers.len() < count {
-                    return Err(format!("`{key}` has {} numbers instead of {count}", numbers.len()));
+                    return Err(tr!(
+                        "check-buffer-has-numbers-instead-of",
+                        key = key,
+                        found = numbers.len(),
+                        count = count
+                    ));
                 }
                 for (place, number) in (start..start + count).zip(numbers) {
                     all[place] = Some(*number);
@@ -223,7 +223,7 @@ fn one_object(fields: &[(String, Tree)]) -> Result<(Vertex, Attributes), String>
         if let Some(missing) = missing
             && (group.start == 0 || group.clone().any(|place| all[place].is_some()))
         {
-            return Err(format!("has no number `{}`", NAMES[missing]));
+            return Err(tr!("check-buffer-has-no-number", name = NAMES[missing]));
         }
     }
     let has = Attributes { tex_coords: all[3].is_some(), normals: all[5].is_some() };
@@ -242,7 +242,8 @@ fn object(fields: Vec<(String, Tree)>, warnings: &mut Vec<String>) -> Result<Dat
             name if POSITIONS.contains(&name) => positions = Some(rows_of::<3>(value, &key)?),
             name if TEX_COORDS.contains(&name) => tex_coords = Some(rows_of::<2>(value, &key)?),
             name if NORMALS.contains(&name) => normals = Some(rows_of::<3>(value, &key)?),
-            _ => warnings.push(format!("`{}` is unknown and was ignored", key.chars().take(30).collect::<String>())),
+            _ => warnings
+                .push(tr!("check-buffer-is-unknown-and-was-ignored", key = key.chars().take(30).collect::<String>())),
         }
     }
     // Some programs write `{"vertices": positions, "normals": ...}`.
@@ -257,11 +258,10 @@ fn object(fields: Vec<(String, Tree)>, warnings: &mut Vec<String>) -> Result<Dat
         (None, Some(Tree::List(rows))) => list(rows)?,
         (None, Some(Tree::Numbers(values))) if indices.is_none() && !values.is_empty() => flat(values)?,
         (None, Some(Tree::Numbers(_))) => {
-            let message =
-                "\"vertices\" is one list of numbers; with indices it must be a list of rows, [[x, y, z], ...]";
+            let message = tr!("check-buffer-vertices-is-one-list-of-numbers");
             return Err(BufferError::new(message));
         }
-        _ => return Err(BufferError::new(SHAPES)),
+        _ => return Err(BufferError::new(shapes())),
     };
     match indices {
         Some(indices) => apply(data, &indices),
@@ -277,12 +277,15 @@ fn named(
     let has = Attributes { tex_coords: tex_coords.is_some(), normals: normals.is_some() };
     let tex_coords = tex_coords.unwrap_or_else(|| vec![[0.0; 2]; positions.len()]);
     let normals = normals.unwrap_or_else(|| vec![[0.0; 3]; positions.len()]);
-    for (name, count) in [("texture coordinates", tex_coords.len()), ("normals", normals.len())] {
+    for (name, count) in
+        [(tr!("check-buffer-texture-coordinates"), tex_coords.len()), (tr!("check-buffer-normals"), normals.len())]
+    {
         if count != positions.len() {
-            let message = format!(
-                "there are {} positions and {count} {name}: each vertex of the buffer needs one of each, combined as the \
-                 faces define",
-                positions.len()
+            let message = tr!(
+                "check-buffer-there-are-positions-and-each-vertex",
+                positions = positions.len(),
+                count = count,
+                name = name
             );
             return Err(BufferError::new(message));
         }
@@ -296,17 +299,25 @@ fn rows_of<const N: usize>(tree: Tree, key: &str) -> Result<Vec<[f32; N]>, Buffe
     let key: String = key.chars().take(30).collect();
     match tree {
         Tree::Numbers(values) if values.len().is_multiple_of(N) => Ok(values.as_chunks::<N>().0.to_vec()),
-        Tree::Numbers(values) => {
-            Err(BufferError::new(format!("`{key}` has {} numbers, which is not a multiple of {N}", values.len())))
-        }
+        Tree::Numbers(values) => Err(BufferError::new(tr!(
+            "check-buffer-has-numbers-which-is-not-a",
+            key = key,
+            count = values.len(),
+            width = N
+        ))),
         Tree::List(rows) => {
             let row = |(number, row): (usize, Tree)| match row {
                 Tree::Numbers(values) if values.len() >= N => Ok(std::array::from_fn(|i| values[i])),
-                _ => Err(BufferError::new(format!("row {number} of `{key}` is not a list of {N} numbers"))),
+                _ => Err(BufferError::new(tr!(
+                    "check-buffer-row-of-is-not-a-list",
+                    number = number,
+                    key = key,
+                    width = N
+                ))),
             };
             (1..).zip(rows).map(row).collect()
         }
-        _ => Err(BufferError::new(format!("`{key}` is not a list of numbers"))),
+        _ => Err(BufferError::new(tr!("check-buffer-is-not-a-list-of-numbers", key = key))),
     }
 }
 
@@ -314,12 +325,12 @@ fn whole_numbers(tree: Tree) -> Result<Vec<usize>, BufferError> {
     let values = match tree {
         Tree::Numbers(values) => values,
         Tree::List(rows) => rows_of::<3>(Tree::List(rows), "indices")?.concat(),
-        _ => return Err(BufferError::new("\"indices\" is not a list of numbers")),
+        _ => return Err(BufferError::new(tr!("check-buffer-indices-is-not-a-list-of"))),
     };
     let whole = |(number, value): (usize, &f32)| {
         let is_whole = value.fract() == 0.0 && *value >= 0.0 && *value < 16_777_216.0;
         is_whole.then_some(*value as usize).ok_or_else(|| {
-            BufferError::new(format!("index {number} is {value}; expected an integer from 0 to 16777215"))
+            BufferError::new(tr!("check-buffer-index-is-expected-an-integer-from", number = number, value = value))
         })
     };
     (1..).zip(&values).map(whole).collect()
@@ -328,8 +339,8 @@ fn whole_numbers(tree: Tree) -> Result<Vec<usize>, BufferError> {
 /// The vertices that the indices refer to, three per triangle.
 fn apply(data: Data, indices: &[usize]) -> Result<Data, BufferError> {
     let missing = |index: usize, count: usize| {
-        let hint = if index == count { ": indices count from 0 here" } else { "" };
-        BufferError::new(format!("index {index} is out of range: there are {count} vertices{hint}"))
+        let hint = if index == count { tr!("check-buffer-indices-count-from-0-here") } else { "" };
+        BufferError::new(tr!("check-buffer-index-is-out-of-range-there", index = index, count = count, hint = hint))
     };
     match data {
         Data::Named { vertices, has } => {

@@ -1,6 +1,7 @@
 //! Vertex buffers as text: one row per vertex, with columns separated by commas, semicolons, tabs or spaces.
 
 use super::buffer::{Attributes, Buffer, BufferError, Data, Vertex, WIDTHS, unit};
+use gonio_language::tr;
 
 /// Number of known columns: x y z, u v, nx ny nz.
 const COLUMNS: usize = 8;
@@ -12,7 +13,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
     let mut next =
         || lines.by_ref().find(|line| !line.text.trim().is_empty() && !line.text.trim_start().starts_with('#'));
     let Some(first) = next() else {
-        return Err(BufferError::new("the file has no rows"));
+        return Err(BufferError::new(tr!("check-buffer-the-file-has-no-rows")));
     };
     let separator = Separator::detect(first.text);
     let mut parser = Parser { separator, decimal_commas: 0, not_finite: 0, values: Vec::new() };
@@ -26,23 +27,20 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
         parser.row(&line, Some(width))?;
     }
     if parser.values.is_empty() {
-        return Err(BufferError::new("the file has a header but no rows"));
+        return Err(BufferError::new(tr!("check-buffer-the-file-has-a-header-but")));
     }
     if parser.decimal_commas > 0 {
-        warnings.push("the numbers have decimal commas: write decimal points, which every program reads".to_owned());
+        warnings.push(tr!("check-buffer-the-numbers-have-decimal-commas-write").to_owned());
     }
     if parser.not_finite > 0 {
-        warnings.push(format!("{} of the numbers are NaN or infinite", parser.not_finite));
+        warnings.push(tr!("check-buffer-of-the-numbers-are-nan-or", count = parser.not_finite));
     }
     let values = parser.values;
     let data = match header {
         Some(header) => header.vertices(&values),
         None if WIDTHS.contains(&width) => Data::Rows { values, width },
         None => {
-            let message = format!(
-                "a row has {width} numbers; without a header line it may have 3 (x y z), 5 (x y z u v), 6 (x y z nx ny \
-                 nz) or 8 (x y z u v nx ny nz)"
-            );
+            let message = tr!("check-buffer-a-row-has-numbers-without-a", width = width);
             return Err(BufferError::new(message).at(first.number, None));
         }
     };
@@ -51,14 +49,15 @@ pub(super) fn read(bytes: &[u8]) -> Result<Buffer, BufferError> {
 
 fn decode(bytes: &[u8]) -> Result<&str, BufferError> {
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
-        return Err(BufferError::new("the file is UTF-16 text (PowerShell's `>` writes it): save it as UTF-8"));
+        return Err(BufferError::new(tr!("check-buffer-the-file-is-utf-16-text")));
     }
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     if let Some(at) = bytes.iter().position(|byte| *byte == 0) {
-        let message = "the file is binary: use the ending `.raw` for raw floats";
+        let message = tr!("check-buffer-the-file-is-binary-use-the");
         return Err(at_byte(bytes, at, message));
     }
-    std::str::from_utf8(bytes).map_err(|error| at_byte(bytes, error.valid_up_to(), "the file is not UTF-8 text"))
+    std::str::from_utf8(bytes)
+        .map_err(|error| at_byte(bytes, error.valid_up_to(), tr!("check-buffer-the-file-is-not-utf-8")))
 }
 
 fn at_byte(bytes: &[u8], at: usize, message: &str) -> BufferError {
@@ -122,8 +121,8 @@ impl Parser {
         for (column, cell) in &cells {
             let value = self.number(cell).ok_or_else(|| {
                 let message = match cell.is_empty() {
-                    true => "a number is missing here".to_owned(),
-                    false => format!("`{}` is not a number", shortened(cell)),
+                    true => tr!("check-buffer-a-number-is-missing-here").to_owned(),
+                    false => tr!("check-buffer-is-not-a-number", cell = shortened(cell)),
                 };
                 BufferError::new(message).at(line.number, Some(*column))
             })?;
@@ -131,11 +130,12 @@ impl Parser {
         }
         if let Some(width) = width.filter(|width| *width != cells.len()) {
             let comma = if self.separator == Separator::Character(',') {
-                " (do the numbers have decimal commas? Write decimal points.)"
+                tr!("check-buffer-do-the-numbers-have-decimal-commas")
             } else {
                 ""
             };
-            let message = format!("this row has {} numbers, but the first one has {width}{comma}", cells.len());
+            let message =
+                tr!("check-buffer-this-row-has-numbers-but-the", count = cells.len(), width = width, comma = comma);
             return Err(BufferError::new(message).at(line.number, None));
         }
         Ok(cells.len())
@@ -190,11 +190,11 @@ impl Header {
         for (place, name) in &cells {
             let column = column(name);
             if column.is_some() && columns.contains(&column) {
-                let message = format!("the column `{}` is named twice", shortened(name));
+                let message = tr!("check-buffer-the-column-is-named-twice", name = shortened(name));
                 return Err(BufferError::new(message).at(line.number, Some(*place)));
             }
             if column.is_none() {
-                warnings.push(format!("the column `{}` is unknown and was ignored", shortened(name)));
+                warnings.push(tr!("check-buffer-the-column-is-unknown-and-was", name = shortened(name)));
             }
             columns.push(column);
         }
@@ -204,7 +204,7 @@ impl Header {
             let missing = group.clone().find(|column| !has(*column));
             if let Some(missing) = missing.filter(|_| group.start == 0 || group.clone().any(has)) {
                 let name = NAMES[missing];
-                let message = format!("the header has no column {name}: the names are x y z, u v, nx ny nz");
+                let message = tr!("check-buffer-the-header-has-no-column-the", name = name);
                 return Err(BufferError::new(message).at(line.number, None));
             }
         }

@@ -44,7 +44,7 @@ fn named(vertices: Vec<Vertex>) -> Buffer {
 
 /// Whether the verdict names the mistakes, or an indistinguishable alternative.
 fn is_named(wrong: &WrongReader, verdict: &BufferFindings) -> bool {
-    let expected_ids: BTreeSet<&str> = wrong.mistakes.iter().map(|number| MISTAKES[*number].words.id).collect();
+    let expected_ids: BTreeSet<&str> = wrong.mistakes.iter().map(|number| MISTAKES[*number].id).collect();
     let mut found: BTreeSet<&str> = verdict.mistakes.iter().map(|mistake| mistake.id).collect();
     if verdict.warnings.iter().any(|warning| warning.starts_with("v is 1 - v")) {
         found.insert("v-flipped");
@@ -73,7 +73,7 @@ fn each_single_mistake_is_named_on_every_model_that_shows_it() {
     let models = models();
     let (mut tried, mut first) = (0, BTreeMap::new());
     for wrong in mistakes::singles() {
-        let id = MISTAKES[wrong.mistakes[0]].words.id;
+        let id = MISTAKES[wrong.mistakes[0]].id;
         for (name, expected) in &models {
             let vertices = written(&wrong.reader, expected, 0.0);
             if vertices.is_empty() || !shows(&vertices, expected) {
@@ -89,8 +89,8 @@ fn each_single_mistake_is_named_on_every_model_that_shows_it() {
     }
     assert!(tried > 200, "only {tried}");
     for mistake in &MISTAKES {
-        let times = first.get(mistake.words.id);
-        assert!(times.is_some_and(|times| *times > 0), "{} is never the first name: {times:?}", mistake.words.id);
+        let times = first.get(mistake.id);
+        assert!(times.is_some_and(|times| *times > 0), "{} is never the first name: {times:?}", mistake.id);
     }
 }
 
@@ -115,7 +115,7 @@ fn pairs_of_mistakes_are_named() {
             if is_named(&pair.wrong, &verdict) {
                 right += 1;
             } else {
-                let ids = pair.wrong.mistakes.iter().map(|number| MISTAKES[*number].words.id).collect::<Vec<_>>();
+                let ids = pair.wrong.mistakes.iter().map(|number| MISTAKES[*number].id).collect::<Vec<_>>();
                 let found: Vec<_> = verdict.mistakes.iter().map(|mistake| mistake.id).collect();
                 failures.push(format!("{name}: {ids:?} -> {found:?} {:.2}", verdict.shares.all));
             }

@@ -11,6 +11,7 @@ use super::suspects::Suspect;
 use gonio_check::verdict::Outcome;
 use gonio_gl::trace::Severity;
 use gonio_gl::{Gl, GlError};
+use gonio_language::tr;
 use gonio_render::gl_program::{GlProgramFailure, GlProgramFiles, GlProgramImage, GlProgramRun, Step};
 use gonio_render::user_program::is_embedded;
 use std::borrow::Cow;
@@ -58,7 +59,7 @@ pub fn check_bytes(
 pub fn reference() -> Result<GlProgram, GlError> {
     GlProgram::parse(REFERENCE, "reference.txt").map_err(|errors| {
         let first = errors.first().map_or(String::new(), ToString::to_string);
-        GlError::new(format!("cannot read the exercise's own program: {first}"))
+        GlError::new(tr!("check-gl-cannot-read-the-exercise-s-own", first = first))
     })
 }
 
@@ -148,18 +149,19 @@ fn mistake(program: &GlProgram, suspect: &Suspect) -> Option<GlProgramMistake> {
 fn summary(right: bool, mistakes: &[GlProgramMistake], run: &GlProgramRun, warnings: &[GlProgramWarning]) -> String {
     if right {
         return match warnings.len() {
-            0 => "the picture is right".to_owned(),
-            1 => format!("the picture is right; but {}", warnings[0].text),
-            many => format!("the picture is right, and there are {many} warnings"),
+            0 => tr!("check-gl-the-picture-is-right").to_owned(),
+            1 => tr!("check-gl-the-picture-is-right-but", text = warnings[0].text),
+            many => tr!("check-gl-the-picture-is-right-and-there", many = many),
         };
     }
-    let named: Vec<String> = mistakes.iter().map(|m| format!("line {}: {}", m.line, m.name)).collect();
+    let named: Vec<String> =
+        mistakes.iter().map(|m| tr!("check-gl-line-of-mistake", line = m.line, name = m.name)).collect();
     match (named.is_empty(), run.errors.first()) {
         (false, _) => named.join("; "),
         (true, Some(error)) => {
-            format!("the picture is wrong, and no known mistake explains it; OpenGL rejected a call: {error}")
+            tr!("check-gl-unexplained-with-rejected-call", error = error.to_string())
         }
-        (true, None) => "the picture is wrong, and no known mistake explains it".to_owned(),
+        (true, None) => tr!("check-gl-unexplained").to_owned(),
     }
 }
 

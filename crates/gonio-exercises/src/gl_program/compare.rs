@@ -3,6 +3,7 @@
 use super::suspects::Case;
 use gonio_gl::GlError;
 use gonio_gl::trace::SamplingRecord;
+use gonio_language::tr;
 use gonio_render::gl_program::{
     Constant, GlCall, GlProgramFailure, GlProgramFiles, GlProgramOptions, GlProgramRun, Selector, Step, constant, run,
 };
@@ -68,7 +69,7 @@ impl<'a> Judge<'a> {
             let steps = sampled(self.reference, &key);
             let run = self.run(&steps, false).map_err(|failure| match failure {
                 GlProgramFailure::Driver(error) => error,
-                other => GlError::new(format!("cannot draw the exercise's own program: {other}")),
+                other => GlError::new(tr!("check-gl-cannot-draw-the-exercise-s-own", error = other.to_string())),
             })?;
             self.pictures.insert(key.clone(), run.pixels);
         }

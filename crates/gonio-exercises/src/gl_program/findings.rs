@@ -6,6 +6,7 @@ use super::signature::shown;
 use gonio_check::verdict::Outcome;
 use gonio_check::words::nearest;
 use gonio_gl::trace::{Finding, Rule, Severity};
+use gonio_language::tr;
 use gonio_render::gl_program::{CallError, GlCall, GlProgramFailure, GlProgramFiles, GlProgramRun, Selector};
 use serde::Serialize;
 
@@ -71,8 +72,10 @@ impl GlProgramFindings {
     /// The findings for a text that is not a program.
     pub(super) fn broken(file: &str, errors: Vec<GlProgramError>) -> Self {
         let more = errors.len().saturating_sub(1);
-        let first = errors.first().map_or(String::new(), |error| format!("line {}: {}", error.line, error.message));
-        let summary = if more == 0 { first } else { format!("{first}, and {more} more") };
+        let first = errors
+            .first()
+            .map_or(String::new(), |error| tr!("check-gl-line-of-error", line = error.line, message = error.message));
+        let summary = if more == 0 { first } else { tr!("check-gl-and-more", first = first, more = more) };
         GlProgramFindings {
             file: file.to_owned(),
             verdict: Outcome::DoesNotCompile,
@@ -93,9 +96,9 @@ impl GlProgramMistake {
     pub(super) fn new(words: &GlProgramMistakeName, message: &str, fix: &str, line: u32, quoted: &str) -> Self {
         GlProgramMistake {
             id: words.id.to_owned(),
-            name: words.name.to_owned(),
-            explanation: format!("{message}. {}", words.explanation),
-            looks_like: words.looks_like.to_owned(),
+            name: words.name().to_owned(),
+            explanation: format!("{message}. {}", words.explanation()),
+            looks_like: words.looks_like().to_owned(),
             fix: fix.to_owned(),
             line,
             quoted: quoted.to_owned(),
@@ -116,10 +119,10 @@ pub fn errors(failure: &GlProgramFailure, program: &GlProgram, files: &GlProgram
         GlProgramFailure::MissingFile { line, file } => {
             let known: Vec<&str> = files.shaders.keys().chain(files.images.keys()).map(String::as_str).collect();
             let help = match nearest(file, known.iter().copied()) {
-                Some(known) => format!("did you mean `{known}`?"),
-                None => format!("the files are {}", known.join(", ")),
+                Some(known) => tr!("check-gl-did-you-mean", known = known),
+                None => tr!("check-gl-the-files-are", files = known.join(", ")),
             };
-            vec![own(*line, format!("unknown file `{}`", shown(file)), help)]
+            vec![own(*line, tr!("check-gl-unknown-file", file = shown(file)), help)]
         }
         GlProgramFailure::Shaders { line, vertex, fragment, broken } => {
             let mut errors = Vec::new();
@@ -127,14 +130,14 @@ pub fn errors(failure: &GlProgramFailure, program: &GlProgram, files: &GlProgram
                 errors.extend(log.iter().flat_map(|log| of_log(file, log)));
             }
             if let Some(log) = &broken.link_log {
-                let message = format!("`{vertex}` and `{fragment}` do not link: {}", log.trim());
-                errors.push(own(*line, message, "the outputs of the vertex shader and the inputs of the fragment shader must have the same names and types".to_owned()));
+                let message = tr!("check-gl-and-do-not-link", vertex = vertex, fragment = fragment, log = log.trim());
+                errors.push(own(*line, message, tr!("check-gl-the-outputs-of-the-vertex-shader").to_owned()));
             }
             if errors.is_empty() {
                 let message = broken
                     .driver
                     .clone()
-                    .unwrap_or_else(|| "OpenGL could not create a program from the shaders".to_owned());
+                    .unwrap_or_else(|| tr!("check-gl-opengl-could-not-create-a-program").to_owned());
                 errors.push(own(*line, message, String::new()));
             }
             errors
@@ -155,7 +158,7 @@ fn of_log(file: &str, log: &str) -> Vec<GlProgramError> {
         }
     }
     if errors.is_empty() {
-        let message = format!("the shader does not compile: {}", log.trim());
+        let message = tr!("check-gl-the-shader-does-not-compile", log = log.trim());
         errors.push(GlProgramError { file: file.to_owned(), line: 1, column: 1, message, help: String::new() });
     }
     errors
@@ -190,12 +193,12 @@ pub fn warnings(program: &GlProgram, run: &GlProgramRun, right: bool) -> Vec<GlP
             let line = run.draw_lines.get(finding.draw).copied();
             let text = match finding.severity {
                 Severity::Warning => format!("{} ({})", finding.message, finding.advice),
-                Severity::Error => format!("{}, although the picture is right", finding.message),
+                Severity::Error => tr!("check-gl-although-the-picture-is-right", message = finding.message),
             };
             warnings.push(GlProgramWarning { line, text });
         }
         for error in &run.errors {
-            let text = format!("OpenGL rejects {} with {}: {}", error.call, error.code, error.why);
+            let text = tr!("check-gl-opengl-rejects-with", call = error.call, code = error.code, why = error.why);
             warnings.push(GlProgramWarning { line: Some(error.line), text });
         }
     }
@@ -216,8 +219,7 @@ fn depth_never_cleared(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>
         .iter()
         .any(|step| matches!(&step.call, GlCall::Clear(bits) if bits.iter().any(|bit| bit.name == "DEPTH_BUFFER_BIT")));
     if let (Some(step), false) = (on, cleared) {
-        let text =
-            "DEPTH_TEST is enabled, but no call clears DEPTH_BUFFER_BIT: a second frame would stay empty".to_owned();
+        let text = tr!("check-gl-depth-test-is-enabled-but-no").to_owned();
         warnings.push(GlProgramWarning { line: Some(step.line), text });
     }
 }
@@ -229,7 +231,7 @@ fn unknown_uniforms(program: &GlProgram, run: &GlProgramRun, warnings: &mut Vec<
         let GlCall::Uniform { uniform, .. } = &step.call else { continue };
         let bare = uniform.strip_suffix("[0]").unwrap_or(uniform);
         if !drawn.uniforms.iter().any(|known| known.name == bare) {
-            let text = format!("the program has no uniform `{uniform}`, and OpenGL reports no error");
+            let text = tr!("check-gl-the-program-has-no-uniform-and", uniform = uniform);
             warnings.push(GlProgramWarning { line: Some(step.line), text });
         }
     }
@@ -240,7 +242,7 @@ fn dark_edges(program: &GlProgram, warnings: &mut Vec<GlProgramWarning>) {
     for step in &program.steps {
         let GlCall::TexParameter { value: Selector::Constant(value), .. } = &step.call else { continue };
         if value.name == "CLAMP_TO_BORDER" {
-            let text = "CLAMP_TO_BORDER mixes the border's colour, black, into the texture's edge".to_owned();
+            let text = tr!("check-gl-clamp-to-border-mixes-the-border").to_owned();
             warnings.push(GlProgramWarning { line: Some(step.line), text });
         }
     }

@@ -1,6 +1,7 @@
 //! The text of a GL program, read into its calls: one call on a line, words separated by spaces.
 
 use super::signature::{self, LineError, Named, WORDS, Word, is_name, shown};
+use gonio_language::tr;
 use gonio_render::gl_program::{GlCall, Step};
 use serde::Serialize;
 use std::collections::HashMap;
@@ -61,10 +62,16 @@ impl GlProgram {
         };
         if text.len() > MOST_TEXT_BYTES {
             let most = MOST_TEXT_BYTES >> 20;
-            return Err(error(format!("the text has {} bytes", text.len()), &format!("at most {most} MB are read")));
+            return Err(error(
+                tr!("check-gl-the-text-has-bytes", count = text.len()),
+                &tr!("check-gl-at-most-mb-are-read", most = most),
+            ));
         }
         if text.contains('\0') {
-            return Err(error("the file is not text".to_owned(), "hand in the GL program as text"));
+            return Err(error(
+                tr!("check-gl-the-file-is-not-text").to_owned(),
+                tr!("check-gl-hand-in-the-gl-program-as"),
+            ));
         }
         let steps = read(text, file_name)?;
         let lines = text.lines().map(str::to_owned).collect();
@@ -83,8 +90,8 @@ impl GlProgram {
                     file: file_name.to_owned(),
                     line,
                     column: 1,
-                    message: "the file is not UTF-8 text".to_owned(),
-                    help: "hand in the GL program as text".to_owned(),
+                    message: tr!("check-buffer-the-file-is-not-utf-8").to_owned(),
+                    help: tr!("check-gl-hand-in-the-gl-program-as").to_owned(),
                 }])
             }
         }
@@ -142,11 +149,8 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
             if WORDS.contains(&first.text) || words.get(1).is_some_and(|word| word.text == "=") {
                 report(LineError::at(
                     first,
-                    format!(
-                        "the list `{}`, which starts in line {}, has no end before this call",
-                        open.name, open.line
-                    ),
-                    "write a line with `end` after its last number",
+                    tr!("check-gl-call-within-list", name = open.name, line = open.line),
+                    tr!("check-gl-write-a-line-with-end-after"),
                 ));
                 names.insert(open.name, Named::Data);
             } else {
@@ -165,7 +169,11 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
             continue;
         }
         if steps.len() >= MOST_CALLS {
-            report(LineError::at(first, format!("there are more than {MOST_CALLS} calls"), "leave some out"));
+            report(LineError::at(
+                first,
+                tr!("check-gl-there-are-more-than-calls", most = MOST_CALLS),
+                tr!("check-gl-leave-some-out"),
+            ));
             break;
         }
         match signature::call(&words, &names) {
@@ -193,11 +201,11 @@ fn read(text: &str, file: &str) -> Result<Vec<Step>, Vec<GlProgramError>> {
     };
     if let Some(open) = list {
         at_end(
-            format!("the list `{}`, which starts in line {}, has no end", open.name, open.line),
-            "write a line with `end` after its last number",
+            tr!("check-gl-list-without-end", name = open.name, line = open.line),
+            tr!("check-gl-write-a-line-with-end-after"),
         );
     } else if steps.is_empty() {
-        at_end("the program has no calls".to_owned(), "each line has a call, for example `gen_texture`");
+        at_end(tr!("check-gl-the-program-has-no-calls").to_owned(), tr!("check-gl-each-line-has-a-call-for"));
     }
     errors.truncate(MOST_ERRORS);
     if errors.is_empty() { Ok(steps) } else { Err(errors) }
@@ -232,19 +240,23 @@ fn begin_list(words: &[Word<'_>], line: u32, names: &HashMap<String, Named>) -> 
     let [_, name] = words else {
         return Err(LineError::at(
             first,
-            format!("`{}` expects one name, and the numbers on the following lines", first.text),
-            format!("for example `{} corners`", first.text),
+            tr!("check-gl-expects-one-name-and-the-numbers", text = first.text),
+            tr!("check-gl-for-example-corners", text = first.text),
         ));
     };
     if !is_name(name.text) || WORDS.contains(&name.text) {
         return Err(LineError::at(
             *name,
-            format!("`{}` cannot be a name", shown(name.text)),
-            "choose a name that is not a call",
+            tr!("check-gl-cannot-be-a-name", text = shown(name.text)),
+            tr!("check-gl-choose-a-name-that-is-not"),
         ));
     }
     if names.contains_key(name.text) {
-        return Err(LineError::at(*name, format!("`{}` already exists", shown(name.text)), "choose another name"));
+        return Err(LineError::at(
+            *name,
+            tr!("check-gl-already-exists", text = shown(name.text)),
+            tr!("check-gl-choose-another-name"),
+        ));
     }
     let (name, whole) = (name.text.to_owned(), first.text == "indices");
     Ok(List { line, name, whole, floats: Vec::new(), indices: Vec::new(), too_long: false })
@@ -260,23 +272,24 @@ impl List {
             let bare = word.text.trim_end_matches(',');
             if self.whole {
                 let number = bare.parse().map_err(|_| {
-                    let help = "write integers from 0";
-                    LineError::at(*word, format!("`{}` is not an index", shown(word.text)), help)
+                    let help = tr!("check-gl-write-integers-from-0");
+                    LineError::at(*word, tr!("check-gl-is-not-an-index", text = shown(word.text)), help)
                 })?;
                 self.indices.push(number);
             } else {
                 let bare = if bare.starts_with("0x") { bare } else { bare.trim_end_matches(['f', 'F']) };
                 let number = bare.parse().ok().filter(|number: &f32| number.is_finite());
                 let Some(number) = number else {
-                    let help = "write numbers such as 0.5, and `end` after the last one";
-                    return Err(LineError::at(*word, format!("`{}` is not a number", shown(word.text)), help));
+                    let help = tr!("check-gl-write-numbers-such-as-0-5");
+                    return Err(LineError::at(*word, tr!("check-gl-is-not-a-number", text = shown(word.text)), help));
                 };
                 self.floats.push(number);
             }
             if (self.floats.len() + self.indices.len()) * 4 > MOST_DATA_BYTES {
                 self.too_long = true;
-                let message = format!("the list `{}` has more than {} numbers", self.name, MOST_DATA_BYTES / 4);
-                return Err(LineError::at(*word, message, "make it shorter: a buffer may have at most 1 MB"));
+                let message =
+                    tr!("check-gl-the-list-has-more-than-numbers", name = self.name, most = MOST_DATA_BYTES / 4);
+                return Err(LineError::at(*word, message, tr!("check-gl-make-it-shorter-a-buffer-may")));
             }
         }
         Ok(())

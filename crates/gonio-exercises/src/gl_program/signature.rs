@@ -1,6 +1,7 @@
 //! The parameters of each call, word by word.
 
 use gonio_check::words::nearest;
+use gonio_language::tr;
 use gonio_render::gl_program::{
     CONSTANTS, Constant, GlCall, IntArgument, ObjectKind, Pointer, Selector, UniformArgument, constant,
 };
@@ -21,9 +22,9 @@ impl Named {
     /// The kind in words.
     pub fn words(self) -> &'static str {
         match self {
-            Named::Data => "a list of numbers",
-            Named::Image => "an image",
-            Named::Number => "a number",
+            Named::Data => tr!("check-gl-a-list-of-numbers"),
+            Named::Image => tr!("check-gl-an-image"),
+            Named::Number => tr!("check-gl-a-number"),
         }
     }
 }
@@ -131,13 +132,17 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
     let (returned, rest) = match words {
         [name, equals, rest @ ..] if equals.text == "=" => (Some(*name), rest),
         [name, ..] if name.text.contains('=') => {
-            return Err(LineError::at(*name, "expected spaces around `=`", "write `name = call`"));
+            return Err(LineError::at(*name, tr!("check-gl-expected-spaces-around"), tr!("check-gl-write-name-call")));
         }
         _ => (None, words),
     };
     let Some((&word, given)) = rest.split_first() else {
         let end = words[words.len() - 1];
-        return Err(LineError::at(end, "expected a call after `=`", "write `name = gen_texture` or the like"));
+        return Err(LineError::at(
+            end,
+            tr!("check-gl-expected-a-call-after"),
+            tr!("check-gl-write-name-gen-texture-or-the"),
+        ));
     };
     let Some((_, expected)) = SIGNATURES.iter().find(|(known, _)| *known == word.text) else {
         return Err(no_call(word));
@@ -145,11 +150,10 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
     // `clear` takes any number of arguments.
     let fits = if word.text == "clear" { !given.is_empty() } else { given.len() == expected.len() };
     if !fits {
-        let plural = if expected.len() == 1 { "" } else { "s" };
         return Err(LineError::at(
             given.get(expected.len()).copied().unwrap_or(word),
-            format!("`{}` expects {} argument{plural}, but got {}", word.text, expected.len(), given.len()),
-            format!("write `{}`", [&[word.text], *expected].concat().join(" ")),
+            tr!("check-gl-expects-argument-but-got", text = word.text, count = expected.len(), given = given.len()),
+            tr!("check-gl-write", text = [&[word.text], *expected].concat().join(" ")),
         ));
     }
     let arguments = Arguments { given, names };
@@ -158,17 +162,21 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
         Some(name) if !is_name(name.text) || WORDS.contains(&name.text) || name.text == "end" => {
             return Err(LineError::at(
                 name,
-                format!("`{}` cannot be a name", shown(name.text)),
-                "choose a name that is not a call",
+                tr!("check-gl-cannot-be-a-name", text = shown(name.text)),
+                tr!("check-gl-choose-a-name-that-is-not"),
             ));
         }
         Some(name) if constant(name.text).is_some() => {
-            return Err(LineError::at(name, format!("`{}` is a constant of OpenGL", name.text), "take another name"));
+            return Err(LineError::at(
+                name,
+                tr!("check-gl-is-a-constant-of-opengl", text = name.text),
+                tr!("check-gl-take-another-name"),
+            ));
         }
         Some(name) => match names.get(name.text) {
             Some(known @ (Named::Data | Named::Image)) => {
-                let message = format!("`{}` is already {}", name.text, known.words());
-                return Err(LineError::at(name, message, "take another name"));
+                let message = tr!("check-gl-is-already", text = name.text, words = known.words());
+                return Err(LineError::at(name, message, tr!("check-gl-take-another-name")));
             }
             _ => name.text.to_owned(),
         },
@@ -182,12 +190,13 @@ pub fn call(words: &[Word<'_>], names: &Names) -> Result<Read, LineError> {
     match (gives, returned) {
         (Some(named), Some(_)) => Ok((call, Some((name, named)))),
         (Some(_), None) => {
-            let help = format!("write `name = {}`", word.text);
-            Err(LineError::at(word, format!("the result of `{}` is not stored", word.text), help))
+            let help = tr!("check-gl-write-name", text = word.text);
+            Err(LineError::at(word, tr!("check-gl-the-result-of-is-not-stored", text = word.text), help))
         }
         (None, Some(name)) => {
-            let message = format!("`{}` returns nothing that can be stored in `{}`", word.text, shown(name.text));
-            Err(LineError::at(name, message, format!("write `{}` without a name", word.text)))
+            let message =
+                tr!("check-gl-returns-nothing-that-can-be-stored", text = word.text, text2 = shown(name.text));
+            Err(LineError::at(name, message, tr!("check-gl-write-without-a-name", text = word.text)))
         }
         (None, None) => Ok((call, None)),
     }
@@ -259,13 +268,18 @@ impl Arguments<'_> {
                 GlCall::DrawElements { mode, count, kind: self.constant(2)?, offset: self.whole(3)? }
             }
             _ => {
-                return Err(LineError { column: 1, message: format!("unknown call `{word}`"), help: String::new() });
+                return Err(LineError {
+                    column: 1,
+                    message: tr!("check-gl-unknown-word", word = word),
+                    help: String::new(),
+                });
             }
         })
     }
 
     fn word(&self, at: usize) -> Result<Word<'_>, LineError> {
-        let missing = || LineError { column: 1, message: "an argument is missing".to_owned(), help: String::new() };
+        let missing =
+            || LineError { column: 1, message: tr!("check-gl-an-argument-is-missing").to_owned(), help: String::new() };
         self.given.get(at).copied().ok_or_else(missing)
     }
 
@@ -287,8 +301,8 @@ impl Arguments<'_> {
         {
             return Ok(bare.to_owned());
         }
-        let help = "write the name that it has in the shader; gonio looks up its location";
-        Err(LineError::at(word, format!("`{}` cannot be the name of a shader variable", shown(word.text)), help))
+        let help = tr!("check-gl-write-the-name-that-it-has");
+        Err(LineError::at(word, tr!("check-gl-cannot-be-the-name-of-a", text = shown(word.text)), help))
     }
 
     fn whole(&self, at: usize) -> Result<i32, LineError> {
@@ -296,10 +310,10 @@ impl Arguments<'_> {
         word.text.parse().map_err(|_| {
             let big = word.text.parse::<i128>().is_ok();
             let message = match big {
-                true => format!("`{}` is too large", shown(word.text)),
-                false => format!("`{}` is not an integer", shown(word.text)),
+                true => tr!("check-gl-is-too-large", text = shown(word.text)),
+                false => tr!("check-gl-is-not-an-integer", text = shown(word.text)),
             };
-            LineError::at(word, message, "write an integer such as 32")
+            LineError::at(word, message, tr!("check-gl-write-an-integer-such-as-32"))
         })
     }
 
@@ -307,7 +321,11 @@ impl Arguments<'_> {
         let word = self.word(at)?;
         let number = word.text.trim_end_matches('f').parse().ok().filter(|number: &f32| number.is_finite());
         number.ok_or_else(|| {
-            LineError::at(word, format!("`{}` is not a number", shown(word.text)), "write a number such as 0.5")
+            LineError::at(
+                word,
+                tr!("check-gl-is-not-a-number", text = shown(word.text)),
+                tr!("check-gl-write-a-number-such-as-0"),
+            )
         })
     }
 
@@ -316,7 +334,11 @@ impl Arguments<'_> {
         match word.text {
             "TRUE" => Ok(true),
             "FALSE" => Ok(false),
-            other => Err(LineError::at(word, format!("`{}` is neither TRUE nor FALSE", shown(other)), "write FALSE")),
+            other => Err(LineError::at(
+                word,
+                tr!("check-gl-is-neither-true-nor-false", other = shown(other)),
+                tr!("check-gl-write-false"),
+            )),
         }
     }
 
@@ -331,8 +353,8 @@ impl Arguments<'_> {
         match self.names.get(word.text) {
             Some(Named::Number) => return Ok(IntArgument::Variable(word.text.to_owned())),
             Some(other) => {
-                let message = format!("`{}` is {}, not a number", word.text, other.words());
-                return Err(LineError::at(word, message, "use a name that stores the result of a call"));
+                let message = tr!("check-gl-named-is-not-a-number", text = word.text, words = other.words());
+                return Err(LineError::at(word, message, tr!("check-gl-use-a-name-that-stores-the")));
             }
             None => {}
         }
@@ -341,10 +363,10 @@ impl Arguments<'_> {
             let mut known: Vec<&str> = numbers.map(|(name, _)| name.as_str()).collect();
             known.sort_unstable();
             let help = match nearest(word.text, known) {
-                Some(known) => format!("did you mean `{known}`?"),
-                None => format!("a line `{} = ...` must come before this one", shown(word.text)),
+                Some(known) => tr!("check-gl-did-you-mean", known = known),
+                None => tr!("check-gl-a-line-must-come-before-this", text = shown(word.text)),
             };
-            return Err(LineError::at(word, format!("`{}` is not defined yet", shown(word.text)), help));
+            return Err(LineError::at(word, tr!("check-gl-is-not-defined-yet", text = shown(word.text)), help));
         }
         Ok(IntArgument::Literal(self.whole(at)?))
     }
@@ -366,18 +388,23 @@ impl Arguments<'_> {
         match self.names.get(word.text) {
             Some(named) if *named == expected => Ok(word.text.to_owned()),
             Some(named) => {
-                let message = format!("`{}` is {}, not {}", word.text, named.words(), expected.words());
-                Err(LineError::at(word, message, format!("create one with `{how}`")))
+                let message = tr!(
+                    "check-gl-named-is-of-another-kind",
+                    text = word.text,
+                    words = named.words(),
+                    words2 = expected.words()
+                );
+                Err(LineError::at(word, message, tr!("check-gl-create-one-with", how = how)))
             }
             None => {
                 let mut known: Vec<&str> =
                     self.names.iter().filter(|n| *n.1 == expected).map(|n| n.0.as_str()).collect();
                 known.sort_unstable();
                 let help = match nearest(word.text, known) {
-                    Some(known) => format!("did you mean `{known}`?"),
-                    None => format!("create it first, with `{how}`"),
+                    Some(known) => tr!("check-gl-did-you-mean", known = known),
+                    None => tr!("check-gl-create-it-first-with", how = how),
                 };
-                Err(LineError::at(word, format!("`{}` is not defined yet", shown(word.text)), help))
+                Err(LineError::at(word, tr!("check-gl-is-not-defined-yet", text = shown(word.text)), help))
             }
         }
     }
@@ -397,14 +424,14 @@ impl Arguments<'_> {
 fn no_constant(word: Word<'_>) -> LineError {
     let bare = word.text.trim_start_matches("GL_").trim_end_matches([',', ')', ';']);
     let help = if bare != word.text && constant(bare).is_some() {
-        format!("write `{bare}`, without GL_, commas and parentheses")
+        tr!("check-gl-write-without-gl-commas-and-parentheses", bare = bare)
     } else {
         match nearest(bare, CONSTANTS.iter().map(|constant| constant.name)) {
-            Some(known) => format!("did you mean `{known}`?"),
-            None => "write constants in upper case, without GL_".to_owned(),
+            Some(known) => tr!("check-gl-did-you-mean", known = known),
+            None => tr!("check-gl-write-constants-in-upper-case-without").to_owned(),
         }
     };
-    LineError::at(word, format!("unknown constant `{}`", shown(word.text)), help)
+    LineError::at(word, tr!("check-gl-unknown-constant", text = shown(word.text)), help)
 }
 
 /// The error for a word that is not a call.
@@ -414,16 +441,16 @@ fn no_call(word: Word<'_>) -> LineError {
     let help = if bare.starts_with("gl") && bare.chars().nth(2).is_some_and(char::is_uppercase) {
         let snake = snake(&bare[2..]);
         match nearest(&snake, WORDS.iter().copied()) {
-            Some(known) => format!("write `{known}`, with its arguments without parentheses and commas"),
-            None => "write calls without `gl`, in lower case, with `_` between words".to_owned(),
+            Some(known) => tr!("check-gl-write-with-its-arguments-without-parentheses", known = known),
+            None => tr!("check-gl-write-calls-without-gl-in-lower").to_owned(),
         }
     } else {
         match nearest(bare, WORDS.iter().copied()) {
-            Some(known) => format!("did you mean `{known}`?"),
-            None => "text.md has a table of the calls".to_owned(),
+            Some(known) => tr!("check-gl-did-you-mean", known = known),
+            None => tr!("check-gl-text-md-has-a-table-of").to_owned(),
         }
     };
-    LineError::at(word, format!("unknown call `{}`", shown(text)), help)
+    LineError::at(word, tr!("check-gl-unknown-call", text = shown(text)), help)
 }
 
 /// `BindTexture` as `bind_texture`.

@@ -6,6 +6,7 @@ use crate::cubemap;
 use crate::exercise::{Exercise, ExerciseKind};
 use crate::gl_program::GlProgram;
 use gonio_check::submission::{self, Holds, SourceFile};
+use gonio_language::tr;
 use gonio_mesh::Format;
 
 /// The use of a file.
@@ -79,7 +80,7 @@ pub fn sort_files(exercise: &Exercise, files: &[SourceFile]) -> SortedFiles {
     }
     sorted.aside = match aside.as_slice() {
         [] if sorted.taken.is_empty() => {
-            Some(format!("none of these files is an answer: {} reads {}", exercise.id, what_it_reads(exercise.kind)))
+            Some(tr!("check-preview-none-of-these-files-is-an", id = exercise.id, kind = what_it_reads(exercise.kind)))
         }
         [] => None,
         [(_, reason)] => Some(reason.clone()),
@@ -87,10 +88,16 @@ pub fn sort_files(exercise: &Exercise, files: &[SourceFile]) -> SortedFiles {
             let named: Vec<&str> = several.iter().take(MOST_NAMED).map(|(name, _)| *name).collect();
             let more = match several.len().saturating_sub(MOST_NAMED) {
                 0 => String::new(),
-                more => format!(" and {more} more"),
+                more => tr!("check-preview-and-more", more = more),
             };
             let reads = what_it_reads(exercise.kind);
-            Some(format!("ignored: {}{more}; {} reads {reads}", named.join(", "), exercise.id))
+            Some(tr!(
+                "check-preview-ignored-reads",
+                names = named.join(", "),
+                more = more,
+                id = exercise.id,
+                reads = reads
+            ))
         }
     };
     sorted
@@ -148,8 +155,8 @@ fn use_of(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, Str
     }
     let is_model = |format: &Format| format.extension() == ending;
     if Format::ALL.iter().any(is_model) || (ending == "toml" && !name.eq_ignore_ascii_case("names.toml")) {
-        let what = if ending == "toml" { "a scene" } else { "a model" };
-        return Err(format!("{name} is {what}: leave the exercises with the arrow at the top left, and open it there"));
+        let what = if ending == "toml" { tr!("check-preview-a-scene") } else { tr!("check-preview-a-model") };
+        return Err(tr!("check-preview-is-leave-the-exercises-with-the", name = name, what = what));
     }
     let is_buffer = || buffers::ENDINGS.iter().any(|known| known.strip_prefix('.') == Some(ending.as_str()));
     let found = match exercise.kind {
@@ -172,9 +179,9 @@ fn use_of(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, Str
         let reads = what_it_reads(exercise.kind);
         match exercise.kind {
             ExerciseKind::Shaders | ExerciseKind::Faces if is_text(file) => {
-                format!("there is no shader in {name}: {} reads {reads}", exercise.id)
+                tr!("check-preview-there-is-no-shader-in-reads", name = name, id = exercise.id, reads = reads)
             }
-            _ => format!("{} does not read {name}: it reads {reads}", exercise.id),
+            _ => tr!("check-preview-does-not-read-it-reads", id = exercise.id, name = name, reads = reads),
         }
     })
 }
@@ -183,12 +190,12 @@ fn use_of(exercise: &Exercise, file: &SourceFile) -> Result<Option<FileUse>, Str
 fn what_it_reads(kind: ExerciseKind) -> &'static str {
     match kind {
         ExerciseKind::Shaders => {
-            "a vertex and a fragment shader, in files of any names or as strings of a program, and names.toml"
+            tr!("check-preview-reads-shaders")
         }
-        ExerciseKind::Faces => "a vertex and a fragment shader, or six faces as pictures",
-        ExerciseKind::Buffers => "a vertex buffer (.csv, .tsv, .json, or raw floats as .bin, .raw or .f32)",
-        ExerciseKind::GlProgram => "GL programs (.txt)",
-        ExerciseKind::Baking => "a model with its materials and its picture (.obj, .mtl and .png, or .glb)",
+        ExerciseKind::Faces => tr!("check-preview-reads-shaders-or-faces"),
+        ExerciseKind::Buffers => tr!("check-preview-a-vertex-buffer-csv-tsv-json"),
+        ExerciseKind::GlProgram => tr!("check-preview-gl-programs-txt"),
+        ExerciseKind::Baking => tr!("check-preview-a-model-with-its-materials-and"),
     }
 }
 

@@ -14,6 +14,7 @@ pub use scene::{Eye, PreviewObject, PreviewScene, PreviewShape, scenes, test_sce
 
 use crate::exercise::{Exercise, ExerciseKind};
 use gonio_check::submission::SourceFile;
+use gonio_language::tr;
 
 /// Whether the answer is a pair of shaders that can be drawn in a preview scene.
 pub fn is_drawn(exercise: &Exercise) -> bool {
@@ -36,6 +37,6 @@ fn answer(exercise: &Exercise) -> Result<SubmittedPair, String> {
 
 /// The pair that draws the sky behind reflecting and refracting objects.
 pub fn sky() -> Result<SubmittedPair, String> {
-    let exercise = crate::exercise::find("ex08").ok_or("the exercise about skyboxes is missing")?;
+    let exercise = crate::exercise::find("ex08").ok_or(tr!("check-preview-the-exercise-about-skyboxes-is-missing"))?;
     answer(exercise)
 }

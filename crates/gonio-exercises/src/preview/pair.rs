@@ -8,6 +8,7 @@ use gonio_check::submission::{SourceFile, Submission};
 use gonio_check::verdict::CompilerMessage;
 use gonio_gl::Gl;
 use gonio_glsl::{Class, OutputVersion, Severity, Stage};
+use gonio_language::tr;
 use gonio_render::user_program::{UserProgram, is_embedded};
 
 /// The severity of a message.
@@ -115,12 +116,8 @@ impl SubmittedPair {
                 strict.map(|problem| Note { kind: NoteKind::Warning, message: stage.message(problem) })
             })
             .collect();
-        let unused = bindings.unused.iter().map(|name| {
-            format!(
-                "names.toml mentions `{name}`, which the shaders do \
-            not use"
-            )
-        });
+        let unused =
+            bindings.unused.iter().map(|name| tr!("check-preview-names-toml-mentions-which-the-shaders", name = name));
         let warnings = self.submission.warnings.iter().cloned().chain(unused).collect();
         Ok(CompiledPair { program, bindings, notes, warnings })
     }

@@ -6,6 +6,7 @@ use gonio_check::testbench::{
     CUBEMAP_UNIT, SKY_SIDE, TestScene, WHITE_UNIT, numbers_of_array, samplers, sky_faces, stream_of, unit,
 };
 use gonio_gl::{Gl, GlError};
+use gonio_language::tr;
 use gonio_render::user_program::{FloatTexture, Stream, StreamMesh};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -37,7 +38,7 @@ impl PreviewRenderer {
         Ok(PreviewRenderer {
             gl: gl.clone(),
             meshes: RefCell::default(),
-            cubemap: FloatTexture::cube(gl, SKY_SIDE, &sky_faces(), "the exercise's sky")?,
+            cubemap: FloatTexture::cube(gl, SKY_SIDE, &sky_faces(), tr!("check-preview-the-exercise-s-sky"))?,
             white: FloatTexture::flat(gl, [1, 1], &[[1.0; 4]], "white")?,
         })
     }
@@ -120,8 +121,10 @@ impl CompiledPair {
     pub fn variable_values(&self, test_scene: &TestScene) -> Vec<VariableValue> {
         let bound = self.bindings.bound.iter().map(|bound| {
             let value = match (bound.declared.kind, held(bound, test_scene)) {
-                (VariableKind::Attribute, _) if stream_of(bound.role).is_some() => "from the mesh".to_owned(),
-                (VariableKind::Attribute, _) => "0 0 0 1: not in the mesh".to_owned(),
+                (VariableKind::Attribute, _) if stream_of(bound.role).is_some() => {
+                    tr!("check-preview-from-the-mesh").to_owned()
+                }
+                (VariableKind::Attribute, _) => tr!("check-preview-0-0-0-1-not-in").to_owned(),
                 (VariableKind::Uniform, None) => "0".to_owned(),
                 (VariableKind::Uniform, Some(values)) => written(&bound.declared.glsl_type, &values),
             };
@@ -135,7 +138,7 @@ impl CompiledPair {
         let fixed = self.bindings.fixed.iter().map(|fixed| VariableValue {
             name: fixed.declared.name.clone(),
             glsl_type: fixed.declared.glsl_type.clone(),
-            role: Some(("a value".to_owned(), "by names.toml".to_owned())),
+            role: Some((tr!("check-preview-a-value").to_owned(), tr!("check-inputs-by-names-toml").to_owned())),
             value: written(&fixed.declared.glsl_type, &fixed.values),
         });
         let unknown = self.bindings.unknown.iter().map(|declared| VariableValue {
@@ -157,8 +160,8 @@ fn written(glsl_type: &str, values: &[f32]) -> String {
     };
     let line = |values: Vec<&f32>| values.into_iter().map(number).collect::<Vec<_>>().join("  ");
     match glsl_type {
-        "samplerCube" => "unit 0: gonio's sky".to_owned(),
-        "sampler2D" => "unit 1: white".to_owned(),
+        "samplerCube" => tr!("check-preview-unit-0-gonio-s-sky").to_owned(),
+        "sampler2D" => tr!("check-preview-unit-1-white").to_owned(),
         "mat2" | "mat3" | "mat4" => {
             let side = glsl_type.bytes().last().map_or(4, |digit| usize::from(digit - b'0'));
             let row = |row| line(values.iter().skip(row).step_by(side).take(side).collect());

@@ -4,6 +4,7 @@ use crate::exercise::Exercise;
 use glam::{Mat4, Quat, Vec3};
 use gonio_check::comparison::Task;
 use gonio_check::testbench::{TestLight, TestMesh, TestScene, TestShape, mesh, scene::LAB_LIGHT};
+use gonio_language::tr;
 use std::borrow::Cow;
 
 /// The shape of an object.
@@ -160,7 +161,7 @@ fn of_test(values: TestScene) -> PreviewScene {
     let shape = PreviewShape::of_test(values.shape);
     PreviewScene {
         name: values.name.clone().into(),
-        shows: values.shows,
+        shows: values.shows(),
         objects: vec![PreviewObject { shape, world_from_model: values.world_from_model }],
         swing: Vec3::ZERO,
         eye: Eye { position: values.eye, target: values.target, up: values.up, fov_rad: values.fov_y_rad },
@@ -236,7 +237,7 @@ fn scene(
 /// The scene of exercise 01: a camera in front of the pyramid that looks straight ahead.
 fn pyramid() -> PreviewScene {
     let objects = vec![PreviewObject { shape: PreviewShape::Pyramid, world_from_model: Mat4::IDENTITY }];
-    let shows = "the lab's own: a pyramid at the origin";
+    let shows = tr!("check-preview-lab-pyramid");
     scene("the lab's", shows, objects, LAB_LIGHT, eye([0.0, 0.0, 2.0], [0.0; 3], LAB_FOV_DEG))
 }
 
@@ -245,7 +246,7 @@ fn landmarks() -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 25f32.to_radians(), 40f32.to_radians(), 15f32.to_radians());
     let model = Mat4::from_scale_rotation_translation(Vec3::new(0.8, 1.1, 0.6), turn, Vec3::new(0.3, -0.2, -0.4));
     let objects = vec![PreviewObject { shape: PreviewShape::Landmarks, world_from_model: model }];
-    let shows = "the pyramid turned and moved within a globe of many colours, seen by a camera that is turned as well";
+    let shows = tr!("check-preview-the-pyramid-turned-and-moved-within");
     scene("turned", shows, objects, LAB_LIGHT, eye([1.1, 0.7, 1.0], [0.2, -0.1, -0.4], LAB_FOV_DEG))
 }
 
@@ -257,7 +258,7 @@ fn one_sphere(light: TestLight) -> PreviewScene {
     let model = Mat4::from_translation(Vec3::new(0.0, 0.0, -2.0)) * Mat4::from_scale(Vec3::splat(0.5));
     let objects = vec![PreviewObject { shape: PreviewShape::Smooth, world_from_model: model }];
     let eye = eye([0.0, 0.0, 0.0], [0.0, 0.0, -2.0], 38.0);
-    let shows = "the lab's own: a sphere at half its size, and a lamp that swings";
+    let shows = tr!("check-preview-lab-lamp");
     // Attenuation leaves a third of the light: with the lab's strengths the sphere would be nearly black.
     let light = TestLight { ambient: 0.15, diffuse: 0.8, ..light };
     let mut scene = scene("the lab's", shows, objects, light, eye);
@@ -276,7 +277,7 @@ fn three_spheres(light: TestLight) -> PreviewScene {
         object(PreviewShape::Coarse, 0.0),
         object(PreviewShape::Smooth, 1.15),
     ];
-    let shows = "the lab's own: a sphere of few triangles, one of more, one of many";
+    let shows = tr!("check-preview-lab-spheres");
     scene("the lab's", shows, objects, light, eye([0.0, 0.35, 2.2], [0.0, 0.0, -2.0], 52.0))
 }
 
@@ -287,8 +288,7 @@ fn stretched(light: TestLight) -> PreviewScene {
     let model = Mat4::from_scale_rotation_translation(scale, turn, Vec3::new(0.4, -0.3, -0.6));
     let objects = vec![PreviewObject { shape: PreviewShape::Torus, world_from_model: model }];
     let light = TestLight { position: Vec3::new(1.6, 2.2, 1.2), ..light };
-    let shows =
-        "a ring that is stretched, turned and moved: it shows normals multiplied by M, and matrices in the wrong order";
+    let shows = tr!("check-preview-a-ring-that-is-stretched-turned");
     scene("stretched", shows, objects, light, eye([1.9, 1.1, 2.0], [0.4, -0.3, -0.6], 34.0))
 }
 
@@ -296,8 +296,8 @@ fn stretched(light: TestLight) -> PreviewScene {
 fn mirrored(shape: PreviewShape) -> PreviewScene {
     let turn = Quat::from_euler(glam::EulerRot::YXZ, 0.5, 0.9, 0.0);
     let (name, shows) = match shape {
-        PreviewShape::Torus => ("a ring", "a ring, stretched and turned: its normals are nothing like its positions"),
-        _ => ("a sphere", "a smooth sphere under the lab's sky"),
+        PreviewShape::Torus => ("a ring", tr!("check-preview-a-ring-stretched-and-turned-its")),
+        _ => ("a sphere", tr!("check-preview-a-smooth-sphere-under-the-lab")),
     };
     let model = match shape {
         PreviewShape::Torus => Mat4::from_scale_rotation_translation(Vec3::new(1.0, 1.3, 0.8), turn, Vec3::ZERO),
@@ -310,7 +310,7 @@ fn mirrored(shape: PreviewShape) -> PreviewScene {
 /// The sky, seen from inside a cube.
 fn sky() -> PreviewScene {
     let objects = vec![PreviewObject { shape: PreviewShape::Cube, world_from_model: Mat4::IDENTITY }];
-    let shows = "the sky, seen by a camera away from the origin: a sky that comes nearer is wrong";
+    let shows = tr!("check-preview-the-sky-seen-by-a-camera");
     let eye = eye([0.3, 0.2, 0.4], [0.3, 0.3, -1.0], 68.0);
     PreviewScene { looks_around: true, ..scene("the sky", shows, objects, LAB_LIGHT, eye) }
 }

@@ -3,7 +3,9 @@
 use super::junit::proposed_fix_text;
 use super::text::{line, percent, place, plain, unit, words};
 use super::verdict_parts::{messages_html, mistakes_html, notes_html, proposed_fix_html, verdict_html};
-use gonio_check::verdict::{Outcome, SceneVerdict, TermState, Verdict};
+use gonio_check::testbench::scene;
+use gonio_check::verdict::{Outcome, SceneVerdict, TermState, TermVerdict, Verdict};
+use gonio_language::tr;
 use serde_json::{Value, json};
 
 /// The content of Gradescope's `results.json`.
@@ -26,7 +28,7 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
     }
     for term in &verdict.terms {
         let mut test = json!({
-            "name": format!("{} term", line(&term.term)),
+            "name": term_name(term),
             "output": term_words(term.state),
             "visibility": "visible",
         });
@@ -38,7 +40,7 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
     let each = points(1.0 / verdict.scenes.len().max(1) as f64);
     for scene in &verdict.scenes {
         tests.push(json!({
-            "name": format!("scene: {}", line(&scene.scene)),
+            "name": scene_name(scene),
             "status": status(scene.right),
             "score": if scene.right { each } else { 0.0 },
             "max_score": each,
@@ -66,16 +68,16 @@ pub fn gradescope(verdict: &Verdict, max_score: f64) -> String {
 /// tests. CodeRunner rejects a combinator's answer with any other field.
 pub fn code_runner(verdict: &Verdict) -> String {
     let row = |right: bool, name: String, result: String| json!([u8::from(right), name, result]);
-    let mut results = vec![json!(["iscorrect", "Test", "Result"])];
-    results.push(row(verdict.verdict == Outcome::Correct, "verdict".to_owned(), line(&verdict.summary)));
+    let mut results = vec![json!(["iscorrect", tr!("report-test"), tr!("report-result")])];
+    results.push(row(verdict.verdict == Outcome::Correct, tr!("report-verdict").to_owned(), line(&verdict.summary)));
     for term in &verdict.terms {
         // A row has a tick or a cross: a term that was not tested has neither.
         if let Some(right) = is_right(term.state) {
-            results.push(row(right, format!("{} term", line(&term.term)), term_words(term.state).to_owned()));
+            results.push(row(right, term_name(term), term_words(term.state).to_owned()));
         }
     }
     for scene in &verdict.scenes {
-        results.push(row(scene.right, format!("scene: {}", line(&scene.scene)), scene_words(scene)));
+        results.push(row(scene.right, scene_name(scene), scene_words(scene)));
     }
     let prologue = [
         verdict_html(verdict, false),
@@ -94,6 +96,18 @@ pub fn code_runner(verdict: &Verdict) -> String {
     .to_string()
 }
 
+fn term_name(term: &TermVerdict) -> String {
+    tr!("report-term", term = line(&scene::term_title(&term.term)))
+}
+
+fn scene_name(verdict: &SceneVerdict) -> String {
+    tr!("report-scene", scene = line(&scene::title(&verdict.scene)))
+}
+
+fn outcome_and_summary(verdict: &Verdict) -> String {
+    tr!("report-outcome-and-summary", outcome = words(verdict.verdict), summary = plain(&verdict.summary))
+}
+
 fn status(right: bool) -> &'static str {
     if right { "passed" } else { "failed" }
 }
@@ -108,53 +122,53 @@ fn is_right(state: TermState) -> Option<bool> {
 
 fn term_words(state: TermState) -> &'static str {
     match state {
-        TermState::Right => "right",
-        TermState::Wrong => "wrong",
-        TermState::NotSeparable => "not tested separately: its strength is not a uniform",
+        TermState::Right => tr!("report-right"),
+        TermState::Wrong => tr!("report-wrong"),
+        TermState::NotSeparable => tr!("report-not-tested-separately-reason"),
     }
 }
 
 fn scene_words(scene: &SceneVerdict) -> String {
     match scene.right {
-        true => format!("the same as the reference ({})", line(&scene.shows)),
-        false => format!(
-            "{} of pixels differ from the reference, by up to {:.3} ({})",
-            percent(scene.pixels_beyond),
-            scene.worst,
-            line(&scene.shows)
+        true => tr!("report-same-as-reference", shows = line(&scene.shows)),
+        false => tr!(
+            "report-differs-from-reference",
+            percent = percent(scene.pixels_beyond),
+            worst = format!("{:.3}", scene.worst),
+            shows = line(&scene.shows)
         ),
     }
 }
 
 fn whole(verdict: &Verdict) -> Value {
     json!({
-        "name": "verdict",
+        "name": tr!("report-verdict"),
         "status": status(verdict.verdict == Outcome::Correct),
-        "output": format!("{}: {}", words(verdict.verdict), plain(&verdict.summary)),
+        "output": outcome_and_summary(verdict),
         "visibility": "visible",
     })
 }
 
 /// Everything that a student should read, as plain text.
 fn text_output(verdict: &Verdict) -> String {
-    let mut lines = vec![format!("{}: {}", words(verdict.verdict), plain(&verdict.summary))];
+    let mut lines = vec![outcome_and_summary(verdict)];
     for mistake in &verdict.mistakes {
         lines.push(String::new());
         lines.push(format!("{} [{}]", line(&mistake.name), line(&mistake.id)));
         if let Some(place) = place(mistake.file.as_deref(), mistake.line) {
-            lines.push(format!("  where: {place}"));
+            lines.push(tr!("report-where", place = place));
         }
         if let Some(quoted) = &mistake.quoted {
             lines.push(format!("    {}", line(quoted)));
         }
-        lines.push(format!("  it explains {} of the difference", percent(mistake.share_explained)));
+        lines.push(tr!("report-explains-lines", percent = percent(mistake.share_explained)));
         for (heading, text) in [
-            ("what it looks like", &mistake.looks_like),
-            ("how to fix it", &mistake.fix),
-            ("in the lecture", &mistake.lecture_section),
+            (tr!("report-looks-like"), &mistake.looks_like),
+            (tr!("report-fix"), &mistake.fix),
+            (tr!("report-lecture"), &mistake.lecture_section),
         ] {
             if !text.is_empty() {
-                lines.push(format!("  {heading}: {}", line(text)));
+                lines.push(tr!("report-heading", heading = heading, text = line(text)));
             }
         }
     }
@@ -169,9 +183,7 @@ fn text_output(verdict: &Verdict) -> String {
     if !verdict.peculiarities.is_empty() || !verdict.warnings.is_empty() {
         lines.push(String::new());
     }
-    lines.extend(
-        verdict.peculiarities.iter().map(|known| format!("correct, by a different method: {}", line(&known.name))),
-    );
-    lines.extend(verdict.warnings.iter().map(|warning| format!("warning: {}", line(warning))));
+    lines.extend(verdict.peculiarities.iter().map(|known| tr!("report-other-method", name = line(&known.name))));
+    lines.extend(verdict.warnings.iter().map(|warning| tr!("report-warning", text = line(warning))));
     lines.join("\n")
 }

@@ -4,6 +4,7 @@ use super::picture::base64;
 use super::sha256::sha256;
 use super::text::{escaped, escaped_line, line};
 use gonio_check::verdict::Outcome;
+use gonio_language::Language;
 use std::fmt::Write as _;
 
 /// Maximum number of shown items of a list whose length depends on a student's file.
@@ -27,12 +28,13 @@ pub fn document(title: &str, kind: PageKind, body: &str) -> String {
         .map_or_else(String::new, |script| format!("; script-src 'sha256-{}'", base64(&sha256(script.as_bytes()))));
     let script = kind.script.map_or_else(String::new, |script| format!("<script>{script}</script>\n"));
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; \
          img-src data:{policy}\">\n\
          <title>{}</title>\n<style>\n{style}{}</style>\n</head>\n<body>\n<main>\n{body}</main>\n{script}</body>\n</html>\n",
+        Language::current().code(),
         escaped_line(title),
         kind.style
     )

@@ -2,7 +2,9 @@
 
 use super::text::{escaped, escaped_line, line, percent, place, plain, word};
 use gonio_check::proposed_fix;
+use gonio_check::testbench::scene;
 use gonio_check::verdict::{FoundMistake, Outcome, ProposedEdit, TermState, Verdict};
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// JUnit XML: a suite for each exercise and submission, with a case for the verdict, one for each term and one for each scene.
@@ -89,10 +91,11 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
         let end = match term.state {
             TermState::Right => End::Passed,
             TermState::Wrong => {
-                End::Failure(format!("<failure message=\"the {} term is wrong\"/>", escaped_line(&term.term)))
+                let message = tr!("report-term-is-wrong", term = scene::term_title(&term.term));
+                End::Failure(format!("<failure message=\"{}\"/>", escaped_line(&message)))
             }
             TermState::NotSeparable => {
-                let message = "not tested separately: its strength is not a uniform";
+                let message = escaped_line(tr!("report-not-tested-separately-reason"));
                 End::Skipped(format!("<skipped message=\"{message}\"/>"))
             }
         };
@@ -101,20 +104,19 @@ fn suite(label: &str, verdict: &Verdict) -> (String, Counts) {
     for scene in &verdict.scenes {
         let end = match scene.right {
             true => End::Passed,
-            false => End::Failure(format!(
-                "<failure message=\"{} of pixels differ, by up to {:.3}\">{}</failure>",
-                percent(scene.pixels_beyond),
-                scene.worst,
-                escaped(&scene.shows)
-            )),
+            false => {
+                let (percent, worst) = (percent(scene.pixels_beyond), format!("{:.3}", scene.worst));
+                let message = escaped_line(&tr!("report-pixels-differ", percent = percent, worst = worst));
+                End::Failure(format!("<failure message=\"{message}\">{}</failure>", escaped(&scene.shows)))
+            }
         };
         case(&format!("scene: {}", escaped_line(&scene.scene)), "", end);
     }
     let output: Vec<String> = verdict
         .peculiarities
         .iter()
-        .map(|peculiarity| format!("correct, by a different method: {}", escaped_line(&peculiarity.name)))
-        .chain(verdict.warnings.iter().map(|warning| format!("warning: {}", escaped_line(warning))))
+        .map(|peculiarity| tr!("report-other-method", name = escaped_line(&peculiarity.name)))
+        .chain(verdict.warnings.iter().map(|warning| tr!("report-warning", text = escaped_line(warning))))
         .collect();
     let output = match output.is_empty() {
         true => String::new(),
@@ -179,14 +181,14 @@ pub fn proposed_fix_text(edits: &[ProposedEdit]) -> Vec<String> {
 fn mistake_text(mistake: &FoundMistake) -> String {
     let mut text = line(&mistake.name);
     if let Some(place) = place(mistake.file.as_deref(), mistake.line) {
-        let _ = write!(text, "\n  at {place}");
+        let _ = write!(text, "\n{}", tr!("report-at", place = place));
     }
     if let Some(quoted) = &mistake.quoted {
         let _ = write!(text, "\n  {}", line(quoted));
     }
-    let _ = write!(text, "\n  explains {} of the difference", percent(mistake.share_explained));
+    let _ = write!(text, "\n{}", tr!("report-explains", percent = percent(mistake.share_explained)));
     if !mistake.fix.is_empty() {
-        let _ = write!(text, "\n  to fix it: {}", line(&mistake.fix));
+        let _ = write!(text, "\n{}", tr!("report-to-fix-it", fix = line(&mistake.fix)));
     }
     text
 }

@@ -2,9 +2,10 @@
 
 use super::address::finding_anchor;
 use super::html::{MOST_SHOWN, prose};
-use super::text::{count, escaped, escaped_line};
+use super::text::{escaped, escaped_line};
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
+use gonio_language::tr;
 use gonio_mesh::encoding::to_utf8;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -84,12 +85,12 @@ impl Listing {
         if self.files.is_empty() {
             return String::new();
         }
-        let mut html = String::from("<section class=\"source\">\n<h2>Code</h2>\n");
+        let mut html = format!("<section class=\"source\">\n<h2>{}</h2>\n", tr!("report-code"));
         for (index, file) in self.files.iter().enumerate() {
             html.push_str(&file.html(index));
         }
         if self.others > 0 {
-            let _ = writeln!(html, "<p class=\"hint\">And {}.</p>", count(self.others, "more file", "more files"));
+            let _ = writeln!(html, "<p class=\"hint\">{}</p>", tr!("report-and-more-files", count = self.others));
         }
         html.push_str("</section>\n");
         html
@@ -190,7 +191,7 @@ impl ListedFile {
 fn gap(lines: usize) -> String {
     match lines {
         0 => String::new(),
-        lines => format!("<span class=\"gap\">{}\n</span>", count(lines, "line not shown", "lines not shown")),
+        lines => format!("<span class=\"gap\">{}\n</span>", tr!("report-count-lines-not-shown", count = lines)),
     }
 }
 

@@ -2,10 +2,11 @@
 
 use super::address::{OVERVIEW, page_address};
 use super::text::{by_name, escaped_name};
+use gonio_language::tr;
 
 /// The start of the navigation, directly after that of a page's content.
 const START: &str = "<main>\n";
-const OPEN: &str = "<nav class=\"class\" aria-label=\"Class\">";
+const OPEN: &str = "<nav class=\"class\" aria-label=\"";
 const CLOSE: &str = "</nav>\n";
 
 /// Sorts labels as the overview lists them: without case, numbers by value.
@@ -33,13 +34,14 @@ pub fn with_neighbours(page: &str, before: Option<&str>, after: Option<&str>) ->
     };
     let before = link(before, "prev", ["← ", ""]);
     let after = link(after, "next", ["", " →"]);
-    format!("{head}{START}{OPEN}{before}<a href=\"{OVERVIEW}\">All submissions</a>{after}{CLOSE}{content}")
+    let (class, all) = (tr!("report-class"), tr!("report-all-submissions"));
+    format!("{head}{START}{OPEN}{class}\">{before}<a href=\"{OVERVIEW}\">{all}</a>{after}{CLOSE}{content}")
 }
 
 /// A submission's name for a link.
 pub fn shown_name(label: &str) -> String {
     let name = escaped_name(label);
-    if name.is_empty() { "(no name)".to_owned() } else { name }
+    if name.is_empty() { tr!("report-no-name").to_owned() } else { name }
 }
 
 #[cfg(test)]

@@ -32,7 +32,8 @@
         const words = plain(filter.value).split(/\s+/);
         rows.forEach((row) => { row.hidden = !words.every((word) => texts.get(row).includes(word)); });
         const count = rows.filter((row) => !row.hidden).length;
-        status.textContent = filter.value.trim() ? `${count} of ${rows.length} shown` : "";
+        const shown = status.dataset.shown.replace("$count", count).replace("$all", rows.length);
+        status.textContent = filter.value.trim() ? shown : "";
     };
     filter.addEventListener("input", show);
     // Browsers keep the text of a field when a page is loaded again.

@@ -3,14 +3,15 @@
 use super::html::{Icon, PageKind, document, shown};
 use super::listing::Listing;
 use super::picture::{PictureKind, Pictures, heat};
-use super::text::{count, escaped_line, escaped_name, name, percent};
+use super::text::{escaped_line, escaped_name, name, percent};
 use super::verdict_parts::{messages_html, mistakes_html, notes_html, proposed_fix_html, verdict_html};
 use crate::exercise::{Exercise, ExerciseKind};
 use crate::preview::is_answer;
 use gonio_check::comparison::Evidence;
 use gonio_check::submission::SourceFile;
-use gonio_check::testbench::TILE;
+use gonio_check::testbench::{TILE, scene};
 use gonio_check::verdict::{BoundVariable, Outcome, SceneVerdict, TermState, TermVerdict, Verdict};
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// Side of a picture in CSS pixels: an integer multiple, so that all its pixels are squares of the same size.
@@ -44,7 +45,7 @@ pub fn page(label: &str, verdict: &Verdict, evidence: Option<&Evidence>, sources
     body.push_str(&listing.html());
     body.push_str(&notes_html(verdict));
     body.push_str(&bound(&verdict.bound));
-    body.push_str("<footer><p>Checked by gonio.</p></footer>\n");
+    let _ = writeln!(body, "<footer><p>{}</p></footer>", tr!("report-checked-by-gonio"));
     let kind = PageKind { style: include_str!("page.css"), script: None };
     document(&format!("{}: {}", name(label), super::text::words(verdict.verdict)), kind, &body)
 }
@@ -64,25 +65,23 @@ fn terms(terms: &[TermVerdict]) -> String {
     if terms.is_empty() {
         return String::new();
     }
-    let mut html = String::from("<section>\n<h2>Term by term</h2>\n<ul class=\"terms\">\n");
+    let mut html = format!("<section>\n<h2>{}</h2>\n<ul class=\"terms\">\n", tr!("report-term-by-term"));
     for term in terms {
         let (class, icon, words) = match term.state {
-            TermState::Right => ("right", Icon::Right, "right"),
-            TermState::Wrong => ("wrong", Icon::Wrong, "wrong"),
-            TermState::NotSeparable => ("apart", Icon::None, "not tested separately"),
+            TermState::Right => ("right", Icon::Right, tr!("report-right")),
+            TermState::Wrong => ("wrong", Icon::Wrong, tr!("report-wrong")),
+            TermState::NotSeparable => ("apart", Icon::None, tr!("report-not-tested-separately")),
         };
         let _ = writeln!(
             html,
             "<li class=\"{class}\">{}<span><b>{}</b> {words}</span></li>",
             icon.svg(),
-            escaped_line(&term.term)
+            escaped_line(&scene::term_title(&term.term))
         );
     }
     html.push_str("</ul>\n");
     if terms.iter().any(|term| term.state == TermState::NotSeparable) {
-        html.push_str(
-            "<p class=\"hint\">A term can be tested separately if its strength is a uniform, which can be set to 0.</p>\n",
-        );
+        let _ = writeln!(html, "<p class=\"hint\">{}</p>", tr!("report-separate-terms"));
     }
     html.push_str("</section>\n");
     html
@@ -93,7 +92,7 @@ fn scenes(verdict: &Verdict, pictures: Option<&Pictures<'_>>) -> String {
         return String::new();
     }
     let (alone, whole): (Vec<_>, Vec<_>) = verdict.scenes.iter().partition(|scene| scene.scene.ends_with(" alone"));
-    let mut html = String::from("<section class=\"scenes\">\n<h2>Scene by scene</h2>\n");
+    let mut html = format!("<section class=\"scenes\">\n<h2>{}</h2>\n", tr!("report-scene-by-scene"));
     if !whole.is_empty() {
         html.push_str(&table(verdict, &whole, pictures, 1));
     }
@@ -101,8 +100,8 @@ fn scenes(verdict: &Verdict, pictures: Option<&Pictures<'_>>) -> String {
         let right = alone.iter().filter(|scene| scene.right).count();
         let _ = write!(
             html,
-            "<details>\n<summary>With one term alone: {right} of {} right</summary>\n{}</details>\n",
-            count(alone.len(), "scene", "scenes"),
+            "<details>\n<summary>{}</summary>\n{}</details>\n",
+            tr!("report-one-term-alone", scenes = tr!("report-scenes-right", right = right, count = alone.len())),
             table(verdict, &alone, pictures, 1 + whole.len())
         );
     }
@@ -116,11 +115,11 @@ fn scenes(verdict: &Verdict, pictures: Option<&Pictures<'_>>) -> String {
 /// Returns the heading of a column of pictures.
 fn caption(kind: PictureKind, verdict: &Verdict) -> &'static str {
     match (kind, verdict.verdict) {
-        (PictureKind::Yours, _) => "Yours",
-        (PictureKind::Reference, _) => "Reference",
-        (PictureKind::Difference, _) => "Difference",
-        (PictureKind::Predicted, Outcome::Correct) => "Your method",
-        (PictureKind::Predicted, _) => "Predicted",
+        (PictureKind::Yours, _) => tr!("report-yours"),
+        (PictureKind::Reference, _) => tr!("report-reference"),
+        (PictureKind::Difference, _) => tr!("report-difference"),
+        (PictureKind::Predicted, Outcome::Correct) => tr!("report-your-method"),
+        (PictureKind::Predicted, _) => tr!("report-predicted"),
     }
 }
 
@@ -129,9 +128,10 @@ fn caption(kind: PictureKind, verdict: &Verdict) -> &'static str {
 /// Elements have explicit roles: on narrow pages the cells are laid out differently, and browsers no longer expose a table.
 fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures<'_>>, first: usize) -> String {
     let kinds = pictures.map(Pictures::kinds).unwrap_or_default();
-    let mut html = String::from(
+    let mut html = format!(
         "<table role=\"table\">\n<thead role=\"rowgroup\"><tr role=\"row\"><th role=\"columnheader\" \
-         scope=\"col\">Scene</th>",
+         scope=\"col\">{}</th>",
+        tr!("report-column-scene")
     );
     for kind in &kinds {
         let _ = write!(html, "<th role=\"columnheader\" scope=\"col\">{}</th>", caption(*kind, verdict));
@@ -145,7 +145,7 @@ fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures
             let caption = caption(*kind, verdict);
             let picture = pictures.and_then(|pictures| pictures.find(&scene.scene, *kind));
             let picture = picture.map_or_else(String::new, |picture| {
-                let name = escaped_line(&scene.scene);
+                let name = escaped_line(&scene::title(&scene.scene));
                 let uri = picture.data_uri();
                 format!(
                     "<label for=\"{zoom}\"><img alt=\"{caption}, {name}\" width=\"{SHOWN}\" height=\"{SHOWN}\" \
@@ -165,27 +165,30 @@ fn table(verdict: &Verdict, scenes: &[&SceneVerdict], pictures: Option<&Pictures
 
 /// The head of a row; `zoom` is the id of the box that enlarges its pictures, if it has any.
 fn scene_head(scene: &SceneVerdict, zoom: Option<&str>) -> String {
-    let (class, icon) = if scene.right { ("right", Icon::Right) } else { ("wrong", Icon::Wrong) };
+    let (class, icon, word) = match scene.right {
+        true => ("right", Icon::Right, tr!("report-right")),
+        false => ("wrong", Icon::Wrong, tr!("report-wrong")),
+    };
+    let name = scene::title(&scene.scene);
     let measure = match scene.right {
         true => String::new(),
-        false => format!(
-            "<span class=\"measure\">{} of pixels differ, by up to {:.2}</span>",
-            percent(scene.pixels_beyond),
-            scene.worst
-        ),
+        false => {
+            let (percent, worst) = (percent(scene.pixels_beyond), format!("{:.2}", scene.worst));
+            format!("<span class=\"measure\">{}</span>", tr!("report-measure", percent = percent, worst = worst))
+        }
     };
     let zoom = zoom.map_or_else(String::new, |id| {
         format!(
-            "<label class=\"zoom\"><input type=\"checkbox\" id=\"{id}\" aria-label=\"Large pictures of {}\"><span>Large \
-             pictures</span></label>",
-            escaped_line(&scene.scene)
+            "<label class=\"zoom\"><input type=\"checkbox\" id=\"{id}\" aria-label=\"{}\"><span>{}</span></label>",
+            tr!("report-large-pictures-of", scene = escaped_line(&name)),
+            tr!("report-large-pictures")
         )
     });
     format!(
         "<th role=\"rowheader\" scope=\"row\"><span class=\"name {class}\">{}<span><b>{}</b> \
-         {class}</span></span><span class=\"shows\">{}</span>{measure}{zoom}</th>",
+         {word}</span></span><span class=\"shows\">{}</span>{measure}{zoom}</th>",
         icon.svg(),
-        escaped_line(&scene.scene),
+        escaped_line(&name),
         escaped_line(&scene.shows)
     )
 }
@@ -198,38 +201,36 @@ fn legend(verdict: &Verdict, pictures: &Pictures<'_>) -> String {
         })
         .collect();
     let full = pictures.full;
-    let more = if full < 1.0 { format!("{full} or more") } else { "1".to_owned() };
+    let more = if full < 1.0 { tr!("report-scale-or-more", full = full.to_string()) } else { "1".to_owned() };
     let mut notes = vec![
-        "<li><span class=\"swatch nan\"></span>not a number (NaN)</li>".to_owned(),
-        "<li><span class=\"swatch checker\"></span>nothing drawn</li>".to_owned(),
+        format!("<li><span class=\"swatch nan\"></span>{}</li>", tr!("report-not-a-number")),
+        format!("<li><span class=\"swatch checker\"></span>{}</li>", tr!("report-nothing-drawn")),
     ];
     if pictures.kinds().contains(&PictureKind::Predicted) {
         let what = match (verdict.verdict, verdict.mistakes.len()) {
-            (Outcome::Correct, _) => "Your method: the reference, computed with your method",
-            (_, 1) => "Predicted: what the mistake draws",
-            _ => "Predicted: what the mistakes draw together",
+            (Outcome::Correct, _) => tr!("report-legend-your-method"),
+            (_, 1) => tr!("report-legend-predicted"),
+            _ => tr!("report-legend-predicted-together"),
         };
         notes.push(format!("<li>{what}</li>"));
     }
     notes.insert(
         0,
         format!(
-            "<li>Difference: 0 <span class=\"scale\" style=\"background: linear-gradient(90deg, {})\"></span> \
+            "<li>{} <span class=\"scale\" style=\"background: linear-gradient(90deg, {})\"></span> \
              {more}</li>",
+            tr!("report-legend-difference"),
             stops.join(", ")
         ),
     );
     let own_way = match verdict.peculiarities.is_empty() {
-        true => "",
-        false => {
-            " The reference uses its own method: where yours is correct by a different method, the pictures may differ \
-             although the scene is right."
-        }
+        true => String::new(),
+        false => format!(" {}", tr!("report-own-method")),
     };
     format!(
-        "<ul class=\"legend\">\n{}\n</ul>\n<p class=\"hint\">Colours are linear light, encoded as sRGB for the \
-         screen: a window without that encoding shows the same numbers darker.{own_way}</p>\n",
-        notes.join("\n")
+        "<ul class=\"legend\">\n{}\n</ul>\n<p class=\"hint\">{}{own_way}</p>\n",
+        notes.join("\n"),
+        tr!("report-linear-light")
     )
 }
 
@@ -241,7 +242,7 @@ fn bound(bound: &[BoundVariable]) -> String {
     let each = |variable: &BoundVariable| {
         let (class, role) = match &variable.role {
             Some(role) => ("", format!("<code>{}</code>", escaped_line(role))),
-            None => (" class=\"unknown\"", format!("{}unrecognised, set to 0", Icon::Unsure.svg())),
+            None => (" class=\"unknown\"", format!("{}{}", Icon::Unsure.svg(), tr!("report-unrecognised"))),
         };
         format!(
             "<tr{class}><th scope=\"row\"><code>{}</code></th><td><code>{}</code></td><td>{role}</td></tr>\n",
@@ -249,19 +250,22 @@ fn bound(bound: &[BoundVariable]) -> String {
             escaped_line(&variable.glsl_type)
         )
     };
-    let rows = shown(bound, each, |more| format!("<tr><td colspan=\"3\">And {more} more.</td></tr>\n"));
-    let (open, remark) = match unknown {
-        0 => ("", String::new()),
-        some => (" open", format!(", {some} unrecognised")),
+    let rows =
+        shown(bound, each, |more| format!("<tr><td colspan=\"3\">{}</td></tr>\n", tr!("report-and-more", more = more)));
+    let variables = tr!("report-count-variables", count = bound.len());
+    let (open, summary) = match unknown {
+        0 => ("", variables),
+        some => (" open", tr!("report-some-unrecognised", variables = variables, some = some)),
     };
     let hint = match unknown {
-        0 => "",
-        _ => "<p class=\"hint\">A file <code>names.toml</code> beside the shaders can assign their roles.</p>\n",
+        0 => String::new(),
+        _ => format!("<p class=\"hint\">{}</p>\n", tr!("report-names-file")),
     };
+    let heading = tr!("report-variables-and-roles");
+    let [name, glsl_type, role] = ["report-column-name", "report-column-type", "report-column-role"].map(|id| tr!(id));
     format!(
-        "<section class=\"bound\">\n<h2>Variables and their roles</h2>\n<details{open}>\n<summary>{}{remark}</summary>\n\
-         <table>\n<thead><tr><th scope=\"col\">Name</th><th scope=\"col\">Type</th><th scope=\"col\">Role</th></tr></thead>\n\
-         <tbody>\n{rows}</tbody>\n</table>\n{hint}</details>\n</section>\n",
-        count(bound.len(), "variable", "variables")
+        "<section class=\"bound\">\n<h2>{heading}</h2>\n<details{open}>\n<summary>{summary}</summary>\n\
+         <table>\n<thead><tr><th scope=\"col\">{name}</th><th scope=\"col\">{glsl_type}</th><th scope=\"col\">{role}</th></tr></thead>\n\
+         <tbody>\n{rows}</tbody>\n</table>\n{hint}</details>\n</section>\n"
     )
 }

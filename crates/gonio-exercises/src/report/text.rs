@@ -1,6 +1,7 @@
 //! Text for formats with markup: escaping, and visible forms of hidden characters.
 
 use gonio_check::verdict::Outcome;
+use gonio_language::tr;
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
@@ -152,10 +153,10 @@ pub fn unit(number: f64) -> f64 {
 /// The outcome in words: `does not compile`.
 pub fn words(outcome: Outcome) -> &'static str {
     match outcome {
-        Outcome::Correct => "correct",
-        Outcome::Wrong => "wrong",
-        Outcome::DoesNotCompile => "does not compile",
-        Outcome::Unsure => "could not be judged",
+        Outcome::Correct => tr!("report-correct"),
+        Outcome::Wrong => tr!("report-wrong"),
+        Outcome::DoesNotCompile => tr!("report-does-not-compile"),
+        Outcome::Unsure => tr!("report-unsure"),
     }
 }
 
@@ -198,11 +199,6 @@ pub fn by_name(a: &str, b: &str) -> std::cmp::Ordering {
         key
     };
     key(a).cmp(&key(b)).then_with(|| a.cmp(b))
-}
-
-/// A number with its noun: `1 scene`, `2 scenes`.
-pub fn count(number: usize, one: &str, many: &str) -> String {
-    format!("{number} {}", if number == 1 { one } else { many })
 }
 
 /// A place such as `lit.frag:14`, as far as it is known.

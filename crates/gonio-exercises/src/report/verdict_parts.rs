@@ -6,9 +6,11 @@
 use super::address::finding_anchor;
 use super::html::{Icon, MOST_SHOWN, capital, prose, sentence, shown};
 use super::listing::Listing;
-use super::text::{count, escaped, escaped_line, line, percent, word, words};
+use super::text::{escaped, escaped_line, line, percent, word, words};
 use gonio_check::proposed_fix::{self, DiffLine};
+use gonio_check::testbench::scene;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, PropertyState, PropertyVerdict, ProposedEdit, Verdict};
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// Maximum number of characters of a compiler's message that are shown without unfolding.
@@ -29,10 +31,10 @@ impl Quote<'_> {
         let Some(file) = self.file else { return String::new() };
         let mut place = format!("<span class=\"file\">{}</span>", escaped_line(file));
         if let Some(number) = self.line {
-            let _ = write!(place, ", line {number}");
+            let _ = write!(place, "{}", tr!("report-line", line = number));
         }
         if let Some(column) = self.column {
-            let _ = write!(place, ", column {column}");
+            let _ = write!(place, "{}", tr!("report-column", column = column));
         }
         if let Some(anchor) = listing.zip(self.line).and_then(|(listing, line)| listing.anchor(file, line)) {
             place = format!("<a href=\"#{anchor}\">{place}</a>");
@@ -60,9 +62,9 @@ pub fn verdict_html(verdict: &Verdict, with_icon: bool) -> String {
     let right = verdict.scenes.iter().filter(|scene| scene.right).count();
     let mut facts = Vec::new();
     if !verdict.scenes.is_empty() {
-        facts.push(format!("{right} of {} right", count(verdict.scenes.len(), "scene", "scenes")));
+        facts.push(tr!("report-scenes-right", right = right, count = verdict.scenes.len()));
     }
-    facts.push(format!("Score {}", percent(verdict.score)));
+    facts.push(tr!("report-score", percent = percent(verdict.score)));
     format!(
         "<section class=\"verdict {}\">\n<h2>{}<span>{}</span></h2>\n<p class=\"summary\">{}</p>\n<p \
          class=\"facts\">{}</p>\n</section>\n",
@@ -80,15 +82,15 @@ pub fn mistakes_html(verdict: &Verdict, listing: Option<&Listing>) -> String {
         return String::new();
     }
     let heading = match verdict.mistakes.len() {
-        1 => "What is wrong".to_owned(),
-        several => format!("What is wrong: {several} mistakes"),
+        1 => tr!("report-what-is-wrong").to_owned(),
+        several => tr!("report-what-is-wrong-several", several = several),
     };
     let together = verdict.mistakes.len() > 1;
     let numbered: Vec<(usize, &FoundMistake)> = verdict.mistakes.iter().enumerate().collect();
     let each = |(number, mistake): &(usize, &FoundMistake)| {
         format!("{}{}", article(*number, listing), mistake_html(mistake, together, listing))
     };
-    let mistakes: String = shown(&numbered, each, |more| format!("<p>And {more} more.</p>\n"));
+    let mistakes: String = shown(&numbered, each, |more| format!("<p>{}</p>\n", tr!("report-and-more", more = more)));
     format!("<section class=\"mistakes\">\n<h2>{heading}</h2>\n{mistakes}</section>\n")
 }
 
@@ -100,9 +102,9 @@ fn mistake_html(mistake: &FoundMistake, together: bool, listing: Option<&Listing
     html.push_str(&place.html("p", listing));
     html.push_str("<dl>\n");
     let parts = [
-        ("What it looks like", &mistake.looks_like),
-        ("How to fix it", &mistake.fix),
-        ("In the lecture", &mistake.lecture_section),
+        (tr!("report-heading-looks-like"), &mistake.looks_like),
+        (tr!("report-heading-fix"), &mistake.fix),
+        (tr!("report-heading-lecture"), &mistake.lecture_section),
     ];
     for (term, text) in parts.into_iter().filter(|(_, text)| !text.is_empty()) {
         let _ = writeln!(html, "<dt>{term}</dt><dd>{}</dd>", prose(text));
@@ -113,16 +115,17 @@ fn mistake_html(mistake: &FoundMistake, together: bool, listing: Option<&Listing
             None => format!("<code>{}</code>", escaped_line(id)),
         };
         let others: Vec<String> = mistake.or.iter().take(MOST_SHOWN).map(name).collect();
-        let _ =
-            writeln!(html, "<dt>Alternatives</dt><dd>{} (no picture distinguishes these)</dd>", others.join("; or: "));
+        let others = tr!("report-no-picture-distinguishes-these", names = others.join(tr!("report-or")));
+        let _ = writeln!(html, "<dt>{}</dt><dd>{others}</dd>", tr!("report-alternatives"));
     }
     if mistake.lab_does_it {
-        html.push_str("<dt>Note</dt><dd>The lab’s own solutions do the same; the textbook does not.</dd>\n");
+        let _ = writeln!(html, "<dt>{}</dt><dd>{}</dd>", tr!("report-note"), tr!("report-lab-does-it"));
     }
-    let others = if together { "together with the others, it" } else { "it" };
-    let facts = match mistake.share_explained > 0.0 {
-        true => format!("{others} explains {} of the difference", percent(mistake.share_explained)),
-        false => "the source shows it".to_owned(),
+    let percent = percent(mistake.share_explained);
+    let facts = match (mistake.share_explained > 0.0, together) {
+        (true, true) => tr!("report-together-explains", percent = percent),
+        (true, false) => tr!("report-it-explains", percent = percent),
+        (false, _) => tr!("report-source-shows-it").to_owned(),
     };
     let _ = write!(
         html,
@@ -147,15 +150,15 @@ pub fn proposed_fix_html(verdict: &Verdict, listing: Option<&Listing>) -> String
             format!("<code class=\"{class}\">{} {}\n</code>", line.sign(), escaped(line.text().trim_end()))
         };
         let diff =
-            shown(&edit.diff(), line, |more| format!("<code>And {}.</code>", count(more, "more line", "more lines")));
+            shown(&edit.diff(), line, |more| format!("<code>{}</code>", tr!("report-and-more-lines", count = more)));
         let place = Quote { file: Some(&edit.file), line: Some(edit.line), ..Quote::default() }.html("h3", listing);
         format!("<article>\n{place}<pre class=\"diff\">{diff}</pre>\n</article>\n")
     };
-    let edits = shown(&verdict.proposed_fix, each, |more| {
-        format!("<p>And {}.</p>\n", count(more, "more change", "more changes"))
-    });
+    let edits =
+        shown(&verdict.proposed_fix, each, |more| format!("<p>{}</p>\n", tr!("report-and-more-changes", count = more)));
     format!(
-        "<section class=\"fix\">\n<h2>How it becomes right</h2>\n<p class=\"promise\">{}</p>\n{edits}</section>\n",
+        "<section class=\"fix\">\n<h2>{}</h2>\n<p class=\"promise\">{}</p>\n{edits}</section>\n",
+        tr!("report-how-it-becomes-right"),
         proposed_fix::promise(&verdict.proposed_fix)
     )
 }
@@ -165,13 +168,14 @@ pub fn messages_html(verdict: &Verdict, listing: Option<&Listing>) -> String {
     if verdict.messages.is_empty() {
         return String::new();
     }
-    let more = |more: usize| format!("<p>And {}. Fix the first ones first.</p>\n", count(more, "more", "more"));
+    let more = |more: usize| format!("<p>{}</p>\n", tr!("report-and-more-messages", more = more));
     let numbered: Vec<(usize, &CompilerMessage)> = verdict.messages.iter().enumerate().collect();
     let each = |(number, message): &(usize, &CompilerMessage)| {
         format!("{}{}", article(verdict.mistakes.len() + number, listing), message_html(message, listing))
     };
     let messages = shown(&numbered, each, more);
-    format!("<section class=\"messages\">\n<h2>Compiler messages</h2>\n{messages}</section>\n")
+    let heading = tr!("report-compiler-messages");
+    format!("<section class=\"messages\">\n<h2>{heading}</h2>\n{messages}</section>\n")
 }
 
 /// The explanation, if there is one, above the original message of the compiler, which is seldom written for students. The start
@@ -185,24 +189,25 @@ fn message_html(message: &CompilerMessage, listing: Option<&Listing>) -> String 
     };
     let place = place.html("h3", listing);
     let text = line(&message.text);
+    let (original, whole) = (tr!("report-original-message"), tr!("report-whole-message"));
     // Drivers list every overload of a function.
     let is_long = text.chars().count() > LONGEST_MESSAGE;
     match &message.explanation {
         Some(explanation) if is_long => format!(
-            "{place}<p>{}</p>\n<div class=\"original\"><details><summary>Original message</summary>\
+            "{place}<p>{}</p>\n<div class=\"original\"><details><summary>{original}</summary>\
              <pre>{}</pre></details></div>\n</article>\n",
             prose(explanation),
             escaped(&text)
         ),
         Some(explanation) => format!(
-            "{place}<p>{}</p>\n<div class=\"original\"><p>Original message</p><pre>{}</pre></div>\n</article>\n",
+            "{place}<p>{}</p>\n<div class=\"original\"><p>{original}</p><pre>{}</pre></div>\n</article>\n",
             prose(explanation),
             escaped(&text)
         ),
         None if is_long => {
             let start: String = text.chars().take(LONGEST_MESSAGE).collect();
             format!(
-                "{place}<p>{}…</p>\n<div class=\"original\"><details><summary>Whole message</summary>\
+                "{place}<p>{}…</p>\n<div class=\"original\"><details><summary>{whole}</summary>\
                  <pre>{}</pre></details></div>\n</article>\n",
                 escaped(&start),
                 escaped(&text)
@@ -222,21 +227,23 @@ fn properties_html(verdict: &Verdict) -> String {
     let each = |property: &&PropertyVerdict| {
         let (word, scenes) = match property.state {
             PropertyState::Wrong if !property.scenes.is_empty() => {
-                ("Wrong", format!(" <small>{}</small>", escaped_line(&property.scenes.join(", "))))
+                let scenes: Vec<String> = property.scenes.iter().map(|name| scene::title(name)).collect();
+                (tr!("report-property-wrong"), format!(" <small>{}</small>", escaped_line(&scenes.join(", "))))
             }
-            PropertyState::Wrong => ("Wrong", String::new()),
-            _ => ("Right", String::new()),
+            PropertyState::Wrong => (tr!("report-property-wrong"), String::new()),
+            _ => (tr!("report-property-right"), String::new()),
         };
         format!("<li><strong>{word}</strong>: {}{scenes}</li>\n", prose(&property.sentence))
     };
-    let list = shown(&tried, each, |more| format!("<li>And {more} more.</li>\n"));
-    format!("<section>\n<h2>Consistency checks</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n")
+    let list = shown(&tried, each, |more| format!("<li>{}</li>\n", tr!("report-and-more", more = more)));
+    let heading = tr!("report-consistency-checks");
+    format!("<section>\n<h2>{heading}</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n")
 }
 
 /// Consistency checks, peculiarities and warnings.
 pub fn notes_html(verdict: &Verdict) -> String {
     let mut html = properties_html(verdict);
-    let more = |more: usize| format!("<li>And {more} more.</li>\n");
+    let more = |more: usize| format!("<li>{}</li>\n", tr!("report-and-more", more = more));
     if !verdict.peculiarities.is_empty() {
         let each = |known: &gonio_check::verdict::Peculiarity| {
             format!("<li>{} <code>{}</code></li>\n", sentence(&known.name), escaped_line(&known.id))
@@ -244,13 +251,14 @@ pub fn notes_html(verdict: &Verdict) -> String {
         let list = shown(&verdict.peculiarities, each, more);
         let _ = write!(
             html,
-            "<section>\n<h2>Correct, by a different method</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n"
+            "<section>\n<h2>{}</h2>\n<ul class=\"notes\">\n{list}</ul>\n</section>\n",
+            tr!("report-heading-other-method")
         );
     }
     if !verdict.warnings.is_empty() {
         let list = shown(&verdict.warnings, |warning| format!("<li>{}</li>\n", sentence(warning)), more);
-        let _ =
-            write!(html, "<section>\n<h2>Worth knowing</h2>\n<ul class=\"notes warnings\">\n{list}</ul>\n</section>\n");
+        let heading = tr!("report-worth-knowing");
+        let _ = write!(html, "<section>\n<h2>{heading}</h2>\n<ul class=\"notes warnings\">\n{list}</ul>\n</section>\n");
     }
     html
 }

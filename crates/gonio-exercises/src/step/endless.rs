@@ -5,6 +5,7 @@ use crate::exercise::Exercise;
 use crate::preview::{self, SubmittedPair};
 use gonio_check::roles::Bindings;
 use gonio_check::verdict::CompilerMessage;
+use gonio_language::tr;
 use std::sync::Arc;
 
 /// Side of the picture whose pixels are tried.
@@ -31,7 +32,7 @@ impl EndlessLoop {
             file: self.file.clone(),
             line: Some(self.line),
             column: None,
-            text: "this loop never ends".to_owned(),
+            text: tr!("check-step-this-loop-never-ends").to_owned(),
             quoted: None,
             explanation: None,
         }
@@ -40,7 +41,7 @@ impl EndlessLoop {
 
 impl std::fmt::Display for EndlessLoop {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "the loop in line {} of {} never ends", self.line, self.file)
+        f.write_str(&tr!("check-step-the-loop-in-line-of-never", line = self.line, file = self.file))
     }
 }
 

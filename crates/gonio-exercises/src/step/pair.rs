@@ -14,6 +14,7 @@ use gonio_interpreter::{
     CompiledStage, EndedEarly, Fragment, InputRate, PointValues, RunOptions, StageInput, StageInputs, StageRun,
     TextureSource, run,
 };
+use gonio_language::tr;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -40,9 +41,9 @@ impl SteppedStage {
                 file: file.to_owned(),
                 line: Some(line),
                 column: Some(column),
-                text: format!("gonio cannot run {} on the CPU", unsupported.construct),
+                text: tr!("check-step-gonio-cannot-run-on-the-cpu", construct = unsupported.construct),
                 quoted: text.line(unsupported.span.line).map(str::to_owned),
-                explanation: Some("rewrite this part without it to step through the shader".to_owned()),
+                explanation: Some(tr!("check-step-rewrite-this-part-without-it-to").to_owned()),
             };
             Note { kind: NoteKind::Error, message }
         })?;

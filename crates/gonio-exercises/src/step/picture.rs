@@ -9,6 +9,7 @@ use crate::report::NAN_COLOUR;
 use gonio_check::cause::quantity_of::ExpressionQuantity;
 use gonio_glsl::{Scalar, Stage, Type};
 use gonio_interpreter::{Evaluation, ExprId, LANES, RunOptions, run};
+use gonio_language::tr;
 
 /// The colour of values that were never written: cyan.
 pub const NEVER_WRITTEN_COLOUR: [u8; 4] = [0, 255, 255, 255];
@@ -46,17 +47,16 @@ impl std::fmt::Display for ExpressionMapping {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Grey { least, greatest } => {
-                write!(f, "black is {} and white is {}", float_text(*least), float_text(*greatest))
+                let (least, greatest) = (float_text(*least), float_text(*greatest));
+                f.write_str(&tr!("check-step-black-is-and-white-is", least = least, greatest = greatest))
             }
-            Self::Truth => f.write_str("black is false and white is true"),
-            Self::Colour => f.write_str("red, green and blue are its components, from 0 to 1"),
-            Self::Direction => f.write_str("red, green and blue are (x + 1) / 2 of its components, from -1 to 1"),
-            Self::Range { least, greatest } => write!(
-                f,
-                "red, green and blue are its components, from {} to {}",
-                float_text(*least),
-                float_text(*greatest)
-            ),
+            Self::Truth => f.write_str(tr!("check-step-black-is-false-and-white-is")),
+            Self::Colour => f.write_str(tr!("check-step-colour")),
+            Self::Direction => f.write_str(tr!("check-step-direction")),
+            Self::Range { least, greatest } => {
+                let (least, greatest) = (float_text(*least), float_text(*greatest));
+                f.write_str(&tr!("check-step-range", least = least, greatest = greatest))
+            }
         }
     }
 }
@@ -133,7 +133,7 @@ impl SteppedScene {
         let candidates = expressions_at(of, line, column);
         if candidates.is_empty() {
             let file = &of.text.file;
-            return Err(format!("{file}:{line}:{column}: there is no expression; point at a name or an operator"));
+            return Err(tr!("check-step-there-is-no-expression-point-at", file = file, line = line, column = column));
         }
         self.picture_of_first(stage, &candidates, [line, column], background, right)
     }
@@ -172,8 +172,19 @@ impl SteppedScene {
             Some(index) => (candidates[index], &values[index]),
             None => {
                 let text = text_of(of, candidates[0]);
-                let why = if is_truncated { "; the shader does not end" } else { "; choose another expression" };
-                return Err(format!("{file}:{line}:{column}: no pixel evaluates `{text}`{why}"));
+                let why = if is_truncated {
+                    tr!("check-step-the-shader-does-not-end")
+                } else {
+                    tr!("check-step-choose-another-expression")
+                };
+                return Err(tr!(
+                    "check-step-no-pixel-evaluates",
+                    file = file,
+                    line = line,
+                    column = column,
+                    text = text,
+                    why = why
+                ));
             }
         };
         let source = of.compiled.source.expression(expr);
@@ -183,10 +194,13 @@ impl SteppedScene {
             Type::Scalar(_) => 1,
             Type::Vector(_, size) => usize::from(*size),
             _ => {
-                return Err(format!(
-                    "{file}:{line}:{column}: `{text}` has the type {}; choose a number or a vector, such as a member \
-                     of it or a column",
-                    ty.written()
+                return Err(tr!(
+                    "check-step-has-the-type-choose-a-number",
+                    file = file,
+                    line = line,
+                    column = column,
+                    text = text,
+                    written = ty.written()
                 ));
             }
         };

@@ -8,6 +8,7 @@ use super::user_textures::UserTextures;
 use glam::Vec3;
 use gonio_glsl::{Stage, Type};
 use gonio_interpreter::{CompiledStage, EndedEarly, RunOptions, StageRun, run};
+use gonio_language::tr;
 use gonio_scene::{Frame, Picture, Scene};
 use std::ops::Range;
 
@@ -146,7 +147,7 @@ impl UserPair {
         let span = ended.statement.and_then(|id| of.compiled.source.statements.get(id.0 as usize)).map(|s| s.span);
         let span = span.unwrap_or_default();
         let (file, line, _) = of.text.place(span.line, span.column);
-        format!("{file}:{line}: the shader does not end here within the time that the CPU gives it; shorten its loops")
+        tr!("check-step-the-shader-does-not-end-here", file = file, line = line)
     }
 }
 

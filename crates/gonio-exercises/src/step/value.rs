@@ -1,6 +1,7 @@
 //! Values of shader variables as people read them.
 
 use gonio_glsl::{Checked, Scalar, Type, builtin_structs};
+use gonio_language::tr;
 use serde_json::{Map, json};
 use std::collections::HashMap;
 use std::fmt;
@@ -207,7 +208,7 @@ impl ShownValue {
                 list(f, parts)?;
                 let left = (*count as usize).saturating_sub(parts.len());
                 if left > 0 {
-                    write!(f, ", and {left} more")?;
+                    f.write_str(&tr!("check-step-and-more", left = left))?;
                 }
                 f.write_str("}")
             }

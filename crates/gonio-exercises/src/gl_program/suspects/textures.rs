@@ -1,6 +1,7 @@
 //! Samplers and their units, and textures: bound, filled, filtered, and there when they are read.
 
 use super::{Case, Suspect, known};
+use gonio_language::tr;
 use gonio_render::gl_program::{
     Constant, GlCall, IntArgument, ObjectKind, Selector, Step, UniformArgument, texture_unit,
 };
@@ -36,9 +37,15 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
             continue;
         }
         if at > case.draw {
-            let message = format!("the draw in line {} has already read `{uniform}`", case.line(case.draw));
+            let message = tr!("check-gl-the-draw-in-line-has-already", draw = case.line(case.draw), uniform = uniform);
             let corrected = case.moved(at, case.draw);
-            found.push(case.suspect("uniform-after-draw", at, message, "write it before the draw", corrected));
+            found.push(case.suspect(
+                "uniform-after-draw",
+                at,
+                message,
+                tr!("check-gl-write-it-before-the-draw"),
+                corrected,
+            ));
         }
         if case.refused(at).is_some_and(|error| error.code == "INVALID_OPERATION") {
             before_use(case, at, uniform, found);
@@ -46,17 +53,16 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
         match given {
             UniformArgument::Whole(IntArgument::Variable(name)) if textures.contains(&name.as_str()) => {
                 for &unit in &units {
-                    let message =
-                        format!("`{uniform}` is set to `{name}`, the name of a texture, which is bound to unit {unit}");
-                    let fix = format!("write `uniform_1i {uniform} {unit}`");
+                    let message = tr!("check-gl-is-set-to-the-name-of", uniform = uniform, name = name, unit = unit);
+                    let fix = tr!("check-gl-write-uniform-1i", uniform = uniform, unit = unit);
                     let corrected = case.replaced(at, set(uniform, unit));
                     found.push(case.suspect("texture-name-as-unit", at, message, fix, corrected));
                 }
             }
             UniformArgument::Floats(_) => {
                 for &unit in &units {
-                    let fix = format!("write `uniform_1i {uniform} {unit}`");
-                    let message = format!("`{uniform}` is a sampler, and a sampler is an integer");
+                    let fix = tr!("check-gl-write-uniform-1i", uniform = uniform, unit = unit);
+                    let message = tr!("check-gl-is-a-sampler-and-a-sampler", uniform = uniform);
                     let corrected = case.replaced(at, set(uniform, unit));
                     found.push(case.suspect("uniform-type-wrong", at, message, fix, corrected));
                 }
@@ -75,8 +81,9 @@ fn samplers_and_units(case: &Case<'_>, found: &mut Vec<Suspect>) {
         };
         for &unit in units.iter().filter(|unit| *number != IntArgument::Literal(**unit as i32)) {
             if samplers.iter().any(|sampler| sampler == uniform) {
-                let message = format!("`{uniform}` reads unit {value}, but the texture is bound to unit {unit}");
-                let fix = format!("write `uniform_1i {uniform} {unit}`, or bind the texture to unit {value}");
+                let message =
+                    tr!("check-gl-reads-unit-but-the-texture-is", uniform = uniform, value = value, unit = unit);
+                let fix = tr!("check-gl-write-uniform-1i-or-bind-the", uniform = uniform, unit = unit, value = value);
                 let corrected = case.replaced(at, set(uniform, unit));
                 found.push(case.suspect("unbound-unit", at, message, fix, corrected));
             }
@@ -116,8 +123,8 @@ fn unknown_name(case: &Case<'_>, at: usize, given: &UniformArgument, samplers: &
     let Some(GlCall::Uniform { uniform, .. }) = case.steps.get(at).map(|step| &step.call) else { return };
     for sampler in samplers {
         let call = GlCall::Uniform { uniform: sampler.clone(), given: given.clone() };
-        let message = format!("the program has no uniform `{uniform}`; its sampler is `{sampler}`");
-        let fix = format!("write `{sampler}`");
+        let message = tr!("check-gl-the-program-has-no-uniform-its", uniform = uniform, sampler = sampler);
+        let fix = tr!("check-gl-write", text = sampler);
         found.push(case.suspect("uniform-name-wrong", at, message, fix, case.replaced(at, call)));
     }
 }
@@ -127,9 +134,8 @@ fn before_use(case: &Case<'_>, at: usize, uniform: &str, found: &mut Vec<Suspect
     let mut uses =
         later.filter(|(_, step)| matches!(&step.call, GlCall::UseProgram(p) if *p != IntArgument::Literal(0)));
     let Some((used, step)) = uses.next() else { return };
-    let message =
-        format!("no program is in use here: use_program comes in line {}, and `{uniform}` stays 0", step.line);
-    let fix = format!("write it after use_program in line {}", step.line);
+    let message = tr!("check-gl-no-program-is-in-use-here", line = step.line, uniform = uniform);
+    let fix = tr!("check-gl-write-it-after-use-program-in", line = step.line);
     found.push(case.suspect("uniform-before-use-program", at, message, fix, case.moved(at, used + 1)));
 }
 
@@ -138,9 +144,8 @@ fn active_after_bind(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let Some(bind) = case.last(|call| matches!(call, GlCall::BindTexture { .. })) else { return };
     for (at, step) in case.before().skip(bind + 1) {
         let GlCall::ActiveTexture(Selector::Constant(unit)) = &step.call else { continue };
-        let message =
-            format!("{} is made active only after the texture was bound, in line {}", unit.name, case.line(bind));
-        let fix = format!("write it before bind_texture in line {}", case.line(bind));
+        let message = tr!("check-gl-is-made-active-only-after-the", name = unit.name, bind = case.line(bind));
+        let fix = tr!("check-gl-write-it-before-bind-texture-in", bind = case.line(bind));
         found.push(case.suspect("active-texture-after-bind", at, message, fix, case.moved(at, bind)));
     }
 }
@@ -153,10 +158,15 @@ fn active_number(case: &Case<'_>, found: &mut Vec<Suspect>) {
             IntArgument::Variable(_) => 0,
         };
         let unit = texture_unit(unit).unwrap_or(known("TEXTURE0"));
-        let message =
-            format!("a plain number is not a unit, and OpenGL rejects it: write a unit such as {}", unit.name);
+        let message = tr!("check-gl-a-plain-number-is-not-a", name = unit.name);
         let corrected = case.replaced(at, GlCall::ActiveTexture(Selector::Constant(unit)));
-        found.push(case.suspect("active-texture-number", at, message, format!("write {}", unit.name), corrected));
+        found.push(case.suspect(
+            "active-texture-number",
+            at,
+            message,
+            tr!("check-gl-write-plain", text = unit.name),
+            corrected,
+        ));
     }
 }
 
@@ -167,8 +177,8 @@ fn never_set(case: &Case<'_>, samplers: &[String], units: &BTreeSet<u32>, found:
     let used = case.last(|call| matches!(call, GlCall::UseProgram(_))).unwrap_or(case.draw);
     for sampler in samplers.iter().filter(|sampler| !is_set(sampler)) {
         for &unit in units.iter().filter(|unit| **unit != 0) {
-            let message = format!("`{sampler}` is never set and reads unit 0, but the texture is bound to unit {unit}");
-            let fix = format!("write `uniform_1i {sampler} {unit}` after use_program");
+            let message = tr!("check-gl-is-never-set-and-reads-unit", sampler = sampler, unit = unit);
+            let fix = tr!("check-gl-write-uniform-1i-after-use-program", sampler = sampler, unit = unit);
             let corrected = case.inserted(case.draw, [set(sampler, unit)]);
             found.push(case.suspect("sampler-never-set", used, message, fix, corrected));
         }
@@ -179,13 +189,13 @@ fn never_set(case: &Case<'_>, samplers: &[String], units: &BTreeSet<u32>, found:
 fn deleted(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for (at, step) in case.before() {
         let GlCall::Delete { kind, .. } = &step.call else { continue };
-        let (id, what) = match kind {
-            ObjectKind::Texture => ("texture-deleted", "texture"),
-            ObjectKind::Buffer => ("buffer-deleted", "buffer"),
-            ObjectKind::VertexArray => ("vertex-array-deleted", "vertex array"),
+        let line = case.line(case.draw);
+        let (id, message) = match kind {
+            ObjectKind::Texture => ("texture-deleted", tr!("check-gl-texture-is-deleted", line = line)),
+            ObjectKind::Buffer => ("buffer-deleted", tr!("check-gl-buffer-is-deleted", line = line)),
+            ObjectKind::VertexArray => ("vertex-array-deleted", tr!("check-gl-vertex-array-is-deleted", line = line)),
         };
-        let message = format!("the {what} is deleted before the draw in line {}", case.line(case.draw));
-        found.push(case.suspect(id, at, message, "delete it after the draw", case.without(at)));
+        found.push(case.suspect(id, at, message, tr!("check-gl-delete-it-after-the-draw"), case.without(at)));
     }
 }
 
@@ -219,10 +229,10 @@ fn targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
     for only in std::iter::once(None).chain(alone.into_iter().map(Some)) {
         let Some((at, corrected)) = turn(only) else { continue };
         let written = target_of(&mut case.steps[at].call.clone()).map_or("", |target| target.name);
-        let message = format!("{written} is the target of another kind of texture: the sampler2D reads TEXTURE_2D");
+        let message = tr!("check-gl-is-the-target-of-another-kind", written = written);
         let fix = match only {
-            None if others.len() > 1 => "write TEXTURE_2D in this line and in all others for this texture",
-            _ => "write TEXTURE_2D",
+            None if others.len() > 1 => tr!("check-gl-write-texture-2d-in-this-line"),
+            _ => tr!("check-gl-write-texture-2d"),
         };
         found.push(case.suspect("wrong-target", at, message, fix, corrected));
     }
@@ -243,39 +253,38 @@ fn bindings(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let place = first_for.unwrap_or(case.draw);
             let line =
                 case.first(|call| matches!(call, GlCall::Generate { name: made, .. } if made == name)).unwrap_or(0);
-            let fix = format!("write `bind_texture TEXTURE_2D {name}` before the texture's other calls");
-            let message = format!("the texture `{name}` is never bound");
+            let fix = tr!("check-gl-write-bind-texture-texture-2d-before", name = name);
+            let message = tr!("check-gl-the-texture-is-never-bound", name = name);
             found.push(case.suspect("texture-not-bound", line, message, fix, case.inserted(place, [call])));
         }
     }
     if let (Some(&bind), Some(first)) = (binds.first(), first_for)
         && first < bind
     {
-        let message =
-            format!("the call in line {} is meant for this texture, but comes before it is bound", case.line(first));
-        let fix = format!("write it before line {}", case.line(first));
+        let message = tr!("check-gl-the-call-in-line-is-meant", first = case.line(first));
+        let fix = tr!("check-gl-write-it-before-line", line = case.line(first));
         found.push(case.suspect("texture-bound-late", bind, message, fix, case.moved(bind, first)));
     }
     for &at in &binds {
         let GlCall::BindTexture { target, texture } = &case.steps[at].call else { continue };
         if *texture == IntArgument::Literal(0) {
-            let message = "0 unbinds the texture, so the draw reads an empty unit";
-            found.push(case.suspect("texture-unbound", at, message, "remove it", case.without(at)));
+            let message = tr!("check-gl-0-unbinds-the-texture-so-the");
+            found.push(case.suspect("texture-unbound", at, message, tr!("check-gl-remove-it"), case.without(at)));
             continue;
         }
         if binds.len() > 1 && binds.first() != Some(&at) {
             let free = GlCall::ActiveTexture(Selector::Constant(known("TEXTURE15")));
-            let message = "this texture replaces the one to draw, because the same unit is active";
-            let fix = "call active_texture with another unit before it";
+            let message = tr!("check-gl-this-texture-replaces-the-one-to");
+            let fix = tr!("check-gl-call-active-texture-with-another-unit");
             found.push(case.suspect("other-texture-bound", at, message, fix, case.inserted(at, [free])));
-            let fix = "remove it";
+            let fix = tr!("check-gl-remove-it");
             found.push(case.suspect("other-texture-bound", at, message, fix, case.without(at)));
         }
         for name in &textures {
             if *texture != IntArgument::Variable((*name).to_owned()) {
                 let call = GlCall::BindTexture { target: *target, texture: IntArgument::Variable((*name).to_owned()) };
-                let message = format!("`{name}` should be drawn, but something else is bound here");
-                let fix = format!("write `bind_texture {} {name}`", target.name);
+                let message = tr!("check-gl-should-be-drawn-but-something-else", name = name);
+                let fix = tr!("check-gl-write-bind-texture", name = target.name, name2 = name);
                 found.push(case.suspect("other-texture-bound", at, message, fix, case.replaced(at, call)));
             }
         }
@@ -287,29 +296,34 @@ fn filters(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let GlCall::TexParameter { target, parameter, value } = &step.call else { continue };
         let Selector::Constant(set) = value else {
             if parameter.name.ends_with("LEVEL") {
-                let message = format!("with this {}, levels are read that do not exist", parameter.name);
-                found.push(case.suspect("level-range-wrong", at, message, "remove it", case.without(at)));
+                let message = tr!("check-gl-with-this-levels-are-read-that", name = parameter.name);
+                found.push(case.suspect("level-range-wrong", at, message, tr!("check-gl-remove-it"), case.without(at)));
             }
             continue;
         };
         if case.refused(at).is_some() && parameter.name == "TEXTURE_MAG_FILTER" && set.name.contains("MIPMAP") {
             let parameter = known("TEXTURE_MIN_FILTER");
             let call = GlCall::TexParameter { target: *target, parameter, value: value.clone() };
-            let message =
-                format!("OpenGL rejects {} for TEXTURE_MAG_FILTER, and TEXTURE_MIN_FILTER is unchanged", set.name);
+            let message = tr!("check-gl-opengl-rejects-for-texture-mag-filter", name = set.name);
             found.push(case.suspect(
                 "filter-refused",
                 at,
                 message,
-                "write TEXTURE_MIN_FILTER",
+                tr!("check-gl-write-texture-min-filter"),
                 case.replaced(at, call),
             ));
         }
         if case.refused(at).is_some() && parameter.name == "TEXTURE_MIN_FILTER" {
             let value = Selector::Constant(known("LINEAR"));
             let call = GlCall::TexParameter { target: *target, parameter: *parameter, value };
-            let message = format!("OpenGL rejects {}, and TEXTURE_MIN_FILTER is unchanged", set.name);
-            found.push(case.suspect("filter-refused", at, message, "write LINEAR", case.replaced(at, call)));
+            let message = tr!("check-gl-opengl-rejects-and-texture-min-filter", name = set.name);
+            found.push(case.suspect(
+                "filter-refused",
+                at,
+                message,
+                tr!("check-gl-write-linear"),
+                case.replaced(at, call),
+            ));
         }
     }
 }
@@ -324,27 +338,27 @@ fn mipmaps(case: &Case<'_>, found: &mut Vec<Suspect>) {
             Some((_, step)) => case.suspect(
                 "mipmaps-missing",
                 image,
-                format!("the filter set in line {} needs mipmaps, but this image has none", step.line),
-                "write `generate_mipmap TEXTURE_2D` after it, or use the filter LINEAR",
+                tr!("check-gl-the-filter-set-in-line-needs", line = step.line),
+                tr!("check-gl-write-generate-mipmap-texture-2d-after"),
                 corrected,
             ),
             None => case.suspect(
                 "filter-never-set",
                 image,
-                "TEXTURE_MIN_FILTER is never set; its default needs mipmaps, and this image has none",
-                "write `tex_parameter TEXTURE_2D TEXTURE_MIN_FILTER LINEAR`, or `generate_mipmap TEXTURE_2D` after it",
+                tr!("check-gl-texture-min-filter-is-never-set"),
+                tr!("check-gl-write-tex-parameter-texture-2d-texture"),
                 corrected,
             ),
         });
         return;
     };
     if made < image {
-        let message = format!("the image comes only in line {}", case.line(image));
-        let fix = format!("write it after line {}", case.line(image));
+        let message = tr!("check-gl-the-image-comes-only-in-line", image = case.line(image));
+        let fix = tr!("check-gl-write-it-after-line", image = case.line(image));
         found.push(case.suspect("mipmaps-before-image", made, message, fix, case.moved(made, image + 1)));
     } else if made > image + 1 {
-        let message = format!("the texture bound here is not the one that got its image in line {}", case.line(image));
-        let fix = format!("write it right after line {}", case.line(image));
+        let message = tr!("check-gl-the-texture-bound-here-is-not", image = case.line(image));
+        let fix = tr!("check-gl-write-it-right-after-line", image = case.line(image));
         found.push(case.suspect("mipmaps-misplaced", made, message, fix, case.moved(made, image + 1)));
     }
 }
@@ -357,13 +371,25 @@ fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if !["RGB8", "RGBA8", "RGB", "RGBA"].contains(&format.name) {
             let call =
                 GlCall::TexImage2d { target: *target, level: *level, format: known("RGB8"), image: image.clone() };
-            let message = format!("the format {} does not keep the colours of the image", format.name);
-            found.push(case.suspect("internal-format-wrong", at, message, "write RGB8", case.replaced(at, call)));
+            let message = tr!("check-gl-the-format-does-not-keep-the", name = format.name);
+            found.push(case.suspect(
+                "internal-format-wrong",
+                at,
+                message,
+                tr!("check-gl-write-rgb8"),
+                case.replaced(at, call),
+            ));
         }
         if *level != 0 {
             let call = GlCall::TexImage2d { target: *target, level: 0, format: *format, image: image.clone() };
-            let message = format!("the image is passed to level {level}, and level 0 stays empty");
-            found.push(case.suspect("image-level-wrong", at, message, "write level 0", case.replaced(at, call)));
+            let message = tr!("check-gl-the-image-is-passed-to-level", level = level);
+            found.push(case.suspect(
+                "image-level-wrong",
+                at,
+                message,
+                tr!("check-gl-write-level-0"),
+                case.replaced(at, call),
+            ));
         }
     }
     let loads = |steps: &[Step]| {
@@ -380,16 +406,28 @@ fn images(case: &Case<'_>, found: &mut Vec<Suspect>) {
         let (GlCall::LoadImage { name, file }, Some((_, right))) = (&step.call, &right) else { continue };
         if file != right {
             let call = GlCall::LoadImage { name: name.clone(), file: right.clone() };
-            let message = format!("`{file}` is loaded, but the exercise's image is `{right}`");
-            found.push(case.suspect("image-wrong", at, message, format!("write `{right}`"), case.replaced(at, call)));
+            let message = tr!("check-gl-is-loaded-but-the-exercise-s", file = file, right = right);
+            found.push(case.suspect(
+                "image-wrong",
+                at,
+                message,
+                tr!("check-gl-write", text = right),
+                case.replaced(at, call),
+            ));
         }
     }
     if let (false, Some((image, _))) = (any, loads(case.steps).into_iter().next()) {
         let bind = case.last(|call| matches!(call, GlCall::BindTexture { .. })).unwrap_or(0);
         let call =
             GlCall::TexImage2d { target: known("TEXTURE_2D"), level: 0, format: known("RGB8"), image: image.clone() };
-        let fix = format!("write `tex_image_2d TEXTURE_2D 0 RGB8 {image}` after it");
+        let fix = tr!("check-gl-write-tex-image-2d-texture-2d", image = image);
         let corrected = case.inserted(bind + 1, [call]);
-        found.push(case.suspect("image-missing", bind, "this texture never gets an image", fix, corrected));
+        found.push(case.suspect(
+            "image-missing",
+            bind,
+            tr!("check-gl-this-texture-never-gets-an-image"),
+            fix,
+            corrected,
+        ));
     }
 }

@@ -1,6 +1,7 @@
 //! Attributes, and the vertex arrays and buffers that provide them.
 
 use super::{Case, Suspect, known};
+use gonio_language::tr;
 use gonio_render::gl_program::{GlCall, IntArgument, ObjectKind, Pointer, Step};
 
 /// Adds the suspects about vertex arrays, buffers and attributes.
@@ -39,15 +40,15 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
             Some(name) => {
                 let made =
                     case.first(|call| matches!(call, GlCall::Generate { name: n, .. } if n == name)).unwrap_or(0);
-                let fix = format!("write `bind_vertex_array {name}` after it");
-                let message = format!("`{name}` is created but never bound");
+                let fix = tr!("check-gl-write-bind-vertex-array-after-it", name = name);
+                let message = tr!("check-gl-is-created-but-never-bound", name = name);
                 let corrected = case.inserted(first_for.max(made + 1), [bound]);
                 case.suspect("vertex-array-not-bound", made, message, fix, corrected)
             }
             None => {
                 let made = GlCall::Generate { name: array, kind: ObjectKind::VertexArray };
-                let fix = "write `array = gen_vertex_array` and `bind_vertex_array array` before it";
-                let message = "no vertex array is bound to store this setting";
+                let fix = tr!("check-gl-write-array-gen-vertex-array-and");
+                let message = tr!("check-gl-no-vertex-array-is-bound-to");
                 case.suspect("vertex-array-missing", first_for, message, fix, case.inserted(first_for, [made, bound]))
             }
         });
@@ -61,29 +62,27 @@ fn vertex_arrays(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let step = corrected.remove(made + 1);
             corrected.insert(first_for, step);
         }
-        let message =
-            format!("line {} is meant for this vertex array, but comes before it is bound", case.line(first_for));
-        let fix = format!("write it before line {}", case.line(first_for));
+        let message = tr!("check-gl-line-is-meant-for-this-vertex", line = case.line(first_for));
+        let fix = tr!("check-gl-write-it-before-line", line = case.line(first_for));
         found.push(case.suspect("vertex-array-bound-late", bind, message, fix, corrected));
     }
     let Some(last) = case.last(binds_array) else { return };
     let GlCall::BindVertexArray(bound) = &case.steps[last].call else { return };
     if *bound == IntArgument::Literal(0) {
-        let message = format!("0 unbinds the vertex array before the draw in line {}", case.line(case.draw));
-        let fix = "bind the vertex array again before the draw, or remove this call";
+        let message = tr!("check-gl-0-unbinds-the-vertex-array-before", draw = case.line(case.draw));
+        let fix = tr!("check-gl-bind-the-vertex-array-again-before");
         found.push(case.suspect("vertex-array-unbound", last, message, fix, case.without(last)));
     }
     for name in arrays.iter().filter(|name| *bound != IntArgument::Variable((**name).to_owned())) {
         let call = GlCall::BindVertexArray(IntArgument::Variable((*name).to_owned()));
-        let message =
-            format!("the attributes were described in `{name}`, but another vertex array is bound at the draw");
-        let fix = format!("write `bind_vertex_array {name}`");
+        let message = tr!("check-gl-the-attributes-were-described-in-but", name = name);
+        let fix = tr!("check-gl-write-bind-vertex-array", name = name);
         found.push(case.suspect("other-vertex-array", last, message, fix, case.replaced(last, call)));
     }
     for (at, step) in case.before() {
         if at != last && matches!(&step.call, GlCall::BindVertexArray(IntArgument::Literal(0))) {
-            let message = "0 unbinds the vertex array, but the calls that follow are meant for it";
-            found.push(case.suspect("vertex-array-unbound", at, message, "remove it", case.without(at)));
+            let message = tr!("check-gl-0-unbinds-the-vertex-array-but");
+            found.push(case.suspect("vertex-array-unbound", at, message, tr!("check-gl-remove-it"), case.without(at)));
         }
     }
 }
@@ -104,8 +103,8 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 let made =
                     case.first(|call| matches!(call, GlCall::Generate { name, .. } if name == buffer)).unwrap_or(0);
                 let call = GlCall::BindBuffer { target: vertices, buffer: IntArgument::Variable(buffer.to_owned()) };
-                let fix = format!("write `bind_buffer ARRAY_BUFFER {buffer}` after it");
-                let message = format!("`{buffer}` is created but never bound to ARRAY_BUFFER");
+                let fix = tr!("check-gl-write-bind-buffer-array-buffer-after", buffer = buffer);
+                let message = tr!("check-gl-is-created-but-never-bound-to", buffer = buffer);
                 let corrected = case.inserted(first_for.max(made + 1), [call]);
                 found.push(case.suspect("buffer-not-bound", made, message, fix, corrected));
             }
@@ -113,18 +112,17 @@ fn buffers(case: &Case<'_>, found: &mut Vec<Suspect>) {
         Some(bind) if first_for < bind => {
             let made = case.first(|call| matches!(call, GlCall::Generate { kind: ObjectKind::Buffer, .. }));
             let place = made.map_or(first_for, |made| (made + 1).min(first_for));
-            let message =
-                format!("line {} is meant for this buffer, but comes before it is bound", case.line(first_for));
-            let fix = format!("write it before line {}", case.line(first_for));
+            let message = tr!("check-gl-line-is-meant-for-this-buffer", line = case.line(first_for));
+            let fix = tr!("check-gl-write-it-before-line", line = case.line(first_for));
             found.push(case.suspect("buffer-bound-late", bind, message, fix, case.moved(bind, place)));
         }
         Some(_) => {}
     }
     for (at, step) in case.before() {
         let GlCall::BindBuffer { target, buffer: IntArgument::Literal(0) } = &step.call else { continue };
-        let message = format!("0 unbinds the buffer from {}, so the calls that follow have none", target.name);
+        let message = tr!("check-gl-0-unbinds-the-buffer-from-so", name = target.name);
         let id = if *target == vertices { "buffer-unbound" } else { "index-buffer-not-bound" };
-        found.push(case.suspect(id, at, message, "remove it", case.without(at)));
+        found.push(case.suspect(id, at, message, tr!("check-gl-remove-it"), case.without(at)));
     }
     filled(case, found);
 }
@@ -151,8 +149,14 @@ fn buffer_targets(case: &Case<'_>, found: &mut Vec<Suspect>) {
         {
             *target = now;
         }
-        let message = format!("this buffer is not read from {}", was.name);
-        found.push(case.suspect("buffer-target-wrong", at, message, format!("write {}", now.name), corrected));
+        let message = tr!("check-gl-this-buffer-is-not-read-from", name = was.name);
+        found.push(case.suspect(
+            "buffer-target-wrong",
+            at,
+            message,
+            tr!("check-gl-write-plain", text = now.name),
+            corrected,
+        ));
     }
 }
 
@@ -166,10 +170,10 @@ fn filled(case: &Case<'_>, found: &mut Vec<Suspect>) {
         _ => None,
     });
     let Some(data) = data else { return };
-    let fix = format!("write `buffer_data ARRAY_BUFFER {data} STATIC_DRAW` after it");
+    let fix = tr!("check-gl-write-buffer-data-array-buffer-static", data = data);
     let call = GlCall::BufferData { target: known("ARRAY_BUFFER"), data, usage: known("STATIC_DRAW") };
     let corrected = case.inserted(bind + 1, [call]);
-    found.push(case.suspect("buffer-empty", bind, "this buffer never gets any bytes", fix, corrected));
+    found.push(case.suspect("buffer-empty", bind, tr!("check-gl-this-buffer-never-gets-any-bytes"), fix, corrected));
 }
 
 /// The reference's description of each attribute.
@@ -192,9 +196,21 @@ fn changes<T: PartialEq>(mine: &mut T, right: T) -> bool {
 fn fields(case: &Case<'_>, found: &mut Vec<Suspect>) {
     let right = reference(case);
     let fields: [Field; 4] = [
-        ("stride-wrong", |mine, right| changes(&mut mine.stride, right.stride), |p| format!("stride {}", p.stride)),
-        ("offset-wrong", |mine, right| changes(&mut mine.offset, right.offset), |p| format!("offset {}", p.offset)),
-        ("attribute-size-wrong", |mine, right| changes(&mut mine.size, right.size), |p| format!("size {}", p.size)),
+        (
+            "stride-wrong",
+            |mine, right| changes(&mut mine.stride, right.stride),
+            |p| tr!("check-gl-stride", stride = p.stride),
+        ),
+        (
+            "offset-wrong",
+            |mine, right| changes(&mut mine.offset, right.offset),
+            |p| tr!("check-gl-offset", offset = p.offset),
+        ),
+        (
+            "attribute-size-wrong",
+            |mine, right| changes(&mut mine.size, right.size),
+            |p| tr!("check-gl-size", size = p.size),
+        ),
         ("attribute-type-wrong", |mine, right| changes(&mut mine.kind, right.kind), |p| p.kind.name.to_owned()),
     ];
     for (id, change, words) in fields {
@@ -210,8 +226,9 @@ fn fields(case: &Case<'_>, found: &mut Vec<Suspect>) {
         else {
             continue;
         };
-        let message = format!("`{}` has {}, but the data needs {}", was.attribute, words(was), words(is));
-        found.push(case.suspect(id, at, message, format!("write {}", words(is)), corrected));
+        let message =
+            tr!("check-gl-has-but-the-data-needs", attribute = was.attribute, was = words(was), is = words(is));
+        found.push(case.suspect(id, at, message, tr!("check-gl-write-plain", text = words(is)), corrected));
     }
 }
 
@@ -236,14 +253,15 @@ fn enabled(case: &Case<'_>, found: &mut Vec<Suspect>) {
             corrected.insert(at + 1, step);
         }
         let names = all.iter().map(|(_, name)| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-        let message = format!("{names}: described here, but never enabled");
-        let fix = format!("write `enable_vertex_attrib_array {name}` after it");
+        let message = tr!("check-gl-described-here-but-never-enabled", names = names);
+        let fix = tr!("check-gl-write-enable-vertex-attrib-array-after", name = name);
         found.push(case.suspect("attribute-not-enabled", first, message, fix, corrected));
     }
     for (at, step) in case.before() {
         if let GlCall::SwitchAttribute { attribute, on: false } = &step.call {
-            let message = format!("`{attribute}` is disabled before the draw in line {}", case.line(case.draw));
-            found.push(case.suspect("attribute-disabled", at, message, "remove it", case.without(at)));
+            let message =
+                tr!("check-gl-is-disabled-before-the-draw-in", attribute = attribute, draw = case.line(case.draw));
+            found.push(case.suspect("attribute-disabled", at, message, tr!("check-gl-remove-it"), case.without(at)));
         }
     }
 }
@@ -259,15 +277,18 @@ fn described(case: &Case<'_>, found: &mut Vec<Suspect>) {
             .or(case.last(|call| matches!(call, GlCall::BufferData { .. })))
             .unwrap_or(0);
         let enabled = is_switched(case, &name, true);
-        let fix = format!(
-            "write `vertex_attrib_pointer {name} {} FLOAT FALSE {} {}`",
-            right.size, right.stride, right.offset
+        let fix = tr!(
+            "check-gl-write-vertex-attrib-pointer-float-false",
+            name = name,
+            size = right.size,
+            stride = right.stride,
+            offset = right.offset
         );
         let mut calls = vec![GlCall::VertexAttribPointer(right)];
         if enabled.is_none() {
             calls.push(GlCall::SwitchAttribute { attribute: name.clone(), on: true });
         }
-        let message = format!("no vertex_attrib_pointer says where `{name}` is");
+        let message = tr!("check-gl-no-vertex-attrib-pointer-says-where", name = name);
         let corrected = case.inserted(place + 1, calls);
         found.push(case.suspect("attribute-not-described", enabled.unwrap_or(place), message, fix, corrected));
     }
@@ -312,8 +333,14 @@ fn unknown_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
                 None => false,
             });
             if let Some((at, corrected)) = changed {
-                let message = format!("the program has no attribute `{wrong}`, and `{meant}` gets no data");
-                found.push(case.suspect("attribute-name-wrong", at, message, format!("write `{meant}`"), corrected));
+                let message = tr!("check-gl-the-program-has-no-attribute-and", wrong = wrong, meant = meant);
+                found.push(case.suspect(
+                    "attribute-name-wrong",
+                    at,
+                    message,
+                    tr!("check-gl-write", text = meant),
+                    corrected,
+                ));
             }
         }
     }
@@ -329,9 +356,15 @@ fn repeated_names(case: &Case<'_>, found: &mut Vec<Suspect>) {
             if let Some(name) = name_of_mut(&mut call) {
                 meant.clone_into(name);
             }
-            let message = format!("`{name}` is used here, but `{meant}` is never described");
+            let message = tr!("check-gl-is-used-here-but-is-never", name = name, meant = meant);
             let corrected = case.replaced(at, call);
-            found.push(case.suspect("attribute-name-wrong", at, message, format!("write `{meant}`"), corrected));
+            found.push(case.suspect(
+                "attribute-name-wrong",
+                at,
+                message,
+                tr!("check-gl-write", text = meant),
+                corrected,
+            ));
         }
     }
 }
@@ -350,12 +383,12 @@ fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
         if let GlCall::BufferData { target, data, usage } = &step.call {
             for (other, _) in mine.iter().filter(|(name, _)| name != data) {
                 let call = GlCall::BufferData { target: *target, data: other.clone(), usage: *usage };
-                let message = format!("the buffer is filled with `{data}`, but the corners are in `{other}`");
+                let message = tr!("check-gl-the-buffer-is-filled-with-but", data = data, other = other);
                 found.push(case.suspect(
                     "other-data",
                     at,
                     message,
-                    format!("write `{other}`"),
+                    tr!("check-gl-write", text = other),
                     case.replaced(at, call),
                 ));
             }
@@ -366,9 +399,15 @@ fn numbers(case: &Case<'_>, found: &mut Vec<Suspect>) {
             let GlCall::Data { name, numbers } = &step.call else { continue };
             if *numbers != right {
                 let call = GlCall::Data { name: name.clone(), numbers: right.clone() };
-                let message = format!("`{name}` does not contain the exercise's numbers");
+                let message = tr!("check-gl-does-not-contain-the-exercise-s", name = name);
                 let corrected = case.replaced(at, call);
-                found.push(case.suspect("data-changed", at, message, "restore the original numbers", corrected));
+                found.push(case.suspect(
+                    "data-changed",
+                    at,
+                    message,
+                    tr!("check-gl-restore-the-original-numbers"),
+                    corrected,
+                ));
             }
         }
     }

@@ -5,7 +5,8 @@ use crate::report::html::{prose, shown};
 use crate::report::navigation::shown_name;
 use crate::report::similarity::SimilarGroup;
 use crate::report::table::Row;
-use crate::report::text::{by_name, count, escaped_line, percent, percent_of, words};
+use crate::report::text::{by_name, escaped_line, percent, percent_of, words};
+use gonio_language::tr;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
@@ -24,7 +25,7 @@ pub fn mistakes(rows: &[&Row]) -> String {
     let mut sorted: Vec<(&str, &str, BTreeSet<usize>)> =
         known.into_iter().map(|(id, (name, who))| (id, name, who)).collect();
     sorted.sort_by(|a, b| b.2.len().cmp(&a.2.len()).then_with(|| a.0.cmp(b.0)));
-    let mut html = String::from("<section>\n<h2>Mistakes</h2>\n<ul class=\"bars\">\n");
+    let mut html = format!("<section>\n<h2>{}</h2>\n<ul class=\"bars\">\n", tr!("report-mistakes"));
     for (id, name, who) in sorted {
         let share = 100.0 * who.len() as f64 / rows.len().max(1) as f64;
         let links: Vec<String> = who
@@ -55,9 +56,10 @@ pub fn similar(groups: &[SimilarGroup], rows: &[&Row]) -> String {
         return String::new();
     }
     let verdict = |label: &str| rows.iter().find(|row| row.submission == label).map_or("", |row| words(row.verdict));
-    let mut html = String::from(
-        "<section class=\"similar\">\n<h2>Similar submissions</h2>\n<p class=\"hint\">Layout, comments, names and the start files are \
-         ignored. Similarity is a reason to look, not a proof: short right answers are similar.</p>\n",
+    let mut html = format!(
+        "<section class=\"similar\">\n<h2>{}</h2>\n<p class=\"hint\">{}</p>\n",
+        tr!("report-similar-submissions"),
+        tr!("report-similarity-hint")
     );
     for group in groups {
         let members: String = group
@@ -68,16 +70,20 @@ pub fn similar(groups: &[SimilarGroup], rows: &[&Row]) -> String {
         let mut pairs: Vec<&(String, String, f64)> = group.pairs.iter().collect();
         pairs.sort_by(|a, b| b.2.total_cmp(&a.2).then_with(|| by_name(&a.0, &b.0)).then_with(|| by_name(&a.1, &b.1)));
         let pair = |(a, b, share): &&(String, String, f64)| {
-            format!("<li>{} and {}: {}</li>\n", shown_name(a), shown_name(b), percent(*share))
+            let (first, second, percent) = (shown_name(a), shown_name(b), percent(*share));
+            format!("<li>{}</li>\n", tr!("report-pair", first = first, second = second, percent = percent))
         };
-        let pairs = shown(&pairs, pair, |more| format!("<li>And {}.</li>\n", count(more, "more pair", "more pairs")));
+        let pairs = shown(&pairs, pair, |more| format!("<li>{}</li>\n", tr!("report-and-more-pairs", count = more)));
         let _ = write!(
             html,
-            "<article>\n<h3>{}, up to {} the same</h3>\n<ul class=\"names\">\n{members}</ul>\n<details><summary>{}</summary>\n\
+            "<article>\n<h3>{}</h3>\n<ul class=\"names\">\n{members}</ul>\n<details><summary>{}</summary>\n\
              <ul class=\"pairs\">\n{pairs}</ul></details>\n</article>\n",
-            count(group.members.len(), "submission", "submissions"),
-            percent(group.highest()),
-            count(group.pairs.len(), "similar pair", "similar pairs"),
+            tr!(
+                "report-similar-group",
+                submissions = tr!("report-count-submissions", count = group.members.len()),
+                percent = percent(group.highest())
+            ),
+            tr!("report-count-similar-pairs", count = group.pairs.len()),
         );
     }
     html.push_str("</section>\n");

@@ -6,8 +6,9 @@ mod submissions;
 use super::html::{Icon, PageKind, document};
 use super::similarity::SimilarGroup;
 use super::table::Row;
-use super::text::{by_name, count, escaped_line, line, word, words};
+use super::text::{by_name, escaped_line, line, word, words};
 use gonio_check::verdict::Outcome;
+use gonio_language::tr;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -50,7 +51,7 @@ pub fn overview(batch: &Overview<'_>) -> String {
     body.push_str(&groups::mistakes(&rows));
     body.push_str(&not_checked(batch.skipped));
     body.push_str(&groups::similar(batch.similar, &rows));
-    body.push_str("<footer><p>Checked by gonio.</p></footer>\n");
+    let _ = writeln!(body, "<footer><p>{}</p></footer>", tr!("report-checked-by-gonio"));
     document(
         &format!("{over}: {}", line(batch.title)),
         PageKind { style: include_str!("../overview.css"), script: Some(SCRIPT) },
@@ -61,12 +62,12 @@ pub fn overview(batch: &Overview<'_>) -> String {
 /// The number of submissions and of each verdict.
 fn headline(rows: &[&Row]) -> String {
     let mut html =
-        format!("<ul class=\"counts\">\n<li><b>{}</b></li>\n", count(rows.len(), "submission", "submissions"));
+        format!("<ul class=\"counts\">\n<li><b>{}</b></li>\n", tr!("report-count-submissions", count = rows.len()));
     for outcome in OUTCOMES {
         let number = rows.iter().filter(|row| row.verdict == outcome).count();
         if number > 0 || outcome == Outcome::Correct {
             let words = match (outcome, number) {
-                (Outcome::DoesNotCompile, 2..) => "do not compile",
+                (Outcome::DoesNotCompile, 2..) => tr!("report-do-not-compile"),
                 (outcome, _) => words(outcome),
             };
             let icon = Icon::for_outcome(outcome).svg();
@@ -82,5 +83,6 @@ fn not_checked(skipped: &[String]) -> String {
         return String::new();
     }
     let items: String = skipped.iter().map(|entry| format!("<li>{}</li>\n", escaped_line(entry))).collect();
-    format!("<section>\n<h2>Not checked</h2>\n<ul class=\"notes\">\n{items}</ul>\n</section>\n")
+    let heading = tr!("report-not-checked");
+    format!("<section>\n<h2>{heading}</h2>\n<ul class=\"notes\">\n{items}</ul>\n</section>\n")
 }

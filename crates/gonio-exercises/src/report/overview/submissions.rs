@@ -5,9 +5,10 @@ use crate::report::address::{finding_anchor, page_address};
 use crate::report::html::{Icon, MOST_SHOWN, capital, prose};
 use crate::report::navigation::shown_name;
 use crate::report::table::Row;
-use crate::report::text::{by_name, count, escaped_line, line, percent, points, word, words};
+use crate::report::text::{by_name, escaped_line, line, percent, points, word, words};
 use crate::report::thumbnail::SubmissionThumbnail;
 use gonio_check::verdict::Outcome;
+use gonio_language::tr;
 use std::fmt::Write as _;
 
 /// Side of a picture in CSS pixels: twice that of a test scene.
@@ -31,20 +32,25 @@ pub fn table(rows: &[&Row], most_points: f64) -> String {
     let heading = |class: &str, sort: &str, words: &str| {
         format!("<th role=\"columnheader\" scope=\"col\" class=\"{class}\" aria-sort=\"{sort}\">{words}</th>")
     };
-    let mut html = String::from("<section class=\"all\">\n<h2>Submissions</h2>\n");
-    html.push_str(
-        "<p class=\"filter\" hidden><label for=\"filter\">Filter by name, verdict or mistake</label><input id=\"filter\" \
-         type=\"search\" autocomplete=\"off\" spellcheck=\"false\"><span role=\"status\"></span></p>\n",
+    let mut html = format!("<section class=\"all\">\n<h2>{}</h2>\n", tr!("report-submissions"));
+    let _ = writeln!(
+        html,
+        "<p class=\"filter\" hidden><label for=\"filter\">{}</label><input id=\"filter\" type=\"search\" \
+         autocomplete=\"off\" spellcheck=\"false\"><span role=\"status\" data-shown=\"{}\"></span></p>",
+        tr!("report-filter"),
+        tr!("report-filtered")
     );
     html.push_str("<table role=\"table\">\n<thead role=\"rowgroup\"><tr role=\"row\">");
-    html.push_str(&heading("pictures", "none", "Picture"));
-    html.push_str(&heading("name", "ascending", "Name"));
+    html.push_str(&heading("pictures", "none", tr!("report-column-picture")));
+    html.push_str(&heading("name", "ascending", tr!("report-column-name")));
     if with_exercise {
-        html.push_str(&heading("exercise", "none", "Exercise"));
+        html.push_str(&heading("exercise", "none", tr!("report-column-exercise")));
     }
-    html.push_str(&heading("verdict-of", "none", "Verdict"));
-    html.push_str(&heading("points", "none", &format!("Points <small>of {most}</small>")));
-    html.push_str(&heading("place", "none", "First finding"));
+    html.push_str(&heading("verdict-of", "none", tr!("report-column-verdict")));
+    let of_most = tr!("report-of-points", most = most.to_string());
+    let points_heading = format!("{} <small>{of_most}</small>", tr!("report-column-points"));
+    html.push_str(&heading("points", "none", &points_heading));
+    html.push_str(&heading("place", "none", tr!("report-column-first-finding")));
     html.push_str("</tr></thead>\n<tbody role=\"rowgroup\">\n");
     let verdicts = ranks(rows, |row| {
         let title = row.mistakes.first().map_or_else(|| line(&row.summary), |mistake| line(&mistake.name));
@@ -69,7 +75,7 @@ pub fn table(rows: &[&Row], most_points: f64) -> String {
         let _ = writeln!(
             html,
             "<td role=\"cell\" class=\"verdict-of\" data-key=\"{}\">{}</td><td role=\"cell\" class=\"points\" \
-             data-key=\"{own}\">{own}<small> of {most}</small></td><td role=\"cell\" class=\"place\" \
+             data-key=\"{own}\">{own}<small> {of_most}</small></td><td role=\"cell\" class=\"place\" \
              data-key=\"{}\">{}</td></tr>",
             verdicts[number],
             verdict(row),
@@ -79,8 +85,8 @@ pub fn table(rows: &[&Row], most_points: f64) -> String {
     }
     let _ = write!(
         html,
-        "</tbody>\n</table>\n<p class=\"hint\">A correct answer has {most} points, and one that does not compile none; others have \
-         the share of {most} that is right, of the test scenes for shaders.</p>\n</section>\n"
+        "</tbody>\n</table>\n<p class=\"hint\">{}</p>\n</section>\n",
+        tr!("report-points-hint", most = most.to_string())
     );
     html
 }
@@ -106,18 +112,18 @@ fn pictures(row: &Row) -> String {
     let Some(SubmissionThumbnail { scene, yours, reference, pixels_beyond }) = &row.thumbnail else {
         return "<td role=\"cell\" class=\"pictures\" data-key=\"-1\"></td>".to_owned();
     };
-    let scene = escaped_line(scene);
+    let scene = escaped_line(&gonio_check::testbench::scene::title(scene));
     let image = |what: &str, uri: &str| {
         format!(
             "<img alt=\"{what}, {scene}\" title=\"{what}, {scene}\" width=\"{SIDE}\" height=\"{SIDE}\" src=\"{}\">",
             escaped_line(uri)
         )
     };
-    let mut images = image("Submitted", yours);
+    let mut images = image(tr!("report-submitted"), yours);
     let mut remark = String::new();
     if let Some(reference) = reference {
-        images.push_str(&image("Correct", reference));
-        remark = format!("<small>{} of pixels differ</small>", percent(*pixels_beyond));
+        images.push_str(&image(tr!("report-correct-picture"), reference));
+        remark = format!("<small>{}</small>", tr!("report-of-pixels-differ", percent = percent(*pixels_beyond)));
     }
     format!("<td role=\"cell\" class=\"pictures\" data-key=\"{pixels_beyond}\"><div>{images}</div>{remark}</td>")
 }
@@ -129,7 +135,7 @@ fn verdict(row: &Row) -> String {
         word(row.verdict),
         Icon::for_outcome(row.verdict).svg(),
         match (row.verdict, row.peculiarities.is_empty()) {
-            (Outcome::Correct, false) => "Correct, by a different method".to_owned(),
+            (Outcome::Correct, false) => tr!("report-heading-other-method").to_owned(),
             (outcome, _) => capital(words(outcome)),
         }
     );
@@ -148,7 +154,7 @@ fn verdict(row: &Row) -> String {
         );
     }
     if !row.warnings.is_empty() {
-        items.push(format!("<li class=\"soft\">{}</li>", count(row.warnings.len(), "warning", "warnings")));
+        items.push(format!("<li class=\"soft\">{}</li>", tr!("report-count-warnings", count = row.warnings.len())));
     }
     if !items.is_empty() {
         let _ = write!(html, "<ul>{}</ul>", items.concat());
