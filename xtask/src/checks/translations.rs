@@ -1,7 +1,7 @@
 //! Texts of the Fluent files and their uses in the code.
 
 use super::source::TextFile;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 /// The folder of the texts in the language of the sources.
 const ENGLISH: &str = "crates/gonio-language/locales/en/";
@@ -10,21 +10,29 @@ const ENGLISH: &str = "crates/gonio-language/locales/en/";
 pub fn check(files: &[TextFile]) -> Vec<String> {
     let mut complaints = Vec::new();
     let mut ids = BTreeSet::new();
+    let code: Vec<&TextFile> = files.iter().filter(|file| file.is_rust() && !file.path.starts_with("xtask")).collect();
+    let literals: HashSet<&str> =
+        code.iter().flat_map(|file| file.text.split('"')).filter(|part| part.len() < 100).collect();
     for file in files.iter().filter(|file| file.path.starts_with(ENGLISH)) {
         for id in ids_of(&file.text) {
-            let quoted = format!("\"{id}\"");
-            if !files.iter().any(|file| file.is_rust() && file.text.contains(&quoted)) {
+            if !beginnings(&id).any(|begun| literals.contains(begun)) {
                 complaints.push(format!("{}: no code names the text `{id}`", file.path));
             }
             ids.insert(id);
         }
     }
-    for file in files.iter().filter(|file| file.is_rust() && !file.path.starts_with("xtask")) {
+    for file in code {
         for id in named(&file.text).filter(|id| !ids.contains(*id)) {
             complaints.push(format!("{}: there is no text `{id}` in {ENGLISH}", file.path));
         }
     }
     complaints
+}
+
+/// The literals that name a text: its id, and beginnings of at least two words to which code adds the rest.
+fn beginnings(id: &str) -> impl Iterator<Item = &str> {
+    let ends = id.match_indices(['-', '.']).skip(1).flat_map(|(at, _)| [at, at + 1]);
+    std::iter::once(id).chain(ends.filter_map(|end| id.get(..end)))
 }
 
 /// The ids of messages, and `ID.NAME` of attributes.
