@@ -17,7 +17,7 @@ use support::Window;
 /// Words that are English and not French.
 const ENGLISH: &[&str] = &[
     "the", "of", "is", "are", "and", "with", "without", "from", "show", "shows", "this", "that", "these", "by",
-    "click", "open", "save", "light", "lights", "colour", "picture", "not", "each", "all", "as", "at", "when", "your",
+    "click", "open", "save", "lights", "colour", "picture", "not", "each", "all", "as", "at", "when", "your",
     "file", "files", "to", "in", "where", "off",
 ];
 
@@ -41,8 +41,9 @@ impl Window {
     #[track_caller]
     fn is_in_french(&self, place: &str) {
         for text in self.texts() {
-            // Neither code nor titles of books.
-            let text = text.split(['`', '"']).step_by(2).collect::<String>();
+            // Neither code, nor headings of the lecture, nor titles of papers.
+            let text = text.split(['`', '"', '\u{ab}', '\u{bb}']).step_by(2).collect::<String>();
+            let text = text.replace("Communications of the ACM", "");
             let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '\'' && c != '.' && c != '_' && c != '-');
             let english = words.find(|word| ENGLISH.contains(&word.to_lowercase().as_str()));
             assert_eq!(english, None, "{place}: {text}");
