@@ -18,12 +18,12 @@ function needs({ exercise }) {
   return checker.needed_files(exercise).filter((path) => !given.has(path));
 }
 
-function check({ exercise, files, builtin, asTheLab }) {
+function check({ exercise, files, builtin, asTheLab, language }) {
   for (const { path, bytes } of builtin) {
     checker.give_file(path, bytes);
     given.add(path);
   }
-  return checker.check(exercise, files.map(({ name }) => name), files.map(({ bytes }) => bytes), asTheLab);
+  return checker.check(exercise, files.map(({ name }) => name), files.map(({ bytes }) => bytes), asTheLab, language);
 }
 
 /** The requests. An error is one sentence. */

@@ -57,7 +57,7 @@ function within(promise, after) {
 
 /** Starts a check of `files`, each `{ name, bytes }` with a Uint8Array. `answer` is a promise of the verdict as JSON, or fails
  * with one sentence; `end` stops the check. */
-export function begin(exercise, files, asTheLab = false) {
+export function begin(exercise, files, asTheLab = false, language = "en") {
   let checker = idle;
   idle = undefined;
   let ended = false;
@@ -75,7 +75,7 @@ export function begin(exercise, files, asTheLab = false) {
       await checker.begin();
     }
     const builtin = await Promise.all((await checker.ask("needs", { exercise })).map(fetchBuiltin));
-    return within(checker.ask("check", { exercise, files, builtin, asTheLab }), () => {
+    return within(checker.ask("check", { exercise, files, builtin, asTheLab, language }), () => {
       end();
       return page.endless(exercise, PATIENCE);
     });

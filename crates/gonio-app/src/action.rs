@@ -3,6 +3,7 @@
 use crate::document::PaneOverlay;
 use crate::saving::Product;
 use crate::session::Tab;
+use gonio_language::Language;
 use gonio_scene::SpecialView;
 
 /// A request by a widget, a key or a menu; [`crate::App`] carries it out after the panels were shown.
@@ -24,6 +25,8 @@ pub enum Action {
     CopyLink,
     /// Copies a text to the clipboard.
     CopyText(String),
+    /// Shows all texts in this language.
+    SetLanguage(Language),
     /// Undoes a step.
     Undo,
     /// Redoes a step.

@@ -56,6 +56,8 @@ pub struct Widget {
     pub rect: [f32; 4],
     /// Whether it can be used now.
     pub enabled: bool,
+    /// Whether it has the keyboard focus.
+    pub focused: bool,
 }
 
 fn key() -> Id {
@@ -72,6 +74,7 @@ pub fn note(ui: &Ui, response: &Response, id: &str, role: WidgetRole, label: &st
         value: value.to_string(),
         rect: [r.left(), r.top(), r.width(), r.height()],
         enabled: response.enabled(),
+        focused: response.has_focus(),
     };
     ui.ctx().data_mut(|data| data.get_temp_mut_or_default::<Vec<Widget>>(key()).push(widget));
 }

@@ -7,6 +7,7 @@
 use crate::platform::{FontSearch, Platform};
 use crate::session::{MessageSeverity, Messages};
 use egui::{GlyphRasterizer, GlyphRasterizerRequest};
+use gonio_language::tr;
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -71,13 +72,13 @@ fn sentence(missing: &BTreeSet<char>, advice: &str) -> String {
     let mut list: Vec<String> =
         missing.iter().take(MOST_LISTED).map(|&c| format!("{c} (U+{:04X})", u32::from(c))).collect();
     if missing.len() > MOST_LISTED {
-        list.push(format!("{} more", missing.len() - MOST_LISTED));
+        list.push(tr!("window-more", count = missing.len() - MOST_LISTED));
     }
     let last = list.pop().unwrap_or_default();
-    let list = if list.is_empty() { last } else { format!("{} and {last}", list.join(", ")) };
+    let list = if list.is_empty() { last } else { tr!("window-and", names = list.join(", "), last = last) };
     match missing.len() {
-        1 => format!("No font has the character {list}, displayed as a box: {advice}"),
-        _ => format!("No font has the characters {list}, displayed as boxes: {advice}"),
+        1 => tr!("window-no-font-has-the-character-displayed", list = list, advice = advice),
+        _ => tr!("window-no-font-has-the-characters-displayed", list = list, advice = advice),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use gonio_image::encode::png::{self, ColorTag};
 use gonio_image::{EncodedPicture, ImageError};
+use gonio_language::tr;
 use gonio_scene::files::BUILTIN;
 use gonio_scene::{SceneFile, SceneSettings, environment_file};
 use std::path::{Path, PathBuf};
@@ -61,13 +62,13 @@ impl Product {
     /// The title in menus.
     pub fn title(self) -> &'static str {
         match self {
-            Product::Picture => "Picture as displayed (PNG)",
-            Product::SizedPicture => "Picture at the scene's resolution (PNG)",
-            Product::Light => "Linear light (EXR)",
-            Product::Scene => "Scene (TOML)",
-            Product::PlotSvg => "Plot (SVG)",
-            Product::PlotPng => "Plot (PNG)",
-            Product::BakedObj => "OBJ and PNG",
+            Product::Picture => tr!("window-picture-as-displayed-png"),
+            Product::SizedPicture => tr!("window-picture-at-the-scene-s-resolution"),
+            Product::Light => tr!("window-linear-light-exr"),
+            Product::Scene => tr!("window-scene-toml"),
+            Product::PlotSvg => tr!("window-plot-svg"),
+            Product::PlotPng => tr!("window-plot-png"),
+            Product::BakedObj => tr!("window-obj-and-png"),
             Product::BakedGlb => "GLB",
             Product::BakedZip => "ZIP",
         }

@@ -6,15 +6,16 @@ use crate::saving::Product;
 use crate::scene_view::navigation;
 use crate::session::Session;
 use egui::{Event, Key, KeyboardShortcut, Modifiers, Ui};
+use gonio_language::{name, tr};
 use gonio_scene::{SpecialView, ViewSpec};
 
 /// A row of the table: a key, its action, and its description.
 struct Shortcut {
-    /// The heading in the list.
+    /// The id of the heading in the list.
     group: &'static str,
-    /// The key in the list; empty if another row lists it.
+    /// The key in the list, or the id of its text; empty if another row lists it.
     written: &'static str,
-    /// The description in the list.
+    /// The id of the description in the list.
     what: &'static str,
     /// The key itself; `None` if the scene view or egui handles it.
     key: Option<Pressed>,
@@ -34,83 +35,78 @@ impl Shortcut {
 }
 
 const SHIFTED: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
-const PICTURE: &str = "In the picture";
-const WINDOW: &str = "The window";
-const FILES: &str = "Files";
-const EXERCISE: &str = "In an exercise, or with your own shaders";
+const PICTURE: &str = "window-in-the-picture";
+const WINDOW: &str = "window-the-window";
+const FILES: &str = "window-files";
+const EXERCISE: &str = "window-in-an-exercise-or-with-your";
 
 /// All shortcuts. The longer combination of a key comes first, because the shorter one would consume
 /// its events.
 const TABLE: &[Shortcut] = &[
-    row(PICTURE, "Drag", "orbit around the target"),
-    row(PICTURE, "Shift + drag", "pan"),
-    row(PICTURE, "Right button + drag", "look around"),
-    row(PICTURE, "Wheel", "zoom"),
-    row(PICTURE, "w a s d, z q s d, arrows", "fly; e and c move up and down; Shift is faster"),
-    row(PICTURE, "F", "frame all").on(Modifiers::NONE, Key::F, || Action::Frame),
-    row(PICTURE, "Space", "play or pause the animation").on(Modifiers::NONE, Key::Space, || Action::PlayOrPause),
-    row(PICTURE, "P", "probe the pixel under the pointer; a click pins it, Esc unpins it").on(
-        Modifiers::NONE,
-        Key::P,
-        || Action::ToggleProbe,
-    ),
-    row(PICTURE, "O", "show the camera and its frustum from outside")
-        .on(Modifiers::NONE, Key::O, || Action::ToggleObserver),
-    row(PICTURE, "Shift + W", "wireframe").on(Modifiers::SHIFT, Key::W, || Action::Overlay(PaneOverlay::Wireframe)),
-    row(PICTURE, "Shift + N", "normals").on(Modifiers::SHIFT, Key::N, || Action::Overlay(PaneOverlay::Normals)),
-    row(PICTURE, "Shift + B", "bounding boxes").on(Modifiers::SHIFT, Key::B, || Action::Overlay(PaneOverlay::Boxes)),
-    row(PICTURE, "Shift + U", "checkerboard of the texture coordinates")
+    row(PICTURE, "window-drag", "window-orbit-around-the-target"),
+    row(PICTURE, "window-shift-drag", "window-pan"),
+    row(PICTURE, "window-right-button-drag", "window-look-around"),
+    row(PICTURE, "window-wheel", "window-zoom"),
+    row(PICTURE, "window-w-a-s-d-z-q", "window-fly-e-and-c-move-up"),
+    row(PICTURE, "F", "window-frame-all").on(Modifiers::NONE, Key::F, || Action::Frame),
+    row(PICTURE, "window-space", "window-play-or-pause-the-animation")
+        .on(Modifiers::NONE, Key::Space, || Action::PlayOrPause),
+    row(PICTURE, "P", "window-probe-the-pixel-under-the-pointer").on(Modifiers::NONE, Key::P, || Action::ToggleProbe),
+    row(PICTURE, "O", "window-show-the-camera-and-its-frustum").on(Modifiers::NONE, Key::O, || Action::ToggleObserver),
+    row(PICTURE, "Shift + W", "scene-wireframe")
+        .on(Modifiers::SHIFT, Key::W, || Action::Overlay(PaneOverlay::Wireframe)),
+    row(PICTURE, "Shift + N", "scene-normals-overlay")
+        .on(Modifiers::SHIFT, Key::N, || Action::Overlay(PaneOverlay::Normals)),
+    row(PICTURE, "Shift + B", "window-bounding-boxes")
+        .on(Modifiers::SHIFT, Key::B, || Action::Overlay(PaneOverlay::Boxes)),
+    row(PICTURE, "Shift + U", "window-checkerboard-of-the-texture-coordinates")
         .on(Modifiers::SHIFT, Key::U, || Action::Special(SpecialView::UvChecker)),
-    row(PICTURE, "Shift + V", "overdraw: fragments per pixel")
+    row(PICTURE, "Shift + V", "window-overdraw-fragments-per-pixel")
         .on(Modifiers::SHIFT, Key::V, || Action::Special(SpecialView::Overdraw)),
-    row(PICTURE, "Shift + T", "the traced picture: the rendering equation in place of the light equation").on(
-        Modifiers::SHIFT,
-        Key::T,
-        || Action::ToggleTruth,
-    ),
-    row(WINDOW, "Ctrl + Y, Ctrl + Shift + Z", "redo").on(SHIFTED, Key::Z, || Action::Redo),
+    row(PICTURE, "Shift + T", "window-the-traced-picture-the-rendering-equation")
+        .on(Modifiers::SHIFT, Key::T, || Action::ToggleTruth),
+    row(WINDOW, "Ctrl + Y, Ctrl + Shift + Z", "window-redo").on(SHIFTED, Key::Z, || Action::Redo),
     row(WINDOW, "", "").on(Modifiers::COMMAND, Key::Y, || Action::Redo),
-    row(WINDOW, "Ctrl + Z", "undo").on(Modifiers::COMMAND, Key::Z, || Action::Undo),
-    row(WINDOW, "Double click on a value", "reset it to its default"),
-    row(WINDOW, "Ctrl + plus, Ctrl + minus", "enlarge or shrink the interface; Ctrl + 0 resets it"),
-    row(WINDOW, "T", "switch between light and dark theme").on(Modifiers::NONE, Key::T, || Action::ToggleTheme),
-    row(WINDOW, "?", "show this list").on(Modifiers::NONE, Key::Questionmark, || Action::ToggleHelp),
-    row(WINDOW, "Esc", "close the open dialog"),
-    row(FILES, "Ctrl + O", "open files (or drop them on the window)")
-        .on(Modifiers::COMMAND, Key::O, || Action::ChooseFiles),
-    row(FILES, "Ctrl + Shift + S", "save the scene").on(SHIFTED, Key::S, || Action::Save(Product::Scene)),
-    row(FILES, "Ctrl + B", "bake textures").on(Modifiers::COMMAND, Key::B, || Action::ShowBake),
-    row(FILES, "Ctrl + S", "save the picture").on(Modifiers::COMMAND, Key::S, || Action::Save(Product::Picture)),
-    row(EXERCISE, "Ctrl + Enter", "check the shaders of an exercise"),
-    row(EXERCISE, "Ctrl + F, F3, Shift + F3", "find in the text, go to the next or the previous match"),
-    row(EXERCISE, "Tab, Shift + Tab", "indent the selected lines in the editor, or go back a step"),
-    row(EXERCISE, "Ctrl + /", "make the selected lines comments, or code again"),
-    row(EXERCISE, "Esc", "leave the editor; then Tab goes to the next control"),
-    row(EXERCISE, "Click on the picture, F9", "show each line's values at that pixel, or at the picture's middle"),
-    row(EXERCISE, "F10, Shift + F10", "next or previous step, over calls; also Alt + Down, Alt + Up"),
-    row(EXERCISE, "F11, Shift + F11", "next or previous step, into calls; also Alt + Right, Alt + Left"),
-    row(EXERCISE, "Shift + Alt + arrows", "move the pinned pixel"),
-    row(EXERCISE, "Alt + Enter", "value and picture of the expression at the cursor; the pointer shows them too"),
+    row(WINDOW, "Ctrl + Z", "window-undo").on(Modifiers::COMMAND, Key::Z, || Action::Undo),
+    row(WINDOW, "window-double-click-on-a-value", "window-reset-it-to-its-default"),
+    row(WINDOW, "window-ctrl-plus-ctrl-minus", "window-enlarge-or-shrink-the-interface-ctrl"),
+    row(WINDOW, "T", "window-switch-between-light-and-dark-theme").on(Modifiers::NONE, Key::T, || Action::ToggleTheme),
+    row(WINDOW, "?", "window-show-this-list").on(Modifiers::NONE, Key::Questionmark, || Action::ToggleHelp),
+    row(WINDOW, "Esc", "window-close-the-open-dialog"),
+    row(FILES, "Ctrl + O", "window-open-files-or-drop-them-on").on(Modifiers::COMMAND, Key::O, || Action::ChooseFiles),
+    row(FILES, "Ctrl + Shift + S", "window-save-the-scene").on(SHIFTED, Key::S, || Action::Save(Product::Scene)),
+    row(FILES, "Ctrl + B", "window-bake-textures-2").on(Modifiers::COMMAND, Key::B, || Action::ShowBake),
+    row(FILES, "Ctrl + S", "window-save-the-picture").on(Modifiers::COMMAND, Key::S, || Action::Save(Product::Picture)),
+    row(EXERCISE, "Ctrl + Enter", "window-check-the-shaders-of-an-exercise"),
+    row(EXERCISE, "Ctrl + F, F3, Shift + F3", "window-find-in-the-text-go-to"),
+    row(EXERCISE, "Tab, Shift + Tab", "window-indent-the-selected-lines-in-the"),
+    row(EXERCISE, "Ctrl + /", "window-make-the-selected-lines-comments-or"),
+    row(EXERCISE, "Esc", "window-leave-the-editor-then-tab-goes"),
+    row(EXERCISE, "window-click-on-the-picture-f9", "window-show-each-line-s-values-at"),
+    row(EXERCISE, "F10, Shift + F10", "window-next-or-previous-step-over-calls"),
+    row(EXERCISE, "F11, Shift + F11", "window-next-or-previous-step-into-calls"),
+    row(EXERCISE, "window-shift-alt-arrows", "window-move-the-pinned-pixel"),
+    row(EXERCISE, "Alt + Enter", "window-value-and-picture-of-the-expression"),
 ];
 
 /// The list of shortcuts by heading.
 pub fn list() -> Vec<(&'static str, Vec<(&'static str, String)>)> {
     let in_group = |group: &str| {
         let rows = TABLE.iter().filter(|row| row.group == group && !row.written.is_empty());
-        rows.map(|row| (row.written, row.what.to_owned())).collect()
+        rows.map(|row| (tr!(row.written), tr!(row.what).to_owned())).collect()
     };
     const DIGITS: [&str; 9] = ["1", "2", "3", "4", "5", "6", "7", "8", "9"];
-    let mut views = vec![("0", "the picture".to_owned())];
+    let mut views = vec![("0", tr!("window-the-picture").to_owned())];
     for (digit, quantity) in DIGITS.into_iter().zip(VIEW_KEYS) {
         let symbol = quantity.symbol().map(|s| format!(" ({s})")).unwrap_or_default();
-        views.push((digit, format!("{quantity}{symbol}")));
+        views.push((digit, name(quantity.name()).to_owned() + &symbol));
     }
     vec![
-        (PICTURE, in_group(PICTURE)),
-        ("Views in place of the picture", views),
-        (WINDOW, in_group(WINDOW)),
-        (FILES, in_group(FILES)),
-        (EXERCISE, in_group(EXERCISE)),
+        (tr!(PICTURE), in_group(PICTURE)),
+        (tr!("window-views-in-place-of-the-picture"), views),
+        (tr!(WINDOW), in_group(WINDOW)),
+        (tr!(FILES), in_group(FILES)),
+        (tr!(EXERCISE), in_group(EXERCISE)),
     ]
 }
 

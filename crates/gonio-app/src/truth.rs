@@ -5,9 +5,9 @@
 
 use crate::document::TruthSettings;
 use glam::DVec3;
+use gonio_language::tr;
 use gonio_scene::files::FileSource;
 use gonio_scene::{Frame, Picture, Scene, SceneSettings};
-use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use web_time::{Duration, Instant};
@@ -234,25 +234,19 @@ impl TracedPane {
     /// The facts in words: `12 paths per pixel, error 3.4 %`.
     pub fn caption(&self) -> String {
         if self.failed.is_some() {
-            return "not possible here".to_owned();
+            return tr!("window-not-possible-here").to_owned();
         }
         let TraceFacts { paths, error, .. } = self.facts;
-        let mut text = match paths {
-            0.0 => return "the first paths are on their way".to_owned(),
-            _ if paths < 1.0 / 1.5 => format!("1 path per {:.0} pixels", 1.0 / paths),
-            _ if paths < 1.5 => "1 path per pixel".to_owned(),
-            _ => format!("{paths:.0} paths per pixel"),
+        let text = match paths {
+            0.0 => return tr!("window-the-first-paths-are-on-their").to_owned(),
+            _ if paths < 1.0 / 1.5 => tr!("window-1-path-per-pixels", paths = format!("{:.0}", 1.0 / paths)),
+            _ if paths < 1.5 => tr!("window-1-path-per-pixel").to_owned(),
+            _ => tr!("window-paths-per-pixel", paths = format!("{paths:.0}")),
         };
-        if let Some(error) = error {
-            let percent = 100.0 * error;
-            // Writing to a string does not fail.
-            let _ = if percent < 10.0 {
-                write!(text, ", error {percent:.1} %")
-            } else {
-                write!(text, ", error {percent:.0} %")
-            };
-        }
-        text
+        let Some(error) = error else { return text };
+        let percent = 100.0 * error;
+        let percent = if percent < 10.0 { format!("{percent:.1}") } else { format!("{percent:.0}") };
+        tr!("window-paths-and-error", paths = text, percent = percent)
     }
 }
 

@@ -70,11 +70,12 @@ impl FoundMistake {
         }
     }
 
-    /// Creates a mistake of the catalogue. The caller, who compared the pictures, adds mistakes that look the same
+    /// Creates a mistake of the catalogue, with its texts in the current language. The caller, who compared the pictures, adds mistakes that look the same
     /// and whether the lab does it too.
     pub fn from_catalogue(mistake: &Mistake, share_explained: f64) -> Self {
-        let Mistake { id, name, looks_like, fix, lecture_section, .. } = mistake;
-        FoundMistake::new(id, name, share_explained).taught(looks_like, fix, lecture_section)
+        let texts = mistake.texts();
+        let found = FoundMistake::new(&mistake.id, texts.name, share_explained);
+        found.taught(texts.looks_like, texts.fix, &mistake.lecture_section)
     }
 
     /// Adds the symptom, the fix, and the section of the lecture that teaches it.

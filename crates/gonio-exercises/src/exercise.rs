@@ -1,10 +1,14 @@
 //! The exercises: texts, start files and references, all of them built into the program.
 
+mod translation;
+
 use crate::gl_program;
 use gonio_check::feedback::Feedback;
+use gonio_language::Language;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
+use translation::{Texts, Translation};
 
 /// The kind of answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, serde::Serialize)]
@@ -73,6 +77,7 @@ struct Declaration {
     feedback: Feedback,
     #[serde(default = "shown")]
     show_reference: bool,
+    fr: Option<Translation>,
 }
 
 fn shown() -> bool {
@@ -86,33 +91,74 @@ pub struct Exercise {
     pub id: String,
     /// Its folder in `exercises/`.
     pub folder: &'static str,
-    /// The title.
-    pub title: String,
-    /// The task in one sentence.
-    pub summary: String,
     /// The kind of answer.
     pub kind: ExerciseKind,
     /// The section of the lecture that teaches it.
     pub lecture_section: String,
     /// Ids of the exercises that should be done before.
     pub builds_on: Vec<String>,
-    /// Details to look for in the picture.
-    pub look_for: Vec<LookFor>,
-    /// The inputs.
-    pub inputs: Inputs,
     /// Built-in files that are handed out, by their paths below `assets`: those of a model, which is the first.
     pub given: Vec<String>,
     /// How much of a verdict is shown, unless the command line asks for another level.
     pub feedback: Feedback,
     /// Whether students may see the reference solution, its values and its pictures.
     pub shows_reference: bool,
+    english: Texts,
+    french: Option<Texts>,
     files: &'static [(&'static str, &'static str)],
 }
 
+/// Texts are in the current language, unless one is given, and in English where a language has none.
 impl Exercise {
+    fn texts(&self, language: Language) -> &Texts {
+        match language {
+            Language::English => &self.english,
+            Language::French => self.french.as_ref().unwrap_or(&self.english),
+        }
+    }
+
+    /// The title.
+    pub fn title(&self) -> &str {
+        self.title_in(Language::current())
+    }
+
+    /// The title in a language.
+    pub fn title_in(&self, language: Language) -> &str {
+        &self.texts(language).title
+    }
+
+    /// The task in one sentence.
+    pub fn summary(&self) -> &str {
+        self.summary_in(Language::current())
+    }
+
+    /// The task in one sentence, in a language.
+    pub fn summary_in(&self, language: Language) -> &str {
+        &self.texts(language).summary
+    }
+
+    /// Details to look for in the picture.
+    pub fn look_for(&self) -> &[LookFor] {
+        &self.texts(Language::current()).look_for
+    }
+
+    /// The inputs.
+    pub fn inputs(&self) -> &Inputs {
+        &self.texts(Language::current()).inputs
+    }
+
     /// Returns its text, in Markdown.
     pub fn text(&self) -> &'static str {
-        self.file("text.md").unwrap_or_default()
+        self.text_in(Language::current())
+    }
+
+    /// Returns its text in a language, in Markdown.
+    pub fn text_in(&self, language: Language) -> &'static str {
+        let own = match language {
+            Language::English => None,
+            Language::French => self.file("text.fr.md"),
+        };
+        own.or_else(|| self.file("text.md")).unwrap_or_default()
     }
 
     /// Returns one of its files, by its name in the folder.
@@ -120,11 +166,15 @@ impl Exercise {
         self.files.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
     }
 
-    /// The start files: all files except the reference and `exercise.toml`. Names include folders.
+    /// The start files: all files except the reference and `exercise.toml`. Names include folders; `text.md` is the text
+    /// in the current language.
     pub fn start_files(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         let is_answer =
             |name: &str| name.split('/').any(|part| part.starts_with("reference")) || name == "exercise.toml";
-        self.files.iter().copied().filter(move |(name, _)| !is_answer(name))
+        let text = self.text();
+        (self.files.iter().copied())
+            .filter(move |(name, _)| !is_answer(name) && *name != "text.fr.md")
+            .map(move |(name, file)| (name, if name == "text.md" { text } else { file }))
     }
 
     /// Returns the start pictures, by name.
@@ -189,19 +239,23 @@ pub fn find(word: &str) -> Option<&'static Exercise> {
 fn read(folder: &'static str, files: &'static [(&'static str, &'static str)]) -> Result<Exercise, String> {
     let declared = files.iter().find(|(name, _)| *name == "exercise.toml").map_or("", |(_, text)| text);
     let declared: Declaration = toml::from_str(declared).map_err(|error| format!("{folder}/exercise.toml: {error}"))?;
+    let english = Texts {
+        title: declared.title,
+        summary: declared.summary,
+        look_for: declared.look_for,
+        inputs: declared.inputs,
+    };
     Ok(Exercise {
         id: declared.id,
         folder,
-        title: declared.title,
-        summary: declared.summary,
         kind: declared.kind,
         lecture_section: declared.lecture_section,
         builds_on: declared.builds_on,
-        look_for: declared.look_for,
-        inputs: declared.inputs,
         given: declared.given,
         feedback: declared.feedback,
         shows_reference: declared.show_reference,
+        french: declared.fr.map(|fr| fr.of(&english)),
+        english,
         files,
     })
 }
@@ -224,20 +278,20 @@ macro_rules! folder {
 
 /// Folders and their files, in order.
 const FOLDERS: &[Folder] = &[
-    folder!("ex01-camera": "camera.svg" "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
-    folder!("ex02-object-reader": "exercise.toml" "models/bracket.obj" "models/cube.obj" "models/fence.obj" "models/gem.obj" "models/house.obj" "models/objects.obj" "models/pyramid.obj" "models/tent.obj" "models/wedge.obj" "start/obj_reader.cpp" "start/obj_reader.py" "text.md"; not_on_the_web "reference/obj_reader.cpp" "reference/obj_reader.py"),
-    folder!("ex03-gouraud-diffuse": "exercise.toml" "normal.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
-    folder!("ex04-phong-diffuse": "exercise.toml" "gouraud-and-phong.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
-    folder!("ex05-gouraud-specular": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md" "vectors.svg"),
-    folder!("ex06-phong-specular": "exercise.toml" "highlight.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
-    folder!("ex07-light-equation": "attenuation.svg" "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
-    folder!("ex08-skybox": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
-    folder!("ex09-reflection": "exercise.toml" "reference.frag" "reference.vert" "reflection.svg" "start.frag" "start.vert" "text.md"),
-    folder!("ex10-refraction": "exercise.toml" "reference.frag" "reference.vert" "refraction.svg" "start.frag" "start.vert" "text.md"),
-    folder!("ex11-texture-unit": "exercise.toml" "host/attribute-not-enabled.txt" "host/mipmaps-missing.txt" "host/offset-wrong.txt" "host/reference.txt" "host/stride-wrong.txt" "host/texture-name-as-unit.txt" "host/unbound-unit.txt" "host/uniform-before-use-program.txt" "host/wrong-target.txt" "start.frag" "start.vert" "text.md" "texture-units.svg"),
-    folder!("ex12-which-brdf": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md" "ward.svg"),
-    folder!("ex13-baking": "exercise.toml" "text.md"; not_on_the_web "reference.py"),
-    folder!("s1-panorama-to-cubemap": "exercise.toml" "faces.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.md"),
+    folder!("ex01-camera": "camera.svg" "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md"),
+    folder!("ex02-object-reader": "exercise.toml" "models/bracket.obj" "models/cube.obj" "models/fence.obj" "models/gem.obj" "models/house.obj" "models/objects.obj" "models/pyramid.obj" "models/tent.obj" "models/wedge.obj" "start/obj_reader.cpp" "start/obj_reader.py" "text.fr.md" "text.md"; not_on_the_web "reference/obj_reader.cpp" "reference/obj_reader.py"),
+    folder!("ex03-gouraud-diffuse": "exercise.toml" "normal.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md"),
+    folder!("ex04-phong-diffuse": "exercise.toml" "gouraud-and-phong.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md"),
+    folder!("ex05-gouraud-specular": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md" "vectors.svg"),
+    folder!("ex06-phong-specular": "exercise.toml" "highlight.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md"),
+    folder!("ex07-light-equation": "attenuation.svg" "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md"),
+    folder!("ex08-skybox": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md"),
+    folder!("ex09-reflection": "exercise.toml" "reference.frag" "reference.vert" "reflection.svg" "start.frag" "start.vert" "text.fr.md" "text.md"),
+    folder!("ex10-refraction": "exercise.toml" "reference.frag" "reference.vert" "refraction.svg" "start.frag" "start.vert" "text.fr.md" "text.md"),
+    folder!("ex11-texture-unit": "exercise.toml" "host/attribute-not-enabled.txt" "host/mipmaps-missing.txt" "host/offset-wrong.txt" "host/reference.txt" "host/stride-wrong.txt" "host/texture-name-as-unit.txt" "host/unbound-unit.txt" "host/uniform-before-use-program.txt" "host/wrong-target.txt" "start.frag" "start.vert" "text.fr.md" "text.md" "texture-units.svg"),
+    folder!("ex12-which-brdf": "exercise.toml" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md" "ward.svg"),
+    folder!("ex13-baking": "exercise.toml" "text.fr.md" "text.md"; not_on_the_web "reference.py"),
+    folder!("s1-panorama-to-cubemap": "exercise.toml" "faces.svg" "reference.frag" "reference.vert" "start.frag" "start.vert" "text.fr.md" "text.md"),
 ];
 
 /// Pictures: folder, name and bytes.
@@ -270,7 +324,7 @@ mod tests {
             for (name, text) in *files {
                 assert_eq!(std::fs::read_to_string(top.join(folder).join(name)).unwrap(), *text, "{folder}/{name}");
             }
-            for name in ["text.md", "start.vert", "start.frag", "reference.vert", "reference.frag"] {
+            for name in ["text.md", "text.fr.md", "start.vert", "start.frag", "reference.vert", "reference.frag"] {
                 let on_disk = top.join(folder).join(name).exists();
                 assert_eq!(exercise.file(name).is_some(), on_disk, "{folder}/{name}");
             }

@@ -2,7 +2,7 @@
 
 use crate::Language;
 use fluent_bundle::concurrent::FluentBundle;
-use fluent_bundle::{FluentArgs, FluentResource};
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
@@ -23,7 +23,7 @@ macro_rules! files {
     };
 }
 
-files!("bench", "check", "exercises", "language", "reports", "scene", "window");
+files!("bench", "check", "exercises", "language", "names", "reports", "scene", "window");
 
 /// The texts of a language.
 struct Catalogue {
@@ -49,6 +49,8 @@ impl Catalogue {
         // The marks that isolate an argument from a text of the other direction would be copied along with code, and no
         // language here is written from right to left.
         bundle.set_use_isolating(false);
+        let number = bundle.add_function("NUMBER", |positional, _| number(positional));
+        debug_assert!(number.is_ok(), "the function is defined once");
         for text in files(language) {
             // A test parses every file; what can be read of a damaged one is used.
             let resource = FluentResource::try_new((*text).to_owned()).unwrap_or_else(|(resource, _)| resource);
@@ -57,6 +59,15 @@ impl Catalogue {
         let plain = files(language).iter().flat_map(|text| ids(text));
         let plain = plain.filter_map(|id| formatted_by(&bundle, &id, None).map(|text| (id, text))).collect();
         Catalogue { bundle, plain }
+    }
+}
+
+/// Reads an argument as a number, which selects a plural. Arguments are strings, as Rust displays them.
+fn number<'a>(positional: &[FluentValue<'a>]) -> FluentValue<'a> {
+    match positional.first() {
+        Some(FluentValue::String(text)) => text.parse().map_or(FluentValue::Error, FluentValue::Number),
+        Some(other) => other.clone(),
+        None => FluentValue::Error,
     }
 }
 

@@ -5,11 +5,9 @@
 //! starts it (an option, the system, the browser) or changed by its user: texts are for people, and a process has one
 //! reader. Files for programs, such as JSON, have ids and keys that no language changes.
 
-mod argument;
 mod catalogue;
 mod language;
 
-pub use argument::Argument;
 pub use language::Language;
 
 /// Returns the text of an id in the current language, or the id itself if no language has it. `ID.NAME` is an attribute.
@@ -24,19 +22,36 @@ pub fn text_in(language: Language, id: &str) -> Option<&'static str> {
     catalogue::own_text(language, id)
 }
 
+/// Returns a name or a description in the current language: that of a choice, a term or a quantity, which other crates have in
+/// English. One without a text is its own translation. Languages other than English have them in `names.ftl`.
+#[must_use]
+pub fn name(english: &str) -> &str {
+    catalogue::own_text(Language::current(), &name_id(english)).unwrap_or(english)
+}
+
+/// Returns the id of a name: `name-` and its first [`MOST_WORDS`] words in kebab case.
+#[must_use]
+pub fn name_id(english: &str) -> String {
+    let words = english.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.take(MOST_WORDS).fold("name".to_owned(), |id, word| id + "-" + &word.to_lowercase())
+}
+
+/// Largest number of words in the id of a name.
+pub const MOST_WORDS: usize = 8;
+
 #[doc(hidden)]
 pub use catalogue::formatted;
 #[doc(hidden)]
 pub use fluent_bundle::FluentArgs;
 
 /// A text in the current language: `tr!("id")` is a `&'static str`, `tr!("id", count = 3, name = "N")` a `String` with
-/// arguments. Numbers select plurals; format those that need digits or a sign before they are given.
+/// arguments, each as it displays itself. In a text, `NUMBER($count)` selects a plural.
 #[macro_export]
 macro_rules! tr {
     ($id:expr $(,)?) => { $crate::text($id) };
     ($id:expr, $($name:ident = $value:expr),+ $(,)?) => {{
         let mut arguments = $crate::FluentArgs::new();
-        $(arguments.set(stringify!($name), $crate::Argument::argument(&$value).into_owned());)+
+        $(arguments.set(stringify!($name), ::std::string::ToString::to_string(&$value));)+
         $crate::formatted($crate::Language::current(), $id, &arguments)
     }};
 }

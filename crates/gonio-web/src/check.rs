@@ -10,6 +10,7 @@ use gonio_check::verdict::Verdict;
 use gonio_exercises::Checker;
 use gonio_exercises::exercise;
 use gonio_gl::Gl;
+use gonio_language::Language;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 use web_sys::{OffscreenCanvas, WebGl2RenderingContext};
@@ -53,14 +54,16 @@ impl PageChecker {
     }
 
     /// Checks files, given by `names` and `contents`, each a `Uint8Array`. Returns the verdict as JSON, as `gonio lab check --json`
-    /// does. An error is one sentence.
+    /// does, in the language with this code. An error is one sentence.
     pub fn check(
         &mut self,
         exercise: &str,
         names: Vec<String>,
         contents: js_sys::Array,
         as_the_lab: bool,
+        language: &str,
     ) -> Result<String, String> {
+        Language::from_tag(language).unwrap_or_default().make_current();
         let exercise = exercise::find(exercise).ok_or_else(|| format!("unknown exercise `{exercise}`"))?;
         let bytes = contents.iter().map(|content| js_sys::Uint8Array::new(&content).to_vec());
         let files = names.into_iter().zip(bytes).map(|(name, bytes)| SourceFile::new(name, bytes)).collect();

@@ -17,6 +17,7 @@ mod user_drawing;
 
 use clap::error::ErrorKind;
 use error::{CliError, CommandOutcome};
+use gonio_language::Language;
 use report::Reporter;
 use std::time::Instant;
 
@@ -40,6 +41,7 @@ fn main() {
         std::process::exit(report::print_help_without_display(&mut cli::command()));
     };
     let reporter = Reporter::new(&command.general());
+    command.general().language.unwrap_or_else(Language::of_system).make_current();
     // The hook has reported a panic, which is an error like any other.
     let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| command.run(&reporter)))
         .unwrap_or(Err(CliError::AlreadyReported));

@@ -91,7 +91,7 @@ pub struct Reporter {
 
 impl Reporter {
     pub fn new(options: &GeneralOptions) -> Self {
-        let &GeneralOptions { quiet, json, verbose } = options;
+        let &GeneralOptions { quiet, json, verbose, .. } = options;
         Reporter { quiet, json, verbose, bars: !quiet && io::stderr().is_terminal() }
     }
 

@@ -74,6 +74,7 @@ pub const RULES: &[Rule] = &[
             "gonio-gl",
             "gonio-check",
             "gonio-exercises",
+            "gonio-language",
             "gonio-light",
             "gonio-mesh",
             "gonio-scene",

@@ -6,4 +6,5 @@ pub mod dependencies;
 pub mod lints;
 pub mod source;
 pub mod text;
+pub mod translations;
 pub mod words;

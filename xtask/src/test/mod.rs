@@ -2,7 +2,7 @@
 
 mod cargo_output;
 
-use crate::checks::{dependencies, lints, source, text};
+use crate::checks::{dependencies, lints, source, text, translations};
 use crate::report::{Findings, Report};
 use crate::web::{Build, browser};
 use crate::{house as figures, licenses, process, root, score, setup};
@@ -135,6 +135,7 @@ fn house(report: &mut Report, root: &Path) {
     report.step("length of files", || figures::check_length(&files));
     report.step("one meaning per word", || figures::check_words(&files));
     report.step("examples are tests", || Findings::of_complaints(&text::check_examples(&files)));
+    report.step("texts have uses", || Findings::of_complaints(&translations::check(&files)));
     report.step("third-party notices", || licenses::step(root));
     report.step("no machine's paths", || Findings::of_complaints(&text::check_paths(&files)));
 }

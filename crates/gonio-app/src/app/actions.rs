@@ -9,9 +9,10 @@ use crate::platform::FileDialog;
 use crate::saving::{self, DisplayedPicture, Product};
 use crate::session::{MessageSeverity, PathField, RecordedFrame, Tab};
 use gonio_image::encode::exr;
+use gonio_language::tr;
 use std::path::Path;
 
-const NOTHING_DRAWN: &str = "there is no picture yet: wait until the scene is loaded";
+const NOTHING_DRAWN: &str = "window-there-is-no-picture-yet-wait";
 
 impl App {
     /// Carries out an action.
@@ -41,22 +42,22 @@ impl App {
             Action::CopyLink => match link::of_scene(&self.document.scene) {
                 Ok(fragment) => {
                     ctx.copy_text(self.platform.link(&fragment));
-                    self.session.announcement = "copied the link".into();
+                    self.session.announcement = tr!("window-copied-the-link").into();
                 }
                 Err(error) => self.session.messages.report(MessageSeverity::Error, error),
             },
             Action::CopyText(text) => {
                 ctx.copy_text(text);
-                self.session.announcement = "copied".into();
+                self.session.announcement = tr!("window-copied").into();
             }
             Action::Undo => {
                 if let Some(step) = self.history.undo(&mut self.document) {
-                    self.session.announcement = format!("Undone: {step}");
+                    self.session.announcement = tr!("window-undone", step = step);
                 }
             }
             Action::Redo => {
                 if let Some(step) = self.history.redo(&mut self.document) {
-                    self.session.announcement = format!("Redone: {step}");
+                    self.session.announcement = tr!("window-redone", step = step);
                 }
             }
             Action::Frame => {
@@ -74,8 +75,7 @@ impl App {
             Action::ToggleObserver => self.session.observer.toggle(),
             Action::Overlay(overlay) => {
                 if self.document.panes.current_mut().is_some_and(|pane| !pane.toggle_overlay(overlay)) {
-                    self.session.announcement =
-                        "overlays are not drawn over a traced picture; press Shift + T for OpenGL's".into();
+                    self.session.announcement = tr!("window-overlays-are-not-drawn-over-a").into();
                 }
             }
             Action::Special(view) => {
@@ -93,6 +93,12 @@ impl App {
                 let theme = if ctx.theme() == egui::Theme::Dark { egui::Theme::Light } else { egui::Theme::Dark };
                 ctx.set_theme(theme);
                 self.session.settings.dark = Some(theme == egui::Theme::Dark);
+                self.platform.keep(&self.session.settings);
+            }
+            Action::SetLanguage(language) => {
+                language.make_current();
+                self.session.settings.language = Some(language);
+                self.platform.announce_language(language);
                 self.platform.keep(&self.session.settings);
             }
             Action::RecordFrame => self.record_frame(ctx),
@@ -125,7 +131,9 @@ impl App {
     fn record_frame(&mut self, ctx: &egui::Context) {
         let Some(pane_renderer) = &mut self.pane_renderer else { return };
         let record = pane_renderer.record(self.document.panes.current).unwrap_or_else(|error| {
-            self.session.messages.report(MessageSeverity::Error, format!("the frame cannot be recorded: {error}"));
+            self.session
+                .messages
+                .report(MessageSeverity::Error, tr!("window-the-frame-cannot-be-recorded", error = error));
             None
         });
         let before = self.session.recorded_frame.take();
@@ -138,7 +146,7 @@ impl App {
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
             Ok(place) => {
-                self.session.announcement = format!("saved {place}");
+                self.session.announcement = tr!("window-saved", place = place);
                 if product == Product::Scene {
                     self.saved = self.document.scene.clone();
                 }
@@ -161,7 +169,7 @@ impl App {
                 let pane = self.document.panes.current;
                 let light =
                     self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.light(pane, size)).transpose();
-                let light = light.map_err(|error| error.to_string())?.flatten().ok_or(NOTHING_DRAWN)?;
+                let light = light.map_err(|error| error.to_string())?.flatten().ok_or(tr!(NOTHING_DRAWN))?;
                 exr::encode_compact([light.width, light.height], &light.pixels).map_err(|error| error.to_string())
             }
         }
@@ -173,7 +181,7 @@ impl App {
         let shaders = self.session.shaders.as_ref();
         let shown =
             self.pane_renderer.as_mut().map(|pane_renderer| pane_renderer.shown(pane, size, shaders)).transpose();
-        shown.map_err(|error| error.to_string())?.flatten().ok_or_else(|| NOTHING_DRAWN.to_owned())
+        shown.map_err(|error| error.to_string())?.flatten().ok_or_else(|| tr!(NOTHING_DRAWN).to_owned())
     }
 
     pub(super) fn copy_picture(&mut self, ctx: &egui::Context) {
@@ -181,7 +189,7 @@ impl App {
             Ok(DisplayedPicture { size: [width, height], rgba, .. }) => {
                 let size = [width as usize, height as usize];
                 ctx.copy_image(egui::ColorImage::from_rgba_premultiplied(size, &rgba));
-                self.session.announcement = "copied the picture".into();
+                self.session.announcement = tr!("window-copied-the-picture").into();
             }
             Err(error) => self.session.messages.report(MessageSeverity::Error, error),
         }

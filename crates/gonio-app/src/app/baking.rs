@@ -4,9 +4,10 @@ use super::App;
 use crate::baking::BakeRequest;
 use crate::saving::{BAKED, Product};
 use crate::session::{MessageSeverity, Tab};
+use gonio_language::tr;
 use std::path::Path;
 
-const NOTHING_BAKED: &str = "nothing is baked yet: press Bake first";
+const NOTHING_BAKED: &str = "window-nothing-is-baked-yet-press-bake";
 
 impl App {
     /// Shows the settings.
@@ -41,14 +42,14 @@ impl App {
 
     pub(super) fn cancel_bake(&mut self) {
         if self.session.baking.cancel() {
-            self.session.announcement = "baking was cancelled".into();
+            self.session.announcement = tr!("window-baking-was-cancelled").into();
         }
     }
 
     /// Another scene was opened.
     pub(super) fn forget_bake(&mut self) {
         if self.session.baking.forget() {
-            let sentence = "baking was cancelled, because another scene was opened";
+            let sentence = tr!("window-baking-was-cancelled-because-another-scene");
             self.session.messages.report(MessageSeverity::Warning, sentence);
         }
     }
@@ -61,14 +62,14 @@ impl App {
             self.session.messages.report(severity, sentence);
         }
         if was_running && !self.session.baking.is_running() && self.session.baking.result().is_some() {
-            self.session.announcement = "the textures are baked".into();
+            self.session.announcement = tr!("window-the-textures-are-baked").into();
         }
     }
 
     /// The bytes of a product of the newest bake. Files that belong beside an OBJ file are saved there; one that cannot be
     /// saved is an error.
     pub(super) fn baked_product(&mut self, product: Product, folder: Option<&Path>) -> Result<Vec<u8>, String> {
-        let result = self.session.baking.result().cloned().ok_or(NOTHING_BAKED)?;
+        let result = self.session.baking.result().cloned().ok_or(tr!(NOTHING_BAKED))?;
         let files = &result.atlas.files;
         if product == Product::BakedZip {
             let files: Vec<(&str, &[u8])> =
@@ -83,6 +84,6 @@ impl App {
             self.platform.write(&place.to_string_lossy(), bytes)?;
         }
         let found = files.iter().find(|(name, _)| is_product(name)).map(|(_, bytes)| bytes.clone());
-        found.ok_or_else(|| NOTHING_BAKED.to_owned())
+        found.ok_or_else(|| tr!(NOTHING_BAKED).to_owned())
     }
 }

@@ -8,6 +8,7 @@ use crate::platform::Purpose;
 use crate::session::{MessageCause, MessageSeverity, OwnShaders, Tab};
 use crate::step;
 use egui::Ui;
+use gonio_language::tr;
 use gonio_scene::files::FileSource;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -91,23 +92,19 @@ impl App {
             return;
         }
         let end = match failures.first() {
-            Some(error) => format!("Close again to discard your changes: {error}"),
-            None => "Close again to keep them as a draft, which is restored when you open these files again".to_owned(),
+            Some(error) => tr!("window-close-again-to-discard-your-changes", error = error),
+            None => tr!("window-close-again-to-keep-them-as").to_owned(),
         };
         let changed = self.exercise.works().find(|work| work.is_changed());
         let before = || self.exercise.works().find(|work| work.has_unsaved_before());
         let sentence = match (changed, before()) {
             (Some(work), _) => {
-                format!("Your changes to {} are not saved: Ctrl + S saves them. {end}", work.exercise.id)
+                tr!("window-your-changes-to-are-not-saved", id = work.exercise.id, end = end)
             }
-            (None, Some(work)) => format!(
-                "Your changes to the previous files of {} are not saved: `Restore` brings them back. {end}",
-                work.exercise.id
-            ),
-            (None, None) if self.is_scene_edited() => format!(
-                "Your changes to the scene {} are not saved: Ctrl + Shift + S saves them. Close again to discard your changes",
-                self.session.title
-            ),
+            (None, Some(work)) => tr!("window-your-changes-to-the-previous-files", id = work.exercise.id, end = end),
+            (None, None) if self.is_scene_edited() => {
+                tr!("window-your-changes-to-the-scene-are", title = self.session.title)
+            }
             (None, None) => return,
         };
         let is_of_exercise = changed.is_some() || before().is_some();
@@ -142,13 +139,13 @@ impl App {
         match &mut self.session.shaders {
             Some(shaders) => shaders.open(files, from, self.platform.as_ref()),
             None if !files.any() => {
-                let error = format!("`{}` belongs to shaders: open it together with them", short(&named));
+                let error = tr!("window-belongs-to-shaders-open-it-together", named = short(&named));
                 return self.session.messages.report(MessageSeverity::Error, error);
             }
             None => self.session.shaders = Some(OwnShaders::new(files, Some(from))),
         }
         self.session.tab = Tab::Shaders;
-        self.session.announcement = format!("opened {}", short(&named));
+        self.session.announcement = tr!("window-opened", named = short(&named));
         self.watch(ctx);
         ctx.request_repaint();
     }

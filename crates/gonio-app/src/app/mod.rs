@@ -25,6 +25,7 @@ use crate::truth::{TraceRequest, TracedPane};
 use crate::{exported, focus, panels, scene_view, shortcuts, theme};
 use egui::Ui;
 use gonio_gl::Gl;
+use gonio_language::tr;
 use gonio_mesh::Severity as Found;
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::FileSource;
@@ -91,11 +92,17 @@ impl App {
         let pane_renderer = gl.and_then(|gl| match PaneRenderer::new(gl) {
             Ok(pane_renderer) => Some(pane_renderer),
             Err(error) => {
-                session.messages.report(MessageSeverity::Error, format!("OpenGL rendering is not available: {error}"));
+                session
+                    .messages
+                    .report(MessageSeverity::Error, tr!("window-opengl-rendering-is-not-available", error = error));
                 None
             }
         });
         session.settings = platform.settings();
+        let language = platform.asked_language().or(session.settings.language);
+        let language = language.unwrap_or_else(|| platform.preferred_language());
+        language.make_current();
+        platform.announce_language(language);
         if let Some(dark) = session.settings.dark {
             ctx.set_theme(if dark { egui::Theme::Dark } else { egui::Theme::Light });
         }
@@ -169,7 +176,7 @@ impl App {
             Some(Err(error)) => self
                 .session
                 .messages
-                .report(MessageSeverity::Error, format!("OpenGL rendering is not available: {error}")),
+                .report(MessageSeverity::Error, tr!("window-opengl-rendering-is-not-available", error = error)),
             None => {}
         }
     }
@@ -196,7 +203,7 @@ impl App {
     }
 
     fn start(&mut self, ctx: &egui::Context, opening: SceneOpening, files: Arc<dyn FileSource>) {
-        self.session.busy = Some(format!("reading {}", short(&opening.inputs)));
+        self.session.busy = Some(tr!("window-reading", inputs = short(&opening.inputs)));
         let limits = opening.limits;
         self.loader.start(LoadRequest::Open(opening), files, limits, ctx);
     }
@@ -400,7 +407,7 @@ impl App {
     /// Reads the open scene again, with files that it lacked.
     fn adopt(&mut self, ctx: &egui::Context, input: &SceneInput) {
         let files = Arc::new(Adopted::new(self.files.clone(), input.files.clone(), &input.names));
-        self.session.busy = Some(format!("reading {}", short(&input.names)));
+        self.session.busy = Some(tr!("window-reading", inputs = short(&input.names)));
         let request = LoadRequest::Refresh(Box::new(self.document.scene.clone()));
         self.loader.start(request, files, self.opened.limits, ctx);
     }
@@ -420,7 +427,7 @@ impl App {
             true => LoadRequest::Again(self.opened.clone()),
             false => LoadRequest::Refresh(Box::new(self.document.scene.clone())),
         };
-        self.session.busy = Some(format!("reloading {}", names(&changed)));
+        self.session.busy = Some(tr!("window-reloading", changed = names(&changed)));
         self.loader.start(requested, self.files.clone(), self.opened.limits, ctx);
     }
 
@@ -464,7 +471,7 @@ impl App {
                 self.session.selection = Default::default();
                 self.session.probing.forget();
                 self.forget_bake();
-                self.session.announcement = format!("opened {}", self.session.title);
+                self.session.announcement = tr!("window-opened", named = self.session.title);
                 self.document = Document::from_scene(loaded.settings.clone());
                 self.history = History::new(&self.document);
                 self.saved = loaded.settings.clone();
@@ -486,10 +493,10 @@ impl App {
                     // It is applied with the rest of the document below.
                     self.document.scene.camera = camera;
                 }
-                self.session.announcement = format!("reloaded {}", self.session.title);
+                self.session.announcement = tr!("window-reloaded", title = self.session.title);
             }
             LoadRequest::Refresh(scene) => {
-                self.session.announcement = "reloaded the changed files".into();
+                self.session.announcement = tr!("window-reloaded-the-changed-files").into();
                 // Edits since the request are kept.
                 if *scene == self.document.scene {
                     self.document.scene = loaded.settings.clone();
@@ -530,7 +537,7 @@ impl App {
                 self.session.loaded = Some(Arc::new(applied.loaded));
             }
             Ok(Edited::NeedsFiles(scene)) => {
-                self.session.busy = Some("reading the scene's files".into());
+                self.session.busy = Some(tr!("window-reading-the-scene-s-files").into());
                 self.loader.start(LoadRequest::Scene(scene), self.files.clone(), self.opened.limits, ctx);
             }
             Err(error) => {

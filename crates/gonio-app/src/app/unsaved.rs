@@ -4,6 +4,7 @@ use super::App;
 use super::loader::{LoadRequest, SceneOpening};
 use crate::document::{Document, History};
 use crate::session::{MessageAnswer, MessageCause, MessageSeverity, UsageHint};
+use gonio_language::tr;
 use gonio_scene::SceneSettings;
 use gonio_scene::files::FileSource;
 use gonio_scene::settings::CameraSettings;
@@ -70,7 +71,7 @@ impl App {
         }));
         let messages = &mut self.session.messages;
         messages.clear(MessageCause::Replaced);
-        let sentence = format!("Replaced {} (unsaved)", self.session.title);
+        let sentence = tr!("window-replaced-unsaved", title = self.session.title);
         messages.report_about(MessageCause::Replaced, MessageSeverity::Note, None, sentence);
         messages.answer_last(MessageAnswer::RestoreScene);
     }
@@ -79,14 +80,14 @@ impl App {
     pub(super) fn restore_scene(&mut self, ctx: &egui::Context) {
         let Some(replaced) = self.replaced.take() else { return };
         self.session.messages.clear(MessageCause::Replaced);
-        self.session.busy = Some(format!("reading {}", replaced.title));
+        self.session.busy = Some(tr!("window-reading", inputs = replaced.title));
         let (files, limits) = (replaced.files.clone(), replaced.opened.limits);
         self.loader.start(LoadRequest::Restore(replaced), files, limits, ctx);
     }
 
     /// Takes the replaced scene back, after its files were read again.
     pub(super) fn take_restored(&mut self, replaced: ReplacedScene) {
-        self.session.announcement = format!("restored {}", replaced.title);
+        self.session.announcement = tr!("window-restored", title = replaced.title);
         self.session.title = replaced.title;
         self.session.clock = Default::default();
         self.session.selection = Default::default();

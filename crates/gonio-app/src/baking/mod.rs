@@ -33,6 +33,7 @@ use crate::platform::Platform;
 use crate::session::Session;
 use crate::session::probing::Probing;
 use gonio_bake::BakeJob;
+use gonio_language::tr;
 use gonio_scene::Scene;
 use std::sync::Arc;
 use view::AtlasView;
@@ -155,7 +156,7 @@ impl Baking {
                     self.result = Some(Arc::new(result));
                     self.shows_atlas = true;
                 }
-                None => sentences.push((true, "the baked atlas could not be shown: its preparation failed".to_owned())),
+                None => sentences.push((true, tr!("bench-the-baked-atlas-could-not-be").to_owned())),
             }
         }
         sentences

@@ -11,59 +11,56 @@ use crate::widgets::{NumberField, SPACE, choice, grouped, heading, icon_button, 
 use egui::{Align, Button, Grid, Label, Layout, ProgressBar, RichText, ScrollArea, Ui, WidgetInfo, vec2};
 use gonio_atlas::UvSource;
 use gonio_bake::{BakeJob, MapKind};
+use gonio_language::tr;
 use gonio_scene::Scene;
 
-/// Sizes to choose from, texels along a side.
+/// Sizes to choose from, texels along a side, with their names and the ids of their tooltips.
 const SIZES: [(u32, &str, &str); 5] = [
-    (256, "256", "256 x 256 texels"),
-    (512, "512", "512 x 512 texels"),
-    (1024, "1024", "1024 x 1024 texels"),
-    (2048, "2048", "2048 x 2048 texels"),
-    (4096, "4096", "4096 x 4096 texels: 64 MB for each map while it is shown"),
+    (256, "256", "bench-256-x-256-texels"),
+    (512, "512", "bench-512-x-512-texels"),
+    (1024, "1024", "bench-1024-x-1024-texels"),
+    (2048, "2048", "bench-2048-x-2048-texels"),
+    (4096, "4096", "bench-4096-x-4096-texels-64-mb"),
 ];
 /// Samples to choose from: along a side of a texel.
 const GRIDS: [(u32, &str, &str); 4] = [
-    (1, "1", "One is enough for textures, which are filtered"),
-    (2, "4", "Four samples of each texel smooth the borders of materials and shadows"),
-    (3, "9", "Nine samples of each texel"),
-    (4, "16", "Sixteen samples of each texel"),
+    (1, "1", "bench-one-is-enough-for-textures-which"),
+    (2, "4", "bench-four-samples-of-each-texel-smooth"),
+    (3, "9", "bench-nine-samples-of-each-texel"),
+    (4, "16", "bench-sixteen-samples-of-each-texel"),
 ];
 const SOURCES: [(UvSource, &str, &str); 3] = [
-    (UvSource::New, "Unwrap", "New texture coordinates: charts without overlaps, packed into one square"),
-    (UvSource::Repacked, "Repack", "The model's own charts, packed again with equal density"),
-    (UvSource::Kept, "Keep UVs", "The model's own texture coordinates, which must not overlap"),
+    (UvSource::New, "bench-unwrap", "bench-new-texture-coordinates-charts-without-overlaps"),
+    (UvSource::Repacked, "bench-repack", "bench-the-model-s-own-charts-packed"),
+    (UvSource::Kept, "bench-keep-uvs", "bench-the-model-s-own-texture-coordinates"),
 ];
 const LOOKS: [(Option<BakedLook>, &str, &str); 3] = [
-    (None, "Original", "The scene's own materials"),
-    (Some(BakedLook::Materials), "Baked", "The materials of the baked model, lit by the scene's lights"),
-    (
-        Some(BakedLook::Picture),
-        "Picture",
-        "The picture that the atlas shows, without any light: a map, the charts or the checker",
-    ),
+    (None, "bench-original", "bench-the-scene-s-own-materials"),
+    (Some(BakedLook::Materials), "bench-baked", "bench-the-materials-of-the-baked-model"),
+    (Some(BakedLook::Picture), "bench-picture", "bench-the-picture-that-the-atlas-shows"),
 ];
 /// Rays of each texel for ambient occlusion.
 const RAYS: std::ops::RangeInclusive<u32> = 1..=4096;
-/// Rows of the figures.
+/// Rows of the figures: the id of the name, the value, the tooltip, and whether the value is wrong.
 type Figures = Vec<(&'static str, String, &'static str, bool)>;
 
 /// A map's name in the interface.
 pub fn title(kind: MapKind) -> String {
-    let mut letters = kind.name().chars();
+    let mut letters = gonio_language::name(kind.name()).chars();
     let first = letters.next().into_iter().flat_map(char::to_uppercase);
     first.chain(letters).map(|c| if c == '-' { ' ' } else { c }).collect()
 }
 
 fn description(kind: MapKind) -> &'static str {
     match kind {
-        MapKind::Diffuse => "The diffuse colour k_d with its texture and vertex colours",
-        MapKind::Specular => "The specular colour k_s with its texture",
-        MapKind::Normal => "The normal in tangent space (MikkTSpace), green up",
-        MapKind::AmbientOcclusion => "The share of the hemisphere that no surface covers",
-        MapKind::Light => "The scene's light on the surface, linear (OpenEXR)",
-        MapKind::Position => "The position in world space (OpenEXR)",
-        MapKind::Emitted => "The emitted light E with its texture",
-        MapKind::Id => "A colour for each part of each object",
+        MapKind::Diffuse => tr!("bench-the-diffuse-colour-k-d-with"),
+        MapKind::Specular => tr!("bench-the-specular-colour-k-s-with"),
+        MapKind::Normal => tr!("bench-the-normal-in-tangent-space-mikktspace"),
+        MapKind::AmbientOcclusion => tr!("bench-the-share-of-the-hemisphere-that"),
+        MapKind::Light => tr!("bench-the-scene-s-light-on-the"),
+        MapKind::Position => tr!("bench-the-position-in-world-space-openexr"),
+        MapKind::Emitted => tr!("bench-the-emitted-light-e-with-its"),
+        MapKind::Id => tr!("bench-a-colour-for-each-part-of"),
     }
 }
 
@@ -90,7 +87,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, has_atl
         let Some(result) = session.baking.result().cloned() else { return };
         on_the_model(ui, &mut document.panes, &result);
         if session.generation != result.facts.generation {
-            let text = "The scene has changed since: bake again to update the textures.";
+            let text = tr!("bench-the-scene-has-changed-since-bake");
             let label = ui.add(Label::new(RichText::new(text).small().color(colors::WARNING.of(ui))).wrap());
             exported::note(ui, &label, "bake-stale", WidgetRole::Text, text, "");
         }
@@ -101,9 +98,12 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, has_atl
 
 /// The tabs of a narrow window.
 fn pages(ui: &mut Ui, baking: &mut Baking, actions: &mut Vec<Action>) {
-    let options = [(false, "Settings", "What is baked, and how"), (true, "Atlas", "The charts over the baked maps")];
+    let options = [
+        (false, tr!("bench-settings"), tr!("bench-what-is-baked-and-how")),
+        (true, tr!("bench-atlas"), tr!("bench-the-charts-over-the-baked-maps")),
+    ];
     ui.horizontal(|ui| {
-        choice(ui, "bake-page", "Page", &mut baking.shows_atlas, &options, true);
+        choice(ui, "bake-page", tr!("bench-page"), &mut baking.shows_atlas, &options, true);
         if baking.shows_atlas {
             close(ui, actions);
         }
@@ -113,7 +113,7 @@ fn pages(ui: &mut Ui, baking: &mut Baking, actions: &mut Vec<Action>) {
 /// The button that hides everything about baking.
 fn close(ui: &mut Ui, actions: &mut Vec<Action>) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        if icon_button(ui, "bake-close", icons::X, "Close the atlas and the settings of baking").clicked() {
+        if icon_button(ui, "bake-close", icons::X, tr!("bench-close-the-atlas-and-the-settings")).clicked() {
             actions.push(Action::CloseBake);
         }
     });
@@ -129,33 +129,55 @@ fn settings(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     ui.add_enabled_ui(!is_running, |ui| {
         let job = &mut baking.job;
         maps(ui, job);
-        heading(ui, "Texture");
-        row(ui, "Layout", "The texture coordinates to bake for", |ui| {
-            choice(ui, "bake-layout", "Layout", &mut job.uv_source, &SOURCES, UvSource::New);
+        heading(ui, tr!("bench-texture"));
+        row(ui, tr!("bench-layout"), tr!("bench-the-texture-coordinates-to-bake-for"), |ui| {
+            choice(
+                ui,
+                "bake-layout",
+                tr!("bench-layout"),
+                &mut job.uv_source,
+                &SOURCES.map(|(source, name, tip)| (source, tr!(name), tr!(tip))),
+                UvSource::New,
+            );
         });
         if job.uv_source != UvSource::New && !has_tex_coords {
-            ui.add(Label::new(RichText::new("The model has no texture coordinates to keep.").small().weak()).wrap());
+            ui.add(Label::new(RichText::new(tr!("bench-the-model-has-no-texture-coordinates")).small().weak()).wrap());
         }
-        row(ui, "Size", "Texels along a side", |ui| {
-            choice(ui, "bake-size", "Size", &mut job.size, &SIZES, BakeJob::default().size);
+        row(ui, tr!("bench-size"), tr!("bench-texels-along-a-side"), |ui| {
+            choice(
+                ui,
+                "bake-size",
+                tr!("bench-size"),
+                &mut job.size,
+                &SIZES.map(|(size, name, tip)| (size, name, tr!(tip))),
+                BakeJob::default().size,
+            );
         });
-        row(ui, "Samples", "Samples of each texel", |ui| {
-            choice(ui, "bake-samples", "Samples", &mut job.grid, &GRIDS, 1);
+        row(ui, tr!("bench-samples"), tr!("bench-samples-of-each-texel"), |ui| {
+            choice(
+                ui,
+                "bake-samples",
+                tr!("bench-samples"),
+                &mut job.grid,
+                &GRIDS.map(|(grid, name, tip)| (grid, name, tr!(tip))),
+                1,
+            );
         });
         if job.uv_source != UvSource::Kept {
-            row(ui, "Margin", "The distance between charts, as a share of the side", |ui| {
+            row(ui, tr!("bench-margin"), tr!("bench-the-distance-between-charts-as-a"), |ui| {
                 let mut percent = 100.0 * job.margin;
-                let field = NumberField::new("bake-margin", "Margin").unit("%").range(0.0..=10.0).default(1.0);
+                let field =
+                    NumberField::new("bake-margin", tr!("bench-margin")).unit("%").range(0.0..=10.0).default(1.0);
                 field.step(0.1).width(64.0).show(ui, &mut percent);
                 job.margin = 0.01 * percent;
-                let texels = format!("{:.1} texels", job.margin * f64::from(job.size));
+                let texels = tr!("bench-texels", count = format!("{:.1}", job.margin * f64::from(job.size)));
                 ui.label(RichText::new(texels).small().weak());
             });
         }
         if job.maps.contains(&MapKind::AmbientOcclusion) {
-            row(ui, "Rays", "Rays of each texel for ambient occlusion", |ui| {
+            row(ui, tr!("bench-rays"), tr!("bench-rays-of-each-texel-for-ambient"), |ui| {
                 let mut rays = f64::from(job.occlusion_rays);
-                let field = NumberField::new("bake-rays", "Rays").default(64.0).whole();
+                let field = NumberField::new("bake-rays", tr!("bench-rays")).default(64.0).whole();
                 let field = field.range(f64::from(*RAYS.start())..=f64::from(*RAYS.end()));
                 field.width(64.0).show(ui, &mut rays);
                 job.occlusion_rays = rays as u32;
@@ -170,7 +192,7 @@ fn start(ui: &mut Ui, baking: &Baking, triangles: usize, actions: &mut Vec<Actio
         return progress(ui, baking, actions);
     }
     ui.horizontal(|ui| {
-        let text = if baking.result.is_some() { "Bake again" } else { "Bake textures" };
+        let text = if baking.result.is_some() { tr!("bench-bake-again") } else { tr!("bench-bake-textures") };
         let fill = colors::ACCENT.of(ui).gamma_multiply(0.35);
         let can_start = !baking.job.maps.is_empty() && triangles > 0;
         let button = Button::new(RichText::new(text).strong()).fill(fill).min_size(vec2(120.0, 26.0));
@@ -180,9 +202,9 @@ fn start(ui: &mut Ui, baking: &Baking, triangles: usize, actions: &mut Vec<Actio
             actions.push(Action::StartBake);
         }
         let remark = match (triangles, baking.job.maps.len()) {
-            (0, _) => "There is no triangle to bake.".to_owned(),
-            (_, 0) => "Choose at least one map.".to_owned(),
-            (count, _) => format!("{} triangles", grouped(count as u64, SPACE)),
+            (0, _) => tr!("bench-there-is-no-triangle-to-bake").to_owned(),
+            (_, 0) => tr!("bench-choose-at-least-one-map").to_owned(),
+            (count, _) => tr!("bench-triangles", count = grouped(count as u64, SPACE)),
         };
         ui.label(RichText::new(remark).small().weak());
         close(ui, actions);
@@ -190,7 +212,7 @@ fn start(ui: &mut Ui, baking: &Baking, triangles: usize, actions: &mut Vec<Actio
     if let Some(error) = &baking.failed {
         let text = RichText::new(error).small().color(colors::ERROR.of(ui));
         let label = ui.add(Label::new(text).wrap());
-        exported::note(ui, &label, "bake-error", WidgetRole::Text, "Error", error);
+        exported::note(ui, &label, "bake-error", WidgetRole::Text, tr!("bench-error"), error);
     }
 }
 
@@ -225,31 +247,35 @@ fn progress(ui: &mut Ui, baking: &Baking, actions: &mut Vec<Action>) {
     }
     let (step, share, left) = match &baking.running {
         Some(running) => (running.step.0.as_str(), running.step.1, running.seconds_left()),
-        None => ("preparing the atlas", 1.0, None),
+        None => (tr!("bench-preparing-the-atlas"), 1.0, None),
     };
     let mut text = format!("{step}, {:.0} %", 100.0 * share);
     if let Some(left) = left {
-        text += &format!(", about {}", duration(left));
+        text += &tr!("bench-about", left = duration(left));
     }
     // The button first: the bar fills what is left.
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
-        let cancel = ui.button("Cancel");
-        exported::note(ui, &cancel, "bake-cancel", WidgetRole::Button, "Cancel", "");
+        let cancel = ui.button(tr!("bench-cancel"));
+        exported::note(ui, &cancel, "bake-cancel", WidgetRole::Button, tr!("bench-cancel"), "");
         if cancel.clicked() {
             actions.push(Action::CancelBake);
         }
         let width = ui.available_width();
         let bar = ui.add(ProgressBar::new(share as f32).desired_width(width).desired_height(10.0));
         bar.widget_info(|| WidgetInfo::labeled(egui::Role::ProgressIndicator, true, &text));
-        exported::note(ui, &bar, "bake-progress", WidgetRole::Text, "Progress", format!("{share:.3}"));
+        exported::note(ui, &bar, "bake-progress", WidgetRole::Text, tr!("bench-progress"), format!("{share:.3}"));
     });
     ui.label(RichText::new(&text).small().weak());
 }
 
 /// `40 s left`.
 fn duration(seconds: f64) -> String {
-    if seconds < 90.0 { format!("{seconds:.0} s left") } else { format!("{:.0} min left", seconds / 60.0) }
+    if seconds < 90.0 {
+        tr!("bench-s-left", seconds = format!("{seconds:.0}"))
+    } else {
+        tr!("bench-min-left", seconds = format!("{:.0}", seconds / 60.0))
+    }
 }
 
 impl Running {
@@ -262,18 +288,25 @@ impl Running {
 
 /// The choice of what the current pane shows, and comparisons.
 fn on_the_model(ui: &mut Ui, panes: &mut Panes, result: &BakedResult) {
-    heading(ui, "On the model");
+    heading(ui, tr!("bench-on-the-model"));
     if let Some(pane) = panes.current_mut() {
         let mut look = pane.baked;
-        if choice(ui, "bake-look", "On the model", &mut look, &LOOKS, None) {
+        if choice(
+            ui,
+            "bake-look",
+            tr!("bench-on-the-model"),
+            &mut look,
+            &LOOKS.map(|(look, name, tip)| (look, tr!(name), tr!(tip))),
+            None,
+        ) {
             pane.show_baked(look);
         }
     }
     ui.horizontal_wrapped(|ui| {
         let ways = [
-            ("bake-wipe", "Wipe", "The original and the baked model on top of each other, with a divider to drag"),
-            ("bake-difference", "Difference", "Colour map of the difference between the original and the baked model"),
-            ("bake-single", "One picture", "A single pane again"),
+            ("bake-wipe", tr!("bench-wipe"), tr!("bench-the-original-and-the-baked-model")),
+            ("bake-difference", tr!("bench-difference"), tr!("bench-colour-map-of-the-difference-between")),
+            ("bake-single", tr!("bench-one-picture"), tr!("bench-a-single-pane-again")),
         ];
         for (id, name, tip) in ways {
             if id == "bake-single" && panes.list.len() == 1 {
@@ -287,8 +320,8 @@ fn on_the_model(ui: &mut Ui, panes: &mut Panes, result: &BakedResult) {
         }
     });
     let seconds = result.facts.seconds;
-    let label = ui.label(RichText::new(format!("Baked in {seconds:.1} s")).small().weak());
-    exported::note(ui, &label, "bake-time", WidgetRole::Text, "Time", seconds);
+    let label = ui.label(RichText::new(tr!("bench-baked-in-s", seconds = format!("{seconds:.1}"))).small().weak());
+    exported::note(ui, &label, "bake-time", WidgetRole::Text, tr!("bench-time"), seconds);
 }
 
 fn compare(panes: &mut Panes, way: &str) {
@@ -305,17 +338,19 @@ fn compare(panes: &mut Panes, way: &str) {
 }
 
 fn save(ui: &mut Ui, actions: &mut Vec<Action>) {
-    heading(ui, "Save");
+    heading(ui, tr!("bench-save-2"));
     ui.horizontal_wrapped(|ui| {
         for &product in Product::OF_BAKING {
             let tip = match product {
-                Product::BakedObj => "The model as .obj and .mtl, with its maps and the layout beside it",
-                Product::BakedGlb => "One file with the model and the maps that its materials use",
-                _ => "All files in one: .obj, .mtl, .glb, the maps and the layout",
+                Product::BakedObj => tr!("bench-the-model-as-obj-and-mtl"),
+                Product::BakedGlb => tr!("bench-one-file-with-the-model-and"),
+                _ => tr!("bench-all-files-in-one-obj-mtl"),
             };
             let icon = RichText::new(icons::FLOPPY_DISK).font(theme::icon_font(15.0));
             let button = ui.button((icon, product.title()));
-            button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Save {}", product.title())));
+            button.widget_info(|| {
+                WidgetInfo::labeled(egui::Role::Button, true, tr!("bench-save", title = product.title()))
+            });
             exported::note(ui, &button, &format!("save-{}", product.id()), WidgetRole::Button, product.title(), "");
             if button.on_hover_text(tip).clicked() {
                 actions.push(Action::Save(product));
@@ -326,45 +361,50 @@ fn save(ui: &mut Ui, actions: &mut Vec<Action>) {
 
 fn figures(ui: &mut Ui, result: &BakedResult) {
     let report = &result.atlas.report;
-    heading(ui, "Atlas");
+    heading(ui, tr!("bench-atlas"));
     let number = |n: usize| grouped(n as u64, SPACE);
     let mut rows: Figures = vec![
-        ("Charts", number(report.charts), "Connected pieces of the surface", false),
+        ("bake-charts", number(report.charts), tr!("bench-connected-pieces-of-the-surface"), false),
         (
-            "Coverage",
+            "bake-coverage",
             format!("{:.1} %", 100.0 * report.coverage),
-            "The share of the texture that triangles cover",
+            tr!("bench-the-share-of-the-texture-that"),
             false,
         ),
         (
-            "Overlaps",
-            format!("{} texels", number(report.overlapping_texels)),
-            "Texels that two or more triangles cover",
+            "bake-overlaps",
+            tr!("bench-texels", count = number(report.overlapping_texels)),
+            tr!("bench-texels-that-two-or-more-triangles"),
             report.overlapping_texels > 0,
         ),
-        ("Angle stretch", format!("{:.3}", report.angle_stretch), "1 keeps all angles", false),
-        ("Area stretch", format!("{:.3}", report.area_stretch), "1 keeps all areas", false),
+        ("bake-angle-stretch", format!("{:.3}", report.angle_stretch), tr!("bench-1-keeps-all-angles"), false),
+        ("bake-area-stretch", format!("{:.3}", report.area_stretch), tr!("bench-1-keeps-all-areas"), false),
         (
-            "Density",
-            format!("{:.1} texels per unit", report.texels_per_unit),
-            "Texels per unit of length in world space",
+            "bake-density",
+            tr!("bench-texels-per-unit", texels_per_unit = format!("{:.1}", report.texels_per_unit)),
+            tr!("bench-texels-per-unit-of-length-in"),
             false,
         ),
     ];
     if report.margin_texels > 0.0 {
-        rows.push(("Margin", format!("{:.1} texels", report.margin_texels), "The distance between charts", false));
+        rows.push((
+            "bench-margin",
+            tr!("bench-texels", count = format!("{:.1}", report.margin_texels)),
+            tr!("bench-the-distance-between-charts"),
+            false,
+        ));
     }
     let odd = [
-        ("Degenerate", report.degenerate_triangles),
-        ("Collapsed", report.collapsed_triangles),
-        ("Mirrored", report.mirrored_triangles),
+        ("bake-degenerate", report.degenerate_triangles, true),
+        ("bake-collapsed", report.collapsed_triangles, true),
+        ("bake-mirrored", report.mirrored_triangles, false),
     ];
-    for (name, count) in odd.into_iter().filter(|(_, count)| *count > 0) {
-        rows.push((name, format!("{} triangles", number(count)), "", name != "Mirrored"));
+    for (name, count, is_wrong) in odd.into_iter().filter(|(_, count, _)| *count > 0) {
+        rows.push((name, tr!("bench-triangles", count = number(count)), "", is_wrong));
     }
     Grid::new("bake figures").num_columns(2).spacing([14.0, 2.0]).show(ui, |ui| {
         for (name, value, tip, is_odd) in rows {
-            let label = ui.label(RichText::new(name).weak());
+            let label = ui.label(RichText::new(tr!(name)).weak());
             if !tip.is_empty() {
                 label.on_hover_text(tip);
             }
@@ -373,8 +413,7 @@ fn figures(ui: &mut Ui, result: &BakedResult) {
                 text = text.color(colors::WARNING.of(ui));
             }
             let label = ui.label(text);
-            let id = format!("bake-{}", name.to_lowercase().replace(' ', "-"));
-            exported::note(ui, &label, &id, WidgetRole::Text, name, value);
+            exported::note(ui, &label, name, WidgetRole::Text, tr!(name), value);
             ui.end_row();
         }
     });

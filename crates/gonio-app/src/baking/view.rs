@@ -11,6 +11,7 @@ use egui::{
     Stroke, TextureFilter, TextureHandle, TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use glam::DVec2;
+use gonio_language::tr;
 
 /// The atlas as it is looked at.
 pub struct AtlasView {
@@ -124,7 +125,7 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
     let below = 2.0 * ui.text_style_height(&egui::TextStyle::Small) + 10.0;
     let room = vec2(ui.available_width(), (ui.available_height() - below).max(60.0));
     let (canvas, response) = ui.allocate_exact_size(room, Sense::click_and_drag());
-    let name = format!("texture atlas, {}", background_name(&result, session.baking.view.background));
+    let name = tr!("bench-texture-atlas", background = background_name(&result, session.baking.view.background));
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, &name));
     exported::note(ui, &response, "atlas", WidgetRole::Picture, &name, result.facts.serial);
     navigate(ui, &response, canvas, &mut session.baking.view);
@@ -140,34 +141,33 @@ pub fn show(ui: &mut Ui, session: &mut Session) {
 fn toolbar(ui: &mut Ui, baking: &mut Baking, result: &BakedResult) {
     ui.horizontal(|ui| {
         let mut options = vec![
-            (AtlasBackground::Charts, "Charts".to_owned(), "Each chart in a colour of its own, with its triangles"),
-            (
-                AtlasBackground::Checker,
-                "Checker".to_owned(),
-                "Squares: with \"Picture\" on the model they show its stretch",
-            ),
+            (AtlasBackground::Charts, tr!("bake-charts").to_owned(), tr!("bench-each-chart-in-a-colour-of")),
+            (AtlasBackground::Checker, tr!("bench-checker").to_owned(), tr!("bench-squares-with-picture-on-the-model")),
         ];
         let maps = result.atlas.pictures.iter().enumerate();
         options.extend(maps.map(|(index, map)| (AtlasBackground::Map(index), super::panel::title(map.kind), "")));
         let options: Vec<_> = options.iter().map(|(value, name, tip)| (*value, name.as_str(), *tip)).collect();
         ui.scope(|ui| {
             ui.set_max_width(170.0);
-            dropdown(ui, "atlas-map", "Picture of the atlas", &mut baking.view.background, &options);
+            dropdown(ui, "atlas-map", tr!("bench-picture-of-the-atlas"), &mut baking.view.background, &options);
         });
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let view = &mut baking.view;
             let canvas = Rect::from_center_size(Pos2::ZERO, Vec2::splat(1.0));
-            if tool_button(ui, "atlas-fit", icons::FRAME_CORNERS, "Show the whole atlas", None, true).clicked() {
+            if tool_button(ui, "atlas-fit", icons::FRAME_CORNERS, tr!("bench-show-the-whole-atlas"), None, true)
+                .clicked()
+            {
                 view.fit();
             }
-            if tool_button(ui, "atlas-out", icons::MINUS, "Zoom out", None, true).clicked() {
+            if tool_button(ui, "atlas-out", icons::MINUS, tr!("bench-zoom-out"), None, true).clicked() {
                 view.zoom_at(canvas, canvas.center(), 1.0 / 1.5);
             }
-            if tool_button(ui, "atlas-in", icons::PLUS, "Zoom in", None, true).clicked() {
+            if tool_button(ui, "atlas-in", icons::PLUS, tr!("bench-zoom-in"), None, true).clicked() {
                 view.zoom_at(canvas, canvas.center(), 1.5);
             }
             let color = view.outlines.then(|| colors::ACCENT.of(ui));
-            let outlines = tool_button(ui, "atlas-outlines", icons::POLYGON, "Outline the charts", color, true);
+            let outlines =
+                tool_button(ui, "atlas-outlines", icons::POLYGON, tr!("bench-outline-the-charts"), color, true);
             if outlines.clicked() {
                 view.outlines = !view.outlines;
             }
@@ -178,8 +178,8 @@ fn toolbar(ui: &mut Ui, baking: &mut Baking, result: &BakedResult) {
 /// The background's name.
 pub fn background_name(result: &BakedResult, background: AtlasBackground) -> String {
     match background {
-        AtlasBackground::Charts => "charts".to_owned(),
-        AtlasBackground::Checker => "checker".to_owned(),
+        AtlasBackground::Charts => tr!("bench-charts-word").to_owned(),
+        AtlasBackground::Checker => tr!("bench-checker-word").to_owned(),
         AtlasBackground::Map(index) => result
             .atlas
             .pictures
@@ -284,18 +284,24 @@ fn edges<'e>(
 /// The marked texel in words.
 fn readout(ui: &mut Ui, result: &BakedResult, baking: &Baking, place: Option<AtlasPlace>) {
     let text = match place {
-        None => "Point at a chart: its place on the model is marked. A click keeps it.".to_owned(),
+        None => tr!("bench-point-at-a-chart-its-place").to_owned(),
         Some(place) => sentence(result, baking.view.background, place),
     };
     let label = ui.add(Label::new(RichText::new(&text).small().weak()).wrap());
-    exported::note(ui, &label, "atlas-texel", WidgetRole::Text, "Marked texel", &text);
+    exported::note(ui, &label, "atlas-texel", WidgetRole::Text, tr!("bench-marked-texel"), &text);
 }
 
 fn sentence(result: &BakedResult, background: AtlasBackground, place: AtlasPlace) -> String {
     let size = result.job.size;
     let [column, row] = (place.uv * f64::from(size)).to_array().map(|t| (t as u32).min(size.saturating_sub(1)));
-    let object = result.name_of(place.triangle).map_or(String::new(), |name| format!(" of {name}"));
-    let mut text = format!("Texel {column}, {row}, chart {}{object}", grouped(u64::from(place.chart) + 1, SPACE));
+    let object = result.name_of(place.triangle).map_or(String::new(), |name| tr!("bench-of", name = name));
+    let mut text = tr!(
+        "bench-texel-chart",
+        column = column,
+        row = row,
+        chart = grouped(u64::from(place.chart) + 1, SPACE),
+        object = object
+    );
     if let AtlasBackground::Map(index) = background
         && let Some(map) = result.atlas.pictures.get(index)
     {

@@ -9,6 +9,7 @@ use crate::widgets::{compact, heading};
 use egui::{Button, Context, Grid, Label, RichText, Ui};
 use gonio_bsdf::check::CHECK_PARTS;
 use gonio_bsdf::{CheckedProperty, NamedBsdf};
+use gonio_language::tr;
 
 /// The checks of one function.
 #[derive(Default)]
@@ -60,28 +61,28 @@ impl BenchChecks {
 pub fn show(ui: &mut Ui, functions: &BenchFunctions, checks: &BenchChecks) -> bool {
     let Some(function) = functions.chosen() else { return false };
     let mut is_requested = false;
-    heading(ui, "Checks");
+    heading(ui, tr!("bench-checks"));
     ui.horizontal_wrapped(|ui| {
         ui.add(Label::new(RichText::new(&function.named.name).monospace()).truncate());
         if checks.is_running() {
             ui.spinner();
         } else {
-            let button = ui.add(Button::new("Check"));
-            exported::note(ui, &button, "check-function", WidgetRole::Button, "Check", "");
-            let tip = "Reciprocity, energy, positivity; normalisation and chi-square of the samples";
+            let button = ui.add(Button::new(tr!("bench-check")));
+            exported::note(ui, &button, "check-function", WidgetRole::Button, tr!("bench-check"), "");
+            let tip = tr!("bench-reciprocity-energy-positivity-normalisation-and-chi");
             is_requested = button.on_hover_text(tip).clicked();
         }
     });
     let Some((version, named)) = &checks.of else { return is_requested };
     if *version != function.version {
-        let sentence = format!("Below: {}", named.name);
+        let sentence = tr!("bench-below", name = named.name);
         ui.add(Label::new(RichText::new(sentence).small().weak()).wrap());
     }
     Grid::new("bench checks").num_columns(3).spacing([10.0, 3.0]).striped(false).show(ui, |ui| {
         for property in &checks.found {
             let (icon, word, tint) = match property.passed {
-                true => (icons::CHECK, "pass", colors::NORMAL),
-                false => (icons::WARNING, "fail", colors::ERROR),
+                true => (icons::CHECK, tr!("bench-pass"), colors::NORMAL),
+                false => (icons::WARNING, tr!("bench-fail"), colors::ERROR),
             };
             ui.label(RichText::new(format!("{icon} {word}")).color(tint.of(ui)));
             let name = ui.label(property.property);

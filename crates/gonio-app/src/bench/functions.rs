@@ -5,6 +5,7 @@ use crate::files::base_name;
 use crate::platform::Platform;
 use egui::Context;
 use gonio_bsdf::{BsdfModel, ModelSpec, NamedBsdf, NamedBsdfError, ParameterValues};
+use gonio_language::tr;
 use gonio_plot::MOST_FUNCTIONS;
 
 /// The functions of a bench that is opened for the first time: three highlights of about the same width.
@@ -65,10 +66,7 @@ impl BenchFunctions {
 
     fn add(&mut self, named: NamedBsdf) -> Result<(), String> {
         if self.list.len() >= MOST_FUNCTIONS {
-            return Err(format!(
-                "`{}` was not added: the bench holds {MOST_FUNCTIONS} functions, remove one first",
-                named.name
-            ));
+            return Err(tr!("bench-was-not-added-the-bench-holds", name = named.name, MOST_FUNCTIONS = MOST_FUNCTIONS));
         }
         self.list.iter_mut().for_each(|function| function.is_unfolded = false);
         self.push(named);
@@ -135,7 +133,7 @@ impl BenchFunctions {
                     sentences.extend(self.add(named).err().map(|error| (true, error)));
                 }
                 Some(Some(Err(error))) => sentences.push((true, error)),
-                Some(None) => sentences.push((true, "a file could not be read: the reader ended unexpectedly".into())),
+                Some(None) => sentences.push((true, tr!("bench-a-file-could-not-be-read").into())),
             }
         }
         sentences

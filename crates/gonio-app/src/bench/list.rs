@@ -6,6 +6,7 @@ use crate::theme::{self, colors, icons};
 use crate::widgets::{self, icon_button};
 use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 use gonio_bsdf::{BsdfSource, DVec3, Parameter, ParameterValues};
+use gonio_language::tr;
 use gonio_plot::{PlotTheme, palette};
 
 /// Shows the list.
@@ -22,7 +23,7 @@ pub fn show(ui: &mut Ui, functions: &mut BenchFunctions) {
         functions.remove(index);
     }
     if functions.list.is_empty() {
-        let sentence = "Add a model, or open a .binary, .brdf or .glsl file; you can also drop files here.";
+        let sentence = tr!("bench-add-a-model-or-open-a");
         ui.add(Label::new(RichText::new(sentence).weak()).wrap());
     }
 }
@@ -49,7 +50,7 @@ fn card(
             let shade = Color32::from_rgb(red, green, blue);
             shown(ui, index, shade, &mut function.is_shown);
             let caret = if function.is_unfolded { icons::CARET_DOWN } else { icons::CARET_RIGHT };
-            if icon_button(ui, &format!("unfold-{index}"), caret, "Show or hide the parameters").clicked() {
+            if icon_button(ui, &format!("unfold-{index}"), caret, tr!("bench-show-or-hide-the-parameters")).clicked() {
                 function.is_unfolded = !function.is_unfolded;
             }
             let width = (ui.available_width() - 28.0).max(20.0);
@@ -60,11 +61,11 @@ fn card(
                 let text = RichText::new(&name).font(theme::bold(13.0)).color(color);
                 let label = ui.add(Label::new(text).truncate().sense(Sense::click()));
                 exported::note(ui, &label, &format!("function-{index}"), WidgetRole::Button, &name, is_chosen);
-                let tip = format!("{}\nClick: check this function", function.named.title);
+                let tip = tr!("bench-click-check-this-function", title = function.named.title);
                 is_picked = label.on_hover_text(tip).clicked();
             });
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if icon_button(ui, &format!("remove-{index}"), icons::X, "Remove this function").clicked() {
+                if icon_button(ui, &format!("remove-{index}"), icons::X, tr!("bench-remove-this-function")).clicked() {
                     *removed = Some(index);
                 }
             });
@@ -104,7 +105,7 @@ fn shown(ui: &mut Ui, index: usize, color: Color32, is_shown: &mut bool) {
     } else {
         ui.painter().rect_stroke(square, 3.0, egui::Stroke::new(1.5, color), egui::StrokeKind::Inside);
     }
-    let tip = if *is_shown { "Shown: hide it" } else { "Hidden: show it" };
+    let tip = if *is_shown { tr!("bench-shown-hide-it") } else { tr!("bench-hidden-show-it") };
     response.widget_info(|| WidgetInfo::selected(egui::Role::CheckBox, true, *is_shown, tip));
     exported::note(ui, &response, &format!("shown-{index}"), WidgetRole::Toggle, tip, *is_shown);
     response.on_hover_text(tip);
@@ -119,7 +120,7 @@ fn parameters(ui: &mut Ui, index: usize, values: &mut ParameterValues) {
         }
     }
     if values.parameters().is_empty() {
-        ui.label(RichText::new("no parameters").weak());
+        ui.label(RichText::new(tr!("bench-no-parameters")).weak());
     }
 }
 

@@ -34,6 +34,7 @@ use crate::widgets::page_tabs;
 use checks::BenchChecks;
 use command::BenchCommand;
 use egui::{Frame, Margin, Panel, ScrollArea, Ui};
+use gonio_language::tr;
 use gonio_plot::{PlotSettings, png, svg};
 use plot::BenchPlot;
 
@@ -170,7 +171,8 @@ impl BenchView {
         let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 6));
         egui::CentralPanel::default().frame(inside).show(ui, |ui| {
             self.pages(ui);
-            let scroll = ScrollArea::vertical().id_salt(("bench page", self.page as u8)).auto_shrink([false, false]);
+            let scroll =
+                ScrollArea::vertical().id_salt((tr!("bench-bench-page"), self.page as u8)).auto_shrink([false, false]);
             scroll.show(ui, |ui| match self.page {
                 BenchPage::Plot => {
                     settings::kinds(ui, &mut self.settings);
@@ -191,9 +193,9 @@ impl BenchView {
     /// The tabs of the pages.
     fn pages(&mut self, ui: &mut Ui) {
         let pages = [
-            (BenchPage::Plot, "Plot", "plot"),
-            (BenchPage::Functions, "Functions", "functions"),
-            (BenchPage::Checks, "Checks", "checks"),
+            (BenchPage::Plot, tr!("bench-plot"), "plot"),
+            (BenchPage::Functions, tr!("bench-functions"), "functions"),
+            (BenchPage::Checks, tr!("bench-checks"), "checks"),
         ];
         page_tabs(ui, &mut self.page, &pages);
     }

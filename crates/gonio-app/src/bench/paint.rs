@@ -5,6 +5,7 @@ use egui::{
     Align2, Color32, ColorImage, Context, FontId, Painter, Pos2, Rect, Shape, Stroke, TextureHandle, TextureOptions,
     pos2, vec2,
 };
+use gonio_language::tr;
 use gonio_plot::palette::Rgb8;
 use gonio_plot::{PlotFigure, PlotShape, TextAlign};
 use std::f32::consts::FRAC_PI_2;
@@ -19,7 +20,7 @@ pub fn textures(ctx: &Context, figure: &PlotFigure) -> Vec<TextureHandle> {
         let picture = &placed.picture;
         let size = [picture.width as usize, picture.height as usize];
         let image = ColorImage::from_rgba_unmultiplied(size, &picture.rgba);
-        ctx.load_texture("bench picture", image, TextureOptions::LINEAR)
+        ctx.load_texture(tr!("bench-bench-picture"), image, TextureOptions::LINEAR)
     };
     figure.pictures().iter().map(upload).collect()
 }

@@ -7,6 +7,7 @@ use crate::exported::{self, WidgetRole};
 use crate::platform::Platform;
 use egui::{Context, CursorIcon, Rect, RichText, Sense, TextureHandle, Ui, WidgetInfo, vec2};
 use gonio_bsdf::NamedBsdf;
+use gonio_language::tr;
 use gonio_plot::{
     DEFAULT_VIEW_DEG, MOST_FUNCTIONS, PlotError, PlotFigure, PlotKind, PlotSettings, PlotTheme, PlottedBsdf, SIDES,
     figure,
@@ -142,7 +143,7 @@ impl BenchPlot {
     fn take(&mut self) {
         let Some(computed) = self.running.as_ref().and_then(|(_, job)| job.poll()) else { return };
         let Some((request, _)) = self.running.take() else { return };
-        let stopped = || (Err(PlotError::Drawing("the computation ended unexpectedly".to_owned())), 0.0);
+        let stopped = || (Err(PlotError::Drawing(tr!("bench-the-computation-ended-unexpectedly").to_owned())), 0.0);
         self.show_next(request, computed.unwrap_or_else(stopped));
     }
 
@@ -153,7 +154,7 @@ impl BenchPlot {
         self.textures.clear();
         match computed {
             Ok(figure) => (self.figure, self.error) = (Some(figure), None),
-            Err(PlotError::Functions(0)) => (self.figure, self.error) = (None, Some(NO_FUNCTION.to_owned())),
+            Err(PlotError::Functions(0)) => (self.figure, self.error) = (None, Some(tr!(NO_FUNCTION).to_owned())),
             Err(error) => (self.figure, self.error) = (None, Some(sentence(&error))),
         }
     }
@@ -233,7 +234,12 @@ impl BenchPlot {
     fn summary(&self, functions: &BenchFunctions, settings: &PlotSettings) -> String {
         let names: Vec<&str> =
             functions.list.iter().filter(|f| f.is_shown).map(|f| f.named.name.as_str()).take(MOST_FUNCTIONS).collect();
-        format!("{} plot of {}, light at {} degrees", settings.kind.name(), names.join(", "), settings.theta_i_deg)
+        tr!(
+            "bench-plot-of-light-at-degrees",
+            name = gonio_language::name(settings.kind.name()),
+            functions = names.join(", "),
+            degrees = settings.theta_i_deg
+        )
     }
 }
 
@@ -244,7 +250,7 @@ fn sentence(error: &PlotError) -> String {
     letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).chain(['.']).collect()
 }
 
-const NO_FUNCTION: &str = "No function is shown: add a model, or open a .binary, .brdf or .glsl file.";
+const NO_FUNCTION: &str = "bench-no-function-is-shown-add-a";
 
 fn compute(request: &PlotRequest) -> Computed {
     let start = Instant::now();

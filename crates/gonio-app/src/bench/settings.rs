@@ -3,12 +3,13 @@
 use super::functions::BenchFunctions;
 use crate::widgets::{NumberField, choice, dropdown, named_options, row, toggle};
 use egui::Ui;
+use gonio_language::tr;
 use gonio_plot::{LARGEST_THETA_DEG, PlotKind, PlotScale, PlotSettings, PlottedAngle};
 
 /// Shows the kinds of plot.
 pub fn kinds(ui: &mut Ui, settings: &mut PlotSettings) {
     let options = named_options!(PlotKind);
-    choice(ui, "plot-kind", "Plot", &mut settings.kind, &options, PlotKind::default());
+    choice(ui, "plot-kind", tr!("bench-plot"), &mut settings.kind, &options, PlotKind::default());
 }
 
 /// Shows the settings that change this kind of plot.
@@ -16,31 +17,38 @@ pub fn show(ui: &mut Ui, settings: &mut PlotSettings, functions: &BenchFunctions
     let kind = settings.kind;
     let has_values = matches!(kind, PlotKind::Polar | PlotKind::Cartesian | PlotKind::Lobe | PlotKind::Slice);
     if has_values {
-        row(ui, "Scale", "Scale of the values", |ui| {
-            choice(ui, "plot-scale", "Scale", &mut settings.scale, &named_options!(PlotScale), PlotScale::default());
+        row(ui, tr!("bench-scale"), tr!("bench-scale-of-the-values"), |ui| {
+            choice(
+                ui,
+                "plot-scale",
+                tr!("bench-scale"),
+                &mut settings.scale,
+                &named_options!(PlotScale),
+                PlotScale::default(),
+            );
         });
     }
     if kind == PlotKind::Cartesian {
-        row(ui, "Over", "Angle along the horizontal axis", |ui| {
-            dropdown(ui, "plot-over", "Over", &mut settings.over, &named_options!(PlottedAngle));
+        row(ui, tr!("bench-over"), tr!("bench-angle-along-the-horizontal-axis"), |ui| {
+            dropdown(ui, "plot-over", tr!("bench-over"), &mut settings.over, &named_options!(PlottedAngle));
         });
     }
     if has_angle(settings) {
         let of = match kind {
-            PlotKind::Samples => "Angle of the viewer from the normal",
-            PlotKind::Sphere => "Angle between light and viewer",
-            _ => "Angle of incidence, between light and normal",
+            PlotKind::Samples => tr!("bench-angle-of-the-viewer-from-the"),
+            PlotKind::Sphere => tr!("bench-angle-between-light-and-viewer"),
+            _ => tr!("bench-angle-of-incidence-between-light-and"),
         };
-        angle(ui, "theta", "Incidence", of, 0.0..=LARGEST_THETA_DEG, 45.0, &mut settings.theta_i_deg);
+        angle(ui, "theta", tr!("bench-incidence"), of, 0.0..=LARGEST_THETA_DEG, 45.0, &mut settings.theta_i_deg);
         let is_anisotropic = functions.list.iter().any(|f| f.is_shown && !f.named.bsdf.is_isotropic());
         if is_anisotropic && kind != PlotKind::Sphere {
-            let tip = "Azimuth of the light from the tangent, for anisotropic functions";
-            angle(ui, "phi", "Azimuth", tip, 0.0..=360.0, 0.0, &mut settings.phi_i_deg);
+            let tip = tr!("bench-azimuth-of-the-light-from-the");
+            angle(ui, "phi", tr!("bench-azimuth"), tip, 0.0..=360.0, 0.0, &mut settings.phi_i_deg);
         }
     }
     if has_values {
-        let tip = "Plot f cos(angle of incidence), the reflected radiance for a light of irradiance 1 across its rays";
-        toggle(ui, "with-cosine", "times cosine", &mut settings.with_cosine, tip);
+        let tip = tr!("bench-plot-f-cos-angle-of-incidence");
+        toggle(ui, "with-cosine", tr!("bench-times-cosine"), &mut settings.with_cosine, tip);
     }
 }
 

@@ -9,6 +9,7 @@ use egui::{
     Align, Button, Frame, Key, KeyboardShortcut, Layout, Margin, Modifiers, Panel, RichText, ScrollArea, Ui, WidgetInfo,
 };
 use gonio_bsdf::MODELS;
+use gonio_language::tr;
 
 /// Below this width (points) the title is left out.
 const NARROW: f32 = 620.0;
@@ -29,22 +30,31 @@ pub fn show(ui: &mut Ui, commands: &mut Vec<BenchCommand>) {
     Panel::top("bench bar").frame(bar).resizable(false).show(ui, |ui| {
         let narrow = ui.available_width() < NARROW;
         ui.horizontal(|ui| {
-            icon(ui, "leave", icons::CARET_LEFT, "Back to the scene", BenchCommand::Leave, commands);
+            icon(ui, "leave", icons::CARET_LEFT, tr!("bench-back-to-the-scene"), BenchCommand::Leave, commands);
             if !narrow {
-                ui.label(RichText::new("BRDF bench").font(theme::bold(16.0)).color(ui.visuals().strong_text_color()));
+                ui.label(
+                    RichText::new(tr!("bench-brdf-bench"))
+                        .font(theme::bold(16.0))
+                        .color(ui.visuals().strong_text_color()),
+                );
                 ui.add_space(4.0);
             }
-            menu(ui, "add-model", "Add a model".into(), "Models of reflection and transmission", |ui| {
-                for model in MODELS {
-                    let command = BenchCommand::Add(model);
-                    entry(ui, &format!("model-{}", model.name), model.name, model.title, command, commands);
-                }
-            });
-            let tip =
-                "Open .binary (MERL), .brdf or .glsl files, or .toml of fits (Ctrl + O); you can also drop them here";
+            menu(
+                ui,
+                "add-model",
+                tr!("bench-add-a-model").into(),
+                tr!("bench-models-of-reflection-and-transmission"),
+                |ui| {
+                    for model in MODELS {
+                        let command = BenchCommand::Add(model);
+                        entry(ui, &format!("model-{}", model.name), model.name, model.title, command, commands);
+                    }
+                },
+            );
+            let tip = tr!("bench-open-binary-merl-brdf-or-glsl");
             icon(ui, "open-files", icons::FOLDER_OPEN, tip, BenchCommand::Open, commands);
             let disk = RichText::new(icons::FLOPPY_DISK).font(theme::icon_font(17.0));
-            menu(ui, "save", disk, "Save the plot", |ui| {
+            menu(ui, "save", disk, tr!("bench-save-the-plot"), |ui| {
                 for product in [Product::PlotSvg, Product::PlotPng] {
                     let id = format!("save-{}", product.id());
                     entry(ui, &id, product.title(), "", BenchCommand::Save(product), commands);
@@ -52,7 +62,7 @@ pub fn show(ui: &mut Ui, commands: &mut Vec<BenchCommand>) {
             });
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let theme = if ui.visuals().dark_mode { icons::SUN } else { icons::MOON };
-                icon(ui, "theme", theme, "Light or dark theme", BenchCommand::Theme, commands);
+                icon(ui, "theme", theme, tr!("bench-light-or-dark-theme"), BenchCommand::Theme, commands);
             });
         });
     });

@@ -1,6 +1,7 @@
 //! A change of the document in words, for undo and redo.
 
 use super::Document;
+use gonio_language::tr;
 use gonio_scene::SceneSettings;
 use gonio_scene::scene_file::ObjectSpec;
 use gonio_scene::settings::LightSettings;
@@ -11,93 +12,96 @@ pub fn description(before: &Document, after: &Document) -> String {
         return of_scenes(&before.scene, &after.scene);
     }
     match (before.panes.list.len(), after.panes.list.len()) {
-        (fewer, more) if fewer < more => "added a pane".to_owned(),
-        (more, fewer) if fewer < more => "removed a pane".to_owned(),
-        _ if before.panes.arrangement != after.panes.arrangement => "changed the arrangement of the panes".to_owned(),
-        _ => "changed what a pane shows".to_owned(),
+        (fewer, more) if fewer < more => tr!("window-added-a-pane").to_owned(),
+        (more, fewer) if fewer < more => tr!("window-removed-a-pane").to_owned(),
+        _ if before.panes.arrangement != after.panes.arrangement => {
+            tr!("window-changed-the-arrangement-of-the-panes").to_owned()
+        }
+        _ => tr!("window-changed-what-a-pane-shows").to_owned(),
     }
 }
 
 fn of_scenes(before: &SceneSettings, after: &SceneSettings) -> String {
     let names = |lights: &[LightSettings]| lights.iter().map(|light| light.name.clone()).collect::<Vec<_>>();
-    let light = "light";
-    if let Some(change) = of_lists(&names(&before.lights), &names(&after.lights), light) {
+    if let Some(change) = of_lists(&names(&before.lights), &names(&after.lights), "window-light-number") {
         return change;
     }
     let names = |objects: &[ObjectSpec]| objects.iter().map(|object| object.name.clone()).collect::<Vec<_>>();
-    if let Some(change) = of_lists(&names(&before.objects), &names(&after.objects), "object") {
+    if let Some(change) = of_lists(&names(&before.objects), &names(&after.objects), "window-object-number") {
         return change;
     }
     let lights = before.lights.iter().zip(&after.lights).enumerate().find(|(_, (before, after))| before != after);
     if let Some((index, (before, after))) = lights {
-        return format!("{} {}", of_light(before, after), named(&after.name, light, index));
+        return tr!(of_light(before, after), name = named(&after.name, "window-light-number", index));
     }
     let objects = before.objects.iter().zip(&after.objects).enumerate().find(|(_, (before, after))| before != after);
     if let Some((index, (before, after))) = objects {
-        return format!("{} {}", of_object(before, after), named(&after.name, "object", index));
+        return tr!(of_object(before, after), name = named(&after.name, "window-object-number", index));
     }
     let what = if before.equation != after.equation {
-        "changed the equation"
+        tr!("window-changed-the-equation")
     } else if before.environment != after.environment {
-        "changed the environment"
+        tr!("window-changed-the-environment")
     } else if before.background != after.background {
-        "changed the background"
+        tr!("window-changed-the-background")
     } else if before.picture != after.picture {
-        "changed the picture's settings"
+        tr!("window-changed-the-picture-s-settings")
     } else {
-        "moved the camera"
+        tr!("window-moved-the-camera")
     };
     what.to_owned()
 }
 
-/// What was added to or removed from a list of names; `None` if it has as many.
-fn of_lists(before: &[String], after: &[String], kind: &str) -> Option<String> {
+/// What was added to or removed from a list of names; `None` if it has as many. `numbered` is the id of a nameless one.
+fn of_lists(before: &[String], after: &[String], numbered: &'static str) -> Option<String> {
     let (verb, longer, shorter) = match before.len().cmp(&after.len()) {
-        std::cmp::Ordering::Less => ("added", after, before),
-        std::cmp::Ordering::Greater => ("removed", before, after),
+        std::cmp::Ordering::Less => ("window-added", after, before),
+        std::cmp::Ordering::Greater => ("window-removed", before, after),
         std::cmp::Ordering::Equal => return None,
     };
     let index = longer.iter().zip(shorter).take_while(|(a, b)| a == b).count();
     let name = longer.get(index).map_or("", String::as_str);
-    Some(format!("{verb} {}", named(name, kind, index)))
+    Some(tr!(verb, name = named(name, numbered, index)))
 }
 
-/// A name, or the kind and number of something without one.
-fn named(name: &str, kind: &str, index: usize) -> String {
-    if name.is_empty() { format!("{kind} {}", index + 1) } else { name.to_owned() }
+/// A name, or the text `numbered` with the number of something without one.
+fn named(name: &str, numbered: &'static str, index: usize) -> String {
+    if name.is_empty() { tr!(numbered, number = index + 1) } else { name.to_owned() }
 }
 
+/// The id of a change of a light.
 fn of_light(before: &LightSettings, after: &LightSettings) -> &'static str {
     if before.enabled != after.enabled {
-        if after.enabled { "switched on" } else { "switched off" }
+        if after.enabled { "window-switched-on" } else { "window-switched-off" }
     } else if before.position != after.position {
-        "moved"
+        "window-moved"
     } else if before.direction != after.direction {
-        "turned"
+        "window-turned"
     } else if before.name != after.name {
-        "renamed"
+        "window-renamed"
     } else if before.color != after.color || before.spectrum != after.spectrum {
-        "changed the colour of"
+        "window-changed-the-colour-of"
     } else if before.intensity != after.intensity {
-        "changed the intensity of"
+        "window-changed-the-intensity-of"
     } else {
-        "changed"
+        "window-changed"
     }
 }
 
+/// The id of a change of an object.
 fn of_object(before: &ObjectSpec, after: &ObjectSpec) -> &'static str {
     if before.translate != after.translate {
-        "moved"
+        "window-moved"
     } else if before.rotate != after.rotate {
-        "turned"
+        "window-turned"
     } else if before.scale != after.scale {
-        "scaled"
+        "window-scaled"
     } else if before.name != after.name {
-        "renamed"
+        "window-renamed"
     } else if before.material != after.material {
-        "changed the material of"
+        "window-changed-the-material-of"
     } else {
-        "changed"
+        "window-changed"
     }
 }
 

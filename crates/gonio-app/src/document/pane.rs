@@ -1,5 +1,6 @@
 //! A pane: the scene and its camera, with settings of its own.
 
+use gonio_language::{name, tr};
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Quantity, Simplification, Simplifications, Specular};
 use gonio_render::{DisplayOptions, View};
@@ -191,28 +192,31 @@ impl Pane {
         words.extend(self.truth.map(|truth| traced(truth.simplified)));
         words.extend(self.baked.map(|look| match look {
             BakedLook::Materials => "baked".to_owned(),
-            BakedLook::Picture => "baked picture".to_owned(),
+            BakedLook::Picture => tr!("window-baked-picture").to_owned(),
         }));
-        words.extend(self.shading.map(|s| written(s.name())));
+        words.extend(self.shading.map(|s| written(name(s.name()))));
         words.extend(self.detail.map(detail_name));
         words.extend(self.specular.map(|s| match s {
-            Specular::None => "no specular term".into(),
-            other => written(other.name()),
+            Specular::None => tr!("window-no-specular-term").into(),
+            other => written(name(other.name())),
         }));
-        words.extend(self.reflectance.map(|r| written(r.name())));
-        words.extend(self.convention.map(|c| c.name().to_owned()));
-        words
-            .extend(self.cosine_weighted.map(|weighted| {
-                if weighted { "spec times <N.L>".to_owned() } else { "spec without <N.L>".to_owned() }
-            }));
+        words.extend(self.reflectance.map(|r| written(name(r.name()))));
+        words.extend(self.convention.map(|c| name(c.name()).to_owned()));
+        words.extend(self.cosine_weighted.map(|weighted| {
+            if weighted { tr!("window-spec-times-n-l").to_owned() } else { tr!("window-spec-without-n-l").to_owned() }
+        }));
         words.extend(self.special.map(|special| special.to_string()));
         let view = self.view.filter(|_| self.special.is_none());
         words.extend(view.map(|view| match view.light {
-            Some(light) => format!("{} of light {light}", view.quantity),
+            Some(light) => tr!("window-of-light", quantity = view.quantity, light = light),
             None => view.quantity.to_string(),
         }));
         let overlays = if self.truth.is_some() { Overlays::default() } else { self.overlays };
-        let names = [(overlays.wireframe, "wireframe"), (overlays.normals, "normals"), (overlays.boxes, "boxes")];
+        let names = [
+            (overlays.wireframe, tr!("scene-wireframe")),
+            (overlays.normals, tr!("scene-normals-overlay")),
+            (overlays.boxes, tr!("scene-boxes")),
+        ];
         words.extend(names.into_iter().filter(|(on, _)| *on).map(|(_, name)| name.to_owned()));
         words
     }
@@ -220,7 +224,7 @@ impl Pane {
     /// [`Self::words`] as one caption.
     pub fn caption(&self) -> String {
         let words = self.words();
-        if words.is_empty() { "as in the scene".to_owned() } else { words.join(" · ") }
+        if words.is_empty() { tr!("window-as-in-the-scene").to_owned() } else { words.join(" · ") }
     }
 }
 
@@ -230,13 +234,13 @@ fn traced(simplified: Simplifications) -> String {
     let last = simplified.iter().last();
     match names.as_slice() {
         [] => "traced".to_owned(),
-        _ if simplified == Simplifications::ALL => "traced with all simplifications".to_owned(),
+        _ if simplified == Simplifications::ALL => tr!("window-traced-with-all-simplifications").to_owned(),
         // The lecture's order.
         [.., _] if last.is_some_and(|last| simplified == Simplifications::up_to(last)) => {
-            format!("traced up to step {}", last.map_or("", |last| last.heading().0))
+            tr!("window-traced-up-to-step", heading = last.map_or("", |last| last.heading().0))
         }
-        [one] => format!("traced, simplified: {one}"),
-        names => format!("traced, {} simplifications", names.len()),
+        [one] => tr!("window-traced-simplified", one = one),
+        names => tr!("window-traced-simplifications", count = names.len()),
     }
 }
 
@@ -246,7 +250,7 @@ fn written(name: &str) -> String {
         "gouraud" => "Gouraud".into(),
         "phong" => "Phong".into(),
         "blinn-phong" => "Blinn-Phong".into(),
-        "flat-per-face" => "per face".into(),
+        "flat-per-face" => tr!("window-per-face").into(),
         "lambert" => "Lambert".into(),
         "lafortune" => "Lafortune".into(),
         "blinn" => "Blinn".into(),
@@ -257,8 +261,8 @@ fn written(name: &str) -> String {
 
 fn detail_name(detail: LevelOfDetail) -> String {
     match detail {
-        LevelOfDetail::Share(share) => format!("{:.0} % of the triangles", 100.0 * share),
-        LevelOfDetail::Sphere(triangles) => format!("{triangles} triangles"),
+        LevelOfDetail::Share(share) => tr!("window-of-the-triangles", share = format!("{:.0}", 100.0 * share)),
+        LevelOfDetail::Sphere(triangles) => tr!("window-triangles", triangles = triangles),
     }
 }
 

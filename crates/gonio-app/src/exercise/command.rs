@@ -2,6 +2,7 @@
 //! and the exercise to start.
 
 use crate::files::ExerciseFile;
+use gonio_language::Language;
 
 /// A command of the exercise view.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,6 +47,8 @@ pub enum ExerciseCommand {
     KeepRestored,
     /// Switches between the light and the dark theme.
     Theme,
+    /// Shows all texts in this language.
+    SetLanguage(Language),
 }
 
 /// An exercise to open, with a student's files.

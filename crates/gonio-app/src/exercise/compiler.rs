@@ -10,6 +10,7 @@ use gonio_check::submission::SourceFile;
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_exercises::preview::{Note, NoteKind, SubmittedPair};
 use gonio_exercises::step::endless_loop;
+use gonio_language::tr;
 use std::time::Duration;
 use web_time::Instant;
 
@@ -123,7 +124,7 @@ impl Compiler {
             let found = pair.and_then(|pair| endless_loop(work.exercise, &pair));
             self.compiled = Some(content);
             let Some(found) = found else { return refuse(work, reason) };
-            refuse(work, format!("Not drawn: {found}"));
+            refuse(work, tr!("exercise-not-drawn", found = found));
             work.program.notes.push(Note { kind: NoteKind::Error, message: found.message() });
             return;
         }
@@ -142,7 +143,7 @@ impl Compiler {
             None if source.is_risky() => return self.try_first(ctx, work, key, &content, platform),
             Some(TrialOutcome::Unavailable(reason)) if source.is_risky() => {
                 self.compiled = Some(content);
-                return refuse(work, format!("This shader is not drawn because it could not be tested: {reason}"));
+                return refuse(work, tr!("exercise-this-shader-is-not-drawn-because", reason = reason));
             }
             Some(_) | None => {}
         }
@@ -157,11 +158,7 @@ impl Compiler {
             Ok(pair) => ProgramFacts {
                 notes: pair.notes.clone(),
                 warnings: pair.warnings.clone(),
-                unusable: (!pair.has_position()).then(|| {
-                    "Nothing is drawn: no attribute was recognised as the position. Name it `position`, or declare it in \
-                     names.toml"
-                        .to_owned()
-                }),
+                unusable: (!pair.has_position()).then(|| tr!("exercise-nothing-is-drawn-no-attribute-was").to_owned()),
                 is_drawn: true,
                 ..ProgramFacts::default()
             },

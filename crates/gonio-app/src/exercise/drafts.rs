@@ -8,6 +8,7 @@ use super::editor;
 use super::work::{OpenFile, Work};
 use crate::platform::Platform;
 use egui::Context;
+use gonio_language::tr;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -68,7 +69,7 @@ impl Drafts {
             let draft: Draft = match serde_json::from_str(&stored) {
                 Ok(draft) => draft,
                 Err(error) => {
-                    failures.push(format!("the draft of {} is damaged and was not restored: {error}", file.name));
+                    failures.push(tr!("exercise-the-draft-of-is-damaged-and", name = file.name, error = error));
                     continue;
                 }
             };
@@ -152,10 +153,9 @@ impl Drafts {
                 Ok(()) => {
                     self.kept.insert(key.clone(), file.text.clone());
                 }
-                Err(error) => failures.push(format!(
-                    "the unsaved changes to {} could not be kept as a draft: {error}; Ctrl + S saves the file",
-                    file.name
-                )),
+                Err(error) => {
+                    failures.push(tr!("exercise-the-unsaved-changes-to-could-not", name = file.name, error = error))
+                }
             }
         }
         failures
@@ -192,7 +192,7 @@ fn unsaved<'a>(works: impl Iterator<Item = &'a Work>) -> Vec<Unsaved<'a>> {
 
 fn keep(key: &str, exercise: &str, file: &OpenFile, platform: &mut dyn Platform) -> Result<(), String> {
     if file.text.len() > MOST_BYTES {
-        return Err(format!("the file is larger than {} MB", MOST_BYTES / (1024 * 1024)));
+        return Err(tr!("exercise-the-file-is-larger-than-mb", megabytes = MOST_BYTES / (1024 * 1024)));
     }
     let draft = Draft {
         exercise: exercise.to_owned(),
@@ -238,14 +238,12 @@ fn now() -> u64 {
 /// An age in words: "5 minutes ago".
 fn in_words(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
-    let (count, unit) = match minutes {
-        0 => return "less than a minute ago".to_owned(),
-        1..60 => (minutes, "minute"),
-        60..1440 => (minutes / 60, "hour"),
-        _ => (minutes / 1440, "day"),
-    };
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {unit}{plural} ago")
+    match minutes {
+        0 => tr!("exercise-less-than-a-minute-ago").to_owned(),
+        1..60 => tr!("exercise-minutes-ago", count = minutes),
+        60..1440 => tr!("exercise-hours-ago", count = minutes / 60),
+        _ => tr!("exercise-days-ago", count = minutes / 1440),
+    }
 }
 
 #[cfg(test)]

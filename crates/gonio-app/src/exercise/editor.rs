@@ -9,6 +9,7 @@ use crate::step::code::{self, Code, MarkKind};
 use crate::theme::colors;
 use egui::text_edit::TextEditState;
 use egui::{Color32, Frame, Label, Margin, RichText, Ui, vec2};
+use gonio_language::tr;
 
 /// Shows the tabs of the files, and the current file's text with its messages. Texts are edited in place. Returns a command
 /// if one was given.
@@ -24,7 +25,7 @@ pub fn show(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper) -> Option<Exerc
     let (current, error) = (work.current, work.program.unusable.as_deref());
     if !work.files.iter().any(OpenFile::is_shown) {
         // The text and the figures are on a page of their own.
-        ui.add(Label::new(RichText::new("The exercise has no files to edit: drop yours here.").weak()).wrap());
+        ui.add(Label::new(RichText::new(tr!("exercise-the-exercise-has-no-files-to")).weak()).wrap());
     } else if let Some(file) = work.files.get_mut(current) {
         let of = Code { id: file.id(), name: &file.name.clone(), marks: &marks, jump, is_fixed: file.locked };
         if let Some(line) = code::show(ui, &of, &mut file.text, error, stepper) {
@@ -53,9 +54,9 @@ fn tabs(ui: &mut Ui, work: &mut Work) {
             let button = egui::Button::new(label).selected(chosen).frame_when_inactive(chosen);
             let button = ui.add(button);
             let tip = match (&file.path, file.locked) {
-                (_, true) => "This file is not UTF-8 text: it can be drawn and checked, but not edited".into(),
+                (_, true) => tr!("exercise-this-file-is-not-utf").into(),
                 (Some(path), _) => path.display().to_string(),
-                (None, _) => "In memory only; Ctrl + S saves it".into(),
+                (None, _) => tr!("exercise-in-memory-only-ctrl-s-saves").into(),
             };
             exported::note(ui, &button, &format!("file-{index}"), WidgetRole::Tab, &file.name, chosen);
             if button.on_hover_text(tip).clicked() {
@@ -75,10 +76,10 @@ fn restored(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     let files: Vec<&OpenFile> = work.files.iter().filter(|file| file.is_restored() && !in_conflict(file)).collect();
     let age = files.first()?.restored.as_deref()?;
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-    let sentence = format!("Restored unsaved changes from {age} in {}. They are not saved yet.", listed(&names));
+    let sentence = tr!("exercise-restored-unsaved-changes-from-in-they", age = age, names = listed(&names));
     let answers = [
-        ("discard-restored", "Discard", ExerciseCommand::DiscardRestored),
-        ("keep-restored", "Keep", ExerciseCommand::KeepRestored),
+        ("discard-restored", tr!("exercise-discard"), ExerciseCommand::DiscardRestored),
+        ("keep-restored", tr!("exercise-keep"), ExerciseCommand::KeepRestored),
     ];
     question(ui, "restored", colors::ACCENT.of(ui), &sentence, answers)
 }
@@ -88,16 +89,12 @@ fn conflict(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     let current = work.current;
     let file = work.files.get(current).filter(|file| file.other.is_some())?;
     let sentence = match file.restored.as_ref().filter(|_| file.is_restored()) {
-        Some(age) => format!(
-            "Restored unsaved changes from {age} in {name}, but {name} has changed on disk since then. Both versions \
-             are kept until you choose one.",
-            name = file.name
-        ),
-        None => format!("{} has changed on disk, and you have unsaved changes here.", file.name),
+        Some(age) => tr!("exercise-restored-unsaved-changes-from-in-but", age = age, name = file.name),
+        None => tr!("exercise-has-changed-on-disk-and-you", name = file.name),
     };
     let answers = [
-        ("take-other", "Load the version on disk", ExerciseCommand::TakeOther(current)),
-        ("keep-mine", "Keep mine and save it", ExerciseCommand::KeepMine(current)),
+        ("take-other", tr!("exercise-load-the-version-on-disk"), ExerciseCommand::TakeOther(current)),
+        ("keep-mine", tr!("exercise-keep-mine-and-save-it"), ExerciseCommand::KeepMine(current)),
     ];
     question(ui, "conflict", colors::WARNING.of(ui), &sentence, answers)
 }
@@ -133,12 +130,16 @@ fn question(
 fn put_back(ui: &mut Ui, work: &Work) -> Option<ExerciseCommand> {
     let before = work.before.last()?;
     ui.horizontal_wrapped(|ui| {
-        let unsaved = if before.files.iter().any(OpenFile::is_changed) { " (unsaved)" } else { "" };
-        let sentence = format!("Replaced {}{unsaved}.", before.names_beside(&work.files));
+        let files = before.names_beside(&work.files);
+        let sentence = if before.files.iter().any(OpenFile::is_changed) {
+            tr!("exercise-replaced-unsaved", files = files)
+        } else {
+            tr!("exercise-replaced", files = files)
+        };
         ui.add(Label::new(RichText::new(sentence).small().weak()).wrap());
-        let button = ui.small_button("Restore");
-        exported::note(ui, &button, "put-back", WidgetRole::Button, "Restore", work.before.len());
-        let tip = "Switch back to the files that were open before; these can be restored in the same way";
+        let button = ui.small_button(tr!("exercise-restore"));
+        exported::note(ui, &button, "put-back", WidgetRole::Button, tr!("exercise-restore"), work.before.len());
+        let tip = tr!("exercise-switch-back-to-the-files-that");
         button.on_hover_text(tip).clicked().then_some(ExerciseCommand::PutBack)
     })
     .inner

@@ -4,6 +4,7 @@ use super::work::{OpenFile, Work};
 use crate::files::ExerciseFile;
 use gonio_check::submission::SourceFile;
 use gonio_exercises::preview::{self, FileUse};
+use gonio_language::tr;
 
 /// Files that were open together.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +42,10 @@ impl Work {
         if let Some(&first) = all.as_ref().and_then(|all| all.first()) {
             // The files are open already.
             self.current = first;
-            return ReplaceOutcome { announcement: Some(format!("opened {}", listed(&names))), ignored: sorted.aside };
+            return ReplaceOutcome {
+                announcement: Some(tr!("exercise-opened", names = listed(&names))),
+                ignored: sorted.aside,
+            };
         }
         let mut kept = Vec::new();
         let mut away = Vec::new();
@@ -51,11 +55,12 @@ impl Work {
             if preview::is_replaced(self.exercise, &source, &taken, &open) { &mut away } else { &mut kept }
                 .push(file.clone());
         }
-        let place = match away.as_slice() {
-            [] => String::new(),
-            away => format!(" in place of {}", listed(&away.iter().map(|file| file.name.as_str()).collect::<Vec<_>>())),
+        let others: Vec<&str> = away.iter().map(|file| file.name.as_str()).collect();
+        let announcement = if others.is_empty() {
+            tr!("exercise-opened", names = listed(&names))
+        } else {
+            tr!("exercise-opened-in-place", names = listed(&names), others = listed(&others))
         };
-        let announcement = format!("opened {}{place}", listed(&names));
         let uses: Vec<FileUse> = taken.iter().map(|(_, of_file)| *of_file).collect();
         let numbers: Vec<usize> = sorted.taken.iter().map(|(index, _)| *index).collect();
         self.sets += 1;
@@ -121,12 +126,12 @@ const MOST: usize = 4;
 /// Names as an enumeration.
 pub(super) fn listed(names: &[&str]) -> String {
     match names {
-        [] => "nothing".to_owned(),
+        [] => tr!("exercise-nothing").to_owned(),
         [one] => (*one).to_owned(),
-        [first @ .., last] if names.len() <= MOST => format!("{} and {last}", first.join(", ")),
+        [first @ .., last] if names.len() <= MOST => tr!("exercise-and", names = first.join(", "), last = last),
         several => {
             let first: Vec<&str> = several.iter().take(MOST - 1).copied().collect();
-            format!("{} and {} more", first.join(", "), several.len() - first.len())
+            tr!("exercise-and-more", names = first.join(", "), count = several.len() - first.len())
         }
     }
 }

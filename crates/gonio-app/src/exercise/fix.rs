@@ -7,6 +7,7 @@ use crate::theme::{self, colors};
 use egui::{CornerRadius, Frame, Label, Margin, RichText, Ui};
 use gonio_check::proposed_fix::{self, DiffLine};
 use gonio_check::verdict::ProposedEdit;
+use gonio_language::tr;
 
 /// Shows the diff of each edit below one sentence. A click on a place goes to it.
 pub fn show(ui: &mut Ui, work: &mut Work, edits: &[ProposedEdit], commands: &mut Vec<ExerciseCommand>) {
@@ -21,9 +22,9 @@ pub fn show(ui: &mut Ui, work: &mut Work, edits: &[ProposedEdit], commands: &mut
             let promise = RichText::new(proposed_fix::promise(edits)).font(theme::bold(14.0));
             ui.add(Label::new(promise.color(colors::NORMAL.of(ui))).wrap());
             if work.fixed_texts().is_some() {
-                let button = ui.button("Apply");
-                exported::note(ui, &button, "apply-fix", WidgetRole::Button, "Apply", "");
-                if button.on_hover_text("Change the text in the editor; Ctrl + Z undoes it").clicked() {
+                let button = ui.button(tr!("exercise-apply"));
+                exported::note(ui, &button, "apply-fix", WidgetRole::Button, tr!("exercise-apply"), "");
+                if button.on_hover_text(tr!("exercise-change-the-text-in-the-editor")).clicked() {
                     commands.push(ExerciseCommand::ApplyFix);
                 }
             }

@@ -5,6 +5,7 @@ use crate::exported::{self, WidgetRole};
 use crate::scene_view::{Projection, disc, in_screen_plane};
 use crate::theme::colors;
 use egui::{Color32, CursorIcon, Painter, Pos2, Rect, Sense, Stroke, Ui, Vec2, vec2};
+use gonio_language::tr;
 
 /// Radius of the lamp's disc, points.
 const RADIUS: f32 = 6.0;
@@ -26,7 +27,7 @@ pub fn show(ui: &mut Ui, rect: Rect, work: &mut Work, index: usize) {
     let shown = place.clamp(inside.min, inside.max);
     let hit = Rect::from_center_size(shown, Vec2::splat(2.0 * HIT));
     let response = ui.interact(hit, ui.scope_id().with(("lamp", index)), Sense::drag());
-    exported::note(ui, &response, &format!("lamp-{index}"), WidgetRole::Picture, "Lamp", "");
+    exported::note(ui, &response, &format!("lamp-{index}"), WidgetRole::Picture, tr!("exercise-lamp"), "");
     if response.dragged()
         && let Some(pointer) = response.interact_pointer_pos()
     {
@@ -45,7 +46,7 @@ pub fn show(ui: &mut Ui, rect: Rect, work: &mut Work, index: usize) {
         edge_mark(&painter, rect, shown)
     }
     let response = response.on_hover_cursor(CursorIcon::Grab);
-    response.on_hover_text("The lamp: drag it. `Reset the camera` also puts it back");
+    response.on_hover_text(tr!("exercise-the-lamp-drag-it-reset-the"));
 }
 
 /// A disc with rays.

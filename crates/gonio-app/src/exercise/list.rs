@@ -14,6 +14,7 @@ use egui::{
 use gonio_check::verdict::Outcome;
 use gonio_exercises::exercise::{self, Exercise, ExerciseKind};
 use gonio_gl::GlError;
+use gonio_language::tr;
 use std::collections::BTreeMap;
 
 /// Longest line of text, points.
@@ -46,9 +47,12 @@ pub fn show(
                 ui.add_space(margin);
                 ui.vertical(|ui| {
                     ui.set_max_width(WIDTH.min(ui.available_width()));
-                    ui.label(RichText::new("Exercises").font(theme::bold(20.0)).color(ui.visuals().strong_text_color()));
-                    let sentence = "Edit shaders, compare them live with the correct answer, and have gonio find the mistakes: \
-                                    by name, by line, and how to fix them.";
+                    ui.label(
+                        RichText::new(tr!("exercise-exercises"))
+                            .font(theme::bold(20.0))
+                            .color(ui.visuals().strong_text_color()),
+                    );
+                    let sentence = tr!("exercise-edit-shaders-compare-them-live-with");
                     ui.add(Label::new(RichText::new(sentence).weak()).wrap());
                     ui.add_space(8.0);
                     for exercise in exercise::all() {
@@ -83,15 +87,15 @@ fn state_of(exercise: &Exercise, progress: &ExerciseProgress<'_>) -> (String, Op
     let judged = work.and_then(|work| work.judged.as_ref()).and_then(|judged| judged.verdict.as_ref().ok());
     let outcome = judged.map(|verdict| verdict.verdict).or_else(|| progress.outcomes.get(&exercise.id).copied());
     let (word, tint) = match outcome {
-        Some(Outcome::Correct) => ("correct", Some(colors::CORRECT)),
-        Some(Outcome::Wrong) => ("wrong", Some(colors::WRONG)),
-        Some(Outcome::DoesNotCompile) => ("does not compile", Some(colors::WRONG)),
-        Some(Outcome::Unsure) => ("not judged", Some(colors::ACCENT)),
-        None if work.is_some() => ("in progress", Some(colors::ACCENT)),
-        None => ("not started", None),
+        Some(Outcome::Correct) => (tr!("exercise-correct-state"), Some(colors::CORRECT)),
+        Some(Outcome::Wrong) => (tr!("exercise-wrong-state"), Some(colors::WRONG)),
+        Some(Outcome::DoesNotCompile) => (tr!("exercise-does-not-compile"), Some(colors::WRONG)),
+        Some(Outcome::Unsure) => (tr!("exercise-not-judged"), Some(colors::ACCENT)),
+        None if work.is_some() => (tr!("exercise-in-progress"), Some(colors::ACCENT)),
+        None => (tr!("exercise-not-started"), None),
     };
     match work.is_some_and(|work| work.is_changed()) {
-        true => (format!("{word}, unsaved changes"), tint),
+        true => (tr!("exercise-unsaved-changes", word = word), tint),
         false => (word.to_owned(), tint),
     }
 }
@@ -123,21 +127,21 @@ fn card(
                         ui.horizontal_wrapped(|ui| {
                             ui.spacing_mut().item_spacing.x = 8.0;
                             ui.add(words(RichText::new(&exercise.id).monospace().color(colors::ACCENT.of(ui))));
-                            let title = RichText::new(&exercise.title).font(theme::bold(14.5));
+                            let title = RichText::new(exercise.title()).font(theme::bold(14.5));
                             ui.add(words(title.color(ui.visuals().strong_text_color())));
                             let color = tint.map_or(ui.visuals().weak_text_color(), |tint| tint.of(ui));
                             ui.add(words(RichText::new(&state).small().color(color)));
                         });
-                        ui.add(words(RichText::new(&exercise.summary)).wrap());
+                        ui.add(words(RichText::new(exercise.summary())).wrap());
                     });
                 });
             });
         })
         .response;
     let id = format!("exercise-{}", exercise.id);
-    exported::note(ui, &response, &id, WidgetRole::Button, &exercise.title, state.as_str());
+    exported::note(ui, &response, &id, WidgetRole::Button, exercise.title(), state.as_str());
     response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{} {}, {state}", exercise.id, exercise.title))
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{} {}, {state}", exercise.id, exercise.title()))
     });
     if response.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
         commands.push(ExerciseCommand::Begin(exercise.id.clone()));

@@ -264,6 +264,7 @@ fn item(line: &str) -> Option<(String, &str)> {
 mod tests {
     use super::*;
     use gonio_exercises::exercise;
+    use gonio_language::Language;
 
     #[test]
     fn a_text_is_split_into_blocks() {
@@ -305,14 +306,15 @@ mod tests {
 
     #[test]
     fn every_word_of_every_exercise_is_shown() {
-        for exercise in exercise::all() {
-            let blocks = blocks(exercise.text());
+        let in_each_language = |e: &'static Exercise| Language::ALL.map(|language| (&e.id, e.text_in(language)));
+        for (id, text) in exercise::all().iter().flat_map(in_each_language) {
+            let blocks = blocks(text);
             let mut shown = format!("{blocks:?}");
             shown.retain(char::is_alphanumeric);
-            for word in exercise.text().split_whitespace().filter(|word| word.bytes().all(|b| b.is_ascii_lowercase())) {
-                assert!(shown.contains(word), "{}: {word}", exercise.id);
+            for word in text.split_whitespace().filter(|word| word.bytes().all(|b| b.is_ascii_lowercase())) {
+                assert!(shown.contains(word), "{id}: {word}");
             }
-            assert!(matches!(blocks.first(), Some(Block::Heading(1, _))), "{}", exercise.id);
+            assert!(matches!(blocks.first(), Some(Block::Heading(1, _))), "{id}");
         }
     }
 }

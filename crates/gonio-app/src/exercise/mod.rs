@@ -60,6 +60,7 @@ use egui::{Context, Frame, Margin, Panel, ScrollArea, Ui};
 use gonio_check::verdict::Outcome;
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_gl::GlError;
+use gonio_language::tr;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use thumbnails::Thumbnails;
@@ -92,7 +93,7 @@ impl ExerciseView {
     /// id gives an error of one sentence.
     pub fn begin(&mut self, start: Start) -> Result<(), String> {
         let exercise = gonio_exercises::exercise::find(&start.exercise)
-            .ok_or_else(|| format!("unknown exercise `{}`: select one from the list", start.exercise))?;
+            .ok_or_else(|| tr!("exercise-unknown-exercise-select-one-from-the", exercise = start.exercise))?;
         (self.is_open, self.is_listing) = (true, false);
         if start.files.is_empty() && self.work.as_ref().is_some_and(|work| work.exercise.id == exercise.id) {
             return Ok(());
@@ -152,7 +153,7 @@ impl ExerciseView {
                 taken
             }
             None => {
-                let ignored = "select the exercise first, then open its files again";
+                let ignored = tr!("exercise-select-the-exercise-first-then-open");
                 ReplaceOutcome { announcement: None, ignored: Some(ignored.to_owned()) }
             }
         }
@@ -259,6 +260,7 @@ impl ExerciseView {
                 }
                 ExerciseCommand::Leave => self.is_open = false,
                 ExerciseCommand::Theme => actions.push(Action::ToggleTheme),
+                ExerciseCommand::SetLanguage(language) => actions.push(Action::SetLanguage(language)),
                 other => {
                     if let Some(work) = &mut self.work {
                         failures.extend(apply_to_work(ctx, other, work, &mut self.compiler, &mut self.check, platform));
@@ -334,10 +336,10 @@ fn edit(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper, commands: &mut Vec<
 /// The tabs of the pages.
 fn pages(ui: &mut Ui, work: &mut Work, pages: &[ExercisePage]) {
     let tab = |page: &ExercisePage| match page {
-        ExercisePage::Editor => (*page, "Files", "files"),
-        ExercisePage::Text => (*page, "Exercise", "text"),
-        ExercisePage::Verdict => (*page, "Verdict", "verdict"),
-        ExercisePage::Variables => (*page, "Variables", "variables"),
+        ExercisePage::Editor => (*page, tr!("exercise-files"), "files"),
+        ExercisePage::Text => (*page, tr!("exercise-exercise"), "text"),
+        ExercisePage::Verdict => (*page, tr!("exercise-verdict"), "verdict"),
+        ExercisePage::Variables => (*page, tr!("exercise-variables"), "variables"),
     };
     page_tabs(ui, &mut work.page, &pages.iter().map(tab).collect::<Vec<_>>());
 }
@@ -364,11 +366,11 @@ fn start_files(ui: &mut Ui, work: &Work, commands: &mut Vec<ExerciseCommand>) {
                 commands.push(command);
             }
         };
-        let tip = "Start over with the original files; the open ones can be put back";
-        button("begin-again", "Start over", tip, ExerciseCommand::BeginAgain);
+        let tip = tr!("exercise-start-over-with-the-original-files");
+        button("begin-again", tr!("exercise-start-over"), tip, ExerciseCommand::BeginAgain);
         if work.downloads {
-            let label = format!("Download {}.zip", work.exercise.id);
-            let tip = "The text, its figures and the original files";
+            let label = tr!("exercise-download-zip", id = work.exercise.id);
+            let tip = tr!("exercise-the-text-its-figures-and-the");
             button("start-files", &label, tip, ExerciseCommand::StartFiles);
         }
     });
@@ -458,6 +460,7 @@ fn apply_to_work(
         | ExerciseCommand::List
         | ExerciseCommand::Leave
         | ExerciseCommand::Open
+        | ExerciseCommand::SetLanguage(_)
         | ExerciseCommand::Theme => {}
     }
     Vec::new()

@@ -12,6 +12,7 @@ use gonio_check::mistakes;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, TermState, Verdict};
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_exercises::preview::VariableValue;
+use gonio_language::tr;
 
 /// Characters of a line that are quoted.
 const MOST_QUOTED: usize = 400;
@@ -21,40 +22,41 @@ pub fn verdict(ui: &mut Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>
     ui.spacing_mut().item_spacing.y = 6.0;
     ui.horizontal_wrapped(|ui| {
         if work.exercise.kind != ExerciseKind::Baking {
-            let tip = "Also accept the ways of the lab's own solutions where they differ from the textbook";
-            widgets::toggle(ui, "as-the-lab", "Accept the lab's shortcuts", &mut work.as_the_lab, tip);
+            let tip = tr!("exercise-also-accept-the-ways-of-the");
+            widgets::toggle(ui, "as-the-lab", tr!("exercise-accept-the-lab-s-shortcuts"), &mut work.as_the_lab, tip);
         }
-        if !work.checking && ui.button("Check").clicked() {
+        if !work.checking && ui.button(tr!("exercise-check")).clicked() {
             commands.push(ExerciseCommand::Check);
         }
     });
     if work.checking {
         ui.horizontal(|ui| {
             ui.spinner();
-            ui.label("Checking...");
+            ui.label(tr!("exercise-checking"));
         });
     }
     let stale = work.is_judged_before();
     let Some(judged) = work.judged.clone() else {
         if !work.checking {
             let hint = match work.exercise.feedback {
-                Feedback::Verdict => "tells which are right.",
-                Feedback::Name => "names each mistake.",
-                Feedback::Line => "reports each mistake by name and line, with what belongs there.",
-                Feedback::Fix => "reports each mistake by name and line, with a fix.",
+                Feedback::Verdict => tr!("exercise-tells-which-are-right"),
+                Feedback::Name => tr!("exercise-names-each-mistake"),
+                Feedback::Line => tr!("exercise-reports-each-mistake-by-name-and-2"),
+                Feedback::Fix => tr!("exercise-reports-each-mistake-by-name-and"),
             };
             let way = match work.exercise.kind {
-                ExerciseKind::Baking => "compares your picture with the right one for your texture coordinates",
-                _ => "draws your program in test scenes that reveal mistakes",
+                ExerciseKind::Baking => tr!("exercise-compares-your-picture-with-the-right"),
+                _ => tr!("exercise-draws-your-program-in-test-scenes"),
             };
-            let hint = format!("Not checked yet. The check {way}, and {hint}");
+            let hint = tr!("exercise-not-checked-yet-the-check-and", way = way, hint = hint);
             ui.add(Label::new(RichText::new(hint).weak()).wrap());
         }
         return;
     };
     if stale && !work.checking {
         ui.add(
-            Label::new(RichText::new("The files have changed since this check.").color(colors::WARNING.of(ui))).wrap(),
+            Label::new(RichText::new(tr!("exercise-the-files-have-changed-since-this")).color(colors::WARNING.of(ui)))
+                .wrap(),
         );
     }
     let Judged { verdict, .. } = judged;
@@ -84,13 +86,13 @@ fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict, commands: &mut Vec<Exe
     }
     scenes(ui, work, verdict);
     if !verdict.peculiarities.is_empty() {
-        heading(ui, "Correct, but worth knowing");
+        heading(ui, tr!("exercise-correct-but-worth-knowing"));
         for peculiarity in &verdict.peculiarities {
             dotted(ui, &peculiarity.name, None);
         }
     }
     if !verdict.warnings.is_empty() && work.hints >= Hints::Line {
-        heading(ui, "Warnings");
+        heading(ui, tr!("exercise-warnings"));
         for warning in &verdict.warnings {
             dotted(ui, warning, Some(colors::WARNING.of(ui)));
         }
@@ -99,10 +101,10 @@ fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict, commands: &mut Vec<Exe
 
 fn head(ui: &mut Ui, work: &Work, verdict: &Verdict) {
     let (word, icon, tint) = match verdict.verdict {
-        Outcome::Correct => ("Correct", icons::CHECK, colors::CORRECT),
-        Outcome::Wrong => ("Wrong", icons::X, colors::WRONG),
-        Outcome::DoesNotCompile => ("Does not compile", icons::WARNING_CIRCLE, colors::ERROR),
-        Outcome::Unsure => ("Not judged", icons::QUESTION, colors::ACCENT),
+        Outcome::Correct => (tr!("exercise-correct"), icons::CHECK, colors::CORRECT),
+        Outcome::Wrong => (tr!("exercise-wrong"), icons::X, colors::WRONG),
+        Outcome::DoesNotCompile => (tr!("exercise-does-not-compile-2"), icons::WARNING_CIRCLE, colors::ERROR),
+        Outcome::Unsure => (tr!("exercise-not-judged-2"), icons::QUESTION, colors::ACCENT),
     };
     // The summary of a wrong answer names its mistakes.
     let is_told = verdict.verdict != Outcome::Wrong || work.hints >= Hints::Name;
@@ -124,8 +126,8 @@ fn head(ui: &mut Ui, work: &Work, verdict: &Verdict) {
 fn wrong_scenes(verdict: &Verdict) -> String {
     let whole = || verdict.scenes.iter().filter(|scene| !scene.scene.ends_with(" alone"));
     match (whole().filter(|scene| !scene.right).count(), whole().count()) {
-        (_, 0) => "The result differs from the correct one.".to_owned(),
-        (wrong, all) => format!("{wrong} of {all} test scenes differ from the correct picture."),
+        (_, 0) => tr!("exercise-the-result-differs-from-the-correct").to_owned(),
+        (wrong, all) => tr!("exercise-of-test-scenes-differ-from-the", wrong = wrong, all = all),
     }
 }
 
@@ -138,10 +140,10 @@ fn hints(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
     let has_line = verdict.mistakes.iter().any(|mistake| mistake.line.is_some());
     let has_fix = !verdict.proposed_fix.is_empty() || verdict.mistakes.iter().any(|mistake| !mistake.fix.is_empty());
     let step = |hints: &Hints| match hints {
-        Hints::Symptom => (*hints, "symptom", "What can be seen in the picture"),
-        Hints::Name => (*hints, "name", "The mistakes by name"),
-        Hints::Line => (*hints, "line", "The line of each mistake, also marked in the editor"),
-        Hints::Fix => (*hints, "fix", "How to fix each mistake"),
+        Hints::Symptom => (*hints, "symptom", tr!("exercise-what-can-be-seen-in-the")),
+        Hints::Name => (*hints, "name", tr!("exercise-the-mistakes-by-name")),
+        Hints::Line => (*hints, "line", tr!("exercise-the-line-of-each-mistake-also")),
+        Hints::Fix => (*hints, "fix", tr!("exercise-how-to-fix-each-mistake")),
     };
     let is_offered = |hints: &&Hints| match hints {
         Hints::Symptom | Hints::Name => true,
@@ -151,8 +153,8 @@ fn hints(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
     let steps: Vec<_> = Hints::ALL.iter().filter(is_offered).map(step).collect();
     let before = work.hints;
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new("Show up to the").weak());
-        widgets::choice(ui, "hints", "Show up to the", &mut work.hints, &steps, Hints::default());
+        ui.label(RichText::new(tr!("exercise-show-up-to-the")).weak());
+        widgets::choice(ui, "hints", tr!("exercise-show-up-to-the"), &mut work.hints, &steps, Hints::default());
     });
     if work.hints > before && before < Hints::Line {
         work.go_to_first_line();
@@ -166,38 +168,40 @@ fn mistake(ui: &mut Ui, work: &mut Work, verdict: &Verdict, index: usize, mistak
         ui.spacing_mut().item_spacing.y = 5.0;
         if work.hints == Hints::Symptom {
             let symptom = match mistake.looks_like.as_str() {
-                "" => "The picture differs from the correct one.",
+                "" => tr!("exercise-the-picture-differs-from-the-correct"),
                 symptom => symptom,
             };
-            labelled(ui, "Symptom:", symptom);
+            labelled(ui, tr!("exercise-symptom"), symptom);
             return;
         }
         let name = RichText::new(&mistake.name).font(theme::bold(14.0)).color(ui.visuals().strong_text_color());
         ui.add(Label::new(name).wrap());
         let share = match mistake.share_explained {
-            share if share > 0.0 => format!("It explains {:.1} % of the difference.", 100.0 * share),
-            _ if verdict.scenes.iter().all(|scene| scene.right) => {
-                "It does not change the pictures of the test scenes.".to_owned()
+            share if share > 0.0 => {
+                tr!("exercise-it-explains-of-the-difference", share = format!("{:.1}", 100.0 * share))
             }
-            _ => "Found in the source.".to_owned(),
+            _ if verdict.scenes.iter().all(|scene| scene.right) => {
+                tr!("exercise-it-does-not-change-the-pictures").to_owned()
+            }
+            _ => tr!("exercise-found-in-the-source").to_owned(),
         };
         ui.label(RichText::new(format!("{}   {share}", mistake.id)).small().weak());
         if let (Some(file), Some(line)) = (&mistake.file, mistake.line.filter(|_| work.hints >= Hints::Line)) {
             place(ui, work, &format!("mistake-{index}"), file, line, mistake.quoted.as_deref());
         }
-        labelled(ui, "Symptom:", &mistake.looks_like);
+        labelled(ui, tr!("exercise-symptom"), &mistake.looks_like);
         if work.hints == Hints::Fix {
-            labelled(ui, "How to fix it:", &mistake.fix);
+            labelled(ui, tr!("exercise-how-to-fix-it"), &mistake.fix);
         }
         if !mistake.or.is_empty() {
             let names: Vec<String> = mistake.or.iter().map(|id| name_of(id)).collect();
-            labelled(ui, "Same picture as:", &names.join("; "));
+            labelled(ui, tr!("exercise-same-picture-as"), &names.join("; "));
         }
         if mistake.lab_does_it {
-            weak(ui, "The lab's own solution does the same; `Accept the lab's shortcuts` passes it.");
+            weak(ui, tr!("exercise-the-lab-s-own-solution-does"));
         }
         if !mistake.lecture_section.is_empty() {
-            weak(ui, &format!("Taught in: {}", mistake.lecture_section));
+            weak(ui, &tr!("exercise-taught-in", lecture_section = mistake.lecture_section));
         }
     });
 }
@@ -242,13 +246,13 @@ fn terms(ui: &mut Ui, verdict: &Verdict) {
     if verdict.terms.is_empty() {
         return;
     }
-    heading(ui, "Terms");
+    heading(ui, tr!("exercise-terms"));
     ui.horizontal_wrapped(|ui| {
         for term in &verdict.terms {
             let (word, color) = match term.state {
-                TermState::Right => ("correct", colors::CORRECT.of(ui)),
-                TermState::Wrong => ("wrong", colors::WRONG.of(ui)),
-                TermState::NotSeparable => ("not tested separately", ui.visuals().weak_text_color()),
+                TermState::Right => (tr!("exercise-correct-state"), colors::CORRECT.of(ui)),
+                TermState::Wrong => (tr!("exercise-wrong-state"), colors::WRONG.of(ui)),
+                TermState::NotSeparable => (tr!("exercise-not-tested-separately"), ui.visuals().weak_text_color()),
             };
             ui.label(format!("{}", term.term));
             ui.label(RichText::new(word).color(color));
@@ -262,7 +266,7 @@ fn scenes(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
     if verdict.scenes.is_empty() {
         return;
     }
-    heading(ui, "Test scenes");
+    heading(ui, tr!("exercise-test-scenes"));
     let shown = work.scene().filter(|scene| scene.is_test).map(|scene| scene.name.to_string());
     for scene in verdict.scenes.iter().filter(|scene| !scene.scene.ends_with(" alone")) {
         let can_be_shown = work.scenes.iter().any(|known| known.is_test && known.name == scene.scene);
@@ -275,14 +279,14 @@ fn scenes(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
                 let link = ui.add(egui::Button::selectable(chosen, scene.scene.as_str()));
                 let id = format!("test-scene-{}", widgets::slug(&scene.scene));
                 exported::note(ui, &link, &id, WidgetRole::Button, &scene.scene, chosen);
-                if link.on_hover_text("Show the pictures of this scene").clicked() {
+                if link.on_hover_text(tr!("exercise-show-the-pictures-of-this-scene")).clicked() {
                     work.look_at_test(&scene.scene);
                 }
             } else {
                 ui.label(RichText::new(&scene.scene).color(ui.visuals().strong_text_color()));
             }
             if !scene.right {
-                let share = format!("{} of pixels differ", percent(scene.pixels_beyond));
+                let share = tr!("exercise-of-pixels-differ", pixels_beyond = percent(scene.pixels_beyond));
                 ui.label(RichText::new(share).color(color));
             }
             ui.add(Label::new(RichText::new(scene.shows.as_ref()).weak()).wrap());
@@ -293,14 +297,14 @@ fn scenes(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
 /// A share as a percentage: never 0 % for a few pixels.
 fn percent(share: f64) -> String {
     match 100.0 * share {
-        percent if percent > 0.0 && percent < 1.0 => "less than 1 %".to_owned(),
+        percent if percent > 0.0 && percent < 1.0 => tr!("exercise-less-than-1").to_owned(),
         percent => format!("{percent:.0} %"),
     }
 }
 
 /// A mistake's name, where the catalogue has it.
 fn name_of(id: &str) -> String {
-    mistakes::find(id).map_or_else(|| format!("`{id}`"), |known| format!("“{}”", known.name))
+    mistakes::find(id).map_or_else(|| format!("`{id}`"), |known| format!("“{}”", known.texts().name))
 }
 
 fn heading(ui: &mut Ui, text: &str) {
@@ -332,8 +336,7 @@ pub fn variables(ui: &mut Ui, work: &Work) {
     ui.spacing_mut().item_spacing.y = 5.0;
     let variables = &work.program.variables;
     if variables.is_empty() {
-        let words = "Once your program compiles, this page lists the meaning and the value of each of your attributes and \
-                     uniforms.";
+        let words = tr!("exercise-once-your-program-compiles-this-page");
         ui.add(Label::new(RichText::new(words).weak()).wrap());
         return;
     }
@@ -354,11 +357,7 @@ fn hint(ui: &mut Ui, name: &str, count: usize) {
     let frame = Frame::NONE.fill(colors::WARNING.of(ui).gamma_multiply(0.14)).corner_radius(CornerRadius::same(6));
     frame.inner_margin(Margin::symmetric(10, 8)).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
-        let which = if count == 1 { "One variable is" } else { "Some variables are" };
-        let words = format!(
-            "{which} not recognised, and set to 0. Ignore this for variables that you do not need. Otherwise declare their \
-             meaning in a file names.toml:"
-        );
+        let words = tr!("exercise-not-recognised-and-set-to-0", count = count);
         ui.add(Label::new(words).wrap());
         let example = format!("[names]\n\"{name}\" = \"light-pos\"   # or a value: [1.0, 0.5, 0.2]");
         ui.add(Label::new(RichText::new(example).monospace()).wrap());
@@ -374,7 +373,7 @@ fn row(ui: &mut Ui, variable: &VariableValue) {
                 ui.label(RichText::new(role).font(theme::bold(13.0)).color(colors::ACCENT.of(ui))).on_hover_text(how);
             }
             None => {
-                ui.label(RichText::new("not recognised").color(colors::WARNING.of(ui)));
+                ui.label(RichText::new(tr!("exercise-not-recognised")).color(colors::WARNING.of(ui)));
             }
         }
         if !variable.value.contains('\n') {

@@ -5,6 +5,7 @@ use super::work::{OpenFile, Work};
 use crate::exported::{self, WidgetRole};
 use crate::widgets;
 use egui::{Align2, Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2};
+use gonio_language::tr;
 use gonio_scene::Texture;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -53,7 +54,7 @@ struct ShownPicture {
 
 /// The file on the GPU, decoded again if it has changed.
 fn texture(ui: &Ui, file: &OpenFile) -> Option<TextureHandle> {
-    let id = file.id().with("decoded picture");
+    let id = file.id().with(tr!("exercise-decoded-picture"));
     let mut hasher = DefaultHasher::new();
     // Pictures end with checksums, or with compressed pixels.
     (file.saved.len(), &file.saved[file.saved.len().saturating_sub(4096)..]).hash(&mut hasher);

@@ -14,6 +14,7 @@ use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyl
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_exercises::preview::PreviewScene;
 use gonio_gl::GlError;
+use gonio_language::tr;
 use std::sync::Arc;
 
 /// Background of captions.
@@ -39,7 +40,7 @@ pub fn show(
         return Ok(());
     }
     let (Some(preview), Some(pane_renderer)) = (preview, pane_renderer) else {
-        sentence(ui, whole, "Nothing is drawn because OpenGL is not available.");
+        sentence(ui, whole, tr!("exercise-nothing-is-drawn-because-opengl-is"));
         return Ok(());
     };
     settings(ui, work, preview, stepper);
@@ -50,7 +51,7 @@ pub fn show(
         let size = picture_size(rect, ui.ctx().pixels_per_point());
         let response = ui.allocate_rect(rect, Sense::click_and_drag());
         let name = caption(picture);
-        exported::note(ui, &response, &format!("picture-{}", widgets::slug(name)), WidgetRole::Picture, name, "");
+        exported::note(ui, &response, &format!("picture-{}", picture.id()), WidgetRole::Picture, name, "");
         steer(ui, &response, work);
         if response.clicked()
             && let Some(at) = response.interact_pointer_pos()
@@ -88,22 +89,22 @@ pub fn show(
 /// The caption over the pictures: an older program is shown, or a newer one is being tested.
 fn over(ui: &Ui, room: Rect, work: &Work) {
     let text = if work.program.is_trial_slow {
-        "Testing the new program in a separate process before drawing it"
+        tr!("exercise-testing-the-new-program-in-a")
     } else if work.program.is_old {
-        "Showing the last program that compiled"
+        tr!("exercise-showing-the-last-program-that-compiled")
     } else {
         return;
     };
     let rect = written(ui, room, Align2::CENTER_TOP, text, Color32::from_rgb(0x8a, 0x4b, 0x00));
-    let response = ui.interact(rect, ui.scope_id().with("older program"), Sense::hover());
+    let response = ui.interact(rect, ui.scope_id().with(tr!("exercise-older-program")), Sense::hover());
     exported::note(ui, &response, "older-program", WidgetRole::Text, text, "");
 }
 
 fn caption(picture: PreviewPicture) -> &'static str {
     match picture {
-        PreviewPicture::Yours => "Yours",
-        PreviewPicture::Reference => "Reference",
-        PreviewPicture::Difference => "Difference",
+        PreviewPicture::Yours => tr!("exercise-yours"),
+        PreviewPicture::Reference => tr!("exercise-reference"),
+        PreviewPicture::Difference => tr!("exercise-difference"),
     }
 }
 
@@ -111,31 +112,27 @@ fn nothing_yet(picture: PreviewPicture, work: &Work) -> &'static str {
     match picture {
         PreviewPicture::Yours if work.program.is_tried => "",
         PreviewPicture::Yours if work.program.unusable.is_some() => {
-            "Your program is not drawn; the reason is below the editor."
+            tr!("exercise-your-program-is-not-drawn-the")
         }
-        PreviewPicture::Yours => "Your program does not compile; the errors are below the editor.",
-        PreviewPicture::Reference => "This exercise has no reference picture.",
-        PreviewPicture::Difference => "The difference is shown once your program compiles.",
+        PreviewPicture::Yours => tr!("exercise-your-program-does-not-compile-the"),
+        PreviewPicture::Reference => tr!("exercise-this-exercise-has-no-reference-picture"),
+        PreviewPicture::Difference => tr!("exercise-the-difference-is-shown-once-your"),
     }
 }
 
 fn without_picture(kind: ExerciseKind) -> &'static str {
     match kind {
         ExerciseKind::Buffers => {
-            "Write a program in any language that outputs a vertex buffer as .csv, .json or raw floats (.bin). Drop that \
-             file here and press Check to see which triangles are wrong, and why."
+            tr!("exercise-write-a-program-in-any-language")
         }
         ExerciseKind::GlProgram => {
-            "This exercise is a list of OpenGL calls. Fix it and press Check: gonio executes it call by call. On the command \
-             line: `gonio lab check ex11 FILE.txt`."
+            tr!("exercise-this-exercise-is-a-list-of")
         }
         ExerciseKind::Baking => {
-            "Bake the model, in Blender or with `gonio bake`. Drop the folder's files here (.obj, .mtl and .png, or .glb) and \
-             press Check to see which parts have the right colours."
+            tr!("exercise-bake-the-model-in-blender-or")
         }
         ExerciseKind::Shaders | ExerciseKind::Faces => {
-            "The answer is six cube faces. Write the shader that draws them, or drop the six pictures that your own \
-             program made, and press Check."
+            tr!("exercise-the-answer-is-six-cube-faces")
         }
     }
 }
@@ -147,12 +144,12 @@ fn settings(ui: &mut Ui, work: &mut Work, preview: &Preview, stepper: &mut Stepp
     let which = |ui: &mut Ui, work: &mut Work| {
         if preview.has_reference() {
             let options = [
-                (PictureMode::Yours, "yours", "The picture of your program"),
-                (PictureMode::Reference, "reference", "The picture of the correct answer"),
-                (PictureMode::Both, "both", "Both side by side"),
-                (PictureMode::Difference, "difference", "The difference: dark where they agree"),
+                (PictureMode::Yours, "yours", tr!("exercise-the-picture-of-your-program")),
+                (PictureMode::Reference, "reference", tr!("exercise-the-picture-of-the-correct-answer")),
+                (PictureMode::Both, "both", tr!("exercise-both-side-by-side")),
+                (PictureMode::Difference, "difference", tr!("exercise-the-difference-dark-where-they-agree")),
             ];
-            widgets::choice(ui, "shown", "Picture", &mut work.shown, &options, PictureMode::default());
+            widgets::choice(ui, "shown", tr!("exercise-picture"), &mut work.shown, &options, PictureMode::default());
         }
     };
     let row = |ui: &mut Ui, content: &mut dyn FnMut(&mut Ui)| {
@@ -188,22 +185,26 @@ fn scene_and_time(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper) {
             offered.map(|(index, scene)| (index, name(scene), scene.shows)).collect();
         let options: Vec<(usize, &str, &str)> =
             offered.iter().map(|(index, name, shows)| (*index, name.as_str(), *shows)).collect();
-        if widgets::choice(ui, "scene", "Scene", &mut scene, &options, 0) {
+        if widgets::choice(ui, "scene", tr!("exercise-scene"), &mut scene, &options, 0) {
             work.look_at(scene);
         }
     }
     if work.moves() || work.clock.playing {
-        let (icon, tip) = if work.clock.playing { (icons::PAUSE, "Pause") } else { (icons::PLAY, "Play") };
+        let (icon, tip) = if work.clock.playing {
+            (icons::PAUSE, tr!("exercise-pause"))
+        } else {
+            (icons::PLAY, tr!("exercise-play"))
+        };
         if widgets::icon_button(ui, "play", icon, tip).clicked() {
             work.clock.playing = !work.clock.playing;
         }
     }
-    if widgets::icon_button(ui, "frame", icons::FRAME_CORNERS, "Reset the camera").clicked() {
+    if widgets::icon_button(ui, "frame", icons::FRAME_CORNERS, tr!("exercise-reset-the-camera")).clicked() {
         let clock = work.clock;
         work.look_at(work.scene);
         work.clock = clock;
     }
-    let tip = "Show each line's values at a pixel: click on the picture, or press this for its middle (F9)";
+    let tip = tr!("exercise-show-each-line-s-values-at");
     let color = stepper.is_pinned().then(|| colors::ACCENT.of(ui));
     if widgets::tool_button(ui, "step-pin", icons::CROSSHAIR, tip, color, true).clicked() {
         match stepper.is_pinned() {

@@ -27,6 +27,17 @@ pub enum PreviewPicture {
     Difference = 2,
 }
 
+impl PreviewPicture {
+    /// A stable name for programs.
+    pub const fn id(self) -> &'static str {
+        match self {
+            PreviewPicture::Yours => "yours",
+            PreviewPicture::Reference => "reference",
+            PreviewPicture::Difference => "difference",
+        }
+    }
+}
+
 /// Everything that a picture depends on.
 type Drawn = ([u32; 2], Vec<(PreviewShape, TestScene)>, u64);
 

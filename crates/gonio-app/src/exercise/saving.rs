@@ -5,6 +5,7 @@ use super::work::{OpenFile, Work};
 use crate::files;
 use crate::platform::Platform;
 use egui::Context;
+use gonio_language::tr;
 use gonio_scene::files::{Disk, FileBytes, FileSource};
 use std::path::PathBuf;
 
@@ -53,13 +54,13 @@ pub fn save_into(work: &mut Work, folder: &str, platform: &mut dyn Platform) -> 
     let in_memory = work.files.iter().all(|file| file.path.is_none());
     let is_meant = |file: &OpenFile| file.path.is_none() && (in_memory || file.is_changed());
     if let Some(file) = work.files.iter().find(|file| is_meant(file) && place(&file.name).exists()) {
-        return vec![format!("{} already exists: choose another folder", place(&file.name).display())];
+        return vec![tr!("exercise-already-exists-choose-another-folder", name = place(&file.name).display())];
     }
     for file in work.files.iter_mut().filter(|file| is_meant(file)) {
         let path = place(&file.name);
         let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
         if let Err(error) = made {
-            return vec![format!("{} could not be created: {error}", folder.display())];
+            return vec![tr!("exercise-could-not-be-created", folder = folder.display(), error = error)];
         }
         let bytes = file.content();
         match platform.write(&path.to_string_lossy(), &bytes) {
@@ -82,7 +83,7 @@ pub fn read_again(ctx: &Context, work: &mut Work, paths: &[PathBuf]) -> Vec<Stri
                     editor::remember(ctx, &before);
                 }
             }
-            Err(error) => failures.push(format!("{} could not be reloaded: {error}", path.display())),
+            Err(error) => failures.push(tr!("exercise-could-not-be-reloaded", path = path.display(), error = error)),
         }
     }
     failures

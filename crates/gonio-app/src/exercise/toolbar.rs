@@ -5,10 +5,12 @@ use super::editor;
 use super::work::{OpenFile, Work};
 use crate::exported::{self, WidgetRole};
 use crate::theme::{self, colors, icons};
+use crate::widgets::language_menu;
 use egui::{
     Align, Align2, Button, Frame, Key, KeyboardShortcut, Layout, Margin, Modifiers, Panel, RichText, TextEdit, Ui,
     WidgetInfo, Window, vec2,
 };
+use gonio_language::tr;
 
 /// Below this width (points) icons replace names.
 const NARROW: f32 = 620.0;
@@ -47,20 +49,24 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<ExerciseCom
     let work = Panel::top("exercise bar").frame(bar).resizable(false).show(ui, |ui| {
         let narrow = ui.available_width() < NARROW;
         ui.horizontal(|ui| {
-            if icon(ui, "leave", icons::CARET_LEFT, "Back to the scene", true) {
+            if icon(ui, "leave", icons::CARET_LEFT, tr!("exercise-back-to-the-scene"), true) {
                 commands.push(ExerciseCommand::Leave);
             }
             if !narrow {
-                ui.label(RichText::new("Exercises").font(theme::bold(16.0)).color(ui.visuals().strong_text_color()));
+                ui.label(
+                    RichText::new(tr!("exercise-exercises"))
+                        .font(theme::bold(16.0))
+                        .color(ui.visuals().strong_text_color()),
+                );
                 ui.add_space(4.0);
             }
             if let Some(work) = &work {
                 let label = if narrow {
                     work.exercise.id.clone()
                 } else {
-                    format!("{}  {}", work.exercise.id, work.exercise.title)
+                    format!("{}  {}", work.exercise.id, work.exercise.title())
                 };
-                if button(ui, "exercises", RichText::new(label), "Select another exercise", true) {
+                if button(ui, "exercises", RichText::new(label), tr!("exercise-select-another-exercise"), true) {
                     commands.push(ExerciseCommand::List);
                 }
                 check(ui, work, narrow, commands);
@@ -68,8 +74,17 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<ExerciseCom
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let dark = ui.visuals().dark_mode;
-                if icon(ui, "theme", if dark { icons::SUN } else { icons::MOON }, "Light or dark theme", true) {
+                if icon(
+                    ui,
+                    "theme",
+                    if dark { icons::SUN } else { icons::MOON },
+                    tr!("exercise-light-or-dark-theme"),
+                    true,
+                ) {
                     commands.push(ExerciseCommand::Theme);
+                }
+                if let Some(language) = language_menu(ui) {
+                    commands.push(ExerciseCommand::SetLanguage(language));
                 }
             });
         });
@@ -83,39 +98,42 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<ExerciseCom
 fn check(ui: &mut Ui, work: &Work, narrow: bool, commands: &mut Vec<ExerciseCommand>) {
     if work.checking {
         ui.spinner();
-        if button(ui, "stop-checking", RichText::new("Stop"), "Stop the check (Esc)", true) {
+        if button(ui, "stop-checking", RichText::new(tr!("exercise-stop")), tr!("exercise-stop-the-check-esc"), true) {
             commands.push(ExerciseCommand::StopChecking);
         }
         return;
     }
-    let text = RichText::new(if narrow { "Check" } else { "Check  Ctrl+Enter" });
+    let text = RichText::new(if narrow { tr!("exercise-check") } else { tr!("exercise-check-ctrl-enter") });
     let fill = colors::ACCENT.of(ui).gamma_multiply(0.35);
     let check = ui.add(Button::new(text.color(ui.visuals().strong_text_color())).fill(fill));
-    exported::note(ui, &check, "check", WidgetRole::Button, "Check", "");
-    if check.on_hover_text("Find mistakes by name and line (Ctrl + Enter)").clicked() {
+    exported::note(ui, &check, "check", WidgetRole::Button, tr!("exercise-check"), "");
+    if check.on_hover_text(tr!("exercise-find-mistakes-by-name-and-line")).clicked() {
         commands.push(ExerciseCommand::Check);
     }
 }
 
 fn files(ui: &mut Ui, work: &Work, narrow: bool, commands: &mut Vec<ExerciseCommand>) {
-    let tip = "Open your own files in place of these (Ctrl + O), or drop them here";
+    let tip = tr!("exercise-open-your-own-files-in-place");
     if icon(ui, "open-files", icons::FOLDER_OPEN, tip, true) {
         commands.push(ExerciseCommand::Open);
     }
     let in_memory = work.files.iter().all(|file| file.path.is_none());
-    if icon(ui, "save-files", icons::FLOPPY_DISK, "Save the files (Ctrl + S)", in_memory || work.is_changed()) {
+    if icon(ui, "save-files", icons::FLOPPY_DISK, tr!("exercise-save-the-files-ctrl-s"), in_memory || work.is_changed())
+    {
         commands.push(ExerciseCommand::Save);
     }
     let file: Option<&OpenFile> = work.files.get(work.current);
     let [back, forth] = file.map_or([false; 2], |file| editor::can_step(ui.ctx(), file));
-    if icon(ui, "undo", icons::ARROW_U_UP_LEFT, "Undo in this file (Ctrl + Z)", back) {
+    if icon(ui, "undo", icons::ARROW_U_UP_LEFT, tr!("exercise-undo-in-this-file-ctrl-z"), back) {
         commands.push(ExerciseCommand::Undo);
     }
-    if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, "Redo in this file (Ctrl + Y)", forth) {
+    if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, tr!("exercise-redo-in-this-file-ctrl-y"), forth) {
         commands.push(ExerciseCommand::Redo);
     }
     // A phone has no room for it.
-    if !narrow && icon(ui, "find-open", icons::MAGNIFYING_GLASS, "Find in this file (Ctrl + F)", file.is_some()) {
+    if !narrow
+        && icon(ui, "find-open", icons::MAGNIFYING_GLASS, tr!("exercise-find-in-this-file-ctrl-f"), file.is_some())
+    {
         commands.push(ExerciseCommand::Find);
     }
 }
@@ -125,21 +143,18 @@ fn ask(ui: &Ui, work: &mut Work, commands: &mut Vec<ExerciseCommand>) {
     let Some(mut folder) = work.asking.take() else { return };
     let (mut open, mut done) = (true, false);
     let width = 420_f32.min(ui.ctx().content_rect().width() - 48.0);
-    let window = Window::new("Save to a folder").open(&mut open).collapsible(false).resizable(false);
+    let window = Window::new(tr!("exercise-save-to-a-folder")).open(&mut open).collapsible(false).resizable(false);
     window.anchor(Align2::CENTER_CENTER, vec2(0.0, -60.0)).show(ui.ctx(), |ui| {
         ui.set_width(width);
-        ui.label(
-            RichText::new("The folder is created if it does not exist. You can then edit the files in any editor.")
-                .weak(),
-        );
+        ui.label(RichText::new(tr!("exercise-the-folder-is-created-if-it")).weak());
         let field = ui.add(TextEdit::singleline(&mut folder).desired_width(f32::INFINITY).id_salt("folder"));
-        exported::note(ui, &field, "folder", WidgetRole::Text, "Folder", &folder);
+        exported::note(ui, &field, "folder", WidgetRole::Text, tr!("exercise-folder"), &folder);
         done |= field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         if !field.has_focus() && !done && ui.memory(|m| m.focused().is_none()) {
             field.request_focus();
         }
-        let save = ui.add_enabled(!folder.trim().is_empty(), Button::new("Save"));
-        exported::note(ui, &save, "folder-done", WidgetRole::Button, "Save", "");
+        let save = ui.add_enabled(!folder.trim().is_empty(), Button::new(tr!("exercise-save")));
+        exported::note(ui, &save, "folder-done", WidgetRole::Button, tr!("exercise-save"), "");
         done |= save.clicked();
     });
     if ui.input(|i| i.key_pressed(Key::Escape)) {

@@ -11,6 +11,7 @@ use gonio_check::submission::SourceFile;
 use gonio_check::verdict::{FoundMistake, SceneVerdict, Verdict};
 use gonio_exercises::exercise::{Exercise, ExerciseKind};
 use gonio_exercises::preview::{self, Note, NoteKind, PreviewScene, VariableValue};
+use gonio_language::tr;
 use gonio_scene::settings::{Aim, CameraSettings};
 use std::path::PathBuf;
 
@@ -125,7 +126,7 @@ impl OpenFile {
 fn decoded(bytes: &[u8]) -> (String, bool) {
     match std::str::from_utf8(bytes) {
         // Binary data is useless as text, and its lines may be very long.
-        _ if bytes.contains(&0) => (format!("{} bytes of binary data.\n", bytes.len()), true),
+        _ if bytes.contains(&0) => (tr!("exercise-bytes-of-binary-data", count = bytes.len()) + "\n", true),
         Ok(text) => (text.to_owned(), false),
         Err(_) => (String::from_utf8_lossy(bytes).into_owned(), true),
     }

@@ -14,6 +14,7 @@ use gonio_check::submission::stage_of;
 use gonio_environment::names;
 use gonio_glsl::Stage;
 use gonio_image::decode::FileFormat;
+use gonio_language::tr;
 use gonio_mesh::{Format, compression};
 use gonio_scene::files::FileSource;
 use std::path::Path;
@@ -66,17 +67,17 @@ fn shaders(files: &[String], names: Vec<String>, source: &dyn FileSource) -> Res
     let mut found = ShaderFiles { names: names.into_iter().next(), ..ShaderFiles::default() };
     for name in files {
         let bytes = source.read_within(Path::new(name), MOST_SHADER_BYTES);
-        let bytes = bytes.map_err(|error| format!("cannot read the shader {name}: {error}"))?;
+        let bytes = bytes.map_err(|error| tr!("window-cannot-read-the-shader", name = name, error = error))?;
         let stage = stage_of(name, &String::from_utf8_lossy(&bytes));
         let (place, stage) = match stage {
             Some(Stage::Vertex) => (&mut found.vertex, "vertex"),
             Some(_) => (&mut found.fragment, "fragment"),
             None => {
-                return Err(format!("`{name}` may be a vertex or a fragment shader: name it .vert or .frag"));
+                return Err(tr!("window-may-be-a-vertex-or-a", name = name));
             }
         };
         if let Some(other) = place.replace(name.clone()) {
-            return Err(format!("`{other}` and `{name}` are both {stage} shaders: open one of them"));
+            return Err(tr!("window-and-are-both-shaders-open-one", other = other, name = name, stage = stage));
         }
     }
     Ok((found.any() || found.names.is_some()).then_some(found))
@@ -105,15 +106,14 @@ fn scene(kinds: &[(&String, Kind)]) -> Result<GatheredInputs, String> {
         let environment = Some(one_environment(&pictures)?);
         return Ok(GatheredInputs { environment, ..GatheredInputs::default() });
     }
-    let expected = "a model (.obj .gltf .glb .dae .ply .stl .mesh .meshb), a scene (.toml), shaders \
-                    (.vert .frag .glsl), a zip of these, or a picture as the environment";
+    let expected = tr!("window-a-model-obj-gltf-glb-dae");
     Err(match kinds {
-        [] => "no files to open".to_owned(),
+        [] => tr!("window-no-files-to-open").to_owned(),
         [(one, Kind::Sidecar)] => {
-            format!("`{one}` belongs to a model: open it together with the model")
+            tr!("window-belongs-to-a-model-open-it", one = one)
         }
-        [(one, _)] => format!("`{one}` cannot be opened: expected {expected}"),
-        several => format!("none of these {} files can be opened: expected {expected}", several.len()),
+        [(one, _)] => tr!("window-cannot-be-opened-expected", one = one, expected = expected),
+        several => tr!("window-none-of-these-files-can-be", count = several.len(), expected = expected),
     })
 }
 
@@ -156,8 +156,10 @@ fn one_environment(pictures: &[String]) -> Result<String, String> {
             .first()
             .and_then(|&index| pictures.get(index))
             .cloned()
-            .ok_or_else(|| "the six faces of the environment were not found".into()),
-        Err(error) => Err(format!("these {} pictures are not one environment: {}", pictures.len(), error.message)),
+            .ok_or_else(|| tr!("window-the-six-faces-of-the-environment").into()),
+        Err(error) => {
+            Err(tr!("window-these-pictures-are-not-one-environment", count = pictures.len(), message = error.message))
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 use flate2::Compression;
 use flate2::read::DeflateDecoder;
 use flate2::write::DeflateEncoder;
+use gonio_language::tr;
 use gonio_scene::environment_file;
 use gonio_scene::files::BUILTIN;
 use gonio_scene::{SceneFile, SceneSettings};
@@ -53,21 +54,19 @@ pub fn of_scene(scene: &SceneSettings) -> Result<String, String> {
     let environments = scene.environment.iter().flat_map(|e| std::iter::once(&e.image).chain(&e.background));
     let files = environments.filter(|name| environment_file::builtin_of(name).is_none());
     if let Some(file) = models.chain(files).next() {
-        return Err(format!(
-            "a link contains the scene but not its files such as `{file}`: save the scene and send both"
-        ));
+        return Err(tr!("window-a-link-contains-the-scene-but", file = file));
     }
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
     let packed = encoder.write_all(SceneFile::from(scene).to_toml_string().as_bytes()).and_then(|()| encoder.finish());
     // Writing to memory does not fail.
-    let packed = packed.map_err(|error| format!("the scene could not be compressed: {error}"))?;
+    let packed = packed.map_err(|error| tr!("window-the-scene-could-not-be-compressed", error = error))?;
     Ok(format!("{KEY}{}", base64url(&packed)))
 }
 
 /// The scene file in such a part of an address; `None` if it contains none. An error is one sentence.
 pub fn scene_file(fragment: &str) -> Option<Result<String, String>> {
     let text = fragment.trim_start_matches('#').strip_prefix(KEY)?;
-    Some(unpack(text).ok_or_else(|| "the scene in the link is damaged: copy the whole link".to_owned()))
+    Some(unpack(text).ok_or_else(|| tr!("window-the-scene-in-the-link-is").to_owned()))
 }
 
 fn unpack(text: &str) -> Option<String> {

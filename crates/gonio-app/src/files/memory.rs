@@ -1,5 +1,6 @@
 //! Files in memory: dropped on a page, or unpacked.
 
+use gonio_language::tr;
 use gonio_scene::files::{FileBytes, FileSource, within};
 use std::collections::BTreeMap;
 use std::io::{Error, ErrorKind};
@@ -55,7 +56,7 @@ impl FileSource for MemoryFiles {
         if !self.list(path).is_empty() {
             return Err(ErrorKind::IsADirectory.into());
         }
-        Err(Error::new(ErrorKind::NotFound, "it is not among the opened files; open it together with the others"))
+        Err(Error::new(ErrorKind::NotFound, tr!("window-it-is-not-among-the-opened")))
     }
 
     fn list(&self, folder: &Path) -> Vec<PathBuf> {

@@ -21,6 +21,7 @@ pub use zip::pack;
 
 use gonio_check::submission::SourceFile;
 use gonio_check::user_shaders::names_beside;
+use gonio_language::tr;
 use gonio_scene::files::FileSource;
 use std::io::ErrorKind;
 use std::path::PathBuf;
@@ -95,7 +96,7 @@ impl ShaderFiles {
         let read = |path: PathBuf| match files.read_within(&path, MOST_SHADER_BYTES) {
             Ok(bytes) => Ok(Some(SourceFile::new(path.display().to_string(), bytes.into_vec()))),
             Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(format!("cannot read {}: {error}", path.display())),
+            Err(error) => Err(tr!("window-cannot-read", path = path.display(), error = error)),
         };
         self.names().into_iter().filter_map(|path| read(path).transpose()).collect()
     }
@@ -115,6 +116,6 @@ pub fn short(inputs: &[String]) -> String {
     match inputs {
         [] => String::new(),
         [one] => name(one),
-        [first, rest @ ..] => format!("{} and {} more", name(first), rest.len()),
+        [first, rest @ ..] => tr!("window-and-more", first = name(first), count = rest.len()),
     }
 }

@@ -7,6 +7,7 @@
 use super::MemoryFiles;
 use flate2::Crc;
 use flate2::read::DeflateDecoder;
+use gonio_language::tr;
 use std::io::Read;
 
 /// Limits on what a zip may unpack to.
@@ -60,16 +61,14 @@ pub struct ZipEntry {
 
 /// Reads the directory of a zip file with at most `most_files` files. Nothing is unpacked. An error is one sentence.
 pub fn entries(bytes: &[u8], most_files: usize) -> Result<Vec<ZipEntry>, String> {
-    let end = find_end(bytes).ok_or("the zip file is truncated or damaged: its directory is missing")?;
+    let end = find_end(bytes).ok_or(tr!("window-the-zip-file-is-truncated-or-2"))?;
     let count = number(bytes, end + 10, 2)? as usize;
     let mut at = number(bytes, end + 16, 4)? as usize;
     if count == 0xffff || at == 0xffff_ffff {
-        return Err("Zip64 files are not supported: unpack the zip file and open its contents".into());
+        return Err(tr!("window-zip64-files-are-not-supported-unpack").into());
     }
     if count > most_files {
-        return Err(format!(
-            "the zip file holds {count} files, more than {most_files}: unpack it and open only those that you need"
-        ));
+        return Err(tr!("window-the-zip-file-holds-files-more", count = count, most_files = most_files));
     }
     let mut entries = Vec::new();
     for _ in 0..count {
@@ -96,7 +95,7 @@ impl ZipEntry {
     pub fn unpack(&self, zip: &[u8]) -> Result<Vec<u8>, String> {
         let name = String::from_utf8_lossy(&self.name);
         if self.is_encrypted {
-            return Err(format!("`{name}` in the zip file is encrypted: unpack it and open its contents"));
+            return Err(tr!("window-in-the-zip-file-is-encrypted", name = name));
         }
         if part(zip, self.local, 4)? != LOCAL {
             return Err(damaged());
@@ -125,14 +124,11 @@ pub fn unpack_within(bytes: &[u8], limits: &ZipLimits) -> Result<MemoryFiles, St
         }
         if entry.size > limits.file_bytes {
             let most = limits.file_bytes >> 20;
-            return Err(format!("`{name}` in the zip file is larger than {most} MiB, the limit for one file"));
+            return Err(tr!("window-in-the-zip-file-is-larger", name = name, most = most));
         }
         total += entry.size;
         if total > limits.bytes {
-            return Err(format!(
-                "the zip file holds more than {} MiB: unpack it and open its contents",
-                limits.bytes >> 20
-            ));
+            return Err(tr!("window-the-zip-file-holds-more-than", bytes = limits.bytes >> 20));
         }
         requested.push((name, entry));
     }
@@ -144,7 +140,7 @@ pub fn unpack_within(bytes: &[u8], limits: &ZipLimits) -> Result<MemoryFiles, St
 }
 
 fn inflate(content: &[u8], method: u64, size: u64, name: &str) -> Result<Vec<u8>, String> {
-    let wrong = || format!("`{name}` in the zip file is damaged: its size differs from the directory's entry");
+    let wrong = || tr!("window-in-the-zip-file-is-damaged-2", name = name);
     let bytes = match method {
         0 if content.len() as u64 != size => return Err(wrong()),
         0 => content.to_vec(),
@@ -154,13 +150,11 @@ fn inflate(content: &[u8], method: u64, size: u64, name: &str) -> Result<Vec<u8>
             DeflateDecoder::new(content)
                 .take(size + 1)
                 .read_to_end(&mut bytes)
-                .map_err(|_| format!("`{name}` in the zip file is damaged: create the zip file again"))?;
+                .map_err(|_| tr!("window-in-the-zip-file-is-damaged", name = name))?;
             bytes
         }
         _ => {
-            return Err(format!(
-                "`{name}` in the zip file uses an unsupported compression method: use Deflate or none"
-            ));
+            return Err(tr!("window-in-the-zip-file-uses-an", name = name));
         }
     };
     if bytes.len() as u64 != size { Err(wrong()) } else { Ok(bytes) }
@@ -187,7 +181,7 @@ fn number(bytes: &[u8], at: usize, len: usize) -> Result<u64, String> {
 }
 
 fn damaged() -> String {
-    "the zip file is truncated or damaged: create it again".into()
+    tr!("window-the-zip-file-is-truncated-or").into()
 }
 
 /// Version needed to extract: 2.0, for folders.

@@ -7,6 +7,7 @@ use crate::theme::colors;
 use crate::widgets::{NumberField, Vector, heading, row};
 use egui::{Color32, FontFamily, FontId, Grid, RichText, Ui};
 use glam::{DMat4, DVec3};
+use gonio_language::tr;
 use gonio_light::vector::unit;
 use gonio_scene::settings::{Aim, CameraSettings};
 use gonio_scene::{Camera, defaults};
@@ -35,29 +36,38 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
 }
 
 fn place(ui: &mut Ui, spec: &mut CameraSettings) {
-    heading(ui, "Place");
-    let tip = "Camera position in world space";
-    row(ui, "Position", tip, |ui| Vector::new("camera-position", "position").tip(tip).show(ui, &mut spec.position));
+    heading(ui, tr!("scene-place"));
+    let tip = tr!("scene-camera-position-in-world-space");
+    row(ui, tr!("scene-position"), tip, |ui| {
+        Vector::new("camera-position", "position").tip(tip).show(ui, &mut spec.position)
+    });
     let camera = spec.to_camera();
     let (mut yaw, mut pitch) = camera.yaw_pitch_deg();
     // A camera with yaw and pitch gets a target ahead of it.
     let ahead = (camera.position + camera.front).to_array();
     let mut target = spec.target().unwrap_or(ahead);
-    let tip = "The point that the camera looks at, in world space";
-    if row(ui, "Target", tip, |ui| Vector::new("camera-target", "target").tip(tip).show(ui, &mut target)) {
+    let tip = tr!("scene-the-point-that-the-camera-looks");
+    if row(ui, tr!("scene-target"), tip, |ui| Vector::new("camera-target", "target").tip(tip).show(ui, &mut target)) {
         spec.aim = Aim::Target(target);
     }
     let before = (yaw, pitch);
     for (id, label, tip, value, range, default) in [
         (
             "camera-yaw",
-            "Yaw",
-            "Yaw of the viewing direction; -90\u{b0} looks along -Z",
+            tr!("scene-yaw"),
+            tr!("scene-yaw-of-the-viewing-direction-90"),
             &mut yaw,
             -360.0..=360.0,
             defaults::YAW,
         ),
-        ("camera-pitch", "Pitch", "Pitch; positive looks up", &mut pitch, -STEEPEST..=STEEPEST, defaults::PITCH),
+        (
+            "camera-pitch",
+            tr!("scene-pitch"),
+            tr!("scene-pitch-positive-looks-up"),
+            &mut pitch,
+            -STEEPEST..=STEEPEST,
+            defaults::PITCH,
+        ),
     ] {
         row(ui, label, tip, |ui| {
             let number = NumberField::new(id, label).tip(tip).unit("\u{b0}").range(range).default(default).step(0.5);
@@ -67,8 +77,8 @@ fn place(ui: &mut Ui, spec: &mut CameraSettings) {
     if (yaw, pitch) != before {
         turn(spec, &camera, target.into(), yaw, pitch);
     }
-    let tip = "WorldUp: the up direction, made perpendicular to the viewing direction";
-    row(ui, "Up", tip, |ui| {
+    let tip = tr!("scene-worldup-the-up-direction-made-perpendicular");
+    row(ui, tr!("scene-up"), tip, |ui| {
         Vector::new("camera-up", "up").tip(tip).default(defaults::UP).step(0.01).show(ui, &mut spec.up)
     });
 }
@@ -82,10 +92,10 @@ fn turn(spec: &mut CameraSettings, camera: &Camera, target: DVec3, yaw: f64, pit
 }
 
 fn lens(ui: &mut Ui, spec: &mut CameraSettings) {
-    heading(ui, "Lens");
-    row(ui, "Field of view", "Full vertical angle", |ui| {
-        let tip = "Full vertical field of view; the lab's 45 rad are 58.3\u{b0}";
-        NumberField::new("camera-fov", "field of view")
+    heading(ui, tr!("scene-lens"));
+    row(ui, tr!("scene-field-of-view-2"), tr!("scene-full-vertical-angle"), |ui| {
+        let tip = tr!("scene-full-vertical-field-of-view-the");
+        NumberField::new("camera-fov", tr!("scene-field-of-view"))
             .tip(tip)
             .unit("\u{b0}")
             .range(1.0..=170.0)
@@ -95,8 +105,8 @@ fn lens(ui: &mut Ui, spec: &mut CameraSettings) {
     let (mut near, mut far) = (spec.near, spec.far);
     let before = (near, far);
     for (id, label, tip, value) in [
-        ("camera-near", "Near", "Distance of the near plane, in world units", &mut near),
-        ("camera-far", "Far", "Distance of the far plane, in world units", &mut far),
+        ("camera-near", tr!("scene-near"), tr!("scene-distance-of-the-near-plane-in"), &mut near),
+        ("camera-far", tr!("scene-far"), tr!("scene-distance-of-the-far-plane-in"), &mut far),
     ] {
         row(ui, label, tip, |ui| {
             NumberField::new(id, label).tip(tip).range(1e-6..=1e9).show(ui, value);
@@ -130,7 +140,7 @@ const VIEW: Table = Table {
         ["Right.x", "Right.y", "Right.z", "\u{2212}Right \u{22c5} Position"],
         ["Up.x", "Up.y", "Up.z", "\u{2212}Up \u{22c5} Position"],
         ["\u{2212}Front.x", "\u{2212}Front.y", "\u{2212}Front.z", "Front \u{22c5} Position"],
-        ["0", "0", "0", "1, for points"],
+        ["0", "0", "0", "scene-1-for-points"],
     ],
 };
 
@@ -142,20 +152,18 @@ const PROJECTION: Table = Table {
         ["f / aspect, f = 1 / tan(fov / 2), aspect = width / height", "0", "0", "0"],
         ["0", "f = 1 / tan(fov / 2)", "0", "0"],
         ["0", "0", "(far + near) / (near \u{2212} far)", "2 far near / (near \u{2212} far)"],
-        ["0", "0", "\u{2212}1: w becomes the depth, by which x, y and z are divided", "0"],
+        ["0", "0", "scene-1-w-becomes-the-depth-by", "0"],
     ],
 };
 
 /// Shows both matrices.
 fn matrices(ui: &mut Ui, camera: &Camera, aspect: f64) {
-    heading(ui, "View matrix V").on_hover_text(
-        "From world to eye space: the camera axes as rows, and in the last column minus the position in those axes",
-    );
+    heading(ui, tr!("scene-view-matrix-v")).on_hover_text(tr!("scene-from-world-to-eye-space-the"));
     table(ui, &VIEW, camera.view_from_world(), row_tints(ui));
     let [front_x, front_y, front_z] = camera.front.to_array();
     let text = format!("Front = ({front_x:.3}, {front_y:.3}, {front_z:.3})");
     ui.label(RichText::new(text).font(digits()).color(colors::AXIS_Z.of(ui)));
-    heading(ui, "Projection matrix P").on_hover_text("From eye to OpenGL's clip space: z from -1 (near) to 1 (far)");
+    heading(ui, tr!("scene-projection-matrix-p")).on_hover_text(tr!("scene-from-eye-to-opengl-s-clip"));
     let weak = ui.visuals().weak_text_color();
     table(ui, &PROJECTION, camera.clip_from_view(aspect), [weak; 4]);
 }
@@ -188,7 +196,7 @@ fn table(ui: &mut Ui, of: &Table, matrix: DMat4, tints: [Color32; 4]) {
             for (entry, tip) in entries.iter().zip(tips) {
                 let zero = *entry == 0.0;
                 let color = if zero { weak.gamma_multiply(0.6) } else { strong };
-                ui.label(RichText::new(entry_text(*entry)).font(digits()).color(color)).on_hover_text(tip);
+                ui.label(RichText::new(entry_text(*entry)).font(digits()).color(color)).on_hover_text(tr!(tip));
             }
             ui.end_row();
         }

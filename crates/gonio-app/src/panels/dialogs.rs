@@ -7,6 +7,7 @@ use crate::session::Session;
 use crate::shortcuts;
 use crate::theme;
 use egui::{Align2, Grid, Key, Label, RichText, ScrollArea, TextEdit, Ui, Window, vec2};
+use gonio_language::tr;
 use gonio_scene::files::BUILTIN;
 
 /// Shows the keyboard shortcuts if they are requested.
@@ -14,7 +15,7 @@ pub fn help(ui: &Ui, session: &mut Session) {
     let room = ui.ctx().content_rect();
     // On a phone the column of keys is narrower.
     let key_width = if room.width() < 480.0 { 96.0 } else { 190.0 };
-    Window::new("Keyboard shortcuts")
+    Window::new(tr!("window-keyboard-shortcuts"))
         .open(&mut session.help)
         .collapsible(false)
         .resizable(false)
@@ -46,19 +47,13 @@ pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mu
     let Some(mut asking) = session.asking.take() else { return };
     let (title, hint, verb) = match asking.saves {
         None if purpose == Purpose::Exercise => {
-            ("Open", "Path of a file, folder or zip file; you can also drop files on the window", "Open")
+            (tr!("window-open"), tr!("window-path-of-a-file-folder-or"), tr!("window-open"))
         }
-        None if purpose == Purpose::Bench => (
-            "Open",
-            "Path of a .binary (MERL), .brdf, .glsl or .toml file; you can also drop files on the window",
-            "Open",
-        ),
-        Some(_) => ("Save as", "Path of the file", "Save"),
-        None => (
-            "Open",
-            "Path of a model, scene, shader, zip file or picture; you can also drop files on the window",
-            "Open",
-        ),
+        None if purpose == Purpose::Bench => {
+            (tr!("window-open"), tr!("window-path-of-a-binary-merl-brdf"), tr!("window-open"))
+        }
+        Some(_) => (tr!("window-save-as"), tr!("window-path-of-the-file"), tr!("window-save")),
+        None => (tr!("window-open"), tr!("window-path-of-a-model-scene-shader"), tr!("window-open")),
     };
     let (mut open, mut done) = (true, false);
     let width = 460_f32.min(ui.ctx().content_rect().width() - 48.0);
@@ -82,8 +77,8 @@ pub fn path_field(ui: &Ui, session: &mut Session, purpose: Purpose, actions: &mu
                 let button = ui.add_enabled(!asking.text.trim().is_empty(), egui::Button::new(verb));
                 exported::note(ui, &button, "path-done", WidgetRole::Button, verb, "");
                 done |= button.clicked();
-                let cancel = ui.button("Cancel");
-                exported::note(ui, &cancel, "path-cancel", WidgetRole::Button, "Cancel", "");
+                let cancel = ui.button(tr!("window-cancel"));
+                exported::note(ui, &cancel, "path-cancel", WidgetRole::Button, tr!("window-cancel"), "");
                 if cancel.clicked() {
                     asking.text.clear();
                     done = true;

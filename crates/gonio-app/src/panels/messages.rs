@@ -6,6 +6,7 @@ use crate::session::{MessageAnswer, MessageSeverity, Messages, UserMessage};
 use crate::theme::{self, colors, icons};
 use crate::widgets::icon_button;
 use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
+use gonio_language::tr;
 
 /// Most messages that are shown before the tray is opened.
 const FEW: usize = 3;
@@ -38,7 +39,7 @@ pub fn show(ui: &mut Ui, messages: &Messages, actions: &mut Vec<Action>) {
                 }
                 let heading = file.filter(|_| group.len() > 1);
                 if let Some(file) = heading {
-                    let text = format!("{file}: {} messages", group.len());
+                    let text = tr!("window-messages-2", file = file, count = group.len());
                     ui.add(Label::new(RichText::new(text).small().weak()).truncate());
                 }
                 for message in group.iter().take(left) {
@@ -54,15 +55,15 @@ pub fn show(ui: &mut Ui, messages: &Messages, actions: &mut Vec<Action>) {
 fn header(ui: &mut Ui, messages: &Messages, actions: &mut Vec<Action>) {
     let count = messages.list().len();
     ui.horizontal(|ui| {
-        ui.label(RichText::new(format!("{count} messages")).small().weak());
+        ui.label(RichText::new(tr!("window-messages", count = count)).small().weak());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let all = ui.small_button("Dismiss all");
-            exported::note(ui, &all, "dismiss-all", WidgetRole::Button, "Dismiss all", "");
+            let all = ui.small_button(tr!("window-dismiss-all"));
+            exported::note(ui, &all, "dismiss-all", WidgetRole::Button, tr!("window-dismiss-all"), "");
             if all.clicked() {
                 actions.push(Action::DismissAll);
             }
             if count > FEW {
-                let label = if messages.is_expanded { "Show fewer" } else { "Show all" };
+                let label = if messages.is_expanded { tr!("window-show-fewer") } else { tr!("window-show-all") };
                 let more = ui.small_button(label);
                 exported::note(ui, &more, "messages-all", WidgetRole::Button, label, messages.is_expanded);
                 if more.clicked() {
@@ -89,7 +90,7 @@ fn row(ui: &mut Ui, message: &UserMessage, heading: Option<&str>, actions: &mut 
             text = text.replacen("warning: ", "", 1);
         }
         if message.times > 1 {
-            text = format!("{text} ({} times)", message.times);
+            text = tr!("window-times", text = text, times = message.times);
         }
         let width = (ui.available_width() - BUTTONS_WIDTH).max(60.0);
         ui.allocate_ui_with_layout(egui::vec2(width, 0.0), Layout::top_down(Align::LEFT), |ui| {
@@ -98,18 +99,18 @@ fn row(ui: &mut Ui, message: &UserMessage, heading: Option<&str>, actions: &mut 
             let label = ui.add(Label::new(text).wrap());
             exported::note(ui, &label, &format!("message-{}", message.id), WidgetRole::Text, &message.text, "");
             if let Some(MessageAnswer::RestoreScene) = message.answer {
-                let restore = ui.small_button("Restore");
-                exported::note(ui, &restore, "restore-scene", WidgetRole::Button, "Restore", "");
+                let restore = ui.small_button(tr!("window-restore"));
+                exported::note(ui, &restore, "restore-scene", WidgetRole::Button, tr!("window-restore"), "");
                 if restore.clicked() {
                     actions.push(Action::RestoreScene);
                 }
             }
         });
         ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-            if icon_button(ui, &format!("dismiss-{}", message.id), icons::X, "Dismiss").clicked() {
+            if icon_button(ui, &format!("dismiss-{}", message.id), icons::X, tr!("window-dismiss")).clicked() {
                 actions.push(Action::Dismiss(message.id));
             }
-            if icon_button(ui, &format!("copy-{}", message.id), icons::COPY, "Copy the message").clicked() {
+            if icon_button(ui, &format!("copy-{}", message.id), icons::COPY, tr!("window-copy-the-message")).clicked() {
                 actions.push(Action::CopyText(message.text.clone()));
             }
         });

@@ -168,14 +168,7 @@ fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
                 ui.painter().rect_filled(line, 1.0, color);
             }
             let button = button.on_hover_text(tab.description());
-            exported::note(
-                ui,
-                &button,
-                &format!("tab-{}", tab.title().to_lowercase()),
-                WidgetRole::Tab,
-                tab.title(),
-                chosen,
-            );
+            exported::note(ui, &button, &format!("tab-{}", tab.id()), WidgetRole::Tab, tab.title(), chosen);
             if button.clicked() {
                 actions.push(Action::Show(tab));
             }

@@ -5,6 +5,7 @@ use crate::document::Document;
 use crate::session::Session;
 use crate::widgets::{NumberField, choice, color, dropdown, heading, named_options, row, toggle};
 use egui::Ui;
+use gonio_language::{name, tr};
 use gonio_light::Quantity;
 use gonio_light::color::{ColorEncoding, ToneMap};
 use gonio_scene::scene_file::{BackgroundSpec, PictureSpec};
@@ -17,13 +18,13 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     if session.loaded.is_none() {
         return;
     }
-    heading(ui, "View of this pane");
+    heading(ui, tr!("scene-view-of-this-pane"));
     view(ui, document);
-    heading(ui, "Environment");
+    heading(ui, tr!("scene-environment"));
     environment(ui, &mut document.scene);
-    heading(ui, "Background");
+    heading(ui, tr!("scene-background"));
     background(ui, &mut document.scene.background);
-    heading(ui, "Display");
+    heading(ui, tr!("scene-display"));
     output(ui, &mut document.scene.picture);
 }
 
@@ -31,9 +32,12 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
 const GROUPS: [(&str, &[Quantity]); 4] = {
     use Quantity::*;
     [
-        ("Vectors", &[Normal, GeometricNormal, Tangent, View, Light, Reflection, Half, Refraction, ViewReflection]),
         (
-            "Terms",
+            "scene-vectors",
+            &[Normal, GeometricNormal, Tangent, View, Light, Reflection, Half, Refraction, ViewReflection],
+        ),
+        (
+            "scene-terms",
             &[
                 Ambient,
                 Emitted,
@@ -47,8 +51,8 @@ const GROUPS: [(&str, &[Quantity]); 4] = {
                 Total,
             ],
         ),
-        ("Factors", &[CosTheta, Spec, Attenuation, Spot, Visibility, Fresnel]),
-        ("Places", &[Position, Depth, Distance, Uv]),
+        ("scene-factors", &[CosTheta, Spec, Attenuation, Spot, Visibility, Fresnel]),
+        ("scene-places", &[Position, Depth, Distance, Uv]),
     ]
 };
 
@@ -58,11 +62,11 @@ fn view(ui: &mut Ui, document: &mut Document) {
     let Some(pane) = document.panes.current_mut() else { return };
     let mut quantity = pane.view.map(|view| view.quantity);
     let titles: Vec<(Quantity, String)> =
-        GROUPS.iter().flat_map(|(group, members)| members.iter().map(move |q| (*q, titled(group, *q)))).collect();
-    let mut options = vec![(None, "the picture", "L_o with exposure, tone mapping and colour encoding")];
+        GROUPS.iter().flat_map(|(group, members)| members.iter().map(move |q| (*q, titled(tr!(group), *q)))).collect();
+    let mut options = vec![(None, tr!("scene-the-picture"), tr!("scene-l-o-with-exposure-tone-mapping"))];
     options.extend(titles.iter().map(|(q, title)| (Some(*q), title.as_str(), q.description().trim())));
-    let tip = "A vector, term or factor of the equation as a colour (number keys)";
-    if row(ui, "View", tip, |ui| dropdown(ui, "view", "what is shown", &mut quantity, &options)) {
+    let tip = tr!("scene-a-vector-term-or-factor-of");
+    if row(ui, tr!("scene-view"), tip, |ui| dropdown(ui, "view", tr!("scene-what-is-shown"), &mut quantity, &options)) {
         pane.view = quantity.map(|quantity| ViewSpec { quantity, light: None });
     }
     let Some(view) = &mut pane.view else { return };
@@ -70,39 +74,43 @@ fn view(ui: &mut Ui, document: &mut Document) {
         return;
     }
     let (first, tip) = if view.quantity.summed_over_lights() {
-        ("sum of all", "Sum over all lights")
+        (tr!("scene-sum-of-all"), tr!("scene-sum-over-all-lights"))
     } else {
-        ("the first", "The first light that is not ambient")
+        (tr!("scene-the-first"), tr!("scene-the-first-light-that-is-not"))
     };
     let mut options = vec![(None, first, tip)];
     options.extend(names.iter().enumerate().map(|(i, name)| (Some(i), name.as_str(), "")));
-    row(ui, "Of light", "Light whose contribution is shown", |ui| {
-        dropdown(ui, "view-light", "of which light", &mut view.light, &options);
+    row(ui, tr!("scene-of-light"), tr!("scene-light-whose-contribution-is-shown"), |ui| {
+        dropdown(ui, "view-light", tr!("scene-of-which-light"), &mut view.light, &options);
     });
 }
 
 fn titled(group: &str, quantity: Quantity) -> String {
     let group = group.trim_end_matches('s').to_lowercase();
+    let name = name(quantity.name());
     match quantity.symbol() {
-        Some(symbol) => format!("{group}: {quantity} ({symbol})"),
-        None => format!("{group}: {quantity}"),
+        Some(symbol) => format!("{group}: {name} ({symbol})"),
+        None => format!("{group}: {name}"),
     }
 }
 
 fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
-    const BUILTIN: [(&str, &str); 3] =
-        [("debug", "Six labelled colours, one per face"), ("sky", "A sky with a sun"), ("room", "A room with windows")];
+    const BUILTIN: [(&str, &str); 3] = [
+        ("debug", "scene-six-labelled-colours-one-per-face"),
+        ("sky", "scene-a-sky-with-a-sun"),
+        ("room", "scene-a-room-with-windows"),
+    ];
     let image = scene.environment.as_ref().map(|environment| environment.image.clone());
     let own = image.clone().filter(|image| BUILTIN.iter().all(|(name, _)| name != image));
-    let mut names: Vec<(&str, &str)> = vec![("none", "Only the background colours")];
-    names.extend(BUILTIN);
+    let mut names: Vec<(&str, &str)> = vec![("none", tr!("scene-only-the-background-colours"))];
+    names.extend(BUILTIN.map(|(name, tip)| (name, tr!(tip))));
     if let Some(own) = &own {
-        names.push((own.as_str(), "From the scene"));
+        names.push((own.as_str(), tr!("scene-from-the-scene")));
     }
     let options: Vec<(usize, &str, &str)> = names.iter().enumerate().map(|(i, (name, tip))| (i, *name, *tip)).collect();
     let before = image.as_deref().and_then(|image| names.iter().position(|(name, _)| *name == image)).unwrap_or(0);
     let mut chosen = before;
-    row(ui, "Image", "Surroundings of the scene; drop a panorama or six cube faces to use your own", |ui| {
+    row(ui, tr!("scene-image"), tr!("scene-surroundings-of-the-scene-drop-a"), |ui| {
         dropdown(ui, "environment", "environment", &mut chosen, &options);
     });
     if chosen != before {
@@ -117,68 +125,82 @@ fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
         });
     }
     let Some(environment) = &mut scene.environment else { return };
-    row(ui, "Light", "Whether the environment lights the objects", |ui| {
-        let tip = "Diffuse light and glossy reflection";
-        toggle(ui, "environment-light", "lights the objects", &mut environment.light, tip);
+    row(ui, tr!("scene-light"), tr!("scene-whether-the-environment-lights-the-objects"), |ui| {
+        let tip = tr!("scene-diffuse-light-and-glossy-reflection");
+        toggle(ui, "environment-light", tr!("scene-lights-the-objects"), &mut environment.light, tip);
     });
-    row(ui, "Background", "Whether the environment is visible behind the objects", |ui| {
-        toggle(ui, "environment-visible", "is visible", &mut environment.visible, "Behind the objects");
+    row(ui, tr!("scene-background"), tr!("scene-whether-the-environment-is-visible-behind"), |ui| {
+        toggle(
+            ui,
+            "environment-visible",
+            tr!("scene-is-visible"),
+            &mut environment.visible,
+            tr!("scene-behind-the-objects"),
+        );
     });
-    row(ui, "Intensity", "Factor on the light of the environment", |ui| {
+    row(ui, tr!("scene-intensity"), tr!("scene-factor-on-the-light-of-the"), |ui| {
         let number =
-            NumberField::new("environment-intensity", "intensity").tip("Factor on the light of the environment");
+            NumberField::new("environment-intensity", "intensity").tip(tr!("scene-factor-on-the-light-of-the"));
         number.range(0.0..=1e6).default(1.0).step(0.01).show(ui, &mut environment.intensity);
     });
-    row(ui, "Rotation", "Yaw, pitch and roll: about y, then x, then z", |ui| {
+    row(ui, tr!("scene-rotation"), tr!("scene-yaw-pitch-and-roll-about-y"), |ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        for ((name, tip), value) in [("yaw", "Yaw: to the left"), ("pitch", "Pitch: upwards"), ("roll", "Roll")]
-            .into_iter()
-            .zip(&mut environment.rotate)
+        for ((name, tip), value) in
+            [("yaw", tr!("scene-yaw-to-the-left")), ("pitch", tr!("scene-pitch-upwards")), ("roll", tr!("scene-roll"))]
+                .into_iter()
+                .zip(&mut environment.rotate)
         {
             let id = format!("environment-{name}");
             let number = NumberField::new(&id, name).tip(tip).unit("\u{b0}").range(-360.0..=360.0).default(0.0);
             number.step(1.0).width(66.0).show(ui, value);
         }
     });
-    row(ui, "Blur", "Blur of the visible environment", |ui| {
-        let number = NumberField::new("environment-blur", "blur").tip("Blur of the visible environment");
+    row(ui, tr!("scene-blur"), tr!("scene-blur-of-the-visible-environment"), |ui| {
+        let number = NumberField::new("environment-blur", "blur").tip(tr!("scene-blur-of-the-visible-environment"));
         number.range(0.0..=1.0).default(0.0).show(ui, &mut environment.blur);
     });
 }
 
 fn background(ui: &mut Ui, background: &mut BackgroundSpec) {
     let usual = BackgroundSpec::default();
-    row(ui, "Top", "Colour at the upper edge, linear RGB", |ui| {
-        color(ui, "background-top", "background at the top", &mut background.top, Some(usual.top), "");
+    row(ui, tr!("scene-top"), tr!("scene-colour-at-the-upper-edge-linear"), |ui| {
+        color(ui, "background-top", tr!("scene-background-at-the-top"), &mut background.top, Some(usual.top), "");
     });
-    row(ui, "Bottom", "Colour at the lower edge, linear RGB", |ui| {
-        color(ui, "background-bottom", "background at the bottom", &mut background.bottom, Some(usual.bottom), "");
+    row(ui, tr!("scene-bottom"), tr!("scene-colour-at-the-lower-edge-linear"), |ui| {
+        color(
+            ui,
+            "background-bottom",
+            tr!("scene-background-at-the-bottom"),
+            &mut background.bottom,
+            Some(usual.bottom),
+            "",
+        );
     });
     row(ui, "", "", |ui| {
-        let tip = "Saved pictures get an alpha channel";
+        let tip = tr!("scene-saved-pictures-get-an-alpha-channel");
         toggle(ui, "background-transparent", "transparent", &mut background.transparent, tip);
     });
 }
 
 fn output(ui: &mut Ui, picture: &mut PictureSpec) {
-    row(ui, "Exposure", "Stops: each doubles the light", |ui| {
-        let number = NumberField::new("exposure", "exposure").tip("Stops: each doubles the light");
+    row(ui, tr!("scene-exposure"), tr!("scene-stops-each-doubles-the-light"), |ui| {
+        let number = NumberField::new("exposure", "exposure").tip(tr!("scene-stops-each-doubles-the-light"));
         number.unit(" EV").range(-64.0..=64.0).default(0.0).step(0.02).show(ui, &mut picture.exposure);
     });
-    row(ui, "Tone map", "Maps light above 1 to the range of the display", |ui| {
-        choice(ui, "tone-map", "tone map", &mut picture.tone_map, &named_options!(ToneMap), ToneMap::None);
+    row(ui, tr!("scene-tone-map-2"), tr!("scene-maps-light-above-1-to-the"), |ui| {
+        choice(ui, "tone-map", tr!("scene-tone-map"), &mut picture.tone_map, &named_options!(ToneMap), ToneMap::None);
     });
-    row(ui, "Encoding", "Conversion of linear light to the picture's values", |ui| {
+    row(ui, tr!("scene-encoding"), tr!("scene-conversion-of-linear-light-to-the"), |ui| {
         let options = named_options!(ColorEncoding);
-        choice(ui, "encoding", "colour encoding", &mut picture.color, &options, ColorEncoding::Srgb);
+        choice(ui, "encoding", tr!("scene-colour-encoding"), &mut picture.color, &options, ColorEncoding::Srgb);
     });
-    row(ui, "Samples", "Samples per pixel, for smooth edges", |ui| {
+    row(ui, tr!("scene-samples-3"), tr!("scene-samples-per-pixel-for-smooth-edges"), |ui| {
         let options = [(1, "1", ""), (2, "2", ""), (4, "4", ""), (8, "8", ""), (16, "16", "")];
-        choice(ui, "samples", "samples per pixel", &mut picture.samples, &options, 4);
+        choice(ui, "samples", tr!("scene-samples-per-pixel"), &mut picture.samples, &options, 4);
     });
-    row(ui, "Textures", "Texture filter", |ui| {
+    row(ui, tr!("scene-textures"), tr!("scene-texture-filter-2"), |ui| {
         let options = named_options!(TextureFilter);
-        dropdown(ui, "texture-filter", "texture filter", &mut picture.texture_filter, &options);
+        dropdown(ui, "texture-filter", tr!("scene-texture-filter"), &mut picture.texture_filter, &options);
     });
 }
 

@@ -10,6 +10,7 @@ use crate::widgets::{NumberField, color, compact, heading, icon_button, row, slu
 use egui::{Align, Id, Label, Layout, RichText, Sense, Ui};
 use gonio_check::user_shaders::{UniformSource, UserUniform};
 use gonio_check::verdict::CompilerMessage;
+use gonio_language::tr;
 use gonio_light::color::{srgb_decode, srgb_encode};
 use gonio_scene::color_value::Color;
 use gonio_scene::{Frame, Scene};
@@ -18,12 +19,12 @@ pub fn show(ui: &mut Ui, session: &mut Session, pane: usize, actions: &mut Vec<A
     let scene = session.loaded.clone();
     let seen = scene.as_deref().map(|scene| (scene, scene.frame(session.clock.time)));
     let Some(shaders) = &mut session.shaders else { return };
-    heading(ui, "Your shaders");
+    heading(ui, tr!("scene-your-shaders"));
     buttons(ui, shaders, pane, actions);
     files(ui, shaders);
-    heading(ui, "Uniforms");
+    heading(ui, tr!("scene-uniforms-2"));
     let Some(program) = shaders.program_mut() else {
-        ui.label("None: no program has been compiled.");
+        ui.label(tr!("scene-none-no-program-has-been-compiled"));
         return;
     };
     let mut changed = false;
@@ -37,7 +38,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, pane: usize, actions: &mut Vec<A
         row(ui, name, name, |ui| ui.add(Label::new(RichText::new(*origin).weak()).truncate()));
     }
     if count + samplers.len() == 0 {
-        ui.label("The program has none.");
+        ui.label(tr!("scene-the-program-has-none"));
     }
     if changed {
         shaders.touch();
@@ -49,10 +50,10 @@ fn buttons(ui: &mut Ui, shaders: &mut OwnShaders, pane: usize, actions: &mut Vec
     ui.horizontal(|ui| {
         let on = |ui: &Ui, is_on: bool| is_on.then(|| colors::ACCENT.of(ui));
         let (texts, pinned) = (shaders.shows_texts, shaders.stepper.is_pinned());
-        if tool_button(ui, "shader-texts", icons::EYE, "Show the texts", on(ui, texts), true).clicked() {
+        if tool_button(ui, "shader-texts", icons::EYE, tr!("scene-show-the-texts"), on(ui, texts), true).clicked() {
             shaders.shows_texts = !texts;
         }
-        let tip = "Show each line's values at a pixel: click on the picture, or press this for its middle (F9)";
+        let tip = tr!("scene-show-each-line-s-values-at");
         if tool_button(ui, "step-pin", icons::CROSSHAIR, tip, on(ui, pinned), true).clicked() {
             match pinned {
                 true => shaders.stepper.unpin(),
@@ -60,14 +61,12 @@ fn buttons(ui: &mut Ui, shaders: &mut OwnShaders, pane: usize, actions: &mut Vec
             }
             shaders.pane = pane;
         }
-        if icon_button(ui, "close-shaders", icons::X, "Close your shaders: gonio's own draw the picture").clicked() {
+        if icon_button(ui, "close-shaders", icons::X, tr!("scene-close-your-shaders-gonio-s-own")).clicked() {
             actions.push(Action::CloseShaders);
         }
     });
     if !shaders.stepper.is_pinned() {
-        ui.add(
-            Label::new(RichText::new("A click on the picture shows each line's values at that pixel.").weak()).wrap(),
-        );
+        ui.add(Label::new(RichText::new(tr!("scene-a-click-on-the-picture-shows")).weak()).wrap());
     }
 }
 
@@ -99,7 +98,7 @@ pub fn texts(ui: &mut Ui, shaders: &mut OwnShaders) {
             }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if icon_button(ui, "close-texts", icons::X, "Close the texts").clicked() {
+            if icon_button(ui, "close-texts", icons::X, tr!("scene-close-the-texts")).clicked() {
                 shaders.shows_texts = false;
                 shaders.stepper.unpin();
             }
@@ -137,31 +136,38 @@ fn marks_color(shaders: &OwnShaders) -> colors::Tint {
 /// The files, and whether the picture is theirs.
 fn files(ui: &mut Ui, shaders: &mut OwnShaders) {
     let files = shaders.files();
-    for (stage, file) in [("Vertex", &files.vertex), ("Fragment", &files.fragment)] {
-        row(ui, stage, "The window reads the file again when it changes", |ui| {
-            let name = file.as_deref().unwrap_or("gonio's own");
+    for (stage, file) in [(tr!("scene-vertex"), &files.vertex), (tr!("scene-fragment"), &files.fragment)] {
+        row(ui, stage, tr!("scene-the-window-reads-the-file-again"), |ui| {
+            let name = file.as_deref().unwrap_or(tr!("scene-gonio-s-own"));
             ui.add(Label::new(name).truncate()).on_hover_text(name);
         });
     }
     let (text, color) = match (shaders.has_failed(), shaders.program()) {
-        (false, Some(_)) => ("Compiled.", None),
-        (false, None) => ("Compiling.", None),
-        (true, Some(_)) => ("These texts do not compile: the last program that did is drawn.", Some(colors::ERROR)),
-        (true, None) => ("These texts do not compile: gonio's own shaders draw the picture.", Some(colors::ERROR)),
+        (false, Some(_)) => (tr!("scene-compiled"), None),
+        (false, None) => (tr!("scene-compiling"), None),
+        (true, Some(_)) => (tr!("scene-these-texts-do-not-compile-the"), Some(colors::ERROR)),
+        (true, None) => (tr!("scene-these-texts-do-not-compile-gonio"), Some(colors::ERROR)),
     };
     let text = match color {
         Some(color) => RichText::new(text).color(color.of(ui)),
         None => RichText::new(text),
     };
     let label = ui.label(text);
-    exported::note(ui, &label, "shaders-state", WidgetRole::Text, "state of your shaders", label_of(shaders));
+    exported::note(
+        ui,
+        &label,
+        "shaders-state",
+        WidgetRole::Text,
+        tr!("scene-state-of-your-shaders"),
+        label_of(shaders),
+    );
     let mut requested = None;
     for (index, remark) in shaders.remarks().iter().enumerate() {
         let text = Label::new(RichText::new(&remark.text).monospace().small()).wrap().sense(Sense::click());
         let label = ui.add(text);
         exported::note(ui, &label, &format!("remark-{index}"), WidgetRole::Text, &remark.text, "");
         if let Some(message) = &remark.message
-            && label.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text("Show the line").clicked()
+            && label.on_hover_cursor(egui::CursorIcon::PointingHand).on_hover_text(tr!("scene-show-the-line")).clicked()
         {
             requested = Some((message.file.clone(), message.line));
         }
@@ -199,8 +205,13 @@ fn uniform_row(ui: &mut Ui, uniform: &mut UserUniform, seen: Option<&(&Scene, Fr
             let origin = RichText::new(uniform.origin()).weak();
             ui.add(Label::new(origin).truncate());
             if take
-                && icon_button(ui, &format!("take-{}", slug(&name)), icons::SLIDERS_HORIZONTAL, "Choose the value")
-                    .clicked()
+                && icon_button(
+                    ui,
+                    &format!("take-{}", slug(&name)),
+                    icons::SLIDERS_HORIZONTAL,
+                    tr!("scene-choose-the-value"),
+                )
+                .clicked()
             {
                 return uniform.choose(&current).is_ok();
             }
@@ -214,7 +225,7 @@ fn uniform_row(ui: &mut Ui, uniform: &mut UserUniform, seen: Option<&(&Scene, Fr
                 ui,
                 &format!("reset-{}", slug(&name)),
                 icons::ARROW_COUNTER_CLOCKWISE,
-                "Back to gonio's value",
+                tr!("scene-back-to-gonio-s-value"),
             )
             .clicked()
         {
@@ -236,7 +247,7 @@ fn widget(ui: &mut Ui, uniform: &UserUniform, values: &mut [f32]) -> bool {
     {
         // The numbers of a colour are those that are shown; the widget holds linear light.
         let mut linear = Color([*r, *g, *b].map(|v| srgb_decode(f64::from(v))));
-        if color(ui, &id, name, &mut linear, None, "As it is shown: not decoded") {
+        if color(ui, &id, name, &mut linear, None, tr!("scene-as-it-is-shown-not-decoded")) {
             [*r, *g, *b] = linear.0.map(|v| srgb_encode(v) as f32);
         }
     } else if scalar.starts_with('b') {

@@ -7,6 +7,7 @@ use crate::session::Session;
 use crate::theme::icons;
 use crate::widgets::{SPACE, grouped, icon_button};
 use egui::{Align, Label, Layout, RichText, Slider, Ui};
+use gonio_language::tr;
 
 /// Below this width (points) only the size and the time are shown.
 const NARROW: f32 = 560.0;
@@ -18,19 +19,22 @@ pub fn show(ui: &mut Ui, session: &Session) {
             let facts = &session.facts;
             let [width, height] = facts.size;
             // Fixed width, so that nothing moves while it changes.
-            let mut text = format!("{width} x {height} {:6.1} ms", facts.draw_ms);
+            let mut text =
+                tr!("window-x-ms", width = width, height = height, draw_ms = format!("{:6.1}", facts.draw_ms));
             if !narrow && let Some(loaded) = &session.loaded {
                 // Fewer than the scene's while something moves and pictures are slow.
                 let samples = if facts.samples == 0 { loaded.settings.picture.samples } else { facts.samples };
-                text = format!(
-                    "{} triangles  {samples} samples  {text}",
-                    grouped(exported::triangles(session) as u64, SPACE)
+                text = tr!(
+                    "window-triangles-samples",
+                    triangles = grouped(exported::triangles(session) as u64, SPACE),
+                    samples = samples,
+                    time = text
                 );
             }
             let label = ui.label(RichText::new(text).monospace().small().weak());
             label.on_hover_ui(|ui| {
                 ui.label(&facts.renderer);
-                ui.label("Size of the current pane, and time of the last finished frame");
+                ui.label(tr!("window-size-of-the-current-pane-and"));
                 for note in &facts.notes {
                     ui.label(note);
                 }
@@ -61,8 +65,7 @@ pub fn show(ui: &mut Ui, session: &Session) {
 }
 
 fn amount(files: usize, bytes: u64) -> String {
-    let plural = if files == 1 { "" } else { "s" };
-    format!("{files} file{plural}, {:.1} MB", bytes as f64 / 1e6)
+    tr!("window-files-and-megabytes", count = files, megabytes = format!("{:.1}", bytes as f64 / 1e6))
 }
 
 /// Seconds that the time bar shows where only the user's shaders change with the time.
@@ -84,11 +87,12 @@ pub fn period(document: &Document, session: &Session) -> Option<f64> {
 pub fn show_time(ui: &mut Ui, document: &Document, session: &Session, actions: &mut Vec<Action>) {
     let Some(period) = period(document, session) else { return };
     let clock = &session.clock;
-    let (icon, tip) = if clock.playing { (icons::PAUSE, "Pause (Space)") } else { (icons::PLAY, "Play (Space)") };
+    let (icon, tip) =
+        if clock.playing { (icons::PAUSE, tr!("window-pause-space")) } else { (icons::PLAY, tr!("window-play-space")) };
     if icon_button(ui, "play", icon, tip).clicked() {
         actions.push(Action::PlayOrPause);
     }
-    if icon_button(ui, "time-start", icons::SKIP_BACK, "Back to time 0").clicked() {
+    if icon_button(ui, "time-start", icons::SKIP_BACK, tr!("window-back-to-time-0")).clicked() {
         actions.push(Action::SetTime(0.0));
     }
     let turns = (clock.time / period).floor();
@@ -99,12 +103,12 @@ pub fn show_time(ui: &mut Ui, document: &Document, session: &Session, actions: &
     if slider.changed() {
         actions.push(Action::SetTime(turns * period + within));
     }
-    let slider = slider.on_hover_text("Time within the longest period. Double click: 0");
+    let slider = slider.on_hover_text(tr!("window-time-within-the-longest-period-double"));
     if slider.double_clicked() {
         actions.push(Action::SetTime(0.0));
     }
     // Fixed width, so that nothing moves while time runs.
-    let text = format!("{within:6.2} of {} s", crate::widgets::compact(period));
+    let text = tr!("window-of-s", within = format!("{within:6.2}"), period = crate::widgets::compact(period));
     ui.label(RichText::new(text).monospace().small());
 }
 

@@ -6,19 +6,21 @@ use crate::exported::{self, WidgetRole};
 use crate::saving::Product;
 use crate::session::Session;
 use crate::theme::{self, icons};
+use crate::widgets::language_menu;
 use egui::{Align, Layout, RichText, ScrollArea, Ui};
+use gonio_language::tr;
 use gonio_scene::files;
 
 /// Below this width (points) a menu contains the file actions.
 const NARROW: f32 = 680.0;
 /// Tooltip of the BRDF bench.
-const BENCH: &str = "BRDF bench: reflection functions plotted, compared and checked";
+const BENCH: &str = "window-brdf-bench-reflection-functions-plotted-compared";
 /// Name and tooltip of the stations.
-const STATIONS: [&str; 2] = ["Beyond", "Beyond the rendering equation: polarisation, interference, fog and seven more"];
+const STATIONS: [&str; 2] = ["window-beyond", "window-beyond-the-rendering-equation-polarisation-interference"];
 /// Tooltip of baking.
-const BAKE: &str = "Unwrap the model, and bake its colours, normals or light into textures (Ctrl + B)";
+const BAKE: &str = "window-unwrap-the-model-and-bake-its";
 /// Tooltip of the exercises.
-const EXERCISES: &str = "Shader exercises: edit, compare with the correct answer, and check";
+const EXERCISES: &str = "window-shader-exercises-edit-compare-with-the";
 
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &History, actions: &mut Vec<Action>) {
     let narrow = ui.available_width() < NARROW;
@@ -27,15 +29,22 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
         ui.add_space(if narrow { 0.0 } else { 6.0 });
         if narrow {
             let text = RichText::new(icons::LIST).font(theme::icon_font(17.0));
-            menu(ui, "menu", text, "Files", |ui| {
-                entry(ui, "open", "Open...", "Open a model or a scene (Ctrl + O)", Action::ChooseFiles, actions);
-                entry(ui, "exercises", "Exercises", EXERCISES, Action::ShowExercise, actions);
-                entry(ui, "bench", "BRDF bench", BENCH, Action::ShowBench, actions);
+            menu(ui, "menu", text, tr!("window-files"), |ui| {
+                entry(
+                    ui,
+                    "open",
+                    tr!("window-open-2"),
+                    tr!("window-open-a-model-or-a-scene"),
+                    Action::ChooseFiles,
+                    actions,
+                );
+                entry(ui, "exercises", tr!("window-exercises"), tr!(EXERCISES), Action::ShowExercise, actions);
+                entry(ui, "bench", tr!("window-brdf-bench"), tr!(BENCH), Action::ShowBench, actions);
                 entry(
                     ui,
                     "stations",
-                    STATIONS[1].split(':').next().unwrap_or_default(),
-                    STATIONS[1],
+                    tr!(STATIONS[1]).split(':').next().unwrap_or_default(),
+                    tr!(STATIONS[1]),
                     Action::ShowStations,
                     actions,
                 );
@@ -46,52 +55,56 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
                 recent_entries(ui, session, actions);
             });
         } else {
-            if icon(ui, "open", icons::FOLDER_OPEN, "Open a model or a scene (Ctrl + O)", true) {
+            if icon(ui, "open", icons::FOLDER_OPEN, tr!("window-open-a-model-or-a-scene"), true) {
                 actions.push(Action::ChooseFiles);
             }
             let text = RichText::new(icons::FLOPPY_DISK).font(theme::icon_font(17.0));
-            menu(ui, "save", text, "Save the picture or the scene, bake textures", |ui| save_entries(ui, actions));
-            menu(ui, "samples", "Samples".into(), "Built-in models and scenes", |ui| {
+            menu(ui, "save", text, tr!("window-save-the-picture-or-the-scene"), |ui| save_entries(ui, actions));
+            menu(ui, "samples", tr!("window-samples").into(), tr!("window-built-in-models-and-scenes"), |ui| {
                 samples_entries(ui, actions);
             });
             if !session.settings.recent.is_empty() {
-                menu(ui, "recent", "Recent".into(), "Recently opened files", |ui| {
+                menu(ui, "recent", tr!("window-recent").into(), tr!("window-recently-opened-files"), |ui| {
                     recent_entries(ui, session, actions);
                 });
             }
-            let button = ui.add(egui::Button::new("Exercises").frame_when_inactive(false));
-            exported::note(ui, &button, "exercises", WidgetRole::Button, "Exercises", "");
-            if button.on_hover_text(EXERCISES).clicked() {
+            let button = ui.add(egui::Button::new(tr!("window-exercises")).frame_when_inactive(false));
+            exported::note(ui, &button, "exercises", WidgetRole::Button, tr!("window-exercises"), "");
+            if button.on_hover_text(tr!(EXERCISES)).clicked() {
                 actions.push(Action::ShowExercise);
             }
-            let button = ui.add(egui::Button::new("BRDF bench").frame_when_inactive(false));
-            exported::note(ui, &button, "bench", WidgetRole::Button, "BRDF bench", "");
-            if button.on_hover_text(BENCH).clicked() {
+            let button = ui.add(egui::Button::new(tr!("window-brdf-bench")).frame_when_inactive(false));
+            exported::note(ui, &button, "bench", WidgetRole::Button, tr!("window-brdf-bench"), "");
+            if button.on_hover_text(tr!(BENCH)).clicked() {
                 actions.push(Action::ShowBench);
             }
-            let button = ui.add(egui::Button::new(STATIONS[0]).frame_when_inactive(false));
-            exported::note(ui, &button, "stations", WidgetRole::Button, STATIONS[0], "");
-            if button.on_hover_text(STATIONS[1]).clicked() {
+            let button = ui.add(egui::Button::new(tr!(STATIONS[0])).frame_when_inactive(false));
+            exported::note(ui, &button, "stations", WidgetRole::Button, tr!(STATIONS[0]), "");
+            if button.on_hover_text(tr!(STATIONS[1])).clicked() {
                 actions.push(Action::ShowStations);
             }
             ui.add_space(6.0);
         }
-        if icon(ui, "undo", icons::ARROW_U_UP_LEFT, "Undo (Ctrl + Z)", history.can_undo(document)) {
+        if icon(ui, "undo", icons::ARROW_U_UP_LEFT, tr!("window-undo-ctrl-z"), history.can_undo(document)) {
             actions.push(Action::Undo);
         }
-        if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, "Redo (Ctrl + Y)", history.can_redo()) {
+        if icon(ui, "redo", icons::ARROW_U_UP_RIGHT, tr!("window-redo-ctrl-y"), history.can_redo()) {
             actions.push(Action::Redo);
         }
-        if icon(ui, "frame", icons::FRAME_CORNERS, "Frame all (F)", session.loaded.is_some()) {
+        if icon(ui, "frame", icons::FRAME_CORNERS, tr!("window-frame-all-f"), session.loaded.is_some()) {
             actions.push(Action::Frame);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if icon(ui, "help", icons::QUESTION, "Keyboard shortcuts (?)", true) {
+            if icon(ui, "help", icons::QUESTION, tr!("window-keyboard-shortcuts-2"), true) {
                 actions.push(Action::ToggleHelp);
             }
             let dark = ui.visuals().dark_mode;
-            if icon(ui, "theme", if dark { icons::SUN } else { icons::MOON }, "Light or dark theme (T)", true) {
+            if icon(ui, "theme", if dark { icons::SUN } else { icons::MOON }, tr!("window-light-or-dark-theme-t"), true)
+            {
                 actions.push(Action::ToggleTheme);
+            }
+            if let Some(language) = language_menu(ui) {
+                actions.push(Action::SetLanguage(language));
             }
             ui.add(egui::Label::new(RichText::new(&session.title).weak()).truncate());
         });
@@ -140,11 +153,11 @@ fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
         entry(ui, &id, product.title(), tip, Action::Save(product), actions);
     }
     ui.separator();
-    entry(ui, "bake", "Bake textures...", BAKE, Action::ShowBake, actions);
+    entry(ui, "bake", tr!("window-bake-textures"), tr!(BAKE), Action::ShowBake, actions);
     ui.separator();
-    entry(ui, "copy-picture", "Copy the picture", "", Action::CopyPicture, actions);
-    let tip = "A link to this page with the scene in it: sample models, lights, camera and all settings";
-    entry(ui, "copy-link", "Copy a link to the scene", tip, Action::CopyLink, actions);
+    entry(ui, "copy-picture", tr!("window-copy-the-picture"), "", Action::CopyPicture, actions);
+    let tip = tr!("window-a-link-to-this-page-with");
+    entry(ui, "copy-link", tr!("window-copy-a-link-to-the-scene"), tip, Action::CopyLink, actions);
 }
 
 fn samples_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
@@ -164,20 +177,20 @@ fn recent_entries(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
 /// Description of a sample.
 fn sentence(sample: &str) -> &'static str {
     match sample {
-        "cube" => "Six faces with hard edges: flat and Phong shading look the same",
-        "screen" => "A rectangle that emits the light of a picture",
-        "sphere-coarse" => "Few triangles with one normal per face: the shadings differ most",
-        "sphere-coarse-averaged" => "Few triangles with averaged normals: interpolation hides the edges",
-        "sphere-smooth" => "Many triangles: all shadings look the same",
-        "still-life" => "Several materials and textures on one table",
-        "suzanne" => "Blender's monkey head",
-        "easy-to-simplify" => "Each simplification of the rendering equation costs little here",
-        "glass-and-mirror" => "Objects that reflect and refract their surroundings",
-        "hard-to-simplify" => "Each simplification of the rendering equation costs much here",
-        "lab-07" => "The scene of exercise 07",
-        "light-kinds" => "A directional, a point and a spot light side by side",
-        "shadings" => "Flat, Gouraud and Phong shading side by side",
-        "three-spheres" => "Three spheres under three lights",
+        "cube" => tr!("window-six-faces-with-hard-edges-flat"),
+        "screen" => tr!("window-a-rectangle-that-emits-the-light"),
+        "sphere-coarse" => tr!("window-few-triangles-with-one-normal-per"),
+        "sphere-coarse-averaged" => tr!("window-few-triangles-with-averaged-normals-interpolation"),
+        "sphere-smooth" => tr!("window-many-triangles-all-shadings-look-the"),
+        "still-life" => tr!("window-several-materials-and-textures-on-one"),
+        "suzanne" => tr!("window-blender-s-monkey-head"),
+        "easy-to-simplify" => tr!("window-each-simplification-of-the-rendering-equation-2"),
+        "glass-and-mirror" => tr!("window-objects-that-reflect-and-refract-their"),
+        "hard-to-simplify" => tr!("window-each-simplification-of-the-rendering-equation"),
+        "lab-07" => tr!("window-the-scene-of-exercise-07"),
+        "light-kinds" => tr!("window-a-directional-a-point-and-a"),
+        "shadings" => tr!("window-flat-gouraud-and-phong-shading-side"),
+        "three-spheres" => tr!("window-three-spheres-under-three-lights"),
         _ => "",
     }
 }

@@ -13,6 +13,7 @@ use crate::session::Settings;
 use crate::stations::StationTask;
 use crate::truth::Tracer;
 use gonio_check::verdict::{Outcome, Verdict};
+use gonio_language::{Language, tr};
 use gonio_scene::files::FileSource;
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -142,6 +143,18 @@ pub trait Platform {
         let _ = input;
         None
     }
+    /// The language that was asked for at the start: by an option or the page's address. It precedes the settings.
+    fn asked_language(&self) -> Option<Language> {
+        None
+    }
+    /// The language that the user prefers in the system or the browser.
+    fn preferred_language(&self) -> Language {
+        Language::current()
+    }
+    /// Tells the system the language of the texts that follow.
+    fn announce_language(&self, language: Language) {
+        let _ = language;
+    }
     /// The settings of the last session.
     fn settings(&self) -> Settings;
     /// Keeps the settings for the next session. Failures are ignored, because they contain nothing of a scene.
@@ -165,7 +178,7 @@ pub trait Platform {
     /// [`FontSearch::NotFound`]. On the page the browser has been asked before.
     fn find_fonts(&mut self, characters: &BTreeSet<char>, ctx: &egui::Context) -> FontSearch {
         let _ = (characters, ctx);
-        FontSearch::NotFound { advice: "install a font of this script and load the page again".into() }
+        FontSearch::NotFound { advice: tr!("window-install-a-font-of-this-script-3").into() }
     }
     /// Returns a function that tells whether the current frame is on the screen.
     fn shown(&mut self, ctx: &egui::Context) -> FrameShown {
@@ -183,7 +196,7 @@ pub trait Platform {
     /// Starts a check of a student's files, isolated from the window.
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         let _ = (request, ctx);
-        Box::new(Ready::new(Err("checks are not available here: run `gonio lab check` on the command line".into())))
+        Box::new(Ready::new(Err(tr!("window-checks-are-not-available-here-run").into())))
     }
     /// Whether [`Platform::trial`] runs in a process of its own and is cheap. Then every pair of shaders is tried before the
     /// window's OpenGL gets it; otherwise only those that may never end.
@@ -197,7 +210,7 @@ pub trait Platform {
     /// Starts a trial of the user's own shaders, isolated from the window.
     fn shader_trial(&mut self, files: &ShaderFiles, ctx: &egui::Context) -> Box<dyn Pending<TrialOutcome>> {
         let _ = (files, ctx);
-        Box::new(Ready::new(TrialOutcome::Unavailable("there are no processes here".into())))
+        Box::new(Ready::new(TrialOutcome::Unavailable(tr!("window-there-are-no-processes-here").into())))
     }
     /// Runs work beside the interface, in a thread; here at once, because the page has one. The work is short then.
     fn run(&mut self, work: Box<dyn FnOnce() + Send>) {
@@ -299,6 +312,6 @@ impl Pending<TrialOutcome> for ByCheck {
             Ok(verdict) => verdict.summary,
             Err(reason) => reason,
         };
-        Some(TrialOutcome::Refused(format!("This shader is not drawn because it may never finish: {reason}")))
+        Some(TrialOutcome::Refused(tr!("window-this-shader-is-not-drawn-because", reason = reason)))
     }
 }

@@ -14,6 +14,7 @@ use egui::{
     Align2, Color32, CornerRadius, CursorIcon, Mesh, Rect, Sense, Stroke, StrokeKind, TextStyle, Ui, pos2, vec2,
 };
 use gonio_gl::GlError;
+use gonio_language::tr;
 use gonio_scene::difference::{heat, signed};
 
 /// Gap between panes, points.
@@ -59,7 +60,7 @@ pub fn label(ui: &Ui, index: usize, rect: Rect, document: &Document, session: &S
     }
     let mut text = caption(document, session, index);
     if session.comparison.panes.get(index).is_some_and(|facts| facts.preparing) {
-        text.push_str(" (simplifying)");
+        text.push_str(tr!("scene-simplifying"));
     }
     written(ui, rect, if panes.is_leading(index) { axes::extent(rect) } else { 0.0 }, text);
 }
@@ -105,7 +106,14 @@ pub fn wipe(
     let mut x = room.left() + share.clamp(0.0, 1.0) * room.width();
     let hold = Rect::from_center_size(pos2(x, room.center().y), vec2(2.0 * HOLD, room.height()));
     let response = ui.interact(hold.intersect(room), ui.scope_id().with("wipe"), Sense::click_and_drag());
-    exported::note(ui, &response, "wipe", WidgetRole::Handle, "divider between two panes", format!("{share:.3}"));
+    exported::note(
+        ui,
+        &response,
+        "wipe",
+        WidgetRole::Handle,
+        tr!("scene-divider-between-two-panes"),
+        format!("{share:.3}"),
+    );
     if response.double_clicked() {
         document.panes.arrangement = PaneArrangement::Wipe(0.5);
     } else if response.is_dragged()
@@ -169,7 +177,7 @@ pub fn difference(
     let before = session.comparison.difference.clone();
     let Some(map) = pane_renderer.difference(document, session)? else {
         over(ui, first, &whole, document, session, pane_renderer)?;
-        written(ui, room, axes::extent(room), "the difference needs both pictures".to_owned());
+        written(ui, room, axes::extent(room), tr!("scene-the-difference-needs-both-pictures").to_owned());
         return Ok(());
     };
     if session.comparison.difference != before {
@@ -194,9 +202,9 @@ pub fn difference(
         None => caption(document, session, index),
     };
     let text = if settings.signed {
-        format!("{} minus {}", bracketed(second), bracketed(first))
+        tr!("scene-minus", second = bracketed(second), first = bracketed(first))
     } else {
-        format!("difference of {} and {}", bracketed(first), bracketed(second))
+        tr!("scene-difference-of-and", first = bracketed(first), second = bracketed(second))
     };
     written(ui, room, axes::extent(room), text);
     Ok(())
@@ -249,7 +257,7 @@ fn draw_scale(ui: &Ui, room: Rect, scale: &Scale) {
     );
     let ink = Color32::from_gray(0xf2);
     let font = TextStyle::Small.resolve(ui.style());
-    painter.text(ground.center_top() + vec2(0.0, 6.0), Align2::CENTER_TOP, "of 255", font.clone(), ink);
+    painter.text(ground.center_top() + vec2(0.0, 6.0), Align2::CENTER_TOP, tr!("scene-of-255"), font.clone(), ink);
     let bar = Rect::from_min_size(ground.left_top() + vec2(10.0, 30.0), vec2(16.0, height));
     let mut mesh = Mesh::default();
     const PIECES: u32 = 48;

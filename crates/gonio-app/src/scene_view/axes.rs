@@ -7,6 +7,7 @@ use crate::session::Session;
 use crate::theme::{self, colors};
 use egui::{Align2, Color32, Rect, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
+use gonio_language::tr;
 
 /// Length of an axis parallel to the picture, points.
 const LENGTH: f32 = 26.0;
@@ -45,7 +46,7 @@ pub fn show(ui: &Ui, projection: &Projection, document: &mut Document, session: 
         let name = format!("{}{}", if letter.is_some() { "" } else { "-" }, axis_letter(axis));
         let hit = Rect::from_center_size(end, Vec2::splat(2.0 * END + 2.0));
         let response = ui.interact(hit, ui.scope_id().with(("axis", &name)), Sense::click());
-        let tip = format!("Look along {name}");
+        let tip = tr!("scene-look-along", name = name);
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &tip));
         exported::note(ui, &response, &format!("look-along-{name}"), WidgetRole::Button, &tip, "");
         let hovered = response.hovered();

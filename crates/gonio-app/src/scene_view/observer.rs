@@ -10,6 +10,7 @@ use crate::theme::{self, colors, icons};
 use egui::{Align2, Color32, Painter, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 use glam::DVec3;
 use gonio_gl::GlError;
+use gonio_language::tr;
 use gonio_scene::{Camera, Frame};
 
 /// Field of view of the observer, radians.
@@ -79,7 +80,7 @@ pub fn show(
     pane_renderer: &mut PaneRenderer,
 ) -> Result<(), GlError> {
     let response = ui.allocate_rect(rect, Sense::click_and_drag());
-    let what = "the camera and its frustum from outside";
+    let what = tr!("scene-the-camera-and-its-frustum-from");
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, what));
     exported::note(ui, &response, "observer-view", WidgetRole::Picture, what, "");
     let aspect = f64::from(rect.width() / rect.height());
@@ -169,10 +170,10 @@ fn buttons(ui: &mut Ui, rect: Rect, observer: &mut Observer) {
         exported::note(ui, &response, id, WidgetRole::Button, tip, on);
         response.on_hover_text(tip).clicked()
     };
-    if button(close, "observer-close", icons::X, "Close (O)", false) {
+    if button(close, "observer-close", icons::X, tr!("scene-close-o"), false) {
         observer.open = false;
     }
-    let tip = "Rotate automatically";
+    let tip = tr!("scene-rotate-automatically");
     if button(turn, "observer-turn", icons::REPEAT, tip, observer.turning) {
         observer.turning = !observer.turning;
     }

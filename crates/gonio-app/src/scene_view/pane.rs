@@ -10,6 +10,7 @@ use crate::session::{Selection, Session, Tab};
 use crate::step;
 use egui::{Color32, Pos2, Rect, Response, Sense, Ui, vec2};
 use gonio_gl::GlError;
+use gonio_language::tr;
 use gonio_render::Presentation;
 use gonio_scene::{Frame, Scene};
 
@@ -28,7 +29,7 @@ pub fn show(
         &response,
         &format!("pane-{index}"),
         WidgetRole::Picture,
-        "picture of the scene",
+        tr!("scene-picture-of-the-scene"),
         caption(document, session, index),
     );
     navigation::handle(ui, &response, document, session);

@@ -6,6 +6,7 @@ use crate::session::{Session, Tab};
 use crate::theme::{self, colors, icons};
 use egui::{Align2, Color32, FontId, Frame, Margin, Painter, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 use glam::DVec3;
+use gonio_language::{name, tr};
 use gonio_light::Quantity;
 use gonio_light::quantity::Encoding;
 use gonio_scene::{DisplayMap, SpecialView, ViewSpec};
@@ -13,15 +14,13 @@ use gonio_scene::{DisplayMap, SpecialView, ViewSpec};
 /// Height with margins, points.
 pub const HEIGHT: f32 = 34.0;
 
-const TRACED: &str = "Traced (truth)";
-const ABOUT_TRACED: &str = "Solves the rendering equation by following paths of light: shadows, light between surfaces and \
-                            everything else that the light equation leaves out. It begins coarse and becomes finer while \
-                            nothing changes.";
+const TRACED: &str = "scene-traced-truth";
+const ABOUT_TRACED: &str = "scene-solves-the-rendering-equation-by-following";
 /// What a traced pane does not follow. The page's worker reads the scene again, without levels of detail.
 const NOT_TRACED: &str = if cfg!(target_arch = "wasm32") {
-    "Overlays are not drawn over it, and it has all triangles at any level of detail."
+    "scene-overlays-are-not-drawn-over-it-2"
 } else {
-    "Overlays are not drawn over it."
+    "scene-overlays-are-not-drawn-over-it"
 };
 
 /// Shows the toolbar at the upper left of a pane. `frame` is the drawn frame.
@@ -59,24 +58,28 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
                 && pane.truth.is_none()
                 && pane.view.map_or(Quantity::Total, |v| v.quantity) == quantity;
             let symbol = quantity.symbol().map(|s| format!("  {s}")).unwrap_or_default();
-            let name = if quantity == Quantity::Total { "picture".to_owned() } else { format!("{quantity}{symbol}") };
-            let mut button = egui::Button::selectable(is_shown, name.as_str());
+            let shown = if quantity == Quantity::Total {
+                tr!("scene-picture").to_owned()
+            } else {
+                name(quantity.name()).to_owned() + &symbol
+            };
+            let mut button = egui::Button::selectable(is_shown, shown.as_str());
             if let Some(key) = key {
                 button = button.shortcut_text(key.to_string());
             }
             let response = ui.add(button);
-            exported::note(ui, &response, &format!("view-{quantity}"), WidgetRole::Choice, &name, is_shown);
-            if response.on_hover_text(quantity.description().trim()).clicked() {
+            exported::note(ui, &response, &format!("view-{quantity}"), WidgetRole::Choice, &shown, is_shown);
+            if response.on_hover_text(name(quantity.description().trim())).clicked() {
                 pane.show_view((quantity != Quantity::Total).then_some(ViewSpec { quantity, light: None }));
                 ui.close();
             }
         };
         egui::ScrollArea::vertical().max_height(420.0).show(ui, |ui| {
             entry(ui, pane, Some(0), Quantity::Total);
-            let traced = egui::Button::selectable(pane.truth.is_some(), TRACED).shortcut_text("Shift + T");
+            let traced = egui::Button::selectable(pane.truth.is_some(), tr!(TRACED)).shortcut_text("Shift + T");
             let traced = ui.add(traced);
-            exported::note(ui, &traced, "view-traced", WidgetRole::Choice, TRACED, pane.truth.is_some());
-            if traced.on_hover_text(format!("{ABOUT_TRACED} {NOT_TRACED}")).clicked() {
+            exported::note(ui, &traced, "view-traced", WidgetRole::Choice, tr!(TRACED), pane.truth.is_some());
+            if traced.on_hover_text(format!("{} {}", tr!(ABOUT_TRACED), tr!(NOT_TRACED))).clicked() {
                 pane.show_truth(Some(TruthSettings::default()));
                 ui.close();
             }
@@ -87,9 +90,9 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
             for view in [SpecialView::UvChecker, SpecialView::Overdraw] {
                 let is_shown = pane.special == Some(view);
                 let key = if view == SpecialView::Overdraw { "Shift + V" } else { "Shift + U" };
-                let response = ui.add(egui::Button::selectable(is_shown, view.name()).shortcut_text(key));
-                exported::note(ui, &response, &format!("view-{view}"), WidgetRole::Choice, view.name(), is_shown);
-                if response.on_hover_text(view.description().trim()).clicked() {
+                let response = ui.add(egui::Button::selectable(is_shown, name(view.name())).shortcut_text(key));
+                exported::note(ui, &response, &format!("view-{view}"), WidgetRole::Choice, name(view.name()), is_shown);
+                if response.on_hover_text(name(view.description().trim())).clicked() {
                     pane.show_special(Some(view));
                     ui.close();
                 }
@@ -103,15 +106,16 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
         });
     });
     exported::note(ui, &menu.response, "view-chooser", WidgetRole::Choice, "view", title_of(pane));
-    menu.response.on_hover_text("View of the scene (number keys)");
+    menu.response.on_hover_text(tr!("scene-view-of-the-scene-number-keys"));
     // A view of one light has a menu of the lights.
     if let Some(view) = pane.view.as_mut().filter(|view| pane.special.is_none() && view.quantity.per_light())
         && lights > 1
     {
-        let text = view.light.map_or_else(|| "first light".to_owned(), |light| format!("light {light}"));
+        let text =
+            view.light.map_or_else(|| tr!("scene-first-light").to_owned(), |light| tr!("scene-light-3", light = light));
         ui.menu_button(format!("{text}  {}", icons::CARET_DOWN), |ui| {
             for light in 0..lights {
-                if ui.selectable_label(view.light == Some(light), format!("light {light}")).clicked() {
+                if ui.selectable_label(view.light == Some(light), tr!("scene-light-3", light = light)).clicked() {
                     view.light = Some(light);
                     ui.close();
                 }
@@ -122,18 +126,24 @@ fn chooser(ui: &mut Ui, pane: &mut Pane, lights: usize) {
 
 fn title_of(pane: &Pane) -> String {
     if pane.truth.is_some() {
-        return TRACED.to_owned();
+        return tr!(TRACED).to_owned();
     }
     match (pane.special, pane.view) {
-        (Some(special), _) => special.name().to_owned(),
-        (None, Some(view)) => view.to_string(),
-        (None, None) => "picture".to_owned(),
+        (Some(special), _) => name(special.name()).to_owned(),
+        (None, Some(view)) => described(view),
+        (None, None) => tr!("scene-picture").to_owned(),
     }
+}
+
+/// A view's quantity, and the light that it is of.
+fn described(view: ViewSpec) -> String {
+    let quantity = name(view.quantity.name());
+    view.light.map_or_else(|| quantity.to_owned(), |light| tr!("window-of-light", quantity = quantity, light = light))
 }
 
 fn title(pane: &Pane) -> String {
     if pane.truth.is_some() {
-        return "traced".to_owned();
+        return tr!("scene-traced-picture").to_owned();
     }
     let symbol = pane.view.filter(|_| pane.special.is_none()).and_then(|view| view.quantity.symbol());
     symbol.map_or_else(|| title_of(pane), |symbol| format!("{} {symbol}", title_of(pane)))
@@ -146,9 +156,9 @@ fn overlays(ui: &mut Ui, pane: &mut Pane) {
     }
     let overlays = &mut pane.overlays;
     for (on, id, icon, tip) in [
-        (&mut overlays.wireframe, "overlay-wireframe", icons::POLYGON, "Wireframe (Shift + W)"),
-        (&mut overlays.normals, "overlay-normals", icons::WIND, "Normals (Shift + N)"),
-        (&mut overlays.boxes, "overlay-boxes", icons::BOUNDING_BOX, "Bounding boxes (Shift + B)"),
+        (&mut overlays.wireframe, "overlay-wireframe", icons::POLYGON, tr!("scene-wireframe-shift-w")),
+        (&mut overlays.normals, "overlay-normals", icons::WIND, tr!("scene-normals-shift-n")),
+        (&mut overlays.boxes, "overlay-boxes", icons::BOUNDING_BOX, tr!("scene-bounding-boxes-shift-b")),
     ] {
         if toggle(ui, id, icon, tip, *on) {
             *on = !*on;
@@ -157,12 +167,12 @@ fn overlays(ui: &mut Ui, pane: &mut Pane) {
 }
 
 fn tools(ui: &mut Ui, session: &mut Session) {
-    let tip = "Show the camera and its frustum from outside (O)";
+    let tip = tr!("scene-show-the-camera-and-its-frustum");
     if toggle(ui, "observer", icons::VIDEO_CAMERA, tip, session.observer.open) {
         session.observer.toggle();
     }
     let probes = session.tab == Tab::Probe;
-    if toggle(ui, "probe-tool", icons::EYEDROPPER, "Probe the pixel under the pointer (P)", probes) {
+    if toggle(ui, "probe-tool", icons::EYEDROPPER, tr!("scene-probe-the-pixel-under-the-pointer"), probes) {
         session.tab = if probes { Tab::Lights } else { Tab::Probe };
     }
 }

@@ -1,5 +1,6 @@
 //! State of the equation panel.
 
+use gonio_language::tr;
 use std::fmt;
 
 /// A part of the light equation that can be pointed at.
@@ -56,24 +57,24 @@ impl Term {
     }
 
     /// A description in one sentence.
-    pub const fn description(self) -> &'static str {
-        match self {
-            Term::Ambient => "A, ambient light: the same from every direction, never attenuated",
-            Term::Emitted => "E, the light that the surface emits",
-            Term::Environment => "Light from the environment: diffuse and glossy reflection",
-            Term::Diffuse => "diff k_d, the diffuse term: the same in every viewing direction",
-            Term::Specular => "k_s spec_i, the specular term: the highlight",
-            Term::Light => "L_i, the colour of light i times its intensity",
-            Term::Attenuation => "att_i, attenuation: the decrease of light with distance",
-            Term::Spot => "spot_i, the soft edge of a spot light's cone",
-            Term::Cosine => "<N.L_i>, the cosine of the angle between normal and light direction, at least 0",
-        }
+    pub fn description(self) -> &'static str {
+        tr!(match self {
+            Term::Ambient => "window-a-ambient-light-the-same-from",
+            Term::Emitted => "window-e-the-light-that-the-surface",
+            Term::Environment => "window-light-from-the-environment-diffuse-and",
+            Term::Diffuse => "window-diff-k-d-the-diffuse-term",
+            Term::Specular => "window-k-s-spec-i-the-specular",
+            Term::Light => "window-l-i-the-colour-of-light",
+            Term::Attenuation => "window-att-i-attenuation-the-decrease-of",
+            Term::Spot => "window-spot-i-the-soft-edge-of",
+            Term::Cosine => "window-n-l-i-the-cosine-of",
+        })
     }
 }
 
 impl fmt::Display for Term {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
+        f.write_str(gonio_language::name(self.name()))
     }
 }
 

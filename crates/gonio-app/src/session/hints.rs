@@ -1,5 +1,6 @@
 //! Hints for first-time users, which go away with use.
 
+use gonio_language::tr;
 use serde::{Deserialize, Serialize};
 
 /// Something that users may not find by themselves.
@@ -21,9 +22,9 @@ impl UsageHint {
     /// The hint in one sentence.
     pub fn sentence(self) -> &'static str {
         match self {
-            UsageHint::Probe => "Tip: click the picture to see every number of the equation at that pixel.",
-            UsageHint::Lamp => "Tip: drag a lamp in the picture.",
-            UsageHint::Term => "Tip: click a term of the equation to switch it off.",
+            UsageHint::Probe => tr!("window-tip-click-the-picture-to-see"),
+            UsageHint::Lamp => tr!("window-tip-drag-a-lamp-in-the"),
+            UsageHint::Term => tr!("window-tip-click-a-term-of-the"),
         }
     }
 }

@@ -21,6 +21,7 @@ use crate::saving::Product;
 use crate::truth::{PixelLight, TracedPane};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use gonio_gl::trace::{Finding, FrameRecord, lint};
+use gonio_language::tr;
 use gonio_scene::Scene;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -232,33 +233,38 @@ impl Tab {
         Tab::Bake,
     ];
 
+    /// A stable name for programs.
+    pub fn id(self) -> String {
+        format!("{self:?}").to_lowercase()
+    }
+
     /// The title.
     pub fn title(self) -> &'static str {
         match self {
-            Tab::Lights => "Lights",
-            Tab::Objects => "Objects",
-            Tab::Camera => "Camera",
-            Tab::Picture => "Picture",
-            Tab::Probe => "Probe",
-            Tab::Compare => "Compare",
-            Tab::Frame => "Frame",
-            Tab::Shaders => "Shaders",
-            Tab::Bake => "Bake",
+            Tab::Lights => tr!("window-lights"),
+            Tab::Objects => tr!("window-objects"),
+            Tab::Camera => tr!("window-camera"),
+            Tab::Picture => tr!("window-picture"),
+            Tab::Probe => tr!("window-probe"),
+            Tab::Compare => tr!("window-compare"),
+            Tab::Frame => tr!("window-frame"),
+            Tab::Shaders => tr!("window-shaders"),
+            Tab::Bake => tr!("window-bake"),
         }
     }
 
     /// A description in one sentence.
     pub fn description(self) -> &'static str {
         match self {
-            Tab::Lights => "Lights: each adds one summand to the equation",
-            Tab::Objects => "Models, their transformations and materials",
-            Tab::Camera => "Camera parameters and matrices",
-            Tab::Picture => "Environment, background, exposure and tone mapping",
-            Tab::Probe => "The light equation at one pixel, in numbers",
-            Tab::Compare => "The scene with up to four settings side by side",
-            Tab::Frame => "The OpenGL calls that drew this picture",
-            Tab::Shaders => "Your own shaders and the values of their uniforms",
-            Tab::Bake => "Textures for new texture coordinates, baked from the scene",
+            Tab::Lights => tr!("window-lights-each-adds-one-summand-to"),
+            Tab::Objects => tr!("window-models-their-transformations-and-materials"),
+            Tab::Camera => tr!("window-camera-parameters-and-matrices"),
+            Tab::Picture => tr!("window-environment-background-exposure-and-tone-mapping"),
+            Tab::Probe => tr!("window-the-light-equation-at-one-pixel"),
+            Tab::Compare => tr!("window-the-scene-with-up-to-four"),
+            Tab::Frame => tr!("window-the-opengl-calls-that-drew-this"),
+            Tab::Shaders => tr!("window-your-own-shaders-and-the-values"),
+            Tab::Bake => tr!("window-textures-for-new-texture-coordinates-baked"),
         }
     }
 }

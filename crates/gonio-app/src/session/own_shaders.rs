@@ -10,6 +10,7 @@ use gonio_check::user_shaders::{UserInputs, UserShaderProgram, UserShaders, mess
 use gonio_check::verdict::CompilerMessage;
 use gonio_exercises::step::UserPair;
 use gonio_gl::Gl;
+use gonio_language::tr;
 use gonio_scene::files::FileSource;
 use gonio_scene::{Frame, Scene, Texture};
 use std::path::{Path, PathBuf};
@@ -213,8 +214,7 @@ impl OwnShaders {
         ctx: &egui::Context,
     ) {
         if std::mem::take(&mut self.lost) {
-            let why = "the graphics were reset while your shaders were drawn: they may have a loop that never ends; open them \
-                       again after a change";
+            let why = tr!("window-the-graphics-were-reset-while-your");
             self.fail(vec![why.to_owned().into()], messages);
         }
         let files = self.opened.clone().unwrap_or_else(|| platform.files());
@@ -253,7 +253,7 @@ impl OwnShaders {
         let read = |name: &Option<String>| {
             let Some(name) = name else { return Ok(None) };
             let bytes = files.read_within(Path::new(name), MOST_SHADER_BYTES);
-            let bytes = bytes.map_err(|error| format!("cannot read the shader {name}: {error}"))?;
+            let bytes = bytes.map_err(|error| tr!("window-cannot-read-the-shader", name = name, error = error))?;
             Ok::<_, String>(Some(SourceFile::new(name, bytes.into_vec())))
         };
         let (vertex, fragment) = (read(&self.files.vertex)?, read(&self.files.fragment)?);
@@ -280,7 +280,8 @@ impl OwnShaders {
         for (name, path) in &self.files.textures {
             let bytes = files.read_within(Path::new(path), u64::MAX).map_err(|error| error.to_string());
             let texture = bytes.and_then(|bytes| Texture::decode(path, &bytes));
-            let texture = texture.map_err(|error| vec![format!("cannot read the texture {path}: {error}").into()])?;
+            let texture = texture
+                .map_err(|error| vec![tr!("window-cannot-read-the-texture", path = path, error = error).into()])?;
             warnings.extend(program.inputs.set_texture(name, Arc::new(texture)).err());
         }
         program.inputs.warnings.extend(warnings);

@@ -6,6 +6,7 @@
 
 use crate::truth::PixelLight;
 use glam::DVec3;
+use gonio_language::tr;
 use gonio_reference::{Probe, ReferenceGeometry, ReferenceScene};
 use gonio_scene::{DisplayMap, Frame, Scene};
 use serde::Serialize;
@@ -188,28 +189,28 @@ impl Reading {
     pub fn light_name(&self, index: usize) -> String {
         match self.loaded.settings.lights.get(index) {
             Some(spec) if !spec.name.is_empty() => spec.name.clone(),
-            Some(spec) => format!("{} {index}", spec.kind.name()),
-            None => format!("light {index}"),
+            Some(spec) => format!("{} {index}", gonio_language::name(spec.kind.name())),
+            None => tr!("window-light", index = index),
         }
     }
 
     /// The parts of the pixel's light: a name, what it means, and linear RGB.
     pub fn ways(&self, light: &PixelLight) -> Vec<(String, &'static str, DVec3)> {
-        const DIRECT: &str = "Light of this source that only the visible surface scattered";
+        const DIRECT: &str = "window-light-of-this-source-that-only";
         let way = |&(part, index, rgb): &(u32, usize, DVec3)| {
             let (name, about) = match part {
-                0 => ("emitted", "Light that no surface scattered: of what shines itself, or the background"),
-                1 => return (self.light_name(index), DIRECT, rgb),
+                0 => ("emitted", tr!("window-light-that-no-surface-scattered-of")),
+                1 => return (self.light_name(index), tr!(DIRECT), rgb),
                 2 => {
                     let object = self.loaded.objects.get(index).map(|object| object.name.as_str());
-                    return (format!("object {}", object.unwrap_or_default()), DIRECT, rgb);
+                    return (tr!("window-object", object = object.unwrap_or_default()), tr!(DIRECT), rgb);
                 }
-                3 => ("environment", DIRECT),
-                4 => ("ambient", "k_a times the ambient light"),
-                5 => ("first bounce", "Light that two surfaces scattered"),
-                6 => ("the rest", "Light that more than two surfaces scattered"),
-                7 => ("total", "The sum, which is the traced picture's pixel"),
-                _ => ("standard error", "Of the total: how far it may be from its true value"),
+                3 => ("environment", tr!(DIRECT)),
+                4 => ("ambient", tr!("window-k-a-times-the-ambient-light")),
+                5 => (tr!("window-first-bounce"), tr!("window-light-that-two-surfaces-scattered")),
+                6 => (tr!("window-the-rest"), tr!("window-light-that-more-than-two-surfaces")),
+                7 => ("total", tr!("window-the-sum-which-is-the-traced")),
+                _ => (tr!("window-standard-error"), tr!("window-of-the-total-how-far-it")),
             };
             (name.to_owned(), about, rgb)
         };

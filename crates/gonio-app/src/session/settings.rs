@@ -2,6 +2,7 @@
 
 use super::UsageHint;
 use gonio_check::verdict::Outcome;
+use gonio_language::Language;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,6 +12,9 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct Settings {
     /// Whether the theme is dark; `None` follows the system.
     pub dark: Option<bool>,
+    /// The language; `None` follows the system.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub language: Option<Language>,
     /// Recently opened files, the latest first.
     pub recent: Vec<String>,
     /// The settings of the last bake as JSON, which is parsed when they are shown; `None` before the first.
@@ -69,8 +73,14 @@ mod tests {
     fn settings_survive_a_round_trip_and_damaged_ones_are_defaults() {
         let outcomes = BTreeMap::from([("ex04".to_owned(), Outcome::Wrong)]);
         let learned = BTreeSet::from([UsageHint::Probe]);
-        let settings =
-            Settings { dark: Some(true), recent: vec!["a b.obj".into()], bake: Some("{}".into()), outcomes, learned };
+        let settings = Settings {
+            dark: Some(true),
+            language: Some(Language::French),
+            recent: vec!["a b.obj".into()],
+            bake: Some("{}".into()),
+            outcomes,
+            learned,
+        };
         assert_eq!(Settings::from_text(&settings.to_text()), settings);
         assert_eq!((Settings::default().hint(), settings.hint()), (Some(UsageHint::Probe), Some(UsageHint::Lamp)));
         assert_eq!(Settings::from_text("{\"dark\": 3}"), Settings::default());

@@ -7,6 +7,7 @@ use crate::theme::{colors, icons};
 use crate::widgets::{self, heading, tool_button};
 use egui::{Button, Context, RichText, Ui, vec2};
 use gonio_bsdf::{DVec3, Parameter};
+use gonio_language::tr;
 use web_time::{Duration, Instant};
 
 /// Frames of a film from one end of the range to the other.
@@ -71,7 +72,7 @@ pub fn list(ui: &mut Ui, stations: &[RoomStation], chosen: usize) -> Option<usiz
 
 /// Shows the parameters. The one of the film has a button before it.
 pub fn sliders(ui: &mut Ui, station: &mut RoomStation, film: &mut ParameterFilm) {
-    heading(ui, "Parameters");
+    heading(ui, tr!("bench-parameters"));
     let parameters: Vec<(Parameter, DVec3)> = station.values.iter().map(|(p, value)| (p.clone(), value)).collect();
     for (parameter, value) in parameters {
         let is_film = parameter.name == station.description.film_parameter;
@@ -80,7 +81,11 @@ pub fn sliders(ui: &mut Ui, station: &mut RoomStation, film: &mut ParameterFilm)
             ui.spacing_mut().item_spacing.x = 4.0;
             if is_film {
                 let icon = if film.is_playing { icons::PAUSE } else { icons::PLAY };
-                let tip = if film.is_playing { "Stop the film" } else { "Play a film of this parameter" };
+                let tip = if film.is_playing {
+                    tr!("bench-stop-the-film")
+                } else {
+                    tr!("bench-play-a-film-of-this-parameter")
+                };
                 if tool_button(ui, "film", icon, tip, Some(colors::ACCENT.of(ui)), true).clicked() {
                     film.is_playing = !film.is_playing;
                 }

@@ -7,13 +7,14 @@ use crate::theme::{colors, icons};
 use crate::widgets::{compact, heading};
 use egui::{Label, RichText, Sense, Ui, WidgetInfo, vec2};
 use gonio_beyond::{LawCheck, StationDescription};
+use gonio_language::tr;
 
 /// Shows the plot.
 pub fn plot(ui: &mut Ui, description: &StationDescription, work: &mut RoomWork) {
     let width = ui.available_width().max(120.0);
     let (rect, response) = ui.allocate_exact_size(vec2(width, (1.05 * width).min(440.0)), Sense::hover());
     work.plot_size = [rect.width() as u32, rect.height() as u32];
-    let name = format!("The law of {}", description.title);
+    let name = tr!("bench-the-law-of", title = description.title);
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, &name));
     exported::note(ui, &response, "station-plot", WidgetRole::Picture, &name, work.plot_serial);
     match &work.plot {
@@ -29,11 +30,11 @@ pub fn plot(ui: &mut Ui, description: &StationDescription, work: &mut RoomWork) 
 
 /// Shows the checks.
 pub fn checks(ui: &mut Ui, work: &RoomWork) {
-    heading(ui, "Checks of the law");
+    heading(ui, tr!("bench-checks-of-the-law"));
     // Rows as low as their text.
     (ui.spacing_mut().item_spacing.y, ui.spacing_mut().interact_size.y) = (1.0, 14.0);
     if work.checks.is_empty() {
-        ui.label(RichText::new("computed after the picture's beginning").weak().small());
+        ui.label(RichText::new(tr!("bench-computed-after-the-picture-s-beginning")).weak().small());
     }
     for (index, check) in work.checks.iter().enumerate() {
         show_check(ui, index, check, work.has_checks);
@@ -43,8 +44,8 @@ pub fn checks(ui: &mut Ui, work: &RoomWork) {
 /// A check: verdict and quantity, and the numbers below. Those of other values of the parameters are dimmed.
 fn show_check(ui: &mut Ui, index: usize, check: &LawCheck, is_present: bool) {
     let (icon, word, tint) = match check.holds() {
-        true => (icons::CHECK, "holds", colors::NORMAL),
-        false => (icons::WARNING, "fails", colors::ERROR),
+        true => (icons::CHECK, tr!("bench-holds"), colors::NORMAL),
+        false => (icons::WARNING, tr!("bench-fails"), colors::ERROR),
     };
     let dim = if is_present { 1.0 } else { 0.45 };
     let text = |text: String, color: egui::Color32| RichText::new(text).color(color.gamma_multiply(dim));
@@ -56,7 +57,7 @@ fn show_check(ui: &mut Ui, index: usize, check: &LawCheck, is_present: bool) {
     });
     exported::note(ui, &quantity.inner, &format!("check-{index}"), WidgetRole::Text, word, check.measured);
     let [expected, measured, bound] = [check.expected, check.measured, check.bound].map(compact);
-    let numbers = format!("law {expected}   found {measured}   \u{b1} {bound} {}", check.unit);
+    let numbers = tr!("bench-law-found", expected = expected, measured = measured, bound = bound, unit = check.unit);
     ui.horizontal(|ui| {
         ui.add_space(19.0);
         ui.add(Label::new(text(numbers, ui.visuals().weak_text_color()).monospace().size(11.0)).wrap());

@@ -32,6 +32,7 @@ use controls::ParameterFilm;
 use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
 use gonio_beyond::StationDescription;
 use gonio_bsdf::ParameterValues;
+use gonio_language::tr;
 use work::RoomWork;
 
 /// Below this width (points) everything is stacked: a phone in portrait orientation.
@@ -117,8 +118,11 @@ impl StationRoom {
         let is_leaving = self.toolbar(ui, platform, actions);
         if self.stations.is_empty() {
             egui::CentralPanel::default().show(ui, |ui| {
-                let text =
-                    if self.work.has_failed() { "The stations cannot be loaded." } else { "Loading the stations..." };
+                let text = if self.work.has_failed() {
+                    tr!("bench-the-stations-cannot-be-loaded")
+                } else {
+                    tr!("bench-loading-the-stations")
+                };
                 ui.centered_and_justified(|ui| ui.label(RichText::new(text).weak()));
             });
         } else if ui.available_width() < NARROW {
@@ -145,14 +149,14 @@ impl StationRoom {
             return Vec::new();
         }
         let Some(index) = self.stations.iter().position(|station| station.description.name == link.name) else {
-            return vec![format!("the link names an unknown station `{}`", link.name)];
+            return vec![tr!("bench-the-link-names-an-unknown-station", name = link.name)];
         };
         self.chosen = index;
         let mut errors = Vec::new();
         if let Some(station) = self.stations.get_mut(index) {
             for (name, value) in &link.values {
                 let set = station.values.set(name, value);
-                errors.extend(set.err().map(|error| format!("the link is damaged: {error}")));
+                errors.extend(set.err().map(|error| tr!("bench-the-link-is-damaged", error = error)));
             }
         }
         errors
@@ -172,19 +176,19 @@ impl StationRoom {
         let bar = Frame::NONE.inner_margin(Margin::symmetric(10, 5));
         Panel::top("station bar").frame(bar).resizable(false).show(ui, |ui| {
             ui.horizontal(|ui| {
-                is_leaving = icon_button(ui, "leave", icons::CARET_LEFT, "Back to the scene").clicked();
+                is_leaving = icon_button(ui, "leave", icons::CARET_LEFT, tr!("bench-back-to-the-scene")).clicked();
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                     let theme = if ui.visuals().dark_mode { icons::SUN } else { icons::MOON };
-                    if icon_button(ui, "theme", theme, "Light or dark theme").clicked() {
+                    if icon_button(ui, "theme", theme, tr!("bench-light-or-dark-theme")).clicked() {
                         actions.push(Action::ToggleTheme);
                     }
                     if let Some(link) = self.link()
-                        && icon_button(ui, "copy-link", icons::LINK, "Copy a link to this station").clicked()
+                        && icon_button(ui, "copy-link", icons::LINK, tr!("bench-copy-a-link-to-this-station")).clicked()
                     {
                         actions.push(Action::CopyText(platform.link(&link.fragment())));
                     }
                     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                        let title = RichText::new("Beyond the rendering equation").font(theme::bold(16.0));
+                        let title = RichText::new(tr!("bench-beyond-the-rendering-equation")).font(theme::bold(16.0));
                         ui.add(Label::new(title.color(ui.visuals().strong_text_color())).truncate());
                     });
                 });
@@ -232,7 +236,9 @@ impl StationRoom {
         let inside = Frame::NONE.inner_margin(Margin::symmetric(10, 4));
         egui::CentralPanel::default().frame(inside).show(ui, |ui| {
             self.pages(ui);
-            let scroll = ScrollArea::vertical().id_salt(("station page", self.page as u8)).auto_shrink([false, false]);
+            let scroll = ScrollArea::vertical()
+                .id_salt((tr!("bench-station-page"), self.page as u8))
+                .auto_shrink([false, false]);
             scroll.show(ui, |ui| match self.page {
                 RoomPage::Stations => self.show_list(ui),
                 RoomPage::Sliders => self.show_sliders(ui),
@@ -252,10 +258,10 @@ impl StationRoom {
     /// The tabs of the pages.
     fn pages(&mut self, ui: &mut Ui) {
         let pages = [
-            (RoomPage::Stations, "Stations", "stations"),
-            (RoomPage::Sliders, "Sliders", "sliders"),
-            (RoomPage::Text, "Text", "text"),
-            (RoomPage::Law, "Law", "law"),
+            (RoomPage::Stations, tr!("bench-stations"), "stations"),
+            (RoomPage::Sliders, tr!("bench-sliders"), "sliders"),
+            (RoomPage::Text, tr!("bench-text"), "text"),
+            (RoomPage::Law, tr!("bench-law"), "law"),
         ];
         page_tabs(ui, &mut self.page, &pages);
     }

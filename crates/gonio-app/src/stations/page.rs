@@ -5,11 +5,12 @@ use crate::widgets::heading;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{CornerRadius, FontFamily, FontId, Frame, Label, Margin, RichText, TextStyle, Ui};
 use gonio_beyond::StationDescription;
+use gonio_language::tr;
 
 /// What the equation assumes, and what nature does.
 pub fn equation(ui: &mut Ui, station: &StationDescription) {
-    section(ui, "The rendering equation assumes", &station.assumption);
-    section(ui, "In nature", &station.nature);
+    section(ui, tr!("bench-the-rendering-equation-assumes"), &station.assumption);
+    section(ui, tr!("bench-in-nature"), &station.nature);
 }
 
 /// Where to look, and the question.
@@ -17,13 +18,13 @@ pub fn look(ui: &mut Ui, station: &StationDescription) {
     ui.add_space(4.0);
     let title = RichText::new(&station.title).font(theme::bold(18.0)).color(ui.visuals().strong_text_color());
     ui.add(Label::new(title).wrap());
-    section(ui, "Look", &station.look);
-    section(ui, "Question", &station.question);
+    section(ui, tr!("bench-look"), &station.look);
+    section(ui, tr!("bench-question"), &station.question);
 }
 
 /// The formulas of the law and their source.
 pub fn law(ui: &mut Ui, station: &StationDescription) {
-    heading(ui, "The law");
+    heading(ui, tr!("bench-the-law"));
     let frame = Frame::NONE.fill(ui.visuals().faint_bg_color).corner_radius(CornerRadius::same(6));
     frame.inner_margin(Margin::symmetric(8, 6)).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
@@ -35,7 +36,7 @@ pub fn law(ui: &mut Ui, station: &StationDescription) {
             }
         }
     });
-    ui.add(Label::new(RichText::new(format!("Source: {}", station.source)).small().weak()).wrap());
+    ui.add(Label::new(RichText::new(tr!("bench-source", source = station.source)).small().weak()).wrap());
 }
 
 fn section(ui: &mut Ui, title: &str, text: &str) {

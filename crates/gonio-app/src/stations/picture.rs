@@ -7,6 +7,7 @@ use crate::theme::{colors, icons};
 use crate::widgets::{choice, tool_button};
 use egui::{Align, Color32, CornerRadius, Label, Layout, Rect, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
 use gonio_beyond::MOST_SAMPLES;
+use gonio_language::tr;
 
 /// The pictures are composed for this ratio of width and height.
 const ASPECT: f32 = 4.0 / 3.0;
@@ -22,7 +23,7 @@ pub fn show(ui: &mut Ui, station: &mut RoomStation, work: &mut RoomWork, most_he
             .enumerate()
             .map(|(index, (name, caption))| (index, name.as_str(), caption.as_str()))
             .collect();
-        choice(ui, "picture", "Picture", &mut station.picture, &options, 0);
+        choice(ui, "picture", tr!("bench-picture"), &mut station.picture, &options, 0);
     }
     let caption = pictures.get(station.picture).map_or("", |(_, caption)| caption);
     let room = ui.available_width();
@@ -68,8 +69,8 @@ pub fn show(ui: &mut Ui, station: &mut RoomStation, work: &mut RoomWork, most_he
 fn progress(ui: &mut Ui, work: &mut RoomWork) {
     let is_done = work.picture.is_newest && work.picture.samples >= MOST_SAMPLES;
     let (icon, tip) = match work.is_paused {
-        true => (icons::PLAY, "Continue to refine the picture"),
-        false => (icons::PAUSE, "Stop refining the picture"),
+        true => (icons::PLAY, tr!("bench-continue-to-refine-the-picture")),
+        false => (icons::PAUSE, tr!("bench-stop-refining-the-picture")),
     };
     if tool_button(ui, "pause", icon, tip, None, work.is_paused || work.is_running()).clicked() {
         work.toggle_pause();
@@ -77,12 +78,12 @@ fn progress(ui: &mut Ui, work: &mut RoomWork) {
     let text = match work.picture.samples {
         _ if work.picture.texture.is_none() => String::new(),
         0 => "coarse".to_owned(),
-        1 => "1 sample".to_owned(),
-        samples if is_done => format!("{samples} samples, done"),
-        samples => format!("{samples} samples"),
+        1 => tr!("bench-1-sample").to_owned(),
+        samples if is_done => tr!("bench-samples-done", samples = samples),
+        samples => tr!("bench-samples-2", samples = samples),
     };
     let text = ui.label(RichText::new(&text).small().weak());
-    exported::note(ui, &text, "samples", WidgetRole::Text, "Samples of each pixel", work.picture.samples);
+    exported::note(ui, &text, "samples", WidgetRole::Text, tr!("bench-samples-of-each-pixel"), work.picture.samples);
 }
 
 /// The size to compute for a size on the screen in physical pixels.

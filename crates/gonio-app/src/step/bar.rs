@@ -11,6 +11,7 @@ use egui::{
 };
 use gonio_exercises::step::ListedStep;
 use gonio_glsl::Stage;
+use gonio_language::tr;
 
 /// Below this width (points) the table has no column of types.
 const NARROW: f32 = 420.0;
@@ -89,7 +90,7 @@ pub fn bar(ui: &mut Ui, stepper: &mut Stepper) {
                 corners(ui, stepper);
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let tip = "Remove the pin and the values (F9)";
+                let tip = tr!("exercise-remove-the-pin-and-the-values");
                 if widgets::icon_button(ui, "step-unpin", icons::X, tip).clicked() {
                     stepper.unpin();
                 }
@@ -120,17 +121,18 @@ pub fn bar(ui: &mut Ui, stepper: &mut Stepper) {
 /// The pixel and the choice of the shader.
 fn head(ui: &mut Ui, stepper: &mut Stepper) {
     ui.label(RichText::new(icons::PUSH_PIN).font(theme::icon_font(15.0)).color(colors::ACCENT.of(ui)));
-    let pixel = stepper.pixel().map_or("Pixel".to_owned(), |[x, y]| format!("Pixel {x}, {y}"));
+    let pixel =
+        stepper.pixel().map_or(tr!("exercise-pixel-2").to_owned(), |[x, y]| tr!("exercise-pixel", x = x, y = y));
     ui.label(pixel);
     if stepper.listing().is_none() {
         return;
     }
     let mut stage = stepper.stage();
     let options = [
-        (Stage::Fragment, "fragment", "The fragment shader at this pixel"),
-        (Stage::Vertex, "vertex", "The vertex shader at a corner of the triangle at this pixel"),
+        (Stage::Fragment, "fragment", tr!("exercise-the-fragment-shader-at-this-pixel")),
+        (Stage::Vertex, "vertex", tr!("exercise-the-vertex-shader-at-a-corner")),
     ];
-    if widgets::choice(ui, "step-stage", "Shader", &mut stage, &options, Stage::Fragment) {
+    if widgets::choice(ui, "step-stage", tr!("exercise-shader"), &mut stage, &options, Stage::Fragment) {
         (stepper.stage, stepper.shows_file) = (Some(stage), true);
         stepper.hover.forget();
     }
@@ -144,10 +146,13 @@ fn corners(ui: &mut Ui, stepper: &mut Stepper) {
         let (vertices, shares) = (listed.surface.vertices, listed.surface.shares);
         let mut corner = stepper.corner();
         let nearest = stepper.nearest_corner();
-        let tips =
-            [0, 1, 2].map(|at| format!("Vertex {}, with a weight of {:.2} at this pixel", vertices[at], shares[at]));
-        let options = [0, 1, 2].map(|at| (at, ["corner 1", "corner 2", "corner 3"][at], tips[at].as_str()));
-        if widgets::choice(ui, "step-corner", "Corner", &mut corner, &options, nearest) {
+        let tips = [0, 1, 2].map(|at| {
+            tr!("exercise-vertex-with-a-weight-of-at", vertex = vertices[at], weight = format!("{:.2}", shares[at]))
+        });
+        let options = [0, 1, 2].map(|at| {
+            (at, [tr!("exercise-corner-1"), tr!("exercise-corner-2"), tr!("exercise-corner-3")][at], tips[at].as_str())
+        });
+        if widgets::choice(ui, "step-corner", tr!("exercise-corner"), &mut corner, &options, nearest) {
             stepper.corner = Some(corner);
             stepper.hover.forget();
         }
@@ -159,23 +164,23 @@ fn movements(ui: &mut Ui, stepper: &mut Stepper) {
     let (at, count) = (steps.at(), steps.listing.steps.len());
     let (can_return, can_go_on) = (at > 0, at + 1 < count);
     for (id, icon, tip, movement, enabled) in [
-        ("step-first", icons::SKIP_BACK, "First step", Movement::First, can_return),
+        ("step-first", icons::SKIP_BACK, tr!("exercise-first-step"), Movement::First, can_return),
         (
             "step-back-over",
             icons::CARET_LEFT,
-            "Back, over calls (Shift + F10, Alt + Up)",
+            tr!("exercise-back-over-calls-shift-f10-alt"),
             Movement::BackOver,
             can_return,
         ),
-        ("step-over", icons::CARET_RIGHT, "Next step, over calls (F10, Alt + Down)", Movement::Over, can_go_on),
+        ("step-over", icons::CARET_RIGHT, tr!("exercise-next-step-over-calls-f10-alt"), Movement::Over, can_go_on),
         (
             "step-back-into",
             icons::CARET_UP,
-            "Back, into calls (Shift + F11, Alt + Left)",
+            tr!("exercise-back-into-calls-shift-f11-alt"),
             Movement::BackInto,
             can_return,
         ),
-        ("step-into", icons::CARET_DOWN, "Next step, into calls (F11, Alt + Right)", Movement::Into, can_go_on),
+        ("step-into", icons::CARET_DOWN, tr!("exercise-next-step-into-calls-f11-alt"), Movement::Into, can_go_on),
     ] {
         if widgets::tool_button(ui, id, icon, tip, None, enabled).clicked() {
             stepper.go(movement);
@@ -185,13 +190,13 @@ fn movements(ui: &mut Ui, stepper: &mut Stepper) {
         let mut number = at + 1;
         ui.spacing_mut().slider_width = (ui.available_width() - 56.0).clamp(40.0, 240.0);
         let slider = ui.add(Slider::new(&mut number, 1..=count).show_value(false));
-        slider.widget_info(|| WidgetInfo::slider(true, number as f64, "Step"));
-        exported::note(ui, &slider, "step-slider", WidgetRole::Number, "Step", number);
+        slider.widget_info(|| WidgetInfo::slider(true, number as f64, tr!("exercise-step")));
+        exported::note(ui, &slider, "step-slider", WidgetRole::Number, tr!("exercise-step"), number);
         if slider.changed() {
             stepper.go(Movement::To(number - 1));
         }
     }
-    let tip = "Value and picture of the expression at the cursor (Alt + Enter); the pointer shows them too";
+    let tip = tr!("exercise-value-and-picture-of-the-expression");
     let color = stepper.hover.at_cursor.then(|| colors::ACCENT.of(ui));
     if widgets::tool_button(ui, "step-expression", icons::EYE, tip, color, true).clicked() {
         stepper.hover.at_cursor = !stepper.hover.at_cursor;
@@ -202,17 +207,18 @@ fn movements(ui: &mut Ui, stepper: &mut Stepper) {
 fn caption(steps: &ShaderSteps) -> String {
     let count = steps.listing.steps.len();
     let Some(ListedStep { line, function, calls, iterations, .. }) = steps.step() else {
-        return "No statement was executed.".to_owned();
+        return tr!("exercise-no-statement-was-executed").to_owned();
     };
-    let mut text = format!("Step {} of {count}: line {line} in {function}", steps.at() + 1);
+    let mut text =
+        tr!("exercise-step-of-line-in", at = steps.at() + 1, count = count, line = line, function = function);
     if !calls.is_empty() {
-        text.push_str(&format!(", called at line {}", numbers(calls, " and ")));
+        text.push_str(&tr!("exercise-called-at-line", and = numbers(calls, tr!("exercise-and-2"))));
     }
     if !iterations.is_empty() {
-        text.push_str(&format!(", iteration {}", numbers(iterations, ", within it ")));
+        text.push_str(&tr!("exercise-iteration", it = numbers(iterations, tr!("exercise-within-it"))));
     }
     if steps.listing.is_truncated {
-        text.push_str("; later steps are not shown");
+        text.push_str(tr!("exercise-later-steps-are-not-shown"));
     }
     text
 }
@@ -227,26 +233,36 @@ fn findings(ui: &mut Ui, stepper: &mut Stepper) {
     let listing = &steps.listing;
     let mut found: Vec<(&str, Color32, u32, String)> = Vec::new();
     if let Some((place, value)) = &listing.non_finite {
-        let text = format!("First NaN or infinity, line {}: {} = {}", place.line, place.expression, short(value));
+        let text = tr!(
+            "exercise-first-nan-or-infinity-line",
+            line = place.line,
+            expression = place.expression,
+            value = short(value)
+        );
         found.push(("step-nan", colors::ERROR.of(ui), place.line, text));
     }
     for place in &listing.unwritten {
-        let text = format!("Never written before it is read, line {}: {}", place.line, place.expression);
+        let text = tr!("exercise-never-written-before-it-is-read", line = place.line, expression = place.expression);
         found.push(("step-unwritten", colors::WARNING.of(ui), place.line, text));
     }
     if let Some((line, statements)) = listing.endless {
-        let text = format!("The loop at line {line} does not end: stopped after {statements} statements");
+        let text = tr!("exercise-the-loop-at-line-does-not", line = line, statements = statements);
         found.push(("step-endless", colors::ERROR.of(ui), line, text));
     }
     if let Some(line) = listing.discarded {
-        found.push(("step-discarded", colors::WARNING.of(ui), line, format!("Line {line} discards this pixel")));
+        found.push((
+            "step-discarded",
+            colors::WARNING.of(ui),
+            line,
+            tr!("exercise-line-discards-this-pixel", line = line),
+        ));
     }
     let mut requested = None;
     for (id, color, line, text) in found.into_iter().take(4) {
         let text_of = RichText::new(&text).small().color(color);
         let button = ui.add(Button::new(text_of).wrap().frame_when_inactive(false));
         exported::note(ui, &button, id, WidgetRole::Button, &text, line);
-        if button.on_hover_text("Go to this step").clicked() {
+        if button.on_hover_text(tr!("exercise-go-to-this-step")).clicked() {
             requested = Some(line);
         }
     }
@@ -288,7 +304,10 @@ pub fn table(ui: &mut Ui, stepper: &Stepper) {
                     value.scroll_to_me(None);
                 }
                 exported::note(ui, &value, &format!("variable-{name}"), WidgetRole::Text, &name, &row.value);
-                let before = row.before.as_ref().map_or(String::new(), |before| format!("\nbefore: {before}"));
+                let before = row
+                    .before
+                    .as_ref()
+                    .map_or(String::new(), |before| "\n".to_owned() + &tr!("exercise-before", value = before));
                 value.on_hover_text(format!("{} {}\n{}{before}", row.glsl_type, row.name, row.value));
                 if !is_narrow {
                     ui.label(RichText::new(&row.glsl_type).small().weak());

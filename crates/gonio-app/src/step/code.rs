@@ -11,6 +11,7 @@ use egui::{
     TextBuffer, TextEdit, TextStyle, Ui, pos2, vec2,
 };
 use gonio_glsl::Class;
+use gonio_language::tr;
 use std::sync::Arc;
 
 /// Points between the numbers and the text.
@@ -219,14 +220,19 @@ fn messages(ui: &mut Ui, marks: &[Mark], error: Option<&str>) -> Option<u32> {
         }
         for (index, mark) in marks.iter().take(MOST_LISTED).enumerate() {
             let icon = if mark.kind == MarkKind::Error { icons::WARNING_CIRCLE } else { icons::WARNING };
-            let line = message_row(ui, icon, tint(mark.kind).of(ui), &format!("Line {}: {}", mark.line, mark.text));
+            let line = message_row(
+                ui,
+                icon,
+                tint(mark.kind).of(ui),
+                &tr!("exercise-line", line = mark.line, text = mark.text),
+            );
             exported::note(ui, &line, &format!("note-{index}"), WidgetRole::Button, &mark.text, mark.line);
             if line.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
                 requested = Some(mark.line);
             }
         }
         if marks.len() > MOST_LISTED {
-            ui.label(RichText::new(format!("and {} more", marks.len() - MOST_LISTED)).small().weak());
+            ui.label(RichText::new(tr!("exercise-and-more-2", count = marks.len() - MOST_LISTED)).small().weak());
         }
     });
     requested

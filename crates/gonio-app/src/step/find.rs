@@ -6,6 +6,7 @@ use crate::widgets::icon_button;
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{Id, Key, KeyboardShortcut, Modifiers, RichText, TextEdit, Ui};
+use gonio_language::tr;
 use std::ops::Range;
 
 /// The search of one text.
@@ -37,7 +38,7 @@ pub fn show(ui: &mut Ui, id: Id, text: &str) -> Option<Range<usize>> {
     }
     let data_id = id.with("search");
     let mut search: Search = ui.data(|data| data.get_temp(data_id)).filter(|search: &Search| search.is_open)?;
-    let field_id = id.with("search field");
+    let field_id = id.with(tr!("exercise-search-field"));
     let is_in_field = ui.memory(|memory| memory.has_focus(field_id));
     let mut way = ui.input_mut(|input| {
         if input.consume_shortcut(&key(Modifiers::SHIFT, Key::F3)) {
@@ -57,27 +58,28 @@ pub fn show(ui: &mut Ui, id: Id, text: &str) -> Option<Range<usize>> {
     let mut changed = false;
     let found = matches(text, &search.query);
     ui.horizontal(|ui| {
-        let field = TextEdit::singleline(&mut search.query).id(field_id).hint_text("Find").desired_width(180.0);
+        let field =
+            TextEdit::singleline(&mut search.query).id(field_id).hint_text(tr!("exercise-find")).desired_width(180.0);
         let field = ui.add(field);
-        exported::note(ui, &field, "find", WidgetRole::Text, "Find", &search.query);
+        exported::note(ui, &field, "find", WidgetRole::Text, tr!("exercise-find"), &search.query);
         if std::mem::take(&mut search.wants_focus) || (way.is_some() && is_in_field) {
             field.request_focus();
         }
         changed = field.changed();
         let count = match (found.len(), search.query.is_empty()) {
             (_, true) => String::new(),
-            (0, false) => "not found".to_owned(),
-            (count, false) => format!("{} of {count}", search.current.min(count - 1) + 1),
+            (0, false) => tr!("exercise-not-found").to_owned(),
+            (count, false) => tr!("exercise-of", number = search.current.min(count - 1) + 1, count = count),
         };
         let label = ui.label(RichText::new(&count).small().weak());
-        exported::note(ui, &label, "found", WidgetRole::Text, "Matches", &count);
-        if icon_button(ui, "find-previous", icons::CARET_UP, "Previous match (Shift + F3)").clicked() {
+        exported::note(ui, &label, "found", WidgetRole::Text, tr!("exercise-matches"), &count);
+        if icon_button(ui, "find-previous", icons::CARET_UP, tr!("exercise-previous-match-shift-f3")).clicked() {
             way = Some(false);
         }
-        if icon_button(ui, "find-next", icons::CARET_DOWN, "Next match (F3)").clicked() {
+        if icon_button(ui, "find-next", icons::CARET_DOWN, tr!("exercise-next-match-f3")).clicked() {
             way = Some(true);
         }
-        closed |= icon_button(ui, "find-close", icons::X, "Close the search (Esc)").clicked();
+        closed |= icon_button(ui, "find-close", icons::X, tr!("exercise-close-the-search-esc")).clicked();
     });
     let found = if changed { matches(text, &search.query) } else { found };
     let mut chosen = None;

@@ -16,6 +16,7 @@ use gonio_exercises::step::{
     SteppedScene,
 };
 use gonio_glsl::Stage;
+use gonio_language::tr;
 use std::sync::Arc;
 
 /// Steps that are shown; an endless loop has more.
@@ -71,7 +72,7 @@ pub fn list(request: &Request, before: Option<(Stepped, Request)>) -> Result<Lis
     };
     let scene = match known.filter(|(_, before)| before.picture == *picture) {
         Some(((_, scene), _)) => scene,
-        None => Arc::new(picture.scene(&pair).ok_or("There is no picture.")?),
+        None => Arc::new(picture.scene(&pair).ok_or(tr!("exercise-there-is-no-picture"))?),
     };
     let asked = picture.in_scene(picture.pixel(pin.share));
     let seen = if pin.is_nearest { scene.nearest_drawn(asked) } else { Some(asked) };
@@ -79,8 +80,8 @@ pub fn list(request: &Request, before: Option<(Stepped, Request)>) -> Result<Lis
         seen.and_then(|pixel| Some((picture.in_picture(pixel)?, scene.surface(pixel)?, scene.step_pixel(pixel)?)));
     let Some((pixel, surface, fragment)) = found else {
         return Err(match scene.endless_vertex() {
-            Some(vertex) => format!("The vertex shader does not end at vertex {vertex}, so nothing is drawn."),
-            None => "Nothing is drawn at this pixel: click on an object.".to_owned(),
+            Some(vertex) => tr!("exercise-the-vertex-shader-does-not-end", vertex = vertex),
+            None => tr!("exercise-nothing-is-drawn-at-this-pixel").to_owned(),
         });
     };
     let corners = surface.vertices.iter().filter_map(|vertex| scene.step_vertex(*vertex)).map(steps);
@@ -303,12 +304,15 @@ fn tooltip(ui: &Ui, stepper: &mut Stepper, rows: &[Rect], id: Id) {
                 ui.add(Label::new(text).wrap());
                 let count = value.evaluations.len();
                 if count > 1 {
-                    let which = if of_step.is_some() { "that of this step" } else { "the last" };
-                    ui.label(RichText::new(format!("{which}, of {count} values")).small().weak());
+                    let which =
+                        if of_step.is_some() { tr!("exercise-that-of-this-step") } else { tr!("exercise-the-last") };
+                    ui.label(RichText::new(tr!("exercise-of-values", which = which, count = count)).small().weak());
                 }
             }
             None => {
-                ui.add(Label::new(RichText::new("Not evaluated here.").color(colors::WARNING.of(ui))).wrap());
+                ui.add(
+                    Label::new(RichText::new(tr!("exercise-not-evaluated-here")).color(colors::WARNING.of(ui))).wrap(),
+                );
             }
         }
         ui.horizontal_wrapped(|ui| {
@@ -342,15 +346,15 @@ fn tooltip(ui: &Ui, stepper: &mut Stepper, rows: &[Rect], id: Id) {
 fn about(picture: &ExpressionPicture) -> String {
     let mut text = picture.mapping.to_string();
     if picture.stage == Stage::Vertex {
-        text.push_str("; interpolated between the vertices");
+        text.push_str(tr!("exercise-interpolated-between-the-vertices"));
     }
     if picture.evaluations > 1 {
-        text.push_str(&format!("; the last of up to {} values of a pixel", picture.evaluations));
+        text.push_str(&tr!("exercise-the-last-of-up-to-values", evaluations = picture.evaluations));
     }
     for (count, what) in [
-        (picture.non_finite, "magenta: not a finite number"),
-        (picture.unwritten, "cyan: never written"),
-        (picture.unevaluated, "chequered: not evaluated"),
+        (picture.non_finite, tr!("exercise-magenta-not-a-finite-number")),
+        (picture.unwritten, tr!("exercise-cyan-never-written")),
+        (picture.unevaluated, tr!("exercise-chequered-not-evaluated")),
     ] {
         if count > 0 {
             text.push_str(&format!("; {what}"));

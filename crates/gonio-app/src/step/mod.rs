@@ -25,6 +25,7 @@ use crate::platform::Platform;
 use egui::{Context, Rect, TextureHandle};
 use gonio_exercises::step::{RightAnswer, SteppedPlace};
 use gonio_glsl::Stage;
+use gonio_language::tr;
 use margin::{Hovered, Listed, Pin, Request, Target};
 use serde_json::{Value, json};
 use source::{DrawnProgram, SteppedPicture};
@@ -242,7 +243,7 @@ impl Stepper {
         match listed {
             Some(listed) => listed.as_ref().err().map(String::as_str),
             None => {
-                (self.drawn.is_none() && !self.is_awaited).then_some("The values are shown once your program compiles.")
+                (self.drawn.is_none() && !self.is_awaited).then_some(tr!("exercise-the-values-are-shown-once-your"))
             }
         }
     }
@@ -397,7 +398,7 @@ impl Stepper {
             Ok(answer) => answer,
             Err(TryRecvError::Empty) => return,
             Err(TryRecvError::Disconnected) => {
-                Answer::Listed(Err("The values could not be computed: the interpreter ended unexpectedly.".to_owned()))
+                Answer::Listed(Err(tr!("exercise-the-values-could-not-be-computed").to_owned()))
             }
         };
         let mut request = request.clone();

@@ -3,6 +3,7 @@
 
 use crate::widgets;
 use gonio_exercises::step::{ListedStep, ListedVariable, ShownValue, StepListing};
+use gonio_language::tr;
 use std::collections::{BTreeMap, HashMap};
 
 /// Characters of the values beside a line.
@@ -212,13 +213,14 @@ fn of_values(writes: &[&ListedVariable], conditions: &[(&str, bool)], count: usi
         text = text.chars().take(MOST_CHARACTERS).chain("...".chars()).collect();
     }
     if count > 1 {
-        text.push_str(&format!("   ({count} times)"));
+        text.push_str(&tr!("exercise-times", count = count));
     }
-    let conditions = conditions.iter().map(|(expression, holds)| format!("{expression} is {holds}"));
+    let conditions =
+        conditions.iter().map(|(expression, holds)| tr!("exercise-is", expression = expression, holds = holds));
     let written = writes.iter().map(|write| format!("{} {} = {}", write.glsl_type, write.name, write.value));
     let mut details: Vec<String> = conditions.chain(written).collect();
     if count > 1 {
-        details.push(format!("The last of {count} times so far."));
+        details.push(tr!("exercise-the-last-of-times-so-far", count = count));
     }
     let kind = writes.iter().map(|write| ValueKind::of(&write.value)).max().unwrap_or(ValueKind::Normal);
     LineValues { text, details: details.join("\n"), kind }
@@ -302,7 +304,7 @@ fn inputs(listing: &StepListing) -> Vec<VariableRow> {
 pub fn short(value: &ShownValue) -> String {
     let list = |parts: &[ShownValue]| parts.iter().map(short).collect::<Vec<_>>().join(", ");
     if value.is_unwritten() {
-        return "never written".to_owned();
+        return tr!("exercise-never-written").to_owned();
     }
     match value {
         ShownValue::Float(x) if x.is_nan() => "NaN".to_owned(),

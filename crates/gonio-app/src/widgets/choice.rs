@@ -3,6 +3,7 @@
 use crate::exported::{self, WidgetRole};
 use crate::theme::colors;
 use egui::{Button, ComboBox, RichText, Ui, WidgetInfo, vec2};
+use gonio_language::name;
 
 /// The variants of a `named_enum!` as options: value, name, description.
 macro_rules! named_options {
@@ -91,26 +92,26 @@ fn segments(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: 
         for (index, (word, tip)) in words.iter().enumerate() {
             let is_chosen = chosen == Some(index);
             let text = if is_chosen {
-                RichText::new(*word).color(ui.visuals().strong_text_color())
+                RichText::new(name(word)).color(ui.visuals().strong_text_color())
             } else {
-                RichText::new(*word).color(ui.visuals().weak_text_color())
+                RichText::new(name(word)).color(ui.visuals().weak_text_color())
             };
             let mut button = Button::new(text).min_size(vec2(0.0, 22.0)).frame_when_inactive(is_chosen);
             if is_chosen {
                 button = button.fill(colors::ACCENT.of(ui).gamma_multiply(0.28));
             }
             let response = ui.add(button);
-            let name = format!("{label}: {word}");
-            response.widget_info(|| WidgetInfo::selected(egui::Role::RadioButton, true, is_chosen, &name));
+            let full = format!("{label}: {}", name(word));
+            response.widget_info(|| WidgetInfo::selected(egui::Role::RadioButton, true, is_chosen, &full));
             let own_id = format!("{id}-{}", slug(word));
-            exported::note(ui, &response, &own_id, WidgetRole::Choice, &name, is_chosen);
+            exported::note(ui, &response, &own_id, WidgetRole::Choice, &full, is_chosen);
             if response.double_clicked() {
                 picked = Picked::Default;
             } else if response.clicked() {
                 picked = Picked::Option(index);
             }
             if !tip.is_empty() {
-                response.on_hover_text(*tip);
+                response.on_hover_text(name(tip.trim()));
             }
         }
     });
@@ -119,26 +120,26 @@ fn segments(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: 
 
 fn list(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: Option<usize>) -> Option<usize> {
     let mut picked = None;
-    let shown = chosen.and_then(|index| words.get(index)).map_or("", |(word, _)| word);
+    let shown = chosen.and_then(|index| words.get(index)).map_or("", |(word, _)| name(word));
     let width = ui.available_width().clamp(80.0, 200.0);
     let combo = ComboBox::from_id_salt(id).selected_text(shown).width(width).height(420.0);
     let response = combo
         .show_ui(ui, |ui| {
             for (index, (word, tip)) in words.iter().enumerate() {
-                let entry = ui.selectable_label(chosen == Some(index), *word);
+                let entry = ui.selectable_label(chosen == Some(index), name(word));
                 exported::note(
                     ui,
                     &entry,
                     &format!("{id}-{}", slug(word)),
                     WidgetRole::Choice,
-                    word,
+                    name(word),
                     chosen == Some(index),
                 );
                 if entry.clicked() {
                     picked = Some(index);
                 }
                 if !tip.is_empty() {
-                    entry.on_hover_text(*tip);
+                    entry.on_hover_text(name(tip.trim()));
                 }
             }
         })

@@ -6,6 +6,7 @@ use egui::{
     Color32, CornerRadius, Id, Popup, PopupCloseBehavior, Response, RichText, Sense, Stroke, StrokeKind, TextEdit, Ui,
     WidgetInfo, vec2,
 };
+use gonio_language::tr;
 use gonio_light::color::{srgb_decode, srgb_encode};
 use gonio_scene::color_value::Color;
 
@@ -54,9 +55,9 @@ pub fn color_swatch(ui: &mut Ui, id: &str, label: &str, value: &mut Color, defau
         if !tip.is_empty() {
             ui.label(tip);
         }
-        ui.label(RichText::new(format!("linear {r}, {g}, {b}")).monospace());
+        ui.label(RichText::new(tr!("window-linear", r = r, g = g, b = b)).monospace());
         if let Some(default) = default {
-            ui.label(format!("Double click: {}", written(default)));
+            ui.label(tr!("window-double-click", default = written(default)));
         }
     });
     *value != before
@@ -83,7 +84,7 @@ fn pick(ui: &mut Ui, value: &mut Color) {
 
 /// The text field. The text is applied when typing ends, if it is a colour.
 fn text(ui: &mut Ui, id: &str, label: &str, value: &mut Color) {
-    let key = Id::unique(("color text", id));
+    let key = Id::unique((tr!("window-color-text"), id));
     let typed: Option<String> = ui.data(|data| data.get_temp(key));
     let mut text = typed.unwrap_or_else(|| written(*value));
     let width = ui.available_width().clamp(60.0, 128.0);
@@ -108,7 +109,7 @@ fn text(ui: &mut Ui, id: &str, label: &str, value: &mut Color) {
             _ => {}
         }
     }
-    response.on_hover_text("#rrggbb (sRGB), or r,g,b or one number (linear, may exceed 1)");
+    response.on_hover_text(tr!("window-rrggbb-srgb-or-r-g-b"));
 }
 
 #[cfg(test)]

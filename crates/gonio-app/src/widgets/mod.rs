@@ -5,6 +5,7 @@
 
 mod choice;
 mod color;
+mod language;
 mod number;
 mod parameters;
 mod spectrum;
@@ -12,6 +13,7 @@ mod spectrum;
 pub(crate) use choice::named_options;
 pub use choice::{choice, dropdown, page_tabs, slug};
 pub use color::{color, color_swatch, shown};
+pub use language::language_menu;
 pub use number::{NO_BREAK, NumberField, SPACE, Vector, axes, compact, grouped};
 pub use parameters::parameter;
 pub use spectrum::spectrum;
@@ -46,6 +48,7 @@ pub fn tool_button(ui: &mut Ui, id: &str, icon: &str, tip: &str, color: Option<C
 
 /// A switch with its name. Returns whether it was changed.
 pub fn toggle(ui: &mut Ui, id: &str, label: &str, value: &mut bool, tip: &str) -> bool {
+    let label = gonio_language::name(label);
     let response = ui.checkbox(value, label);
     exported::note(ui, &response, id, WidgetRole::Toggle, label, *value);
     let changed = response.changed();
@@ -65,7 +68,9 @@ pub fn row<R>(ui: &mut Ui, label: &str, tip: &str, add: impl FnOnce(&mut Ui) -> 
         let size = vec2(LABEL_WIDTH, ui.spacing().interact_size.y);
         ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_size(size);
-            let name = ui.add(Label::new(RichText::new(label).color(ui.visuals().weak_text_color())).truncate());
+            let name = ui.add(
+                Label::new(RichText::new(gonio_language::name(label)).color(ui.visuals().weak_text_color())).truncate(),
+            );
             if !tip.is_empty() {
                 name.on_hover_text(tip);
             }

@@ -3,6 +3,7 @@
 use crate::exported::{self, WidgetRole};
 use crate::theme::colors::{AXIS_X, AXIS_Y, AXIS_Z, Tint};
 use egui::{DragValue, Rect, Response, Sense, Slider, TextStyle, Ui, UiBuilder, pos2, vec2};
+use gonio_language::tr;
 use gonio_light::is_noise;
 use std::ops::RangeInclusive;
 
@@ -153,12 +154,15 @@ impl<'a> NumberField<'a> {
         let (low, high) = (*self.range.start(), *self.range.end());
         let unit = self.unit;
         if high < 1e14 {
-            text += &format!("\nFrom {}{unit} to {}{unit}", compact(low), compact(high));
+            text += "\n";
+            text += &tr!("window-from-to", low = compact(low), unit = unit, high = compact(high));
         } else if low >= 0.0 {
-            text += &format!("\nAt least {}{unit}", compact(low));
+            text += "\n";
+            text += &tr!("window-at-least", low = compact(low), unit = unit);
         }
         if let Some(default) = self.default {
-            text += &format!("\nDouble click: {}{unit}", compact(default));
+            text += "\n";
+            text += &tr!("window-double-click-2", default = compact(default), unit = unit);
         }
         text
     }

@@ -3,6 +3,7 @@
 use super::{NumberField, color_swatch, row, toggle};
 use egui::Ui;
 use gonio_bsdf::{DVec3, Parameter, ParameterKind};
+use gonio_language::tr;
 use gonio_scene::color_value::Color;
 
 /// The ratio of the ends of a range from which on a slider is logarithmic.
@@ -47,7 +48,7 @@ fn tint(ui: &mut Ui, id: &str, parameter: &Parameter, default: [f64; 3], value: 
         color_swatch(ui, &format!("{id}-color"), &parameter.name, &mut color, Some(Color(default)), tip);
         let largest = color.0.iter().copied().fold(0.0, f64::max);
         let mut edited = largest;
-        let label = format!("{}, largest channel", parameter.name);
+        let label = tr!("window-largest-channel", name = parameter.name);
         let most = default.iter().copied().fold(0.0, f64::max);
         let field = NumberField::new(id, &label).range(0.0..=1.0).default(most).width(64.0);
         field.show_with_slider(ui, &mut edited, false);

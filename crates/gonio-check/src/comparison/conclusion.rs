@@ -60,7 +60,8 @@ pub(crate) fn peculiarities_of(
     is_other_model: bool,
 ) -> Vec<Peculiarity> {
     let harmless = mistakes.iter().filter(|m| m.harmless);
-    let mut all: Vec<Peculiarity> = harmless.map(|m| Peculiarity { id: m.id.clone(), name: m.name.clone() }).collect();
+    let peculiarity = |m: &&Mistake| Peculiarity { id: m.id.clone(), name: m.texts().name.into_owned() };
+    let mut all: Vec<Peculiarity> = harmless.map(peculiarity).collect();
     if is_other_model {
         let name = tr!("check-the-light-is-computed-for-each").to_owned();
         all.push(Peculiarity { id: "light-per-vertex".to_owned(), name });

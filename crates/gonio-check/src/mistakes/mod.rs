@@ -2,9 +2,11 @@
 
 mod compose;
 pub mod faces;
+mod texts;
 
 pub(crate) use compose::Assignment;
 pub use compose::{Hypotheses, Hypothesis};
+pub use texts::MistakeTexts;
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -16,7 +18,7 @@ use std::sync::LazyLock;
 pub struct Mistake {
     /// A stable id in kebab-case.
     pub id: String,
-    /// The mistake in half a sentence.
+    /// The mistake in half a sentence, in English as all texts here; [`Mistake::texts`] are those to show.
     pub name: String,
     /// The model solutions in which it can be made; none for mistakes in files of another kind.
     #[serde(default)]

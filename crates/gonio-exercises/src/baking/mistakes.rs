@@ -40,6 +40,10 @@ mod tests {
             );
             assert!(!read[..index].iter().any(|other| other.id == mistake.id), "{}", mistake.id);
             assert!(gonio_check::mistakes::find(&mistake.id).is_none(), "{}", mistake.id);
+            let [english, french] = gonio_language::Language::ALL.map(|language| mistake.texts_in(language));
+            assert_ne!(english.name, french.name, "{}", mistake.id);
+            assert!(!french.looks_like.is_empty() && !french.fix.is_empty(), "{}", mistake.id);
+            assert!(english.looks_like != french.looks_like && english.fix != french.fix, "{}", mistake.id);
         }
     }
 }

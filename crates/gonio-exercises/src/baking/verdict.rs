@@ -88,12 +88,13 @@ fn unexplained(findings: &BakeFindings) -> String {
 
 fn named(exercise: &Exercise, finding: &BakeFinding) -> Option<FoundMistake> {
     let known = mistakes::find(finding.id)?;
+    let texts = known.texts();
     let name = match finding.detail.as_str() {
-        "" => known.name.clone(),
-        detail => format!("{} ({detail})", known.name),
+        "" => texts.name.into_owned(),
+        detail => format!("{} ({detail})", texts.name),
     };
     let section = if known.lecture_section.is_empty() { &exercise.lecture_section } else { &known.lecture_section };
-    let found = FoundMistake::new(finding.id, name, finding.share).taught(&known.looks_like, &known.fix, section);
+    let found = FoundMistake::new(finding.id, name, finding.share).taught(texts.looks_like, texts.fix, section);
     Some(match &finding.place {
         Some((file, line, text)) => found.at(file, Some(*line), text),
         None => found,

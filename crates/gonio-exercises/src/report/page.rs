@@ -27,7 +27,7 @@ const SHOWN: u32 = 4 * TILE;
 /// shows where nothing is drawn. Differences are colours on one scale for the whole page.
 pub fn page(label: &str, verdict: &Verdict, evidence: Option<&Evidence>, sources: &[SourceFile]) -> String {
     let exercise = crate::exercise::find(&verdict.exercise);
-    let title = exercise.map_or_else(String::new, |exercise| format!(" · {}", escaped_line(&exercise.title)));
+    let title = exercise.map_or_else(String::new, |exercise| format!(" · {}", escaped_line(exercise.title())));
     let pictures = evidence.map(|evidence| Pictures::new(evidence, verdict)).filter(|pictures| pictures.count() > 0);
     let is_listed = |file: &&SourceFile| is_listed(exercise, verdict, file);
     let listing = Listing::new(verdict, sources.iter().filter(is_listed));

@@ -111,7 +111,7 @@ fn mistake_html(mistake: &FoundMistake, together: bool, listing: Option<&Listing
     }
     if !mistake.or.is_empty() {
         let name = |id: &String| match gonio_check::mistakes::find(id) {
-            Some(other) => prose(&other.name),
+            Some(other) => prose(&other.texts().name),
             None => format!("<code>{}</code>", escaped_line(id)),
         };
         let others: Vec<String> = mistake.or.iter().take(MOST_SHOWN).map(name).collect();

@@ -81,7 +81,7 @@ check-panorama-face-shows-what-belongs-on = Face { $face } shows what belongs on
 check-panorama-the-order-of-opengl-s-faces = The order of OpenGL's faces is +X, -X, +Y, -Y, +Z, -Z.
 check-panorama-all-six-faces-are-right = all six faces are right
 check-panorama-no-face-is-right-and-no = no face is right, and no known mistake explains the faces
-check-panorama-no-known-mistake-explains-the = no known mistake explains { $count ->
+check-panorama-no-known-mistake-explains-the = no known mistake explains { NUMBER($count) ->
         [one] the face { $faces }
        *[other] the faces { $faces }
     }
@@ -954,7 +954,7 @@ check-gl-expected-spaces-around = expected spaces around `=`
 check-gl-write-name-call = write `name = call`
 check-gl-expected-a-call-after = expected a call after `=`
 check-gl-write-name-gen-texture-or-the = write `name = gen_texture` or the like
-check-gl-expects-argument-but-got = `{ $text }` expects { $count ->
+check-gl-expects-argument-but-got = `{ $text }` expects { NUMBER($count) ->
         [one] { $count } argument
        *[other] { $count } arguments
     }, but got { $given }

@@ -11,27 +11,27 @@ report-right = right
 
 ## Counts
 
-report-count-submissions = { $count ->
+report-count-submissions = { NUMBER($count) ->
         [one] { $count } submission
        *[other] { $count } submissions
     }
-report-count-similar-pairs = { $count ->
+report-count-similar-pairs = { NUMBER($count) ->
         [one] { $count } similar pair
        *[other] { $count } similar pairs
     }
-report-count-warnings = { $count ->
+report-count-warnings = { NUMBER($count) ->
         [one] { $count } warning
        *[other] { $count } warnings
     }
-report-count-variables = { $count ->
+report-count-variables = { NUMBER($count) ->
         [one] { $count } variable
        *[other] { $count } variables
     }
-report-count-lines-not-shown = { $count ->
+report-count-lines-not-shown = { NUMBER($count) ->
         [one] { $count } line not shown
        *[other] { $count } lines not shown
     }
-report-scenes-right = { $right } of { $count ->
+report-scenes-right = { $right } of { NUMBER($count) ->
         [one] { $count } scene right
        *[other] { $count } scenes right
     }
@@ -40,19 +40,19 @@ report-scenes-right = { $right } of { $count ->
 
 report-and-more = And { $more } more.
 report-and-more-messages = And { $more } more. Fix the first ones first.
-report-and-more-lines = And { $count ->
+report-and-more-lines = And { NUMBER($count) ->
         [one] { $count } more line.
        *[other] { $count } more lines.
     }
-report-and-more-changes = And { $count ->
+report-and-more-changes = And { NUMBER($count) ->
         [one] { $count } more change.
        *[other] { $count } more changes.
     }
-report-and-more-files = And { $count ->
+report-and-more-files = And { NUMBER($count) ->
         [one] { $count } more file.
        *[other] { $count } more files.
     }
-report-and-more-pairs = And { $count ->
+report-and-more-pairs = And { NUMBER($count) ->
         [one] { $count } more pair.
        *[other] { $count } more pairs.
     }

@@ -81,7 +81,7 @@ check-panorama-face-shows-what-belongs-on = La face { $face } montre ce qui va s
 check-panorama-the-order-of-opengl-s-faces = L'ordre des faces dans OpenGL est +X, -X, +Y, -Y, +Z, -Z.
 check-panorama-all-six-faces-are-right = les six faces sont justes
 check-panorama-no-face-is-right-and-no = aucune face n'est juste, et aucune erreur connue n'explique les faces
-check-panorama-no-known-mistake-explains-the = aucune erreur connue n'explique { $count ->
+check-panorama-no-known-mistake-explains-the = aucune erreur connue n'explique { NUMBER($count) ->
         [one] la face { $faces }
        *[other] les faces { $faces }
     }
@@ -954,7 +954,7 @@ check-gl-expected-spaces-around = il faut des espaces autour de `=`
 check-gl-write-name-call = écrivez `nom = appel`
 check-gl-expected-a-call-after = il faut un appel après `=`
 check-gl-write-name-gen-texture-or-the = écrivez `nom = gen_texture` ou un autre appel
-check-gl-expects-argument-but-got = `{ $text }` demande { $count ->
+check-gl-expects-argument-but-got = `{ $text }` demande { NUMBER($count) ->
         [one] { $count } argument
        *[other] { $count } arguments
     }, mais en a { $given }

@@ -11,27 +11,27 @@ report-right = juste
 
 ## Counts
 
-report-count-submissions = { $count ->
+report-count-submissions = { NUMBER($count) ->
         [one] { $count } rendu
        *[other] { $count } rendus
     }
-report-count-similar-pairs = { $count ->
+report-count-similar-pairs = { NUMBER($count) ->
         [one] { $count } paire semblable
        *[other] { $count } paires semblables
     }
-report-count-warnings = { $count ->
+report-count-warnings = { NUMBER($count) ->
         [one] { $count } avertissement
        *[other] { $count } avertissements
     }
-report-count-variables = { $count ->
+report-count-variables = { NUMBER($count) ->
         [one] { $count } variable
        *[other] { $count } variables
     }
-report-count-lines-not-shown = { $count ->
+report-count-lines-not-shown = { NUMBER($count) ->
         [one] { $count } ligne non montrée
        *[other] { $count } lignes non montrées
     }
-report-scenes-right = { $right ->
+report-scenes-right = { NUMBER($right) ->
         [one] { $right } scène juste
        *[other] { $right } scènes justes
     } sur { $count }
@@ -40,19 +40,19 @@ report-scenes-right = { $right ->
 
 report-and-more = Et { $more } de plus.
 report-and-more-messages = Et { $more } de plus. Corrigez d'abord les premiers.
-report-and-more-lines = Et { $count ->
+report-and-more-lines = Et { NUMBER($count) ->
         [one] { $count } autre ligne.
        *[other] { $count } autres lignes.
     }
-report-and-more-changes = Et { $count ->
+report-and-more-changes = Et { NUMBER($count) ->
         [one] { $count } autre modification.
        *[other] { $count } autres modifications.
     }
-report-and-more-files = Et { $count ->
+report-and-more-files = Et { NUMBER($count) ->
         [one] { $count } autre fichier.
        *[other] { $count } autres fichiers.
     }
-report-and-more-pairs = Et { $count ->
+report-and-more-pairs = Et { NUMBER($count) ->
         [one] { $count } autre paire.
        *[other] { $count } autres paires.
     }

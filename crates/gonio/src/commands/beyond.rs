@@ -175,6 +175,7 @@ pub fn run(args: &BeyondArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
 fn show(args: &BeyondArgs, station: &Station, values: &ParameterValues) -> Result<CommandOutcome, CliError> {
     let values = values.iter().map(|(parameter, value)| (parameter.name.to_string(), parameter.format(value)));
     let window = WindowOptions {
+        language: args.general.language,
         state: args.state.clone(),
         program: std::env::current_exe().ok(),
         station: Some(StationLink { name: station.name.to_owned(), values: values.collect() }),

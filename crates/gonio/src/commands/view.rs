@@ -52,6 +52,7 @@ pub fn run(args: &ViewArgs) -> Result<CommandOutcome, CliError> {
     let sandbox = options.limits.sandbox;
     let adjust = Arc::new(move |scene: &mut SceneFile| options.apply(scene));
     let window = WindowOptions {
+        language: args.general.language,
         inputs: args.inputs.clone(),
         size,
         adjust: Some(adjust),

@@ -14,6 +14,7 @@ pub use scene::SceneOptions;
 pub use trace::TraceOptions;
 
 use clap::Args;
+use gonio_language::Language;
 
 /// The heading of the options that every command has.
 pub const GENERAL: &str = "General options";
@@ -31,6 +32,9 @@ pub struct GeneralOptions {
     /// Report the driver, the files read and timings on stderr.
     #[arg(long, short, conflicts_with = "quiet")]
     pub verbose: bool,
+    /// Language of the window, the exercises and the verdicts: en or fr; the system's by default.
+    #[arg(long, value_parser = values::named(&Language::ALL, Language::code))]
+    pub language: Option<Language>,
 }
 
 /// The renderer that `--backend` asks for.

@@ -8,13 +8,14 @@ use crate::session::comparison::{Curve, CurvePoint};
 use crate::theme::colors;
 use crate::widgets::{SPACE, grouped};
 use egui::{Grid, RichText, ScrollArea, Ui};
+use gonio_language::tr;
 use gonio_scene::scene_file::Shading;
 
 /// One row for each pane: triangles, vertices, fragments, milliseconds.
 pub fn show(ui: &mut Ui, document: &Document, session: &Session) {
     let panes = &session.comparison.panes;
     if panes.is_empty() {
-        ui.weak("Nothing has been drawn yet");
+        ui.weak(tr!("scene-nothing-has-been-drawn-yet"));
         return;
     }
     // Columns have a fixed width, so that digits are aligned and nothing moves.
@@ -22,11 +23,10 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session) {
         let [pane, triangles, vertices, fragments, ms] = cells;
         format!("{pane:1}{triangles:>10}{vertices:>11}{fragments:>11}{ms:>8}")
     };
-    let header = line(["", "triangles", "vertices", "fragments", "ms"]);
-    ui.label(RichText::new(header).monospace().size(11.0).weak()).on_hover_text(
-        "Vertex shader runs, where Gouraud shading evaluates the equation; fragment shader runs (including helper \
-         fragments in blocks of 2 x 2), where the other shadings do; and the time of the last finished frame",
-    );
+    let header =
+        line(["", tr!("scene-triangles-column"), tr!("scene-vertices-column"), tr!("scene-fragments-column"), "ms"]);
+    ui.label(RichText::new(header).monospace().size(11.0).weak())
+        .on_hover_text(tr!("scene-vertex-shader-runs-where-gouraud-shading"));
     for (index, pane) in panes.iter().enumerate() {
         // OpenGL did not draw what a traced pane shows.
         if let Some(caption) = traced_caption(&document.panes, session, index) {
@@ -55,7 +55,7 @@ fn traced_caption(panes: &Panes, session: &Session, index: usize) -> Option<Stri
 /// Statistics of the difference of the pair.
 pub fn difference(ui: &mut Ui, panes: &Panes, session: &Session) {
     let Some(facts) = &session.comparison.difference else {
-        ui.weak("The panes have not been compared yet");
+        ui.weak(tr!("scene-the-panes-have-not-been-compared"));
         return;
     };
     Grid::new("difference").num_columns(2).spacing([14.0, 4.0]).show(ui, |ui| {
@@ -64,20 +64,21 @@ pub fn difference(ui: &mut Ui, panes: &Panes, session: &Session) {
             ui.label(RichText::new(value).monospace());
             ui.end_row();
         };
-        let differing = format!("{} pixels, {:.2} %", grouped(facts.differing, SPACE), facts.percent());
-        row("Differing", "By more than 1/255 in some channel", differing);
-        row("Largest", "8-bit steps", format!("{:.0}/255", facts.spread.max));
-        row("Mean", "Of the absolute differences, 8-bit steps", format!("{:.3}/255", facts.spread.mean));
-        row("RMS", "Root of the mean square, 8-bit steps", format!("{:.3}/255", facts.spread.rms));
-        let psnr = facts.psnr_db.map_or("equal".to_owned(), |db| format!("{db:.1} dB"));
-        row("PSNR", "20 log10(255 / RMS)", psnr);
+        let differing =
+            tr!("scene-pixels", count = grouped(facts.differing, SPACE), percent = format!("{:.2}", facts.percent()));
+        row(tr!("scene-differing"), tr!("scene-by-more-than-1-255-in"), differing);
+        row(tr!("scene-largest"), tr!("scene-8-bit-steps"), format!("{:.0}/255", facts.spread.max));
+        row(tr!("scene-mean"), tr!("scene-of-the-absolute-differences-8-bit"), format!("{:.3}/255", facts.spread.mean));
+        row("RMS", tr!("scene-root-of-the-mean-square"), format!("{:.3}/255", facts.spread.rms));
+        let psnr = facts.psnr_db.map_or(tr!("scene-equal").to_owned(), |db| tr!("scene-db", db = format!("{db:.1}")));
+        row("PSNR", tr!("scene-20-log10-255-rms"), psnr);
         if let Some([column, row_of]) = facts.worst {
-            row("Maximum at", "Column and row of the pixel, circled in the map", format!("{column}, {row_of}"));
+            row(tr!("scene-maximum-at"), tr!("scene-column-and-row-of-the-pixel"), format!("{column}, {row_of}"));
         }
     });
     let noise = |&index: &usize| traced_caption(panes, session, index);
     if let Some(traced) = panes.pair.iter().find_map(noise) {
-        ui.label(RichText::new(format!("A part of it is noise, which fades ({traced})")).small().weak());
+        ui.label(RichText::new(tr!("scene-a-part-of-it-is-noise", traced = traced)).small().weak());
     }
 }
 
@@ -88,20 +89,19 @@ pub fn show_curve(ui: &mut Ui, session: &mut Session) {
     let curve = &mut session.comparison.curve;
     ui.horizontal(|ui| {
         let label = match (curve.running, curve.points.is_empty()) {
-            (true, _) => "Stop",
-            (false, true) => "Draw the curve",
-            (false, false) => "Draw it again",
+            (true, _) => tr!("scene-stop"),
+            (false, true) => tr!("scene-draw-the-curve"),
+            (false, false) => tr!("scene-draw-it-again"),
         };
         let button = noted(ui, |ui| ui.button(label), "curve", label, curve.points.len());
-        let tip = "Draws the scene with more and more triangles in flat, Gouraud and Phong shading, and compares each \
-                   picture with the finest one";
+        let tip = tr!("scene-draws-the-scene-with-more-and");
         if button.on_hover_text(tip).clicked() {
             curve.running = !curve.running;
         }
         if curve.running {
             let [done, all] = curve.progress;
             let share = done as f32 / all.max(1) as f32;
-            ui.add(egui::ProgressBar::new(share).desired_width(120.0).text(format!("{done} of {all}")));
+            ui.add(egui::ProgressBar::new(share).desired_width(120.0).text(tr!("scene-of", done = done, all = all)));
         }
     });
     if curve.points.is_empty() {
@@ -113,9 +113,13 @@ pub fn show_curve(ui: &mut Ui, session: &mut Session) {
         color: tint.of(ui),
         points: points_of(curve, shading).map(|p| [p.triangles as f64, p.rms]).collect(),
     });
-    let plot = Plot { x_label: "triangles", y_label: "RMS difference (0 to 255)", lines: lines.collect() };
-    plot.show(ui, "error curve");
-    ui.label(RichText::new(format!("against {}", curve.against)).small().weak());
+    let plot = Plot {
+        x_label: tr!("scene-triangles-column"),
+        y_label: tr!("scene-rms-difference-0-to-255"),
+        lines: lines.collect(),
+    };
+    plot.show(ui, tr!("scene-error-curve"));
+    ui.label(RichText::new(tr!("scene-against", against = curve.against)).small().weak());
     table(ui, curve);
 }
 
@@ -126,7 +130,7 @@ fn points_of(curve: &Curve, shading: Shading) -> impl Iterator<Item = &CurvePoin
 fn title(shading: Shading) -> &'static str {
     match shading {
         Shading::Flat => "flat",
-        Shading::FlatPerFace => "per face",
+        Shading::FlatPerFace => tr!("scene-per-face"),
         Shading::Gouraud => "Gouraud",
         Shading::Phong => "Phong",
     }
@@ -136,15 +140,15 @@ fn title(shading: Shading) -> &'static str {
 fn table(ui: &mut Ui, curve: &Curve) {
     ScrollArea::horizontal().id_salt("curve table").show(ui, |ui| {
         Grid::new("curve").num_columns(4).spacing([16.0, 3.0]).striped(true).show(ui, |ui| {
-            for title in ["triangles", "shading", "RMS", "lit"] {
+            for title in [tr!("scene-triangles-column"), tr!("scene-shading-column"), "RMS", tr!("scene-lit-column")] {
                 ui.label(RichText::new(title).small().weak());
             }
             ui.end_row();
             for point in &curve.points {
                 // Gouraud shading lights vertices, the others fragments.
                 let (lit, what) = match point.shading {
-                    Shading::Gouraud => (point.vertices, "vertices"),
-                    _ => (point.fragments, "fragments"),
+                    Shading::Gouraud => (point.vertices, tr!("scene-vertices-column")),
+                    _ => (point.fragments, tr!("scene-fragments-column")),
                 };
                 let lit = lit.map_or("–".to_owned(), |n| format!("{} {what}", grouped(n, SPACE)));
                 let cells = [

@@ -11,6 +11,7 @@ use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::theme::icons;
 use egui::{Response, RichText, Ui};
+use gonio_language::tr;
 
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut Vec<Action>) {
     settings::show_presets(ui, document);
@@ -19,13 +20,20 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, _: &mut
         arrangement(ui, document, session);
     }
     let current = document.panes.current;
-    section(ui, &format!("Pane {}", current + 1));
+    section(ui, &tr!("scene-pane", current = current + 1));
     settings::show(ui, document, session.loaded.as_deref());
-    section(ui, "Measured");
+    section(ui, tr!("scene-measured"));
     measured::show(ui, document, session);
-    let adaptive = ui.checkbox(&mut session.adaptive, "One sample per pixel while something moves, if frames are slow");
-    exported::note(ui, &adaptive, "adaptive", WidgetRole::Toggle, "One sample while moving", session.adaptive);
-    section(ui, "Error against the finest mesh");
+    let adaptive = ui.checkbox(&mut session.adaptive, tr!("scene-one-sample-per-pixel-while-something"));
+    exported::note(
+        ui,
+        &adaptive,
+        "adaptive",
+        WidgetRole::Toggle,
+        tr!("scene-one-sample-while-moving"),
+        session.adaptive,
+    );
+    section(ui, tr!("scene-error-against-the-finest-mesh"));
     measured::show_curve(ui, session);
 }
 
@@ -44,7 +52,7 @@ fn noted(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> Response, id: &str, label: &s
 
 /// The list of panes: select, add, remove.
 fn list(ui: &mut Ui, document: &mut Document) {
-    section(ui, "Panes");
+    section(ui, tr!("scene-panes"));
     let panes = &mut document.panes;
     let mut removed = None;
     for index in 0..panes.list.len() {
@@ -65,7 +73,7 @@ fn list(ui: &mut Ui, document: &mut Document) {
                 panes.current = index;
             }
             if panes.list.len() > 1 {
-                let tip = format!("Remove pane {}", index + 1);
+                let tip = tr!("scene-remove-pane", index = index + 1);
                 let icon = RichText::new(icons::X).font(crate::theme::icon_font(14.0));
                 let button = noted(ui, |ui| ui.button(icon), &format!("remove-pane-{index}"), &tip, "");
                 if button.on_hover_text(&tip).clicked() {
@@ -79,13 +87,19 @@ fn list(ui: &mut Ui, document: &mut Document) {
     }
     ui.horizontal_wrapped(|ui| {
         let room = panes.list.len() < Panes::MOST;
-        let add = egui::Button::new("Add a copy of this pane");
-        if noted(ui, |ui| ui.add_enabled(room, add), "add-pane", "Add a copy of this pane", "").clicked() {
+        let add = egui::Button::new(tr!("scene-add-a-copy-of-this-pane"));
+        if noted(ui, |ui| ui.add_enabled(room, add), "add-pane", tr!("scene-add-a-copy-of-this-pane"), "").clicked() {
             panes.add();
         }
         if panes.list.len() > 1 {
-            let same = noted(ui, |ui| ui.button("Apply to all panes"), "copy-pane", "Apply to all panes", "");
-            if same.on_hover_text("Copies the settings of the current pane to the others").clicked() {
+            let same = noted(
+                ui,
+                |ui| ui.button(tr!("scene-apply-to-all-panes")),
+                "copy-pane",
+                tr!("scene-apply-to-all-panes"),
+                "",
+            );
+            if same.on_hover_text(tr!("scene-copies-the-settings-of-the-current")).clicked() {
                 let settings = panes.current().cloned().unwrap_or_default();
                 panes.list.iter_mut().for_each(|pane| pane.clone_from(&settings));
             }
@@ -95,22 +109,22 @@ fn list(ui: &mut Ui, document: &mut Document) {
 
 /// Side by side, wipe or difference; and the two panes.
 fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
-    section(ui, "Arrangement");
+    section(ui, tr!("scene-arrangement"));
     let panes = &mut document.panes;
     ui.horizontal_wrapped(|ui| {
         let wipe = if let PaneArrangement::Wipe(at) = panes.arrangement { at } else { 0.5 };
         for (id, label, tip, arrangement) in [
-            ("side-by-side", "Side by side", "All panes next to each other", PaneArrangement::SideBySide),
             (
-                "wipe-mode",
-                "Wipe",
-                "Two panes on top of each other, with a divider to drag",
-                PaneArrangement::Wipe(wipe),
+                "side-by-side",
+                tr!("scene-side-by-side"),
+                tr!("scene-all-panes-next-to-each-other"),
+                PaneArrangement::SideBySide,
             ),
+            ("wipe-mode", tr!("scene-wipe"), tr!("scene-two-panes-on-top-of-each"), PaneArrangement::Wipe(wipe)),
             (
                 "difference-mode",
-                "Difference",
-                "Colour map of the difference between two panes",
+                tr!("scene-difference"),
+                tr!("scene-colour-map-of-the-difference-between"),
                 PaneArrangement::Difference,
             ),
         ] {
@@ -150,17 +164,17 @@ fn arrangement(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     if panes.arrangement == PaneArrangement::Difference {
         let settings = &mut panes.difference;
         ui.horizontal(|ui| {
-            let tip = "The difference, in 8-bit steps, that gets the brightest colour";
-            ui.label("Full scale").on_hover_text(tip);
+            let tip = tr!("scene-the-difference-in-8-bit-steps");
+            ui.label(tr!("scene-full-scale")).on_hover_text(tip);
             let slider = egui::Slider::new(&mut settings.full_scale, 1.0..=255.0).logarithmic(true).max_decimals(0);
             let slider = ui.add(slider).on_hover_text(tip);
-            exported::note(ui, &slider, "full-scale", WidgetRole::Number, "Full scale", settings.full_scale);
+            exported::note(ui, &slider, "full-scale", WidgetRole::Number, tr!("scene-full-scale"), settings.full_scale);
             if slider.double_clicked() {
                 *settings = crate::document::DifferenceSettings { signed: settings.signed, ..Default::default() };
             }
         });
-        let signed = ui.checkbox(&mut settings.signed, "Signed: second minus first");
-        exported::note(ui, &signed, "signed", WidgetRole::Toggle, "Signed", settings.signed);
+        let signed = ui.checkbox(&mut settings.signed, tr!("scene-signed-second-minus-first"));
+        exported::note(ui, &signed, "signed", WidgetRole::Toggle, tr!("scene-signed"), settings.signed);
         measured::difference(ui, panes, session);
     }
 }

@@ -1,6 +1,7 @@
 //! A plot with logarithmic axes, drawn with egui's painter.
 
 use egui::{Align2, Color32, CornerRadius, FontId, Pos2, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
+use gonio_language::tr;
 
 /// A line of a plot.
 pub struct Line {
@@ -130,7 +131,12 @@ impl Plot {
             return;
         }
         ui.painter().circle_stroke(at, 5.0, Stroke::new(1.5, line.color));
-        let text = format!("{}: {:.0} triangles, {:.3} of 255", line.name, point[0], point[1]);
+        let text = tr!(
+            "scene-triangles-of-255",
+            name = line.name,
+            triangles = format!("{:.0}", point[0]),
+            difference = format!("{:.3}", point[1])
+        );
         let galley = ui.painter().layout_no_wrap(text, font.clone(), ui.visuals().strong_text_color());
         let size = galley.size() + vec2(12.0, 6.0);
         // Above the point, within the frame.

@@ -5,12 +5,13 @@ use crate::document::{Document, Pane, PaneReflectance, TruthSettings};
 use crate::exported::{self, WidgetRole};
 use crate::widgets::slug;
 use egui::{ComboBox, Grid, Ui};
+use gonio_language::{name, tr};
 use gonio_light::{Convention, Quantity, Specular};
 use gonio_scene::detail::{self, LevelOfDetail};
 use gonio_scene::scene_file::Shading;
 use gonio_scene::{Scene, SceneSettings, ViewSpec};
 
-const AS_SCENE: &str = "as in the scene";
+const AS_SCENE: &str = "scene-as-in-the-scene";
 
 /// Shows the settings; `loaded` is the scene without them.
 pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
@@ -18,25 +19,31 @@ pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
     let Some(pane) = document.panes.list.get_mut(document.panes.current) else { return };
     truth::show(ui, pane);
     Grid::new("pane settings").num_columns(2).spacing([12.0, 6.0]).show(ui, |ui| {
-        let shadings = Shading::ALL.iter().map(|&s| (s, s.name().to_owned()));
-        choice(ui, "pane-shading", "Shading", &mut pane.shading, shadings.collect());
-        let speculars = Specular::ALL.iter().map(|&s| (s, s.name().to_owned()));
-        choice(ui, "pane-specular", "Specular term", &mut pane.specular, speculars.collect());
-        let conventions = Convention::ALL.iter().map(|&c| (c, c.name().to_owned()));
-        choice(ui, "pane-convention", "Convention", &mut pane.convention, conventions.collect());
-        let weights = [(true, "yes".to_owned()), (false, "no".to_owned())];
-        choice(ui, "pane-cosine-weighted", "spec times <N.L>", &mut pane.cosine_weighted, weights.into());
-        let brdfs = PaneReflectance::all().into_iter().map(|r| (r, r.name().to_owned()));
+        let shadings = Shading::ALL.iter().map(|&s| (s, s.name()));
+        choice(ui, "pane-shading", tr!("scene-shading"), &mut pane.shading, shadings.collect());
+        let speculars = Specular::ALL.iter().map(|&s| (s, s.name()));
+        choice(ui, "pane-specular", tr!("scene-specular-term"), &mut pane.specular, speculars.collect());
+        let conventions = Convention::ALL.iter().map(|&c| (c, c.name()));
+        choice(ui, "pane-convention", tr!("scene-convention"), &mut pane.convention, conventions.collect());
+        let weights = [(true, "yes"), (false, "no")];
+        choice(ui, "pane-cosine-weighted", tr!("scene-spec-times-n-l"), &mut pane.cosine_weighted, weights.into());
+        let brdfs = PaneReflectance::all().into_iter().map(|r| (r, r.name()));
         choice(ui, "pane-brdf", "BRDF", &mut pane.reflectance, brdfs.collect());
-        let view = |quantity: Quantity| (ViewSpec { quantity, light: None }, quantity.to_string());
+        let view = |quantity: Quantity| (ViewSpec { quantity, light: None }, quantity.name());
         if pane.truth.is_none() {
-            choice(ui, "pane-view", "View", &mut pane.view, Quantity::ALL.iter().copied().map(view).collect());
+            choice(
+                ui,
+                "pane-view",
+                tr!("scene-view"),
+                &mut pane.view,
+                Quantity::ALL.iter().copied().map(view).collect(),
+            );
         }
         detail(ui, pane, scene, loaded);
     });
     if *pane != Pane::default() {
-        let reset = ui.button("Reset to the scene");
-        exported::note(ui, &reset, "pane-reset", WidgetRole::Button, "Reset to the scene", "");
+        let reset = ui.button(tr!("scene-reset-to-the-scene"));
+        exported::note(ui, &reset, "pane-reset", WidgetRole::Button, tr!("scene-reset-to-the-scene"), "");
         if reset.clicked() {
             *pane = Pane::default();
         }
@@ -44,22 +51,22 @@ pub fn show(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>) {
 }
 
 /// A row of the table: the pane's own value, or the scene's. A double click on the name resets it to the scene's.
-fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut Option<T>, all: Vec<(T, String)>) {
-    let name = ui.add(egui::Label::new(label).sense(egui::Sense::click()));
-    if name.double_clicked() {
+fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut Option<T>, all: Vec<(T, &'static str)>) {
+    let of_row = ui.add(egui::Label::new(label).sense(egui::Sense::click()));
+    if of_row.double_clicked() {
         *value = None;
     }
     let known = value.and_then(|v| all.iter().find(|(other, _)| *other == v));
-    let chosen = known.map_or(AS_SCENE.to_owned(), |(_, name)| name.clone());
-    let combo = ComboBox::from_id_salt(id).width(170.0).selected_text(chosen.clone()).show_ui(ui, |ui| {
-        let mut entry = |requested: Option<T>, name: &str| {
-            let response = ui.selectable_value(value, requested, name);
-            let of_entry = format!("{id}-{}", slug(name));
-            exported::note(ui, &response, &of_entry, WidgetRole::Choice, name, *value == requested);
+    let chosen = known.map_or(tr!(AS_SCENE), |(_, word)| name(word));
+    let combo = ComboBox::from_id_salt(id).width(170.0).selected_text(chosen).show_ui(ui, |ui| {
+        let mut entry = |requested: Option<T>, of_entry: &str, shown: &str| {
+            let response = ui.selectable_value(value, requested, shown);
+            let of_entry = format!("{id}-{}", slug(of_entry));
+            exported::note(ui, &response, &of_entry, WidgetRole::Choice, shown, *value == requested);
         };
-        entry(None, AS_SCENE);
-        for (other, name) in &all {
-            entry(Some(*other), name);
+        entry(None, "as in the scene", tr!(AS_SCENE));
+        for (other, word) in &all {
+            entry(Some(*other), word, name(word));
         }
     });
     combo.response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::ComboBox, true, label));
@@ -69,8 +76,8 @@ fn choice<T: Copy + PartialEq>(ui: &mut Ui, id: &str, label: &str, value: &mut O
 
 /// Number of triangles of the sphere, or share of each model's.
 fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&Scene>) {
-    let name = ui.add(egui::Label::new("Triangles").sense(egui::Sense::click()));
-    if name.on_hover_text("Double click: as in the scene").double_clicked() {
+    let of_row = ui.add(egui::Label::new(tr!("scene-triangles")).sense(egui::Sense::click()));
+    if of_row.on_hover_text(tr!("scene-double-click-as-in-the-scene")).double_clicked() {
         pane.detail = None;
     }
     ui.vertical(|ui| {
@@ -88,16 +95,16 @@ fn detail(ui: &mut Ui, pane: &mut Pane, scene: &SceneSettings, loaded: Option<&S
                 .logarithmic(true)
                 .custom_formatter(|f, _| format!("{:.0}", 8.0 * f * f))
                 .custom_parser(|text| text.trim().parse::<f64>().ok().map(|n| (n.max(8.0) / 8.0).sqrt().round()));
-            let slider = ui.add(slider).on_hover_text("Triangles of each sphere: 8 f², from an octahedron's faces");
-            exported::note(ui, &slider, "pane-sphere", WidgetRole::Number, "Triangles of the sphere", shown);
+            let slider = ui.add(slider).on_hover_text(tr!("scene-triangles-of-each-sphere-8-f"));
+            exported::note(ui, &slider, "pane-sphere", WidgetRole::Number, tr!("scene-triangles-of-the-sphere"), shown);
             if slider.changed() {
                 pane.detail = Some(LevelOfDetail::Sphere((8.0 * frequency * frequency) as usize));
             }
         }
         let mut percent = if let Some(LevelOfDetail::Share(share)) = pane.detail { 100.0 * share } else { 100.0 };
         let slider = egui::Slider::new(&mut percent, 1.0..=100.0).step_by(1.0).logarithmic(true).suffix(" %");
-        let slider = ui.add(slider).on_hover_text("Share of each model's triangles that is kept");
-        exported::note(ui, &slider, "pane-simplify", WidgetRole::Number, "Share of the triangles", percent);
+        let slider = ui.add(slider).on_hover_text(tr!("scene-share-of-each-model-s-triangles"));
+        exported::note(ui, &slider, "pane-simplify", WidgetRole::Number, tr!("scene-share-of-the-triangles"), percent);
         if slider.changed() {
             pane.detail = (percent < 100.0).then_some(LevelOfDetail::Share(percent / 100.0));
         }
@@ -119,32 +126,32 @@ fn presets(scene: &SceneSettings) -> Vec<Preset> {
         (with_detail(LevelOfDetail::Share(0.05)), Pane::default())
     };
     vec![
-        ("one", "One", "One pane with the scene's settings", vec![Pane::default()]),
+        ("one", tr!("scene-one"), tr!("scene-one-pane-with-the-scene-s"), vec![Pane::default()]),
         (
             "shadings",
-            "Flat | Gouraud | Phong",
-            "Where the equation is evaluated",
+            tr!("scene-flat-gouraud-phong"),
+            tr!("scene-where-the-equation-is-evaluated"),
             vec![shading(Shading::Flat), shading(Shading::Gouraud), shading(Shading::Phong)],
         ),
         (
             "speculars",
             "Phong | Blinn-Phong",
-            "⟨R·V⟩ or ⟨N·H⟩ to the power of g, the shininess",
+            tr!("scene-r-v-or-n-h-to"),
             vec![specular(Specular::Phong), specular(Specular::BlinnPhong)],
         ),
         (
             "conventions",
-            "Lab | physical",
-            "Without and with 1/π and the cosine of the specular term",
+            tr!("scene-lab-physical"),
+            tr!("scene-without-and-with-1-and-the"),
             vec![convention(Convention::Lab), convention(Convention::Physical)],
         ),
         (
             "truth",
-            "Traced | OpenGL",
-            "The rendering equation by following paths of light, and the light equation that simplifies it",
+            tr!("scene-traced-opengl"),
+            tr!("scene-the-rendering-equation-by-following-paths"),
             vec![Pane { truth: Some(TruthSettings::default()), ..Pane::default() }, Pane::default()],
         ),
-        ("details", "Coarse | smooth", "Few and many triangles", vec![coarse, fine]),
+        ("details", tr!("scene-coarse-smooth"), tr!("scene-few-and-many-triangles"), vec![coarse, fine]),
     ]
 }
 

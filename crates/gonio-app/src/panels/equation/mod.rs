@@ -19,6 +19,7 @@ use crate::theme::icons;
 use crate::typeset::{self, EguiFonts, Laid, Node, Tag};
 use crate::widgets::{self, compact, icon_button};
 use egui::{Color32, CursorIcon, Id, Rect, RichText, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use gonio_language::tr;
 use gonio_light::Specular;
 use gonio_scene::SceneSettings;
 use gonio_scene::scene_file::LightSourceKind;
@@ -133,7 +134,7 @@ fn one_term(
     let id = Id::unique(("term", term.name(), line));
     let response = ui.interact(area, id, Sense::click()).on_hover_cursor(CursorIcon::PointingHand);
     let on = switch::is_on(document, term);
-    let name = format!("{term} term");
+    let name = tr!("scene-term", term = term);
     response.widget_info(|| match on {
         Some(on) => WidgetInfo::selected(egui::Role::Switch, true, on, &name),
         None => WidgetInfo::labeled(egui::Role::Button, true, &name),
@@ -173,7 +174,7 @@ fn act(document: &mut Document, session: &mut Session, actions: &mut Vec<Action>
     if alone {
         switch::alone(document, &mut session.equation, term);
     } else if term == Term::Ambient && document.scene.equation.brdf.is_some() {
-        session.announcement = "a BRDF has no ambient term".into();
+        session.announcement = tr!("scene-a-brdf-has-no-ambient-term").into();
         return;
     } else {
         switch::toggle(document, term);
@@ -182,9 +183,9 @@ fn act(document: &mut Document, session: &mut Session, actions: &mut Vec<Action>
         actions.push(Action::Show(Tab::Lights));
     }
     session.announcement = match (switch::is_on(document, term), alone) {
-        (Some(true), true) => format!("{term} alone, or all terms again"),
-        (Some(true), false) => format!("{term} is on"),
-        (Some(false), _) => format!("{term} is off"),
+        (Some(true), true) => tr!("scene-alone-or-all-terms-again", term = term),
+        (Some(true), false) => tr!("scene-is-on", term = term),
+        (Some(false), _) => tr!("scene-is-off", term = term),
         (None, _) => format!("{term}"),
     };
 }
@@ -213,15 +214,16 @@ fn solo(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
             let color = switch::tint(term).map_or(ui.visuals().text_color(), |tint| tint.of(ui));
             let button = egui::Button::new(RichText::new(word).small().color(color)).selected(is_alone);
             let response = ui.add(button);
-            let name = format!("{term} alone");
+            let name = tr!("scene-alone-2", term = term);
             response.widget_info(|| WidgetInfo::selected(egui::Role::Switch, true, is_alone, &name));
             exported::note(ui, &response, &format!("solo-{term}"), WidgetRole::Toggle, &name, is_alone);
-            let tip = if is_alone { "Show all terms again" } else { "Show this term alone (or double-click it)" };
+            let tip =
+                if is_alone { tr!("scene-show-all-terms-again") } else { tr!("scene-show-this-term-alone-or-double") };
             if response.on_hover_text(tip).clicked() {
                 asked = Some(term);
             }
         }
-        ui.label(RichText::new("Alone").small().weak());
+        ui.label(RichText::new(tr!("scene-alone")).small().weak());
     });
     if let Some(term) = asked {
         act(document, session, actions, term, true);
@@ -230,16 +232,23 @@ fn solo(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
 
 fn buttons(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     let some_off = switch::is_incomplete(document);
-    let all = widgets::tool_button(ui, "terms-all", icons::ARROW_COUNTER_CLOCKWISE, "All terms on", None, some_off);
+    let all = widgets::tool_button(
+        ui,
+        "terms-all",
+        icons::ARROW_COUNTER_CLOCKWISE,
+        tr!("scene-all-terms-on"),
+        None,
+        some_off,
+    );
     if all.clicked() {
         switch::all_on(document);
         session.equation.before_alone = None;
-        session.announcement = "all terms are on".into();
+        session.announcement = tr!("scene-all-terms-are-on").into();
     }
     let (icon, tip) = if session.equation.open {
-        (icons::CARET_UP, "Hide the definitions")
+        (icons::CARET_UP, tr!("scene-hide-the-definitions"))
     } else {
-        (icons::CARET_DOWN, "Show the definitions")
+        (icons::CARET_DOWN, tr!("scene-show-the-definitions"))
     };
     if icon_button(ui, "definitions", icon, tip).clicked() {
         session.equation.open = !session.equation.open;
@@ -270,7 +279,7 @@ fn definitions(ui: &mut Ui, document: &Document, session: &mut Session, scene: &
             }
             let node = formula::definition(scene, term);
             let response = formula_line(ui, &node, SIZE, document, Sense::click());
-            let name = format!("definition of {term}");
+            let name = tr!("scene-definition-of", term = term);
             response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &name));
             exported::note(ui, &response, &format!("definition-{term}"), WidgetRole::Button, &name, "");
             if response.clicked() {
@@ -297,23 +306,23 @@ fn formula_line(ui: &mut Ui, node: &Node, size: f32, document: &Document, sense:
 /// The tooltip of a term.
 fn explain(ui: &mut Ui, document: &Document, session: &Session, scene: &SceneSettings, term: Term) {
     ui.set_max_width(340.0);
-    ui.label(RichText::new(term.description().trim()).strong());
+    ui.label(RichText::new(term.description()).strong());
     formula_line(ui, &formula::definition(scene, term), 16.0, document, Sense::hover());
     if let Some(now) = now(scene, session, term) {
         ui.label(now);
     }
     let how = match switch::is_on(document, term) {
-        None if term == Term::Light => "Click: show the lights",
+        None if term == Term::Light => tr!("scene-click-show-the-lights"),
         None => return,
         Some(on) if switch::SUMMANDS.contains(&term) => {
             if on {
-                "Click: switch off. Double click: show it alone"
+                tr!("scene-click-switch-off-double-click-show")
             } else {
-                "Click: switch on. Double click: show it alone"
+                tr!("scene-click-switch-on-double-click-show")
             }
         }
-        Some(true) => "Click: switch off (counts as 1)",
-        Some(false) => "Click: switch on",
+        Some(true) => tr!("scene-click-switch-off-counts-as-1"),
+        Some(false) => tr!("scene-click-switch-on"),
     };
     ui.label(RichText::new(how).small().weak());
 }
@@ -330,51 +339,51 @@ fn now(scene: &SceneSettings, session: &Session, term: Term) -> Option<String> {
                 [0, 1, 2].map(|i| sum[i] + color[i] * intensity)
             });
             let [r, g, b] = sum.map(compact);
-            format!("The scene's ambient light is {r}, {g}, {b}")
+            tr!("scene-the-scene-s-ambient-light-is", r = r, g = g, b = b)
         }
         Term::Emitted => {
             let materials = session.loaded.iter().flat_map(|loaded| &loaded.materials);
             let shining = materials.filter(|m| m.material.emitted.iter().any(|v| *v > 0.0)).count();
             match shining {
-                0 => "No material of this scene emits light".into(),
-                1 => "One material of this scene emits light".into(),
-                n => format!("{n} materials of this scene emit light"),
+                0 => tr!("scene-no-material-of-this-scene-emits").into(),
+                1 => tr!("scene-one-material-of-this-scene-emits").into(),
+                n => tr!("scene-materials-of-this-scene-emit-light", n = n),
             }
         }
         Term::Environment => {
             let environment = scene.environment.as_ref()?;
-            format!("Environment {}, intensity {}", environment.image, compact(environment.intensity))
+            tr!("scene-environment-intensity", image = environment.image, intensity = compact(environment.intensity))
         }
         Term::Diffuse => match e.brdf {
-            Some(brdf) => format!("The diffuse part of the BRDF {brdf}"),
-            None => format!("By the {} convention", e.convention),
+            Some(brdf) => tr!("scene-the-diffuse-part-of-the-brdf", brdf = brdf),
+            None => tr!("scene-by-the-convention", convention = e.convention),
         },
         Term::Specular => match (e.brdf, e.specular) {
-            (Some(brdf), _) => format!("The lobe of the BRDF {brdf}"),
-            (None, Specular::None) => "None; a click selects Blinn-Phong".into(),
+            (Some(brdf), _) => tr!("scene-the-lobe-of-the-brdf", brdf = brdf),
+            (None, Specular::None) => tr!("scene-none-a-click-selects-blinn-phong").into(),
             (None, specular) => {
-                format!("{specular}{}", if e.gated { ", 0 where the light is behind the surface" } else { "" })
+                format!("{specular}{}", if e.gated { tr!("scene-0-where-the-light-is-behind-2") } else { "" })
             }
         },
         Term::Light => {
             let lit = scene.lights.iter().filter(|l| l.kind != LightSourceKind::Ambient);
             let on = lit.clone().filter(|l| l.enabled).count();
-            format!("{on} of {} lights are on", lit.count())
+            tr!("scene-of-lights-are-on", on = on, count = lit.count())
         }
         Term::Attenuation => {
             let places: usize = LightSourceKind::ALL.iter().filter(|k| k.has_position()).map(|&k| count(k)).sum();
             match places {
-                0 => "This scene has only directional lights: att is 1".into(),
-                1 => "Applies to one light; directional lights have att = 1".into(),
-                n => format!("Applies to {n} lights; directional lights have att = 1"),
+                0 => tr!("scene-this-scene-has-only-directional-lights").into(),
+                1 => tr!("scene-applies-to-one-light-directional-lights").into(),
+                n => tr!("scene-applies-to-lights-directional-lights-have", n = n),
             }
         }
         // The equation treats a rectangle as a spot.
         Term::Spot => match count(LightSourceKind::Spot) + count(LightSourceKind::Rectangle) {
-            0 => "This scene has no spot light: spot is 1".into(),
-            1 => "Applies to one spot light; other lights have spot = 1".into(),
-            n => format!("Applies to {n} spot lights; other lights have spot = 1"),
+            0 => tr!("scene-this-scene-has-no-spot-light").into(),
+            1 => tr!("scene-applies-to-one-spot-light-other").into(),
+            n => tr!("scene-applies-to-spot-lights-other-lights", n = n),
         },
-        Term::Cosine => "0 where the light is behind the surface".into(),
+        Term::Cosine => tr!("scene-0-where-the-light-is-behind").into(),
     })
 }

@@ -6,6 +6,7 @@ use crate::document::Document;
 use crate::session::{Session, Tab, Term};
 use crate::widgets::{NumberField, Vector, choice, dropdown, named_options, toggle};
 use egui::{RichText, Sense, Ui, vec2};
+use gonio_language::tr;
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
 use gonio_scene::settings::EquationSettings;
@@ -34,49 +35,50 @@ pub fn show(
             Term::Specular => specular(ui, document),
             Term::Environment => match &mut document.scene.environment {
                 Some(environment) => {
-                    ui.label("intensity");
-                    NumberField::new("equation-environment-intensity", "intensity of the environment")
+                    ui.label(tr!("scene-intensity-label"));
+                    NumberField::new("equation-environment-intensity", tr!("scene-intensity-of-the-environment"))
                         .range(0.0..=1e6)
                         .default(1.0)
                         .show(ui, &mut environment.intensity);
                 }
-                None => drop(ui.label("This scene has no environment; select one in the Picture tab")),
+                None => drop(ui.label(tr!("scene-this-scene-has-no-environment-select"))),
             },
             Term::Ambient | Term::Light | Term::Attenuation | Term::Spot => {
                 for (is, about) in [
-                    (Term::Ambient, "the sum of the ambient lights, never attenuated"),
-                    (Term::Light, "each light adds one summand"),
-                    (Term::Attenuation, "set per light; 1 for directional lights"),
-                    (Term::Spot, "0 at the edge of the cone, 1 inside; 1 for other lights"),
+                    (Term::Ambient, tr!("scene-the-sum-of-the-ambient-lights")),
+                    (Term::Light, tr!("scene-each-light-adds-one-summand")),
+                    (Term::Attenuation, tr!("scene-set-per-light-1-for-directional")),
+                    (Term::Spot, tr!("scene-0-at-the-edge-of-the")),
                 ] {
                     if is == term {
                         ui.label(RichText::new(about).weak());
                     }
                 }
                 if term == Term::Light {
-                    let tip = "Objects cast shadows: the light of directional, point and spot lights reaches only what it sees";
+                    let tip = tr!("scene-objects-cast-shadows-the-light-of");
                     toggle(ui, "shadows", "shadows", &mut document.scene.equation.shadows, tip);
                 }
-                link(ui, "Lights", Tab::Lights, actions);
+                link(ui, Tab::Lights, actions);
             }
             Term::Emitted => {
-                ui.label(RichText::new("set per material").weak());
-                link(ui, "Objects", Tab::Objects, actions);
+                ui.label(RichText::new(tr!("scene-set-per-material")).weak());
+                link(ui, Tab::Objects, actions);
             }
             Term::Cosine => {
-                let tip = "Flip the normal of back faces towards the viewer";
+                let tip = tr!("scene-flip-the-normal-of-back-faces");
                 toggle(ui, "two-sided", "two-sided", &mut document.scene.equation.two_sided, tip);
             }
         }
     });
 }
 
-fn link(ui: &mut Ui, text: &str, tab: Tab, actions: &mut Vec<Action>) {
+fn link(ui: &mut Ui, tab: Tab, actions: &mut Vec<Action>) {
+    let text = tab.title();
     let link = ui.link(text);
     crate::exported::note(
         ui,
         &link,
-        &format!("equation-to-{}", text.to_lowercase()),
+        &format!("equation-to-{}", tab.id()),
         crate::exported::WidgetRole::Button,
         text,
         "",
@@ -111,13 +113,13 @@ fn specular(ui: &mut Ui, document: &mut Document) {
     if document.scene.equation.brdf.is_none() {
         let mut value = switch::specular_of(document);
         let options = named_options!(Specular);
-        if choice(ui, "specular", "specular model", &mut value, &options, Specular::default()) {
+        if choice(ui, "specular", tr!("scene-specular-model"), &mut value, &options, Specular::default()) {
             switch::set_specular(document, value);
         }
         let e = &mut document.scene.equation;
-        toggle(ui, "gated", "gated", &mut e.gated, "No specular light where N\u{22c5}L \u{2264} 0");
-        let tip = "Multiply the specular term by <N.L>, which the lab's equation omits";
-        toggle(ui, "cosine-weighted", "times <N.L>", &mut e.cosine_weighted, tip);
+        toggle(ui, "gated", "gated", &mut e.gated, tr!("scene-no-specular-light-where-n-l"));
+        let tip = tr!("scene-multiply-the-specular-term-by-n");
+        toggle(ui, "cosine-weighted", tr!("scene-times-n-l"), &mut e.cosine_weighted, tip);
     }
     brdf(ui, document);
 }
@@ -125,24 +127,24 @@ fn specular(ui: &mut Ui, document: &mut Document) {
 /// The BRDFs in place of both terms.
 fn brdf(ui: &mut Ui, document: &mut Document) {
     let e: &mut EquationSettings = &mut document.scene.equation;
-    let mut options: Vec<(Option<BrdfKind>, &str, &str)> = vec![(None, "none", "The lab's diffuse and specular terms")];
+    let mut options: Vec<(Option<BrdfKind>, &str, &str)> =
+        vec![(None, "none", tr!("scene-the-lab-s-diffuse-and-specular"))];
     options.extend(BrdfKind::ALL.iter().map(|kind| (Some(*kind), kind.name(), kind.description())));
-    ui.label(RichText::new("BRDF").weak())
-        .on_hover_text("A BRDF (1/sr) in place of the diffuse and specular terms; it has no ambient term");
+    ui.label(RichText::new("BRDF").weak()).on_hover_text(tr!("scene-a-brdf-1-sr-in-place"));
     ui.scope(|ui| {
         ui.set_max_width(110.0);
         dropdown(ui, "brdf", "BRDF", &mut e.brdf, &options);
     });
     let Some(kind) = e.brdf else { return };
     if kind != BrdfKind::Lambert {
-        let tip = "With the factor that conserves energy";
+        let tip = tr!("scene-with-the-factor-that-conserves-energy");
         toggle(ui, "brdf-normalised", "normalised", &mut e.brdf_normalised, tip);
     }
     if kind == BrdfKind::Lafortune {
         ui.horizontal(|ui| {
             ui.set_max_width(220.0);
-            Vector::new("lafortune", "diagonal of A")
-                .tip("Diagonal of A along tangent, bitangent and normal; 1, 1, -1 is Phong's lobe")
+            Vector::new("lafortune", tr!("scene-diagonal-of-a"))
+                .tip(tr!("scene-diagonal-of-a-along-tangent-bitangent"))
                 .default([1.0, 1.0, -1.0])
                 .range(-10.0..=10.0)
                 .show(ui, &mut e.lafortune);

@@ -7,6 +7,7 @@ use crate::theme::colors;
 use egui::load::SizedTexture;
 use egui::{CollapsingHeader, Grid, Image, Label, RichText, ScrollArea, TextStyle, Ui, vec2};
 use gonio_gl::trace::{AttributeSource, DrawRecord, SamplerRecord, TextureRecord, UniformNumbers, UniformValue};
+use gonio_language::tr;
 
 /// Side of a thumbnail, points.
 const THUMBNAIL: f32 = 44.0;
@@ -17,44 +18,48 @@ pub fn show(ui: &mut Ui, taken: &mut RecordedFrame) {
     let Some(draw) = taken.record.draws.get(taken.draw) else { return };
     heading(ui, &draw.title());
     facts(ui, draw);
-    let samplers = CollapsingHeader::new(format!("Samplers, units, textures ({})", draw.samplers.len()));
+    let samplers = CollapsingHeader::new(tr!("scene-samplers-units-textures", count = draw.samplers.len()));
     samplers.id_salt("samplers").default_open(true).show(ui, |ui| {
         if draw.samplers.is_empty() {
-            ui.label(RichText::new("This draw samples no texture.").weak());
+            ui.label(RichText::new(tr!("scene-this-draw-samples-no-texture")).weak());
         }
         draw.samplers.iter().for_each(|sampler| self::sampler(ui, taken, sampler));
     });
-    let uniforms = CollapsingHeader::new(format!("Uniforms ({})", draw.uniforms.len()));
+    let uniforms = CollapsingHeader::new(tr!("scene-uniforms", count = draw.uniforms.len()));
     uniforms.id_salt("uniforms").show(ui, |ui| draw.uniforms.iter().for_each(|value| uniform(ui, value)));
-    let attributes = CollapsingHeader::new(format!("Attributes ({})", draw.attributes.len()));
+    let attributes = CollapsingHeader::new(tr!("scene-attributes", count = draw.attributes.len()));
     attributes.id_salt("attributes").show(ui, |ui| self::attributes(ui, draw));
     program(ui, taken);
 }
 
 fn facts(ui: &mut Ui, draw: &DrawRecord) {
     let state = &draw.state;
-    let count = |count: Option<u64>| count.map_or("not counted by this driver".to_owned(), |count| count.to_string());
-    let depth = match (&state.depth_test, state.depth_mask) {
-        (None, _) => "not tested".to_owned(),
-        (Some(test), true) => format!("{test}, written"),
-        (Some(test), false) => format!("{test}, not written"),
+    let count = |count: Option<u64>| {
+        count.map_or(tr!("scene-not-counted-by-this-driver").to_owned(), |count| count.to_string())
     };
-    let cull =
-        state.cull.as_ref().map_or("nothing".to_owned(), |cull| format!("{cull}, front is {}", state.front_face));
+    let depth = match (&state.depth_test, state.depth_mask) {
+        (None, _) => tr!("scene-not-tested").to_owned(),
+        (Some(test), true) => tr!("scene-written", test = test),
+        (Some(test), false) => tr!("scene-not-written", test = test),
+    };
+    let cull = state.cull.as_ref().map_or(tr!("scene-nothing").to_owned(), |cull| {
+        tr!("scene-front-is", cull = cull, front_face = state.front_face)
+    });
     let blend = state.blend.as_ref();
-    let blend = blend.map_or("off".to_owned(), |blend| format!("{} and {}", blend.color[0], blend.color[1]));
+    let blend = blend
+        .map_or(tr!("scene-off").to_owned(), |blend| tr!("scene-and", first = blend.color[0], second = blend.color[1]));
     let [x, y, width, height] = state.viewport;
     Grid::new("draw facts").num_columns(2).spacing([12.0, 2.0]).show(ui, |ui| {
         for (name, value) in [
             ("drawn", primitives(draw)),
-            ("vertex shader runs", count(draw.vertices_shaded)),
-            ("fragment shader runs", count(draw.fragments_shaded)),
+            (tr!("scene-vertex-shader-runs"), count(draw.vertices_shaded)),
+            (tr!("scene-fragment-shader-runs"), count(draw.fragments_shaded)),
             ("depth", depth),
             ("culled", cull),
             ("blending", blend),
-            ("viewport", format!("{width} x {height} from {x}, {y}")),
+            ("viewport", tr!("scene-x-from", width = width, height = height, x = x, y = y)),
         ] {
-            ui.label(RichText::new(name).weak());
+            ui.label(RichText::new(gonio_language::name(name)).weak());
             ui.add(Label::new(value).truncate());
             ui.end_row();
         }
@@ -84,26 +89,26 @@ fn sampler(ui: &mut Ui, taken: &RecordedFrame, sampler: &SamplerRecord) {
                 ui.label(RichText::new(&sampler.name).monospace().color(colors::ACCENT.of(ui)));
                 ui.label(RichText::new(&sampler.glsl_type).small().weak());
             });
-            let name = texture.map_or("nothing".to_owned(), |texture| texture.name.clone());
-            let id = sampler.texture.map_or(String::new(), |id| format!("texture {id}, "));
-            ui.add(Label::new(format!("reads unit {}: {id}{name}", sampler.unit)).truncate());
+            let name = texture.map_or(tr!("scene-nothing").to_owned(), |texture| texture.name.clone());
+            let id = sampler.texture.map_or(String::new(), |id| tr!("scene-texture", id = id));
+            ui.add(Label::new(tr!("scene-reads-unit", unit = sampler.unit, id = id, name = name)).truncate());
             ui.add(Label::new(RichText::new(about(texture, sampler)).small().weak()).truncate());
         });
     })
     .response
-    .on_hover_text(format!(
-        "The sampler `{}` holds {}, the texture unit that the texture is bound to",
-        sampler.name, sampler.unit
-    ));
+    .on_hover_text(tr!("scene-the-sampler-holds-the-texture-unit", name = sampler.name, unit = sampler.unit));
 }
 
 fn about(texture: Option<&TextureRecord>, sampler: &SamplerRecord) -> String {
-    let Some(texture) = texture else { return "no texture is bound to this unit".to_owned() };
-    let levels =
-        if texture.levels.len() == 1 { "1 level".to_owned() } else { format!("{} levels", texture.levels.len()) };
+    let Some(texture) = texture else { return tr!("scene-no-texture-is-bound-to-this").to_owned() };
+    let levels = if texture.levels.len() == 1 {
+        tr!("scene-1-level").to_owned()
+    } else {
+        tr!("scene-levels", count = texture.levels.len())
+    };
     let sampled = match &sampler.sampling {
         Some(sampling) => format!("{}, {}", sampling.min_filter, sampling.wrap[0]),
-        None => format!("{} samples", texture.samples),
+        None => tr!("scene-samples", samples = texture.samples),
     };
     format!("{} {} x {} {}, {levels}, {sampled}", texture.kind, texture.width, texture.height, texture.format)
 }
@@ -114,7 +119,7 @@ fn uniform(ui: &mut Ui, uniform: &UniformValue) {
         ui.label(RichText::new(&uniform.name).monospace());
         ui.label(RichText::new(&uniform.glsl_type).small().weak());
         if !uniform.sent {
-            ui.label(RichText::new("never set").small().color(colors::WARNING.of(ui)));
+            ui.label(RichText::new(tr!("scene-never-set")).small().color(colors::WARNING.of(ui)));
         }
     });
     let rows = rows(uniform);
@@ -125,7 +130,7 @@ fn uniform(ui: &mut Ui, uniform: &UniformValue) {
             ui.add(Label::new(RichText::new(row).monospace().small()).extend());
         }
         if rest > 0 {
-            ui.label(RichText::new(format!("and {rest} more")).small().weak());
+            ui.label(RichText::new(tr!("scene-and-more", rest = rest)).small().weak());
         }
     });
 }
@@ -162,7 +167,7 @@ fn rows(uniform: &UniformValue) -> Vec<String> {
 
 fn attributes(ui: &mut Ui, draw: &DrawRecord) {
     if draw.attributes.is_empty() {
-        ui.label(RichText::new("None: the vertex shader computes the vertices from gl_VertexID.").weak());
+        ui.label(RichText::new(tr!("scene-none-the-vertex-shader-computes-the")).weak());
     }
     for attribute in &draw.attributes {
         ui.horizontal(|ui| {
@@ -172,7 +177,9 @@ fn attributes(ui: &mut Ui, draw: &DrawRecord) {
         });
         let fed = match &attribute.source {
             AttributeSource::Array(array) => array.to_string(),
-            AttributeSource::Constant { value: [x, y, z, w], .. } => format!("{x}, {y}, {z}, {w} for all vertices"),
+            AttributeSource::Constant { value: [x, y, z, w], .. } => {
+                tr!("scene-for-all-vertices", x = x, y = y, z = z, w = w)
+            }
         };
         ui.indent(&attribute.name, |ui| ui.add(Label::new(RichText::new(fed).small().weak()).truncate()));
     }
@@ -186,12 +193,13 @@ fn program(ui: &mut Ui, taken: &mut RecordedFrame) {
     let draw = taken.record.draws.get(taken.draw);
     let Some(program) = draw.and_then(|draw| taken.record.program_of(draw)) else { return };
     let mut fragment = taken.fragment_source;
-    CollapsingHeader::new("Program").id_salt("program").show(ui, |ui| {
+    CollapsingHeader::new(tr!("scene-program")).id_salt("program").show(ui, |ui| {
         ui.add(Label::new(RichText::new(&program.name).weak()).wrap());
         ui.horizontal(|ui| {
-            for (is_fragment, id, title) in
-                [(false, "source-vertex", "Vertex shader"), (true, "source-fragment", "Fragment shader")]
-            {
+            for (is_fragment, id, title) in [
+                (false, "source-vertex", tr!("scene-vertex-shader")),
+                (true, "source-fragment", tr!("scene-fragment-shader")),
+            ] {
                 let button = ui.selectable_label(fragment == is_fragment, title);
                 exported::note(ui, &button, id, WidgetRole::Choice, title, fragment == is_fragment);
                 if button.clicked() {

@@ -9,6 +9,7 @@ use crate::session::{RecordedFrame, Session};
 use crate::theme::{self, colors, icons};
 use egui::{Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Stroke, Ui};
 use gonio_gl::trace::{DrawRecord, PassRecord, Severity};
+use gonio_language::tr;
 
 /// Height of the list of draws, points: about ten rows.
 const LIST_HEIGHT: f32 = 190.0;
@@ -21,7 +22,7 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
         actions.push(Action::RecordFrame);
     }
     let Some(taken) = session.recorded_frame.as_mut().filter(|taken| !taken.record.draws.is_empty()) else {
-        ui.label(RichText::new("There is no picture yet.").weak());
+        ui.label(RichText::new(tr!("scene-there-is-no-picture-yet")).weak());
         return;
     };
     findings(ui, taken);
@@ -40,7 +41,10 @@ fn heading(ui: &mut Ui, text: &str) {
 fn list(ui: &mut Ui, taken: &mut RecordedFrame) {
     let record = &taken.record;
     let count = record.draws.len() + record.draws_left_out;
-    heading(ui, &format!("{}, {}", counted(record.passes.len(), "pass", "passes"), counted(count, "draw", "draws")));
+    heading(
+        ui,
+        &format!("{}, {}", tr!("scene-passes", count = record.passes.len()), tr!("scene-draws", count = count)),
+    );
     for note in &record.notes {
         ui.add(Label::new(RichText::new(note).small().weak()).wrap());
     }
@@ -62,9 +66,16 @@ fn list(ui: &mut Ui, taken: &mut RecordedFrame) {
 
 fn pass(ui: &mut Ui, number: usize, pass: &PassRecord) {
     let target = &pass.target;
-    let samples = if target.samples > 1 { format!(", {} samples", target.samples) } else { String::new() };
+    let samples = if target.samples > 1 { tr!("scene-samples-2", samples = target.samples) } else { String::new() };
     let format = target.format.as_deref().unwrap_or("");
-    let text = format!("into `{}`: {} x {}{samples} {format}", target.name, target.width, target.height);
+    let text = tr!(
+        "scene-into-x",
+        name = target.name,
+        width = target.width,
+        height = target.height,
+        samples = samples,
+        format = format
+    );
     ui.horizontal(|ui| {
         ui.label(RichText::new(format!("{number}  {}", pass.name)).color(colors::ACCENT.of(ui)));
         ui.add(Label::new(RichText::new(&text).small().weak()).truncate()).on_hover_text(text);
@@ -93,13 +104,9 @@ fn row(ui: &mut Ui, draw: &DrawRecord, chosen: bool) -> bool {
 /// The primitives of a draw: `968 triangles`.
 fn primitives(draw: &DrawRecord) -> String {
     match draw.primitive.as_str() {
-        "triangles" => counted(draw.count as usize / 3, "triangle", "triangles"),
-        other => format!("{other}, {} vertices", draw.count),
+        "triangles" => tr!("scene-triangles-drawn", count = draw.count / 3),
+        other => tr!("scene-vertices", other = other, count = draw.count),
     }
-}
-
-fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// Shows the findings; a link selects the draw.
@@ -108,10 +115,10 @@ fn findings(ui: &mut Ui, taken: &mut RecordedFrame) {
         let color = colors::NORMAL.of(ui);
         ui.horizontal(|ui| {
             ui.label(RichText::new(icons::CHECK).font(theme::icon_font(15.0)).color(color));
-            ui.add(Label::new(RichText::new("No problems found in this frame").color(color)).wrap());
+            ui.add(Label::new(RichText::new(tr!("scene-no-problems-found-in-this-frame")).color(color)).wrap());
         })
         .response
-        .on_hover_text("Every sampler reads a bound texture, every uniform is set, and every attribute has data.");
+        .on_hover_text(tr!("scene-every-sampler-reads-a-bound-texture"));
         return;
     }
     let mut chosen = taken.draw;
@@ -126,9 +133,10 @@ fn findings(ui: &mut Ui, taken: &mut RecordedFrame) {
             ui.set_width(ui.available_width());
             ui.horizontal(|ui| {
                 ui.label(RichText::new(icon).font(theme::icon_font(15.0)).color(color));
-                ui.label(RichText::new(finding.rule.name()).font(theme::bold(13.5)).color(color));
-                let more = if finding.draws > 1 { format!(" and {} more", finding.draws - 1) } else { String::new() };
-                if ui.link(format!("draw {}{more}", finding.draw)).clicked() {
+                ui.label(RichText::new(gonio_language::name(finding.rule.name())).font(theme::bold(13.5)).color(color));
+                let more =
+                    if finding.draws > 1 { tr!("scene-and-more-2", count = finding.draws - 1) } else { String::new() };
+                if ui.link(tr!("scene-draw", draw = finding.draw, more = more)).clicked() {
                     chosen = finding.draw;
                 }
             });

@@ -11,6 +11,7 @@ use crate::widgets::{
 };
 use egui::{Align2, FontId, Frame, Margin, Sense, Stroke, TextEdit, Ui, pos2, vec2};
 use glam::DVec3;
+use gonio_language::tr;
 use gonio_scene::defaults;
 use gonio_scene::scene_file::{LightSourceKind, MotionKind};
 use gonio_scene::settings::{LightSettings, Motion, MotionPath};
@@ -34,19 +35,22 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &Session, index: usiz
 
 fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
     let id = |name: &str| format!("light-{index}-{name}");
-    row(ui, "Name", "Used in reports and lists", |ui| {
-        let edit = TextEdit::singleline(&mut light.name).id_salt("name").hint_text(light.kind.name());
+    row(ui, tr!("scene-name"), tr!("scene-used-in-reports-and-lists"), |ui| {
+        let edit =
+            TextEdit::singleline(&mut light.name).id_salt("name").hint_text(gonio_language::name(light.kind.name()));
         let response = ui.add(edit.desired_width(ui.available_width() - 8.0));
         exported::note(ui, &response, &id("name"), WidgetRole::Text, "name", &light.name);
     });
     let mut kind = light.kind;
     let options = named_options!(LightSourceKind);
-    if row(ui, "Kind", "", |ui| dropdown(ui, &id("kind"), "kind of light", &mut kind, &options)) {
+    if row(ui, tr!("scene-kind"), "", |ui| dropdown(ui, &id("kind"), tr!("scene-kind-of-light"), &mut kind, &options)) {
         edits::convert(light, kind, session);
     }
     if let Some(position) = &mut light.position {
-        let tip = "Position in world space, at time 0 if the light moves";
-        let moved = row(ui, "Position", tip, |ui| Vector::new(&id("position"), "position").tip(tip).show(ui, position));
+        let tip = tr!("scene-position-in-world-space-at-time");
+        let moved = row(ui, tr!("scene-position"), tip, |ui| {
+            Vector::new(&id("position"), "position").tip(tip).show(ui, position)
+        });
         let path = light.motion.as_mut().map(|motion| &mut motion.path);
         if moved
             && let Some(MotionPath::Path { points }) = path
@@ -56,17 +60,19 @@ fn values(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
         }
     }
     if let Some(direction) = &mut light.direction {
-        let tip = "Direction of the light's travel, of any length";
-        row(ui, "Direction", tip, |ui| {
+        let tip = tr!("scene-direction-of-the-light-s-travel");
+        row(ui, tr!("scene-direction"), tip, |ui| {
             Vector::new(&id("direction"), "direction").tip(tip).step(0.01).show(ui, direction)
         });
     }
     extent(ui, light, session, index);
-    let tip = "Colour of L_i, linear RGB";
-    row(ui, "Colour", tip, |ui| color(ui, &id("color"), "colour", &mut light.color, Some(defaults::LIGHT_COLOR), tip));
+    let tip = tr!("scene-colour-of-l-i-linear-rgb");
+    row(ui, tr!("scene-colour"), tip, |ui| {
+        color(ui, &id("color"), "colour", &mut light.color, Some(defaults::LIGHT_COLOR), tip)
+    });
     if let Some(own) = &light.spectrum {
-        let tip = "Relative power by wavelength; the scene file has it. The colour is derived from it, and another colour replaces it";
-        row(ui, "Spectrum", tip, |ui| {
+        let tip = tr!("scene-relative-power-by-wavelength-the-scene");
+        row(ui, tr!("scene-spectrum"), tip, |ui| {
             let plot = spectrum(ui, |lambda| own.power_at(lambda), None, tip);
             exported::note(ui, &plot, &id("spectrum"), WidgetRole::Picture, "spectrum", own.samples().len());
         });
@@ -94,13 +100,15 @@ fn extent(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usiz
         };
     };
     if light.kind.has_radius() {
-        let tip = "Radius of the lamp, in world units; the light equation uses its centre";
-        row(ui, "Radius", tip, |ui| number(ui, "radius", tip, defaults::LIGHT_RADIUS, None, &mut light.radius));
+        let tip = tr!("scene-radius-of-the-lamp-in-world");
+        row(ui, tr!("scene-radius"), tip, |ui| {
+            number(ui, "radius", tip, defaults::LIGHT_RADIUS, None, &mut light.radius)
+        });
     } else if light.kind == LightSourceKind::Rectangle {
-        let tip = "Width and height of the lamp, in world units; the light equation uses its centre";
+        let tip = tr!("scene-width-and-height-of-the-lamp");
         let [width, height] = &mut light.size;
         let default = defaults::LIGHT_SIZE;
-        row(ui, "Size", tip, |ui| {
+        row(ui, tr!("scene-size"), tip, |ui| {
             number(ui, "width", tip, default[0], Some(82.0), width);
             number(ui, "height", tip, default[1], Some(82.0), height);
         });
@@ -121,14 +129,9 @@ fn attenuation(ui: &mut Ui, light: &mut LightSettings, session: &Session, index:
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let names = [
-            ("kc", "k_c, the constant coefficient", constant, 0.005),
-            ("kl", "k_l, the linear coefficient", linear, 0.002),
-            (
-                "kq",
-                "k_q, the quadratic coefficient; k_c = k_l = 0, k_q = 1 is the inverse square law",
-                quadratic,
-                0.002,
-            ),
+            ("kc", tr!("scene-k-c-the-constant-coefficient"), constant, 0.005),
+            ("kl", tr!("scene-k-l-the-linear-coefficient"), linear, 0.002),
+            ("kq", tr!("scene-k-q-the-quadratic-coefficient-k"), quadratic, 0.002),
         ];
         for ((name, tip, default, step), value) in names.into_iter().zip(&mut values) {
             ui.label(egui::RichText::new(name).weak());
@@ -154,11 +157,17 @@ fn cone(ui: &mut Ui, light: &mut LightSettings, index: usize) {
     let (mut inner, mut outer) = (light.inner_angle, light.outer_angle);
     let before = (inner, outer);
     let angles = [
-        ("inner", "Inner angle", "Half angle of the cone with full intensity", &mut inner, defaults::INNER_ANGLE),
+        (
+            "inner",
+            tr!("scene-inner-angle"),
+            tr!("scene-half-angle-of-the-cone-with"),
+            &mut inner,
+            defaults::INNER_ANGLE,
+        ),
         (
             "outer",
-            "Outer angle",
-            "Half angle of the cone outside of which there is no light",
+            tr!("scene-outer-angle"),
+            tr!("scene-half-angle-of-the-cone-outside"),
             &mut outer,
             defaults::OUTER_ANGLE,
         ),
@@ -196,16 +205,17 @@ fn tools(ui: &mut Ui, index: usize, count: usize) -> Option<Edit> {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (name, icon, tip, edit, enabled) in [
-            ("duplicate", icons::COPY, "Duplicate this light", Edit::Duplicate(index), true),
-            ("up", icons::CARET_UP, "Move up", Edit::Up(index), index > 0),
-            ("down", icons::CARET_DOWN, "Move down", Edit::Down(index), index + 1 < count),
+            ("duplicate", icons::COPY, tr!("scene-duplicate-this-light"), Edit::Duplicate(index), true),
+            ("up", icons::CARET_UP, tr!("scene-move-up"), Edit::Up(index), index > 0),
+            ("down", icons::CARET_DOWN, tr!("scene-move-down"), Edit::Down(index), index + 1 < count),
         ] {
             if tool_button(ui, &format!("light-{index}-{name}"), icon, tip, None, enabled).clicked() {
                 asked = Some(edit);
             }
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            if icon_button(ui, &format!("light-{index}-remove"), icons::TRASH, "Remove this light").clicked() {
+            if icon_button(ui, &format!("light-{index}-remove"), icons::TRASH, tr!("scene-remove-this-light")).clicked()
+            {
                 asked = Some(Edit::Remove(index));
             }
         });
@@ -246,9 +256,9 @@ fn falloff(ui: &mut Ui, [constant, linear, quadratic]: [f64; 3], reach: f64, her
         painter.circle_filled(dot, 3.0, color);
     }
     let font = FontId::proportional(10.5);
-    let text = format!("att = {} at d = {}", compact(at(here)), compact(here));
+    let text = tr!("scene-att-at-d", attenuation = compact(at(here)), distance = compact(here));
     painter.text(plot.right_top(), Align2::RIGHT_TOP, text, font, weak);
-    response.on_hover_text("att as a function of the distance d; the dot marks the centre of the scene");
+    response.on_hover_text(tr!("scene-att-as-a-function-of-the"));
 }
 
 /// Most points of a path that are shown; more are edited in the scene file.
@@ -257,33 +267,33 @@ const MOST_POINTS: usize = 24;
 /// The light's motion.
 fn motion(ui: &mut Ui, light: &mut LightSettings, session: &Session, index: usize) {
     let mut kind = light.motion.as_ref().map(|motion| motion.path.kind());
-    let mut options = vec![(None, "none", "The light does not move")];
+    let mut options = vec![(None, "none", tr!("scene-the-light-does-not-move"))];
     options.extend(MotionKind::ALL.iter().map(|kind| (Some(*kind), kind.name(), kind.description())));
-    let changed = row(ui, "Motion", "Motion over time", |ui| {
+    let changed = row(ui, tr!("scene-motion"), tr!("scene-motion-over-time"), |ui| {
         dropdown(ui, &format!("light-{index}-motion"), "motion", &mut kind, &options)
     });
     if changed {
         light.motion = kind.map(|kind| fresh(kind, light, session));
     }
     let Some(motion) = &mut light.motion else { return };
-    row(ui, "Period", "Duration of one cycle, in seconds", |ui| {
+    row(ui, tr!("scene-period"), tr!("scene-duration-of-one-cycle-in-seconds"), |ui| {
         let id = format!("light-{index}-period");
-        let number = NumberField::new(&id, "period").tip("Duration of one cycle, in seconds").unit(" s");
+        let number = NumberField::new(&id, "period").tip(tr!("scene-duration-of-one-cycle-in-seconds")).unit(" s");
         number.range(0.01..=1e6).default(4.0).show(ui, &mut motion.period);
     });
     match &mut motion.path {
         MotionPath::Oscillate { amplitude } => {
-            row(ui, "Amplitude", "Largest displacement, in world units", |ui| {
+            row(ui, tr!("scene-amplitude"), tr!("scene-largest-displacement-in-world-units"), |ui| {
                 let id = format!("light-{index}-amplitude");
-                Vector::new(&id, "amplitude").tip("Largest displacement, in world units").show(ui, amplitude);
+                Vector::new(&id, "amplitude").tip(tr!("scene-largest-displacement-in-world-units")).show(ui, amplitude);
             });
         }
         MotionPath::Circle { center, axis } => {
-            row(ui, "Centre", "Centre of the circle, in world space", |ui| {
+            row(ui, tr!("scene-centre"), tr!("scene-centre-of-the-circle-in-world"), |ui| {
                 Vector::new(&format!("light-{index}-center"), "centre").show(ui, center);
             });
             let before = *axis;
-            row(ui, "Axis", "Axis of rotation", |ui| {
+            row(ui, tr!("scene-axis"), tr!("scene-axis-of-rotation"), |ui| {
                 Vector::new(&format!("light-{index}-axis"), "axis").default(defaults::MOTION_AXIS).show(ui, axis);
             });
             // An axis must have a length.
@@ -302,13 +312,14 @@ fn path(ui: &mut Ui, points: &mut Vec<[f64; 3]>, index: usize) {
     let mut removed = None;
     let count = points.len();
     for (number, point) in points.iter_mut().enumerate().take(MOST_POINTS) {
-        row(ui, &format!("Point {}", number + 1), "In world space; the path is closed", |ui| {
+        row(ui, &tr!("scene-point", number = number + 1), tr!("scene-in-world-space-the-path-is"), |ui| {
             let id = format!("light-{index}-point-{number}");
             ui.scope(|ui| {
                 ui.set_max_width(ui.available_width() - 26.0);
                 Vector::new(&id, "point").show(ui, point);
             });
-            if count > 2 && icon_button(ui, &format!("{id}-remove"), icons::X, "Remove this point").clicked() {
+            if count > 2 && icon_button(ui, &format!("{id}-remove"), icons::X, tr!("scene-remove-this-point")).clicked()
+            {
                 removed = Some(number);
             }
         });
@@ -317,7 +328,7 @@ fn path(ui: &mut Ui, points: &mut Vec<[f64; 3]>, index: usize) {
         points.remove(number);
     }
     row(ui, "", "", |ui| {
-        if icon_button(ui, &format!("light-{index}-add-point"), icons::PLUS, "Add a point").clicked() {
+        if icon_button(ui, &format!("light-{index}-add-point"), icons::PLUS, tr!("scene-add-a-point")).clicked() {
             let last = points.last().copied().unwrap_or_default();
             points.push([last[0] + 0.5, last[1], last[2]]);
         }

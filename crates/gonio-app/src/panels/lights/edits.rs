@@ -3,6 +3,7 @@
 use crate::document::Document;
 use crate::session::{Selection, Session};
 use glam::DVec3;
+use gonio_language::tr;
 use gonio_light::vector::unit;
 use gonio_scene::defaults;
 use gonio_scene::scene_file::LightSourceKind;
@@ -28,7 +29,7 @@ pub fn apply(document: &mut Document, session: &mut Session, edit: Edit) {
         Edit::Duplicate(index) if index < count => {
             let mut copy = document.scene.lights[index].clone();
             if !copy.name.is_empty() {
-                copy.name = format!("{} copy", copy.name.trim_end_matches(" copy"));
+                copy.name = tr!("scene-copy", copy = copy.name.trim_end_matches(" copy"));
             }
             document.scene.lights.insert(index + 1, copy);
             renumber(document, |light| Some(if light > index { light + 1 } else { light }));
@@ -105,7 +106,7 @@ pub fn add(document: &mut Document, session: &mut Session, kind: LightSourceKind
     }
     document.scene.lights.push(light);
     session.selection = Selection::Light(document.scene.lights.len() - 1);
-    session.announcement = format!("a {kind} light was added");
+    session.announcement = tr!("scene-a-light-was-added", kind = gonio_language::name(kind.name()));
 }
 
 /// Converts a light to another kind. Values that the new kind lacks are removed, those that it needs are filled in.

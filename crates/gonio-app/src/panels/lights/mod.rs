@@ -10,6 +10,7 @@ use crate::session::{Selection, Session};
 use crate::theme::{self, colors, icons};
 use crate::widgets::{NumberField, color_swatch, icon_button, tool_button};
 use egui::{Align, Atom, Button, Layout, RichText, Ui, WidgetInfo, vec2};
+use gonio_language::tr;
 use gonio_scene::defaults;
 use gonio_scene::scene_file::LightSourceKind;
 
@@ -51,7 +52,7 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         edits::apply(document, session, edit);
     }
     if document.scene.lights.is_empty() {
-        ui.label(RichText::new("No lights: only A, E and the environment remain").weak());
+        ui.label(RichText::new(tr!("scene-no-lights-only-a-e-and")).weak());
     }
     add(ui, document, session);
     let _ = actions;
@@ -67,34 +68,43 @@ fn row(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         let (icon, tip) = if on {
-            (icons::EYE, "on; click to switch it off")
+            (icons::EYE, tr!("scene-on-click-to-switch-it-off"))
         } else {
-            (icons::EYE_SLASH, "off; click to switch it on")
+            (icons::EYE_SLASH, tr!("scene-off-click-to-switch-it-on"))
         };
         let eye = tool_button(ui, &format!("light-{index}-on"), icon, &format!("{name}: {tip}"), None, true);
         if eye.clicked() {
             light.enabled = !on;
         }
         let tint = only.then(|| colors::ACCENT.of(ui));
-        let tip = if only { "show all lights again" } else { "show this light alone" };
+        let tip = if only { tr!("scene-show-all-lights-again") } else { tr!("scene-show-this-light-alone") };
         let alone =
             tool_button(ui, &format!("light-{index}-alone"), icons::TARGET, &format!("{name}: {tip}"), tint, true);
         make_alone = alone.clicked();
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let caret = if selected { icons::CARET_UP } else { icons::CARET_DOWN };
-            if icon_button(ui, &format!("light-{index}-open"), caret, &format!("Parameters of {name}")).clicked() {
+            if icon_button(ui, &format!("light-{index}-open"), caret, &tr!("scene-parameters-of", name = name))
+                .clicked()
+            {
                 session.selection = if selected { Selection::None } else { Selection::Light(index) };
             }
             let id = format!("light-{index}-intensity");
             let number = NumberField::new(&id, "intensity")
-                .tip("Intensity: L_i is the colour times the intensity")
+                .tip(tr!("scene-intensity-l-i-is-the-colour"))
                 .range(0.0..=1e6)
                 .default(defaults::LIGHT_INTENSITY)
                 .width(58.0);
             number.show(ui, &mut light.intensity);
             let id = format!("light-{index}-swatch");
             let default = Some(defaults::LIGHT_COLOR);
-            color_swatch(ui, &id, "colour of the light", &mut light.color, default, "Colour of L_i");
+            color_swatch(
+                ui,
+                &id,
+                tr!("scene-colour-of-the-light"),
+                &mut light.color,
+                default,
+                tr!("scene-colour-of-l-i"),
+            );
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 if title(ui, index, kind, &name, on, selected) {
                     session.selection = if selected { Selection::None } else { Selection::Light(index) };
@@ -127,9 +137,16 @@ fn title(ui: &mut Ui, index: usize, kind: LightSourceKind, name: &str, on: bool,
         })
         .inner;
     response.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, selected, name));
-    exported::note(ui, &response, &format!("light-{index}"), WidgetRole::Button, name, if on { "on" } else { "off" });
+    exported::note(
+        ui,
+        &response,
+        &format!("light-{index}"),
+        WidgetRole::Button,
+        name,
+        if on { tr!("scene-on") } else { tr!("scene-off") },
+    );
     let clicked = response.clicked();
-    response.on_hover_text(format!("{name}: {}", kind.description().trim()));
+    response.on_hover_text(format!("{name}: {}", gonio_language::name(kind.description().trim())));
     clicked
 }
 
@@ -138,17 +155,17 @@ fn add(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     ui.add_space(6.0);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
-        ui.label(RichText::new("Add").weak());
+        ui.label(RichText::new(tr!("scene-add")).weak());
         for kind in LightSourceKind::ALL.iter().rev() {
             let icon = RichText::new(icon_of(*kind)).font(theme::icon_font(14.0));
-            let button = ui.button((icon, RichText::new(kind.name())));
-            let label = format!("Add: {kind} light");
+            let button = ui.button((icon, RichText::new(gonio_language::name(kind.name()))));
+            let label = tr!("scene-add-light", kind = gonio_language::name(kind.name()));
             button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &label));
             exported::note(ui, &button, &format!("add-light-{kind}"), WidgetRole::Button, &label, "");
             if button.clicked() {
                 edits::add(document, session, *kind);
             }
-            button.on_hover_text(kind.description().trim());
+            button.on_hover_text(gonio_language::name(kind.description().trim()));
         }
     });
 }

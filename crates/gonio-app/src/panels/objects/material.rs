@@ -4,6 +4,7 @@ use crate::exported::{self, WidgetRole};
 use crate::theme::icons;
 use crate::widgets::{NumberField, color, dropdown, named_options, row, spectrum, tool_button};
 use egui::{Align, Layout, RichText, Ui};
+use gonio_language::tr;
 use gonio_light::optics::Medium;
 use gonio_light::{Fresnel, Spectrum, Surfaces};
 use gonio_mesh::{AmbientRule, Material};
@@ -26,9 +27,9 @@ pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index
     let first = files.first().copied().cloned().unwrap_or_default();
     match files {
         [] => {}
-        [one] => drop(ui.label(RichText::new(format!("{} in the file", named(one))).small().weak())),
+        [one] => drop(ui.label(RichText::new(tr!("scene-in-the-file", one = named(one))).small().weak())),
         [one, rest @ ..] => {
-            let text = format!("{} and {} more in the file; changes apply to all of them", named(one), rest.len());
+            let text = tr!("scene-and-more-in-the-file-changes", one = named(one), count = rest.len());
             ui.label(RichText::new(text).small().weak());
         }
     }
@@ -39,12 +40,22 @@ pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index
         AmbientRule::FollowsDiffuse => first.diffuse,
         AmbientRule::Value(value) => value,
     };
-    colored(ui, &line("ambient", "k_a", "Ambient colour k_a, linear RGB"), &mut with.ambient, color_of(ambient));
-    colored(ui, &line("diffuse", "k_d", "Diffuse colour k_d, linear RGB"), &mut with.diffuse, color_of(first.diffuse));
+    colored(
+        ui,
+        &line("ambient", "k_a", tr!("scene-ambient-colour-k-a-linear-rgb")),
+        &mut with.ambient,
+        color_of(ambient),
+    );
+    colored(
+        ui,
+        &line("diffuse", "k_d", tr!("scene-diffuse-colour-k-d-linear-rgb")),
+        &mut with.diffuse,
+        color_of(first.diffuse),
+    );
     if let Some(samples) = &with.diffuse_spectrum {
-        let tip = "Reflectance by wavelength, 0 to 1; the scene file has it. k_d is derived from it, and another k_d replaces it";
+        let tip = tr!("scene-reflectance-by-wavelength-0-to-1");
         let own = Spectrum::new(samples.clone());
-        row(ui, "Spectrum", tip, |ui| {
+        row(ui, tr!("scene-spectrum"), tip, |ui| {
             let plot = spectrum(ui, |lambda| own.reflectance_at(lambda), Some(1.0), tip);
             let id = format!("object-{index}-spectrum");
             exported::note(ui, &plot, &id, WidgetRole::Picture, "spectrum", samples.len());
@@ -52,17 +63,22 @@ pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index
     }
     colored(
         ui,
-        &line("specular", "k_s", "Specular colour k_s, linear RGB"),
+        &line("specular", "k_s", tr!("scene-specular-colour-k-s-linear-rgb")),
         &mut with.specular,
         color_of(first.specular),
     );
-    colored(ui, &line("emitted", "E", "Emitted light, linear RGB"), &mut with.emitted, color_of(first.emitted));
-    let shininess = line("shininess", "g", "Shininess g: the exponent of the highlight");
+    colored(
+        ui,
+        &line("emitted", "E", tr!("scene-emitted-light-linear-rgb")),
+        &mut with.emitted,
+        color_of(first.emitted),
+    );
+    let shininess = line("shininess", "g", tr!("scene-shininess-g-the-exponent-of-the"));
     number(ui, &shininess, &mut with.shininess, tidy(first.shininess), 1.0..=1e6);
-    let opacity = line("opacity", "Opacity", "1 is opaque, 0 invisible");
+    let opacity = line("opacity", tr!("scene-opacity"), tr!("scene-1-is-opaque-0-invisible"));
     number(ui, &opacity, &mut with.opacity, tidy(first.opacity), 0.0..=1.0);
-    let textures = line("textures", "Textures", "Whether the model's textures are used");
-    let options = [(None, "as in the file", ""), (Some(false), "none", "Ignore the textures")];
+    let textures = line("textures", tr!("scene-textures"), tr!("scene-whether-the-model-s-textures-are"));
+    let options = [(None, tr!("scene-as-in-the-file-2"), ""), (Some(false), "none", tr!("scene-ignore-the-textures"))];
     words(ui, &textures, &mut with.textures, &options);
     optics(ui, with, &first, &line);
 }
@@ -74,7 +90,7 @@ pub fn mirrors_surroundings(with: &MaterialOverride) -> bool {
 }
 
 fn named(material: &Material) -> &str {
-    if material.name.is_empty() { "unnamed" } else { &material.name }
+    if material.name.is_empty() { tr!("scene-unnamed") } else { &material.name }
 }
 
 /// Reflection and refraction.
@@ -84,42 +100,52 @@ fn optics<'a>(
     first: &Material,
     line: &dyn Fn(&str, &'static str, &'static str) -> Line<'a>,
 ) {
-    let mut media = vec![(None, "none", "An opaque surface")];
+    let mut media = vec![(None, "none", tr!("scene-an-opaque-surface"))];
     media.extend(Medium::ALL.iter().map(|m| (Some(*m), m.name(), m.description())));
-    words(ui, &line("medium", "Medium", "A transparent body of this medium"), &mut with.medium, &media);
+    words(
+        ui,
+        &line("medium", tr!("scene-medium"), tr!("scene-a-transparent-body-of-this-medium")),
+        &mut with.medium,
+        &media,
+    );
     let clear = with.medium.is_some();
     let index = with.medium.map_or(tidy(first.refraction_index), Medium::refraction_index);
-    let refraction = line("refraction-index", "Index \u{3b7}", "Index of refraction (air: 1)");
+    let refraction = line("refraction-index", tr!("scene-index"), tr!("scene-index-of-refraction-air-1"));
     number(ui, &refraction, &mut with.refraction_index, index, 0.01..=100.0);
-    let reflectivity = line("reflectivity", "Reflectivity", "0 is the lit surface, 1 a mirror");
+    let reflectivity = line("reflectivity", tr!("scene-reflectivity"), tr!("scene-0-is-the-lit-surface-1"));
     number(ui, &reflectivity, &mut with.reflectivity, 0.0, 0.0..=1.0);
-    let transmission = line("transmission", "Transmission", "0 is opaque, 1 transparent");
+    let transmission = line("transmission", tr!("scene-transmission"), tr!("scene-0-is-opaque-1-transparent"));
     number(ui, &transmission, &mut with.transmission, if clear { 1.0 } else { 0.0 }, 0.0..=1.0);
     let usual = if clear { Fresnel::Exact } else { Fresnel::None };
-    let usual = if usual == Fresnel::Exact { "default (exact)" } else { "default (none)" };
-    let mut factors = vec![(None, usual, "Exact for a medium, none for a surface")];
+    let usual = if usual == Fresnel::Exact { tr!("scene-default-exact") } else { tr!("scene-default-none") };
+    let mut factors = vec![(None, usual, tr!("scene-exact-for-a-medium-none-for"))];
     factors.extend(named_options!(Fresnel).into_iter().map(|(f, name, tip)| (Some(f), name, tip)));
     words(
         ui,
-        &line("fresnel", "Fresnel", "Dependence of the reflection on the angle"),
+        &line("fresnel", tr!("scene-fresnel"), tr!("scene-dependence-of-the-reflection-on-the")),
         &mut with.fresnel,
         &factors[..],
     );
     let white = Color::grey(1.0);
-    colored(ui, &line("tint", "Tint", "Colour of the transmitted light, 0 to 1"), &mut with.tint, white);
+    colored(
+        ui,
+        &line("tint", tr!("scene-tint"), tr!("scene-colour-of-the-transmitted-light-0")),
+        &mut with.tint,
+        white,
+    );
     if let Some(tint) = &mut with.tint {
         // A body transmits at most the incident light.
         tint.0 = tint.0.map(|v| v.min(1.0));
     }
-    let absorption = line("absorption", "Absorption", "Per world unit and channel, between two surfaces");
+    let absorption = line("absorption", tr!("scene-absorption"), tr!("scene-per-world-unit-and-channel-between"));
     colored(ui, &absorption, &mut with.absorption, Color::grey(0.0));
-    let dispersion = line("dispersion", "Dispersion", "Index of refraction for blue light minus that for red");
+    let dispersion = line("dispersion", tr!("scene-dispersion"), tr!("scene-index-of-refraction-for-blue-light"));
     number(ui, &dispersion, &mut with.dispersion, 0.0, -1.0..=1.0);
-    let mut surfaces = vec![(None, "default (one)", "As in the lab")];
+    let mut surfaces = vec![(None, tr!("scene-default-one"), tr!("scene-as-in-the-lab"))];
     surfaces.extend(named_options!(Surfaces).into_iter().map(|(s, name, tip)| (Some(s), name, tip)));
     words(
         ui,
-        &line("surfaces", "Surfaces", "Number of surfaces at which light is refracted"),
+        &line("surfaces", tr!("scene-surfaces"), tr!("scene-number-of-surfaces-at-which-light")),
         &mut with.surfaces,
         &surfaces,
     );
@@ -143,7 +169,7 @@ fn with_reset<T>(ui: &mut Ui, line: &Line<'_>, value: &mut Option<T>, show: impl
         });
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let changed = value.is_some();
-            let tip = if changed { "Reset to the value in the file" } else { "As in the file" };
+            let tip = if changed { tr!("scene-reset-to-the-value-in-the") } else { tr!("scene-as-in-the-file") };
             let id = format!("{}-reset", line.id);
             if tool_button(ui, &id, icons::ARROW_COUNTER_CLOCKWISE, tip, None, changed).clicked() {
                 *value = None;

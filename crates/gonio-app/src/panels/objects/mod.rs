@@ -12,6 +12,7 @@ use crate::widgets::{
 };
 use egui::{Align, Atom, Button, Frame, Label, Layout, Margin, RichText, TextEdit, Ui, WidgetInfo, vec2};
 use glam::DVec3;
+use gonio_language::tr;
 use gonio_scene::scene_file::{MotionSpec, Normals, ObjectSpec, Shading};
 use gonio_scene::settings::{Aim, CameraSettings};
 use gonio_scene::{Scene, files};
@@ -39,10 +40,10 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     add(ui, document, session);
     ui.add_space(8.0);
     let icon = RichText::new(icons::CHECKERBOARD).font(theme::icon_font(15.0));
-    let bake = ui.button((icon, "Bake textures..."));
-    bake.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, "Bake textures..."));
-    exported::note(ui, &bake, "bake-textures", WidgetRole::Button, "Bake textures...", "");
-    let tip = "Unwrap the objects, and bake their colours, normals or light into textures (Ctrl + B)";
+    let bake = ui.button((icon, tr!("scene-bake-textures")));
+    bake.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, tr!("scene-bake-textures")));
+    exported::note(ui, &bake, "bake-textures", WidgetRole::Button, tr!("scene-bake-textures"), "");
+    let tip = tr!("scene-unwrap-the-objects-and-bake-their");
     if bake.on_hover_text(tip).clicked() {
         actions.push(Action::ShowBake);
     }
@@ -59,15 +60,16 @@ fn title(
 ) {
     let Some(spec) = document.scene.objects.get(index) else { return };
     let mesh = loaded.and_then(|l| l.meshes.get(l.objects.get(index)?.mesh));
-    let size =
-        mesh.map_or(String::new(), |mesh| format!("{} triangles", grouped(mesh.triangle_count() as u64, NO_BREAK)));
+    let size = mesh.map_or(String::new(), |mesh| {
+        tr!("scene-triangles-2", count = grouped(mesh.triangle_count() as u64, NO_BREAK))
+    });
     let toggle_open = ui
         .horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 3.0;
             let mut toggled = false;
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let caret = if selected { icons::CARET_UP } else { icons::CARET_DOWN };
-                let tip = format!("Properties of {}", spec.name);
+                let tip = tr!("scene-properties-of", name = spec.name);
                 toggled |= icon_button(ui, &format!("object-{index}-open"), caret, &tip).clicked();
                 ui.label(RichText::new(size).small().weak());
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
@@ -104,7 +106,7 @@ fn details(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>, index: 
             motion(ui, spec, index);
             surface(ui, spec, loaded, index);
             let files = loaded.map(|l| l.materials_in_file(index)).unwrap_or_default();
-            heading(ui, "Material");
+            heading(ui, tr!("scene-material"));
             material::show(ui, &mut spec.material, &files, index);
             if !has_environment && material::mirrors_surroundings(&spec.material) {
                 wants_sky = without_surroundings(ui, index);
@@ -120,39 +122,38 @@ fn details(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>, index: 
 
 /// Says why glass and mirrors look flat without an environment. Returns whether to add one.
 fn without_surroundings(ui: &mut Ui, index: usize) -> bool {
-    let text =
-        "There is no environment, so this material shows only the background in its reflections and refractions.";
+    let text = tr!("scene-there-is-no-environment-so-this");
     let label = ui.add(Label::new(RichText::new(text).color(colors::WARNING.of(ui))).wrap());
     exported::note(ui, &label, &format!("object-{index}-no-environment"), WidgetRole::Text, text, "");
-    let add = ui.button("Add a sky");
-    exported::note(ui, &add, &format!("object-{index}-add-sky"), WidgetRole::Button, "Add a sky", "");
+    let add = ui.button(tr!("scene-add-a-sky"));
+    exported::note(ui, &add, &format!("object-{index}-add-sky"), WidgetRole::Button, tr!("scene-add-a-sky"), "");
     add.clicked()
 }
 
 fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
     let id = |name: &str| format!("object-{index}-{name}");
-    row(ui, "Name", "Used in reports and OpenGL debug groups", |ui| {
+    row(ui, tr!("scene-name"), tr!("scene-used-in-reports-and-opengl-debug"), |ui| {
         let edit = TextEdit::singleline(&mut spec.name).id_salt("name");
         let response = ui.add(edit.desired_width(ui.available_width() - 8.0));
         exported::note(ui, &response, &id("name"), WidgetRole::Text, "name", &spec.name);
     });
-    let tip = "Applied last, in world units";
+    let tip = tr!("scene-applied-last-in-world-units");
     let mut translate = spec.translate;
-    row(ui, "Translation", tip, |ui| {
+    row(ui, tr!("scene-translation"), tip, |ui| {
         Vector::new(&id("translate"), "translation").tip(tip).default([0.0; 3]).show(ui, &mut translate)
     });
     if translate != spec.translate {
         spec.move_to(translate);
     }
-    let tip = "About the world's x, then y, then z axis";
-    row(ui, "Rotation", tip, |ui| {
+    let tip = tr!("scene-about-the-world-s-x-then");
+    row(ui, tr!("scene-rotation"), tip, |ui| {
         let id = id("rotate");
         let vector = Vector::new(&id, "rotation").tip(tip).unit("\u{b0}").default([0.0; 3]);
         vector.range(-36000.0..=36000.0).step(0.5).show(ui, &mut spec.rotate)
     });
     let before = spec.scale;
-    let tip = "Applied first, per axis; hold Shift to drag finely";
-    row(ui, "Scale", tip, |ui| {
+    let tip = tr!("scene-applied-first-per-axis-hold-shift");
+    row(ui, tr!("scene-scale"), tip, |ui| {
         Vector::new(&id("scale"), "scale").tip(tip).default([1.0; 3]).step(0.005).show(ui, &mut spec.scale)
     });
     // A scale of 0 would leave no surface to light.
@@ -171,10 +172,10 @@ fn motion(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
     }
     let Some(motion) = ui.data(|data| data.get_temp::<MotionSpec>(kept)) else { return };
     let mut moves = spec.motion.is_some();
-    row(ui, "Motion", "Motion over time, as in the scene file", |ui| {
+    row(ui, tr!("scene-motion"), tr!("scene-motion-over-time-as-in-the"), |ui| {
         let id = format!("object-{index}-motion");
         let words = format!("{}, {} s", motion.kind, compact(motion.period));
-        if toggle(ui, &id, &words, &mut moves, motion.kind.description().trim()) {
+        if toggle(ui, &id, &words, &mut moves, gonio_language::name(motion.kind.description().trim())) {
             spec.motion = moves.then_some(motion);
         }
     });
@@ -182,23 +183,26 @@ fn motion(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
 
 fn surface(ui: &mut Ui, spec: &mut ObjectSpec, loaded: Option<&Scene>, index: usize) {
     let id = |name: &str| format!("object-{index}-{name}");
-    row(ui, "Shading", "Where the equation is evaluated", |ui| {
-        let names = ["flat", "per face", "Gouraud", "Phong"];
+    row(ui, tr!("scene-shading"), tr!("scene-where-the-equation-is-evaluated"), |ui| {
+        let names = ["flat", tr!("scene-per-face"), "Gouraud", "Phong"];
         let options: Vec<(Shading, &str, &str)> =
             Shading::ALL.iter().zip(names).map(|(shading, name)| (*shading, name, shading.description())).collect();
         choice(ui, &id("shading"), "shading", &mut spec.shading, &options, Shading::Phong);
     });
-    row(ui, "Normals", "Source of the mesh's normals", |ui| {
+    row(ui, tr!("scene-normals"), tr!("scene-source-of-the-mesh-s-normals"), |ui| {
         let options = named_options!(Normals);
         choice(ui, &id("normals"), "normals", &mut spec.normals, &options, Normals::File);
     });
     if spec.normals != Normals::Flat {
         let mut angle = spec.crease_angle.unwrap_or(180.0);
-        let tip = "Edges with a larger angle stay sharp; 180\u{b0} averages all normals";
-        let changed = row(ui, "Crease angle", tip, |ui| {
+        let tip = tr!("scene-edges-with-a-larger-angle-stay");
+        let changed = row(ui, tr!("scene-crease-angle-2"), tip, |ui| {
             let id = id("crease-angle");
-            let number =
-                NumberField::new(&id, "crease angle").tip(tip).unit("\u{b0}").range(0.0..=180.0).default(180.0);
+            let number = NumberField::new(&id, tr!("scene-crease-angle"))
+                .tip(tip)
+                .unit("\u{b0}")
+                .range(0.0..=180.0)
+                .default(180.0);
             number.step(1.0).show(ui, &mut angle).changed() || angle != spec.crease_angle.unwrap_or(180.0)
         });
         if changed {
@@ -207,12 +211,12 @@ fn surface(ui: &mut Ui, spec: &mut ObjectSpec, loaded: Option<&Scene>, index: us
     }
     let mesh = loaded.and_then(|l| l.meshes.get(l.objects.get(index)?.mesh));
     if let Some(mesh) = mesh {
-        let text = format!(
-            "{} triangles, {} vertices",
-            grouped(mesh.triangle_count() as u64, NO_BREAK),
-            grouped(mesh.positions.len() as u64, NO_BREAK)
+        let text = tr!(
+            "scene-triangles-vertices",
+            triangles = grouped(mesh.triangle_count() as u64, NO_BREAK),
+            vertices = grouped(mesh.positions.len() as u64, NO_BREAK)
         );
-        row(ui, "Mesh", "As it is drawn", |ui| ui.label(RichText::new(text).small().weak()));
+        row(ui, tr!("scene-mesh"), tr!("scene-as-it-is-drawn"), |ui| ui.label(RichText::new(text).small().weak()));
     }
 }
 
@@ -221,14 +225,14 @@ fn tools(ui: &mut Ui, index: usize, count: usize) -> Option<Edit> {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         let id = |name: &str| format!("object-{index}-{name}");
-        if icon_button(ui, &id("frame"), icons::FRAME_CORNERS, "Frame this object").clicked() {
+        if icon_button(ui, &id("frame"), icons::FRAME_CORNERS, tr!("scene-frame-this-object")).clicked() {
             asked = Some(Edit::Frame(index));
         }
-        if icon_button(ui, &id("duplicate"), icons::COPY, "Duplicate this object").clicked() {
+        if icon_button(ui, &id("duplicate"), icons::COPY, tr!("scene-duplicate-this-object")).clicked() {
             asked = Some(Edit::Duplicate(index));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let tip = if count > 1 { "Remove this object" } else { "A scene needs at least one object" };
+            let tip = if count > 1 { tr!("scene-remove-this-object") } else { tr!("scene-a-scene-needs-at-least-one") };
             if crate::widgets::tool_button(ui, &id("remove"), icons::TRASH, tip, None, count > 1).clicked() {
                 asked = Some(Edit::Remove(index));
             }
@@ -240,7 +244,7 @@ fn tools(ui: &mut Ui, index: usize, count: usize) -> Option<Edit> {
 fn add(ui: &mut Ui, document: &mut Document, session: &mut Session) {
     ui.add_space(6.0);
     let icon = RichText::new(icons::PLUS).font(theme::icon_font(13.0));
-    let menu = ui.menu_button((icon, RichText::new("Add a sample model")), |ui| {
+    let menu = ui.menu_button((icon, RichText::new(tr!("scene-add-a-sample-model"))), |ui| {
         for name in files::builtin_names().into_iter().filter(|name| is_model(name)) {
             let entry = ui.button(&name);
             exported::note(ui, &entry, &format!("add-object-{name}"), WidgetRole::Button, &name, "");
@@ -250,7 +254,7 @@ fn add(ui: &mut Ui, document: &mut Document, session: &mut Session) {
             }
         }
     });
-    exported::note(ui, &menu.response, "add-object", WidgetRole::Button, "Add a sample model", "");
+    exported::note(ui, &menu.response, "add-object", WidgetRole::Button, tr!("scene-add-a-sample-model"), "");
 }
 
 /// An edit of the list of objects.
@@ -272,7 +276,7 @@ fn apply(document: &mut Document, session: &mut Session, edit: Edit) {
             let bounds = session.loaded.as_ref().and_then(|loaded| bounds_of(loaded, index));
             let width = bounds.map_or(1.0, |(min, max)| 1.15 * (max.x - min.x));
             let mut copy = objects[index].clone();
-            copy.name = format!("{} copy", copy.name.trim_end_matches(" copy"));
+            copy.name = tr!("scene-copy", copy = copy.name.trim_end_matches(" copy"));
             let [x, y, z] = copy.translate;
             copy.move_to([((x + width) * 1000.0).round() / 1000.0, y, z]);
             objects.insert(index + 1, copy);
@@ -312,7 +316,7 @@ fn add_model(document: &mut Document, session: &mut Session, name: &str) {
     let model = format!("{}{name}", files::BUILTIN);
     document.scene.objects.push(ObjectSpec { model, translate: [x, y, z], ..ObjectSpec::default() });
     session.selection = Selection::Object(document.scene.objects.len() - 1);
-    session.announcement = format!("{name} was added");
+    session.announcement = tr!("scene-was-added", name = name);
 }
 
 /// The box around an object, world space.

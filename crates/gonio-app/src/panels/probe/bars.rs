@@ -5,6 +5,7 @@ use crate::session::probing::Reading;
 use crate::theme::colors::{AMBIENT, DIFFUSE, EMITTED, ENVIRONMENT, SPECULAR, Tint};
 use egui::{Rect, RichText, Sense, Ui, vec2};
 use glam::DVec3;
+use gonio_language::{name, tr};
 use gonio_reference::Probe;
 
 /// Luminance weights of sRGB's primaries (IEC 61966-2-1).
@@ -26,14 +27,14 @@ impl Bar {
 fn bars(reading: &Reading, probe: &Probe) -> Vec<Bar> {
     let terms = &probe.terms;
     let mut bars = Vec::new();
-    let mut bar = |name: String, parts: Vec<(&'static str, Tint, DVec3)>| bars.push(Bar { name, parts });
+    let mut bar = |title: String, parts: Vec<(&'static str, Tint, DVec3)>| bars.push(Bar { name: title, parts });
     bar("A".into(), vec![("ambient", AMBIENT, terms.ambient)]);
     if terms.emitted != DVec3::ZERO {
         bar("E".into(), vec![("emitted", EMITTED, terms.emitted)]);
     }
     if let Some(sums) = &probe.interpolated {
         let (diffuse, specular) = (probe.surface.diffuse * sums.diffuse, probe.surface.specular * sums.specular);
-        bar("lights".into(), vec![("diffuse", DIFFUSE, diffuse), ("specular", SPECULAR, specular)]);
+        bar(name("lights").into(), vec![("diffuse", DIFFUSE, diffuse), ("specular", SPECULAR, specular)]);
     } else {
         for light in &terms.lights {
             let parts = vec![("diffuse", DIFFUSE, light.diffuse), ("specular", SPECULAR, light.specular)];
@@ -43,13 +44,13 @@ fn bars(reading: &Reading, probe: &Probe) -> Vec<Bar> {
     let around = &terms.environment;
     if around.diffuse + around.specular != DVec3::ZERO {
         let parts = vec![("diffuse", DIFFUSE, around.diffuse), ("specular", SPECULAR, around.specular)];
-        bar("environment".into(), parts);
+        bar(name("environment").into(), parts);
     }
     if !probe.optics.is_plain() {
         // The reflected and transmitted light is what the lit surface does not account for.
         let (mirror, through) = (probe.optics.mirror_share(around.sight.fresnel.y), probe.optics.transmission);
         let own = (1.0 - through) * (1.0 - mirror) * (probe.lit + around.diffuse + around.specular);
-        bar("mirror and glass".into(), vec![("seen", ENVIRONMENT, (probe.radiance - own).max(DVec3::ZERO))]);
+        bar(tr!("scene-mirror-and-glass").into(), vec![("seen", ENVIRONMENT, (probe.radiance - own).max(DVec3::ZERO))]);
     }
     bars
 }
@@ -78,7 +79,7 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
             ui.monospace(RichText::new(number(bar.length())).size(11.5));
             let lines: Vec<String> =
                 bar.parts.iter().map(|(name, _, light)| format!("{name}: {}", triple(*light))).collect();
-            response.on_hover_text(format!("{}\nbar length: luminance", lines.join("\n")));
+            response.on_hover_text(tr!("scene-bar-length-luminance", n = lines.join("\n")));
         });
     }
     legend(ui);
@@ -90,7 +91,7 @@ fn legend(ui: &mut Ui) {
         for (name, tint) in [("ambient", AMBIENT), ("diffuse", DIFFUSE), ("specular", SPECULAR)] {
             let (rect, _) = ui.allocate_exact_size(vec2(9.0, 9.0), Sense::hover());
             ui.painter().rect_filled(rect, 2.0, tint.of(ui));
-            ui.label(RichText::new(name).small().weak());
+            ui.label(RichText::new(gonio_language::name(name)).small().weak());
             ui.add_space(4.0);
         }
     });

@@ -5,6 +5,7 @@ use crate::session::Selection;
 use crate::session::probing::Reading;
 use crate::theme::{self, colors};
 use egui::{Grid, RichText, Ui};
+use gonio_language::tr;
 use gonio_light::{LightTerms, Terms};
 use gonio_reference::Probe;
 
@@ -15,18 +16,23 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection)
         for (number, terms) in probe.at_vertices.iter().enumerate() {
             let title = match (at_corners, probe.vertices.get(number)) {
                 (true, Some(vertex)) => {
-                    format!("Corner {number}: vertex {vertex}, weight {:.4}", probe.barycentrics.to_array()[number % 3])
+                    tr!(
+                        "scene-corner-vertex-weight",
+                        number = number,
+                        vertex = vertex,
+                        weight = format!("{:.4}", probe.barycentrics.to_array()[number % 3])
+                    )
                 }
-                _ => "At the centroid of the triangle".to_owned(),
+                _ => tr!("scene-at-the-centroid-of-the-triangle").to_owned(),
             };
             super::heading(ui, &title);
             corner(ui, reading, terms, number);
         }
-        super::heading(ui, if at_corners { "Interpolated" } else { "Light" });
+        super::heading(ui, if at_corners { tr!("scene-interpolated") } else { tr!("scene-light") });
         Grid::new("interpolated").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
             let (diffuse, specular) = (Some(colors::DIFFUSE.of(ui)), Some(colors::SPECULAR.of(ui)));
-            vector_row(ui, "diffuse light", "Sum of diff <N.L_i> L_i att_i spot_i", sums.diffuse, diffuse);
-            vector_row(ui, "specular light", "Sum of spec_i L_i att_i spot_i", sums.specular, specular);
+            vector_row(ui, tr!("scene-diffuse-light"), tr!("scene-sum-of-diff-n-l-i"), sums.diffuse, diffuse);
+            vector_row(ui, tr!("scene-specular-light"), tr!("scene-sum-of-spec-i-l-i"), sums.specular, specular);
         });
         return;
     }
@@ -45,11 +51,11 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe, selection: Selection)
 fn factors(ui: &mut Ui, light: &LightTerms) {
     Grid::new(("factors", light.light)).num_columns(5).spacing([6.0, 0.0]).show(ui, |ui| {
         let factors = [
-            ("<N.L>", "Cosine of the angle between normal and light direction", light.cos_theta.max(0.0)),
-            ("att", "Attenuation with distance", light.attenuation),
-            ("spot", "Spot cone factor", light.spot),
-            ("diff", "1, or 1/pi in the physical convention", light.diff),
-            ("spec", "Specular factor, without k_s", light.spec),
+            ("<N.L>", tr!("scene-cosine-of-the-angle-between-normal"), light.cos_theta.max(0.0)),
+            ("att", tr!("scene-attenuation-with-distance"), light.attenuation),
+            ("spot", tr!("scene-spot-cone-factor"), light.spot),
+            ("diff", tr!("scene-1-or-1-pi-in-the"), light.diff),
+            ("spec", tr!("scene-specular-factor-without-k-s"), light.spec),
         ];
         for (symbol, tip, _) in factors {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -67,7 +73,7 @@ fn factors(ui: &mut Ui, light: &LightTerms) {
         facts.push(format!("d {}", number(light.distance)));
     }
     if light.cos_theta <= 0.0 {
-        facts.push(format!("N.L {}: behind the surface", number(light.cos_theta)));
+        facts.push(tr!("scene-n-l-behind-the-surface", cos_theta = number(light.cos_theta)));
     }
     ui.label(RichText::new(facts.join("   ")).small().weak());
 }
@@ -77,10 +83,10 @@ fn products(ui: &mut Ui, light: &LightTerms) {
         let tint = |tint: colors::Tint| Some(tint.of(ui));
         let (of_light, diffuse, specular) = (tint(colors::LIGHT), tint(colors::DIFFUSE), tint(colors::SPECULAR));
         let (r, h) = (tint(colors::REFLECTION), tint(colors::HALF));
-        vector_row(ui, "L", "To the light, world space", light.l, of_light);
-        vector_row(ui, "R", "L mirrored about N", light.r, r);
-        vector_row(ui, "H", "Halfway between L and V", light.h, h);
-        vector_row(ui, "L_i att_i spot_i", "Incident light, linear RGB", light.incident, None);
+        vector_row(ui, "L", tr!("scene-to-the-light-world-space"), light.l, of_light);
+        vector_row(ui, "R", tr!("scene-l-mirrored-about-n"), light.r, r);
+        vector_row(ui, "H", tr!("scene-halfway-between-l-and-v"), light.h, h);
+        vector_row(ui, "L_i att_i spot_i", tr!("scene-incident-light-linear-rgb"), light.incident, None);
         vector_row(ui, "diffuse", "diff k_d <N.L_i> L_i att_i spot_i", light.diffuse, diffuse);
         vector_row(ui, "specular", "k_s spec_i L_i att_i spot_i", light.specular, specular);
     });
@@ -89,17 +95,21 @@ fn products(ui: &mut Ui, light: &LightTerms) {
 /// The equation at one vertex, or at the centroid.
 fn corner(ui: &mut Ui, reading: &Reading, terms: &Terms, number: usize) {
     Grid::new(("corner", number)).num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
-        vector_row(ui, "position", "World space", terms.point.position, None);
-        vector_row(ui, "N", "The normal at this point", terms.point.normal, Some(colors::NORMAL.of(ui)));
+        vector_row(ui, "position", tr!("scene-world-space"), terms.point.position, None);
+        vector_row(ui, "N", tr!("scene-the-normal-at-this-point"), terms.point.normal, Some(colors::NORMAL.of(ui)));
         for light in &terms.lights {
             let of = reading.light_name(light.light);
             let (diffuse, specular) = (colors::DIFFUSE.of(ui), colors::SPECULAR.of(ui));
-            let factors = format!(
-                "{of}: N.L {:.4}, att {:.4}, spot {:.4}, spec {:.4}",
-                light.cos_theta, light.attenuation, light.spot, light.spec
+            let factors = tr!(
+                "scene-n-l-att-spot-spec",
+                of = of,
+                cos_theta = format!("{:.4}", light.cos_theta),
+                attenuation = format!("{:.4}", light.attenuation),
+                spot = format!("{:.4}", light.spot),
+                spec = format!("{:.4}", light.spec)
             );
-            vector_row(ui, &format!("{of} diffuse"), &factors, light.diffuse_light, Some(diffuse));
-            vector_row(ui, &format!("{of} specular"), &factors, light.specular_light, Some(specular));
+            vector_row(ui, &tr!("scene-diffuse", of = of), &factors, light.diffuse_light, Some(diffuse));
+            vector_row(ui, &tr!("scene-specular", of = of), &factors, light.specular_light, Some(specular));
         }
     });
 }

@@ -14,6 +14,7 @@ use crate::theme::{self, icons};
 use crate::truth::PixelLight;
 use egui::{Align, Color32, Grid, Layout, Response, RichText, Sense, Ui, vec2};
 use glam::DVec3;
+use gonio_language::tr;
 use gonio_light::is_noise;
 use std::fmt::Write;
 
@@ -24,13 +25,12 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         ui.horizontal(|ui| {
             ui.add(egui::Spinner::new().size(14.0));
             let triangles = session.probing.building_triangles();
-            ui.label(RichText::new(format!("preparing the CPU reference: {triangles} triangles")).weak());
+            ui.label(RichText::new(tr!("scene-preparing-the-cpu-reference-triangles", triangles = triangles)).weak());
         });
     }
     let Some(reading) = reading else {
         ui.add_space(8.0);
-        let hint = "Point at the picture to see the light equation of that pixel in numbers. A click pins the pixel, \
-                    Escape unpins it.";
+        let hint = tr!("scene-point-at-the-picture-to-see");
         ui.label(RichText::new(hint).weak());
         return;
     };
@@ -42,14 +42,17 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     let Some(probe) = &reading.probe else {
         ui.add_space(8.0);
         let sky = reading.frame.surroundings.is_some_and(|s| s.visible);
-        let what = if sky { "the environment" } else { "the background" };
-        ui.label(format!("This pixel shows {what}."));
+        let what = if sky { tr!("scene-the-environment") } else { tr!("scene-the-background") };
+        ui.label(tr!("scene-this-pixel-shows", what = what));
         return;
     };
     // Beside the rendering equation, it has to be said which one this is.
-    heading(ui, if is_traced { "The light equation, by source" } else { "Light by source" });
+    heading(ui, if is_traced { tr!("scene-the-light-equation-by-source") } else { tr!("scene-light-by-source") });
     bars::show(ui, &reading, probe);
-    heading(ui, if is_traced { "The light equation in numbers" } else { "The equation in numbers" });
+    heading(
+        ui,
+        if is_traced { tr!("scene-the-light-equation-in-numbers") } else { tr!("scene-the-equation-in-numbers") },
+    );
     sum::show(ui, &reading, probe);
     lights::show(ui, &reading, probe, session.selection);
     surface::show(ui, &reading, probe);
@@ -57,11 +60,11 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
 
 /// The light of a traced pixel, by the way it took.
 fn traced(ui: &mut Ui, session: &Session, reading: &Reading) {
-    heading(ui, "Traced light, by the way it took");
+    heading(ui, tr!("scene-traced-light-by-the-way-it"));
     let Some(light) = session.pixel_light() else {
         let hint = match session.probing.pinned {
-            Some(_) => "The first paths are on their way.",
-            None => "A click pins a pixel, and paths of light are followed through it.",
+            Some(_) => tr!("scene-the-first-paths-are-on-their"),
+            None => tr!("scene-a-click-pins-a-pixel-and"),
         };
         ui.label(RichText::new(hint).weak());
         return;
@@ -71,9 +74,9 @@ fn traced(ui: &mut Ui, session: &Session, reading: &Reading) {
             vector_row(ui, &name, about, rgb, None);
         }
     });
-    let text = format!("linear RGB, mean of {} paths through the pixel", light.paths);
+    let text = tr!("scene-linear-rgb-mean-of-paths-through", paths = light.paths);
     let response = ui.label(RichText::new(text).small().weak());
-    exported::note(ui, &response, "probe-paths", WidgetRole::Text, "paths through the pixel", light.paths);
+    exported::note(ui, &response, "probe-paths", WidgetRole::Text, tr!("scene-paths-through-the-pixel"), light.paths);
 }
 
 /// The pixel's position, with buttons to unpin and copy it.
@@ -81,28 +84,28 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
     let light = session.pixel_light().cloned();
     let light = light.as_ref();
     ui.horizontal(|ui| {
-        let place = reading.map_or_else(|| "no pixel".to_owned(), |r| format!("pixel {}, {}", r.x, r.y));
+        let place = reading.map_or_else(|| tr!("scene-no-pixel").to_owned(), |r| tr!("scene-pixel", x = r.x, y = r.y));
         ui.label(RichText::new(place).font(theme::bold(14.0)));
         if let Some(reading) = reading {
-            ui.label(RichText::new(format!("of {} x {}", reading.width, reading.height)).weak());
+            ui.label(RichText::new(tr!("scene-of-x-2", width = reading.width, height = reading.height)).weak());
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
             let probing = &mut session.probing;
             let pinned = probing.pinned.is_some();
             let (icon, tip) = if pinned {
-                (icons::PUSH_PIN_SLASH, "Unpin the pixel (Escape)")
+                (icons::PUSH_PIN_SLASH, tr!("scene-unpin-the-pixel-escape"))
             } else {
-                (icons::PUSH_PIN, "Click in the picture to pin a pixel")
+                (icons::PUSH_PIN, tr!("scene-click-in-the-picture-to-pin"))
             };
             if button(ui, "probe-unpin", icon, tip, pinned).clicked() {
                 probing.pinned = None;
             }
-            let tip = "Show or hide the lobe at a pinned pixel: the light that is reflected in each direction";
+            let tip = tr!("scene-show-or-hide-the-lobe-at");
             if button(ui, "probe-lobe", icons::FLASHLIGHT, tip, pinned).clicked() {
                 probing.shows_lobe = !probing.shows_lobe;
             }
-            let tip = "Copy all numbers as JSON";
+            let tip = tr!("scene-copy-all-numbers-as-json");
             if button(ui, "probe-copy-json", icons::CODE, tip, reading.is_some()).clicked()
                 && let Some(reading) = reading
                 && let Ok(mut json) = serde_json::to_value(reading)
@@ -110,7 +113,7 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
                 json["traced"] = serde_json::json!(light.map(|light| reading.ways(light)));
                 actions.push(Action::CopyText(format!("{json:#}")));
             }
-            let tip = "Copy as text";
+            let tip = tr!("scene-copy-as-text");
             if button(ui, "probe-copy-text", icons::COPY, tip, reading.is_some()).clicked()
                 && let Some(reading) = reading
             {
@@ -141,30 +144,31 @@ fn values(ui: &mut Ui, reading: &Reading, light: Option<&PixelLight>) {
             ui.end_row();
         };
         let [r, g, b, _] = reading.reference;
-        row(
-            ui,
-            "CPU",
-            "Light equation by the CPU reference in f64 at the pixel centre, linear RGB",
-            reading.displayed,
-            [r, g, b],
-        );
+        row(ui, "CPU", tr!("scene-light-equation-by-the-cpu-reference"), reading.displayed, [r, g, b]);
         if let Some(GpuValue { value, displayed, .. }) = reading.gpu {
             let [r, g, b, _] = value.map(f64::from);
-            row(ui, "OpenGL", "Light equation by OpenGL with one sample, linear RGB", displayed, [r, g, b]);
+            row(ui, "OpenGL", tr!("scene-light-equation-by-opengl-with-one"), displayed, [r, g, b]);
         }
         if let Some((displayed, total)) = light.and_then(|light| reading.displayed_total(light)) {
-            let tip = "Rendering equation by paths through the whole pixel, linear RGB";
+            let tip = tr!("scene-rendering-equation-by-paths-through-the");
             row(ui, "traced", tip, displayed, total.to_array());
         }
     });
     ui.horizontal(|ui| match reading.gpu {
         Some(gpu) => {
-            let text = format!("largest difference of CPU and OpenGL {}", number(gpu.difference));
+            let text = tr!("scene-largest-difference-of-cpu-and-opengl", difference = number(gpu.difference));
             let response = ui.label(RichText::new(text).small().weak());
-            exported::note(ui, &response, "probe-difference", WidgetRole::Text, "largest difference", gpu.difference);
+            exported::note(
+                ui,
+                &response,
+                "probe-difference",
+                WidgetRole::Text,
+                tr!("scene-largest-difference"),
+                gpu.difference,
+            );
         }
         None => {
-            ui.label(RichText::new("The OpenGL value could not be read").small().weak());
+            ui.label(RichText::new(tr!("scene-the-opengl-value-could-not-be")).small().weak());
         }
     });
 }
@@ -187,7 +191,7 @@ fn fact(ui: &mut Ui, name: &str, value: impl Into<egui::WidgetText>) {
     ui.horizontal(|ui| {
         ui.allocate_ui(vec2(64.0, 16.0), |ui| {
             ui.set_min_width(64.0);
-            ui.label(RichText::new(name).weak());
+            ui.label(RichText::new(gonio_language::name(name)).weak());
         });
         ui.add(egui::Label::new(value).wrap());
     });
@@ -199,7 +203,7 @@ fn format_reading(reading: &Reading, light: Option<&PixelLight>) -> String {
     let mut line = |name: &str, value: String| {
         let _ = writeln!(text, "{name:16} {value}");
     };
-    line("pixel", format!("{}, {} of {} x {}", reading.x, reading.y, reading.width, reading.height));
+    line("pixel", tr!("scene-of-x", x = reading.x, y = reading.y, width = reading.width, height = reading.height));
     let [r, g, b, a] = reading.reference;
     line("CPU", format!("{r} {g} {b} {a}, {}", hex(reading.displayed)));
     if let Some(gpu) = reading.gpu {
@@ -208,12 +212,12 @@ fn format_reading(reading: &Reading, light: Option<&PixelLight>) -> String {
         line("difference", number(gpu.difference));
     }
     for (name, _, rgb) in light.map(|light| reading.ways(light)).unwrap_or_default() {
-        line(&format!("traced {name}"), triple(rgb));
+        line(&tr!("scene-traced-2", name = name), triple(rgb));
     }
     let Some(probe) = &reading.probe else { return text };
     line("object", probe.object_name.clone());
     line("material", probe.material_name.clone());
-    line("triangle", format!("{}, weights {}", probe.triangle, triple(probe.barycentrics)));
+    line("triangle", tr!("scene-weights", triangle = probe.triangle, barycentrics = triple(probe.barycentrics)));
     line("position", triple(probe.position));
     line("N", triple(probe.terms.point.normal));
     line("V", triple(probe.terms.point.view));
@@ -231,9 +235,9 @@ fn format_reading(reading: &Reading, light: Option<&PixelLight>) -> String {
             ("R.V", light.r_dot_v),
             ("N.H", light.n_dot_h),
         ];
-        line("  factors", factors.map(|(name, value)| format!("{name} {}", number(value))).join("  "));
-        line("  diffuse", triple(light.diffuse));
-        line("  specular", triple(light.specular));
+        line(tr!("scene-factors-2"), factors.map(|(name, value)| format!("{name} {}", number(value))).join("  "));
+        line(tr!("scene-diffuse-2"), triple(light.diffuse));
+        line(tr!("scene-specular-2"), triple(light.specular));
     }
     line("L_o", triple(probe.lit));
     line("L", triple(probe.radiance));
@@ -287,7 +291,7 @@ fn cell(ui: &mut Ui, v: f64, color: Option<Color32>) {
 
 /// A row of a grid: a name and three numbers.
 fn vector_row(ui: &mut Ui, name: &str, tip: &str, v: DVec3, color: Option<Color32>) {
-    let text = RichText::new(name);
+    let text = RichText::new(gonio_language::name(name));
     let response = ui.label(if let Some(color) = color { text.color(color) } else { text });
     if !tip.is_empty() {
         response.on_hover_text(tip);

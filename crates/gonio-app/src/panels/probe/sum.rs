@@ -5,6 +5,7 @@ use crate::session::probing::Reading;
 use crate::theme::colors;
 use crate::typeset::{self, EguiFonts, Node, Tag};
 use egui::{Color32, RichText, Sense, Ui, pos2, vec2};
+use gonio_language::tr;
 use gonio_reference::Probe;
 
 /// Points per em, and between lines.
@@ -25,12 +26,12 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
         formula(ui, &numbers(probe, channel));
     }
     if reading.frame.equation.terms != gonio_light::TermSwitches::default() {
-        let remark = "Terms that are switched off count as 0; attenuation and spot count as 1.";
+        let remark = tr!("scene-terms-that-are-switched-off-count");
         ui.label(RichText::new(remark).small().weak());
     }
     if probe.radiance != probe.lit {
         let [r, g, b] = probe.radiance.to_array().map(short);
-        let text = format!("with the reflected and refracted environment: {r}  {g}  {b}");
+        let text = tr!("scene-with-the-reflected-and-refracted-environment", r = r, g = g, b = b);
         ui.label(RichText::new(text).small().color(colors::ENVIRONMENT.of(ui)));
     }
 }
@@ -67,8 +68,8 @@ fn symbols(probe: &Probe) -> Vec<Node> {
         plus(v("E").tagged(EMITTED)),
     ];
     if probe.interpolated.is_some() {
-        parts.push(plus(Node::row([k("d"), Node::thin(), up("diffuse light")]).tagged(DIFFUSE)));
-        parts.push(plus(Node::row([k("s"), Node::thin(), up("specular light")]).tagged(SPECULAR)));
+        parts.push(plus(Node::row([k("d"), Node::thin(), up(tr!("scene-diffuse-light"))]).tagged(DIFFUSE)));
+        parts.push(plus(Node::row([k("s"), Node::thin(), up(tr!("scene-specular-light"))]).tagged(SPECULAR)));
         return parts;
     }
     let i = || v("i");

@@ -6,12 +6,13 @@ use crate::session::probing::Reading;
 use crate::theme::colors;
 use egui::{Grid, RichText, Ui};
 use glam::DVec3;
+use gonio_language::tr;
 use gonio_light::Fresnel;
 use gonio_light::color::srgb_encode;
 use gonio_reference::Probe;
 
 pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
-    heading(ui, "Surface");
+    heading(ui, tr!("scene-surface"));
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 1.0;
         facts(ui, probe);
@@ -19,45 +20,55 @@ pub fn show(ui: &mut Ui, reading: &Reading, probe: &Probe) {
     ui.add_space(4.0);
     Grid::new("surface vectors").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
         let terms = &probe.terms;
-        vector_row(ui, "position", "World space", probe.position, None);
-        vector_row(ui, "N", "The shading normal", terms.point.normal, Some(colors::NORMAL.of(ui)));
-        vector_row(ui, "N geometric", "Normal of the triangle", probe.geometry.geometric_normal, None);
-        vector_row(ui, "V", "To the eye", terms.point.view, Some(colors::VIEW.of(ui)));
+        vector_row(ui, "position", tr!("scene-world-space"), probe.position, None);
+        vector_row(ui, "N", tr!("scene-the-shading-normal"), terms.point.normal, Some(colors::NORMAL.of(ui)));
+        vector_row(
+            ui,
+            tr!("scene-n-geometric"),
+            tr!("scene-normal-of-the-triangle"),
+            probe.geometry.geometric_normal,
+            None,
+        );
+        vector_row(ui, "V", tr!("scene-to-the-eye"), terms.point.view, Some(colors::VIEW.of(ui)));
     });
-    heading(ui, &format!("Material {}", probe.material_name));
+    heading(ui, &tr!("scene-material-2", material_name = probe.material_name));
     Grid::new("material").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
         let surface = &probe.surface;
-        vector_row(ui, "k_a", "Ambient", surface.ambient, Some(colors::AMBIENT.of(ui)));
-        vector_row(ui, "k_d", "Diffuse, textures included", surface.diffuse, Some(colors::DIFFUSE.of(ui)));
-        vector_row(ui, "k_s", "Specular, textures included", surface.specular, Some(colors::SPECULAR.of(ui)));
-        vector_row(ui, "E", "Emitted", surface.emitted, Some(colors::EMITTED.of(ui)));
+        vector_row(ui, "k_a", tr!("scene-ambient"), surface.ambient, Some(colors::AMBIENT.of(ui)));
+        vector_row(ui, "k_d", tr!("scene-diffuse-textures-included"), surface.diffuse, Some(colors::DIFFUSE.of(ui)));
+        vector_row(ui, "k_s", tr!("scene-specular-textures-included"), surface.specular, Some(colors::SPECULAR.of(ui)));
+        vector_row(ui, "E", tr!("scene-emitted"), surface.emitted, Some(colors::EMITTED.of(ui)));
     });
     let shininess = number(probe.surface.shininess);
-    let text = format!("shininess {shininess}   index of refraction {}", number(probe.surface.refraction_index));
+    let text = tr!(
+        "scene-shininess-index-of-refraction",
+        shininess = shininess,
+        refraction_index = number(probe.surface.refraction_index)
+    );
     ui.label(RichText::new(text).small().weak());
     texels(ui, probe);
     environment(ui, reading, probe);
 }
 
 fn facts(ui: &mut Ui, probe: &Probe) {
-    let part = if probe.part_name.is_empty() { String::new() } else { format!(", part {}", probe.part_name) };
+    let part = if probe.part_name.is_empty() { String::new() } else { tr!("scene-part", part_name = probe.part_name) };
     fact(ui, "object", format!("{}{part}", probe.object_name));
     let [a, b, c] = probe.vertices;
-    fact(ui, "triangle", format!("{} of vertices {a}, {b}, {c}", probe.triangle));
+    fact(ui, "triangle", tr!("scene-of-vertices", triangle = probe.triangle, a = a, b = b, c = c));
     let w = probe.barycentrics;
     fact(ui, "weights", format!("{:.4}, {:.4}, {:.4}", w.x, w.y, w.z));
     let side = match (probe.front_facing, probe.normal_turned) {
-        (true, _) => "front",
-        (false, true) => "back, N flipped towards the viewer",
-        (false, false) => "back",
+        (true, _) => tr!("scene-front"),
+        (false, true) => tr!("scene-back-n-flipped-towards-the-viewer"),
+        (false, false) => tr!("scene-back"),
     };
     fact(ui, "side", side);
-    fact(ui, "shading", probe.shading.name());
+    fact(ui, "shading", gonio_language::name(probe.shading.name()));
     fact(ui, "depth", number(probe.depth));
     fact(ui, "uv", format!("{}, {}", number(probe.geometry.uv.x), number(probe.geometry.uv.y)));
     if probe.opacity < 1.0 || probe.surfaces_behind > 0 {
         let behind = probe.surfaces_behind;
-        fact(ui, "opacity", format!("{}, {behind} surfaces visible through it", number(probe.opacity)));
+        fact(ui, "opacity", tr!("scene-surfaces-visible-through-it", opacity = number(probe.opacity), behind = behind));
     }
 }
 
@@ -76,7 +87,7 @@ fn texels(ui: &mut Ui, probe: &Probe) {
             ui.add(egui::Label::new(RichText::new(&texel.texture).weak()).truncate()).on_hover_text(&texel.texture);
         });
         let value = texel.value.to_array().map(number).join(" ");
-        let place = format!("{value}  at {}, {}", number(texel.uv.x), number(texel.uv.y));
+        let place = tr!("scene-at", value = value, x = number(texel.uv.x), y = number(texel.uv.y));
         ui.label(RichText::new(place).monospace().size(11.0).weak());
     }
 }
@@ -87,29 +98,34 @@ fn environment(ui: &mut Ui, reading: &Reading, probe: &Probe) {
     if probe.optics.is_plain() && !how.lights {
         return;
     }
-    heading(ui, &format!("Environment {}", environment.name));
+    heading(ui, &tr!("scene-environment-2", name = environment.name));
     let seen = &probe.terms.environment;
     Grid::new("environment").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
         let tint = Some(colors::ENVIRONMENT.of(ui));
         if how.lights {
-            vector_row(ui, "diffuse", "k_d times the irradiance about N", seen.diffuse, tint);
-            vector_row(ui, "specular", "Its glossy reflection", seen.specular, tint);
+            vector_row(ui, "diffuse", tr!("scene-k-d-times-the-irradiance-about"), seen.diffuse, tint);
+            vector_row(ui, "specular", tr!("scene-its-glossy-reflection"), seen.specular, tint);
         }
         if !probe.optics.is_plain() {
-            vector_row(ui, "R", "V mirrored about N", seen.sight.reflection, None);
-            vector_row(ui, "E(R)", "Reflected environment", seen.sight.reflected, tint);
-            vector_row(ui, "(1-F) tint E(T)", "Refracted environment", seen.sight.transmitted, tint);
-            vector_row(ui, "F", "Fresnel reflectance per channel", seen.sight.fresnel, None);
+            vector_row(ui, "R", tr!("scene-v-mirrored-about-n"), seen.sight.reflection, None);
+            vector_row(ui, "E(R)", tr!("scene-reflected-environment"), seen.sight.reflected, tint);
+            vector_row(ui, "(1-F) tint E(T)", tr!("scene-refracted-environment"), seen.sight.transmitted, tint);
+            vector_row(ui, "F", tr!("scene-fresnel-reflectance-per-channel"), seen.sight.fresnel, None);
         }
     });
     if !probe.optics.is_plain() {
         let fresnel = match probe.optics.fresnel {
-            Fresnel::None => "no Fresnel",
-            Fresnel::Exact => "exact Fresnel",
-            Fresnel::Schlick => "Schlick's Fresnel",
+            Fresnel::None => tr!("scene-no-fresnel"),
+            Fresnel::Exact => tr!("scene-exact-fresnel"),
+            Fresnel::Schlick => tr!("scene-schlick-s-fresnel"),
         };
         let share = number(probe.optics.mirror_share(seen.sight.fresnel.y));
-        let text = format!("mirror {share}   transmission {}   {fresnel}", number(probe.optics.transmission));
+        let text = tr!(
+            "scene-mirror-transmission",
+            share = share,
+            transmission = number(probe.optics.transmission),
+            fresnel = fresnel
+        );
         ui.label(RichText::new(text).small().weak());
     }
 }

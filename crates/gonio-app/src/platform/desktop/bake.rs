@@ -2,6 +2,7 @@
 
 use crate::baking::{BakeReply, BakeRequest, BakeTask};
 use gonio_bake::BakeJobError;
+use gonio_language::tr;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -43,7 +44,7 @@ impl BakeTask for ThreadBake {
             }
             Err(TryRecvError::Disconnected) if !self.has_ended => {
                 self.has_ended = true;
-                Some(BakeReply::Failed("the textures could not be baked: the work ended unexpectedly".to_owned()))
+                Some(BakeReply::Failed(tr!("window-the-textures-could-not-be-baked").to_owned()))
             }
             Err(_) => None,
         }

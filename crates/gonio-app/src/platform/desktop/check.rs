@@ -5,6 +5,7 @@ use super::worker::{self, WorkerRequest};
 use crate::platform::{CheckRequest, CheckResult, Pending};
 use gonio_check::CheckOptions;
 use gonio_check::submission::SourceFile;
+use gonio_language::tr;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -27,13 +28,13 @@ pub fn begin(
         options: CheckOptions { pair: None, as_the_lab: request.as_the_lab },
         ..WorkerRequest::default()
     };
-    let worker =
-        worker::start(program, request, true).map_err(|error| format!("the check could not be started: {error}"))?;
+    let worker = worker::start(program, request, true)
+        .map_err(|error| tr!("window-the-check-could-not-be-started", error = error))?;
     let ctx = ctx.clone();
     Ok(BackgroundTask::start(
         move |is_stopped| worker.wait(PATIENCE, is_stopped).map(|answer| answer.verdict),
         move || ctx.request_repaint(),
-        Err("the check ended without an answer: try again".into()),
+        Err(tr!("window-the-check-ended-without-an-answer").into()),
     ))
 }
 

@@ -11,6 +11,7 @@
 
 use super::storage;
 use crate::exercise::MOST_AGE_OF_DRAFTS;
+use gonio_language::tr;
 use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::{Error, ErrorKind};
@@ -87,7 +88,7 @@ impl DraftFolder {
 
     /// This window's folder, which is created on first use.
     fn session(&mut self) -> Result<&WindowFolder, String> {
-        let failed = |error: Error| format!("a folder in `{}` could not be created: {error}", self.root.display());
+        let failed = |error: Error| tr!("window-a-folder-in-could-not-be", root = self.root.display(), error = error);
         match &mut self.own {
             Some(own) => Ok(own),
             own => Ok(own.insert(WindowFolder::new(&self.root).map_err(failed)?)),

@@ -3,6 +3,7 @@
 use crate::platform::FontSearch;
 use egui::{FallbackRequest, FontFamily, FontProvider};
 use egui_system_font_provider::SystemFontProvider;
+use gonio_language::tr;
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -69,7 +70,7 @@ fn load() -> Option<SystemFontProvider> {
 /// How to get a font with these characters.
 fn advice(characters: &BTreeSet<char>, has_fonts: bool) -> String {
     if !cfg!(target_os = "linux") {
-        return "install a font of this script and restart gonio".into();
+        return tr!("window-install-a-font-of-this-script-2").into();
     }
     let mut packages = Vec::new();
     if !has_fonts {
@@ -86,10 +87,7 @@ fn advice(characters: &BTreeSet<char>, has_fonts: bool) -> String {
     if characters.iter().any(|c| !is_cjk(c) && !is_emoji(c)) {
         packages.push("fonts-noto-core");
     }
-    format!(
-        "install a font of this script, on Debian and Ubuntu by `apt-get install {}`, and restart gonio",
-        packages.join(" ")
-    )
+    tr!("window-install-a-font-of-this-script", packages = packages.join(" "))
 }
 
 #[cfg(test)]

@@ -27,6 +27,7 @@ use drafts::DraftFolder;
 use fonts::SystemFonts;
 use gonio_bsdf::NamedBsdf;
 use gonio_gl::Gl;
+use gonio_language::{Language, tr};
 use gonio_mesh::Limits;
 use gonio_scene::files::{BUILTIN, DiskAndInput, FileSource, Sandbox};
 use serde_json::Value;
@@ -63,6 +64,8 @@ pub struct WindowOptions {
     pub program: Option<PathBuf>,
     /// The user's own shaders, which draw the scene.
     pub shaders: Option<ShaderFiles>,
+    /// The language of the window; without it, the one that its user selected, or the current one.
+    pub language: Option<Language>,
     /// An exercise to open at the start.
     pub exercise: Option<Start>,
     /// Functions on the BRDF bench, which is opened at the start; without any, those of a new bench.
@@ -109,7 +112,8 @@ pub fn run_within(
             shaders: options.shaders,
             ..SceneOpening::default()
         };
-        let platform = Box::new(Desktop::new(options.state, options.program, access, &named));
+        let mut platform = Box::new(Desktop::new(options.state, options.program, access, &named));
+        platform.language = options.language;
         let mut app = App::with_options(&creation.egui_ctx, gl.clone(), platform, opening);
         if let Some(start) = options.exercise {
             app.begin_exercise(&creation.egui_ctx, start);
@@ -147,6 +151,8 @@ struct Desktop {
     program: Option<PathBuf>,
     drafts: Option<DraftFolder>,
     fonts: SystemFonts,
+    /// The language that the options ask for.
+    language: Option<Language>,
 }
 
 impl Desktop {
@@ -169,11 +175,16 @@ impl Desktop {
             program,
             drafts,
             fonts: SystemFonts::default(),
+            language: None,
         }
     }
 }
 
 impl Platform for Desktop {
+    fn asked_language(&self) -> Option<Language> {
+        self.language
+    }
+
     fn files(&self) -> Arc<dyn FileSource> {
         self.files.clone()
     }
@@ -227,7 +238,7 @@ impl Platform for Desktop {
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         let begun = match &self.program {
             Some(program) => check::begin(program, &request, ctx),
-            None => Err("the gonio program was not found: run `gonio lab check` in a terminal".into()),
+            None => Err(tr!("window-the-gonio-program-was-not-found-2").into()),
         };
         match begun {
             Ok(checking) => Box::new(checking),
@@ -243,7 +254,7 @@ impl Platform for Desktop {
         let ctx = ctx.clone();
         let begun = match &self.program {
             Some(program) => trial::begin(program, &request, move || ctx.request_repaint()),
-            None => Err("the gonio program was not found".into()),
+            None => Err(tr!("window-the-gonio-program-was-not-found").into()),
         };
         match begun {
             Ok(trial) => Box::new(trial),
@@ -255,7 +266,7 @@ impl Platform for Desktop {
         let ctx = ctx.clone();
         let begun = match &self.program {
             Some(program) => trial::begin_own(program, files, move || ctx.request_repaint()),
-            None => Err("the gonio program was not found".into()),
+            None => Err(tr!("window-the-gonio-program-was-not-found").into()),
         };
         match begun {
             Ok(trial) => Box::new(trial),
@@ -284,7 +295,7 @@ impl Platform for Desktop {
     }
 
     fn keep_draft(&mut self, key: &str, text: &str) -> Result<(), String> {
-        let drafts = self.drafts.as_mut().ok_or("there is no home folder (HOME is not set)")?;
+        let drafts = self.drafts.as_mut().ok_or(tr!("window-there-is-no-home-folder-home"))?;
         drafts.keep(key, text)
     }
 
@@ -308,7 +319,7 @@ impl Platform for Desktop {
 }
 
 /// The alternative without a window.
-const INSTEAD: &str = "`gonio render` draws without a window";
+const INSTEAD: &str = "window-gonio-render-draws-without-a-window";
 
 /// Whether there is a display; only Unix systems other than macOS may have none.
 pub fn has_display() -> bool {
@@ -322,7 +333,7 @@ fn is_set(name: &str) -> bool {
 /// Checks for a display and libraries, because without them winit panics or gives unhelpful errors. An error is one sentence.
 fn check_display() -> Result<(), String> {
     if !has_display() {
-        return Err(format!("there is no display: neither WAYLAND_DISPLAY nor DISPLAY is set; {INSTEAD}"));
+        return Err(tr!("window-there-is-no-display-neither-wayland", instead = tr!(INSTEAD)));
     }
     check_libraries()
 }
@@ -330,9 +341,7 @@ fn check_display() -> Result<(), String> {
 #[cfg(target_os = "linux")]
 fn check_libraries() -> Result<(), String> {
     let lacks = |library: &str, package: &str| {
-        format!(
-            "the window needs {library}, which is not installed: on Debian and Ubuntu, run `apt-get install {package}`"
-        )
+        tr!("window-the-window-needs-which-is-not", library = library, package = package)
     };
     if xkbcommon_dl::xkbcommon_option().is_none() {
         return Err(lacks("libxkbcommon.so.0", "libxkbcommon0"));
@@ -351,16 +360,20 @@ fn check_libraries() -> Result<(), String> {
 
 /// Converts an error of eframe to one sentence.
 fn window_error(error: eframe::Error) -> String {
-    let packages =
-        "on Debian and Ubuntu: apt-get install libgl1-mesa-dri libegl1 libxcursor1 libxi6 libxkbcommon-x11-0";
+    let packages = tr!("window-on-debian-and-ubuntu-apt-get");
     let words = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
     match error {
-        eframe::Error::AppCreation(_) => format!("the window could not be opened: {words}"),
+        eframe::Error::AppCreation(_) => tr!("window-the-window-could-not-be-opened", words = words),
         eframe::Error::Glutin(_) | eframe::Error::NoGlutinConfigs(..) | eframe::Error::OpenGL(_) => {
-            format!("the window has no OpenGL ({words}); {packages}; {INSTEAD}")
+            tr!("window-the-window-has-no-opengl", words = words, packages = packages, instead = tr!(INSTEAD))
         }
         _ => {
-            format!("the display cannot be reached ({words}); check DISPLAY or WAYLAND_DISPLAY, {packages}; {INSTEAD}")
+            tr!(
+                "window-the-display-cannot-be-reached-check",
+                words = words,
+                packages = packages,
+                instead = tr!(INSTEAD)
+            )
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::Access;
 use crate::files::{ExerciseFile, Layered, MemoryFiles, zip};
 use crate::platform::{Event, Purpose, SceneInput};
+use gonio_language::tr;
 use gonio_scene::files::{Disk, FileSource, Sandbox};
 use std::path::Path;
 use std::sync::Arc;
@@ -38,8 +39,9 @@ fn scene_input(paths: Vec<String>, access: Access) -> Result<SceneInput, String>
             names.push(path);
             continue;
         }
-        let bytes =
-            disk.read_within(Path::new(&path), left).map_err(|error| format!("`{path}` cannot be read: {error}"))?;
+        let bytes = disk
+            .read_within(Path::new(&path), left)
+            .map_err(|error| tr!("window-cannot-be-read", folder = path, error = error))?;
         let unpacked = zip::unpack_within(&bytes, &zip::ZipLimits::MODELS.within(left));
         let unpacked = unpacked.map_err(|error| format!("`{path}`: {error}"))?;
         left -= unpacked.total_bytes().min(left);
@@ -81,12 +83,9 @@ fn read_exercise_files(paths: &[String]) -> Result<Vec<ExerciseFile>, String> {
         }
     }
     match files.len() {
-        0 => Err(format!("there are no files in {}", paths.join(", "))),
+        0 => Err(tr!("window-there-are-no-files-in", places = paths.join(", "))),
         1..=MOST_FILES => Ok(files),
-        _ => Err(format!(
-            "there are more than {MOST_FILES} files in {}: open only those of the exercise",
-            paths.join(", ")
-        )),
+        _ => Err(tr!("window-there-are-more-than-files-in", count = MOST_FILES, places = paths.join(", "))),
     }
 }
 
@@ -97,7 +96,7 @@ const MOST_BENCH_BYTES: u64 = 64 * 1024 * 1024;
 fn read_bench_files(paths: &[String]) -> Result<Vec<(String, Vec<u8>)>, String> {
     let read = |path: &String| {
         let bytes = Disk.read_within(Path::new(path), MOST_BENCH_BYTES);
-        let bytes = bytes.map_err(|error| format!("`{path}` cannot be read: {error}"))?;
+        let bytes = bytes.map_err(|error| tr!("window-cannot-be-read", folder = path, error = error))?;
         Ok((path.clone(), bytes.into_vec()))
     };
     paths.iter().map(read).collect()
@@ -105,10 +104,10 @@ fn read_bench_files(paths: &[String]) -> Result<Vec<(String, Vec<u8>)>, String> 
 
 /// Reads a file, or the files in a zip file.
 fn read_one(path: &Path, files: &mut Vec<ExerciseFile>) -> Result<(), String> {
-    let failed = |error: std::io::Error| format!("`{}` cannot be read: {error}", path.display());
+    let failed = |error: std::io::Error| tr!("window-cannot-be-read", folder = path.display(), error = error);
     let size = std::fs::metadata(path).map_err(failed)?.len();
     if size > MOST_BYTES {
-        return Err(format!("`{}` is too large for an exercise: {} MB", path.display(), size / 1_000_000));
+        return Err(tr!("window-is-too-large-for-an-exercise", path = path.display(), megabytes = size / 1_000_000));
     }
     let bytes = Disk.read_within(path, MOST_BYTES).map_err(failed)?.into_vec();
     if zip::is_zip(&bytes) {
@@ -127,7 +126,7 @@ fn read_one(path: &Path, files: &mut Vec<ExerciseFile>) -> Result<(), String> {
 
 /// Reads the files of a folder, in order, except hidden ones, links, which may lead anywhere, and files that are too large.
 fn read_folder(top: &Path, folder: &Path, files: &mut Vec<ExerciseFile>, depth: usize) -> Result<(), String> {
-    let failed = |error: std::io::Error| format!("`{}` cannot be read: {error}", folder.display());
+    let failed = |error: std::io::Error| tr!("window-cannot-be-read", folder = folder.display(), error = error);
     let entries = std::fs::read_dir(folder).map_err(failed)?;
     let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
     paths.sort();
@@ -142,7 +141,8 @@ fn read_folder(top: &Path, folder: &Path, files: &mut Vec<ExerciseFile>, depth: 
             }
         } else if std::fs::metadata(&path).is_ok_and(|data| data.is_file() && data.len() <= MOST_BYTES) {
             let read = Disk.read_within(&path, MOST_BYTES);
-            let bytes = read.map_err(|error| format!("`{}` cannot be read: {error}", path.display()))?.into_vec();
+            let bytes =
+                read.map_err(|error| tr!("window-cannot-be-read", folder = path.display(), error = error))?.into_vec();
             let name = path.strip_prefix(top).unwrap_or(&path).to_string_lossy().into_owned();
             files.push(ExerciseFile { name, path: Some(std::path::absolute(&path).unwrap_or(path)), bytes });
         }

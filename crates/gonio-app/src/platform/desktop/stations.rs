@@ -2,6 +2,7 @@
 
 use crate::stations::{RequestNumber, StationNews, StationTask};
 use gonio_beyond::{STATIONS, StationDescription, StationRequest, StationWork};
+use gonio_language::tr;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
@@ -47,7 +48,7 @@ impl StationTask for ThreadStations {
             Ok(news) => Some(news),
             Err(TryRecvError::Disconnected) if !self.is_lost => {
                 self.is_lost = true;
-                Some(StationNews::Failed("the station cannot be computed: the work ended unexpectedly".to_owned()))
+                Some(StationNews::Failed(tr!("window-the-station-cannot-be-computed-the").to_owned()))
             }
             Err(_) => None,
         }

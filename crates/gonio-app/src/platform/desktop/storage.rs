@@ -2,6 +2,7 @@
 //!
 //! Folders follow the XDG Base Directory Specification 0.8, Known Folders of Windows, and the Library of macOS.
 
+use gonio_language::tr;
 use std::env::var_os;
 use std::ffi::OsString;
 use std::fs::File;
@@ -33,7 +34,7 @@ fn folder() -> Option<PathBuf> {
 /// Writes a temporary file beside `place` and renames it, so that readers see the old or the new content, and a failure leaves
 /// the old one. An error is one sentence.
 pub fn write_atomically(place: &Path, bytes: &[u8]) -> Result<(), String> {
-    let failed = |error: Error| format!("`{}` could not be written: {}", place.display(), reason(&error));
+    let failed = |error: Error| tr!("window-could-not-be-written", place = place.display(), error = reason(&error));
     if place.is_dir() {
         return Err(failed(ErrorKind::IsADirectory.into()));
     }
@@ -53,12 +54,12 @@ pub fn write_atomically(place: &Path, bytes: &[u8]) -> Result<(), String> {
 
 fn reason(error: &Error) -> String {
     match error.kind() {
-        ErrorKind::NotFound => "no such folder: create it, or choose another".into(),
-        ErrorKind::PermissionDenied => "permission denied: choose another folder".into(),
-        ErrorKind::IsADirectory => "this is a folder: add a file name".into(),
-        ErrorKind::InvalidFilename => "the file name is missing".into(),
-        ErrorKind::StorageFull => "the disk is full".into(),
-        _ => format!("{error}: choose another place"),
+        ErrorKind::NotFound => tr!("window-no-such-folder-create-it-or").into(),
+        ErrorKind::PermissionDenied => tr!("window-permission-denied-choose-another-folder").into(),
+        ErrorKind::IsADirectory => tr!("window-this-is-a-folder-add-a").into(),
+        ErrorKind::InvalidFilename => tr!("window-the-file-name-is-missing").into(),
+        ErrorKind::StorageFull => tr!("window-the-disk-is-full").into(),
+        _ => tr!("window-choose-another-place", error = error),
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::truth::{
     ERROR_GOAL, PixelLight, REPAINT_DELAY, TraceFacts, TraceReply, TraceRequest, Tracer, picture_interval,
 };
+use gonio_language::tr;
 use gonio_trace::{Refinement, TraceScene, TraceSettings};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
@@ -78,7 +79,7 @@ impl Tracer for ThreadTracer {
                 Err(TryRecvError::Disconnected) if self.is_lost => return newest.map(Ok),
                 Err(TryRecvError::Disconnected) => {
                     self.is_lost = true;
-                    return Some(Err("the scene could not be traced: the path tracer ended unexpectedly".to_owned()));
+                    return Some(Err(tr!("window-the-scene-could-not-be-traced").to_owned()));
                 }
             }
         }

@@ -9,6 +9,7 @@ use super::worker::{self, WorkerRequest};
 use crate::files::ShaderFiles;
 use crate::platform::{CheckRequest, TrialOutcome};
 use gonio_check::submission::SourceFile;
+use gonio_language::{Language, tr};
 use serde::{Deserialize, Serialize};
 use std::io::{Error, Read, Write};
 use std::path::Path;
@@ -50,9 +51,9 @@ pub fn begin(
     request: &CheckRequest,
     done: impl FnOnce() + Send + 'static,
 ) -> Result<BackgroundTask<TrialOutcome>, String> {
-    let failed = |why: Error| format!("the shader test could not be started: {why}");
+    let failed = |why: Error| tr!("window-the-shader-test-could-not-be-2", why = why);
     let mut command = child::command(program).map_err(failed)?;
-    command.args(["lab", "trial", &request.exercise]);
+    command.args(["lab", "trial", &request.exercise, "--language", Language::current().code()]);
     run(command, &request.files, done).map_err(failed)
 }
 
@@ -63,7 +64,7 @@ pub fn begin_own(
     files: &ShaderFiles,
     done: impl FnOnce() + Send + 'static,
 ) -> Result<BackgroundTask<TrialOutcome>, String> {
-    let failed = |why: Error| format!("the shader test could not be started: {why}");
+    let failed = |why: Error| tr!("window-the-shader-test-could-not-be-2", why = why);
     let mut command = child::command(program).map_err(failed)?;
     command.args(["render", "builtin:cube", "--in-this-process", "--quiet", "--size", "128x128", "-o", "-"]);
     for (option, file) in [("--vertex", &files.vertex), ("--fragment", &files.fragment)] {
@@ -76,9 +77,9 @@ pub fn begin_own(
         Ok(Ended::ByItself(status)) if status.success() => TrialOutcome::Harmless,
         Ok(Ended::ByItself(status)) => answered(status, ""),
         Ok(other) => stopped(other),
-        Err(why) => TrialOutcome::Unavailable(format!("the shader test could not be monitored: {why}")),
+        Err(why) => TrialOutcome::Unavailable(tr!("window-the-shader-test-could-not-be", why = why)),
     };
-    let lost = TrialOutcome::Unavailable("the test of these shaders ended without an answer".into());
+    let lost = TrialOutcome::Unavailable(tr!("window-the-test-of-these-shaders-ended").into());
     Ok(BackgroundTask::start(move |is_stopped| finish(is_stopped), done, lost))
 }
 
@@ -94,7 +95,7 @@ fn run(
     Ok(BackgroundTask::start(
         move |is_stopped| finish(&mut child, input, is_stopped),
         done,
-        TrialOutcome::Unavailable("the test of this shader ended without an answer".into()),
+        TrialOutcome::Unavailable(tr!("window-the-test-of-this-shader-ended").into()),
     ))
 }
 
@@ -123,48 +124,37 @@ fn finish(child: &mut Child, input: Vec<u8>, given_up: impl Fn() -> bool) -> Tri
     match ended {
         Ok(Ended::ByItself(status)) => answered(status, &output.recv().unwrap_or_default()),
         Ok(other) => stopped(other),
-        Err(why) => TrialOutcome::Unavailable(format!("the shader test could not be monitored: {why}")),
+        Err(why) => TrialOutcome::Unavailable(tr!("window-the-shader-test-could-not-be", why = why)),
     }
 }
 
 fn answered(status: ExitStatus, output: &str) -> TrialOutcome {
     if status.code() == Some(CODE_OF_ERRORS) {
-        return TrialOutcome::Unavailable("the shader could not be tested outside of the window".into());
+        return TrialOutcome::Unavailable(tr!("window-the-shader-could-not-be-tested").into());
     }
     if !status.success() {
-        return TrialOutcome::Refused(
-            "This shader crashed the process that tests it, so the window does not draw it: look for very large arrays, \
-             very long expressions or deep nesting"
-                .into(),
-        );
+        return TrialOutcome::Refused(tr!("window-this-shader-crashed-the-process-that").into());
     }
     match serde_json::from_str(output) {
         Ok(TrialAnswer::Harmless) => TrialOutcome::Harmless,
-        Ok(TrialAnswer::Slow { seconds }) => TrialOutcome::Refused(format!(
-            "This shader needs about {seconds:.0} seconds for a single picture, so the window does not draw it: look for a \
-             loop with too many iterations"
-        )),
-        Ok(TrialAnswer::Failed { why }) => {
-            TrialOutcome::Refused(format!("This shader failed in a test, so the window does not draw it: {why}"))
+        Ok(TrialAnswer::Slow { seconds }) => {
+            TrialOutcome::Refused(tr!("window-this-shader-needs-about-seconds-for", seconds = format!("{seconds:.0}")))
         }
+        Ok(TrialAnswer::Failed { why }) => TrialOutcome::Refused(tr!("window-this-shader-failed-in-a-test", why = why)),
         Ok(TrialAnswer::Unavailable { why }) => TrialOutcome::Unavailable(why),
-        Err(_) => TrialOutcome::Unavailable("the process that tests shaders gave no answer".into()),
+        Err(_) => TrialOutcome::Unavailable(tr!("window-the-process-that-tests-shaders-gave").into()),
     }
 }
 
 fn stopped(ended: Ended) -> TrialOutcome {
     match ended {
-        Ended::TooLong => TrialOutcome::Refused(format!(
-            "This shader did not finish within {} seconds in a test, so the window does not draw it: look for a loop that \
-             never ends",
-            MOST_TIME.as_secs()
-        )),
-        Ended::TooLarge => TrialOutcome::Refused(
-            "This shader took more than 1 GB of memory in a test, so the window does not draw it: look for very large \
-             arrays, or macros that multiply each other"
-                .into(),
-        ),
-        Ended::GivenUp | Ended::ByItself(_) => TrialOutcome::Unavailable("the test of this shader was stopped".into()),
+        Ended::TooLong => {
+            TrialOutcome::Refused(tr!("window-this-shader-did-not-finish-within", seconds = MOST_TIME.as_secs()))
+        }
+        Ended::TooLarge => TrialOutcome::Refused(tr!("window-this-shader-took-more-than-1").into()),
+        Ended::GivenUp | Ended::ByItself(_) => {
+            TrialOutcome::Unavailable(tr!("window-the-test-of-this-shader-was").into())
+        }
     }
 }
 

@@ -11,6 +11,7 @@ use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
 use gonio_exercises::report::SubmissionThumbnail;
+use gonio_language::{Language, tr};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::io::{Error, ErrorKind, Read, Write};
@@ -99,10 +100,10 @@ pub fn start(program: &Path, request: WorkerRequest, one_core: bool) -> Result<W
     if !one_core {
         command.env_remove("LP_NUM_THREADS");
     }
-    command.args(COMMAND).stdin(Stdio::piped()).stdout(Stdio::piped());
+    command.args(COMMAND).args(["--language", Language::current().code()]).stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut child = command.spawn()?;
     let (Some(mut input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
-        return Err(Error::other("the process has no input or no output"));
+        return Err(Error::other(tr!("window-the-process-has-no-input-or")));
     };
     let exercise = request.exercise.clone();
     let writer = std::thread::spawn(move || {
@@ -123,18 +124,18 @@ impl Worker {
     /// The reason why there is no verdict, in one sentence.
     pub fn wait(mut self, patience: Duration, given_up: impl Fn() -> bool) -> Result<WorkerAnswer, String> {
         let ended = child::wait(&mut self.child, patience, given_up);
-        let answer = self.reader.join().unwrap_or_else(|_| Err("its answer could not be read".into()));
+        let answer = self.reader.join().unwrap_or_else(|_| Err(tr!("window-its-answer-could-not-be-read").into()));
         // A failure to write is ignored: the worker may have answered before it had read everything.
         let _ = self.writer.join();
         let without_pictures = |verdict| Ok(WorkerAnswer { verdict, page: None, thumbnail: None, sheet: None });
-        match ended.map_err(|error| format!("the check could not be monitored: {error}"))? {
+        match ended.map_err(|error| tr!("window-the-check-could-not-be-monitored", error = error))? {
             Ended::TooLong => without_pictures(Verdict::endless(&self.exercise, patience.as_secs())),
             Ended::TooLarge => without_pictures(Verdict::too_large(&self.exercise)),
-            Ended::GivenUp => Err("the check was stopped".into()),
+            Ended::GivenUp => Err(tr!("window-the-check-was-stopped").into()),
             Ended::ByItself(status) => match answer {
                 Ok(Some(answer)) => Ok(answer),
                 Ok(None) if status.code().is_none_or(is_crash) => without_pictures(Verdict::crashed(&self.exercise)),
-                Ok(None) => Err("the check ended without an answer: try again".into()),
+                Ok(None) => Err(tr!("window-the-check-ended-without-an-answer").into()),
                 Err(error) => Err(error),
             },
         }
@@ -229,7 +230,7 @@ pub fn read_request(input: &mut impl Read) -> Result<WorkerRequest, Error> {
 /// Reads the answer; `None` if the worker ended without one. An error is one sentence.
 fn read_answer(output: impl Read) -> Result<Option<WorkerAnswer>, String> {
     let mut output = output.take(MAX_ANSWER_BYTES);
-    let unreadable = |error: Error| format!("the answer of the check could not be understood: {error}");
+    let unreadable = |error: Error| tr!("window-the-answer-of-the-check-could", error = error);
     let header = match read_header::<AnswerHeader>(&mut output) {
         Ok(Some(header)) => header,
         Ok(None) => return Ok(None),

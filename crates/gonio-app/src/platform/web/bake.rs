@@ -6,6 +6,7 @@ use crate::baking::{BakeReply, BakeRequest, BakeTask};
 use gonio_atlas::AtlasUv;
 use gonio_bake::{BakedAtlas, MapKind, MapPicture};
 use gonio_image::EncodedPicture;
+use gonio_language::tr;
 use js_sys::{Array, Float32Array, Reflect, Uint8Array, Uint32Array};
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -28,7 +29,9 @@ impl PageTraces {
             .map_err(|error| message_of(error))
             .and_then(|worker| super::trace::send_bake(worker, request).map_err(|error| message_of(&error)));
         if let Err(error) = sent {
-            replies.borrow_mut().push_back(BakeReply::Failed(format!("the textures could not be baked: {error}")));
+            replies
+                .borrow_mut()
+                .push_back(BakeReply::Failed(tr!("window-the-textures-could-not-be-baked-3", error = error)));
         }
         Box::new(WorkerBake { worker: worker.ok(), replies, _receive: receive })
     }
@@ -66,7 +69,7 @@ fn reply(message: &JsValue) -> BakeReply {
     if let Some(baked) = get(message, "baked") {
         return match atlas(&baked) {
             Some(atlas) => BakeReply::Finished(Box::new(atlas)),
-            None => BakeReply::Failed("the textures could not be baked: the worker's answer is damaged".to_owned()),
+            None => BakeReply::Failed(tr!("window-the-textures-could-not-be-baked-2").to_owned()),
         };
     }
     let step = get(message, "step").and_then(|step| step.as_string()).unwrap_or_default();

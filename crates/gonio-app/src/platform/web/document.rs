@@ -1,5 +1,6 @@
 //! Browser functions: file dialog, downloads, address, storage.
 
+use gonio_language::tr;
 use js_sys::{Array, Function, Promise, Uint8Array};
 use std::cell::RefCell;
 use std::time::Duration;
@@ -50,9 +51,31 @@ fn words(error: JsValue) -> String {
 }
 
 fn window() -> Result<(Window, Document), String> {
-    let window = web_sys::window().ok_or("the page has no window")?;
-    let document = window.document().ok_or("the page has no window")?;
+    let window = web_sys::window().ok_or(tr!("window-the-page-has-no-window"))?;
+    let document = window.document().ok_or(tr!("window-the-page-has-no-window"))?;
     Ok((window, document))
+}
+
+/// A parameter of the page's address, as it is written there.
+pub fn parameter(name: &str) -> Option<String> {
+    let (window, _) = window().ok()?;
+    let search = window.location().search().ok()?;
+    let mut parameters = search.trim_start_matches('?').split('&').filter_map(|parameter| parameter.split_once('='));
+    parameters.find(|(known, _)| *known == name).map(|(_, value)| value.to_owned())
+}
+
+/// The languages that the user prefers, as tags, the most preferred first.
+pub fn languages() -> Vec<String> {
+    let Ok((window, _)) = window() else { return Vec::new() };
+    window.navigator().languages().iter().filter_map(|tag| tag.as_string()).collect()
+}
+
+/// Declares the language of the page, which screen readers speak.
+pub fn set_language(code: &str) {
+    if let Some(element) = window().ok().and_then(|(_, document)| document.document_element()) {
+        // An attribute with a valid name can be set.
+        let _ = element.set_attribute("lang", code);
+    }
 }
 
 /// Waits until the browser requests the next frame, and then for `more`. Returns at once if the browser does not support that.
@@ -80,7 +103,7 @@ thread_local! {
 
 /// Shows the browser's file dialog. An error is one sentence.
 pub fn choose(answer: impl Fn(Vec<NamedFile>) + 'static) -> Result<(), String> {
-    let failed = |_| "the browser does not allow choosing files: drop them on the page".to_owned();
+    let failed = |_| tr!("window-the-browser-does-not-allow-choosing").to_owned();
     let (_, document) = window()?;
     let input: HtmlInputElement =
         document.create_element("input").map_err(failed)?.dyn_into().map_err(|e| failed(e.into()))?;
@@ -105,7 +128,7 @@ pub fn choose(answer: impl Fn(Vec<NamedFile>) + 'static) -> Result<(), String> {
 
 /// Downloads a file. An error is one sentence.
 pub fn download(name: &str, bytes: &[u8]) -> Result<(), String> {
-    let failed = |error: JsValue| format!("`{name}` could not be downloaded: {}", words(error));
+    let failed = |error: JsValue| tr!("window-could-not-be-downloaded", name = name, error = words(error));
     let (_, document) = window()?;
     let blob = Blob::new_with_u8_array_sequence(&Array::of1(&Uint8Array::from(bytes))).map_err(failed)?;
     let url = Url::create_object_url_with_blob(&blob).map_err(failed)?;
@@ -147,8 +170,8 @@ pub fn keep(text: &str) {
 
 /// Keeps a draft of unsaved text. An error is one sentence.
 pub fn keep_draft(key: &str, text: &str) -> Result<(), String> {
-    let storage = storage().ok_or("this browser has no storage for this page")?;
-    let full = |_| "the browser's storage for this page is full".to_owned();
+    let storage = storage().ok_or(tr!("window-this-browser-has-no-storage-for"))?;
+    let full = |_| tr!("window-the-browser-s-storage-for-this").to_owned();
     storage.set_item(&format!("{DRAFT}{key}"), text).map_err(full)
 }
 

@@ -18,6 +18,7 @@ use crate::session::Settings;
 use crate::stations::StationTask;
 use crate::truth::Tracer;
 use gonio_gl::Gl;
+use gonio_language::{Language, tr};
 use gonio_scene::files::{FileBytes, FileSource, is_builtin};
 use js_sys::{Array, Function, Object, Promise, Reflect, Uint8Array};
 use std::cell::{Cell, RefCell};
@@ -61,7 +62,7 @@ impl PageFiles {
 
 impl FileSource for PageFiles {
     fn read_within(&self, _: &Path, _: u64) -> Result<FileBytes, Error> {
-        Err(Error::new(ErrorKind::NotFound, "only built-in files can be read here"))
+        Err(Error::new(ErrorKind::NotFound, tr!("window-only-built-in-files-can-be")))
     }
     fn list(&self, _: &Path) -> Vec<PathBuf> {
         Vec::new()
@@ -123,7 +124,7 @@ async fn unpacked(files: Vec<document::NamedFile>) -> Result<MemoryFiles, String
     let mut memory = MemoryFiles::default();
     for file in files {
         let name = file.name.clone();
-        let bytes = file.bytes().await.map_err(|error| format!("`{name}` cannot be read: {error}"))?;
+        let bytes = file.bytes().await.map_err(|error| tr!("window-cannot-be-read", folder = name, error = error))?;
         if zip::is_zip(&bytes) {
             memory.add_all(zip::unpack(&bytes).map_err(|error| format!("`{name}`: {error}"))?);
         } else {
@@ -136,8 +137,10 @@ async fn unpacked(files: Vec<document::NamedFile>) -> Result<MemoryFiles, String
 /// The files for an exercise; in a page they have no paths.
 fn exercise_files(memory: &MemoryFiles) -> Result<Vec<ExerciseFile>, String> {
     let file = |name: String| {
-        let bytes =
-            memory.read(Path::new(&name)).map_err(|error| format!("`{name}` cannot be read: {error}"))?.to_vec();
+        let bytes = memory
+            .read(Path::new(&name))
+            .map_err(|error| tr!("window-cannot-be-read", folder = name, error = error))?
+            .to_vec();
         Ok(ExerciseFile { name, path: None, bytes })
     };
     memory.names().into_iter().map(file).collect()
@@ -184,7 +187,7 @@ impl Platform for Web {
     }
 
     fn open_paths(&mut self, paths: Vec<String>, _: Purpose, ctx: &egui::Context) {
-        let error = format!("a web page cannot open {} by its path: drop the file on the page", paths.join(", "));
+        let error = tr!("window-a-web-page-cannot-open-by", names = paths.join(", "));
         self.events.borrow_mut().push(Event::Failed(error));
         ctx.request_repaint();
     }
@@ -243,6 +246,18 @@ impl Platform for Web {
         self.traces.stations(ctx)
     }
 
+    fn asked_language(&self) -> Option<Language> {
+        document::parameter("language").as_deref().and_then(Language::from_tag)
+    }
+
+    fn preferred_language(&self) -> Language {
+        Language::preferred(document::languages().iter().map(String::as_str))
+    }
+
+    fn announce_language(&self, language: Language) {
+        document::set_language(language.code());
+    }
+
     fn settings(&self) -> Settings {
         document::kept().map_or_else(Settings::default, |text| Settings::from_text(&text))
     }
@@ -265,7 +280,7 @@ impl Platform for Web {
 }
 
 /// The page's function that starts a check (`web/page/checking.js`). Its arguments are the exercise's id, an array of files, each
-/// with `name` and `bytes`, and whether variants of the lab's own solutions are accepted. It returns an object: `answer`, a
+/// with `name` and `bytes`, whether variants of the lab's own solutions are accepted, and the code of a language. It returns an object: `answer`, a
 /// promise of the verdict as JSON, and `end`, a function that stops the check.
 #[derive(Clone)]
 pub struct PageChecks(Function);
@@ -278,7 +293,7 @@ impl PageChecks {
 
     /// Starts a check. An error is one sentence.
     pub fn begin(&self, request: &CheckRequest, ctx: &egui::Context) -> Result<PageCheck, String> {
-        let failed = |error: JsValue| format!("the check could not be started: {}", message_of(&error));
+        let failed = |error: JsValue| tr!("window-the-check-could-not-be-started", error = message_of(&error));
         let files = Array::new();
         for (name, bytes) in &request.files {
             let file = Object::new();
@@ -287,7 +302,9 @@ impl PageChecks {
             files.push(&file);
         }
         let exercise = JsValue::from_str(&request.exercise);
-        let begun = self.0.call3(&JsValue::NULL, &exercise, &files, &request.as_the_lab.into()).map_err(failed)?;
+        let language = JsValue::from_str(Language::current().code());
+        let arguments = Array::of4(&exercise, &files, &request.as_the_lab.into(), &language);
+        let begun = self.0.apply(&JsValue::NULL, &arguments).map_err(failed)?;
         let promise: Promise = Reflect::get(&begun, &"answer".into()).and_then(JsCast::dyn_into).map_err(failed)?;
         let end: Function = Reflect::get(&begun, &"end".into()).and_then(JsCast::dyn_into).map_err(failed)?;
         let answer = Rc::new(RefCell::new(None));
@@ -295,7 +312,8 @@ impl PageChecks {
         spawn_local(async move {
             let verdict = JsFuture::from(promise).await.map_err(|error| message_of(&error)).and_then(|json| {
                 let json = json.as_string().unwrap_or_default();
-                serde_json::from_str(&json).map_err(|error| format!("the verdict could not be understood: {error}"))
+                serde_json::from_str(&json)
+                    .map_err(|error| tr!("window-the-verdict-could-not-be-understood", error = error))
             });
             *slot.borrow_mut() = Some(verdict);
             ctx.request_repaint();

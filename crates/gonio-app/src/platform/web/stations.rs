@@ -4,6 +4,7 @@ use super::message_of;
 use super::trace::{PageTraces, end, set};
 use crate::stations::{RequestNumber, StationNews, StationTask};
 use gonio_beyond::{LawCheck, RefinedPicture, StationRequest, StationResult};
+use gonio_language::tr;
 use gonio_plot::PlotFigure;
 use js_sys::{Function, Object, Reflect, Uint8Array};
 use std::cell::RefCell;
@@ -18,7 +19,9 @@ impl PageTraces {
         let news: Rc<RefCell<VecDeque<StationNews>>> = Rc::default();
         let (queue, ctx) = (news.clone(), ctx.clone());
         let receive: Closure<dyn FnMut(JsValue)> = Closure::new(move |message: JsValue| {
-            queue.borrow_mut().push_back(news_of(&message).unwrap_or_else(|| failed("the worker's answer is damaged")));
+            queue
+                .borrow_mut()
+                .push_back(news_of(&message).unwrap_or_else(|| failed(tr!("window-the-worker-s-answer-is-damaged"))));
             ctx.request_repaint();
         });
         let mut task = WorkerStations { worker: self.begin(&receive), news, _receive: receive };
@@ -78,7 +81,7 @@ impl Drop for WorkerStations {
 }
 
 fn failed(reason: &str) -> StationNews {
-    StationNews::Failed(format!("the station cannot be computed: {reason}"))
+    StationNews::Failed(tr!("window-the-station-cannot-be-computed", reason = reason))
 }
 
 /// The news in a message of the worker.

@@ -3,6 +3,7 @@
 use super::message_of;
 use crate::baking::BakeRequest;
 use crate::truth::{ERROR_GOAL, PixelLight, REPAINT_DELAY, TraceFacts, TraceReply, TraceRequest, Tracer};
+use gonio_language::tr;
 use gonio_scene::files::FileSource;
 use gonio_scene::{Picture, Scene, SceneFile};
 use js_sys::{Array, Float32Array, Float64Array, Function, Object, Reflect, Uint8Array, Uint32Array};
@@ -120,7 +121,7 @@ impl Tracer for WorkerTracer {
             .clone()
             .and_then(|worker| send(&worker, number, &request, is_known).map_err(|error| message_of(&error)));
         if let Err(error) = sent {
-            let error = format!("the scene could not be traced: {error}");
+            let error = tr!("window-the-scene-could-not-be-traced-2", error = error);
             self.answers.borrow_mut().newest = Some(Err(error));
         }
         self.before = Some(request);

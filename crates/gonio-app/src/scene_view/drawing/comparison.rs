@@ -9,6 +9,7 @@ use crate::document::{DifferenceSettings, Document, Pane};
 use crate::session::Session;
 use crate::session::comparison::{Curve, CurvePoint, DifferenceFacts};
 use gonio_gl::{Gl, GlError};
+use gonio_language::tr;
 use gonio_render::{DifferenceScale, DisplayTexture, Renderer};
 use gonio_scene::detail::{self, LevelOfDetail};
 use gonio_scene::scene_file::Shading;
@@ -163,7 +164,7 @@ impl CurveRun {
         let count = triangles(&loaded);
         if self.next == 0 {
             self.finest = pixels;
-            curve.against = format!("{count} triangles, Phong");
+            curve.against = tr!("scene-triangles-phong", count = count);
         } else {
             let statistics = painted.statistics.unwrap_or_default();
             curve.points.push(CurvePoint {

@@ -23,6 +23,7 @@ use crate::session::{Selection, Session};
 use crate::theme::colors;
 use egui::{Align2, Color32, CursorIcon, Id, Painter, Pos2, Rect, Response, Rgba, Sense, Ui, Vec2, vec2};
 use glam::DVec3;
+use gonio_language::tr;
 use gonio_light::LightKind;
 use gonio_scene::settings::LightSettings;
 use gonio_scene::{Frame, LightShape, Scene};
@@ -218,7 +219,7 @@ impl Handles<'_> {
             draw::selected(&self.painter, place, colors::ACCENT.of(self.ui));
         }
         if response.hovered() || response.dragged() {
-            let where_to = if mark.place.is_some() { "" } else { "   outside of the picture: drag to bring it in" };
+            let where_to = if mark.place.is_some() { "" } else { tr!("scene-outside-of-the-picture-drag-to") };
             let text = format!("{name}   {}{where_to}", coordinates(mark));
             let below = place + vec2(0.0, draw::RADIUS + 14.0);
             let color = self.ui.visuals().strong_text_color();
@@ -290,7 +291,7 @@ impl Handles<'_> {
         let mut touched = false;
         if let Some(place) = self.projection.to_window(end) {
             let response = self.handle(mark, Part::AxisEnd, place);
-            exported_handle(self, &response, mark.index, "axis", "direction of the light", "");
+            exported_handle(self, &response, mark.index, "axis", tr!("scene-direction-of-the-light"), "");
             let radius = if response.hovered() || response.dragged() { 6.0 } else { 4.5 };
             paint::disc(&self.painter, place, radius, mark.color, false);
             if let Some(from) = mark.place {
@@ -314,7 +315,14 @@ impl Handles<'_> {
         let rim = end + side * (reach * outer.min(widest).tan());
         if let Some(place) = self.projection.to_window(rim) {
             let response = self.handle(mark, Part::Rim, place);
-            exported_handle(self, &response, mark.index, "angle", "outer angle", &outer.to_degrees().to_string());
+            exported_handle(
+                self,
+                &response,
+                mark.index,
+                "angle",
+                tr!("scene-outer-angle-2"),
+                &outer.to_degrees().to_string(),
+            );
             let radius = if response.hovered() || response.dragged() { 6.0 } else { 4.5 };
             paint::disc(&self.painter, place, radius, Color32::WHITE, false);
             if let Some((grab, pointer)) = self.grabbed(&response, mark, Part::Rim, rim) {
@@ -394,7 +402,11 @@ fn exported_handle(handles: &Handles<'_>, response: &Response, light: usize, par
 }
 
 fn name_of(index: usize, spec: &LightSettings) -> String {
-    if spec.name.is_empty() { format!("{} light {index}", spec.kind.name()) } else { spec.name.clone() }
+    if spec.name.is_empty() {
+        tr!("scene-light-2", name = gonio_language::name(spec.kind.name()), index = index)
+    } else {
+        spec.name.clone()
+    }
 }
 
 /// Position or direction of a light as text.

@@ -7,6 +7,7 @@ use crate::theme::{self, colors};
 use crate::widgets::compact;
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
+use gonio_language::tr;
 use gonio_light::DVec3;
 use gonio_light::vector::{any_orthonormal_vector, unit_or};
 use std::f64::consts::TAU;
@@ -109,7 +110,7 @@ pub fn inset(ui: &Ui, projection: &Projection, lobe: &SurfaceLobe, (pane, name):
     painter.circle(eye, 4.0, colors::VIEW.in_theme(true), Stroke::new(1.5, Color32::WHITE));
 
     let share = 100.0 * lobe.eye_share();
-    let text = format!("towards V {}, {share:.0} % of the peak", compact(lobe.to_eye));
+    let text = tr!("scene-towards-v-of-the-peak", value = compact(lobe.to_eye), share = format!("{share:.0}"));
     let ink = Color32::from_gray(235);
     let below = rect.center_bottom() - vec2(0.0, 8.0);
     painter.text(below, Align2::CENTER_BOTTOM, &text, FontId::proportional(11.0), ink);

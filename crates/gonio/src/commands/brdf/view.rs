@@ -44,6 +44,7 @@ pub fn run(args: &ViewArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
     }
     let functions = args.models.iter().map(|text| open(text, reporter)).collect::<Result<Vec<_>, _>>()?;
     let window = WindowOptions {
+        language: args.general.language,
         size: args.size.map(|(width, height)| [width as f32, height as f32]),
         state: args.state.clone(),
         program: std::env::current_exe().ok(),

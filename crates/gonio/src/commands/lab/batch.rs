@@ -103,7 +103,7 @@ fn report(
         checked.iter_mut().filter_map(|one| Some((one.label.clone(), one.fingerprint.take()?))).collect();
     let similar = report::similar_groups(&report::similar_pairs(&fingerprints, SIMILAR));
     let overview = report::overview(&report::Overview {
-        title: &exercise.title,
+        title: exercise.title(),
         rows: &rows,
         similar: &similar,
         skipped: &class.skipped,

@@ -76,8 +76,8 @@ pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<CommandOutcome, CliErro
             .map(|e| Listed {
                 id: &e.id,
                 folder: e.folder,
-                title: &e.title,
-                summary: &e.summary,
+                title: e.title(),
+                summary: e.summary(),
                 kind: e.kind,
                 builds_on: &e.builds_on,
             })
@@ -86,10 +86,10 @@ pub fn list(_: &ListArgs, reporter: &Reporter) -> Result<CommandOutcome, CliErro
         return Ok(CommandOutcome::Done);
     }
     let (bold, dim) = (Style::Bold, Style::Dim);
-    let width = all.iter().map(|e| e.title.chars().count()).max().unwrap_or(0);
+    let width = all.iter().map(|e| e.title().chars().count()).max().unwrap_or(0);
     let mut page = TerminalPage::new();
     for e in all {
-        page.line(format_args!("{bold}{:<5}{bold:#} {:<width$}  {dim}{}{dim:#}", e.id, e.title, e.summary));
+        page.line(format_args!("{bold}{:<5}{bold:#} {:<width$}  {dim}{}{dim:#}", e.id, e.title(), e.summary()));
     }
     page.blank();
     page.line("`gonio lab show ex04` prints its text, `gonio lab start ex04 mine` begins it in the folder `mine`.");
@@ -101,8 +101,8 @@ pub fn show(args: &ShowArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     let exercise = exercise(&args.exercise)?;
     if reporter.json() {
         reporter.report(&serde_json::json!({
-            "id": exercise.id, "title": exercise.title, "summary": exercise.summary, "text": exercise.text(),
-            "look_for": exercise.look_for.iter().map(|l| &l.text).collect::<Vec<_>>(),
+            "id": exercise.id, "title": exercise.title(), "summary": exercise.summary(), "text": exercise.text(),
+            "look_for": exercise.look_for().iter().map(|l| &l.text).collect::<Vec<_>>(),
         }))?;
     } else {
         reporter.text(&TerminalPage::from_text(exercise.text()))?;
@@ -141,7 +141,7 @@ pub fn start(args: &StartArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     let folder = args.folder.display();
     let look = if is_drawn { format!(", and look at {GOAL}") } else { String::new() };
     let mut page = TerminalPage::new();
-    page.line(format_args!("{}: {}", exercise.id, exercise.title));
+    page.line(format_args!("{}: {}", exercise.id, exercise.title()));
     page.blank();
     page.line(format_args!("{folder}: {}", written.join(", ")));
     page.blank();

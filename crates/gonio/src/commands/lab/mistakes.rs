@@ -61,7 +61,7 @@ fn list(reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let mut seen = std::collections::BTreeSet::new();
     for mistake in all.iter().filter(|m| seen.insert(m.id.as_str())) {
         let mark = if mistake.harmless { format!(" {dim}(harmless){dim:#}") } else { String::new() };
-        page.line(format_args!("{bold}{:<width$}{bold:#}  {}{mark}", mistake.id, mistake.name));
+        page.line(format_args!("{bold}{:<width$}{bold:#}  {}{mark}", mistake.id, mistake.texts().name));
     }
     reporter.text(&page)?;
     Ok(CommandOutcome::Done)
@@ -70,11 +70,12 @@ fn list(reporter: &Reporter) -> Result<CommandOutcome, CliError> {
 fn explanation(mistake: &Mistake) -> TerminalPage {
     let mut page = TerminalPage::new();
     page.heading(&mistake.id);
-    page.line(format_args!("{}.", mistake.name));
+    let texts = mistake.texts();
+    page.line(format_args!("{}.", texts.name));
     for (heading, text) in [
-        ("What it looks like", &mistake.looks_like),
-        ("How to fix it", &mistake.fix),
-        ("In the lecture", &mistake.lecture_section),
+        ("What it looks like", texts.looks_like.as_ref()),
+        ("How to fix it", texts.fix.as_ref()),
+        ("In the lecture", mistake.lecture_section.as_str()),
     ] {
         if !text.is_empty() {
             page.heading(heading);

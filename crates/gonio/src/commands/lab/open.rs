@@ -60,6 +60,7 @@ pub fn run(args: &OpenArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         reporter.verbose(format_args!("read `{}`, {} bytes", file.name, file.bytes.len()));
     }
     let window = WindowOptions {
+        language: args.general.language,
         size: args.size.map(|(width, height)| [width as f32, height as f32]),
         state: args.state.clone(),
         program: std::env::current_exe().ok(),

@@ -9,6 +9,7 @@ use gonio_environment::Builtin;
 use gonio_environment::arrange::Arrangement;
 use gonio_environment::face::Layout;
 use gonio_exercises::exercise;
+use gonio_language::Language;
 
 /// The exercises, with links to their chapters.
 pub fn exercises() -> String {
@@ -21,8 +22,8 @@ pub fn exercises() -> String {
         section += &format!(
             "- [`{0}`](../exercises/{0}.md) {1}: {2}{builds_on}\n",
             exercise.id,
-            escaped(&exercise.title),
-            escaped(&exercise.summary)
+            escaped(exercise.title_in(Language::English)),
+            escaped(exercise.summary_in(Language::English))
         );
     }
     section
