@@ -2,6 +2,7 @@
 
 use gonio_image::encode::png::{self, ColorTag};
 use gonio_image::{EncodedPicture, ImageError};
+use gonio_scene::convert::ModelFormat;
 use gonio_scene::files::BUILTIN;
 use gonio_scene::{SceneFile, SceneSettings, environment_file};
 use std::path::{Path, PathBuf};
@@ -30,6 +31,12 @@ pub enum Product {
     BakedGlb,
     /// All files of the baked model as ZIP.
     BakedZip,
+    /// The inspected model as GLB.
+    ModelGlb,
+    /// The same as OBJ, with its other files beside it.
+    ModelObj,
+    /// The same as PLY, with its textures beside it.
+    ModelPly,
 }
 
 impl Product {
@@ -43,6 +50,19 @@ impl Product {
         &[Product::BakedObj, Product::BakedGlb, Product::BakedZip]
     };
 
+    /// The inspected model in the formats that can be written.
+    pub const OF_MODEL: [Product; 3] = [Product::ModelGlb, Product::ModelObj, Product::ModelPly];
+
+    /// The format of a model that is converted.
+    pub fn model_format(self) -> Option<ModelFormat> {
+        match self {
+            Product::ModelGlb => Some(ModelFormat::Glb),
+            Product::ModelObj => Some(ModelFormat::Obj),
+            Product::ModelPly => Some(ModelFormat::Ply),
+            _ => None,
+        }
+    }
+
     /// Kebab-case, for widgets' ids.
     pub fn id(self) -> &'static str {
         match self {
@@ -55,6 +75,9 @@ impl Product {
             Product::BakedObj => "baked-obj",
             Product::BakedGlb => "baked-glb",
             Product::BakedZip => "baked-zip",
+            Product::ModelGlb => "model-glb",
+            Product::ModelObj => "model-obj",
+            Product::ModelPly => "model-ply",
         }
     }
 
@@ -68,8 +91,10 @@ impl Product {
             Product::PlotSvg => "Plot (SVG)",
             Product::PlotPng => "Plot (PNG)",
             Product::BakedObj => "OBJ and PNG",
-            Product::BakedGlb => "GLB",
+            Product::BakedGlb | Product::ModelGlb => "GLB",
             Product::BakedZip => "ZIP",
+            Product::ModelObj => "OBJ",
+            Product::ModelPly => "PLY",
         }
     }
 
@@ -80,9 +105,10 @@ impl Product {
             Product::PlotSvg => "svg",
             Product::Light => "exr",
             Product::Scene => "toml",
-            Product::BakedObj => "obj",
-            Product::BakedGlb => "glb",
+            Product::BakedObj | Product::ModelObj => "obj",
+            Product::BakedGlb | Product::ModelGlb => "glb",
             Product::BakedZip => "zip",
+            Product::ModelPly => "ply",
         }
     }
 

@@ -4,6 +4,7 @@ mod camera;
 mod compare;
 mod dialogs;
 mod equation;
+mod file;
 mod frame;
 mod lights;
 mod messages;
@@ -122,6 +123,9 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         let has_atlas = is_narrow && !is_landscape(ui);
         return baking::panel(ui, document, session, has_atlas, actions);
     }
+    if session.tab == Tab::File {
+        return file::show(ui, session, is_narrow, actions);
+    }
     ScrollArea::vertical().id_salt(session.tab.title()).auto_shrink([false, false]).show(ui, |ui| match session.tab {
         Tab::Lights => lights::show(ui, document, session, actions),
         Tab::Objects => objects::show(ui, document, session, actions),
@@ -131,8 +135,8 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         Tab::Compare => compare::show(ui, document, session, actions),
         Tab::Frame => frame::show(ui, document, session, actions),
         Tab::Shaders => shaders::show(ui, session, document.panes.current, actions),
-        // It scrolls itself, below its tabs.
-        Tab::Bake => {}
+        // They scroll themselves.
+        Tab::Bake | Tab::File => {}
     });
 }
 

@@ -17,6 +17,7 @@ pub use probing::Probing;
 pub use settings::Settings;
 
 use crate::baking::Baking;
+use crate::inspector::Inspector;
 use crate::saving::Product;
 use crate::truth::{PixelLight, TracedPane};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -99,6 +100,8 @@ pub struct Session {
     pub shaders: Option<OwnShaders>,
     /// Baking, and the newest baked atlas.
     pub baking: Baking,
+    /// The files of the scene.
+    pub inspector: Inspector,
     /// Whether slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
     /// Whether something is being dragged, or time runs.
@@ -136,6 +139,7 @@ impl Default for Session {
             traced: Vec::new(),
             shaders: None,
             baking: Baking::default(),
+            inspector: Inspector::default(),
             adaptive: true,
             moving: false,
             unframed: false,
@@ -212,6 +216,8 @@ pub enum Tab {
     Compare,
     /// The recorded OpenGL calls of the picture.
     Frame,
+    /// The files of the scene, and what they hold.
+    File,
     /// The user's own shaders; only if there are any.
     Shaders,
     /// Baking; only once it was opened.
@@ -220,7 +226,7 @@ pub enum Tab {
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Tab; 9] = [
+    pub const ALL: [Tab; 10] = [
         Tab::Lights,
         Tab::Objects,
         Tab::Camera,
@@ -228,6 +234,7 @@ impl Tab {
         Tab::Probe,
         Tab::Compare,
         Tab::Frame,
+        Tab::File,
         Tab::Shaders,
         Tab::Bake,
     ];
@@ -242,6 +249,7 @@ impl Tab {
             Tab::Probe => "Probe",
             Tab::Compare => "Compare",
             Tab::Frame => "Frame",
+            Tab::File => "File",
             Tab::Shaders => "Shaders",
             Tab::Bake => "Bake",
         }
@@ -257,6 +265,7 @@ impl Tab {
             Tab::Probe => "The light equation at one pixel, in numbers",
             Tab::Compare => "The scene with up to four settings side by side",
             Tab::Frame => "The OpenGL calls that drew this picture",
+            Tab::File => "What the model's file holds, and the files that it names",
             Tab::Shaders => "Your own shaders and the values of their uniforms",
             Tab::Bake => "Textures for new texture coordinates, baked from the scene",
         }

@@ -7,7 +7,7 @@ pub use differences::ReaderDifference;
 pub use materials::{MaterialReport, ValueReport};
 
 use crate::asset_cache::{NormalChoice, with_normals};
-use crate::files::{self, Budgeted, FileSource};
+use crate::files::{self, Budgeted, FileBytes, FileSource};
 use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
 use crate::material_brdf::BrdfLibrary;
 use crate::model_file::{self, ModelFile};
@@ -19,7 +19,7 @@ use gonio_mesh::{
     Diagnostic, Format, Limits, Mesh, ModelCamera, ModelLight, NormalSource, ReadError, SidecarUse, explain,
 };
 use serde::Serialize;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The content of a model file, and its interpretation.
 #[derive(Debug, Serialize)]
@@ -165,21 +165,74 @@ pub fn explain_line(
     files: &dyn FileSource,
     limits: &Limits,
 ) -> Result<explain::LineExplanation, ReadError> {
-    let path = files::resolve(Path::new(""), input);
-    let in_file = |e: ReadError| e.in_file(input);
-    let files = &Budgeted::new(files, limits.max_bytes);
-    let bytes = files::read(files, &path).map_err(|e| in_file(files::failed(&e)))?;
-    let unpacked = model_file::unpack(&bytes, limits, files.budget()).map_err(in_file)?;
-    let content = unpacked.as_deref().unwrap_or(&bytes);
-    let is_library = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("mtl"));
-    if is_library {
-        return explain::mtl_line(content, line).map_err(in_file);
-    }
-    match crate::input_kind::format_of(content, &path.to_string_lossy()).map_err(|e| in_file(ReadError::new(e)))? {
-        Format::Obj => explain::line(content, line).map_err(in_file),
-        other => {
-            let message = format!("only lines of OBJ and MTL files can be explained, and this is {}", other.name());
+    let in_file = |error: ReadError| error.in_file(input);
+    let text = FileText::read(input, files, limits).map_err(in_file)?;
+    match text.explain(line).map_err(in_file)? {
+        Ok(explanation) => Ok(explanation),
+        Err(format) => {
+            let message = format!("only lines of OBJ and MTL files can be explained, and this is {}", format.name());
             Err(in_file(ReadError::new(message)))
+        }
+    }
+}
+
+/// Lines of a file that a scene or a model names.
+#[derive(Clone, Debug, Serialize)]
+pub struct FileLines {
+    /// The lines.
+    pub excerpt: explain::Excerpt,
+    /// An explanation of the requested one, in OBJ and MTL files.
+    pub explanation: Option<explain::LineExplanation>,
+}
+
+/// Line `line` (from 1) of the text file `input` with at most `around` lines before and after it.
+///
+/// # Errors
+/// The file cannot be read, is no text, or has no such line.
+pub fn lines_around(
+    input: &str,
+    line: u64,
+    around: u64,
+    files: &dyn FileSource,
+    limits: &Limits,
+) -> Result<FileLines, ReadError> {
+    let in_file = |error: ReadError| error.in_file(input);
+    let text = FileText::read(input, files, limits).map_err(in_file)?;
+    let excerpt = explain::excerpt(text.content(), line, around).map_err(in_file)?;
+    // A text of an unknown format, such as a scene file, has lines as well.
+    let explanation = text.explain(line).ok().and_then(Result::ok);
+    Ok(FileLines { excerpt, explanation })
+}
+
+/// A file with lines, unpacked.
+struct FileText {
+    path: PathBuf,
+    bytes: FileBytes,
+    unpacked: Option<Vec<u8>>,
+}
+
+impl FileText {
+    fn read(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Self, ReadError> {
+        let path = files::resolve(Path::new(""), input);
+        let files = &Budgeted::new(files, limits.max_bytes);
+        let bytes = files::read(files, &path).map_err(|error| files::failed(&error))?;
+        let unpacked = model_file::unpack(&bytes, limits, files.budget())?;
+        Ok(FileText { path, bytes, unpacked })
+    }
+
+    fn content(&self) -> &[u8] {
+        self.unpacked.as_deref().unwrap_or(&self.bytes)
+    }
+
+    /// Explains a line; the format whose lines cannot be explained is the inner error.
+    fn explain(&self, line: u64) -> Result<Result<explain::LineExplanation, Format>, ReadError> {
+        if self.path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("mtl")) {
+            return explain::mtl_line(self.content(), line).map(Ok);
+        }
+        let format = crate::input_kind::format_of(self.content(), &self.path.to_string_lossy());
+        match format.map_err(ReadError::new)? {
+            Format::Obj => explain::line(self.content(), line).map(Ok),
+            other => Ok(Err(other)),
         }
     }
 }
