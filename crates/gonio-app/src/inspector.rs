@@ -151,11 +151,11 @@ impl Inspector {
         self.converting.as_ref().map(|(conversion, _)| conversion)
     }
 
-    /// Another scene is open: `inputs` are its models and scene files.
-    pub fn opened(&mut self, inputs: &[String]) {
+    /// Another scene is open.
+    pub fn forget(&mut self) {
         self.close_lines();
         self.models.clear();
-        self.scenes = inputs.to_vec();
+        self.scenes.clear();
         self.chosen.clear();
         self.revision += 1;
     }
@@ -168,8 +168,9 @@ impl Inspector {
         }
     }
 
-    /// Updates the list of models to those of the scene.
-    pub fn follow_models<'a>(&mut self, models: impl Iterator<Item = &'a str>) {
+    /// Updates the list of files to those of the scene: its scene files, and the models of its objects.
+    pub fn follow_scene<'a>(&mut self, scenes: Vec<String>, models: impl Iterator<Item = &'a str>) {
+        self.scenes = scenes;
         let mut known = std::mem::take(&mut self.models);
         for name in models {
             if self.models.iter().any(|model| model.name == name) {
@@ -179,8 +180,6 @@ impl Inspector {
             let new = || InspectedModel { name: name.to_owned(), result: None, revision: 0 };
             self.models.push(before.unwrap_or_else(new));
         }
-        let models = &self.models;
-        self.scenes.retain(|scene| models.iter().all(|model| model.name != *scene));
         if self.chosen_model().is_none() && !self.scenes.contains(&self.chosen) {
             self.chosen = self.models.first().map(|model| model.name.clone()).unwrap_or_default();
         }

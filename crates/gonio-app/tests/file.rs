@@ -154,6 +154,13 @@ fn values_and_warnings_lead_to_their_lines() {
     assert_eq!(window.line(&folder.path("square.obj")), (12, "l 1 2".into()));
     window.click("file-lines-close");
     assert!(window.state()["file"]["lines"].is_null());
+    // A warning in the tray leads here from any tab.
+    window.click("tab-lights");
+    let warning = window.state()["messages"][0].clone();
+    assert!(warning["text"].as_str().unwrap_or_default().contains("paint.png"), "{warning}");
+    window.click(&format!("line-of-{}", warning["id"]));
+    assert_eq!(window.line(&folder.path("square.mtl")), (3, "map_Kd paint.png".into()));
+    assert_eq!(window.state()["tab"], "File");
 }
 
 #[test]

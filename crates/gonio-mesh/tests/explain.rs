@@ -4,7 +4,7 @@
 
 use gonio_fixtures::FixtureTable;
 use gonio_mesh::explain::{LineExplanation, LineValue, excerpt, line, mtl_line};
-use gonio_mesh::{Limits, NoSidecars, Severity, encoding, obj};
+use gonio_mesh::{Format, Limits, NoSidecars, Severity, encoding, exporter, obj};
 use std::path::Path;
 
 const FILE: &str = "# two faces
@@ -424,4 +424,27 @@ fn excerpts_and_explanations_count_the_same_lines() {
     assert!(tried > 30, "{tried}");
     assert_eq!(excerpt(b"glTF\0\0", 1, 9).unwrap_err().message, "the file is binary, so it has no lines");
     assert!(excerpt(b"", 1, 9).is_err() && excerpt(b"a", 0, 9).is_err());
+}
+
+#[test]
+fn files_state_the_program_that_wrote_them() {
+    let long = format!("# {}\n", "x".repeat(300));
+    let mut stl = b"Exported by nobody".to_vec();
+    stl.resize(84, 0);
+    let cases: [(&[u8], Format, Option<&str>); 10] = [
+        (b"\xEF\xBB\xBF# ------\n\n# Blender 3.4.1\nv 0 0 0\n", Format::Obj, Some("Blender 3.4.1")),
+        (b"v 0 0 0\n# not this\n", Format::Obj, None),
+        (b"ply\nformat ascii 1.0\ncomment Made by \x1bX\nend_header\n", Format::Ply, Some("Made by X")),
+        (b"ply\nformat ascii 1.0\nend_header\ncomment no\n", Format::Ply, None),
+        (br#"{"asset": {"generator" : "a \"b\"", "version": "2.0"}}"#, Format::Gltf, Some("a \"b\"")),
+        (br#"{"asset": {"generator": 3}}"#, Format::Gltf, None),
+        (b"<COLLADA><authoring_tool> Tool 1 </authoring_tool>", Format::Collada, Some("Tool 1")),
+        (b"<COLLADA><authoring_tool>Tool", Format::Collada, None),
+        (&stl, Format::Stl, Some("Exported by nobody")),
+        (b"solid name\n", Format::Stl, None),
+    ];
+    for (bytes, format, expected) in cases {
+        assert_eq!(exporter(bytes, format).as_deref(), expected, "{:?}", String::from_utf8_lossy(bytes));
+    }
+    assert_eq!(exporter(long.as_bytes(), Format::Obj).map(|name| name.len()), Some(200));
 }

@@ -30,7 +30,12 @@ impl App {
         let Some(loaded) = self.session.loaded.as_ref().filter(|_| self.session.tab == Tab::File) else { return };
         let (files, limits) = (&self.files, self.opened.limits);
         let inspector = &mut self.session.inspector;
-        inspector.follow_models(loaded.settings.objects.iter().map(|object| object.model.as_str()));
+        let models = loaded.settings.objects.iter().map(|object| object.model.as_str());
+        // Inputs are models and scene files; a model stays one when its object is removed.
+        let objects = || loaded.settings.objects.iter().chain(&self.saved.objects);
+        let is_scene = |input: &&String| objects().all(|object| object.model != **input);
+        let scenes = self.opened.inputs.iter().filter(is_scene).cloned().collect();
+        inspector.follow_scene(scenes, models);
         let access = || FileAccess { files: files.clone(), limits };
         inspector.follow(self.platform.as_mut(), ctx, access);
     }

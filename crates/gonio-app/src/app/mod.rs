@@ -473,7 +473,7 @@ impl App {
                 self.saved = loaded.settings.clone();
                 self.opened_camera = loaded.settings.camera.clone();
                 self.remember(&opening.inputs);
-                self.session.inspector.opened(&opening.inputs);
+                self.session.inspector.forget();
                 self.opened = opening;
                 self.session.unframed = loaded.camera_was_framed;
                 self.sketched = None;

@@ -16,7 +16,7 @@ use crate::scene_file::MaterialOverride;
 use crate::texture_library::TextureUse;
 use gonio_mesh::topology::{self, TopologyReport};
 use gonio_mesh::{
-    Diagnostic, Format, Limits, Mesh, ModelCamera, ModelLight, NormalSource, ReadError, SidecarUse, explain,
+    Diagnostic, Format, Limits, Mesh, ModelCamera, ModelLight, NormalSource, ReadError, SidecarUse, explain, exporter,
 };
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -28,6 +28,9 @@ pub struct Inspection {
     pub file: String,
     /// The format.
     pub format: Format,
+    /// The program that wrote it, as far as it says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exporter: Option<String>,
     /// Its size.
     pub bytes: u64,
     /// The unpacked size, if it is compressed.
@@ -124,7 +127,8 @@ pub struct ImageReport {
 
 /// Reads the model called `input` (a path, `builtin:NAME`) and reports its content.
 pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Inspection, ReadError> {
-    let files = &Budgeted::new(files, limits.max_bytes);
+    let source = files;
+    let files = &Budgeted::new(source, limits.max_bytes);
     let mut file = model_file::read_within(&files::resolve(Path::new(""), input), input, files, limits)?;
     let mut binder = MaterialBinder::new(files, files.budget(), PictureReader::ALL, BrdfLibrary::default());
     let (folders, used) = (file.texture_folders(), used_materials(&file.model));
@@ -138,9 +142,13 @@ pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<I
     diagnostics.extend(bound.diagnostics);
     let model = file.model;
     let images = model.images.iter().map(|i| ImageReport { name: i.name.clone(), bytes: i.bytes.len() }).collect();
+    // The bytes of a read model are gone; reading them again costs little, because large files are mapped.
+    let text = FileText::read(input, source, limits);
+    let exporter = text.ok().and_then(|text| exporter(text.content(), file.format));
     Ok(Inspection {
         file: file.name,
         format: file.format,
+        exporter,
         bytes: file.size,
         unpacked_bytes: file.unpacked_size,
         contents: model.contents.into_iter().map(|(what, count)| NamedCount { what, count }).collect(),

@@ -20,6 +20,9 @@ pub fn size(ui: &mut Ui, i: &Inspection) {
 /// The elements of the file, its triangles, their connections, and its parts.
 pub fn show(ui: &mut Ui, i: &Inspection) {
     heading(ui, "Content");
+    if let Some(exporter) = &i.exporter {
+        noted(ui, "Exporter", exporter);
+    }
     let counts: Vec<String> =
         i.contents.iter().map(|count| format!("{} {}", grouped(count.count, NO_BREAK), count.what)).collect();
     if !counts.is_empty() {

@@ -4,7 +4,7 @@ use super::{MOST_ROWS, line_link, more, name_of_row};
 use crate::action::Action;
 use crate::exported::{self, WidgetRole};
 use crate::widgets::{NO_BREAK, grouped, heading};
-use egui::{CollapsingHeader, Label, RichText, Ui};
+use egui::{CollapsingHeader, FontFamily, Label, RichText, Ui};
 use gonio_scene::inspect::{Inspection, MaterialReport};
 
 /// Materials that are open at first, if there are no more.
@@ -60,7 +60,7 @@ fn source(
     actions: &mut Vec<Action>,
 ) {
     if !written.is_empty() {
-        ui.add(Label::new(RichText::new(written).monospace().small().weak()).wrap());
+        ui.add(Label::new(RichText::new(written).small().family(FontFamily::Monospace).weak()).wrap());
     }
     if !rule.is_empty() {
         ui.add(Label::new(RichText::new(rule).small().weak()).wrap());

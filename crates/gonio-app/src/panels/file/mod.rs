@@ -122,7 +122,8 @@ fn title(ui: &mut Ui, name: &str) {
 fn save(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     let is_busy = session.inspector.converting().is_some();
     ui.horizontal_wrapped(|ui| {
-        ui.label(RichText::new("Save as").weak());
+        let tip = "The model as its file has it, without changes that were made in the scene";
+        ui.label(RichText::new("Save as").weak()).on_hover_text(tip);
         for product in Product::OF_MODEL {
             let tip = match product {
                 Product::ModelGlb => "One file with the model, its materials and textures",

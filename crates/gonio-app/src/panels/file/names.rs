@@ -3,7 +3,7 @@
 use super::{MOST_ROWS, diagnostics, lacks_files, line_link, more, title};
 use crate::action::Action;
 use crate::exported::{self, WidgetRole};
-use crate::files::{base_name, short};
+use crate::files::short;
 use crate::inspector::missing;
 use crate::session::Session;
 use crate::theme::{self, colors, icons};
@@ -118,7 +118,7 @@ fn row(ui: &mut Ui, index: usize, model: &str, file: &ListedFile<'_>, actions: &
         (None, None) => "missing",
     };
     let detail = match (file.found, file.refused) {
-        (Some(path), _) if base_name(path) == file.name => String::new(),
+        (Some(path), _) if path.replace('\\', "/").ends_with(&file.name.replace('\\', "/")) => String::new(),
         (Some(path), _) => format!("Found as {path}"),
         (None, Some(refused)) => format!("Not read: {refused}"),
         (None, None) if file.tried.is_empty() => "Missing; there is no folder to search".to_owned(),
