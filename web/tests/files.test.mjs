@@ -90,6 +90,28 @@ test("a model without its materials is shown, and the file that lacks is named u
   assert.ok(greenLater > 0.05 && magentaLater > 0.05, `${greenLater} green, ${magentaLater} magenta`);
 }, options);
 
+test("the File panel lists what a model lacks, shows the lines of values, and saves the model", async (lab) => {
+  await lab.until(settled);
+  await lab.drop(MODEL, MATERIALS);
+  await opened(lab, "square.obj");
+  await lab.click("tab-file");
+  const read = ({ file }) => !file.reading && file.models.length === 1 && file.models[0].reading === undefined;
+  const { file: { chosen, models: [model] } } = await lab.until(read);
+  assert.deepEqual([chosen, model.format, model.triangles, model.missing], ["square.obj", "obj", 2, ["paint.png"]]);
+  await lab.drop(TEXTURE);
+  await lab.until((state) => read(state) && state.file.models[0].missing.length === 0);
+  await lab.click("file-material-0-diffuse-line");
+  const { file: { lines } } = await lab.until(({ file }) => file.lines !== null);
+  assert.deepEqual([lines.file, lines.line, lines.text, lines.error], ["square.mtl", 3, "Kd 1 1 1", null]);
+  await lab.click("file-lines-close");
+  const glb = await lab.download(() => lab.click("save-model-glb"));
+  assert.deepEqual([glb.name, glb.bytes.subarray(0, 4).toString()], ["square.glb", "glTF"]);
+  // Several files are packed.
+  const { name, bytes } = await lab.download(() => lab.click("save-model-obj"));
+  assert.equal(name, "square_converted.zip");
+  for (const part of ["square_converted.obj", "square_converted.mtl", "square_converted_paint.png"]) assert.ok(bytes.includes(part), part);
+}, options);
+
 test("a file that cannot be read leaves everything as it was, and says where it is broken", async (lab) => {
   await lab.until(settled);
   await lab.click("term-emitted");

@@ -19,6 +19,8 @@ pub enum Action {
     Save(Product),
     /// Saves to a path.
     SaveTo(Product, String),
+    /// Shows a line (from 1) of a file in the panel of files.
+    ShowLine(String, u64),
     /// Copies the current pane's picture to the clipboard.
     CopyPicture,
     /// Copies a link with the scene in it to the clipboard.

@@ -119,6 +119,7 @@ pub fn triangles(session: &Session) -> usize {
 /// | `exercise`, `bench` | added by [`crate::App::state`]: the open exercise, its messages and its verdict; the BRDF bench |
 /// | `stations` | added by it too: the stations beyond the rendering equation |
 /// | `bake` | added by it too: null, or the tab of baking ([`crate::baking::state`]) |
+/// | `file` | added by it too: the files of the scene ([`crate::inspector::Inspector::state`]) |
 /// | `recent` | recently opened files |
 /// | `triangles`, `frame` | number in the scene; facts about the last picture: `pictures` and `frames` are constant when idle, |
 /// | | and `complete` is true then: the picture has all of the scene's samples |

@@ -18,6 +18,7 @@
 //! | [`stations`] | the stations beyond the rendering equation: pictures, sliders, laws |
 //! | [`exercise`] | an exercise: the student's files, their picture, the checker |
 //! | [`files`] | files that the user drops, chooses or links to |
+//! | [`inspector`] | the content of the scene's model files, and the models in other formats |
 //! | `focus` | the ring around the focused control |
 //! | [`saving`] | pictures and scenes as files |
 //! | `missing_glyphs` | characters that no font can draw |
@@ -37,6 +38,7 @@ pub mod exercise;
 pub mod exported;
 pub mod files;
 mod focus;
+pub mod inspector;
 mod missing_glyphs;
 pub mod panels;
 pub mod platform;

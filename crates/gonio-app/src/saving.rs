@@ -3,6 +3,7 @@
 use gonio_image::encode::png::{self, ColorTag};
 use gonio_image::{EncodedPicture, ImageError};
 use gonio_language::tr;
+use gonio_scene::convert::ModelFormat;
 use gonio_scene::files::BUILTIN;
 use gonio_scene::{SceneFile, SceneSettings, environment_file};
 use std::path::{Path, PathBuf};
@@ -31,6 +32,12 @@ pub enum Product {
     BakedGlb,
     /// All files of the baked model as ZIP.
     BakedZip,
+    /// The inspected model as GLB.
+    ModelGlb,
+    /// The same as OBJ, with its other files beside it.
+    ModelObj,
+    /// The same as PLY, with its textures beside it.
+    ModelPly,
 }
 
 impl Product {
@@ -44,6 +51,19 @@ impl Product {
         &[Product::BakedObj, Product::BakedGlb, Product::BakedZip]
     };
 
+    /// The inspected model in the formats that can be written.
+    pub const OF_MODEL: [Product; 3] = [Product::ModelGlb, Product::ModelObj, Product::ModelPly];
+
+    /// The format of a model that is converted.
+    pub fn model_format(self) -> Option<ModelFormat> {
+        match self {
+            Product::ModelGlb => Some(ModelFormat::Glb),
+            Product::ModelObj => Some(ModelFormat::Obj),
+            Product::ModelPly => Some(ModelFormat::Ply),
+            _ => None,
+        }
+    }
+
     /// Kebab-case, for widgets' ids.
     pub fn id(self) -> &'static str {
         match self {
@@ -56,6 +76,9 @@ impl Product {
             Product::BakedObj => "baked-obj",
             Product::BakedGlb => "baked-glb",
             Product::BakedZip => "baked-zip",
+            Product::ModelGlb => "model-glb",
+            Product::ModelObj => "model-obj",
+            Product::ModelPly => "model-ply",
         }
     }
 
@@ -69,8 +92,10 @@ impl Product {
             Product::PlotSvg => tr!("window-plot-svg"),
             Product::PlotPng => tr!("window-plot-png"),
             Product::BakedObj => tr!("window-obj-and-png"),
-            Product::BakedGlb => "GLB",
+            Product::BakedGlb | Product::ModelGlb => "GLB",
             Product::BakedZip => "ZIP",
+            Product::ModelObj => "OBJ",
+            Product::ModelPly => "PLY",
         }
     }
 
@@ -81,9 +106,10 @@ impl Product {
             Product::PlotSvg => "svg",
             Product::Light => "exr",
             Product::Scene => "toml",
-            Product::BakedObj => "obj",
-            Product::BakedGlb => "glb",
+            Product::BakedObj | Product::ModelObj => "obj",
+            Product::BakedGlb | Product::ModelGlb => "glb",
             Product::BakedZip => "zip",
+            Product::ModelPly => "ply",
         }
     }
 

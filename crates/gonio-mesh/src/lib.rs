@@ -10,6 +10,7 @@ pub mod compression;
 pub mod diagnostic;
 pub mod encoding;
 pub mod explain;
+mod exporter;
 pub mod format;
 pub mod gltf;
 pub mod input;
@@ -34,6 +35,7 @@ pub mod write;
 
 pub use by_cost::ByCost;
 pub use diagnostic::{Cause, Diagnostic, FilePlace, ReadError, Severity};
+pub use exporter::exporter;
 pub use format::Format;
 pub use input::{Limits, MissingSidecar, NoSidecars, Sidecar, SidecarUse, Sidecars};
 pub use material::{AmbientRule, Channel, Material, MetallicRoughness, PropertySource, TexelRule, TextureMap, Wrap};

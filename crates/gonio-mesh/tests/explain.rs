@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use gonio_fixtures::FixtureTable;
-use gonio_mesh::explain::{LineExplanation, LineValue, line, mtl_line};
-use gonio_mesh::{Limits, NoSidecars, Severity, encoding, obj};
+use gonio_mesh::explain::{LineExplanation, LineValue, excerpt, line, mtl_line};
+use gonio_mesh::{Format, Limits, NoSidecars, Severity, encoding, exporter, obj};
 use std::path::Path;
 
 const FILE: &str = "# two faces
@@ -391,4 +391,60 @@ fn every_line_of_every_prefix_is_explained() {
         }
     }
     assert!(tried > 5000, "{tried}");
+}
+
+#[test]
+fn an_excerpt_has_the_lines_around_one() {
+    let text = b"\xEF\xBB\xBFone\r\ntwo\rthree\n\nfive \x1b[31m\nsix";
+    let of = |line, around| excerpt(text, line, around).unwrap();
+    let middle = of(3, 1);
+    assert_eq!((middle.first_line, middle.line_count), (2, 6));
+    assert_eq!(middle.lines, ["two", "three", ""]);
+    assert_eq!(of(1, 0).lines, ["one"]);
+    assert_eq!(of(6, 1).lines, ["five \\u{1b}[31m", "six"], "control characters are escaped");
+    assert_eq!((of(2, 90).first_line, of(2, 90).lines.len()), (1, 6));
+    let wide: Vec<u8> = "\u{feff}v 0\nv 1\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    assert_eq!(excerpt(&wide, 2, 1).unwrap().lines, ["v 0", "v 1"]);
+}
+
+/// An excerpt counts lines as the explanation does, and refuses the same ones.
+#[test]
+fn excerpts_and_explanations_count_the_same_lines() {
+    let mut tried = 0;
+    for (name, bytes) in files("obj.txt", "obj") {
+        let lines = (1..).take_while(|number| line(&bytes, *number).is_ok()).count() as u64;
+        if bytes.contains(&0) || lines == 0 {
+            continue;
+        }
+        let whole = excerpt(&bytes, 1, u64::MAX).unwrap();
+        assert_eq!((whole.line_count, whole.lines.len() as u64), (lines, lines), "{name}");
+        assert_eq!(excerpt(&bytes, lines + 1, 0).unwrap_err(), line(&bytes, lines + 1).unwrap_err(), "{name}");
+        tried += 1;
+    }
+    assert!(tried > 30, "{tried}");
+    assert_eq!(excerpt(b"glTF\0\0", 1, 9).unwrap_err().message, "the file is binary, so it has no lines");
+    assert!(excerpt(b"", 1, 9).is_err() && excerpt(b"a", 0, 9).is_err());
+}
+
+#[test]
+fn files_state_the_program_that_wrote_them() {
+    let long = format!("# {}\n", "x".repeat(300));
+    let mut stl = b"Exported by nobody".to_vec();
+    stl.resize(84, 0);
+    let cases: [(&[u8], Format, Option<&str>); 10] = [
+        (b"\xEF\xBB\xBF# ------\n\n# Blender 3.4.1\nv 0 0 0\n", Format::Obj, Some("Blender 3.4.1")),
+        (b"v 0 0 0\n# not this\n", Format::Obj, None),
+        (b"ply\nformat ascii 1.0\ncomment Made by \x1bX\nend_header\n", Format::Ply, Some("Made by X")),
+        (b"ply\nformat ascii 1.0\nend_header\ncomment no\n", Format::Ply, None),
+        (br#"{"asset": {"generator" : "a \"b\"", "version": "2.0"}}"#, Format::Gltf, Some("a \"b\"")),
+        (br#"{"asset": {"generator": 3}}"#, Format::Gltf, None),
+        (b"<COLLADA><authoring_tool> Tool 1 </authoring_tool>", Format::Collada, Some("Tool 1")),
+        (b"<COLLADA><authoring_tool>Tool", Format::Collada, None),
+        (&stl, Format::Stl, Some("Exported by nobody")),
+        (b"solid name\n", Format::Stl, None),
+    ];
+    for (bytes, format, expected) in cases {
+        assert_eq!(exporter(bytes, format).as_deref(), expected, "{:?}", String::from_utf8_lossy(bytes));
+    }
+    assert_eq!(exporter(long.as_bytes(), Format::Obj).map(|name| name.len()), Some(200));
 }

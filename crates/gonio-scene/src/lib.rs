@@ -6,6 +6,7 @@
 mod asset_cache;
 pub mod camera;
 pub mod color_value;
+pub mod convert;
 pub mod defaults;
 pub mod detail;
 pub mod difference;

@@ -55,6 +55,7 @@ fn inspect_lists_the_contents_of_a_file() {
     let text = run.text();
     for piece in [
         "Wavefront OBJ",
+        "written by          Blender 3.4.1",
         "2,320 v",
         "1 f of 7 corners",
         "triangles           4,618",

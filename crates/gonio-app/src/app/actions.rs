@@ -12,6 +12,7 @@ use gonio_image::encode::exr;
 use gonio_language::tr;
 use std::path::Path;
 
+const NOTHING_CONVERTED: &str = "window-the-model-is-not-converted-yet";
 const NOTHING_DRAWN: &str = "window-there-is-no-picture-yet-wait";
 
 impl App {
@@ -31,13 +32,15 @@ impl App {
             Action::Save(product) => {
                 let name = match product {
                     Product::PlotSvg | Product::PlotPng => self.bench.file_name(product),
+                    _ if product.model_format().is_some() => self.converted_name(product),
                     _ => product.file_name(&self.session.title),
                 };
                 if self.platform.choose_place(product, &name, ctx) == FileDialog::Unavailable {
                     self.session.asking = Some(PathField { saves: Some(product), text: name });
                 }
             }
-            Action::SaveTo(product, place) => self.save(product, &place),
+            Action::SaveTo(product, place) => self.save(ctx, product, &place),
+            Action::ShowLine(file, line) => self.show_line(file, line),
             Action::CopyPicture => self.copy_picture(ctx),
             Action::CopyLink => match link::of_scene(&self.document.scene) {
                 Ok(fragment) => {
@@ -141,7 +144,10 @@ impl App {
         self.session.recorded_frame = Some(taken);
     }
 
-    pub(super) fn save(&mut self, product: Product, place: &str) {
+    pub(super) fn save(&mut self, ctx: &egui::Context, product: Product, place: &str) {
+        if let Some(format) = product.model_format() {
+            return self.convert_model(ctx, product, format, place);
+        }
         let folder = cfg!(not(target_arch = "wasm32")).then(|| Path::new(place).parent()).flatten();
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
@@ -165,6 +171,8 @@ impl App {
             }
             Product::PlotSvg | Product::PlotPng => self.bench.product(product),
             Product::BakedObj | Product::BakedGlb | Product::BakedZip => self.baked_product(product, folder),
+            // They are written once they were converted.
+            Product::ModelGlb | Product::ModelObj | Product::ModelPly => Err(tr!(NOTHING_CONVERTED).to_owned()),
             Product::Light => {
                 let pane = self.document.panes.current;
                 let light =

@@ -58,5 +58,6 @@ pub(super) fn with_places(
     state["bench"] = bench;
     state["stations"] = stations;
     state["bake"] = baking::state(session);
+    state["file"] = session.inspector.state();
     state
 }

@@ -4,6 +4,7 @@ mod actions;
 mod baking;
 mod bench;
 mod exercise;
+mod inspector;
 pub mod loader;
 mod stations;
 pub mod unsaved;
@@ -242,6 +243,7 @@ impl App {
         for action in self.show_panels(ui) {
             self.act(ctx, action);
         }
+        self.follow_inspector(ctx);
         self.follow_document(ctx);
         self.draw(ui);
         self.settle(ctx);
@@ -366,7 +368,7 @@ impl App {
             Event::Open(input) => self.open_input(ctx, *input),
             Event::ExerciseFiles(files) => self.open_exercise_files(files),
             Event::BenchFiles(files) => self.open_bench_files(ctx, files),
-            Event::SaveTo(product, place) => self.save(product, &place),
+            Event::SaveTo(product, place) => self.save(ctx, product, &place),
             Event::Changed(paths) => self.changed_on_disk(ctx, paths),
             Event::Failed(error) => {
                 self.session.messages.report_about(MessageCause::Opening, MessageSeverity::Error, None, error);
@@ -453,6 +455,7 @@ impl App {
         self.watch(ctx);
         self.session.messages.clear(MessageCause::Scene);
         if !matches!(finished.requested, LoadRequest::Scene(_)) {
+            self.session.inspector.files_changed();
             self.session.messages.clear(MessageCause::Opening);
         }
         for found in &loaded.diagnostics {
@@ -477,6 +480,7 @@ impl App {
                 self.saved = loaded.settings.clone();
                 self.opened_camera = loaded.settings.camera.clone();
                 self.remember(&opening.inputs);
+                self.session.inspector.forget();
                 self.opened = opening;
                 self.session.unframed = loaded.camera_was_framed;
                 self.sketched = None;

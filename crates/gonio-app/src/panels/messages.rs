@@ -2,7 +2,7 @@
 
 use crate::action::Action;
 use crate::exported::{self, WidgetRole};
-use crate::session::{MessageAnswer, MessageSeverity, Messages, UserMessage};
+use crate::session::{MessageAnswer, MessageCause, MessageSeverity, Messages, UserMessage};
 use crate::theme::{self, colors, icons};
 use crate::widgets::icon_button;
 use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
@@ -12,8 +12,9 @@ use gonio_language::tr;
 const FEW: usize = 3;
 /// Largest share of the window's height.
 const MOST_HEIGHT: f32 = 0.3;
-/// Width of the icons and buttons of a row, points.
+/// Width of the icons and buttons of a row, and of the button that shows a line, points.
 const BUTTONS_WIDTH: f32 = 84.0;
+const LINE_BUTTON_WIDTH: f32 = 30.0;
 
 /// Shows the messages in a panel at the bottom, the newest first; none without messages. It takes its room from the picture, so
 /// that it never covers it.
@@ -92,7 +93,9 @@ fn row(ui: &mut Ui, message: &UserMessage, heading: Option<&str>, actions: &mut 
         if message.times > 1 {
             text = tr!("window-times", text = text, times = message.times);
         }
-        let width = (ui.available_width() - BUTTONS_WIDTH).max(60.0);
+        let place = place(message);
+        let buttons = BUTTONS_WIDTH + if place.is_some() { LINE_BUTTON_WIDTH } else { 0.0 };
+        let width = (ui.available_width() - buttons).max(60.0);
         ui.allocate_ui_with_layout(egui::vec2(width, 0.0), Layout::top_down(Align::LEFT), |ui| {
             ui.set_width(width);
             ui.add_space(2.0);
@@ -113,8 +116,21 @@ fn row(ui: &mut Ui, message: &UserMessage, heading: Option<&str>, actions: &mut 
             if icon_button(ui, &format!("copy-{}", message.id), icons::COPY, tr!("window-copy-the-message")).clicked() {
                 actions.push(Action::CopyText(message.text.clone()));
             }
+            if let Some((file, line)) = place {
+                let tip = format!("Show line {line} of the file");
+                if icon_button(ui, &format!("line-of-{}", message.id), icons::CODE, &tip).clicked() {
+                    actions.push(Action::ShowLine(file.to_owned(), line));
+                }
+            }
         });
     });
+}
+
+/// The file and the line that a message about the open scene begins with.
+fn place(message: &UserMessage) -> Option<(&str, u64)> {
+    let file = message.file.as_deref().filter(|_| message.cause == MessageCause::Scene)?;
+    let line = message.text.strip_prefix(file)?.strip_prefix(':')?.split(':').next()?;
+    Some((file, line.parse().ok()?))
 }
 
 /// A message's text without the file's name at its start, if that is the heading.
@@ -135,5 +151,20 @@ mod tests {
         assert_eq!(shortened("a.mtl: unknown word", Some("a.mtl")), "unknown word");
         assert_eq!(shortened("a.mtl: unknown word", None), "a.mtl: unknown word");
         assert_eq!(shortened("a.mtlx: unknown word", Some("a.mtl")), "a.mtlx: unknown word");
+    }
+
+    #[test]
+    fn a_warning_about_a_line_of_the_scene_has_its_place() {
+        let mut messages = Messages::default();
+        let texts = [
+            (MessageCause::Scene, "a.mtl:42:3: warning: unknown word"),
+            (MessageCause::Scene, "a.mtl: warning: unknown word"),
+            (MessageCause::Opening, "a.mtl:42: warning: unknown word"),
+        ];
+        for (cause, text) in texts {
+            messages.report_about(cause, MessageSeverity::Warning, Some("a.mtl".into()), text);
+        }
+        let places: Vec<_> = messages.list().iter().map(place).collect();
+        assert_eq!(places, [Some(("a.mtl", 42)), None, None]);
     }
 }

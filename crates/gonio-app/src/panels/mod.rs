@@ -4,6 +4,7 @@ mod camera;
 mod compare;
 mod dialogs;
 mod equation;
+mod file;
 mod frame;
 mod lights;
 mod messages;
@@ -35,7 +36,7 @@ const ATLAS_SHARE: f32 = 0.56;
 const TEXTS_HEIGHT: f32 = 400.0;
 /// Font size of the tabs' names, and the range of gaps between them.
 const TAB_SIZE: f32 = 12.5;
-/// Font size with more tabs than usual, so that they stay in one line.
+/// Font size with more tabs than there is room for, so that they stay in one line.
 const SMALL_TAB_SIZE: f32 = 11.5;
 const TAB_GAP: std::ops::RangeInclusive<f32> = 3.0..=14.0;
 
@@ -122,6 +123,9 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         let has_atlas = is_narrow && !is_landscape(ui);
         return baking::panel(ui, document, session, has_atlas, actions);
     }
+    if session.tab == Tab::File {
+        return file::show(ui, session, is_narrow, actions);
+    }
     ScrollArea::vertical().id_salt(session.tab.title()).auto_shrink([false, false]).show(ui, |ui| match session.tab {
         Tab::Lights => lights::show(ui, document, session, actions),
         Tab::Objects => objects::show(ui, document, session, actions),
@@ -131,15 +135,13 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         Tab::Compare => compare::show(ui, document, session, actions),
         Tab::Frame => frame::show(ui, document, session, actions),
         Tab::Shaders => shaders::show(ui, session, document.panes.current, actions),
-        // It scrolls itself, below its tabs.
-        Tab::Bake => {}
+        // They scroll themselves.
+        Tab::Bake | Tab::File => {}
     });
 }
 
 /// The tabs, side by side over the whole width; the selected one is underlined. It is not bold, so that the others do not move.
 fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
-    let is_usual = session.shaders.is_none() && !session.baking.is_open;
-    let font = FontId::proportional(if is_usual { TAB_SIZE } else { SMALL_TAB_SIZE });
     let color = |ui: &Ui, chosen| if chosen { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
     let seen = || {
         Tab::ALL.into_iter().filter(|tab| match tab {
@@ -148,11 +150,20 @@ fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
             _ => true,
         })
     };
-    let names: Vec<_> = seen()
-        .map(|tab| ui.painter().layout_no_wrap(tab.title().into(), font.clone(), color(ui, session.tab == tab)))
-        .collect();
-    let all: f32 = names.iter().map(|name| name.size().x).sum();
-    let gaps = names.len().saturating_sub(1).max(1) as f32;
+    let laid_out = |size: f32| {
+        let name = |tab: Tab| {
+            let color = color(ui, session.tab == tab);
+            ui.painter().layout_no_wrap(tab.title().into(), FontId::proportional(size), color)
+        };
+        let names: Vec<_> = seen().map(name).collect();
+        let all: f32 = names.iter().map(|name| name.size().x).sum();
+        (names, all)
+    };
+    let gaps = seen().count().saturating_sub(1).max(1) as f32;
+    let (mut names, mut all) = laid_out(TAB_SIZE);
+    if all + gaps * TAB_GAP.start() > ui.available_width() {
+        (names, all) = laid_out(SMALL_TAB_SIZE);
+    }
     let gap = ((ui.available_width() - all) / gaps).floor().clamp(*TAB_GAP.start(), *TAB_GAP.end());
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(gap, 2.0);

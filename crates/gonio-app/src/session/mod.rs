@@ -17,6 +17,7 @@ pub use probing::Probing;
 pub use settings::Settings;
 
 use crate::baking::Baking;
+use crate::inspector::Inspector;
 use crate::saving::Product;
 use crate::truth::{PixelLight, TracedPane};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -100,6 +101,8 @@ pub struct Session {
     pub shaders: Option<OwnShaders>,
     /// Baking, and the newest baked atlas.
     pub baking: Baking,
+    /// The files of the scene.
+    pub inspector: Inspector,
     /// Whether slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
     /// Whether something is being dragged, or time runs.
@@ -137,6 +140,7 @@ impl Default for Session {
             traced: Vec::new(),
             shaders: None,
             baking: Baking::default(),
+            inspector: Inspector::default(),
             adaptive: true,
             moving: false,
             unframed: false,
@@ -213,6 +217,8 @@ pub enum Tab {
     Compare,
     /// The recorded OpenGL calls of the picture.
     Frame,
+    /// The files of the scene, and what they hold.
+    File,
     /// The user's own shaders; only if there are any.
     Shaders,
     /// Baking; only once it was opened.
@@ -221,7 +227,7 @@ pub enum Tab {
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Tab; 9] = [
+    pub const ALL: [Tab; 10] = [
         Tab::Lights,
         Tab::Objects,
         Tab::Camera,
@@ -229,6 +235,7 @@ impl Tab {
         Tab::Probe,
         Tab::Compare,
         Tab::Frame,
+        Tab::File,
         Tab::Shaders,
         Tab::Bake,
     ];
@@ -248,6 +255,7 @@ impl Tab {
             Tab::Probe => tr!("window-probe"),
             Tab::Compare => tr!("window-compare"),
             Tab::Frame => tr!("window-frame"),
+            Tab::File => tr!("window-file"),
             Tab::Shaders => tr!("window-shaders"),
             Tab::Bake => tr!("window-bake"),
         }
@@ -263,6 +271,7 @@ impl Tab {
             Tab::Probe => tr!("window-the-light-equation-at-one-pixel"),
             Tab::Compare => tr!("window-the-scene-with-up-to-four"),
             Tab::Frame => tr!("window-the-opengl-calls-that-drew-this"),
+            Tab::File => tr!("window-what-the-model-s-file-holds"),
             Tab::Shaders => tr!("window-your-own-shaders-and-the-values"),
             Tab::Bake => tr!("window-textures-for-new-texture-coordinates-baked"),
         }

@@ -477,3 +477,6 @@ window-zoom = zoom
 window-redo = redo
 window-undo = undo
 window-language = Language
+window-the-model-is-not-converted-yet = the model is not converted yet: wait until it is read
+window-file = File
+window-what-the-model-s-file-holds = What the model's file holds, and the files that it names

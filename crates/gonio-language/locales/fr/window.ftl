@@ -492,3 +492,6 @@ window-zoom = zoomer
 window-redo = rétablir
 window-undo = annuler
 window-language = Langue
+window-the-model-is-not-converted-yet = le modèle n'est pas encore converti : attendez qu'il soit lu
+window-file = Fichier
+window-what-the-model-s-file-holds = Ce que contient le fichier du modèle, et les fichiers qu'il nomme

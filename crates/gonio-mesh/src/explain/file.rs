@@ -36,11 +36,15 @@ fn line_ends(text: &[u8], next: Option<&u8>) -> u64 {
 
 /// Creates the error for a line that does not exist; `cursor` is at the end of the file.
 pub(super) fn no_such_line(line: u64, cursor: &Cursor<'_>, bytes: &[u8]) -> ReadError {
+    let is_empty = bytes.is_empty() || bytes == b"\xEF\xBB\xBF";
+    missing_line(line, if is_empty { 0 } else { Extent::ending_at(0, 1, cursor, bytes).last_line })
+}
+
+/// Creates the error for a line that does not exist in a file of `count` lines.
+pub(super) fn missing_line(line: u64, count: u64) -> ReadError {
     if line == 0 {
         return ReadError::new("lines are counted from 1: there is no line 0");
     }
-    let is_empty = bytes.is_empty() || bytes == b"\xEF\xBB\xBF";
-    let count = if is_empty { 0 } else { Extent::ending_at(0, 1, cursor, bytes).last_line };
     let lines = if count == 1 { "1 line".to_owned() } else { format!("{count} lines") };
     ReadError::new(format!("the file has {lines}: there is no line {line}"))
 }

@@ -1,10 +1,11 @@
 //! Explains one line of an OBJ or MTL file: its meaning, the values its indices refer to, the settings in force, and
-//! its problems.
+//! its problems. [`excerpt`] shows the lines around it, in any text.
 //!
 //! The file is walked from its start, statement by statement, keeping only the names in force and the values that the
 //! line needs: a gigabyte of OBJ takes some seconds and almost no memory. This is separate from the readers' code so
 //! that it can explain files that they reject; a test compares the messages of both.
 
+mod excerpt;
 mod face;
 mod file;
 mod mtl;
@@ -15,6 +16,7 @@ use crate::encoding::to_utf8;
 use crate::{Diagnostic, ReadError};
 use serde::Serialize;
 
+pub use excerpt::{Excerpt, excerpt};
 pub use face::{FaceCorner, ReferencedAttribute};
 
 /// The longest part of a line or name that is shown, in characters.

@@ -7,7 +7,7 @@ pub use differences::ReaderDifference;
 pub use materials::{MaterialReport, ValueReport};
 
 use crate::asset_cache::{NormalChoice, with_normals};
-use crate::files::{self, Budgeted, FileSource};
+use crate::files::{self, Budgeted, FileBytes, FileSource};
 use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
 use crate::material_brdf::BrdfLibrary;
 use crate::model_file::{self, ModelFile};
@@ -16,10 +16,10 @@ use crate::scene_file::MaterialOverride;
 use crate::texture_library::TextureUse;
 use gonio_mesh::topology::{self, TopologyReport};
 use gonio_mesh::{
-    Diagnostic, Format, Limits, Mesh, ModelCamera, ModelLight, NormalSource, ReadError, SidecarUse, explain,
+    Diagnostic, Format, Limits, Mesh, ModelCamera, ModelLight, NormalSource, ReadError, SidecarUse, explain, exporter,
 };
 use serde::Serialize;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The content of a model file, and its interpretation.
 #[derive(Debug, Serialize)]
@@ -28,6 +28,9 @@ pub struct Inspection {
     pub file: String,
     /// The format.
     pub format: Format,
+    /// The program that wrote it, as far as it says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exporter: Option<String>,
     /// Its size.
     pub bytes: u64,
     /// The unpacked size, if it is compressed.
@@ -124,7 +127,8 @@ pub struct ImageReport {
 
 /// Reads the model called `input` (a path, `builtin:NAME`) and reports its content.
 pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Inspection, ReadError> {
-    let files = &Budgeted::new(files, limits.max_bytes);
+    let source = files;
+    let files = &Budgeted::new(source, limits.max_bytes);
     let mut file = model_file::read_within(&files::resolve(Path::new(""), input), input, files, limits)?;
     let mut binder = MaterialBinder::new(files, files.budget(), PictureReader::ALL, BrdfLibrary::default());
     let (folders, used) = (file.texture_folders(), used_materials(&file.model));
@@ -138,9 +142,13 @@ pub fn inspect(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<I
     diagnostics.extend(bound.diagnostics);
     let model = file.model;
     let images = model.images.iter().map(|i| ImageReport { name: i.name.clone(), bytes: i.bytes.len() }).collect();
+    // The bytes of a read model are gone; reading them again costs little, because large files are mapped.
+    let text = FileText::read(input, source, limits);
+    let exporter = text.ok().and_then(|text| exporter(text.content(), file.format));
     Ok(Inspection {
         file: file.name,
         format: file.format,
+        exporter,
         bytes: file.size,
         unpacked_bytes: file.unpacked_size,
         contents: model.contents.into_iter().map(|(what, count)| NamedCount { what, count }).collect(),
@@ -165,21 +173,74 @@ pub fn explain_line(
     files: &dyn FileSource,
     limits: &Limits,
 ) -> Result<explain::LineExplanation, ReadError> {
-    let path = files::resolve(Path::new(""), input);
-    let in_file = |e: ReadError| e.in_file(input);
-    let files = &Budgeted::new(files, limits.max_bytes);
-    let bytes = files::read(files, &path).map_err(|e| in_file(files::failed(&e)))?;
-    let unpacked = model_file::unpack(&bytes, limits, files.budget()).map_err(in_file)?;
-    let content = unpacked.as_deref().unwrap_or(&bytes);
-    let is_library = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("mtl"));
-    if is_library {
-        return explain::mtl_line(content, line).map_err(in_file);
-    }
-    match crate::input_kind::format_of(content, &path.to_string_lossy()).map_err(|e| in_file(ReadError::new(e)))? {
-        Format::Obj => explain::line(content, line).map_err(in_file),
-        other => {
-            let message = format!("only lines of OBJ and MTL files can be explained, and this is {}", other.name());
+    let in_file = |error: ReadError| error.in_file(input);
+    let text = FileText::read(input, files, limits).map_err(in_file)?;
+    match text.explain(line).map_err(in_file)? {
+        Ok(explanation) => Ok(explanation),
+        Err(format) => {
+            let message = format!("only lines of OBJ and MTL files can be explained, and this is {}", format.name());
             Err(in_file(ReadError::new(message)))
+        }
+    }
+}
+
+/// Lines of a file that a scene or a model names.
+#[derive(Clone, Debug, Serialize)]
+pub struct FileLines {
+    /// The lines.
+    pub excerpt: explain::Excerpt,
+    /// An explanation of the requested one, in OBJ and MTL files.
+    pub explanation: Option<explain::LineExplanation>,
+}
+
+/// Line `line` (from 1) of the text file `input` with at most `around` lines before and after it.
+///
+/// # Errors
+/// The file cannot be read, is no text, or has no such line.
+pub fn lines_around(
+    input: &str,
+    line: u64,
+    around: u64,
+    files: &dyn FileSource,
+    limits: &Limits,
+) -> Result<FileLines, ReadError> {
+    let in_file = |error: ReadError| error.in_file(input);
+    let text = FileText::read(input, files, limits).map_err(in_file)?;
+    let excerpt = explain::excerpt(text.content(), line, around).map_err(in_file)?;
+    // A text of an unknown format, such as a scene file, has lines as well.
+    let explanation = text.explain(line).ok().and_then(Result::ok);
+    Ok(FileLines { excerpt, explanation })
+}
+
+/// A file with lines, unpacked.
+struct FileText {
+    path: PathBuf,
+    bytes: FileBytes,
+    unpacked: Option<Vec<u8>>,
+}
+
+impl FileText {
+    fn read(input: &str, files: &dyn FileSource, limits: &Limits) -> Result<Self, ReadError> {
+        let path = files::resolve(Path::new(""), input);
+        let files = &Budgeted::new(files, limits.max_bytes);
+        let bytes = files::read(files, &path).map_err(|error| files::failed(&error))?;
+        let unpacked = model_file::unpack(&bytes, limits, files.budget())?;
+        Ok(FileText { path, bytes, unpacked })
+    }
+
+    fn content(&self) -> &[u8] {
+        self.unpacked.as_deref().unwrap_or(&self.bytes)
+    }
+
+    /// Explains a line; the format whose lines cannot be explained is the inner error.
+    fn explain(&self, line: u64) -> Result<Result<explain::LineExplanation, Format>, ReadError> {
+        if self.path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("mtl")) {
+            return explain::mtl_line(self.content(), line).map(Ok);
+        }
+        let format = crate::input_kind::format_of(self.content(), &self.path.to_string_lossy());
+        match format.map_err(ReadError::new)? {
+            Format::Obj => explain::line(self.content(), line).map(Ok),
+            other => Ok(Err(other)),
         }
     }
 }

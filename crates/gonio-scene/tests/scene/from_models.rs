@@ -221,6 +221,17 @@ fn an_inspection_reports_the_source_of_each_value() {
     assert!(features.contains(&"textures that are not at the path in the file"), "{features:?}");
     let line = inspect::explain_line("t.obj", 10, &files, &Limits::default()).unwrap();
     assert!(line.text.starts_with("f 1/1/1"), "{line:?}");
+    let lines = inspect::lines_around("t.mtl", 3, 1, &files, &Limits::default()).unwrap();
+    assert_eq!(
+        (lines.excerpt.first_line, lines.excerpt.lines.as_slice()),
+        (2, &["Kd 0 0 0", "Ns 20", "map_Kd Wood.PNG"].map(String::from)[..])
+    );
+    assert!(lines.explanation.unwrap().meaning.contains("highlight"));
+    let scene = Memory::default().with("scene.toml", "[[object]]\nmodel = \"t.obj\"\n");
+    let lines = inspect::lines_around("scene.toml", 2, 9, &scene, &Limits::default()).unwrap();
+    assert_eq!((lines.excerpt.line_count, lines.explanation), (2, None));
+    let error = inspect::lines_around("none.obj", 1, 9, &scene, &Limits::default()).unwrap_err().to_string();
+    assert!(error.starts_with("none.obj: "), "{error}");
     let error = inspect::explain_line("art/wood.png", 1, &files, &Limits::default()).unwrap_err().to_string();
     assert!(error.starts_with("art/wood.png: this is a PNG image"), "{error}");
 }

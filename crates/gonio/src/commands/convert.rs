@@ -6,12 +6,10 @@ use crate::options::{GeneralOptions, LimitOptions, values};
 use crate::output::{OutputFiles, OutputKind, OutputPath, check_stdout};
 use crate::report::Reporter;
 use clap::Args;
+use gonio_mesh::Model;
 use gonio_mesh::write::ply::PlyEncoding;
-use gonio_mesh::write::{self, ImageFile};
-use gonio_mesh::{Diagnostic, EmbeddedImage, FilePlace, Model};
-use gonio_scene::files::FileSource;
-use gonio_scene::model_file::{ModelFile, TextureFile};
-use std::collections::BTreeMap;
+use gonio_scene::convert::{ConvertedModel, ModelFormat, ModelTextures, TexturePlacement};
+use gonio_scene::model_file::ModelFile;
 use std::path::{Path, PathBuf};
 
 /// Convert a model to OBJ with MTL, PLY or GLB.
@@ -46,37 +44,6 @@ pub struct ConvertArgs {
     pub general: GeneralOptions,
 }
 
-/// The formats that can be written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ModelFormat {
-    Obj,
-    Ply,
-    Glb,
-}
-
-impl ModelFormat {
-    const ALL: &'static [Self] = &[Self::Obj, Self::Ply, Self::Glb];
-
-    /// The extension.
-    fn name(self) -> &'static str {
-        match self {
-            Self::Obj => "obj",
-            Self::Ply => "ply",
-            Self::Glb => "glb",
-        }
-    }
-}
-
-impl ModelFormat {
-    /// The format of a file by its extension.
-    pub fn of_path(path: &Path) -> Result<Self, CliError> {
-        let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-        Self::ALL.iter().copied().find(|format| format.name() == extension).ok_or_else(|| {
-            CliError::new(format!("`{}` cannot be written: expected an extension .obj, .ply or .glb", path.display()))
-        })
-    }
-}
-
 pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let format = format_of(args)?;
     if args.ascii && format != ModelFormat::Ply {
@@ -90,18 +57,20 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
         ModelFile::open(&args.input, &files, &args.limits.limits())?
     };
     let mut diagnostics = std::mem::take(&mut file.model.diagnostics);
-    let textures = Textures::find(&file, &files, &mut diagnostics);
+    let textures = ModelTextures::find(&file, &files, &mut diagnostics);
     let mut model = std::mem::take(&mut file.model);
     let written = {
         let _busy = reporter.busy("writing the model");
         let encoding = if args.ascii { PlyEncoding::Ascii } else { PlyEncoding::Binary };
-        ConvertedModel::new(&mut model, textures, &args.output, format, encoding)?
+        convert_for(&args.output, &mut model, &textures, format, encoding)?
     };
     diagnostics.extend(written.diagnostics);
     reporter.diagnostics(&diagnostics);
-    let beside = written.beside.iter().map(|(path, _)| path.display().to_string());
-    let outputs: Vec<String> = std::iter::once(args.output.to_string()).chain(beside).collect();
-    write_files(&args.output, written.main, &written.beside)?;
+    let beside: Vec<(PathBuf, Vec<u8>)> =
+        written.beside.into_iter().map(|(name, bytes)| (path_beside(&args.output, &name), bytes)).collect();
+    let paths = beside.iter().map(|(path, _)| path.display().to_string());
+    let outputs: Vec<String> = std::iter::once(args.output.to_string()).chain(paths).collect();
+    write_files(&args.output, written.main, &beside)?;
     if reporter.json() {
         reporter.report(&serde_json::json!({
             "command": "convert",
@@ -120,64 +89,40 @@ fn format_of(args: &ConvertArgs) -> Result<ModelFormat, CliError> {
     let Some(path) = args.output.file() else {
         return args.format.ok_or_else(|| CliError::new("stdout has no extension; add --format obj, ply or glb"));
     };
-    args.format.map_or_else(|| ModelFormat::of_path(path), Ok)
+    args.format.map_or_else(|| format_of_path(path), Ok)
 }
 
-/// A converted model.
-pub struct ConvertedModel {
-    /// The bytes of the file that OUT names.
-    pub main: Vec<u8>,
-    /// The files beside it that it refers to.
-    pub beside: Vec<(PathBuf, Vec<u8>)>,
-    pub diagnostics: Vec<Diagnostic>,
+/// The format of a file by its extension.
+pub fn format_of_path(path: &Path) -> Result<ModelFormat, CliError> {
+    ModelFormat::of_path(path).ok_or_else(|| {
+        CliError::new(format!("`{}` cannot be written: expected an extension .obj, .ply or .glb", path.display()))
+    })
 }
 
-impl ConvertedModel {
-    /// Writes a model for `output`, naming its textures relative to that file's folder.
-    pub fn new(
-        model: &mut Model,
-        textures: Textures,
-        output: &OutputPath,
-        format: ModelFormat,
-        encoding: PlyEncoding,
-    ) -> Result<ConvertedModel, CliError> {
-        Ok(match format {
-            ModelFormat::Obj => obj_files(model, textures, output),
-            ModelFormat::Ply => ply_files(model, textures, output, encoding),
-            ModelFormat::Glb => glb_file(model, &textures, output)?,
-        })
-    }
+/// Writes a model for `output`, naming its textures relative to that file's folder.
+pub fn convert_for(
+    output: &OutputPath,
+    model: &mut Model,
+    textures: &ModelTextures,
+    format: ModelFormat,
+    encoding: PlyEncoding,
+) -> Result<ConvertedModel, CliError> {
+    let path = path_of(output);
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let name = |texture: &Path| seen_from(folder, &texture.to_string_lossy());
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    ConvertedModel::new(model, textures, TexturePlacement::Stay(&name), &stem, format, encoding)
+        .map_err(|error| CliError::new(format!("`{output}` cannot be written: {error}")))
+}
+
+/// The path of a file beside the output.
+pub fn path_beside(output: &OutputPath, name: &str) -> PathBuf {
+    path_of(output).with_file_name(name)
 }
 
 /// The path that files beside the output are named after; those of stdout are in the current folder.
 fn path_of(output: &OutputPath) -> &Path {
     output.file().unwrap_or(Path::new("stdout"))
-}
-
-fn obj_files(model: &mut Model, textures: Textures, output: &OutputPath) -> ConvertedModel {
-    let path = path_of(output);
-    textures.name_for(model, path);
-    let files = write::obj::write(model, &format!("{}.mtl", stem_of(path)));
-    let mut beside = Vec::new();
-    if !files.mtl.is_empty() {
-        beside.push((path.with_file_name(&files.mtl_name), files.mtl));
-    }
-    beside.extend(image_files(model, &files.images, path));
-    ConvertedModel { main: files.obj, beside, diagnostics: files.diagnostics }
-}
-
-fn ply_files(model: &mut Model, textures: Textures, output: &OutputPath, encoding: PlyEncoding) -> ConvertedModel {
-    let path = path_of(output);
-    textures.name_for(model, path);
-    let files = write::ply::write(model, &stem_of(path), encoding);
-    let beside = image_files(model, &files.images, path).collect();
-    ConvertedModel { main: files.ply, beside, diagnostics: files.diagnostics }
-}
-
-fn glb_file(model: &Model, textures: &Textures, output: &OutputPath) -> Result<ConvertedModel, CliError> {
-    let glb = write::glb::write(model, &mut |map| textures.bytes(&map.path))
-        .map_err(|error| CliError::new(format!("`{output}` cannot be written: {error}")))?;
-    Ok(ConvertedModel { main: glb.bytes, beside: Vec::new(), diagnostics: glb.diagnostics })
 }
 
 /// Writes the model, after the files that it refers to.
@@ -197,79 +142,4 @@ fn write_files(output: &OutputPath, main: Vec<u8>, beside: &[(PathBuf, Vec<u8>)]
     }
     files.add_output(output, main)?;
     files.commit()
-}
-
-/// The pictures inside the model, as files beside it.
-fn image_files<'m>(
-    model: &'m Model,
-    images: &'m [ImageFile],
-    output: &'m Path,
-) -> impl Iterator<Item = (PathBuf, Vec<u8>)> + 'm {
-    images.iter().filter_map(move |file| {
-        let image = model.images.get(file.image)?;
-        Some((output.with_file_name(&file.name), image.bytes.clone()))
-    })
-}
-
-fn stem_of(output: &Path) -> String {
-    output.file_stem().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-/// The files of all textures that are not inside the model, by their names in the model.
-pub struct Textures {
-    files: BTreeMap<String, TextureFile>,
-}
-
-impl Textures {
-    /// Looks for all of them. A missing one is reported and keeps its name.
-    pub fn find(file: &ModelFile, files: &dyn FileSource, diagnostics: &mut Vec<Diagnostic>) -> Self {
-        let mut textures = Textures { files: BTreeMap::new() };
-        let mut missing: Vec<&str> = Vec::new();
-        let maps = file.model.materials.iter().flat_map(|material| {
-            material.textures().filter(|map| map.embedded.is_none()).map(move |map| (material, map))
-        });
-        for (material, map) in maps {
-            if textures.files.contains_key(&map.path) || missing.contains(&map.path.as_str()) {
-                continue;
-            }
-            match file.texture(&map.path, files) {
-                Ok(found) => drop(textures.files.insert(map.path.clone(), found)),
-                Err(not_found) => {
-                    missing.push(&map.path);
-                    let fault = match not_found.refused {
-                        Some(refused) => format!("was not read: {refused}"),
-                        None => format!("was not found; tried {}", not_found.tried.join(", ")),
-                    };
-                    let message = format!("the texture {:?} {fault}", map.path);
-                    let diagnostic = Diagnostic { place: FilePlace::on_line(map.line), ..Diagnostic::warning(message) };
-                    diagnostics.push(diagnostic.in_file(material.file.as_deref().unwrap_or(&file.name)));
-                }
-            }
-        }
-        textures
-    }
-
-    /// The bytes of the texture that the model calls `name`.
-    pub fn bytes(&self, name: &str) -> Option<Vec<u8>> {
-        self.files.get(name).map(|file| file.bytes.to_vec())
-    }
-
-    /// Names them relative to the folder of `output`; those that are not files of their own are embedded in the model.
-    pub fn name_for(self, model: &mut Model, output: &Path) {
-        let folder = output.parent().unwrap_or(Path::new(""));
-        let mut image_of: BTreeMap<String, usize> = BTreeMap::new();
-        for map in model.materials.iter_mut().flat_map(|material| material.textures_mut()) {
-            let Some(file) = self.files.get(&map.path).filter(|_| map.embedded.is_none()) else { continue };
-            if let Some(path) = &file.path {
-                map.path = seen_from(folder, &path.to_string_lossy());
-                continue;
-            }
-            let images = &mut model.images;
-            let image = *image_of.entry(map.path.clone()).or_insert_with(|| {
-                images.push(EmbeddedImage { name: map.path.clone(), bytes: file.bytes.to_vec() });
-                images.len() - 1
-            });
-            map.embedded = Some(image);
-        }
-    }
 }

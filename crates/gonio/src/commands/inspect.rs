@@ -146,6 +146,9 @@ impl InspectionPage {
     }
 
     fn contents(&mut self, i: &Inspection) {
+        if let Some(exporter) = &i.exporter {
+            self.line("written by", exporter);
+        }
         let counts: Vec<String> = i.contents.iter().map(|c| format!("{} {}", grouped(c.count), c.what)).collect();
         if !counts.is_empty() {
             self.wrapped("contains", &counts.join(", "));

@@ -1,7 +1,7 @@
 //! `gonio unwrap`: new texture coordinates for a model. The work is `gonio-atlas`'s; this module has the options and files.
 
 use crate::commands::atlas::{AtlasOptions, AtlasReport, checker_picture};
-use crate::commands::convert::{ConvertedModel, ModelFormat, Textures};
+use crate::commands::convert::{convert_for, format_of_path, path_beside};
 use crate::error::{CliError, CommandOutcome};
 use crate::loading;
 use crate::options::{GeneralOptions, LimitOptions, SceneOptions};
@@ -12,6 +12,7 @@ use gonio_atlas::{AtlasUv, layout, uv_report};
 use gonio_image::encode::png::{ColorTag, encode8};
 use gonio_mesh::Diagnostic;
 use gonio_mesh::write::ply::PlyEncoding;
+use gonio_scene::convert::{ModelFormat, ModelTextures};
 use gonio_scene::model_file::ModelFile;
 use std::path::PathBuf;
 
@@ -60,7 +61,7 @@ pub struct UnwrapArgs {
 pub fn run(args: &UnwrapArgs, reporter: &Reporter) -> Result<CommandOutcome, CliError> {
     let times = Times::default();
     let output = args.output.clone().map(OutputPath::File);
-    let format = args.output.as_deref().map(ModelFormat::of_path).transpose()?;
+    let format = args.output.as_deref().map(format_of_path).transpose()?;
     args.atlas.settings()?;
     if args.atlas.second_uv && format.is_some_and(|format| format != ModelFormat::Glb) {
         return Err(CliError::new("--second-uv needs a .glb file: OBJ and PLY have one set of texture coordinates"));
@@ -92,11 +93,11 @@ pub fn run(args: &UnwrapArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
         if !args.atlas.keep_uvs && !args.atlas.second_uv {
             drop_textures(&mut file, &mut diagnostics);
         }
-        let textures = Textures::find(&file, &files, &mut diagnostics);
-        let converted = ConvertedModel::new(&mut file.model, textures, output, format, PlyEncoding::Binary)?;
+        let textures = ModelTextures::find(&file, &files, &mut diagnostics);
+        let converted = convert_for(output, &mut file.model, &textures, format, PlyEncoding::Binary)?;
         diagnostics.extend(converted.diagnostics);
-        for (path, bytes) in converted.beside.iter().rev() {
-            written.add(path, bytes)?;
+        for (name, bytes) in converted.beside.iter().rev() {
+            written.add(&path_beside(output, name), bytes)?;
         }
         written.add_output(output, converted.main)?;
     }
