@@ -14,10 +14,13 @@
 //! | [`scene_view`] | the pictures of the scene, and what pointer and keys do there |
 //! | `step` | shaders, stepped through at a pixel |
 //! | [`baking`] | textures for new texture coordinates, and the atlas beside the model |
+//! | [`environment`] | the environment's faces and panorama, their check, repair and conversion |
 //! | [`mod@bench`] | the BRDF bench: functions plotted, compared and checked |
+//! | [`gallery`] | the scenes of `gonio tour` with small pictures |
 //! | [`stations`] | the stations beyond the rendering equation: pictures, sliders, laws |
 //! | [`exercise`] | an exercise: the student's files, their picture, the checker |
 //! | [`files`] | files that the user drops, chooses or links to |
+//! | `beside` | work in steps beside the interface |
 //! | `focus` | the ring around the focused control |
 //! | [`saving`] | pictures and scenes as files |
 //! | `missing_glyphs` | characters that no font can draw |
@@ -32,11 +35,14 @@ pub mod action;
 mod app;
 pub mod baking;
 pub mod bench;
+mod beside;
 pub mod document;
+pub mod environment;
 pub mod exercise;
 pub mod exported;
 pub mod files;
 mod focus;
+pub mod gallery;
 mod missing_glyphs;
 pub mod panels;
 pub mod platform;

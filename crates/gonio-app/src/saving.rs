@@ -1,5 +1,6 @@
 //! Saving of pictures and scenes.
 
+use crate::environment::EnvironmentProduct;
 use gonio_image::encode::png::{self, ColorTag};
 use gonio_image::{EncodedPicture, ImageError};
 use gonio_scene::files::BUILTIN;
@@ -30,6 +31,8 @@ pub enum Product {
     BakedGlb,
     /// All files of the baked model as ZIP.
     BakedZip,
+    /// The environment, converted.
+    Environment(EnvironmentProduct),
 }
 
 impl Product {
@@ -55,6 +58,7 @@ impl Product {
             Product::BakedObj => "baked-obj",
             Product::BakedGlb => "baked-glb",
             Product::BakedZip => "baked-zip",
+            Product::Environment(product) => product.id(),
         }
     }
 
@@ -70,6 +74,7 @@ impl Product {
             Product::BakedObj => "OBJ and PNG",
             Product::BakedGlb => "GLB",
             Product::BakedZip => "ZIP",
+            Product::Environment(product) => product.title(),
         }
     }
 
@@ -83,6 +88,7 @@ impl Product {
             Product::BakedObj => "obj",
             Product::BakedGlb => "glb",
             Product::BakedZip => "zip",
+            Product::Environment(product) => product.extension(),
         }
     }
 

@@ -30,13 +30,14 @@ impl App {
             Action::Save(product) => {
                 let name = match product {
                     Product::PlotSvg | Product::PlotPng => self.bench.file_name(product),
+                    Product::Environment(product) => self.environment_file_name(product),
                     _ => product.file_name(&self.session.title),
                 };
                 if self.platform.choose_place(product, &name, ctx) == FileDialog::Unavailable {
                     self.session.asking = Some(PathField { saves: Some(product), text: name });
                 }
             }
-            Action::SaveTo(product, place) => self.save(product, &place),
+            Action::SaveTo(product, place) => self.save(ctx, product, &place),
             Action::CopyPicture => self.copy_picture(ctx),
             Action::CopyLink => match link::of_scene(&self.document.scene) {
                 Ok(fragment) => {
@@ -108,7 +109,11 @@ impl App {
             Action::DismissAll => self.session.messages.dismiss_all(),
             Action::ExpandMessages => self.session.messages.is_expanded = !self.session.messages.is_expanded,
             Action::ShowBench => self.bench.open(),
+            Action::ShowGallery => self.show_gallery(),
             Action::ShowStations => self.stations.open(),
+            Action::ShowEnvironment => self.show_environment(),
+            Action::CloseEnvironment => self.close_environment(),
+            Action::RepairEnvironment => self.repair_environment(ctx),
             Action::ShowBake => self.show_bake(),
             Action::CloseBake => self.close_bake(),
             Action::StartBake => self.start_bake(ctx),
@@ -133,7 +138,10 @@ impl App {
         self.session.recorded_frame = Some(taken);
     }
 
-    pub(super) fn save(&mut self, product: Product, place: &str) {
+    pub(super) fn save(&mut self, ctx: &egui::Context, product: Product, place: &str) {
+        if let Product::Environment(product) = product {
+            return self.convert_environment(ctx, product, place);
+        }
         let folder = cfg!(not(target_arch = "wasm32")).then(|| Path::new(place).parent()).flatten();
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
@@ -157,6 +165,7 @@ impl App {
             }
             Product::PlotSvg | Product::PlotPng => self.bench.product(product),
             Product::BakedObj | Product::BakedGlb | Product::BakedZip => self.baked_product(product, folder),
+            Product::Environment(_) => Err(NOTHING_DRAWN.to_owned()),
             Product::Light => {
                 let pane = self.document.panes.current;
                 let light =

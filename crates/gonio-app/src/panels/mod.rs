@@ -16,10 +16,12 @@ mod top_bar;
 
 pub use dialogs::path_field;
 pub use messages::show as messages;
+pub use picture::environment_image;
 
 use crate::action::Action;
 use crate::baking;
 use crate::document::{Document, History};
+use crate::environment;
 use crate::exported::{self, WidgetRole};
 use crate::platform::Purpose;
 use crate::session::{Session, Tab};
@@ -131,6 +133,7 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         Tab::Compare => compare::show(ui, document, session, actions),
         Tab::Frame => frame::show(ui, document, session, actions),
         Tab::Shaders => shaders::show(ui, session, document.panes.current, actions),
+        Tab::Environment => environment::panel(ui, document, session, actions),
         // It scrolls itself, below its tabs.
         Tab::Bake => {}
     });
@@ -138,13 +141,14 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
 
 /// The tabs, side by side over the whole width; the selected one is underlined. It is not bold, so that the others do not move.
 fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
-    let is_usual = session.shaders.is_none() && !session.baking.is_open;
+    let is_usual = session.shaders.is_none() && !session.baking.is_open && !session.environment.is_open;
     let font = FontId::proportional(if is_usual { TAB_SIZE } else { SMALL_TAB_SIZE });
     let color = |ui: &Ui, chosen| if chosen { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
     let seen = || {
         Tab::ALL.into_iter().filter(|tab| match tab {
             Tab::Shaders => session.shaders.is_some(),
             Tab::Bake => session.baking.is_open,
+            Tab::Environment => session.environment.is_open,
             _ => true,
         })
     };

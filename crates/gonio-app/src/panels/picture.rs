@@ -2,6 +2,7 @@
 
 use crate::action::Action;
 use crate::document::Document;
+use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::widgets::{NumberField, choice, color, dropdown, heading, named_options, row, toggle};
 use egui::Ui;
@@ -13,13 +14,22 @@ use gonio_scene::texture::TextureFilter;
 use gonio_scene::{SceneSettings, ViewSpec};
 
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
-    let _ = actions;
     if session.loaded.is_none() {
         return;
     }
     heading(ui, "View of this pane");
     view(ui, document);
     heading(ui, "Environment");
+    environment_image(ui, &mut document.scene);
+    row(ui, "", "", |ui| {
+        let title = "Faces and conversion";
+        let button = ui.button(title);
+        exported::note(ui, &button, "environment-panel", WidgetRole::Button, title, "");
+        let tip = "The environment as six faces and as a panorama, the check of its orientation, and its conversion";
+        if button.on_hover_text(tip).clicked() {
+            actions.push(Action::ShowEnvironment);
+        }
+    });
     environment(ui, &mut document.scene);
     heading(ui, "Background");
     background(ui, &mut document.scene.background);
@@ -89,7 +99,8 @@ fn titled(group: &str, quantity: Quantity) -> String {
     }
 }
 
-fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
+/// The choice of the environment's image.
+pub fn environment_image(ui: &mut Ui, scene: &mut SceneSettings) {
     const BUILTIN: [(&str, &str); 3] =
         [("debug", "Six labelled colours, one per face"), ("sky", "A sky with a sun"), ("room", "A room with windows")];
     let image = scene.environment.as_ref().map(|environment| environment.image.clone());
@@ -116,6 +127,9 @@ fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
             ..EnvironmentSettings::default()
         });
     }
+}
+
+fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
     let Some(environment) = &mut scene.environment else { return };
     row(ui, "Light", "Whether the environment lights the objects", |ui| {
         let tip = "Diffuse light and glossy reflection";

@@ -15,8 +15,12 @@ const NARROW: f32 = 680.0;
 const BENCH: &str = "BRDF bench: reflection functions plotted, compared and checked";
 /// Name and tooltip of the stations.
 const STATIONS: [&str; 2] = ["Beyond", "Beyond the rendering equation: polarisation, interference, fog and seven more"];
+/// Tooltip of the gallery.
+const GALLERY: &str = "Every technique on several models, as scenes to open";
 /// Tooltip of baking.
 const BAKE: &str = "Unwrap the model, and bake its colours, normals or light into textures (Ctrl + B)";
+/// Tooltip of the environment's panel.
+const ENVIRONMENT: &str = "The environment as six faces, a cross, a panorama or KTX2; the check of its orientation";
 /// Tooltip of the exercises.
 const EXERCISES: &str = "Shader exercises: edit, compare with the correct answer, and check";
 
@@ -141,6 +145,7 @@ fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
     }
     ui.separator();
     entry(ui, "bake", "Bake textures...", BAKE, Action::ShowBake, actions);
+    entry(ui, "environment-convert", "Convert the environment...", ENVIRONMENT, Action::ShowEnvironment, actions);
     ui.separator();
     entry(ui, "copy-picture", "Copy the picture", "", Action::CopyPicture, actions);
     let tip = "A link to this page with the scene in it: sample models, lights, camera and all settings";
@@ -148,6 +153,8 @@ fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
 }
 
 fn samples_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
+    entry(ui, "gallery", "Gallery...", GALLERY, Action::ShowGallery, actions);
+    ui.separator();
     for name in files::builtin_names() {
         let action = Action::Open(vec![format!("{}{name}", files::BUILTIN)]);
         entry(ui, &format!("sample-{name}"), &name, sentence(&name), action, actions);

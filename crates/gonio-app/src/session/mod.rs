@@ -17,6 +17,7 @@ pub use probing::Probing;
 pub use settings::Settings;
 
 use crate::baking::Baking;
+use crate::environment::EnvironmentView;
 use crate::saving::Product;
 use crate::truth::{PixelLight, TracedPane};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -99,6 +100,8 @@ pub struct Session {
     pub shaders: Option<OwnShaders>,
     /// Baking, and the newest baked atlas.
     pub baking: Baking,
+    /// The panel of the environment.
+    pub environment: EnvironmentView,
     /// Whether slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
     /// Whether something is being dragged, or time runs.
@@ -136,6 +139,7 @@ impl Default for Session {
             traced: Vec::new(),
             shaders: None,
             baking: Baking::default(),
+            environment: EnvironmentView::default(),
             adaptive: true,
             moving: false,
             unframed: false,
@@ -216,11 +220,13 @@ pub enum Tab {
     Shaders,
     /// Baking; only once it was opened.
     Bake,
+    /// The environment; only once it was opened.
+    Environment,
 }
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Tab; 9] = [
+    pub const ALL: [Tab; 10] = [
         Tab::Lights,
         Tab::Objects,
         Tab::Camera,
@@ -230,6 +236,7 @@ impl Tab {
         Tab::Frame,
         Tab::Shaders,
         Tab::Bake,
+        Tab::Environment,
     ];
 
     /// The title.
@@ -244,6 +251,7 @@ impl Tab {
             Tab::Frame => "Frame",
             Tab::Shaders => "Shaders",
             Tab::Bake => "Bake",
+            Tab::Environment => "Environment",
         }
     }
 
@@ -259,6 +267,7 @@ impl Tab {
             Tab::Frame => "The OpenGL calls that drew this picture",
             Tab::Shaders => "Your own shaders and the values of their uniforms",
             Tab::Bake => "Textures for new texture coordinates, baked from the scene",
+            Tab::Environment => "The environment as six faces and as a panorama, checked and converted",
         }
     }
 }
