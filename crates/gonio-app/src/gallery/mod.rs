@@ -171,13 +171,20 @@ fn heading(ui: &mut Ui, section: &Section) {
     let title = if section.title.is_empty() { FIRST_TITLE } else { section.title };
     let label = ui.label(RichText::new(title).font(theme::bold(18.0)).color(ui.visuals().strong_text_color()));
     crate::exported::note(ui, &label, &format!("section-{}", section.id), crate::exported::WidgetRole::Text, title, "");
-    ui.add(Label::new(RichText::new(plain(section.introduction)).weak()).wrap());
+    if !section.introduction.is_empty() {
+        ui.add(Label::new(RichText::new(plain(section.introduction)).weak()).wrap());
+    }
     ui.add_space(4.0);
 }
 
-/// The text of a markup on one line.
+/// The text of a markup on one line, with `_` before a subscript and `^` before a superscript.
 fn plain(text: &str) -> String {
-    markup::runs(text).into_iter().map(|run| run.text).collect()
+    let mark = |rise: f32| match rise {
+        rise if rise < 0.0 => "_",
+        rise if rise > 0.0 => "^",
+        _ => "",
+    };
+    markup::runs(text).into_iter().map(|run| format!("{}{}", mark(run.rise), run.text)).collect()
 }
 
 fn choice(exhibit: &Exhibit) -> Option<ChosenExhibit> {
@@ -188,4 +195,16 @@ fn choice(exhibit: &Exhibit) -> Option<ChosenExhibit> {
         view: exhibit.view,
         time: exhibit.time,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_are_legible_on_one_line() {
+        assert_eq!(plain("k_s !{⟨N·H⟩}^g"), "k_s ⟨N·H⟩^g");
+        assert_eq!(plain("att_i = \\f{1}{d^2}"), "att_i = 1 / d^2");
+        assert_eq!(plain("once for each triangle"), "once for each triangle");
+    }
 }
