@@ -7,7 +7,7 @@ use egui::{Vec2, vec2};
 use gonio_app::exported;
 use gonio_app::platform::Event;
 use gonio_app::saving::Product;
-use gonio_environment::encode::{Appearance, Container, PictureFormat, picture};
+use gonio_environment::encode::{Appearance, Container, EnvironmentFormat, picture};
 use gonio_environment::{Cubemap, Face, Layout};
 use gonio_image::decode::{DecodedContent, decode};
 use gonio_light::color::OutputTransform;
@@ -47,7 +47,7 @@ fn swapped_faces(folder: &Path) -> String {
     let mut faces = map.faces(layout);
     faces.swap(Face::PosX as usize, Face::NegX as usize);
     for (face, image) in Face::ALL.into_iter().zip(&faces) {
-        let bytes = picture(image, PictureFormat::Exr, None, &appearance).unwrap().bytes;
+        let bytes = picture(image, EnvironmentFormat::Exr, None, &appearance).unwrap().bytes;
         std::fs::write(folder.join(format!("{}.exr", face.name())), bytes).unwrap();
     }
     let scene = folder.join("scene.toml");
@@ -119,7 +119,7 @@ fn every_product_is_converted_to_a_file_that_can_be_read() {
     let product = |container, is_zip| {
         Product::Environment(gonio_app::environment::EnvironmentProduct {
             container,
-            format: PictureFormat::Exr,
+            format: EnvironmentFormat::Exr,
             size: Some(16),
             layout: Layout::OpenGl,
             is_zip,

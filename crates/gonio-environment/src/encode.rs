@@ -76,7 +76,7 @@ impl std::fmt::Display for Container {
 
 /// The format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PictureFormat {
+pub enum EnvironmentFormat {
     /// PNG: 8 or 16 bits, displayed colours.
     Png,
     /// OpenEXR: half or single floats, linear light.
@@ -85,30 +85,30 @@ pub enum PictureFormat {
     Hdr,
 }
 
-impl PictureFormat {
+impl EnvironmentFormat {
     /// All formats.
-    pub const ALL: [PictureFormat; 3] = [PictureFormat::Png, PictureFormat::Exr, PictureFormat::Hdr];
+    pub const ALL: [EnvironmentFormat; 3] = [EnvironmentFormat::Png, EnvironmentFormat::Exr, EnvironmentFormat::Hdr];
 
     /// The format of a file name extension in lower case, without the dot.
-    pub fn from_extension(extension: &str) -> Option<PictureFormat> {
-        PictureFormat::ALL.into_iter().find(|format| format.extension() == extension)
+    pub fn from_extension(extension: &str) -> Option<EnvironmentFormat> {
+        EnvironmentFormat::ALL.into_iter().find(|format| format.extension() == extension)
     }
 
     /// The format that preserves everything in a file of this format.
-    pub fn that_preserves(source: FileFormat) -> PictureFormat {
+    pub fn that_preserves(source: FileFormat) -> EnvironmentFormat {
         match source {
-            FileFormat::Png | FileFormat::Jpeg => PictureFormat::Png,
-            FileFormat::Hdr => PictureFormat::Hdr,
-            FileFormat::Exr | FileFormat::Ktx2 | FileFormat::Dds => PictureFormat::Exr,
+            FileFormat::Png | FileFormat::Jpeg => EnvironmentFormat::Png,
+            FileFormat::Hdr => EnvironmentFormat::Hdr,
+            FileFormat::Exr | FileFormat::Ktx2 | FileFormat::Dds => EnvironmentFormat::Exr,
         }
     }
 
     /// The file name extension, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
-            PictureFormat::Png => "png",
-            PictureFormat::Exr => "exr",
-            PictureFormat::Hdr => "hdr",
+            EnvironmentFormat::Png => "png",
+            EnvironmentFormat::Exr => "exr",
+            EnvironmentFormat::Hdr => "hdr",
         }
     }
 }
@@ -134,12 +134,12 @@ pub struct Appearance {
 /// A picture that the format cannot hold.
 pub fn picture(
     image: &Image,
-    format: PictureFormat,
+    format: EnvironmentFormat,
     bits: Option<u8>,
     appearance: &Appearance,
 ) -> Result<Encoded, ImageError> {
     match format {
-        PictureFormat::Png => {
+        EnvironmentFormat::Png => {
             let encode = |depth: &png::Depth| {
                 png::encode(image, &appearance.transform, *depth).map(|bytes| Encoded { bytes, ..Encoded::default() })
             };
@@ -151,7 +151,7 @@ pub fn picture(
                 }
             }
         }
-        PictureFormat::Exr => {
+        EnvironmentFormat::Exr => {
             let encode = |precision: &exr::ExrPrecision| exr::encode(image, *precision);
             if appearance.exact {
                 first_exact(&[exr::ExrPrecision::Half, exr::ExrPrecision::Float], std::slice::from_ref(image), encode)
@@ -159,7 +159,7 @@ pub fn picture(
                 encode(&exr::ExrPrecision::Half)
             }
         }
-        PictureFormat::Hdr => hdr::encode(image),
+        EnvironmentFormat::Hdr => hdr::encode(image),
     }
 }
 
@@ -227,8 +227,8 @@ mod tests {
 
     #[test]
     fn an_exact_picture_takes_as_many_bits_as_it_needs() {
-        let rounded = picture(&fine(), PictureFormat::Exr, None, &appearance(true, false)).unwrap();
-        let exact = picture(&fine(), PictureFormat::Exr, None, &appearance(true, true)).unwrap();
+        let rounded = picture(&fine(), EnvironmentFormat::Exr, None, &appearance(true, false)).unwrap();
+        let exact = picture(&fine(), EnvironmentFormat::Exr, None, &appearance(true, true)).unwrap();
         assert_ne!(read_again(&rounded), fine());
         assert_eq!(read_again(&exact), fine());
     }

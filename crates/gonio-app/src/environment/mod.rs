@@ -3,6 +3,7 @@
 //! | file | contents |
 //! |---|---|
 //! | `study` | reading it again from its files, checking it, and making small pictures |
+//! | `product` | what it can be saved as |
 //! | `conversion` | converting it to files |
 //! | `panel` | the panel |
 //! | `pictures` | the unfolded cube and the panorama |
@@ -14,11 +15,13 @@
 mod conversion;
 mod panel;
 mod pictures;
+mod product;
 mod state_json;
 mod study;
 
-pub use conversion::{ConversionGoal, ConvertedFiles, EnvironmentProduct};
+pub use conversion::{ConversionGoal, ConvertedFiles};
 pub use panel::show as panel;
+pub use product::EnvironmentProduct;
 pub use state_json::build as state;
 pub use study::{EnvironmentFacts, EnvironmentStudy};
 
@@ -29,7 +32,7 @@ use crate::saving::Product;
 use conversion::ConversionWork;
 use egui::Context;
 use gonio_environment::Layout;
-use gonio_environment::encode::PictureFormat;
+use gonio_environment::encode::EnvironmentFormat;
 use gonio_light::color::OutputTransform;
 use gonio_mesh::Limits;
 use gonio_scene::LoadedEnvironment;
@@ -78,7 +81,7 @@ pub enum EnvironmentNews {
 }
 
 /// A conversion at work.
-struct Conversion {
+struct RunningConversion {
     work: Beside<ConversionWork>,
     purpose: ConversionPurpose,
 }
@@ -103,9 +106,9 @@ pub struct EnvironmentView {
     studied: Option<Studied>,
     /// Counts the studies.
     serial: u64,
-    conversion: Option<Conversion>,
+    conversion: Option<RunningConversion>,
     /// The format of pictures; `None` for the one that preserves the environment.
-    format: Option<PictureFormat>,
+    format: Option<EnvironmentFormat>,
     /// Texels along an edge of a face; `None`: as fine as the environment.
     size: Option<u32>,
     layout: Layout,
@@ -163,14 +166,14 @@ impl EnvironmentView {
     ) {
         let work = ConversionWork::new(source, ConversionGoal::Product(product, transform));
         let purpose = ConversionPurpose::Save(product, place);
-        self.conversion = Some(Conversion { work: Beside::start(platform, ctx, work), purpose });
+        self.conversion = Some(RunningConversion { work: Beside::start(platform, ctx, work), purpose });
     }
 
     /// Repairs the environment.
     pub fn repair(&mut self, platform: &mut dyn Platform, ctx: &Context, source: EnvironmentSource) {
         let purpose = ConversionPurpose::Repair(stem(&source.name));
         let work = ConversionWork::new(source, ConversionGoal::Repaired);
-        self.conversion = Some(Conversion { work: Beside::start(platform, ctx, work), purpose });
+        self.conversion = Some(RunningConversion { work: Beside::start(platform, ctx, work), purpose });
     }
 
     /// Takes results; called in every frame.
@@ -230,7 +233,7 @@ mod tests {
     fn files_are_called_after_the_environment() {
         let product = |container, is_zip| EnvironmentProduct {
             container,
-            format: PictureFormat::Exr,
+            format: EnvironmentFormat::Exr,
             size: None,
             layout: Layout::OpenGl,
             is_zip,

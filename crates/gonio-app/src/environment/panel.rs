@@ -12,12 +12,12 @@ use crate::widgets::{choice, dropdown, heading, icon_button, row};
 use egui::{Align, Button, Label, Layout as UiLayout, RichText, Ui, WidgetInfo, vec2};
 use gonio_environment::Layout;
 use gonio_environment::arrange::Arrangement;
-use gonio_environment::encode::{Container, PictureFormat};
+use gonio_environment::encode::{Container, EnvironmentFormat};
 
-const FORMATS: [(PictureFormat, &str, &str); 3] = [
-    (PictureFormat::Exr, "EXR", "OpenEXR: linear light with half floats"),
-    (PictureFormat::Hdr, "HDR", "Radiance: linear light with a shared exponent"),
-    (PictureFormat::Png, "PNG", "Displayed colours, with the exposure and the tone map of the picture"),
+const FORMATS: [(EnvironmentFormat, &str, &str); 3] = [
+    (EnvironmentFormat::Exr, "EXR", "OpenEXR: linear light with half floats"),
+    (EnvironmentFormat::Hdr, "HDR", "Radiance: linear light with a shared exponent"),
+    (EnvironmentFormat::Png, "PNG", "Displayed colours, with the exposure and the tone map of the picture"),
 ];
 const SIZES: [(Option<u32>, &str, &str); 6] = [
     (None, "as fine as the environment", "No detail is lost"),
@@ -169,7 +169,7 @@ fn conversions(ui: &mut Ui, view: &mut EnvironmentView, actions: &mut Vec<Action
     row(ui, "Layout", "The layout of the faces in the files", |ui| {
         choice(ui, "environment-layout", "layout of faces", &mut view.layout, &LAYOUTS, Layout::OpenGl);
     });
-    if high_dynamic_range && format == PictureFormat::Png {
+    if high_dynamic_range && format == EnvironmentFormat::Png {
         weak(ui, "A PNG holds displayed colours: light above 1 is lost.");
     }
     let is_busy = view.is_converting();

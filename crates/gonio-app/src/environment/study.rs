@@ -5,7 +5,7 @@ use crate::beside::Steps;
 use glam::DVec3;
 use gonio_environment::arrange::Arrangement;
 use gonio_environment::convert::Conversion;
-use gonio_environment::encode::PictureFormat;
+use gonio_environment::encode::EnvironmentFormat;
 use gonio_environment::{Cubemap, Face};
 use gonio_image::Image;
 use gonio_image::encode::png;
@@ -39,7 +39,7 @@ pub struct EnvironmentFacts {
     /// Whether it may have light above 1.
     pub high_dynamic_range: bool,
     /// The format that preserves all of it.
-    pub preserving: PictureFormat,
+    pub preserving: EnvironmentFormat,
     /// Texels along an edge of faces that are as fine.
     pub face_size: u32,
     /// Whether nothing is wrong, in the order of the finding.
@@ -103,14 +103,14 @@ impl Steps for StudyWork {
 }
 
 fn facts(opened: &OpenedEnvironment, finding: &EnvironmentFinding) -> EnvironmentFacts {
-    let usual = if opened.high_dynamic_range { PictureFormat::Exr } else { PictureFormat::Png };
+    let usual = if opened.high_dynamic_range { EnvironmentFormat::Exr } else { EnvironmentFormat::Png };
     EnvironmentFacts {
         description: opened.description(),
         arrangement: opened.arrangement,
         files: opened.files.len(),
         format: opened.format.map(|format| format.name()),
         high_dynamic_range: opened.high_dynamic_range,
-        preserving: opened.format.map_or(usual, PictureFormat::that_preserves),
+        preserving: opened.format.map_or(usual, EnvironmentFormat::that_preserves),
         face_size: opened.map.as_environment().natural_cubemap_size(),
         fits: finding.fits(),
         is_repairable: finding.is_repairable(),

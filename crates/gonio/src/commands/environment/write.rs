@@ -3,7 +3,7 @@
 use crate::error::CliError;
 use crate::output::{OutputFiles, OutputPath, atomic};
 use gonio_environment::arrange::{self, Arrangement};
-use gonio_environment::encode::{self, Appearance, Container, PictureFormat};
+use gonio_environment::encode::{self, Appearance, Container, EnvironmentFormat};
 use gonio_environment::{Cubemap, Face, Panorama};
 use gonio_image::decode::FileFormat;
 use gonio_image::{Image, ImageError};
@@ -18,7 +18,7 @@ pub struct EnvironmentPlan {
     pub container: Container,
     output: OutputPath,
     /// The format of pictures; `None` for KTX2, and if it depends on what is read.
-    format: Option<PictureFormat>,
+    format: Option<EnvironmentFormat>,
     bits: Option<u8>,
 }
 
@@ -40,14 +40,14 @@ impl EnvironmentPlan {
     ) -> Result<EnvironmentPlan, CliError> {
         let path = output.file().unwrap_or(Path::new(""));
         let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-        let by_name = PictureFormat::from_extension(&extension);
+        let by_name = EnvironmentFormat::from_extension(&extension);
         let container = to.unwrap_or(match (extension.as_str(), by_name) {
             ("ktx2", _) => Container::Ktx2,
             (_, Some(_)) => Container::Equirectangular,
             _ if output.is_stdout() => Container::Equirectangular,
             _ => Container::Faces,
         });
-        let requested = format.and_then(PictureFormat::from_extension);
+        let requested = format.and_then(EnvironmentFormat::from_extension);
         let format = match container {
             Container::Faces => {
                 if output.is_stdout() {
@@ -90,7 +90,7 @@ impl EnvironmentPlan {
                 (named, _) => named,
             },
         };
-        let is_png = format.is_none_or(|f| f == PictureFormat::Png) && container != Container::Ktx2;
+        let is_png = format.is_none_or(|f| f == EnvironmentFormat::Png) && container != Container::Ktx2;
         if bits.is_some() && !is_png {
             return Err(CliError::new("--bits applies to PNG only; .exr has half floats, .hdr 8 bits and an exponent"));
         }
@@ -100,7 +100,7 @@ impl EnvironmentPlan {
     /// The plan with the format of the source for faces, and for a picture to stdout, if it is not settled.
     pub fn with_format_of(mut self, source: Option<FileFormat>) -> EnvironmentPlan {
         if self.container == Container::Faces || (self.output.is_stdout() && self.container != Container::Ktx2) {
-            self.format = self.format.or(source.map(PictureFormat::that_preserves));
+            self.format = self.format.or(source.map(EnvironmentFormat::that_preserves));
         }
         self
     }
@@ -131,17 +131,17 @@ impl EnvironmentPlan {
         }
     }
 
-    fn format(&self, high_dynamic_range: bool) -> PictureFormat {
+    fn format(&self, high_dynamic_range: bool) -> EnvironmentFormat {
         self.format.unwrap_or(if high_dynamic_range && self.bits.is_none() {
-            PictureFormat::Exr
+            EnvironmentFormat::Exr
         } else {
-            PictureFormat::Png
+            EnvironmentFormat::Png
         })
     }
 
     /// Checks that exposure and tone map, if `is_requested`, apply to the output.
     pub fn check_appearance(&self, is_requested: bool, high_dynamic_range: bool) -> Result<(), CliError> {
-        let is_png = self.container != Container::Ktx2 && self.format(high_dynamic_range) == PictureFormat::Png;
+        let is_png = self.container != Container::Ktx2 && self.format(high_dynamic_range) == EnvironmentFormat::Png;
         if is_requested && !is_png {
             let message =
                 "--exposure and --tone-map apply to PNG only; other formats store light as it is (--format png)";
@@ -152,7 +152,9 @@ impl EnvironmentPlan {
 
     /// Whether light above 1 would be clipped.
     pub fn clips(&self, high_dynamic_range: bool) -> bool {
-        high_dynamic_range && self.container != Container::Ktx2 && self.format(high_dynamic_range) == PictureFormat::Png
+        high_dynamic_range
+            && self.container != Container::Ktx2
+            && self.format(high_dynamic_range) == EnvironmentFormat::Png
     }
 
     /// Writes six faces in the arrangement of the plan.
@@ -202,8 +204,11 @@ impl EnvironmentPlan {
         }
         files.commit()?;
         // A reader cannot choose between two sets in one folder.
-        let others =
-            PictureFormat::ALL.into_iter().map(PictureFormat::extension).chain(["jpg"]).filter(|e| *e != extension);
+        let others = EnvironmentFormat::ALL
+            .into_iter()
+            .map(EnvironmentFormat::extension)
+            .chain(["jpg"])
+            .filter(|e| *e != extension);
         for other in others.map(|e| folder.join(format!("posx.{e}"))).filter(|path| path.is_file()) {
             let (other, here) = (other.display(), folder.join(format!("*.{extension}")));
             let here = here.display();
@@ -216,7 +221,7 @@ impl EnvironmentPlan {
     fn encode(&self, image: &Image, appearance: &Appearance) -> Result<(Vec<u8>, Vec<String>), ImageError> {
         let format = self.format(appearance.high_dynamic_range);
         let mut encoded = encode::picture(image, format, self.bits, appearance)?;
-        if format == PictureFormat::Png {
+        if format == EnvironmentFormat::Png {
             encoded.warnings.extend(clipped(image, appearance));
         }
         Ok((encoded.bytes, encoded.warnings))
