@@ -21,5 +21,6 @@ import "./scripts.test.mjs";
 import "./bench.test.mjs";
 import "./bake.test.mjs";
 import "./stations.test.mjs";
+import "./environment.test.mjs";
 import "./trouble.test.mjs";
 import "./again.test.mjs";

@@ -61,6 +61,8 @@ pub enum Action {
     ShowBench,
     /// Shows the stations beyond the rendering equation.
     ShowStations,
+    /// Shows the gallery.
+    ShowGallery,
     /// Shows the settings of baking.
     ShowBake,
     /// Hides them, and the atlas.
@@ -69,6 +71,12 @@ pub enum Action {
     StartBake,
     /// Cancels the bake at work.
     CancelBake,
+    /// Shows the panel of the environment.
+    ShowEnvironment,
+    /// Hides it.
+    CloseEnvironment,
+    /// Repairs the environment.
+    RepairEnvironment,
     /// Shows the open exercise, or the list of exercises.
     ShowExercise,
     /// Shows the list of exercises.

@@ -118,8 +118,10 @@ pub fn triangles(session: &Session) -> usize {
 /// | `dark`, `pixels_per_point`, `size` | theme and scale; the window's width and height in points |
 /// | `exercise`, `bench` | added by [`crate::App::state`]: the open exercise, its messages and its verdict; the BRDF bench |
 /// | `stations` | added by it too: the stations beyond the rendering equation |
+/// | `gallery` | added by it too: the gallery ([`crate::gallery::GalleryView::state`]) |
 /// | `bake` | added by it too: null, or the tab of baking ([`crate::baking::state`]) |
 /// | `file` | added by it too: the files of the scene ([`crate::inspector::Inspector::state`]) |
+/// | `environment` | added by it too: null, or the panel of the environment ([`crate::environment::state`]) |
 /// | `recent` | recently opened files |
 /// | `triangles`, `frame` | number in the scene; facts about the last picture: `pictures` and `frames` are constant when idle, |
 /// | | and `complete` is true then: the picture has all of the scene's samples |

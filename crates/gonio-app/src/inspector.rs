@@ -6,6 +6,7 @@ use crate::files::ReadRecorder;
 use crate::platform::Platform;
 use crate::saving::Product;
 use egui::Context;
+use gonio_language::tr;
 use gonio_mesh::write::ply::PlyEncoding;
 use gonio_mesh::{Limits, Severity};
 use gonio_scene::convert::{ConvertedModel, ModelFormat, ModelTextures, TexturePlacement};
@@ -98,7 +99,7 @@ impl<T> FileReply<T> {
     }
 }
 
-const ENDED: &str = "the work ended unexpectedly; this is a bug, please report it";
+const ENDED: &str = "file-the-work-ended-unexpectedly-this-is";
 
 impl Inspector {
     /// The models of the scene.
@@ -215,7 +216,7 @@ impl Inspector {
         let result = match answer {
             Some(answer) if answer.is_waiting => return ctx.request_repaint_after(PATIENCE),
             Some(answer) => answer.result.map(Arc::new),
-            None => Err(ENDED.to_owned()),
+            None => Err(tr!(ENDED).to_owned()),
         };
         if let Some(model) = self.models.iter_mut().find(|model| model.name == name) {
             (model.result, model.revision) = (Some(result), revision);
@@ -238,7 +239,7 @@ impl Inspector {
                     let result = answer.result.map(Arc::new);
                     self.lines = Some(ShownLines { file, line, result, is_new: true });
                 }
-                None => self.lines = Some(ShownLines { file, line, result: Err(ENDED.to_owned()), is_new: true }),
+                None => self.lines = Some(ShownLines { file, line, result: Err(tr!(ENDED).to_owned()), is_new: true }),
             }
         }
         if self.reading.is_some() {
@@ -270,7 +271,7 @@ impl Inspector {
     pub fn take_converted(&mut self) -> Option<(ModelConversion, Result<ConvertedModel, String>)> {
         let answer = self.converting.as_ref().and_then(|(_, job)| job.poll())?;
         let (conversion, _) = self.converting.take()?;
-        Some((conversion, answer.unwrap_or_else(|| Err(ENDED.to_owned()))))
+        Some((conversion, answer.unwrap_or_else(|| Err(tr!(ENDED).to_owned()))))
     }
 
     /// The state as JSON: `models` with their `name`, `format`, `triangles`, `missing` files and `warnings`, or their `error`; the
@@ -334,7 +335,7 @@ fn converted(of: &ModelConversion, format: ModelFormat, access: &FileAccess) -> 
     let model = &mut file.model;
     let (placement, encoding) = (TexturePlacement::Copied, PlyEncoding::Binary);
     let mut converted = ConvertedModel::new(model, &textures, placement, &stem, format, encoding)
-        .map_err(|error| format!("`{}` cannot be written: {error}", of.place))?;
+        .map_err(|error| tr!("file-cannot-be-written", place = of.place, error = error))?;
     converted.diagnostics.splice(..0, diagnostics);
     Ok(converted)
 }

@@ -14,11 +14,14 @@
 //! | [`scene_view`] | the pictures of the scene, and what pointer and keys do there |
 //! | `step` | shaders, stepped through at a pixel |
 //! | [`baking`] | textures for new texture coordinates, and the atlas beside the model |
+//! | [`environment`] | the environment's faces and panorama, their check, repair and conversion |
 //! | [`mod@bench`] | the BRDF bench: functions plotted, compared and checked |
+//! | [`gallery`] | the scenes of `gonio tour` with small pictures |
 //! | [`stations`] | the stations beyond the rendering equation: pictures, sliders, laws |
 //! | [`exercise`] | an exercise: the student's files, their picture, the checker |
 //! | [`files`] | files that the user drops, chooses or links to |
 //! | [`inspector`] | the content of the scene's model files, and the models in other formats |
+//! | `beside` | work in steps beside the interface |
 //! | `focus` | the ring around the focused control |
 //! | [`saving`] | pictures and scenes as files |
 //! | `missing_glyphs` | characters that no font can draw |
@@ -33,11 +36,14 @@ pub mod action;
 mod app;
 pub mod baking;
 pub mod bench;
+mod beside;
 pub mod document;
+pub mod environment;
 pub mod exercise;
 pub mod exported;
 pub mod files;
 mod focus;
+pub mod gallery;
 pub mod inspector;
 mod missing_glyphs;
 pub mod panels;

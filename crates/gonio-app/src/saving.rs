@@ -1,5 +1,6 @@
 //! Saving of pictures and scenes.
 
+use crate::environment::EnvironmentProduct;
 use gonio_image::encode::png::{self, ColorTag};
 use gonio_image::{EncodedPicture, ImageError};
 use gonio_language::tr;
@@ -38,6 +39,8 @@ pub enum Product {
     ModelObj,
     /// The same as PLY, with its textures beside it.
     ModelPly,
+    /// The environment, converted.
+    Environment(EnvironmentProduct),
 }
 
 impl Product {
@@ -79,6 +82,7 @@ impl Product {
             Product::ModelGlb => "model-glb",
             Product::ModelObj => "model-obj",
             Product::ModelPly => "model-ply",
+            Product::Environment(product) => product.id(),
         }
     }
 
@@ -96,6 +100,7 @@ impl Product {
             Product::BakedZip => "ZIP",
             Product::ModelObj => "OBJ",
             Product::ModelPly => "PLY",
+            Product::Environment(product) => product.title(),
         }
     }
 
@@ -110,6 +115,7 @@ impl Product {
             Product::BakedGlb | Product::ModelGlb => "glb",
             Product::BakedZip => "zip",
             Product::ModelPly => "ply",
+            Product::Environment(product) => product.extension(),
         }
     }
 

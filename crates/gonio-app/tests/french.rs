@@ -17,8 +17,8 @@ use support::Window;
 /// Words that are English and not French.
 const ENGLISH: &[&str] = &[
     "the", "of", "is", "are", "and", "with", "without", "from", "show", "shows", "this", "that", "these", "by",
-    "click", "open", "save", "lights", "colour", "picture", "not", "each", "all", "as", "at", "when", "your",
-    "file", "files", "to", "in", "where", "off",
+    "click", "open", "save", "lights", "colour", "picture", "not", "each", "all", "as", "at", "when", "your", "file",
+    "files", "to", "in", "where", "off",
 ];
 
 impl Window {

@@ -22,6 +22,7 @@
 //! | [`brdf_table`] | scale and bias of the split sum, as a texture |
 //! | [`names`] | assignment of files to faces by name |
 //! | [`arrange`] | crosses and strips: six faces in one picture |
+//! | [`encode`] | environments as files: containers, formats, bytes |
 //! | [`simd`] | instruction sets for conversions |
 
 pub mod arrange;
@@ -32,6 +33,7 @@ pub mod check_panorama;
 pub mod convert;
 pub mod cubemap;
 pub mod debug;
+pub mod encode;
 pub mod error;
 pub mod face;
 mod face_drawing;

@@ -10,7 +10,7 @@ use gonio_light::color::ColorEncoding;
 use gonio_reference::ReferenceScene;
 use gonio_render::{GpuScene, Renderer};
 use gonio_scene::environment::LoadedEnvironment;
-use gonio_scene::files::BuiltinOnly;
+use gonio_scene::files::FileSource;
 use gonio_scene::{DisplayMap, Frame, Scene, SceneFile, ViewSpec, load};
 use serde::Serialize;
 use std::path::Path;
@@ -116,13 +116,13 @@ impl BackendDifference {
 pub struct EnvironmentCache(Vec<Arc<LoadedEnvironment>>);
 
 impl EnvironmentCache {
-    /// Loads a scene of built-in files, and shares its environment with earlier scenes that have the same.
+    /// Loads a scene of built-in files, which `files` has, and shares its environment with earlier scenes that have the same.
     ///
     /// # Errors
     ///
     /// A scene that names other files, or that is not valid.
-    pub fn load(&mut self, scene: SceneFile) -> Result<Scene, GalleryError> {
-        let mut loaded = load::load(scene, Path::new(""), &BuiltinOnly)?;
+    pub fn load(&mut self, scene: SceneFile, files: &dyn FileSource) -> Result<Scene, GalleryError> {
+        let mut loaded = load::load(scene, Path::new(""), files)?;
         if let Some(own) = &mut loaded.environment {
             let same = |e: &&Arc<LoadedEnvironment>| {
                 e.name == own.name && e.mips.full() == own.mips.full() && e.background == own.background
@@ -238,6 +238,7 @@ pub fn color_tag(view: Option<ViewSpec>, frame: &Frame) -> ColorTag {
 mod tests {
     use super::*;
     use crate::BaseScene;
+    use gonio_scene::files::BuiltinOnly;
     use gonio_scene::scene_file::EnvironmentSpec;
 
     #[test]
@@ -256,7 +257,7 @@ mod tests {
         let mut load = |image: &str, size| {
             let environment = EnvironmentSpec { image: image.into(), size: Some(size), ..EnvironmentSpec::default() };
             let scene = BaseScene::RoomSphere.with(|s| s.environment = Some(environment));
-            let loaded = scene.and_then(|s| environments.load(s)).unwrap_or_else(|e| panic!("{e:?}"));
+            let loaded = scene.and_then(|s| environments.load(s, &BuiltinOnly)).unwrap_or_else(|e| panic!("{e:?}"));
             loaded.environment.unwrap_or_else(|| panic!("{image} was lost"))
         };
         let first = load("room", 16);

@@ -74,6 +74,11 @@ impl Exhibit {
         exhibit.aspect(StationExhibit::ASPECT)
     }
 
+    /// Returns its scene, if it is one.
+    pub fn scene(&self) -> Option<&SceneFile> {
+        if let ExhibitSubject::Scene(scene) = &self.subject { Some(scene) } else { None }
+    }
+
     fn with_subject(name: String, caption: String, subject: ExhibitSubject) -> Self {
         Exhibit {
             name,

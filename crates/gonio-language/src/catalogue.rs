@@ -23,7 +23,7 @@ macro_rules! files {
     };
 }
 
-files!("bench", "check", "exercises", "language", "names", "reports", "scene", "window");
+files!("bench", "check", "environment", "exercises", "file", "language", "names", "reports", "scene", "window");
 
 /// The texts of a language.
 struct Catalogue {

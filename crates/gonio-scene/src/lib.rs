@@ -12,6 +12,7 @@ pub mod detail;
 pub mod difference;
 pub mod edit;
 pub mod environment;
+pub mod environment_check;
 pub mod environment_file;
 pub mod files;
 pub mod frame;

@@ -164,6 +164,7 @@ const BELOW_SHELLS: &[&str] = &[
     "gonio-plot",
     "gonio-check",
     "gonio-exercises",
+    "gonio-gallery",
     "gonio-atlas",
     "gonio-bake",
     "gonio-beyond",

@@ -33,6 +33,7 @@ impl App {
                 let name = match product {
                     Product::PlotSvg | Product::PlotPng => self.bench.file_name(product),
                     _ if product.model_format().is_some() => self.converted_name(product),
+                    Product::Environment(product) => self.environment_file_name(product),
                     _ => product.file_name(&self.session.title),
                 };
                 if self.platform.choose_place(product, &name, ctx) == FileDialog::Unavailable {
@@ -117,7 +118,11 @@ impl App {
             Action::DismissAll => self.session.messages.dismiss_all(),
             Action::ExpandMessages => self.session.messages.is_expanded = !self.session.messages.is_expanded,
             Action::ShowBench => self.bench.open(),
+            Action::ShowGallery => self.show_gallery(),
             Action::ShowStations => self.stations.open(),
+            Action::ShowEnvironment => self.show_environment(),
+            Action::CloseEnvironment => self.close_environment(),
+            Action::RepairEnvironment => self.repair_environment(ctx),
             Action::ShowBake => self.show_bake(),
             Action::CloseBake => self.close_bake(),
             Action::StartBake => self.start_bake(ctx),
@@ -148,6 +153,9 @@ impl App {
         if let Some(format) = product.model_format() {
             return self.convert_model(ctx, product, format, place);
         }
+        if let Product::Environment(product) = product {
+            return self.convert_environment(ctx, product, place);
+        }
         let folder = cfg!(not(target_arch = "wasm32")).then(|| Path::new(place).parent()).flatten();
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
@@ -173,6 +181,7 @@ impl App {
             Product::BakedObj | Product::BakedGlb | Product::BakedZip => self.baked_product(product, folder),
             // They are written once they were converted.
             Product::ModelGlb | Product::ModelObj | Product::ModelPly => Err(tr!(NOTHING_CONVERTED).to_owned()),
+            Product::Environment(_) => Err(tr!(NOTHING_DRAWN).to_owned()),
             Product::Light => {
                 let pane = self.document.panes.current;
                 let light =

@@ -3,6 +3,7 @@
 use super::App;
 use crate::baking;
 use crate::bench::{BenchFunctions, BenchView};
+use crate::environment;
 use crate::panels;
 use crate::platform::Purpose;
 use crate::session::{MessageCause, MessageSeverity, Session};
@@ -52,12 +53,14 @@ impl App {
 pub(super) fn with_places(
     mut state: serde_json::Value,
     session: &Session,
-    [exercise, bench, stations]: [serde_json::Value; 3],
+    [exercise, bench, stations, gallery]: [serde_json::Value; 4],
 ) -> serde_json::Value {
     state["exercise"] = exercise;
     state["bench"] = bench;
     state["stations"] = stations;
+    state["gallery"] = gallery;
     state["bake"] = baking::state(session);
     state["file"] = session.inspector.state();
+    state["environment"] = environment::state(session);
     state
 }

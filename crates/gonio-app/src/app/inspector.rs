@@ -5,11 +5,12 @@ use crate::files::{base_name, pack};
 use crate::inspector::{FileAccess, ModelConversion};
 use crate::saving::Product;
 use crate::session::{MessageCause, MessageSeverity, Tab};
+use gonio_language::tr;
 use gonio_mesh::Severity;
 use gonio_scene::convert::{ConvertedModel, ModelFormat};
 use std::path::{Path, PathBuf};
 
-const NO_MODEL: &str = "no model is chosen: choose one in the File tab";
+const NO_MODEL: &str = "file-no-model-is-chosen-choose-one";
 
 impl App {
     /// Shows a line of a file in the panel of files.
@@ -22,7 +23,7 @@ impl App {
     pub(super) fn follow_inspector(&mut self, ctx: &egui::Context) {
         if let Some((conversion, result)) = self.session.inspector.take_converted() {
             match result.and_then(|converted| self.write_converted(&conversion, converted)) {
-                Ok(place) => self.session.announcement = format!("saved {place}"),
+                Ok(place) => self.session.announcement = tr!("file-saved", place = place),
                 Err(error) => self.session.messages.report(MessageSeverity::Error, error),
             }
             ctx.request_repaint();
@@ -51,7 +52,7 @@ impl App {
     /// Starts to convert the chosen model.
     pub(super) fn convert_model(&mut self, ctx: &egui::Context, product: Product, format: ModelFormat, place: &str) {
         let Some(model) = self.session.inspector.chosen_model() else {
-            return self.session.messages.report(MessageSeverity::Error, NO_MODEL);
+            return self.session.messages.report(MessageSeverity::Error, tr!(NO_MODEL));
         };
         let conversion = ModelConversion { product, place: place.to_owned(), model: model.name.clone() };
         let access = FileAccess { files: self.files.clone(), limits: self.opened.limits };
@@ -68,9 +69,7 @@ impl App {
             let paths = beside.iter().map(|(path, _)| path.as_path()).chain([place]);
             if let Some(own) = paths.into_iter().find(|path| self.has_read(path)) {
                 let own = own.display();
-                return Err(format!(
-                    "`{own}` belongs to the open scene and would be replaced: save under another name"
-                ));
+                return Err(tr!("file-belongs-to-the-open-scene-and", own = own));
             }
             for (path, bytes) in beside {
                 self.platform.write(&path.to_string_lossy(), &bytes)?;

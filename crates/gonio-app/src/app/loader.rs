@@ -5,7 +5,7 @@ use crate::files::{ReadRecorder, ShaderFiles, short};
 use gonio_mesh::{Limits, ReadError};
 use gonio_scene::edit::{self, Edited};
 use gonio_scene::files::{Budgeted, FileSource};
-use gonio_scene::{Scene, SceneFile, SceneSettings, load};
+use gonio_scene::{Scene, SceneFile, SceneSettings, ViewSpec, load};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -26,6 +26,10 @@ pub struct SceneOpening {
     pub limits: Limits,
     /// The user's shaders, which stay for scenes that are opened later.
     pub shaders: Option<ShaderFiles>,
+    /// The view of the scene in place of the picture.
+    pub view: Option<ViewSpec>,
+    /// The time at which it is shown, seconds.
+    pub time: f64,
 }
 
 /// A request to load a scene.

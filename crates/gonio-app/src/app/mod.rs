@@ -3,7 +3,9 @@
 mod actions;
 mod baking;
 mod bench;
+mod environment;
 mod exercise;
+mod gallery;
 mod inspector;
 pub mod loader;
 mod stations;
@@ -17,6 +19,7 @@ use crate::bench::BenchView;
 use crate::document::{Document, History};
 use crate::exercise::ExerciseView;
 use crate::files::{Adopted, Layered, base_name, short};
+use crate::gallery::GalleryView;
 use crate::missing_glyphs::MissingGlyphs;
 use crate::platform::{Event, FrameShown, Platform, SceneInput};
 use crate::scene_view::drawing::PaneRenderer;
@@ -69,6 +72,7 @@ pub struct App {
     exercise: ExerciseView,
     bench: BenchView,
     stations: StationRoom,
+    gallery: GalleryView,
     /// Tells when a sketch is on the screen. The full picture waits for that, because drawing it may delay the sketch.
     sketched: Option<FrameShown>,
     missing_glyphs: MissingGlyphs,
@@ -135,6 +139,7 @@ impl App {
             exercise: ExerciseView::default(),
             bench: BenchView::default(),
             stations: StationRoom::default(),
+            gallery: GalleryView::default(),
             sketched: None,
             missing_glyphs: MissingGlyphs::default(),
         };
@@ -166,8 +171,10 @@ impl App {
         self.exercise.release();
         self.bench.release();
         self.stations.release();
+        self.gallery.release();
         self.session.shaders.iter_mut().for_each(OwnShaders::release);
         self.session.baking.release();
+        self.session.environment.release();
         self.pane_renderer = None;
         match gl.map(PaneRenderer::new) {
             Some(Ok(pane_renderer)) => {
@@ -195,7 +202,8 @@ impl App {
     /// The state as JSON: [`exported::state`].
     pub fn state(&self, ctx: &egui::Context) -> serde_json::Value {
         let state = exported::state(ctx, &self.document, &self.session, &self.history);
-        with_places(state, &self.session, [self.exercise.state(), self.bench.state(), self.stations.state()])
+        let rooms = [self.exercise.state(), self.bench.state(), self.stations.state(), self.gallery.state()];
+        with_places(state, &self.session, rooms)
     }
 
     /// Starts to load `inputs`.
@@ -238,6 +246,10 @@ impl App {
             self.session.traced.iter_mut().for_each(TracedPane::stop);
             return self.stations_ui(ui);
         }
+        if self.gallery.is_open {
+            self.session.traced.iter_mut().for_each(TracedPane::stop);
+            return self.gallery_ui(ui);
+        }
         self.advance(ctx);
         self.take_traced();
         for action in self.show_panels(ui) {
@@ -264,6 +276,7 @@ impl App {
             self.take(ctx, outcome);
         }
         self.follow_bake(ctx);
+        self.follow_environment(ctx);
         self.before_closing(ctx);
     }
 
@@ -356,7 +369,7 @@ impl App {
     fn publish(&mut self, ctx: &egui::Context) {
         let (document, session, history) = (&self.document, &self.session, &self.history);
         let state = || {
-            let rooms = [self.exercise.state(), self.bench.state(), self.stations.state()];
+            let rooms = [self.exercise.state(), self.bench.state(), self.stations.state(), self.gallery.state()];
             with_places(exported::state(ctx, document, session, history), session, rooms)
         };
         self.platform.publish(&state);
@@ -390,6 +403,7 @@ impl App {
         }
         if !inputs.is_empty() {
             self.stations.leave();
+            self.gallery.leave();
             let limits = self.opened.limits;
             self.start(ctx, SceneOpening { inputs, environment, limits, ..SceneOpening::default() }, files);
         } else if let Some(image) = environment {
@@ -476,6 +490,10 @@ impl App {
                 self.forget_bake();
                 self.session.announcement = tr!("window-opened", named = self.session.title);
                 self.document = Document::from_scene(loaded.settings.clone());
+                self.session.clock.time = opening.time;
+                if let Some(pane) = self.document.panes.current_mut() {
+                    pane.view = opening.view;
+                }
                 self.history = History::new(&self.document);
                 self.saved = loaded.settings.clone();
                 self.opened_camera = loaded.settings.camera.clone();

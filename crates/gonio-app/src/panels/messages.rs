@@ -117,7 +117,7 @@ fn row(ui: &mut Ui, message: &UserMessage, heading: Option<&str>, actions: &mut 
                 actions.push(Action::CopyText(message.text.clone()));
             }
             if let Some((file, line)) = place {
-                let tip = format!("Show line {line} of the file");
+                let tip = tr!("environment-show-line-of-the-file", line = line);
                 if icon_button(ui, &format!("line-of-{}", message.id), icons::CODE, &tip).clicked() {
                     actions.push(Action::ShowLine(file.to_owned(), line));
                 }

@@ -17,10 +17,12 @@ mod top_bar;
 
 pub use dialogs::path_field;
 pub use messages::show as messages;
+pub use picture::environment_image;
 
 use crate::action::Action;
 use crate::baking;
 use crate::document::{Document, History};
+use crate::environment;
 use crate::exported::{self, WidgetRole};
 use crate::platform::Purpose;
 use crate::session::{Session, Tab};
@@ -135,6 +137,7 @@ fn side(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
         Tab::Compare => compare::show(ui, document, session, actions),
         Tab::Frame => frame::show(ui, document, session, actions),
         Tab::Shaders => shaders::show(ui, session, document.panes.current, actions),
+        Tab::Environment => environment::panel(ui, document, session, actions),
         // They scroll themselves.
         Tab::Bake | Tab::File => {}
     });
@@ -147,6 +150,7 @@ fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
         Tab::ALL.into_iter().filter(|tab| match tab {
             Tab::Shaders => session.shaders.is_some(),
             Tab::Bake => session.baking.is_open,
+            Tab::Environment => session.environment.is_open,
             _ => true,
         })
     };

@@ -2,6 +2,7 @@
 
 use crate::action::Action;
 use crate::document::Document;
+use crate::exported::{self, WidgetRole};
 use crate::session::Session;
 use crate::widgets::{NumberField, choice, color, dropdown, heading, named_options, row, toggle};
 use egui::Ui;
@@ -14,13 +15,22 @@ use gonio_scene::texture::TextureFilter;
 use gonio_scene::{SceneSettings, ViewSpec};
 
 pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
-    let _ = actions;
     if session.loaded.is_none() {
         return;
     }
     heading(ui, tr!("scene-view-of-this-pane"));
     view(ui, document);
     heading(ui, tr!("scene-environment"));
+    environment_image(ui, &mut document.scene);
+    row(ui, "", "", |ui| {
+        let title = tr!("environment-faces-and-conversion");
+        let button = ui.button(title);
+        exported::note(ui, &button, "environment-panel", WidgetRole::Button, title, "");
+        let tip = tr!("environment-the-environment-as-six-faces-and");
+        if button.on_hover_text(tip).clicked() {
+            actions.push(Action::ShowEnvironment);
+        }
+    });
     environment(ui, &mut document.scene);
     heading(ui, tr!("scene-background"));
     background(ui, &mut document.scene.background);
@@ -94,7 +104,8 @@ fn titled(group: &str, quantity: Quantity) -> String {
     }
 }
 
-fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
+/// The choice of the environment's image.
+pub fn environment_image(ui: &mut Ui, scene: &mut SceneSettings) {
     const BUILTIN: [(&str, &str); 3] = [
         ("debug", "scene-six-labelled-colours-one-per-face"),
         ("sky", "scene-a-sky-with-a-sun"),
@@ -124,6 +135,9 @@ fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
             ..EnvironmentSettings::default()
         });
     }
+}
+
+fn environment(ui: &mut Ui, scene: &mut SceneSettings) {
     let Some(environment) = &mut scene.environment else { return };
     row(ui, tr!("scene-light"), tr!("scene-whether-the-environment-lights-the-objects"), |ui| {
         let tip = tr!("scene-diffuse-light-and-glossy-reflection");

@@ -19,6 +19,10 @@ const BENCH: &str = "window-brdf-bench-reflection-functions-plotted-compared";
 const STATIONS: [&str; 2] = ["window-beyond", "window-beyond-the-rendering-equation-polarisation-interference"];
 /// Tooltip of baking.
 const BAKE: &str = "window-unwrap-the-model-and-bake-its";
+/// Tooltip of the gallery.
+const GALLERY: &str = "window-every-technique-on-several-models";
+/// Tooltip of the environment's panel.
+const ENVIRONMENT: &str = "window-the-environment-as-six-faces";
 /// Tooltip of the exercises.
 const EXERCISES: &str = "window-shader-exercises-edit-compare-with-the";
 
@@ -154,6 +158,14 @@ fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
     }
     ui.separator();
     entry(ui, "bake", tr!("window-bake-textures"), tr!(BAKE), Action::ShowBake, actions);
+    entry(
+        ui,
+        "environment-convert",
+        tr!("window-convert-the-environment"),
+        tr!(ENVIRONMENT),
+        Action::ShowEnvironment,
+        actions,
+    );
     ui.separator();
     entry(ui, "copy-picture", tr!("window-copy-the-picture"), "", Action::CopyPicture, actions);
     let tip = tr!("window-a-link-to-this-page-with");
@@ -161,6 +173,8 @@ fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
 }
 
 fn samples_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
+    entry(ui, "gallery", tr!("window-gallery"), tr!(GALLERY), Action::ShowGallery, actions);
+    ui.separator();
     for name in files::builtin_names() {
         let action = Action::Open(vec![format!("{}{name}", files::BUILTIN)]);
         entry(ui, &format!("sample-{name}"), &name, sentence(&name), action, actions);

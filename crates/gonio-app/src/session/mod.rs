@@ -17,6 +17,7 @@ pub use probing::Probing;
 pub use settings::Settings;
 
 use crate::baking::Baking;
+use crate::environment::EnvironmentView;
 use crate::inspector::Inspector;
 use crate::saving::Product;
 use crate::truth::{PixelLight, TracedPane};
@@ -103,6 +104,8 @@ pub struct Session {
     pub baking: Baking,
     /// The files of the scene.
     pub inspector: Inspector,
+    /// The panel of the environment.
+    pub environment: EnvironmentView,
     /// Whether slow pictures are drawn with one sample while something moves.
     pub adaptive: bool,
     /// Whether something is being dragged, or time runs.
@@ -141,6 +144,7 @@ impl Default for Session {
             shaders: None,
             baking: Baking::default(),
             inspector: Inspector::default(),
+            environment: EnvironmentView::default(),
             adaptive: true,
             moving: false,
             unframed: false,
@@ -223,11 +227,13 @@ pub enum Tab {
     Shaders,
     /// Baking; only once it was opened.
     Bake,
+    /// The environment; only once it was opened.
+    Environment,
 }
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Tab; 10] = [
+    pub const ALL: [Tab; 11] = [
         Tab::Lights,
         Tab::Objects,
         Tab::Camera,
@@ -238,6 +244,7 @@ impl Tab {
         Tab::File,
         Tab::Shaders,
         Tab::Bake,
+        Tab::Environment,
     ];
 
     /// A stable name for programs.
@@ -258,6 +265,7 @@ impl Tab {
             Tab::File => tr!("window-file"),
             Tab::Shaders => tr!("window-shaders"),
             Tab::Bake => tr!("window-bake"),
+            Tab::Environment => tr!("window-environment"),
         }
     }
 
@@ -274,6 +282,7 @@ impl Tab {
             Tab::File => tr!("window-what-the-model-s-file-holds"),
             Tab::Shaders => tr!("window-your-own-shaders-and-the-values"),
             Tab::Bake => tr!("window-textures-for-new-texture-coordinates-baked"),
+            Tab::Environment => tr!("window-faces-of-the-environment"),
         }
     }
 }

@@ -36,6 +36,23 @@ const SECTIONS: [Maker; 14] = [
     beyond::section,
 ];
 
+/// Those whose pictures are scenes. The others are not even named here, so that a program that shows scenes alone does not
+/// contain the stations beyond the rendering equation.
+const SECTIONS_OF_SCENES: [Maker; 12] = [
+    terms::whole_section,
+    shading::section,
+    terms::section,
+    lights::section,
+    specular::section,
+    brdfs::section,
+    views::section,
+    shading::cost_section,
+    textures::section,
+    environments::section,
+    refraction::section,
+    many_lights::section,
+];
+
 /// Returns all sections in the order of the contact sheet.
 ///
 /// # Errors
@@ -43,6 +60,15 @@ const SECTIONS: [Maker; 14] = [
 /// A built-in scene that cannot be read.
 pub fn all() -> Result<Vec<Section>, GalleryError> {
     SECTIONS.iter().map(|make| make()).collect()
+}
+
+/// Returns the sections whose pictures are scenes, with those pictures only.
+///
+/// # Errors
+///
+/// A built-in scene that cannot be read.
+pub fn of_scenes() -> Result<Vec<Section>, GalleryError> {
+    SECTIONS_OF_SCENES.iter().map(|make| make()).collect()
 }
 
 #[cfg(test)]
@@ -74,6 +100,17 @@ mod tests {
             assert!(loaded.diagnostics.is_empty(), "{name}: {:?}", loaded.diagnostics);
         }
         assert!(count >= 105, "{count}");
+    }
+
+    #[test]
+    fn the_sections_of_scenes_have_every_scene_and_nothing_else() {
+        let names = |sections: Vec<Section>| -> Vec<String> {
+            let exhibits = sections.into_iter().flat_map(|section| section.rows.into_iter().flatten());
+            exhibits.filter(|exhibit| exhibit.scene().is_some()).map(|exhibit| exhibit.name).collect()
+        };
+        let of_scenes = of_scenes().unwrap();
+        assert!(of_scenes.iter().flat_map(|s| s.rows.iter().flatten()).all(|exhibit| exhibit.scene().is_some()));
+        assert_eq!(names(of_scenes), names(all().unwrap()));
     }
 
     #[test]

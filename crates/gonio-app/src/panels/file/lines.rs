@@ -10,6 +10,7 @@ use egui::{
     Align, Align2, Color32, EventFilter, FontId, Frame, Id, Key, Label, Layout, Link, Margin, Modifiers, Rect,
     RichText, ScrollArea, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2,
 };
+use gonio_language::tr;
 use gonio_mesh::Severity;
 use gonio_mesh::explain::{Excerpt, LineExplanation};
 use std::collections::BTreeSet;
@@ -68,22 +69,23 @@ fn header(ui: &mut Ui, file: &str, marked: u64, count: u64, wanted: &mut Option<
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            is_closed = icon_button(ui, "file-lines-close", icons::X, "Close the text").clicked();
-            if icon_button(ui, "file-lines-next", icons::CARET_DOWN, "Next line").clicked() {
+            is_closed = icon_button(ui, "file-lines-close", icons::X, tr!("file-close-the-text")).clicked();
+            if icon_button(ui, "file-lines-next", icons::CARET_DOWN, tr!("file-next-line")).clicked() {
                 *wanted = Some(marked.saturating_add(1));
             }
-            if icon_button(ui, "file-lines-previous", icons::CARET_UP, "Previous line").clicked() {
+            if icon_button(ui, "file-lines-previous", icons::CARET_UP, tr!("file-previous-line")).clicked() {
                 *wanted = Some(marked.saturating_sub(1));
             }
             let mut line = marked as f64;
-            let field = NumberField::new("file-line", "line").tip("Number of the marked line").width(58.0).whole();
+            let field =
+                NumberField::new("file-line", "line").tip(tr!("file-number-of-the-marked-line")).width(58.0).whole();
             field.range(1.0..=count.max(1) as f64).show(ui, &mut line);
             if line != marked as f64 {
                 *wanted = Some(line as u64);
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 let name = RichText::new(short(&[file.to_owned()])).font(theme::bold(13.5));
-                ui.add(Label::new(name).truncate()).on_hover_text(format!("{file}, {count} lines"));
+                ui.add(Label::new(name).truncate()).on_hover_text(tr!("file-lines", file = file, count = count));
             });
         });
     });
@@ -102,7 +104,7 @@ fn explain(ui: &mut Ui, explanation: &LineExplanation, wanted: &mut Option<u64>)
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.label(RichText::new(format!("{}: {}", setting.what, setting.name)).small().weak());
-            let name = format!("line {}", setting.line);
+            let name = tr!("file-line-2", line = setting.line);
             let link = ui.add(Link::new(RichText::new(&name).small()));
             exported::note(ui, &link, &format!("file-in-force-{index}"), WidgetRole::Button, &name, setting.line);
             if link.clicked() {
@@ -143,7 +145,12 @@ fn text(
             let response = ui.interact(rect, Id::unique("lines of a file"), Sense::click());
             let row_of = |line: u64| (line.saturating_sub(excerpt.first_line)) as f32 * row_height;
             let marked_text = excerpt.lines.get((marked - excerpt.first_line.min(marked)) as usize);
-            let name = format!("{}, line {marked}: {}", short(&[file.to_owned()]), marked_text.map_or("", |text| text));
+            let name = tr!(
+                "file-line",
+                file = short(&[file.to_owned()]),
+                marked = marked,
+                text = marked_text.map_or("", |text| text)
+            );
             response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, &name));
             exported::note(ui, &response, "file-lines", WidgetRole::Text, &name, marked);
             paint(ui, rect, excerpt, marked, warned, &Look { font, row_height, gutter });

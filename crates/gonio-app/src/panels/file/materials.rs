@@ -5,17 +5,18 @@ use crate::action::Action;
 use crate::exported::{self, WidgetRole};
 use crate::widgets::{NO_BREAK, grouped, heading};
 use egui::{CollapsingHeader, FontFamily, Label, RichText, Ui};
+use gonio_language::tr;
 use gonio_scene::inspect::{Inspection, MaterialReport};
 
 /// Materials that are open at first, if there are no more.
 const FEW: usize = 2;
 
 pub fn show(ui: &mut Ui, model: &str, inspection: &Inspection, actions: &mut Vec<Action>) {
-    heading(ui, "Materials");
+    heading(ui, tr!("file-materials"));
     let is_open = inspection.materials.len() <= FEW;
     for (index, material) in inspection.materials.iter().take(MOST_ROWS).enumerate() {
-        let name = if material.name.is_empty() { "the default material" } else { &material.name };
-        let title = format!("{name}, {} triangles", grouped(material.triangles as u64, NO_BREAK));
+        let name = if material.name.is_empty() { tr!("file-the-default-material") } else { &material.name };
+        let title = tr!("file-triangles-3", name = name, count = grouped(material.triangles as u64, NO_BREAK));
         let header = CollapsingHeader::new(RichText::new(title)).id_salt(("material", index)).default_open(is_open);
         let shown = header.show(ui, |ui| values(ui, index, model, material, actions));
         let id = format!("file-material-{index}");
@@ -45,7 +46,7 @@ fn values(ui: &mut Ui, material: usize, model: &str, report: &MaterialReport, ac
         let id = format!("file-material-{material}-unused-{index}");
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
-            name_of_row(ui, "not used");
+            name_of_row(ui, tr!("file-not-used"));
             ui.vertical(|ui| source(ui, &id, (file, file != model), (unused.line, &unused.written, ""), actions));
         });
     }

@@ -15,6 +15,7 @@ use crate::session::Session;
 use crate::theme::{self, colors, icons};
 use crate::widgets::{dropdown, heading};
 use egui::{Label, Link, Response, RichText, ScrollArea, Ui, WidgetInfo, vec2};
+use gonio_language::tr;
 use gonio_mesh::{Diagnostic, Severity};
 use gonio_scene::inspect::Inspection;
 
@@ -47,7 +48,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, is_narrow: bool, actions: &mut V
 
 fn content(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     let Some(loaded) = session.loaded.clone() else {
-        ui.label(RichText::new("No file is open.").weak());
+        ui.label(RichText::new(tr!("file-no-file-is-open")).weak());
         return;
     };
     chooser(ui, session);
@@ -59,7 +60,7 @@ fn content(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     title(ui, &name);
     match result {
         None => {
-            let text = "The file is being read...";
+            let text = tr!("file-the-file-is-being-read");
             let label = ui.label(RichText::new(text).weak());
             exported::note(ui, &label, "file-reading", WidgetRole::Text, text, &name);
         }
@@ -95,7 +96,7 @@ fn chooser(ui: &mut Ui, session: &mut Session) {
         .map(|(index, (title, file))| (index, title.as_str(), file.as_str()))
         .collect();
     let mut index = files.iter().position(|file| file == inspector.chosen()).unwrap_or(0);
-    if dropdown(ui, "file-chosen", "File", &mut index, &options)
+    if dropdown(ui, "file-chosen", tr!("file-file"), &mut index, &options)
         && let Some(file) = files.get(index)
     {
         session.inspector.choose(file.clone());
@@ -107,7 +108,7 @@ fn chooser_entry(session: &Session, file: &str) -> String {
     let model = session.inspector.models().iter().find(|model| model.name == file);
     let lacks = model.and_then(|model| model.result.as_ref()?.as_ref().ok()).map_or(0, |found| missing(found).len());
     let name = short(&[file.to_owned()]);
-    if lacks > 0 { format!("{name} ({lacks} missing)") } else { name }
+    if lacks > 0 { tr!("file-missing", name = name, lacks = lacks) } else { name }
 }
 
 /// The name of a file, with its folder as a tooltip.
@@ -122,20 +123,20 @@ fn title(ui: &mut Ui, name: &str) {
 fn save(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     let is_busy = session.inspector.converting().is_some();
     ui.horizontal_wrapped(|ui| {
-        let tip = "The model as its file has it, without changes that were made in the scene";
-        ui.label(RichText::new("Save as").weak()).on_hover_text(tip);
+        let tip = tr!("file-the-model-as-its-file-has");
+        ui.label(RichText::new(tr!("file-save-as")).weak()).on_hover_text(tip);
         for product in Product::OF_MODEL {
             let tip = match product {
-                Product::ModelGlb => "One file with the model, its materials and textures",
+                Product::ModelGlb => tr!("file-one-file-with-the-model-its"),
                 Product::ModelObj if cfg!(target_arch = "wasm32") => {
-                    "The model as .obj with its .mtl and textures, packed as a ZIP file"
+                    tr!("file-the-model-as-obj-with-its-2")
                 }
-                Product::ModelObj => "The model as .obj, with its .mtl and textures beside it",
-                _ => "Vertices, triangles and vertex colours; PLY has no materials",
+                Product::ModelObj => tr!("file-the-model-as-obj-with-its"),
+                _ => tr!("file-vertices-triangles-and-vertex-colours-ply"),
             };
             let icon = RichText::new(icons::FLOPPY_DISK).font(theme::icon_font(15.0));
             let button = ui.add_enabled(!is_busy, egui::Button::new((icon, product.title())));
-            let name = format!("Save the model as {}", product.title());
+            let name = tr!("file-save-the-model-as", title = product.title());
             button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, !is_busy, &name));
             exported::note(ui, &button, &format!("save-{}", product.id()), WidgetRole::Button, &name, "");
             if button.on_hover_text(tip).clicked() {
@@ -144,7 +145,7 @@ fn save(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
         }
     });
     if is_busy {
-        ui.label(RichText::new("The model is being converted...").small().weak());
+        ui.label(RichText::new(tr!("file-the-model-is-being-converted")).small().weak());
     }
 }
 
@@ -153,7 +154,7 @@ fn diagnostics(ui: &mut Ui, list: &[Diagnostic], file: &str, actions: &mut Vec<A
     if list.is_empty() {
         return;
     }
-    heading(ui, "Warnings and notes");
+    heading(ui, tr!("file-warnings-and-notes"));
     for (index, found) in list.iter().take(MOST_ROWS).enumerate() {
         let (icon, color) = match found.severity {
             Severity::Warning => (icons::WARNING, colors::WARNING.of(ui)),
@@ -180,10 +181,10 @@ fn diagnostics(ui: &mut Ui, list: &[Diagnostic], file: &str, actions: &mut Vec<A
 /// A link to a line of a file, which is named if it is another one than the panel's.
 fn line_link(ui: &mut Ui, id: &str, file: &str, line: u64, is_named: bool, actions: &mut Vec<Action>) {
     let name = short(&[file.to_owned()]);
-    let text = if is_named { format!("{name}, line {line}") } else { format!("line {line}") };
+    let text = if is_named { tr!("file-line-3", name = name, line = line) } else { tr!("file-line-2", line = line) };
     let link = ui.add(Link::new(RichText::new(&text).small()));
-    exported::note(ui, &link, id, WidgetRole::Button, &format!("Show line {line} of {name}"), line);
-    let link = link.on_hover_text(format!("Show line {line} of {name}"));
+    exported::note(ui, &link, id, WidgetRole::Button, &tr!("file-show-line-of", line = line, name = name), line);
+    let link = link.on_hover_text(tr!("file-show-line-of", line = line, name = name));
     if link.clicked() {
         actions.push(Action::ShowLine(file.to_owned(), line));
     }
@@ -192,7 +193,7 @@ fn line_link(ui: &mut Ui, id: &str, file: &str, line: u64, is_named: bool, actio
 /// The number of rows that a list leaves out.
 fn more(ui: &mut Ui, count: usize) {
     if count > MOST_ROWS {
-        let text = format!("{} more are not shown; `gonio inspect --json` lists all.", count - MOST_ROWS);
+        let text = tr!("file-more-are-not-shown-gonio-inspect", count = count - MOST_ROWS);
         ui.add(Label::new(RichText::new(text).small().weak()).wrap());
     }
 }

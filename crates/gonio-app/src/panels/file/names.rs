@@ -9,6 +9,7 @@ use crate::session::Session;
 use crate::theme::{self, colors, icons};
 use crate::widgets::heading;
 use egui::{Label, Link, Response, RichText, Ui};
+use gonio_language::tr;
 use gonio_mesh::Diagnostic;
 use gonio_scene::inspect::Inspection;
 use gonio_scene::{Scene, environment_file};
@@ -30,16 +31,16 @@ pub fn of_model(ui: &mut Ui, model: &str, inspection: &Inspection, actions: &mut
     if files.is_empty() && inspection.images.is_empty() {
         return;
     }
-    heading(ui, "Files");
+    heading(ui, tr!("file-files"));
     let all = files.len();
     let absent = missing(inspection).len();
     let summary = match (absent, all) {
-        _ if all == 0 => "The textures are inside the model's file.".to_owned(),
-        (0, 1) => "The file that the model names was found.".to_owned(),
-        (0, _) => format!("All {all} files that the model names were found."),
-        (1, 1) => "The file that the model names is missing.".to_owned(),
-        (1, _) => format!("One of {all} files that the model names is missing."),
-        _ => format!("{absent} of {all} files that the model names are missing."),
+        _ if all == 0 => tr!("file-the-textures-are-inside-the-model").to_owned(),
+        (0, 1) => tr!("file-the-file-that-the-model-names-2").to_owned(),
+        (0, _) => tr!("file-all-files-that-the-model-names", all = all),
+        (1, 1) => tr!("file-the-file-that-the-model-names").to_owned(),
+        (1, _) => tr!("file-one-of-files-that-the-model", all = all),
+        _ => tr!("file-of-files-that-the-model-names", absent = absent, all = all),
     };
     let color = if absent > 0 { colors::WARNING.of(ui) } else { ui.visuals().weak_text_color() };
     let label = ui.add(Label::new(RichText::new(&summary).small().color(color)).wrap());
@@ -49,14 +50,13 @@ pub fn of_model(ui: &mut Ui, model: &str, inspection: &Inspection, actions: &mut
     }
     more(ui, files.len());
     for image in inspection.images.iter().take(MOST_ROWS) {
-        let name = if image.name.is_empty() { "(no name)" } else { &image.name };
-        let text = format!("inside the file, {}", super::contents::bytes(image.bytes as u64));
+        let name = if image.name.is_empty() { tr!("file-no-name") } else { &image.name };
+        let text = tr!("file-inside-the-file", size = super::contents::bytes(image.bytes as u64));
         marked(ui, true, name, |ui| drop(ui.label(RichText::new(text).small().weak())));
     }
     more(ui, inspection.images.len());
     if lacks_files(inspection) {
-        let text = "Drop the missing files on the window, or choose them: they are found by their names, in whatever folder the \
-                    model looks for them.";
+        let text = tr!("file-drop-the-missing-files-on-the");
         let label = ui.add(Label::new(RichText::new(text).small()).wrap());
         exported::note(ui, &label, "files-hint", WidgetRole::Text, text, "");
         choose(ui, actions);
@@ -65,9 +65,9 @@ pub fn of_model(ui: &mut Ui, model: &str, inspection: &Inspection, actions: &mut
 
 fn choose(ui: &mut Ui, actions: &mut Vec<Action>) {
     let icon = RichText::new(icons::FOLDER_OPEN).font(theme::icon_font(15.0));
-    let button = ui.button((icon, "Choose files..."));
-    button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, "Choose files..."));
-    exported::note(ui, &button, "files-choose", WidgetRole::Button, "Choose files...", "");
+    let button = ui.button((icon, tr!("file-choose-files")));
+    button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tr!("file-choose-files")));
+    exported::note(ui, &button, "files-choose", WidgetRole::Button, tr!("file-choose-files"), "");
     if button.clicked() {
         actions.push(Action::ChooseFiles);
     }
@@ -96,8 +96,10 @@ fn named_files<'a>(model: &'a str, inspection: &'a Inspection) -> Vec<ListedFile
         let library = inspection.materials.iter().find(|material| material.name == texture.material);
         let library = library.and_then(|material| material.file.as_deref()).unwrap_or(model);
         let used_by = match texture.size {
-            Some([width, height]) => format!("{} of {}, {width} x {height} texels", texture.key, texture.material),
-            None => format!("{} of {}", texture.key, texture.material),
+            Some([width, height]) => {
+                tr!("file-of-x-texels", key = texture.key, material = texture.material, width = width, height = height)
+            }
+            None => tr!("file-of", key = texture.key, material = texture.material),
         };
         files.push(ListedFile {
             name: &texture.name,
@@ -114,15 +116,15 @@ fn named_files<'a>(model: &'a str, inspection: &'a Inspection) -> Vec<ListedFile
 fn row(ui: &mut Ui, index: usize, model: &str, file: &ListedFile<'_>, actions: &mut Vec<Action>) {
     let state = match (file.found, file.refused) {
         (Some(_), _) => "found",
-        (None, Some(_)) => "not read",
+        (None, Some(_)) => tr!("file-not-read-2"),
         (None, None) => "missing",
     };
     let detail = match (file.found, file.refused) {
         (Some(path), _) if path.replace('\\', "/").ends_with(&file.name.replace('\\', "/")) => String::new(),
-        (Some(path), _) => format!("Found as {path}"),
-        (None, Some(refused)) => format!("Not read: {refused}"),
-        (None, None) if file.tried.is_empty() => "Missing; there is no folder to search".to_owned(),
-        (None, None) => format!("Missing; searched {}", file.tried.join(", ")),
+        (Some(path), _) => tr!("file-found-as", path = path),
+        (None, Some(refused)) => tr!("file-not-read", refused = refused),
+        (None, None) if file.tried.is_empty() => tr!("file-missing-there-is-no-folder-to").to_owned(),
+        (None, None) => tr!("file-missing-searched", folders = file.tried.join(", ")),
     };
     let row = marked(ui, file.found.is_some(), file.name, |ui| {
         for text in [&file.used_by, &detail].into_iter().filter(|text| !text.is_empty()) {
@@ -162,26 +164,36 @@ pub fn of_scene(ui: &mut Ui, session: &mut Session, loaded: &Scene, actions: &mu
         return;
     }
     title(ui, &scene);
-    let button = ui.button("Show the text");
-    exported::note(ui, &button, "file-text", WidgetRole::Button, "Show the text", &scene);
+    let button = ui.button(tr!("file-show-the-text"));
+    exported::note(ui, &button, "file-text", WidgetRole::Button, tr!("file-show-the-text"), &scene);
     if button.clicked() {
         actions.push(Action::ShowLine(scene.clone(), 1));
     }
-    heading(ui, "Files");
+    heading(ui, tr!("file-files"));
     let models: Vec<String> = session.inspector.models().iter().map(|model| model.name.clone()).collect();
     for (index, model) in models.iter().enumerate() {
         let objects = loaded.settings.objects.iter().filter(|object| object.model == *model).count();
         let lacks = lacks(session, model);
         marked(ui, true, &short(std::slice::from_ref(model)), |ui| {
-            let text =
-                if objects == 1 { "model of one object".to_owned() } else { format!("model of {objects} objects") };
+            let text = if objects == 1 {
+                tr!("file-model-of-one-object").to_owned()
+            } else {
+                tr!("file-model-of-objects", objects = objects)
+            };
             ui.label(RichText::new(text).small().weak());
             if lacks > 0 {
-                let text = format!("Files that it names and that are missing: {lacks}");
+                let text = tr!("file-files-that-it-names-and-that", lacks = lacks);
                 ui.add(Label::new(RichText::new(text).small().color(colors::WARNING.of(ui))).wrap());
             }
-            let link = ui.add(Link::new(RichText::new("Show its content").small()));
-            exported::note(ui, &link, &format!("scene-model-{index}"), WidgetRole::Button, "Show its content", model);
+            let link = ui.add(Link::new(RichText::new(tr!("file-show-its-content")).small()));
+            exported::note(
+                ui,
+                &link,
+                &format!("scene-model-{index}"),
+                WidgetRole::Button,
+                tr!("file-show-its-content"),
+                model,
+            );
             if link.clicked() {
                 session.inspector.choose(model.clone());
             }
@@ -194,7 +206,7 @@ pub fn of_scene(ui: &mut Ui, session: &mut Session, loaded: &Scene, actions: &mu
         marked(ui, true, picture, |ui| drop(ui.label(RichText::new("environment").small().weak())));
     }
     for function in loaded.settings.objects.iter().filter_map(|object| object.material.brdf_file.as_ref()) {
-        marked(ui, true, function, |ui| drop(ui.label(RichText::new("BRDF of an object").small().weak())));
+        marked(ui, true, function, |ui| drop(ui.label(RichText::new(tr!("file-brdf-of-an-object")).small().weak())));
     }
     let is_of_model = |found: &&Diagnostic| found.place.file.as_ref().is_some_and(|file| models.contains(file));
     let rest: Vec<Diagnostic> = loaded.diagnostics.iter().filter(|found| !is_of_model(found)).cloned().collect();

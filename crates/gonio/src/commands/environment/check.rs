@@ -1,7 +1,6 @@
 //! `gonio environment check`: the orientation of an environment.
 
-use super::describe;
-use super::write::{Appearance, Container, EnvironmentPlan};
+use super::write::{EnvironmentPlan, WrittenEnvironment};
 use crate::error::{CliError, CommandOutcome};
 use crate::options::{GeneralOptions, LimitOptions, values};
 use crate::output::{OutputKind, OutputPath, check_stdout};
@@ -9,10 +8,11 @@ use crate::report::Reporter;
 use crate::terminal::TerminalPage;
 use clap::Args;
 use gonio_environment::arrange::Arrangement;
-use gonio_environment::check::{self, Certificate, FaceFit};
-use gonio_environment::check_panorama::{PanoramaCertificate, Seam, check_panorama};
-use gonio_environment::{Cubemap, EnvironmentError, Layout, Panorama};
+use gonio_environment::check_panorama::Seam;
+use gonio_environment::encode::{Appearance, Container};
+use gonio_environment::{EnvironmentError, Layout};
 use gonio_light::color::{ColorEncoding, OutputTransform};
+use gonio_scene::environment_check::EnvironmentFinding;
 use gonio_scene::environment_file::{self, EnvironmentMap, EnvironmentReadOptions, OpenedEnvironment};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -65,13 +65,10 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     let opened = environment_file::open(&args.input, reading, Path::new(""), &files, &args.limits.limits())?;
     drop(busy);
     reporter.diagnostics(&opened.diagnostics);
-    let found = match &opened.map {
-        EnvironmentMap::Cubemap(map) => Found::faces(map, opened.layout.unwrap_or_default())?,
-        EnvironmentMap::Panorama(panorama) => Found::panorama(panorama),
-    };
+    let found = EnvironmentFinding::of(&opened).map_err(failed)?;
     let mut outputs = Vec::new();
     if let Some(plan) = plan {
-        let written = found.repair(&opened, plan.with_arrangement(opened.arrangement).with_format_of(opened.format))?;
+        let written = repair(&found, &opened, plan.with_arrangement(opened.arrangement).with_format_of(opened.format))?;
         written.warnings.iter().for_each(|w| reporter.warning(w));
         outputs = written.outputs;
     }
@@ -79,17 +76,17 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
         reporter.report(&json!({
             "command": "environment check",
             "input": args.input,
-            "is": describe(&opened),
+            "is": opened.description(),
             "layout": opened.layout.map(Layout::name),
             "fits": found.fits(),
             "sentences": found.sentences(),
-            "details": found.details(),
+            "details": details(&found),
             "outputs": outputs.iter().map(ToString::to_string).collect::<Vec<_>>(),
             "warnings": opened.diagnostics,
         }))?;
     } else {
         let mut page = TerminalPage::new();
-        page.line(format_args!("{}: {}", args.input, describe(&opened)));
+        page.line(format_args!("{}: {}", args.input, opened.description()));
         found.sentences().iter().for_each(|sentence| page.line(format_args!("  {sentence}")));
         if is_stdout_taken {
             reporter.text_on_stderr(&page);
@@ -104,114 +101,61 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     Ok(CommandOutcome::CheckFailed)
 }
 
-/// The result of the check.
-enum Found {
-    Faces(Box<Certificate>),
-    Panorama(PanoramaCertificate),
+fn details(found: &EnvironmentFinding) -> Value {
+    match found {
+        EnvironmentFinding::Faces(c) => json!({
+            "verdict": format!("{:?}", c.fit),
+            "edges": c.edges.iter().map(|e| json!({
+                "faces": [e.faces.0.name(), e.faces.1.name()],
+                "across_stops": e.across,
+                "inside_stops": e.inside,
+                "ratio": e.ratio(),
+                "meets": e.meets,
+            })).collect::<Vec<_>>(),
+            "changed": c.repair.changed().iter().map(|f| f.name()).collect::<Vec<_>>(),
+            "undecided": c.undecided.iter().map(|f| f.name()).collect::<Vec<_>>(),
+            "margin": c.margin,
+        }),
+        EnvironmentFinding::Panorama(c) => {
+            let seam = |s: Seam| json!({ "across_stops": s.across, "inside_stops": s.inside, "shows": s.shows() });
+            json!({
+                "sides": seam(c.sides),
+                "top": seam(c.top),
+                "bottom": seam(c.bottom),
+                "is_turned": c.is_turned,
+                "upper_is_brighter_by_stops": c.upper_is_brighter_by,
+            })
+        }
+    }
 }
 
-impl Found {
-    fn faces(map: &Cubemap, layout: Layout) -> Result<Found, CliError> {
-        let certificate = check::check(&map.faces(layout), layout).map_err(failed)?;
-        Ok(Found::Faces(Box::new(certificate)))
+/// Writes the repaired environment.
+fn repair(
+    found: &EnvironmentFinding,
+    opened: &OpenedEnvironment,
+    plan: EnvironmentPlan,
+) -> Result<WrittenEnvironment, CliError> {
+    let appearance = Appearance {
+        layout: opened.layout.unwrap_or_default(),
+        transform: OutputTransform { encoding: ColorEncoding::Srgb, ..OutputTransform::default() },
+        high_dynamic_range: opened.high_dynamic_range,
+        // Texels change their places only.
+        exact: true,
+    };
+    if plan.clips(opened.high_dynamic_range) {
+        let message = "--repair: a PNG would clip the light above 1 that INPUT may contain; name an .exr or .hdr file";
+        return Err(CliError::new(message));
     }
-
-    fn panorama(panorama: &Panorama) -> Found {
-        Found::Panorama(check_panorama(panorama))
+    let is_panorama = matches!(opened.map, EnvironmentMap::Panorama(_));
+    if is_panorama && plan.container != Container::Equirectangular {
+        return Err(CliError::new("--repair of a panorama needs the name of a picture"));
     }
-
-    /// Whether nothing is wrong.
-    fn fits(&self) -> bool {
-        match self {
-            Found::Faces(c) => matches!(c.fit, FaceFit::Fits | FaceFit::TooPlain),
-            Found::Panorama(c) => c.closes() && !c.is_turned,
+    match found.repaired(opened).map_err(failed)? {
+        EnvironmentMap::Cubemap(_) if !plan.container.has_faces() => {
+            Err(CliError::new("--repair of six faces needs a folder, or a file of the same format as INPUT"))
         }
-    }
-
-    fn sentences(&self) -> Vec<String> {
-        match self {
-            Found::Faces(c) => c.sentences(),
-            Found::Panorama(c) => c.sentences(),
-        }
-    }
-
-    fn details(&self) -> Value {
-        match self {
-            Found::Faces(c) => json!({
-                "verdict": format!("{:?}", c.fit),
-                "edges": c.edges.iter().map(|e| json!({
-                    "faces": [e.faces.0.name(), e.faces.1.name()],
-                    "across_stops": e.across,
-                    "inside_stops": e.inside,
-                    "ratio": e.ratio(),
-                    "meets": e.meets,
-                })).collect::<Vec<_>>(),
-                "changed": c.repair.changed().iter().map(|f| f.name()).collect::<Vec<_>>(),
-                "undecided": c.undecided.iter().map(|f| f.name()).collect::<Vec<_>>(),
-                "margin": c.margin,
-            }),
-            Found::Panorama(c) => {
-                let seam = |s: Seam| json!({ "across_stops": s.across, "inside_stops": s.inside, "shows": s.shows() });
-                json!({
-                    "sides": seam(c.sides),
-                    "top": seam(c.top),
-                    "bottom": seam(c.bottom),
-                    "is_turned": c.is_turned,
-                    "upper_is_brighter_by_stops": c.upper_is_brighter_by,
-                })
-            }
-        }
-    }
-
-    /// Writes the repaired environment.
-    fn repair(
-        &self,
-        opened: &OpenedEnvironment,
-        plan: EnvironmentPlan,
-    ) -> Result<super::write::WrittenEnvironment, CliError> {
-        let layout = opened.layout.unwrap_or_default();
-        let appearance = Appearance {
-            layout,
-            transform: OutputTransform { encoding: ColorEncoding::Srgb, ..OutputTransform::default() },
-            high_dynamic_range: opened.high_dynamic_range,
-            // Texels change their places only.
-            exact: true,
-        };
-        if plan.clips(opened.high_dynamic_range) {
-            let message =
-                "--repair: a PNG would clip the light above 1 that INPUT may contain; name an .exr or .hdr file";
-            return Err(CliError::new(message));
-        }
-        match (self, &opened.map) {
-            (Found::Faces(c), EnvironmentMap::Cubemap(map)) => {
-                if c.fit == FaceFit::NeverMeets {
-                    return Err(CliError::new("the faces match in no arrangement, so there is no repair to write"));
-                }
-                if !plan.container.has_faces() {
-                    return Err(CliError::new(
-                        "--repair of six faces needs a folder, or a file of the same format as INPUT",
-                    ));
-                }
-                let repaired = Cubemap::from_faces(c.repair.apply(&map.faces(layout)), layout).map_err(failed)?;
-                plan.write_cubemap(repaired, &appearance)
-            }
-            (Found::Panorama(c), EnvironmentMap::Panorama(panorama)) => {
-                if plan.container != Container::Equirectangular {
-                    return Err(CliError::new("--repair of a panorama needs the name of a picture"));
-                }
-                if c.is_turned {
-                    let turned = panorama.turned_back();
-                    return plan.write_panorama(&turned, &appearance);
-                }
-                if c.closes() {
-                    return plan.write_panorama(panorama, &appearance);
-                }
-                Err(CliError::new(
-                    "the panorama does not close; what is missing cannot be repaired, so nothing is written",
-                ))
-            }
-            _ => Err(CliError::new("there is nothing to repair")),
-        }
+        EnvironmentMap::Cubemap(map) => plan.write_cubemap(map, &appearance),
+        EnvironmentMap::Panorama(panorama) => plan.write_panorama(&panorama, &appearance),
     }
 }
 

@@ -1,7 +1,6 @@
 //! `gonio environment convert`: any arrangement to any other.
 
-use super::describe;
-use super::write::{Appearance, Container, EnvironmentPlan, WrittenEnvironment};
+use super::write::{EnvironmentPlan, WrittenEnvironment};
 use crate::backend::{self, open_context};
 use crate::error::{CliError, CommandOutcome};
 use crate::options::{BackendChoice, BackendOptions, GeneralOptions, LimitOptions, values};
@@ -12,6 +11,7 @@ use clap::Args;
 use gonio_environment::arrange::Arrangement;
 use gonio_environment::builtin::Builtin;
 use gonio_environment::convert::{Conversion, Filter};
+use gonio_environment::encode::{Appearance, Container};
 use gonio_environment::{Cubemap, Layout, Panorama};
 use gonio_light::color::{ColorEncoding, OutputTransform, ToneMap};
 use gonio_render::conversion::Converter;
@@ -142,7 +142,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     let (written, size, filter) = if plan.container.has_faces() {
         let size = face_size(args, &opened)?;
         let filter = conversion.filter_for(&opened.map.as_environment(), 2.0 / f64::from(size));
-        let read = describe(&opened);
+        let read = opened.description();
         let map = times.measure("convert", || engine.cubemap(opened.map, &conversion, size, reporter))?;
         let written = times.measure("write", || plan.write_cubemap(map, &appearance))?;
         let noun = if plan.container == Container::Faces {
@@ -155,7 +155,7 @@ pub fn run(args: &ConvertArgs, reporter: &Reporter) -> Result<CommandOutcome, Cl
     } else {
         let (width, height) = panorama_size(args, &opened)?;
         let filter = conversion.filter_for(&opened.map.as_environment(), std::f64::consts::PI / f64::from(height));
-        let read = describe(&opened);
+        let read = opened.description();
         let panorama =
             times.measure("convert", || engine.panorama(opened.map, &conversion, width, height, reporter))?;
         let written = times.measure("write", || plan.write_panorama(&panorama, &appearance))?;

@@ -3,112 +3,14 @@
 use crate::error::CliError;
 use crate::output::{OutputFiles, OutputPath, atomic};
 use gonio_environment::arrange::{self, Arrangement};
-use gonio_environment::{CubeMips, Cubemap, Face, Layout, Panorama};
-use gonio_image::decode::{self, DecodedContent, FileFormat};
-use gonio_image::encode::{exr, hdr, ktx2, png};
-use gonio_image::{DecodeLimits, Image, ImageError};
-use gonio_light::color::{OutputTransform, ToneMap};
+use gonio_environment::encode::{self, Appearance, Container, EnvironmentFormat};
+use gonio_environment::{Cubemap, Face, Panorama};
+use gonio_image::decode::FileFormat;
+use gonio_image::{Image, ImageError};
+use gonio_light::color::ToneMap;
 use gonio_scene::nearest_word;
 use rayon::prelude::*;
 use std::path::Path;
-
-/// The container that an environment is written to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Container {
-    /// Six files in a folder.
-    Faces,
-    /// The cube unfolded, 4 by 3.
-    Cross,
-    /// The cube unfolded, 3 by 4.
-    VerticalCross,
-    /// Side by side.
-    Strip,
-    /// One below the other.
-    VerticalStrip,
-    Equirectangular,
-    /// A cubemap with its mip levels.
-    Ktx2,
-}
-
-impl Container {
-    pub const ALL: &'static [Self] = &[
-        Self::Faces,
-        Self::Cross,
-        Self::VerticalCross,
-        Self::Strip,
-        Self::VerticalStrip,
-        Self::Equirectangular,
-        Self::Ktx2,
-    ];
-
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Faces => Arrangement::Faces.name(),
-            Self::Cross => Arrangement::Cross.name(),
-            Self::VerticalCross => Arrangement::VerticalCross.name(),
-            Self::Strip => Arrangement::Strip.name(),
-            Self::VerticalStrip => Arrangement::VerticalStrip.name(),
-            Self::Equirectangular => Arrangement::Equirectangular.name(),
-            Self::Ktx2 => "ktx2",
-        }
-    }
-
-    /// Whether it consists of six faces.
-    pub fn has_faces(self) -> bool {
-        self != Self::Equirectangular
-    }
-
-    /// The arrangement of six faces in one picture.
-    fn arrangement(self) -> Option<Arrangement> {
-        match self {
-            Self::Cross => Some(Arrangement::Cross),
-            Self::VerticalCross => Some(Arrangement::VerticalCross),
-            Self::Strip => Some(Arrangement::Strip),
-            Self::VerticalStrip => Some(Arrangement::VerticalStrip),
-            Self::Faces | Self::Equirectangular | Self::Ktx2 => None,
-        }
-    }
-}
-
-impl std::fmt::Display for Container {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-/// The format of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Format {
-    Png,
-    Exr,
-    Hdr,
-}
-
-impl Format {
-    const ALL: [Format; 3] = [Format::Png, Format::Exr, Format::Hdr];
-
-    fn from_extension(extension: &str) -> Option<Format> {
-        Format::ALL.into_iter().find(|format| format.extension() == extension)
-    }
-
-    /// The format that preserves everything in a file of this format.
-    fn that_preserves(source: FileFormat) -> Format {
-        match source {
-            FileFormat::Png | FileFormat::Jpeg => Format::Png,
-            FileFormat::Hdr => Format::Hdr,
-            FileFormat::Exr | FileFormat::Ktx2 | FileFormat::Dds => Format::Exr,
-        }
-    }
-
-    fn extension(self) -> &'static str {
-        match self {
-            Format::Png => "png",
-            Format::Exr => "exr",
-            Format::Hdr => "hdr",
-        }
-    }
-}
 
 /// The output, settled before anything is read.
 #[derive(Debug)]
@@ -116,21 +18,8 @@ pub struct EnvironmentPlan {
     pub container: Container,
     output: OutputPath,
     /// The format of pictures; `None` for KTX2, and if it depends on what is read.
-    format: Option<Format>,
+    format: Option<EnvironmentFormat>,
     bits: Option<u8>,
-}
-
-/// The encoding of the pixels.
-#[derive(Clone, Copy, Debug)]
-pub struct Appearance {
-    /// The layout of faces.
-    pub layout: Layout,
-    /// The transform to displayed colours, for PNG.
-    pub transform: OutputTransform,
-    /// Whether the source has light above 1.
-    pub high_dynamic_range: bool,
-    /// Whether every number must be read back as it is, with as many bits as that takes.
-    pub exact: bool,
 }
 
 /// The outputs that were written.
@@ -151,14 +40,14 @@ impl EnvironmentPlan {
     ) -> Result<EnvironmentPlan, CliError> {
         let path = output.file().unwrap_or(Path::new(""));
         let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
-        let by_name = Format::from_extension(&extension);
+        let by_name = EnvironmentFormat::from_extension(&extension);
         let container = to.unwrap_or(match (extension.as_str(), by_name) {
             ("ktx2", _) => Container::Ktx2,
             (_, Some(_)) => Container::Equirectangular,
             _ if output.is_stdout() => Container::Equirectangular,
             _ => Container::Faces,
         });
-        let requested = format.and_then(Format::from_extension);
+        let requested = format.and_then(EnvironmentFormat::from_extension);
         let format = match container {
             Container::Faces => {
                 if output.is_stdout() {
@@ -201,7 +90,7 @@ impl EnvironmentPlan {
                 (named, _) => named,
             },
         };
-        let is_png = format.is_none_or(|f| f == Format::Png) && container != Container::Ktx2;
+        let is_png = format.is_none_or(|f| f == EnvironmentFormat::Png) && container != Container::Ktx2;
         if bits.is_some() && !is_png {
             return Err(CliError::new("--bits applies to PNG only; .exr has half floats, .hdr 8 bits and an exponent"));
         }
@@ -211,7 +100,7 @@ impl EnvironmentPlan {
     /// The plan with the format of the source for faces, and for a picture to stdout, if it is not settled.
     pub fn with_format_of(mut self, source: Option<FileFormat>) -> EnvironmentPlan {
         if self.container == Container::Faces || (self.output.is_stdout() && self.container != Container::Ktx2) {
-            self.format = self.format.or(source.map(Format::that_preserves));
+            self.format = self.format.or(source.map(EnvironmentFormat::that_preserves));
         }
         self
     }
@@ -242,13 +131,17 @@ impl EnvironmentPlan {
         }
     }
 
-    fn format(&self, high_dynamic_range: bool) -> Format {
-        self.format.unwrap_or(if high_dynamic_range && self.bits.is_none() { Format::Exr } else { Format::Png })
+    fn format(&self, high_dynamic_range: bool) -> EnvironmentFormat {
+        self.format.unwrap_or(if high_dynamic_range && self.bits.is_none() {
+            EnvironmentFormat::Exr
+        } else {
+            EnvironmentFormat::Png
+        })
     }
 
     /// Checks that exposure and tone map, if `is_requested`, apply to the output.
     pub fn check_appearance(&self, is_requested: bool, high_dynamic_range: bool) -> Result<(), CliError> {
-        let is_png = self.container != Container::Ktx2 && self.format(high_dynamic_range) == Format::Png;
+        let is_png = self.container != Container::Ktx2 && self.format(high_dynamic_range) == EnvironmentFormat::Png;
         if is_requested && !is_png {
             let message =
                 "--exposure and --tone-map apply to PNG only; other formats store light as it is (--format png)";
@@ -259,7 +152,9 @@ impl EnvironmentPlan {
 
     /// Whether light above 1 would be clipped.
     pub fn clips(&self, high_dynamic_range: bool) -> bool {
-        high_dynamic_range && self.container != Container::Ktx2 && self.format(high_dynamic_range) == Format::Png
+        high_dynamic_range
+            && self.container != Container::Ktx2
+            && self.format(high_dynamic_range) == EnvironmentFormat::Png
     }
 
     /// Writes six faces in the arrangement of the plan.
@@ -271,19 +166,9 @@ impl EnvironmentPlan {
                 self.write_picture(&image, appearance)
             }
             _ => {
-                let formats = [ktx2::Ktx2Format::Srgb8, ktx2::Ktx2Format::Half, ktx2::Ktx2Format::Float];
-                let mips = CubeMips::new(map);
-                let least = usize::from(appearance.high_dynamic_range);
-                let encode = |format: &ktx2::Ktx2Format| Ok(mips.to_ktx2(*format)).map(|e| (e.bytes, e.warnings));
-                let faces = mips.full().faces(Layout::OpenGl);
-                let (bytes, warnings) = if appearance.exact {
-                    first_exact(&formats[least..], &faces, encode)
-                } else {
-                    encode(&formats[least])
-                }
-                .map_err(failed)?;
-                self.output.write(&bytes)?;
-                Ok(WrittenEnvironment { outputs: vec![self.output.clone()], warnings })
+                let encoded = encode::cubemap_ktx2(map, appearance).map_err(failed)?;
+                self.output.write(&encoded.bytes)?;
+                Ok(WrittenEnvironment { outputs: vec![self.output.clone()], warnings: encoded.warnings })
             }
         }
     }
@@ -319,7 +204,11 @@ impl EnvironmentPlan {
         }
         files.commit()?;
         // A reader cannot choose between two sets in one folder.
-        let others = Format::ALL.into_iter().map(Format::extension).chain(["jpg"]).filter(|e| *e != extension);
+        let others = EnvironmentFormat::ALL
+            .into_iter()
+            .map(EnvironmentFormat::extension)
+            .chain(["jpg"])
+            .filter(|e| *e != extension);
         for other in others.map(|e| folder.join(format!("posx.{e}"))).filter(|path| path.is_file()) {
             let (other, here) = (other.display(), folder.join(format!("*.{extension}")));
             let here = here.display();
@@ -330,55 +219,13 @@ impl EnvironmentPlan {
 
     /// A picture's bytes, and warnings about what they cannot represent.
     fn encode(&self, image: &Image, appearance: &Appearance) -> Result<(Vec<u8>, Vec<String>), ImageError> {
-        match self.format(appearance.high_dynamic_range) {
-            Format::Png => {
-                let encode = |depth: &png::Depth| {
-                    let bytes = png::encode(image, &appearance.transform, *depth)?;
-                    Ok((bytes, clipped(image, appearance).into_iter().collect()))
-                };
-                match (self.bits, appearance.exact) {
-                    (Some(16), _) => encode(&png::Depth::Sixteen),
-                    (Some(_), _) | (None, false) => encode(&png::Depth::Eight),
-                    (None, true) => {
-                        first_exact(&[png::Depth::Eight, png::Depth::Sixteen], std::slice::from_ref(image), encode)
-                    }
-                }
-            }
-            Format::Exr => {
-                let encode = |p: &exr::ExrPrecision| exr::encode(image, *p).map(|e| (e.bytes, e.warnings));
-                if appearance.exact {
-                    first_exact(
-                        &[exr::ExrPrecision::Half, exr::ExrPrecision::Float],
-                        std::slice::from_ref(image),
-                        encode,
-                    )
-                } else {
-                    encode(&exr::ExrPrecision::Half)
-                }
-            }
-            Format::Hdr => hdr::encode(image).map(|e| (e.bytes, e.warnings)),
+        let format = self.format(appearance.high_dynamic_range);
+        let mut encoded = encode::picture(image, format, self.bits, appearance)?;
+        if format == EnvironmentFormat::Png {
+            encoded.warnings.extend(clipped(image, appearance));
         }
+        Ok((encoded.bytes, encoded.warnings))
     }
-}
-
-/// Bytes, and warnings about what they cannot represent.
-type Bytes = Result<(Vec<u8>, Vec<String>), ImageError>;
-
-/// Encodes pictures in the first of these ways that preserves them exactly, or else in the last.
-fn first_exact<T>(ways: &[T], pictures: &[Image], encode: impl Fn(&T) -> Bytes) -> Bytes {
-    let (last, cheaper) = ways.split_last().ok_or_else(|| ImageError::new("no encoding is known for this"))?;
-    for way in cheaper {
-        let (bytes, warnings) = encode(way)?;
-        let again = decode::decode("", &bytes, &DecodeLimits { max_bytes: u64::MAX })?;
-        let same = match &again.shape {
-            DecodedContent::Picture(image) => pictures == std::slice::from_ref(image),
-            DecodedContent::Faces(faces) => pictures == faces.as_slice(),
-        };
-        if same {
-            return Ok((bytes, warnings));
-        }
-    }
-    encode(last)
 }
 
 /// Whether an extension is that of a file, and not a part of a folder's name as in `sky.v2`.

@@ -15,6 +15,7 @@ use gonio_gallery::station_exhibit::StationExhibit;
 use gonio_gallery::{Exhibit, ExhibitSubject, Placement, Section, SheetLayout};
 use gonio_image::encode::png;
 use gonio_light::color::ToneMap;
+use gonio_scene::files::BuiltinOnly;
 use gonio_scene::{Scene, SceneFile};
 use std::time::Instant;
 
@@ -61,7 +62,7 @@ pub fn all<'a>(
                 scene.picture.width = width;
                 scene.picture.height = (f64::from(placement.height) * scale) as u32;
                 opened = opened.for_size(scene.picture.width, scene.picture.height, &args.backend)?;
-                let loaded = times.measure("load", || environments.load(scene))?;
+                let loaded = times.measure("load", || environments.load(scene, &BuiltinOnly))?;
                 let drawn = draw(args, folder, (section, exhibit), &loaded, placement, &mut opened, times, &mut notes)?;
                 if backend.is_none() {
                     let (report, sentence) = (opened.report(), opened.sentence());
