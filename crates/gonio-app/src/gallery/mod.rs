@@ -90,7 +90,7 @@ impl GalleryView {
         &mut self,
         ui: &mut Ui,
         platform: &mut dyn Platform,
-        mut panes: Option<&mut PaneRenderer>,
+        panes: Option<&mut PaneRenderer>,
         actions: &mut Vec<Action>,
     ) -> (Option<ChosenExhibit>, Vec<String>) {
         let ctx = ui.ctx().clone();
@@ -138,7 +138,7 @@ impl GalleryView {
                 });
             });
         });
-        if let (Some(panes), true) = (panes.as_deref_mut(), self.is_open) {
+        if let (Some(panes), true) = (panes, self.is_open) {
             let next = next.map(|(exhibit, size)| (exhibit.name.clone(), size));
             let exhibit =
                 |name: &str| self.sections.iter().flat_map(|s| s.rows.iter().flatten()).find(|e| e.name == name);
