@@ -155,6 +155,13 @@ fn texts(verdict: &Verdict) -> Vec<(String, String)> {
     texts
 }
 
+/// Whether a text is a name or a formula, which are the same in every language.
+fn is_formula(text: &str) -> bool {
+    let prose: String = text.split('`').step_by(2).collect();
+    let has_operator = [" * ", " / ", " = "].iter().any(|operator| prose.contains(operator));
+    has_operator || !text.contains(' ') || !prose.chars().any(char::is_alphabetic)
+}
+
 /// The English words of a text outside of code.
 fn english(text: &str) -> Vec<&str> {
     let prose = text.split('`').step_by(2);
@@ -278,8 +285,7 @@ fn verdicts_and_reports_are_in_french() {
         assert_eq!(ids(&english_one), ids(&french_one), "{place}");
         assert_eq!(before.len(), after.len(), "{place}");
         for ((part, before), (_, after)) in before.iter().zip(&after).filter(|((_, before), _)| !before.is_empty()) {
-            let is_code = !before.contains(' ') || !before.chars().any(char::is_alphabetic);
-            if before == after && !is_code {
+            if before == after && !is_formula(before) {
                 problems.insert(format!("{place}: {part} is not translated: {after}"));
             }
             let words = english(after);
