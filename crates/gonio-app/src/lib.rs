@@ -19,6 +19,7 @@
 //! | [`exercise`] | an exercise: the student's files, their picture, the checker |
 //! | [`files`] | files that the user drops, chooses or links to |
 //! | `focus` | the ring around the focused control |
+//! | [`mirror`] | the accessibility tree, for the page |
 //! | [`saving`] | pictures and scenes as files |
 //! | `missing_glyphs` | characters that no font can draw |
 //! | [`platform`] | what desktop and web implement differently |
@@ -37,6 +38,7 @@ pub mod exercise;
 pub mod exported;
 pub mod files;
 mod focus;
+pub mod mirror;
 mod missing_glyphs;
 pub mod panels;
 pub mod platform;
