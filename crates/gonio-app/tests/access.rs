@@ -1,4 +1,5 @@
-//! Contrast of text and its background, as painted: WCAG 2.2, level AA.
+//! What everybody can read: contrast of text and its background, as painted (WCAG 2.2, level AA), and the mirror of the accessibility
+//! tree, which screen readers read on the page.
 #![allow(missing_docs)]
 
 mod support;
@@ -6,6 +7,7 @@ mod support;
 use egui::epaint::ClippedShape;
 use egui::{Color32, Pos2, Rect, Shape, Theme, Vec2, vec2};
 use egui_kittest::kittest::NodeT;
+use gonio_app::mirror::{MirrorChange, MirrorKind, MirrorNode, TreeMirror};
 use std::collections::BTreeMap;
 use support::Window;
 
@@ -132,6 +134,18 @@ fn faint(window: &Window) -> (usize, Vec<String>) {
     (reader.found.len(), lines.collect())
 }
 
+/// Waits for the verdict.
+fn judged(window: &mut Window) {
+    for _ in 0..1200 {
+        window.steps(1);
+        if !window.app().state(&window.harness.ctx)["exercise"]["verdict"].is_null() {
+            return window.steps(2);
+        }
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+    panic!("no verdict");
+}
+
 /// Goes through a window in both themes: each step is a widget to click.
 fn check(input: &str, steps: &[&str]) {
     let mut complaints = Vec::new();
@@ -143,9 +157,12 @@ fn check(input: &str, steps: &[&str]) {
         }
         for step in steps {
             window.click_at(window.center(step));
-            // The pointer leaves, and menus have faded in.
             window.move_to(Pos2::new(4.0, 4.0));
-            window.steps(8);
+            // Menus have faded in, and the next click is not part of a double click.
+            window.steps(30);
+            if *step == "check" {
+                judged(&mut window);
+            }
             let (texts, lines) = faint(&window);
             assert!(texts > 5, "{step}: only {texts} texts");
             complaints.extend(lines.into_iter().map(|line| format!("{theme:?}, {step}: {line}")));
@@ -181,6 +198,60 @@ fn terms_that_are_off_can_be_read() {
 #[test]
 fn text_of_exercises_can_be_read() {
     check("builtin:cube", &["exercises", "exercise-ex04", "check"]);
+}
+
+/// A frame of some widgets; returns what the mirror is told.
+fn frame(mirror: &mut TreeMirror, ctx: &egui::Context, add: impl Fn(&mut egui::Ui)) -> Option<MirrorChange> {
+    let mut output = ctx.run_ui(egui::RawInput::default(), |ui| add(ui));
+    mirror.change(output.platform_output.accesskit_update.take().unwrap_or_else(|| panic!("no tree")), 1.0)
+}
+
+#[test]
+fn the_mirror_is_told_of_changes_only() {
+    let ctx = egui::Context::default();
+    ctx.enable_accesskit();
+    let mut mirror = TreeMirror::default();
+    let widgets = |on: bool, last: bool| {
+        move |ui: &mut egui::Ui| {
+            let mut on = on;
+            ui.label("Words");
+            let _ = ui.button("Press");
+            ui.checkbox(&mut on, "Check");
+            let name = ui.label("Speed");
+            ui.add(egui::DragValue::new(&mut 3.5)).labelled_by(name.id);
+            if last {
+                let _ = ui.button("Last");
+            }
+        }
+    };
+    // The layout settles.
+    let mut all: BTreeMap<String, MirrorNode> = BTreeMap::new();
+    for _ in 0..4 {
+        for node in frame(&mut mirror, &ctx, widgets(true, true)).into_iter().flat_map(|change| change.nodes) {
+            all.insert(node.id.clone(), node);
+        }
+    }
+    let by_name = |name: &str, kind: MirrorKind| {
+        all.values().find(|n| n.name == name && n.kind == kind).cloned().unwrap_or_else(|| panic!("{name}: {all:#?}"))
+    };
+    assert!(!by_name("Words", MirrorKind::Text).focusable);
+    let press = by_name("Press", MirrorKind::Button);
+    assert!(press.focusable && !press.disabled && press.rect[2] > 10 && press.rect[3] > 10, "{press:?}");
+    let check = by_name("Check", MirrorKind::CheckBox);
+    assert_eq!(check.on, Some(true));
+    assert_eq!(by_name("Speed", MirrorKind::Number).number, Some(3.5));
+    let last = by_name("Last", MirrorKind::Button);
+    // Everything has a place in the tree.
+    let children: Vec<&String> = all.values().flat_map(|node| &node.children).collect();
+    assert!(all.keys().filter(|id| !children.contains(id)).count() == 1, "only the root has no parent");
+    // Nothing changes: nothing is told.
+    assert_eq!(frame(&mut mirror, &ctx, widgets(true, true)), None);
+    let change = frame(&mut mirror, &ctx, widgets(false, true)).unwrap_or_else(|| panic!("a switch is not told"));
+    assert_eq!(change.nodes.iter().map(|node| (&node.id, node.on)).collect::<Vec<_>>(), [(&check.id, Some(false))]);
+    assert!(change.removed.is_empty());
+    let change = frame(&mut mirror, &ctx, widgets(false, false)).unwrap_or_else(|| panic!("an end is not told"));
+    assert_eq!(change.removed, [last.id]);
+    assert!(change.nodes.iter().all(|node| node.kind == MirrorKind::Group), "{:?}", change.nodes);
 }
 
 #[test]
