@@ -70,11 +70,16 @@ export class Mirror {
       ["click", this.#clicked], ["input", this.#typed], ["change", this.#changed], ["focusin", this.#entered],
       ["focusout", this.#left], ["keydown", this.#pressed],
     ]) this.#top.addEventListener(kind, handle);
-    this.#leaveTabOrder(true);
+    this.resumed();
     application.turn_access_on((text) => {
       // After the frame: the page's own events must not come in the middle of it.
       if (this.#waiting.push(text) === 1) queueMicrotask(() => this.#apply());
     });
+  }
+
+  /** To be called after each start of the application, which puts the canvas into the order of the Tab key. */
+  resumed() {
+    this.#leaveTabOrder(true);
   }
 
   /** Ends the mirror. */

@@ -97,8 +97,14 @@ function wantsAccess() {
 async function switchAccess(on) {
   if (on === (mirror !== null)) return;
   if (on) {
-    const { Mirror } = await import(new URL(document.getElementById("access").content, document.baseURI).href);
-    mirror = new Mirror(application, canvas);
+    try {
+      const { Mirror } = await import(new URL(document.getElementById("access").content, document.baseURI).href);
+      mirror ??= new Mirror(application, canvas);
+    } catch (error) {
+      // The rest of the page works without it.
+      console.error("support for screen readers could not be loaded:", error);
+      return;
+    }
   } else {
     mirror.end();
     mirror = null;
@@ -171,6 +177,7 @@ async function startApplication(inputs = []) {
     stopped(error, application.last_panic());
     return;
   }
+  mirror?.resumed();
   if (!started) {
     offerAccess();
     if (wantsAccess()) await switchAccess(true);
