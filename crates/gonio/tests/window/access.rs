@@ -8,8 +8,12 @@ use zbus::zvariant::{OwnedObjectPath, Value};
 
 /// Limit for an element to appear. It only ends tests on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
-/// AT-SPI's number of the state "checked".
-const CHECKED: u32 = 4;
+/// AT-SPI's numbers of roles.
+const PAGE_TAB: u32 = 37;
+const BUTTON: u32 = 43;
+const TOGGLE_BUTTON: u32 = 62;
+/// AT-SPI's number of the state of a toggle button that is on.
+const PRESSED: u32 = 20;
 
 /// A D-Bus session, which ends when this is dropped, with the accessibility services that it has started.
 struct Session {
@@ -77,13 +81,13 @@ impl Reader {
     }
 
     /// All elements of all programs: role, name and address. Elements that vanish meanwhile are left out.
-    async fn elements(&self) -> Vec<(String, String, Element)> {
+    async fn elements(&self) -> Vec<(u32, String, Element)> {
         let root = OwnedObjectPath::try_from("/org/a11y/atspi/accessible/root").unwrap();
         let mut open: Vec<Element> = vec![("org.a11y.atspi.Registry".to_owned(), root)];
         let mut found = Vec::new();
         while let Some(element) = open.pop() {
             open.extend(self.ask::<Vec<Element>>(&element, "Accessible", "GetChildren", &()).await.unwrap_or_default());
-            let role = self.ask::<String>(&element, "Accessible", "GetRoleName", &()).await;
+            let role = self.ask::<u32>(&element, "Accessible", "GetRole", &()).await;
             if let (Ok(role), Ok(name)) = (role, self.name(&element).await) {
                 found.push((role, name, element));
             }
@@ -92,15 +96,15 @@ impl Reader {
     }
 
     /// The element with this role and name, as soon as it exists.
-    async fn find(&self, role: &str, name: &str) -> Element {
+    async fn find(&self, role: u32, name: &str) -> Element {
         let start = Instant::now();
         loop {
             let elements = self.elements().await;
-            if let Some((.., element)) = elements.iter().find(|(r, n, _)| r == role && n == name) {
+            if let Some((.., element)) = elements.iter().find(|(r, n, _)| *r == role && n == name) {
                 return element.clone();
             }
             let seen: Vec<_> = elements.iter().map(|(role, name, _)| format!("{role} `{name}`")).collect();
-            assert!(start.elapsed() < PATIENCE, "no {role} `{name}` among {}", seen.join(", "));
+            assert!(start.elapsed() < PATIENCE, "no role {role} `{name}` among {}", seen.join(", "));
             std::thread::sleep(Duration::from_millis(200));
         }
     }
@@ -110,9 +114,9 @@ impl Reader {
         assert!(self.ask::<bool>(element, "Action", "DoAction", &(0_i32)).await.unwrap());
     }
 
-    async fn is_checked(&self, element: &Element) -> bool {
+    async fn is_pressed(&self, element: &Element) -> bool {
         let states: Vec<u32> = self.ask(element, "Accessible", "GetState", &()).await.unwrap();
-        states[0] & (1 << CHECKED) != 0
+        states[0] & (1 << PRESSED) != 0
     }
 }
 
@@ -123,19 +127,19 @@ fn a_screen_reader_finds_and_presses_controls() {
         let reader = Reader::start(&session).await.unwrap_or_else(|e| panic!("{e}; apt-get install at-spi2-core"));
         let set = |command: &mut Command| _ = command.env("DBUS_SESSION_BUS_ADDRESS", &session.address);
         let mut window = Window::open_with(1280, 800, &["builtin:cube"], set);
-        reader.find("button", "Open a model or a scene (Ctrl + O)").await;
-        let tab = reader.find("page tab", "Probe").await;
+        reader.find(BUTTON, "Open a model or a scene (Ctrl + O)").await;
+        let tab = reader.find(PAGE_TAB, "Probe").await;
         reader.act(&tab).await;
         window.wait("the tab", |s| s["tab"] == "Probe");
-        let lights = reader.find("page tab", "Lights").await;
+        let lights = reader.find(PAGE_TAB, "Lights").await;
         reader.act(&lights).await;
         window.wait("the other tab", |s| s["tab"] == "Lights");
-        let term = reader.find("switch", "diffuse term").await;
-        assert!(reader.is_checked(&term).await);
+        let term = reader.find(TOGGLE_BUTTON, "diffuse term").await;
+        assert!(reader.is_pressed(&term).await);
         reader.act(&term).await;
         window.wait("the term to be off", |s| s["scene"]["equation"]["diffuse"] == false);
         window.rest();
-        assert!(!reader.is_checked(&term).await);
+        assert!(!reader.is_pressed(&term).await);
     });
 }
 
