@@ -119,6 +119,9 @@ const main = addHashed("main.js", await bundled("main.js"), { first: false });
 /** What checks students' files, in a thread of its own. */
 const checker = addHashed("checker.js", await bundled("checker.js"), { first: false });
 
+/** What screen readers read, for those who ask for it. */
+const access = addHashed("access.js", await bundled("access.js"), { first: false });
+
 /** What traces pictures, in a thread and a module of its own. */
 const tracer = addHashed("tracer.js", await bundled("tracer.js"), { first: false });
 const traceModule = addHashed("gonio-trace.wasm", await readFile(join(moduleFolder, "gonio_trace_bg.wasm")), { first: false });
@@ -129,6 +132,7 @@ const index = replaceAll(withoutComments(await read("index.html")), [
   ['"first.js"', `"${firstScript}"`],
   ['"gonio.wasm"', `"${module}"`],
   ['"checker.js"', `"${checker}"`],
+  ['"access.js"', `"${access}"`],
   ['"tracer.js"', `"${tracer}"`],
   ['"gonio-trace.wasm"', `"${traceModule}"`],
   ['"page.css"', `"${css}"`],

@@ -77,6 +77,66 @@ function asked() {
 /** Function to call when the application's first picture is there. */
 let takenOver = () => {};
 
+/** The button that turns support for screen readers on and off, and the mirror while it is on (`access.js`). */
+const accessSwitch = document.getElementById("access-switch");
+let mirror = null;
+/** Where the choice is kept. */
+const ACCESS_KEY = "gonio-access";
+
+/** Whether support for screen readers is on from the start: by the address, or by the last choice. */
+function wantsAccess() {
+  if (new URLSearchParams(location.search).has("access")) return true;
+  try {
+    return localStorage.getItem(ACCESS_KEY) === "on";
+  } catch {
+    return false;
+  }
+}
+
+/** Turns support for screen readers on or off. */
+async function switchAccess(on) {
+  if (on === (mirror !== null)) return;
+  if (on) {
+    try {
+      const { Mirror } = await import(new URL(document.getElementById("access").content, document.baseURI).href);
+      mirror ??= new Mirror(application, canvas);
+    } catch (error) {
+      // The rest of the page works without it.
+      console.error("support for screen readers could not be loaded:", error);
+      return;
+    }
+  } else {
+    mirror.end();
+    mirror = null;
+  }
+  accessSwitch.textContent = on ? "Turn off screen reader support" : "Turn on screen reader support";
+}
+
+/** Turns it on or off as the user asks, and keeps the choice. */
+async function chooseAccess() {
+  await switchAccess(mirror === null);
+  try {
+    localStorage.setItem(ACCESS_KEY, mirror === null ? "off" : "on");
+  } catch {
+    // The choice holds for this visit.
+  }
+}
+
+/** Shows the button to the Tab key. The canvas takes every Tab; before anything else is done, the first one goes to the button. */
+function offerAccess() {
+  accessSwitch.hidden = false;
+  accessSwitch.addEventListener("click", chooseAccess);
+  const listen = { capture: true };
+  const first = (event) => {
+    for (const kind of ["pointerdown", "keydown"]) window.removeEventListener(kind, first, listen);
+    if (event.key !== "Tab" || event.shiftKey || mirror !== null) return;
+    event.preventDefault();
+    event.stopImmediatePropagation();
+    accessSwitch.focus();
+  };
+  for (const kind of ["pointerdown", "keydown"]) window.addEventListener(kind, first, listen);
+}
+
 /** Loads and starts the application. `shown` is called when its first picture is there. */
 export async function start(shown) {
   takenOver = shown;
@@ -116,6 +176,11 @@ async function startApplication(inputs = []) {
   } catch (error) {
     stopped(error, application.last_panic());
     return;
+  }
+  mirror?.resumed();
+  if (!started) {
+    offerAccess();
+    if (wantsAccess()) await switchAccess(true);
   }
   started = true;
   performance.mark("gonio-started");

@@ -15,7 +15,7 @@ export function trouble({ title, text, advice = [], details = "" }) {
   element("trouble-details").textContent = details;
   element("trouble-reload").addEventListener("click", () => location.reload());
   element("trouble").hidden = false;
-  element("lab").inert = true;
+  for (const id of ["lab", "mirror"]) element(id)?.setAttribute("inert", "");
   element("progress").hidden = true;
   document.title = `${title} – gonio`;
 }

@@ -9,6 +9,7 @@ import "./probe.test.mjs";
 import "./compare.test.mjs";
 import "./truth.test.mjs";
 import "./keys.test.mjs";
+import "./access.test.mjs";
 import "./frame.test.mjs";
 import "./files.test.mjs";
 import "./samples.test.mjs";

@@ -6,7 +6,8 @@ use std::path::Path;
 use std::process::Command;
 
 /// Debian packages that the tests need: OpenGL on the CPU; RenderDoc, its Python module and the X server that opening a
-/// capture requires; libraries for a window under X, simulated input, and a font with Cyrillic letters; the browser.
+/// capture requires; libraries for a window under X, simulated input, and a font with Cyrillic letters; D-Bus and the registry of
+/// accessible programs; the browser.
 const PACKAGES: &[&str] = &[
     "libegl1",
     "libgl1-mesa-dri",
@@ -20,6 +21,8 @@ const PACKAGES: &[&str] = &[
     "xdotool",
     "libfontconfig1",
     "fonts-dejavu-core",
+    "dbus-daemon",
+    "at-spi2-core",
     "chromium",
 ];
 

@@ -23,6 +23,7 @@
 //! | [`inspector`] | the content of the scene's model files, and the models in other formats |
 //! | `beside` | work in steps beside the interface |
 //! | `focus` | the ring around the focused control |
+//! | [`mirror`] | the accessibility tree, for the page |
 //! | [`saving`] | pictures and scenes as files |
 //! | `missing_glyphs` | characters that no font can draw |
 //! | [`platform`] | what desktop and web implement differently |
@@ -45,6 +46,7 @@ pub mod files;
 mod focus;
 pub mod gallery;
 pub mod inspector;
+pub mod mirror;
 mod missing_glyphs;
 pub mod panels;
 pub mod platform;

@@ -1,5 +1,6 @@
 //! Functions that the page's loader calls.
 
+use crate::access;
 use eframe::egui;
 use gonio_app::App;
 use gonio_app::platform::web::{PageChecks, PageFiles, PageTraces, Web, gl_of};
@@ -105,6 +106,49 @@ pub fn last_panic() -> Option<String> {
     runner.panic_summary().map(|summary| format!("{}\n\n{}", summary.message(), summary.callstack()))
 }
 
+/// Turns support for screen readers on: `receive` gets every change of the accessibility tree (`web/page/access.js`).
+#[wasm_bindgen]
+pub fn turn_access_on(receive: js_sys::Function) {
+    if let Some(context) = with_page(|page| page.context.clone()) {
+        access::start(&context, receive);
+    }
+}
+
+/// Turns it off.
+#[wasm_bindgen]
+pub fn turn_access_off() {
+    if let Some(context) = with_page(|page| page.context.clone()) {
+        access::stop(&context);
+    }
+}
+
+/// An action on an element of the mirror: `click`, `focus`, `scroll-into-view`, `set-value`, `increment` or `decrement`.
+#[wasm_bindgen]
+pub fn access_act(id: &str, action: &str, value: JsValue) -> bool {
+    access::act(id, action, &value) && repaint()
+}
+
+/// A key pressed on an element of the mirror, by the name in its event. False if the application has no use for it.
+#[wasm_bindgen]
+pub fn access_key(name: &str, ctrl: bool, shift: bool, alt: bool, meta: bool) -> bool {
+    access::key(name, [ctrl, shift, alt, meta]) && repaint()
+}
+
+/// Notes whether an element of the mirror has the focus.
+#[wasm_bindgen]
+pub fn access_focus(has_focus: bool) {
+    access::set_focus(has_focus);
+}
+
+/// Draws the next frame soon. False before the start.
+fn repaint() -> bool {
+    let context = with_page(|page| page.context.clone());
+    context.is_some_and(|context| {
+        context.request_repaint();
+        true
+    })
+}
+
 impl Page {
     fn app(
         &mut self,
@@ -119,6 +163,7 @@ impl Page {
             let memory = before.memory(Clone::clone);
             context.memory_mut(|new| *new = memory);
         }
+        access::resume(&context);
         let gl = gl_of(creation);
         let app = match &self.app {
             Some(app) => {
@@ -160,6 +205,10 @@ impl eframe::App for Shell {
     // Panels draw no background of their own.
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
         eframe::App::clear_color(&*self.app.borrow(), visuals)
+    }
+
+    fn raw_input_hook(&mut self, _: &egui::Context, input: &mut egui::RawInput) {
+        access::add_events(input);
     }
 
     fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {

@@ -63,6 +63,9 @@ impl App {
         for sentence in failures {
             self.session.messages.report(MessageSeverity::Error, sentence);
         }
+        if let Some(announcement) = self.exercise.announcement.take() {
+            self.session.announcement = announcement;
+        }
         if self.exercise.outcomes != self.session.settings.outcomes {
             self.session.settings.outcomes.clone_from(&self.exercise.outcomes);
             self.platform.keep(&self.session.settings);

@@ -86,6 +86,8 @@ pub struct ExerciseView {
     thumbnails: Option<Thumbnails>,
     /// The outcome of the last check of each exercise, by id.
     pub outcomes: BTreeMap<String, Outcome>,
+    /// A verdict that has just arrived, in words for screen readers.
+    pub announcement: Option<String>,
 }
 
 impl ExerciseView {
@@ -204,8 +206,12 @@ impl ExerciseView {
         };
         let seconds = ctx.input(|i| f64::from(i.stable_dt));
         work.clock.advance(seconds);
+        let was_checking = work.checking;
         if let Some(outcome) = self.check.poll(work) {
             self.outcomes.insert(work.exercise.id.clone(), outcome);
+        }
+        if was_checking && !work.checking {
+            self.announcement = pages::spoken(work);
         }
         self.compiler.follow(&ctx, work, pane_renderer.as_deref(), platform, &mut failures);
         toolbar::show(ui, Some(work), &mut commands);

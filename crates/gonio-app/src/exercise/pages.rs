@@ -99,16 +99,33 @@ fn shown(ui: &mut Ui, work: &mut Work, verdict: &Verdict, commands: &mut Vec<Exe
     }
 }
 
-fn head(ui: &mut Ui, work: &Work, verdict: &Verdict) {
-    let (word, icon, tint) = match verdict.verdict {
+/// The verdict, or why there is none, in words for screen readers.
+pub(super) fn spoken(work: &Work) -> Option<String> {
+    match &work.judged.as_ref()?.verdict {
+        Ok(verdict) => Some(format!("{}: {}", sign(verdict.verdict).0, told(work, verdict))),
+        Err(error) => Some(error.clone()),
+    }
+}
+
+/// The word, icon and colour of an outcome.
+fn sign(outcome: Outcome) -> (&'static str, &'static str, colors::Tint) {
+    match outcome {
         Outcome::Correct => (tr!("exercise-correct"), icons::CHECK, colors::CORRECT),
         Outcome::Wrong => (tr!("exercise-wrong"), icons::X, colors::WRONG),
         Outcome::DoesNotCompile => (tr!("exercise-does-not-compile-2"), icons::WARNING_CIRCLE, colors::ERROR),
         Outcome::Unsure => (tr!("exercise-not-judged-2"), icons::QUESTION, colors::ACCENT),
-    };
-    // The summary of a wrong answer names its mistakes.
+    }
+}
+
+/// The summary, as far as the hints tell it: that of a wrong answer names its mistakes.
+fn told(work: &Work, verdict: &Verdict) -> String {
     let is_told = verdict.verdict != Outcome::Wrong || work.hints >= Hints::Name;
-    let summary = if is_told { verdict.summary.clone() } else { wrong_scenes(verdict) };
+    if is_told { verdict.summary.clone() } else { wrong_scenes(verdict) }
+}
+
+fn head(ui: &mut Ui, work: &Work, verdict: &Verdict) {
+    let (word, icon, tint) = sign(verdict.verdict);
+    let summary = told(work, verdict);
     let color = tint.of(ui);
     let frame = Frame::NONE.fill(color.gamma_multiply(0.14)).corner_radius(CornerRadius::same(6));
     let response = frame.inner_margin(Margin::symmetric(10, 8)).show(ui, |ui| {

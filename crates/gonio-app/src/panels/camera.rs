@@ -195,7 +195,7 @@ fn table(ui: &mut Ui, of: &Table, matrix: DMat4, tints: [Color32; 4]) {
             ui.label(RichText::new(name).font(FontId::proportional(11.5)).color(tint));
             for (entry, tip) in entries.iter().zip(tips) {
                 let zero = *entry == 0.0;
-                let color = if zero { weak.gamma_multiply(0.6) } else { strong };
+                let color = if zero { weak } else { strong };
                 ui.label(RichText::new(entry_text(*entry)).font(digits()).color(color)).on_hover_text(tr!(tip));
             }
             ui.end_row();

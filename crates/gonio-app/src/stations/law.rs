@@ -41,14 +41,14 @@ pub fn checks(ui: &mut Ui, work: &RoomWork) {
     }
 }
 
-/// A check: verdict and quantity, and the numbers below. Those of other values of the parameters are dimmed.
+/// A check: verdict and quantity, and the numbers below. Those of other values of the parameters are grey.
 fn show_check(ui: &mut Ui, index: usize, check: &LawCheck, is_present: bool) {
     let (icon, word, tint) = match check.holds() {
         true => (icons::CHECK, tr!("bench-holds"), colors::NORMAL),
         false => (icons::WARNING, tr!("bench-fails"), colors::ERROR),
     };
-    let dim = if is_present { 1.0 } else { 0.45 };
-    let text = |text: String, color: egui::Color32| RichText::new(text).color(color.gamma_multiply(dim));
+    let weak = ui.visuals().weak_text_color();
+    let text = |text: String, color: egui::Color32| RichText::new(text).color(if is_present { color } else { weak });
     let color = tint.of(ui);
     let quantity = ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = 5.0;

@@ -52,11 +52,7 @@ pub fn page_tabs<T: Copy + PartialEq>(ui: &mut Ui, shown: &mut T, pages: &[(T, &
         ui.spacing_mut().item_spacing.x = 4.0;
         for (page, name, id) in pages {
             let chosen = shown == page;
-            let mut text = RichText::new(*name);
-            if chosen {
-                text = text.color(colors::ACCENT.of(ui));
-            }
-            let button = ui.add(Button::new(text).selected(chosen).frame_when_inactive(false));
+            let button = ui.add(Button::new(*name).selected(chosen).frame_when_inactive(false));
             exported::note(ui, &button, &format!("page-{id}"), WidgetRole::Tab, name, chosen);
             if button.clicked() {
                 *shown = *page;

@@ -84,5 +84,7 @@ pub fn row<R>(ui: &mut Ui, label: &str, tip: &str, add: impl FnOnce(&mut Ui) -> 
 pub fn heading(ui: &mut Ui, text: &str) -> Response {
     ui.add_space(6.0);
     let color = ui.visuals().strong_text_color();
-    ui.label(RichText::new(text).font(theme::bold(13.5)).color(color))
+    let response = ui.label(RichText::new(text).font(theme::bold(13.5)).color(color));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_role(egui::Role::Heading));
+    response
 }

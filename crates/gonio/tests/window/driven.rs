@@ -26,7 +26,17 @@ impl Window {
 
     /// Opens a window in a folder with files.
     pub fn open_in(folder: tempfile::TempDir, width: u32, height: u32, inputs: &[&str]) -> Window {
-        let mut window = Window::start(folder, [width, height], &["view"], inputs);
+        Window::start(folder, [width, height], &["view"], inputs, |_| {}).drawn()
+    }
+
+    /// Opens a window of a program whose environment `set` has changed.
+    pub fn open_with(width: u32, height: u32, inputs: &[&str], set: impl FnOnce(&mut Command)) -> Window {
+        Window::start(tempfile::tempdir().unwrap(), [width, height], &["view"], inputs, set).drawn()
+    }
+
+    /// The window when its first picture is there, with the focus.
+    fn drawn(self) -> Window {
+        let mut window = self;
         // First a preview, then the full picture.
         window.wait("the first picture", |s| s["frame"]["complete"] == true && s["busy"].is_null());
         window.focus();
@@ -35,16 +45,23 @@ impl Window {
 
     /// Opens an exercise in a folder with files: `gonio lab open`.
     pub fn exercise_in(folder: tempfile::TempDir, width: u32, height: u32, arguments: &[&str]) -> Window {
-        let mut window = Window::start(folder, [width, height], &["lab", "open"], arguments);
+        let mut window = Window::start(folder, [width, height], &["lab", "open"], arguments, |_| {});
         window.wait("the exercise", |s| s["exercise"]["open"] == true && s["exercise"]["id"].is_string());
         window.focus();
         window
     }
 
-    fn start(folder: tempfile::TempDir, [width, height]: [u32; 2], command: &[&str], inputs: &[&str]) -> Window {
+    fn start(
+        folder: tempfile::TempDir,
+        [width, height]: [u32; 2],
+        words: &[&str],
+        inputs: &[&str],
+        set: impl FnOnce(&mut Command),
+    ) -> Window {
         let screen = Screen::new([width, height]).unwrap();
-        let program = Command::new(env!("CARGO_BIN_EXE_gonio"))
-            .args(command)
+        let mut command = Command::new(env!("CARGO_BIN_EXE_gonio"));
+        command
+            .args(words)
             .args(["--state", "state.json", "--size", &format!("{width}x{height}")])
             .args(inputs)
             .current_dir(folder.path())
@@ -53,9 +70,9 @@ impl Window {
             // The machine's own dialog programs are not tested.
             .env("PATH", "/nonexistent")
             .env_remove("WAYLAND_DISPLAY")
-            .stdin(Stdio::null())
-            .spawn()
-            .unwrap();
+            .stdin(Stdio::null());
+        set(&mut command);
+        let program = command.spawn().unwrap();
         Window { program, screen, folder }
     }
 

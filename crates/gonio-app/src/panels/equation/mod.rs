@@ -161,12 +161,12 @@ fn one_term(
     clicked.then_some((term, alone))
 }
 
-/// The colour of a term, faded where it is off.
+/// The colour of a term, grey where it is off.
 fn color_of(ui: &Ui, document: &Document, term: Option<Term>) -> Color32 {
     let plain = ui.visuals().text_color();
     let Some(term) = term else { return plain };
     let color = switch::tint(term).map_or(ui.visuals().strong_text_color(), |tint| tint.of(ui));
-    if switch::is_on(document, term) == Some(false) { color.gamma_multiply(0.28) } else { color }
+    if switch::is_on(document, term) == Some(false) { ui.visuals().weak_text_color() } else { color }
 }
 
 fn act(document: &mut Document, session: &mut Session, actions: &mut Vec<Action>, term: Term, alone: bool) {

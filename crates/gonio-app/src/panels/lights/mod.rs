@@ -121,7 +121,7 @@ fn row(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize
 fn title(ui: &mut Ui, index: usize, kind: LightSourceKind, name: &str, on: bool, selected: bool) -> bool {
     let visuals = ui.visuals();
     let color = match (on, selected) {
-        (false, _) => visuals.weak_text_color().gamma_multiply(0.7),
+        (false, _) => visuals.weak_text_color(),
         (true, true) => visuals.strong_text_color(),
         (true, false) => visuals.text_color(),
     };
