@@ -1,4 +1,5 @@
 //! A process whose language is French.
+#![allow(clippy::unwrap_used)]
 
 use gonio_check::mistakes;
 use gonio_check::verdict::FoundMistake;

@@ -4,6 +4,7 @@
 //! their ids with [`tr!`]; a text that a language lacks is in English. The language is one per process, set once by whoever
 //! starts it (an option, the system, the browser) or changed by its user: texts are for people, and a process has one
 //! reader. Files for programs, such as JSON, have ids and keys that no language changes.
+#![cfg_attr(test, allow(clippy::unwrap_used))]
 
 mod catalogue;
 mod language;
