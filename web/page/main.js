@@ -109,7 +109,10 @@ async function switchAccess(on) {
     mirror.end();
     mirror = null;
   }
-  accessSwitch.textContent = on ? "Turn off screen reader support" : "Turn on screen reader support";
+  const [off, turnedOn] = document.documentElement.lang === "fr"
+    ? ["Désactiver la prise en charge des lecteurs d'écran", "Activer la prise en charge des lecteurs d'écran"]
+    : ["Turn off screen reader support", "Turn on screen reader support"];
+  accessSwitch.textContent = on ? off : turnedOn;
 }
 
 /** Turns it on or off as the user asks, and keeps the choice. */

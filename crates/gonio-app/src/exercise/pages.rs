@@ -9,6 +9,7 @@ use crate::widgets;
 use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui};
 use gonio_check::feedback::Feedback;
 use gonio_check::mistakes;
+use gonio_check::testbench::scene;
 use gonio_check::verdict::{CompilerMessage, FoundMistake, Outcome, TermState, Verdict};
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_exercises::preview::VariableValue;
@@ -271,7 +272,7 @@ fn terms(ui: &mut Ui, verdict: &Verdict) {
                 TermState::Wrong => (tr!("exercise-wrong-state"), colors::WRONG.of(ui)),
                 TermState::NotSeparable => (tr!("exercise-not-tested-separately"), ui.visuals().weak_text_color()),
             };
-            ui.label(format!("{}", term.term));
+            ui.label(scene::term_title(&term.term));
             ui.label(RichText::new(word).color(color));
             ui.add_space(8.0);
         }
@@ -293,14 +294,15 @@ fn scenes(ui: &mut Ui, work: &mut Work, verdict: &Verdict) {
             ui.label(RichText::new(icon).font(theme::icon_font(13.0)).color(color));
             if can_be_shown {
                 let chosen = shown.as_ref() == Some(&scene.scene);
-                let link = ui.add(egui::Button::selectable(chosen, scene.scene.as_str()));
+                let title = scene::title(&scene.scene);
+                let link = ui.add(egui::Button::selectable(chosen, title.as_str()));
                 let id = format!("test-scene-{}", widgets::slug(&scene.scene));
-                exported::note(ui, &link, &id, WidgetRole::Button, &scene.scene, chosen);
+                exported::note(ui, &link, &id, WidgetRole::Button, &title, chosen);
                 if link.on_hover_text(tr!("exercise-show-the-pictures-of-this-scene")).clicked() {
                     work.look_at_test(&scene.scene);
                 }
             } else {
-                ui.label(RichText::new(&scene.scene).color(ui.visuals().strong_text_color()));
+                ui.label(RichText::new(scene::title(&scene.scene)).color(ui.visuals().strong_text_color()));
             }
             if !scene.right {
                 let share = tr!("exercise-of-pixels-differ", pixels_beyond = percent(scene.pixels_beyond));

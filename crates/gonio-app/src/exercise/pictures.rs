@@ -11,6 +11,7 @@ use crate::step::{self, Stepper};
 use crate::theme::{colors, icons};
 use crate::widgets;
 use egui::{Align2, Color32, CornerRadius, Label, Rect, RichText, Sense, TextStyle, Ui, pos2, vec2};
+use gonio_check::testbench::scene::title;
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_exercises::preview::PreviewScene;
 use gonio_gl::GlError;
@@ -178,7 +179,7 @@ fn scene_and_time(ui: &mut Ui, work: &mut Work, stepper: &mut Stepper) {
         // Of the checker's scenes, only the one that is shown: the verdict lists them all.
         let offered = work.scenes.iter().enumerate().filter(|(index, scene)| !scene.is_test || *index == work.scene);
         let name = |scene: &PreviewScene| match scene.is_test {
-            true => format!("test: {}", scene.name),
+            true => tr!("exercise-test", scene = title(&scene.name)),
             false => scene.name.to_string(),
         };
         let offered: Vec<(usize, String, &str)> =

@@ -274,3 +274,4 @@ exercise-nothing = nothing
 exercise-later-steps-are-not-shown = ; later steps are not shown
 exercise-before = before: { $value }
 exercise-interpolated-between-the-vertices = ; interpolated between the vertices
+exercise-test = test: { $scene }

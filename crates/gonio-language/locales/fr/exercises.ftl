@@ -286,3 +286,4 @@ exercise-nothing = rien
 exercise-later-steps-are-not-shown = {" "}; les pas suivants ne sont pas affichés
 exercise-before = avant : { $value }
 exercise-interpolated-between-the-vertices = {" "}; interpolé entre les sommets
+exercise-test = test : { $scene }
