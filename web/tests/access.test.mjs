@@ -133,7 +133,7 @@ test("nothing is written while nothing changes", async (lab) => {
     const changed = new Set();
     const observer = new MutationObserver((records) => records.forEach(({ target }) => changed.add(target)));
     observer.observe(document.getElementById("mirror"), { subtree: true, childList: true, attributes: true, characterData: true });
-    [...document.querySelectorAll("#mirror [role=tab]")].find((tab) => tab.ariaLabel === "Lights").click();
+    [...document.querySelectorAll("#mirror [role=tab]")].find((tab) => tab.ariaLabel === "Camera").click();
     for (let frame = 0; frame < 20; frame++) await new Promise(requestAnimationFrame);
     return [changed.size, document.querySelectorAll("#mirror *").length];
   });
