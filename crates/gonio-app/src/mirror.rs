@@ -190,6 +190,12 @@ fn range_of(node: &Node) -> Option<[f64; 2]> {
     Some([node.min_numeric_value()?, node.max_numeric_value()?]).filter(|ends| ends.iter().all(|end| end.is_finite()))
 }
 
+/// A name without the icons in it, which are private characters of their font.
+fn without_icons(name: &str) -> String {
+    let spoken: String = name.chars().filter(|c| !('\u{e000}'..='\u{f8ff}').contains(c)).collect();
+    spoken.trim().to_owned()
+}
+
 fn mirrored(id: NodeId, node: &Node, is_root: bool, all: &HashMap<NodeId, Node>, scale: f64) -> MirrorNode {
     let kind = kind_of(node, is_root, all);
     let text = |node: &Node| node.label().or(node.value()).map(str::to_owned);
@@ -206,7 +212,7 @@ fn mirrored(id: NodeId, node: &Node, is_root: bool, all: &HashMap<NodeId, Node>,
     MirrorNode {
         id: text_of(id),
         kind,
-        name,
+        name: without_icons(&name),
         value: has_value.then(|| node.value().map(str::to_owned)).flatten(),
         number: node.numeric_value().filter(|number| number.is_finite()),
         range: range_of(node),
