@@ -18,6 +18,7 @@ import "./phone.test.mjs";
 import "./parity.test.mjs";
 import "./check.test.mjs";
 import "./exercise.test.mjs";
+import "./french.test.mjs";
 import "./scripts.test.mjs";
 import "./bench.test.mjs";
 import "./bake.test.mjs";

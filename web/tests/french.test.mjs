@@ -1,0 +1,60 @@
+// A student's evening on the page in French, with the keyboard alone.
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { CLIPBOARD, poll, settled, suite } from "./support/lab.mjs";
+
+const { test } = suite();
+
+const EXERCISE = join(dirname(fileURLToPath(import.meta.url)), "../../exercises/ex04-phong-diffuse");
+
+/** Presses Tab until a widget has the focus. */
+async function tabTo(lab, id) {
+  for (let presses = 0; presses < 250; presses += 1) {
+    const { widgets } = await lab.state();
+    if (widgets.some((widget) => widget.id === id && widget.focused)) return;
+    await lab.page.keyboard.press("Tab");
+    await lab.rest();
+  }
+  assert.fail(`Tab does not reach ${id}`);
+}
+
+test("exercise 04 is found, broken, judged and fixed by keys, in French, with a comment in Chinese", async (lab) => {
+  await lab.until(settled);
+  assert.equal(await lab.page.evaluate(() => document.documentElement.lang), "fr");
+  await tabTo(lab, "exercises");
+  await lab.page.keyboard.press("Enter");
+  await lab.until(({ widgets }) => widgets.some(({ id }) => id === "exercise-ex04"));
+  await tabTo(lab, "exercise-ex04");
+  await lab.page.keyboard.press("Enter");
+  const { exercise } = await lab.until(({ exercise }) => exercise.id === "ex04" && exercise.drawn);
+  for (const [index, { name }] of exercise.files.entries()) {
+    const ending = /\.(vert|frag)$/.exec(name)?.[1];
+    if (ending === undefined) continue;
+    const right = await readFile(join(EXERCISE, `reference.${ending}`), "utf8");
+    await lab.page.evaluate((text) => navigator.clipboard.writeText(text), right.replace("mat3(itM)", "mat3(M)"));
+    await tabTo(lab, `file-${index}`);
+    await lab.page.keyboard.press("Enter");
+    await lab.until(({ exercise }) => exercise.file === name);
+    await tabTo(lab, "editor");
+    await lab.page.keyboard.press("Control+a");
+    await lab.page.keyboard.press("Control+v");
+    await lab.until(({ exercise }) => exercise.files.some((file) => file.name === name && file.changed));
+    await lab.page.keyboard.insertText("// 法线归一化");
+    await lab.rest();
+    await lab.page.keyboard.press("Escape");
+  }
+  await lab.until(({ exercise }) => exercise.drawn && !exercise.older);
+  await lab.page.keyboard.press("Control+Enter");
+  const wrong = await lab.until(({ exercise }) => exercise.verdict !== null);
+  const { word, mistakes, summary } = wrong.exercise.verdict;
+  assert.deepEqual([word, mistakes], ["wrong", ["normal-by-model-matrix"]], summary);
+  assert.match(summary, /normale/);
+  await tabTo(lab, "apply-fix");
+  await lab.page.keyboard.press("Enter");
+  await lab.page.keyboard.press("Control+Enter");
+  const fixed = await poll(() => lab.state(), ({ exercise }) => exercise.verdict?.word === "correct");
+  assert.doesNotMatch(fixed.exercise.verdict.summary, /\b(the|is|of)\b/);
+}, { path: "?language=fr", ...CLIPBOARD });
