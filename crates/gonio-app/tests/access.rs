@@ -123,7 +123,7 @@ fn faint(window: &Window) -> (usize, Vec<String>) {
         disabled: disabled.map(|node| node.rect()).collect(),
         found: BTreeMap::new(),
     };
-    for ClippedShape { clip_rect, shape } in &window.harness.output().shapes {
+    for ClippedShape { clip_rect, shape, .. } in &window.harness.output().shapes {
         reader.read(shape, *clip_rect);
     }
     let hex = |color: Color32| format!("{:02x}{:02x}{:02x}", color.r(), color.g(), color.b());
