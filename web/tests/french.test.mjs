@@ -52,6 +52,8 @@ test("exercise 04 is found, broken, judged and fixed by keys, in French, with a 
   const { word, mistakes, summary } = wrong.exercise.verdict;
   assert.deepEqual([word, mistakes], ["wrong", ["normal-by-model-matrix"]], summary);
   assert.match(summary, /normale/);
+  await tabTo(lab, "hints-fix");
+  await lab.page.keyboard.press("Enter");
   await tabTo(lab, "apply-fix");
   await lab.page.keyboard.press("Enter");
   await lab.page.keyboard.press("Control+Enter");

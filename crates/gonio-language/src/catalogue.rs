@@ -23,7 +23,19 @@ macro_rules! files {
     };
 }
 
-files!("bench", "check", "environment", "exercises", "file", "language", "names", "reports", "scene", "window");
+files!(
+    "bench",
+    "check",
+    "environment",
+    "exercises",
+    "file",
+    "language",
+    "names",
+    "reports",
+    "scene",
+    "terminal",
+    "window"
+);
 
 /// The texts of a language.
 struct Catalogue {

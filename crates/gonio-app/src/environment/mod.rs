@@ -38,6 +38,7 @@ use gonio_light::color::OutputTransform;
 use gonio_mesh::Limits;
 use gonio_scene::LoadedEnvironment;
 use gonio_scene::environment_file::{self, EnvironmentReadOptions, OpenedEnvironment};
+use gonio_scene::files::BUILTIN;
 use gonio_scene::files::FileSource;
 use gonio_scene::settings::EnvironmentSettings;
 use pictures::StudyPictures;
@@ -210,7 +211,7 @@ impl EnvironmentView {
 
 /// The name of an environment as the beginning of a file name.
 fn stem(name: &str) -> String {
-    let stem = Product::stem(base_name(name));
+    let stem = Product::stem(base_name(name.strip_prefix(BUILTIN).unwrap_or(name)));
     let stem = stem.trim_matches('_');
     if stem.is_empty() { "environment".to_owned() } else { stem.to_owned() }
 }

@@ -45,10 +45,11 @@ fn tabs(ui: &mut Ui, work: &mut Work) {
             let name = if file.is_changed() { format!("{} •", file.name) } else { file.name.clone() };
             let mut label = RichText::new(name);
             match worst {
+                // The selection's colour leaves too little contrast for a tint, and the marks are in view.
+                _ if chosen => label = label.color(ui.visuals().strong_text_color()),
                 Some(MarkKind::Error) => label = label.color(colors::ERROR.of(ui)),
                 Some(MarkKind::Mistake) => label = label.color(colors::WRONG.of(ui)),
                 Some(MarkKind::Warning) => label = label.color(colors::WARNING.of(ui)),
-                None if chosen => label = label.color(ui.visuals().strong_text_color()),
                 None => {}
             }
             let button = egui::Button::new(label).selected(chosen).frame_when_inactive(chosen);

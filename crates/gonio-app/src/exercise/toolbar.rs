@@ -106,6 +106,7 @@ fn check(ui: &mut Ui, work: &Work, narrow: bool, commands: &mut Vec<ExerciseComm
     let text = RichText::new(if narrow { tr!("exercise-check") } else { tr!("exercise-check-ctrl-enter") });
     let fill = colors::ACCENT.of(ui).gamma_multiply(0.35);
     let check = ui.add(Button::new(text.color(ui.visuals().strong_text_color())).fill(fill));
+    check.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, tr!("exercise-check")));
     exported::note(ui, &check, "check", WidgetRole::Button, tr!("exercise-check"), "");
     if check.on_hover_text(tr!("exercise-find-mistakes-by-name-and-line")).clicked() {
         commands.push(ExerciseCommand::Check);

@@ -645,3 +645,4 @@ scene-triangles-drawn = { NUMBER($count) ->
     [one] { $count } triangle
    *[other] { $count } triangles
 }
+scene-if = {"   "}if{" "}

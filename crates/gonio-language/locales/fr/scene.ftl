@@ -660,3 +660,4 @@ scene-triangles-drawn = { NUMBER($count) ->
     [one] { $count } triangle
     *[other] { $count } triangles
 }
+scene-if = {"   "}si{" "}

@@ -32,7 +32,9 @@ pub struct GeneralOptions {
     /// Report the driver, the files read and timings on stderr.
     #[arg(long, short, conflicts_with = "quiet")]
     pub verbose: bool,
-    /// Language of the window, the exercises and the verdicts: en or fr; the system's by default.
+    /// Language of the window, the exercises and the verdicts.
+    ///
+    /// By default that of the system, or the one that was selected in the window.
     #[arg(long, value_parser = values::named(&Language::ALL, Language::code))]
     pub language: Option<Language>,
 }

@@ -2,6 +2,7 @@
 
 use crate::session::Term;
 use crate::typeset::{Node, Tag};
+use gonio_language::tr;
 use gonio_light::brdf::BrdfKind;
 use gonio_light::{Convention, Specular};
 use gonio_scene::SceneSettings;
@@ -202,7 +203,7 @@ fn specular(e: &EquationSettings) -> Node {
     };
     let mut whole = vec![lobe];
     if e.gated {
-        whole.extend([up("   if "), v("N"), up("\u{22c5}"), indexed(v("L")), Node::relation(">"), up("0")]);
+        whole.extend([up(tr!("scene-if")), v("N"), up("\u{22c5}"), indexed(v("L")), Node::relation(">"), up("0")]);
     }
     Node::Row(whole)
 }

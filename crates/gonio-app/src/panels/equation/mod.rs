@@ -211,7 +211,11 @@ fn solo(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
                 continue;
             }
             let is_alone = switch::is_alone(document, term);
-            let color = switch::tint(term).map_or(ui.visuals().text_color(), |tint| tint.of(ui));
+            let color = match switch::tint(term) {
+                // The selection's colour leaves too little contrast for a tint.
+                Some(tint) if !is_alone => tint.of(ui),
+                _ => ui.visuals().strong_text_color(),
+            };
             let button = egui::Button::new(RichText::new(word).small().color(color)).selected(is_alone);
             let response = ui.add(button);
             let name = tr!("scene-alone-2", term = term);

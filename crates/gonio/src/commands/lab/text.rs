@@ -2,8 +2,10 @@
 
 use crate::terminal::{Style, TerminalPage};
 use gonio_check::proposed_fix::{self, DiffLine};
+use gonio_check::testbench::scene::{term_title, title};
 use gonio_check::verdict::{FoundMistake, Outcome, PropertyState, ProposedEdit, TermState, Verdict};
 use gonio_exercises::report::{Row, SimilarGroup};
+use gonio_language::tr;
 
 const BOLD: Style = Style::Bold;
 const DIM: Style = Style::Dim;
@@ -14,10 +16,10 @@ const YELLOW: Style = Style::Yellow;
 /// A verdict as a student reads it.
 pub fn verdict(verdict: &Verdict) -> TerminalPage {
     let (word, style) = match verdict.verdict {
-        Outcome::Correct => ("correct", GREEN),
-        Outcome::Wrong => ("wrong", RED),
-        Outcome::DoesNotCompile => ("does not compile", RED),
-        Outcome::Unsure => ("unsure", YELLOW),
+        Outcome::Correct => (tr!("terminal-correct"), GREEN),
+        Outcome::Wrong => (tr!("terminal-wrong"), RED),
+        Outcome::DoesNotCompile => (tr!("terminal-does-not-compile"), RED),
+        Outcome::Unsure => (tr!("terminal-unsure"), YELLOW),
     };
     let mut page = TerminalPage::new();
     page.line(format_args!("{BOLD}{}{BOLD:#}  {style}{word}{style:#}: {}", verdict.exercise, verdict.summary));
@@ -42,41 +44,48 @@ pub fn verdict(verdict: &Verdict) -> TerminalPage {
     proposed_fix(&mut page, &verdict.proposed_fix);
     if verdict.terms.iter().any(|term| term.state != TermState::NotSeparable) {
         let words = verdict.terms.iter().map(|term| match term.state {
-            TermState::Right => format!("{} {GREEN}right{GREEN:#}", term.term),
-            TermState::Wrong => format!("{} {RED}wrong{RED:#}", term.term),
-            TermState::NotSeparable => format!("{} {DIM}not tested separately{DIM:#}", term.term),
+            TermState::Right => format!("{} {GREEN}{}{GREEN:#}", term_title(&term.term), tr!("terminal-right")),
+            TermState::Wrong => format!("{} {RED}{}{RED:#}", term_title(&term.term), tr!("terminal-wrong")),
+            TermState::NotSeparable => {
+                format!("{} {DIM}{}{DIM:#}", term_title(&term.term), tr!("terminal-not-tested-separately"))
+            }
         });
         page.blank();
-        page.line(format_args!("  {BOLD}Terms{BOLD:#}   {}", words.collect::<Vec<_>>().join(", ")));
+        let terms = tr!("terminal-terms");
+        page.line(format_args!("  {BOLD}{terms}{BOLD:#}   {}", words.collect::<Vec<_>>().join(", ")));
     }
     let whole: Vec<_> = verdict.scenes.iter().filter(|scene| !scene.scene.ends_with("alone")).collect();
     if verdict.verdict == Outcome::Wrong && !whole.is_empty() {
         let words = whole.iter().map(|scene| match scene.right {
-            true => format!("{} {GREEN}right{GREEN:#}", scene.scene),
+            true => format!("{} {GREEN}{}{GREEN:#}", title(&scene.scene), tr!("terminal-right")),
             false => {
-                format!("{} {RED}wrong{RED:#} ({:.0} % of pixels differ)", scene.scene, 100.0 * scene.pixels_beyond)
+                let percent = format!("{:.0}", 100.0 * scene.pixels_beyond);
+                let differ = tr!("terminal-pixels-differ", percent = percent);
+                format!("{} {RED}{}{RED:#} ({differ})", title(&scene.scene), tr!("terminal-wrong"))
             }
         });
-        page.line(format_args!("  {BOLD}Scenes{BOLD:#}  {}", words.collect::<Vec<_>>().join(", ")));
+        let scenes = tr!("terminal-scenes");
+        page.line(format_args!("  {BOLD}{scenes}{BOLD:#}  {}", words.collect::<Vec<_>>().join(", ")));
     }
     let fails: Vec<_> = verdict.properties.iter().filter(|p| p.state == PropertyState::Wrong).collect();
     if !fails.is_empty() {
         page.blank();
-        page.line(format_args!("  {BOLD}Consistency checks{BOLD:#}"));
+        page.line(format_args!("  {BOLD}{}{BOLD:#}", tr!("terminal-consistency-checks")));
         for property in fails {
-            page.line(format_args!("    {} ({})", property.sentence, property.scenes.join(", ")));
+            let scenes: Vec<String> = property.scenes.iter().map(|scene| title(scene)).collect();
+            page.line(format_args!("    {} ({})", property.sentence, scenes.join(", ")));
         }
     }
     if !verdict.peculiarities.is_empty() {
         page.blank();
-        page.line(format_args!("  {BOLD}Correct, by a different method{BOLD:#}"));
+        page.line(format_args!("  {BOLD}{}{BOLD:#}", tr!("terminal-another-method")));
         for peculiarity in &verdict.peculiarities {
             page.line(format_args!("    {}: {}", peculiarity.id, peculiarity.name));
         }
     }
     if !verdict.warnings.is_empty() {
         page.blank();
-        page.line(format_args!("  {YELLOW}Worth knowing{YELLOW:#}"));
+        page.line(format_args!("  {YELLOW}{}{YELLOW:#}", tr!("terminal-worth-knowing")));
         for warning in &verdict.warnings {
             page.line(format_args!("    {warning}"));
         }
@@ -85,10 +94,8 @@ pub fn verdict(verdict: &Verdict) -> TerminalPage {
         verdict.bound.iter().filter(|bound| bound.role.is_none()).map(|bound| bound.name.as_str()).collect();
     if !unknown.is_empty() {
         page.blank();
-        let names = unknown.join(", ");
-        page.line(format_args!(
-            "  {DIM}Unrecognised uniforms, set to 0: {names} (names.toml can state what they are){DIM:#}"
-        ));
+        let sentence = tr!("terminal-unrecognised-uniforms", names = unknown.join(", "));
+        page.line(format_args!("  {DIM}{sentence}{DIM:#}"));
     }
     page
 }
@@ -113,23 +120,26 @@ fn mistake(page: &mut TerminalPage, found: &FoundMistake) {
         page.line(format_args!("    {BOLD}{file}:{line}{BOLD:#}  {quoted}"));
     }
     match found.share_explained > 0.0 {
-        true => page.line(format_args!("    It explains {:.1} % of the difference.", 100.0 * found.share_explained)),
-        false => page.line("    The source shows it; its share of the difference is unknown."),
+        true => {
+            let percent = format!("{:.1}", 100.0 * found.share_explained);
+            page.line(format_args!("    {}", tr!("terminal-it-explains", percent = percent)));
+        }
+        false => page.line(format_args!("    {}", tr!("terminal-the-source-shows-it"))),
     }
     if !found.or.is_empty() {
-        page.line(format_args!("    No picture distinguishes it from: {}.", found.or.join(", ")));
+        page.line(format_args!("    {}", tr!("terminal-not-distinguished-from", ids = found.or.join(", "))));
     }
     for (heading, text) in [
-        ("What it looks like", &found.looks_like),
-        ("How to fix it", &found.fix),
-        ("In the lecture", &found.lecture_section),
+        ("terminal-what-it-looks-like", &found.looks_like),
+        ("terminal-how-to-fix-it", &found.fix),
+        ("terminal-in-the-lecture", &found.lecture_section),
     ] {
         if !text.is_empty() {
-            page.line(format_args!("    {DIM}{heading}:{DIM:#} {text}"));
+            page.line(format_args!("    {DIM}{}{DIM:#} {text}", tr!(heading)));
         }
     }
     if found.lab_does_it {
-        page.line("    The lab's own solution does the same; --as-the-lab accepts it.");
+        page.line(format_args!("    {}", tr!("terminal-the-lab-does-it-too")));
     }
 }
 
@@ -162,10 +172,10 @@ pub fn table(rows: &[Row], similar: &[SimilarGroup]) -> TerminalPage {
     let mut page = TerminalPage::new();
     for row in rows {
         let (word, style) = match row.verdict {
-            Outcome::Correct => ("correct", GREEN),
-            Outcome::Wrong => ("wrong", RED),
+            Outcome::Correct => (tr!("terminal-correct"), GREEN),
+            Outcome::Wrong => (tr!("terminal-wrong"), RED),
             Outcome::DoesNotCompile => ("broken", RED),
-            Outcome::Unsure => ("unsure", YELLOW),
+            Outcome::Unsure => (tr!("terminal-unsure"), YELLOW),
         };
         let ids: Vec<&str> = row.mistakes.iter().map(|mistake| mistake.id.as_str()).collect();
         let summary = match (row.verdict, ids.is_empty()) {
