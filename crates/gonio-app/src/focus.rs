@@ -38,6 +38,39 @@ pub fn ring(ctx: &Context) {
     painter.rect_stroke(rect, CornerRadius::same(4), Stroke::new(WIDTH, color), StrokeKind::Middle);
 }
 
+/// The control with the focus in the last frame, and the one that Escape took it from.
+#[derive(Clone, Copy, Default)]
+struct LeftFocus {
+    last: Option<Id>,
+    left: Option<Id>,
+}
+
+/// Lets Tab go on from the control that Escape has left, which may be an editor that keeps Tab for itself; called at the start
+/// of a frame. egui would begin with the first control again.
+pub fn resume(ctx: &Context) {
+    let key = Id::unique("the control that Escape left");
+    let mut state: LeftFocus = ctx.data(|data| data.get_temp(key)).unwrap_or_default();
+    let (escape, tab, click) =
+        ctx.input(|input| (input.key_pressed(Key::Escape), input.key_pressed(Key::Tab), input.pointer.any_pressed()));
+    if let Some(focused) = ctx.memory(|memory| memory.focused()) {
+        state = LeftFocus { last: Some(focused), left: None };
+    } else if click {
+        state = LeftFocus::default();
+    } else {
+        if escape {
+            state.left = state.last.take();
+        }
+        if let Some(left) = state.left.take_if(|_| tab) {
+            ctx.memory_mut(|memory| memory.request_focus(left));
+            // egui moves the focus already; an editor would indent its line.
+            ctx.input_mut(|input| {
+                input.events.retain(|event| !matches!(event, Event::Key { key: Key::Tab, pressed: true, .. }));
+            });
+        }
+    }
+    ctx.data_mut(|data| data.insert_temp(key, state));
+}
+
 /// Lets double clicks be recognised at any frame rate: at 5 frames per second, the two clicks of one are up to four frames apart.
 pub fn allow_slow_double_clicks(ctx: &Context) {
     /// egui's own value, seconds.

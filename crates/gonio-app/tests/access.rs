@@ -1,6 +1,6 @@
 //! What everybody can read: contrast of text and its background, as painted (WCAG 2.2, level AA), and the mirror of the accessibility
 //! tree, which screen readers read on the page.
-#![allow(missing_docs)]
+#![allow(missing_docs, clippy::unwrap_used)]
 
 mod support;
 
@@ -151,6 +151,13 @@ fn check(input: &str, steps: &[&str]) {
     let mut complaints = Vec::new();
     for theme in [Theme::Light, Theme::Dark] {
         let mut window = Window::with(input, vec2(1280.0, 900.0));
+        for _ in 0..600 {
+            window.steps(1);
+            if window.app().session().loaded.is_some() {
+                break;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(20));
+        }
         window.steps(4);
         if window.harness.ctx.theme() != theme {
             window.click_at(window.center("theme"));

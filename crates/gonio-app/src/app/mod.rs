@@ -220,6 +220,7 @@ impl App {
     /// One frame: input, actions, document, pictures, window.
     pub fn ui(&mut self, ui: &mut Ui) {
         focus::allow_slow_double_clicks(ui.ctx());
+        focus::resume(ui.ctx());
         let reported = self.session.messages.count();
         let ctx = ui.ctx().clone();
         self.frame(ui, &ctx);
