@@ -2,6 +2,8 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod support;
+#[path = "support/waiting.rs"]
+mod waiting;
 
 use egui::{Key, Modifiers, Pos2, pos2, vec2};
 use gonio_app::baking::{BakeReply, BakeRequest};
@@ -14,33 +16,7 @@ use std::path::Path;
 use std::sync::Arc;
 use support::{Here, Window};
 
-/// Frames that a bake may take; each waits a little.
-const MOST_FRAMES: usize = 3000;
-
 impl Window {
-    fn state(&self) -> Value {
-        self.app().state(&self.harness.ctx)
-    }
-
-    /// Waits until the state fulfils a condition.
-    fn until(&mut self, what: &str, expected: impl Fn(&Value) -> bool) -> Value {
-        for _ in 0..MOST_FRAMES {
-            let state = self.state();
-            if expected(&state) {
-                return state;
-            }
-            std::thread::sleep(std::time::Duration::from_millis(10));
-            self.steps(1);
-        }
-        panic!("{what} did not come: {:#}", self.state()["bake"]);
-    }
-
-    fn click(&mut self, id: &str) {
-        // Longer than a double click.
-        self.steps(30);
-        self.click_at(self.center(id));
-    }
-
     /// Opens a model in a window with the tab of baking, at a small size.
     fn to_bake(input: &str) -> Window {
         let mut window = Window::with(input, vec2(1280.0, 1400.0));

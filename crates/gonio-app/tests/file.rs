@@ -2,6 +2,8 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod support;
+#[path = "support/waiting.rs"]
+mod waiting;
 
 use egui::{Key, Modifiers, vec2};
 use gonio_app::files::MemoryFiles;
@@ -12,9 +14,6 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use support::Window;
-
-/// Frames that reading may take; each waits a little.
-const MOST_FRAMES: usize = 3000;
 
 const OBJ: &str = "mtllib square.mtl
 v -1 -1 0
@@ -66,29 +65,6 @@ impl Drop for Folder {
 }
 
 impl Window {
-    fn state(&self) -> Value {
-        self.app().state(&self.harness.ctx)
-    }
-
-    /// Waits until the state fulfils a condition.
-    fn until(&mut self, what: &str, expected: impl Fn(&Value) -> bool) -> Value {
-        for _ in 0..MOST_FRAMES {
-            let state = self.state();
-            if expected(&state) {
-                return state;
-            }
-            std::thread::sleep(std::time::Duration::from_millis(10));
-            self.steps(1);
-        }
-        panic!("{what} did not come: {:#}", self.state()["file"]);
-    }
-
-    fn click(&mut self, id: &str) {
-        // Longer than a double click.
-        self.steps(30);
-        self.click_at(self.center(id));
-    }
-
     /// Opens a file in a high window with the panel, and waits until all models were inspected.
     fn to_file(input: &str, width: f32) -> Window {
         let mut window = Window::with(input, vec2(width, 2400.0));

@@ -27,7 +27,11 @@ pub fn text_in(language: Language, id: &str) -> Option<&'static str> {
 /// English. One without a text is its own translation. Languages other than English have them in `names.ftl`.
 #[must_use]
 pub fn name(english: &str) -> &str {
-    catalogue::own_text(Language::current(), &name_id(english)).unwrap_or(english)
+    match Language::current() {
+        // A window asks for hundreds of names in each frame, and they are in English already.
+        Language::English => english,
+        language => catalogue::own_text(language, &name_id(english)).unwrap_or(english),
+    }
 }
 
 /// Returns the id of a name: `name-` and its first [`MOST_WORDS`] words in kebab case.

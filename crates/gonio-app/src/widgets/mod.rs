@@ -68,9 +68,7 @@ pub fn row<R>(ui: &mut Ui, label: &str, tip: &str, add: impl FnOnce(&mut Ui) -> 
         let size = vec2(LABEL_WIDTH, ui.spacing().interact_size.y);
         ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_size(size);
-            let name = ui.add(
-                Label::new(RichText::new(gonio_language::name(label)).color(ui.visuals().weak_text_color())).truncate(),
-            );
+            let name = ui.add(Label::new(RichText::new(label).color(ui.visuals().weak_text_color())).truncate());
             if !tip.is_empty() {
                 name.on_hover_text(tip);
             }

@@ -151,7 +151,7 @@ fn values(ui: &mut Ui, reading: &Reading, light: Option<&PixelLight>) {
         }
         if let Some((displayed, total)) = light.and_then(|light| reading.displayed_total(light)) {
             let tip = tr!("scene-rendering-equation-by-paths-through-the");
-            row(ui, "traced", tip, displayed, total.to_array());
+            row(ui, gonio_language::name("traced"), tip, displayed, total.to_array());
         }
     });
     ui.horizontal(|ui| match reading.gpu {
