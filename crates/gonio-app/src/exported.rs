@@ -54,6 +54,8 @@ pub struct Widget {
     pub value: String,
     /// Left, top, width and height in points of the window (CSS pixels).
     pub rect: [f32; 4],
+    /// The part of the window to which it is clipped, as `rect`: in a list, the widget may be scrolled out of it.
+    pub clip: [f32; 4],
     /// Whether it can be used now.
     pub enabled: bool,
     /// Whether it has the keyboard focus.
@@ -66,13 +68,14 @@ fn key() -> Id {
 
 /// Exports a widget of this frame.
 pub fn note(ui: &Ui, response: &Response, id: &str, role: WidgetRole, label: &str, value: impl ToString) {
-    let r = response.rect;
+    let sides = |r: egui::Rect| [r.left(), r.top(), r.width(), r.height()];
     let widget = Widget {
         id: id.to_owned(),
         role,
         label: label.to_owned(),
         value: value.to_string(),
-        rect: [r.left(), r.top(), r.width(), r.height()],
+        rect: sides(response.rect),
+        clip: sides(ui.clip_rect()),
         enabled: response.enabled(),
         focused: response.has_focus(),
     };

@@ -152,18 +152,21 @@ export class Lab {
     return this.rest();
   }
 
-  /** Scrolls the panel to a widget that lies below what is seen of it. */
+  /** Scrolls the panel to a widget that lies below or above what is seen of it. */
   async reveal(id) {
     // The tray of messages lies at the bottom and is never scrolled away.
     if (/^(dismiss|copy)-|^(restore-scene|messages-all)$/.test(id)) return;
     const { width, height } = this.page.viewportSize() ?? { width: Infinity, height: Infinity };
     for (let turns = 0; turns < 8; turns++) {
+      const { clip: [, clipTop, , clipHeight] } = await this.widget(id);
       const [x, y] = await this.middle(id);
       // The status line stands below the panel.
-      const hidden = y - (height - 50);
-      if (hidden <= 0) return;
-      await this.page.mouse.move(Math.min(x, width - 30), height - 100);
-      await this.page.mouse.wheel(0, hidden + 60);
+      const bottom = Math.min(clipTop + clipHeight, height - 50);
+      const below = y - bottom;
+      const above = clipTop - y;
+      if (below <= 0 && above <= 0) return;
+      await this.page.mouse.move(Math.min(x, width - 30), bottom - 50);
+      await this.page.mouse.wheel(0, below > 0 ? below + 60 : -(above + 60));
       await this.rest();
     }
     assert.fail(`${id} cannot be scrolled to`);

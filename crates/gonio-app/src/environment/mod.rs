@@ -9,7 +9,7 @@
 //! | `pictures` | the unfolded cube and the panorama |
 //! | `state_json` | its part of the exported state |
 //!
-//! All work is done in steps beside the interface ([`crate::beside`]). The environment is read again for each purpose: one of
+//! All work is done in steps beside the interface (`crate::beside`). The environment is read again for each purpose: one of
 //! gigabytes is then in memory only while it is needed.
 
 mod conversion;

@@ -2,7 +2,7 @@
 //!
 //! A buffer may have any known format ([`read_buffer`]) and order. It is compared with the model's triangles as a set. If it
 //! differs, it is compared with the buffers of readers that make one known mistake, then of readers that make two
-//! ([`compare`]). A mistake is named only if its reader produces the student's buffer.
+//! ([`compare()`]). A mistake is named only if its reader produces the student's buffer.
 
 mod buffer;
 mod compare;

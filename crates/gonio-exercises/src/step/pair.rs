@@ -441,7 +441,7 @@ impl SteppedScene {
     }
 
     /// The inputs of the fragment shader for pixels of one object. With quads, each pixel becomes four points, of which
-    /// [`lane_in_quad`] is its own.
+    /// [`super::coverage::lane_in_quad`] is its own.
     pub(super) fn fragment_inputs(&self, object: usize, pixels: &[[u32; 2]], quads: bool) -> StageInputs {
         let size = self.coverage.size;
         let mut points = Vec::with_capacity(pixels.len() * if quads { 4 } else { 1 });

@@ -46,7 +46,7 @@ pub struct PaneDrawing {
     pub canvas: Option<DisplayTexture>,
     /// The frame on the canvas.
     pub drawn: Option<(Frame, DisplayOptions)>,
-    /// The traced picture on the canvas, with its number ([`TracedPane::serial`]); `None` if OpenGL's is there.
+    /// The traced picture on the canvas, with its number ([`crate::truth::TracedPane::serial`]); `None` if OpenGL's is there.
     pub traced: Option<(u64, Arc<Picture>)>,
     /// [`OwnShaders::serial`] of the shaders that drew the canvas; `None` for gonio's.
     shaders: Option<u64>,
