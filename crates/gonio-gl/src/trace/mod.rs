@@ -2,7 +2,7 @@
 //!
 //! All calls go through [`crate::Gl`], which tracks objects and bindings; no call can bypass it. While a [`Recording`] runs,
 //! each draw is recorded with everything that it reads: program, uniforms and their values, samplers, their units, and the
-//! textures there. [`lint`] searches the record for mistakes. Recording works wherever gonio draws, WebGL2 included, and for
+//! textures there. [`lint()`] searches the record for mistakes. Recording works wherever gonio draws, WebGL2 included, and for
 //! any sequence of calls: `Renderer::record` is one, a student's program another.
 //!
 //! Nothing is recorded or queried while no recording runs.
