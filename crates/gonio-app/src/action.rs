@@ -89,6 +89,10 @@ pub enum Action {
     Dismiss(u64),
     /// Restores the edited scene that another one has replaced.
     RestoreScene,
+    /// Restores the edits that an earlier window left of this scene.
+    RestoreDraft,
+    /// Discards them.
+    DiscardDraft,
     /// Dismisses all messages.
     DismissAll,
     /// Shows all messages, or only the newest.

@@ -165,16 +165,31 @@ fn straight([r, g, b, a]: [u8; 4]) -> [u8; 4] {
 
 /// The text of a scene file in `folder`, with paths relative to it; `None` on the web, which has no folders.
 pub fn scene_file(settings: &SceneSettings, folder: Option<&Path>) -> String {
+    match folder {
+        Some(folder) => with_paths(settings, |path| seen_from(folder, path)),
+        None => SceneFile::from(settings).to_toml_string(),
+    }
+}
+
+/// The text of a scene file that can be read from any folder: its paths are absolute, except on the web.
+pub fn scene_file_anywhere(settings: &SceneSettings) -> String {
+    with_paths(settings, |path| match std::path::absolute(path) {
+        // A pattern of faces (`sky_*.png`) is not a file.
+        Ok(absolute) if absolute.parent().is_some_and(Path::exists) => absolute.to_string_lossy().into_owned(),
+        _ => path.to_owned(),
+    })
+}
+
+/// The text of a scene file with other paths to its models and images.
+fn with_paths(settings: &SceneSettings, path: impl Fn(&str) -> String) -> String {
     let mut scene = SceneFile::from(settings);
-    if let Some(folder) = folder {
-        for object in scene.objects.iter_mut().filter(|object| !object.model.starts_with(BUILTIN)) {
-            object.model = seen_from(folder, &object.model);
-        }
-        if let Some(environment) = &mut scene.environment {
-            let names = std::iter::once(&mut environment.image).chain(&mut environment.background);
-            for name in names.filter(|name| environment_file::builtin_of(name).is_none()) {
-                *name = seen_from(folder, name);
-            }
+    for object in scene.objects.iter_mut().filter(|object| !object.model.starts_with(BUILTIN)) {
+        object.model = path(&object.model);
+    }
+    if let Some(environment) = &mut scene.environment {
+        let names = std::iter::once(&mut environment.image).chain(&mut environment.background);
+        for name in names.filter(|name| environment_file::builtin_of(name).is_none()) {
+            *name = path(name);
         }
     }
     scene.to_toml_string()

@@ -115,6 +115,8 @@ impl App {
             }
             Action::Dismiss(id) => self.session.messages.dismiss(id),
             Action::RestoreScene => self.restore_scene(ctx),
+            Action::RestoreDraft => self.restore_scene_draft(ctx),
+            Action::DiscardDraft => self.discard_scene_draft(),
             Action::DismissAll => self.session.messages.dismiss_all(),
             Action::ExpandMessages => self.session.messages.is_expanded = !self.session.messages.is_expanded,
             Action::ShowBench => self.bench.open(),

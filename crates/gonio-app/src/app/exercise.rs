@@ -91,6 +91,7 @@ impl App {
             return;
         }
         let failures = self.exercise.flush_drafts(self.platform.as_mut());
+        let scene_failure = self.flush_scene_draft();
         if self.asked_to_close {
             return;
         }
@@ -106,7 +107,11 @@ impl App {
             }
             (None, Some(work)) => tr!("window-your-changes-to-the-previous-files", id = work.exercise.id, end = end),
             (None, None) if self.is_scene_edited() => {
-                tr!("window-your-changes-to-the-scene-are", title = self.session.title)
+                let end = match scene_failure {
+                    Some(error) => tr!("window-close-again-to-discard-your-changes", error = error),
+                    None => tr!("window-close-again-to-keep-the-scene").to_owned(),
+                };
+                tr!("window-your-changes-to-the-scene-are", title = self.session.title, end = end)
             }
             (None, None) => return,
         };

@@ -45,6 +45,8 @@ pub enum LoadRequest {
     Refresh(Box<SceneSettings>),
     /// An edited scene that another one has replaced.
     Restore(Box<ReplacedScene>),
+    /// This scene file in place of the document's: the edits of an earlier window.
+    Draft(Box<SceneFile>),
 }
 
 /// The result of a request.
@@ -179,16 +181,18 @@ fn read(requested: &LoadRequest, files: &dyn FileSource, limits: &Limits) -> Res
             }
             load::load_within(scene, Path::new(""), files, limits).map_err(sentence)
         }
-        LoadRequest::Scene(scene) | LoadRequest::Refresh(scene) => read_settings(scene, files, limits),
-        LoadRequest::Restore(replaced) => read_settings(&replaced.document.scene, files, limits),
+        LoadRequest::Scene(scene) | LoadRequest::Refresh(scene) => read_edited((&**scene).into(), files, limits),
+        LoadRequest::Restore(replaced) => read_edited((&replaced.document.scene).into(), files, limits),
+        LoadRequest::Draft(scene) => read_edited((**scene).clone(), files, limits),
     }
 }
 
 /// Loads a scene that was edited.
-fn read_settings(scene: &SceneSettings, files: &dyn FileSource, limits: &Limits) -> Result<Scene, String> {
-    let loaded = load::load_within(SceneFile::from(scene), Path::new(""), files, limits).map_err(|e| e.to_string())?;
+fn read_edited(scene: SceneFile, files: &dyn FileSource, limits: &Limits) -> Result<Scene, String> {
+    let is_dark = scene.lights.is_empty();
+    let loaded = load::load_within(scene, Path::new(""), files, limits).map_err(|e| e.to_string())?;
     // Loading adds lights to a scene without any; here the user removed them.
-    if !scene.lights.is_empty() || loaded.settings.lights.is_empty() {
+    if !is_dark || loaded.settings.lights.is_empty() {
         return Ok(loaded);
     }
     let mut dark = loaded.settings.clone();

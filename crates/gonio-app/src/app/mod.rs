@@ -8,12 +8,14 @@ mod exercise;
 mod gallery;
 mod inspector;
 pub mod loader;
+mod scene_drafts;
 mod stations;
 pub mod unsaved;
 
 use crate::action::Action;
 use crate::app::bench::with_places;
 use crate::app::loader::{LoadOutcome, LoadRequest, Loader, SceneOpening, names};
+use crate::app::scene_drafts::SceneDraft;
 use crate::app::unsaved::ReplacedScene;
 use crate::bench::BenchView;
 use crate::document::{Document, History};
@@ -57,6 +59,7 @@ pub struct App {
     saved: SceneSettings,
     /// An edited scene that another one has replaced.
     replaced: Option<Box<ReplacedScene>>,
+    scene_draft: SceneDraft,
     /// Files that changed on disk and have not been reloaded.
     changed: Vec<PathBuf>,
     /// Watched files of the open scene.
@@ -129,6 +132,7 @@ impl App {
             opened_camera: CameraSettings::default(),
             saved: SceneSettings::default(),
             replaced: None,
+            scene_draft: SceneDraft::default(),
             changed: Vec::new(),
             read: Vec::new(),
             missing: Vec::new(),
@@ -286,6 +290,7 @@ impl App {
         for failure in self.exercise.follow_drafts(ctx, self.platform.as_mut()) {
             self.session.messages.report(MessageSeverity::Error, failure);
         }
+        self.follow_scene_draft(ctx);
         self.read_again(ctx);
         self.follow_shaders(ctx);
         self.session.progress = self.loader.progress();
@@ -501,6 +506,8 @@ impl App {
                 self.remember(&opening.inputs);
                 self.session.inspector.forget();
                 self.opened = opening;
+                self.begin_scene_draft();
+                self.offer_scene_draft();
                 self.session.unframed = loaded.camera_was_framed;
                 self.sketched = None;
                 self.session.sketching = self.pane_renderer.as_ref().is_some_and(PaneRenderer::sketches);
@@ -526,6 +533,7 @@ impl App {
                 }
             }
             LoadRequest::Scene(_) => self.document.scene = loaded.settings.clone(),
+            LoadRequest::Draft(_) => self.take_scene_draft(loaded.settings.clone()),
         }
         self.session.loaded = Some(Arc::new(loaded));
         self.session.generation += 1;
@@ -604,6 +612,7 @@ impl eframe::App for App {
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
         // No window is left to show errors in.
         let _ = self.exercise.flush_drafts(self.platform.as_mut());
+        let _ = self.flush_scene_draft();
         // Buffers and textures are freed while their context exists.
         self.exercise.release();
         self.bench.release();

@@ -96,6 +96,7 @@ impl App {
         (self.document, self.history) = (replaced.document, replaced.history);
         (self.opened, self.opened_camera) = (replaced.opened, replaced.opened_camera);
         self.saved = replaced.saved;
+        self.begin_scene_draft();
         self.session.unframed = false;
     }
 }

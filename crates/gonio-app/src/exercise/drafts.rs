@@ -222,21 +222,22 @@ fn key(exercise: &str, file: &OpenFile) -> String {
 }
 
 /// FNV-1a, 64 bits: the same in every version of gonio and on every machine.
-fn fingerprint(bytes: &[u8]) -> u64 {
+pub fn fingerprint(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
 }
 
-fn hexadecimal(number: u64) -> String {
+/// Sixteen digits.
+pub fn hexadecimal(number: u64) -> String {
     format!("{number:016x}")
 }
 
 /// Seconds since 1970.
-fn now() -> u64 {
+pub fn now() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs())
 }
 
 /// An age in words: "5 minutes ago".
-fn in_words(age: Duration) -> String {
+pub fn in_words(age: Duration) -> String {
     let minutes = age.as_secs() / 60;
     match minutes {
         0 => tr!("exercise-less-than-a-minute-ago").to_owned(),

@@ -21,7 +21,7 @@
 mod check;
 mod command;
 mod compiler;
-mod drafts;
+pub mod drafts;
 mod editor;
 mod figure;
 mod file_sets;

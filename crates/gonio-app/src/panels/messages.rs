@@ -101,12 +101,8 @@ fn row(ui: &mut Ui, message: &UserMessage, heading: Option<&str>, actions: &mut 
             ui.add_space(2.0);
             let label = ui.add(Label::new(text).wrap());
             exported::note(ui, &label, &format!("message-{}", message.id), WidgetRole::Text, &message.text, "");
-            if let Some(MessageAnswer::RestoreScene) = message.answer {
-                let restore = ui.small_button(tr!("window-restore"));
-                exported::note(ui, &restore, "restore-scene", WidgetRole::Button, tr!("window-restore"), "");
-                if restore.clicked() {
-                    actions.push(Action::RestoreScene);
-                }
+            if let Some(answer) = message.answer {
+                ui.horizontal(|ui| answers(ui, answer, actions));
             }
         });
         ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
@@ -166,5 +162,23 @@ mod tests {
         }
         let places: Vec<_> = messages.list().iter().map(place).collect();
         assert_eq!(places, [Some(("a.mtl", 42)), None, None]);
+    }
+}
+
+/// The buttons of a message.
+fn answers(ui: &mut Ui, answer: MessageAnswer, actions: &mut Vec<Action>) {
+    let mut button = |id, text, action| {
+        let button = ui.small_button(text);
+        exported::note(ui, &button, id, WidgetRole::Button, text, "");
+        if button.clicked() {
+            actions.push(action);
+        }
+    };
+    match answer {
+        MessageAnswer::RestoreScene => button("restore-scene", tr!("window-restore"), Action::RestoreScene),
+        MessageAnswer::RestoreDraft => {
+            button("restore-draft", tr!("window-restore"), Action::RestoreDraft);
+            button("discard-draft", tr!("window-discard"), Action::DiscardDraft);
+        }
     }
 }

@@ -29,6 +29,8 @@ pub enum MessageCause {
     Closing,
     /// An edited scene was replaced; gone when it is restored or replaced by a newer one.
     Replaced,
+    /// An earlier window left edits of the scene; gone when they are restored or discarded, or another scene is opened.
+    Draft,
 }
 
 /// What can be done about a message, as a button beside it.
@@ -36,6 +38,8 @@ pub enum MessageCause {
 pub enum MessageAnswer {
     /// Restores the edited scene that another one has replaced.
     RestoreScene,
+    /// Restores or discards the edits that an earlier window left of the scene.
+    RestoreDraft,
 }
 
 /// A message of one sentence.

@@ -18,7 +18,7 @@ use gonio_exercises::exercise;
 use gonio_gl::HeadlessContext;
 use gonio_scene::files::{Disk, FileSource};
 use std::cell::RefCell;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
@@ -36,6 +36,8 @@ pub struct Here {
     pub fonts: Rc<RefCell<Option<Arc<dyn egui::FontProvider>>>>,
     /// Number of searches for fonts.
     pub searches: Rc<RefCell<usize>>,
+    /// The drafts that were kept, by key.
+    pub drafts: Rc<RefCell<BTreeMap<String, String>>>,
 }
 
 /// Trials whose outcome the test decides.
@@ -107,6 +109,16 @@ impl Platform for Here {
             None => FontSearch::NotFound { advice: "install one".into() },
         }
     }
+    fn keep_draft(&mut self, key: &str, text: &str) -> Result<(), String> {
+        self.drafts.borrow_mut().insert(key.to_owned(), text.to_owned());
+        Ok(())
+    }
+    fn remove_draft(&mut self, key: &str) {
+        self.drafts.borrow_mut().remove(key);
+    }
+    fn take_draft(&mut self, key: &str) -> Option<String> {
+        self.drafts.borrow().get(key).cloned()
+    }
     fn tries_every_pair(&self) -> bool {
         self.trials.borrow().is_on
     }
@@ -147,10 +159,16 @@ pub struct Window {
 
 impl Window {
     /// Opens a model or a scene in a window of this size, in points.
+    // Not every file of tests uses it.
+    #[allow(dead_code)]
     pub fn with(input: &str, size: Vec2) -> Self {
+        Self::on(Here::default(), input, size)
+    }
+
+    /// The same on this platform.
+    pub fn on(here: Here, input: &str, size: Vec2) -> Self {
         let context = HeadlessContext::new().unwrap_or_else(|error| panic!("{error}"));
         let (gl, input) = (context.gl().clone(), input.to_owned());
-        let here = Here::default();
         let platform = here.clone();
         let mut harness = Harness::builder().with_size(size).with_context_setup(theme::install).build_ui_state(
             move |ui, app: &mut Option<App>| {

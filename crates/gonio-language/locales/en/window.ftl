@@ -24,7 +24,9 @@ window-close-again-to-discard-your-changes = Close again to discard your changes
 window-close-again-to-keep-them-as = Close again to keep them as a draft, which is restored when you open these files again
 window-your-changes-to-are-not-saved = Your changes to { $id } are not saved: Ctrl + S saves them. { $end }
 window-your-changes-to-the-previous-files = Your changes to the previous files of { $id } are not saved: `Restore` brings them back. { $end }
-window-your-changes-to-the-scene-are = Your changes to the scene { $title } are not saved: Ctrl + Shift + S saves them. Close again to discard your changes
+window-your-changes-to-the-scene-are = Your changes to the scene { $title } are not saved: Ctrl + Shift + S saves them. { $end }
+window-close-again-to-keep-the-scene = Close again to keep them as a draft, which is offered when you open this scene again
+window-unsaved-changes-were-kept = Unsaved changes to { $title } from { $age } were kept
 window-belongs-to-shaders-open-it-together = `{ $named }` belongs to shaders: open it together with them
 window-opened = opened { $named }
 
@@ -153,6 +155,7 @@ window-show-fewer = Show fewer
 window-show-all = Show all
 window-times = { $text } ({ $times } times)
 window-restore = Restore
+window-discard = Discard
 window-dismiss = Dismiss
 window-copy-the-message = Copy the message
 

@@ -24,7 +24,9 @@ window-close-again-to-discard-your-changes = Fermez de nouveau pour abandonner v
 window-close-again-to-keep-them-as = Fermez de nouveau pour les garder comme brouillon, restauré quand vous rouvrirez ces fichiers
 window-your-changes-to-are-not-saved = Vos changements dans { $id } ne sont pas enregistrés : Ctrl + S les enregistre. { $end }
 window-your-changes-to-the-previous-files = Vos changements dans les fichiers précédents de { $id } ne sont pas enregistrés : `Restaurer` les ramène. { $end }
-window-your-changes-to-the-scene-are = Vos changements dans la scène { $title } ne sont pas enregistrés : Ctrl + Shift + S les enregistre. Fermez de nouveau pour les abandonner
+window-your-changes-to-the-scene-are = Vos changements dans la scène { $title } ne sont pas enregistrés : Ctrl + Shift + S les enregistre. { $end }
+window-close-again-to-keep-the-scene = Fermez de nouveau pour les garder comme brouillon, proposé quand vous rouvrirez cette scène
+window-unsaved-changes-were-kept = Des changements non enregistrés de { $title }, faits { $age }, ont été gardés
 window-belongs-to-shaders-open-it-together = `{ $named }` fait partie de shaders : ouvrez-le avec eux
 window-opened = ouvert : { $named }
 
@@ -165,6 +167,7 @@ window-show-fewer = En voir moins
 window-show-all = Tout voir
 window-times = { $text } ({ $times } fois)
 window-restore = Restaurer
+window-discard = Abandonner
 window-dismiss = Fermer
 window-copy-the-message = Copier le message
 

@@ -33,7 +33,8 @@ const ABOVE: f32 = 21.0;
 const BELOW: f32 = 12.0;
 /// Room for the buttons at the right.
 const BUTTONS: f32 = 56.0;
-/// Room for the buttons that show a term alone, and the width of the panel from which there is room.
+/// Room for the buttons that show a term alone. Below this width of the panel, they and the other buttons have a line of their
+/// own under the formula.
 const SOLO: f32 = 236.0;
 const WIDE: f32 = 940.0;
 /// Below this width the parameters are hidden until the definitions are opened.
@@ -46,22 +47,30 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         return;
     }
     let narrow = ui.available_width() < NARROW;
+    let wide = ui.available_width() >= WIDE;
     let shown = effective(document);
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
-        let wide = ui.available_width() >= WIDE;
-        let room = ui.available_width() - BUTTONS - if wide { SOLO } else { 0.0 };
+        let room = ui.available_width() - if wide { BUTTONS + SOLO } else { 0.0 };
         let lines = fitted(ui, &formula::equation(&shown), room);
         let clicked = lines_of_terms(ui, &lines, room, document, session);
         if let Some((term, alone)) = clicked {
             act(document, session, actions, term, alone);
         }
-        ui.add_space(4.0);
         if wide {
+            ui.add_space(4.0);
             solo(ui, document, session, actions);
+            buttons(ui, document, session);
         }
-        buttons(ui, document, session);
     });
+    if !wide {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            ui.add_space((ui.available_width() - SOLO - BUTTONS).max(0.0));
+            solo(ui, document, session, actions);
+            buttons(ui, document, session);
+        });
+    }
     if !narrow || session.equation.open {
         ui.add_space(2.0);
         parameters::show(ui, document, session, &shown, actions);
