@@ -448,27 +448,6 @@ fn an_edited_scene_that_was_replaced_is_restored_with_its_history() {
 }
 
 #[test]
-fn without_renderdoc_the_button_is_reached_by_tab_and_says_what_to_do() {
-    let mut window = Window::open("capture");
-    window.click_at(window.center("tab-frame"));
-    window.steps(4);
-    let button = window.widget("capture");
-    assert_eq!((button.label.as_str(), button.enabled), ("Capture with RenderDoc", true));
-    for _ in 0..200 {
-        if window.widget("capture").focused {
-            break;
-        }
-        window.press(Modifiers::NONE, Key::Tab);
-    }
-    window.press(Modifiers::NONE, Key::Enter);
-    let session = window.app().session();
-    let messages: Vec<&str> = session.messages.list().iter().map(|message| message.text.as_str()).collect();
-    let expected = "RenderDoc must be loaded when the window starts: run `LD_PRELOAD=librenderdoc.so gonio view` to capture frames";
-    assert_eq!(messages, [expected]);
-    assert_eq!(session.asking, None, "no path is asked for");
-}
-
-#[test]
 fn sidecars_that_are_dropped_later_are_adopted() {
     let mut window = Window::open("sidecars");
     let drop = |window: &mut Window, files: &[(&str, &str)]| {
