@@ -23,6 +23,8 @@ pub enum Product {
     Light,
     /// The scene.
     Scene,
+    /// A RenderDoc capture of the current pane's picture ([`crate::platform::CaptureAccess`]).
+    Capture,
     /// The plot of the BRDF bench, as SVG.
     PlotSvg,
     /// The same as PNG.
@@ -74,6 +76,7 @@ impl Product {
             Product::SizedPicture => "sized-picture",
             Product::Light => "light",
             Product::Scene => "scene",
+            Product::Capture => "capture",
             Product::PlotSvg => "plot-svg",
             Product::PlotPng => "plot-png",
             Product::BakedObj => "baked-obj",
@@ -93,6 +96,7 @@ impl Product {
             Product::SizedPicture => tr!("window-picture-at-the-scene-s-resolution"),
             Product::Light => tr!("window-linear-light-exr"),
             Product::Scene => tr!("window-scene-toml"),
+            Product::Capture => tr!("window-renderdoc-capture-rdc"),
             Product::PlotSvg => tr!("window-plot-svg"),
             Product::PlotPng => tr!("window-plot-png"),
             Product::BakedObj => tr!("window-obj-and-png"),
@@ -111,6 +115,7 @@ impl Product {
             Product::PlotSvg => "svg",
             Product::Light => "exr",
             Product::Scene => "toml",
+            Product::Capture => "rdc",
             Product::BakedObj | Product::ModelObj => "obj",
             Product::BakedGlb | Product::ModelGlb => "glb",
             Product::BakedZip => "zip",

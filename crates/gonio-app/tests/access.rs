@@ -1,11 +1,11 @@
-//! What everybody can read: contrast of text and its background, as painted (WCAG 2.2, level AA), and the mirror of the accessibility
-//! tree, which screen readers read on the page.
+//! What everybody can read and reach: contrast of text and its background, as painted (WCAG 2.2, level AA), a button by the Tab key,
+//! and the mirror of the accessibility tree, which screen readers read on the page.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 mod support;
 
 use egui::epaint::ClippedShape;
-use egui::{Color32, Pos2, Rect, Shape, Theme, Vec2, vec2};
+use egui::{Color32, Key, Modifiers, Pos2, Rect, Shape, Theme, Vec2, vec2};
 use egui_kittest::kittest::NodeT;
 use gonio_app::mirror::{MirrorChange, MirrorKind, MirrorNode, TreeMirror};
 use std::collections::BTreeMap;
@@ -205,6 +205,33 @@ fn terms_that_are_off_can_be_read() {
 #[test]
 fn text_of_exercises_can_be_read() {
     check("builtin:cube", &["exercises", "exercise-ex04", "check"]);
+}
+
+#[test]
+fn without_renderdoc_the_button_for_captures_is_reached_by_tab_and_says_what_to_do() {
+    let mut window = Window::with("builtin:cube", vec2(1280.0, 900.0));
+    window.click_at(window.center("tab-frame"));
+    for _ in 0..600 {
+        window.steps(1);
+        if window.app().session().recorded_frame.is_some() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    window.steps(2);
+    assert_eq!(window.widget("capture").label, "Capture with RenderDoc");
+    for _ in 0..200 {
+        if window.widget("capture").focused {
+            break;
+        }
+        window.press(Modifiers::NONE, Key::Tab);
+    }
+    window.press(Modifiers::NONE, Key::Enter);
+    let session = window.app().session();
+    let messages: Vec<&str> = session.messages.list().iter().map(|message| message.text.as_str()).collect();
+    let expected = "RenderDoc must be loaded when the window starts: run `LD_PRELOAD=librenderdoc.so gonio view` to capture frames";
+    assert_eq!(messages, [expected]);
+    assert_eq!(session.asking, None, "no path is asked for");
 }
 
 /// A frame of some widgets; returns what the mirror is told.

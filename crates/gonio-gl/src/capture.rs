@@ -5,14 +5,17 @@
 //! before EGL, records no context (tried with RenderDoc 1.24). So it must be in `LD_PRELOAD` ([`PRELOAD`]), and a program
 //! that needs a capture restarts itself if [`is_loaded`] returns `false`. On Windows RenderDoc patches loaded libraries, so
 //! [`load`] is enough if it is called before OpenGL. RenderDoc does not run on other systems; there every call is an error.
+//!
+//! A window captures one of its own pictures in the same way, if RenderDoc [`is_loaded`] since the program started.
 #![cfg_attr(windows, allow(unsafe_code))]
 
-pub use platform::{Capture, PRELOAD, is_loaded, load, missing};
+pub use platform::{Capture, PRELOAD, hide_overlay, is_loaded, load, missing};
 
 #[cfg(any(windows, target_os = "linux"))]
 mod platform {
     use crate::{Gl, GlError};
-    use renderdoc::{RenderDoc, V112};
+    use renderdoc::{OverlayBits, RenderDoc, V112};
+    use std::io::Write;
     use std::path::{Path, PathBuf};
 
     /// The environment variable that loads RenderDoc into a program, and its value, on systems where a running program
@@ -23,6 +26,13 @@ mod platform {
     /// Whether RenderDoc is in this process.
     pub fn is_loaded() -> bool {
         RenderDoc::<V112>::new().is_ok()
+    }
+
+    /// Draws none of RenderDoc's text over the window. Its keys still capture whole frames.
+    pub fn hide_overlay() {
+        if let Ok(mut renderdoc) = RenderDoc::<V112>::new() {
+            renderdoc.mask_overlay_bits(OverlayBits::NONE, OverlayBits::NONE);
+        }
     }
 
     /// Loads RenderDoc into this process. The error explains how to install it. Always an error if [`PRELOAD`] is `Some`.
@@ -50,11 +60,14 @@ mod platform {
     pub struct Capture {
         renderdoc: RenderDoc<V112>,
         captures_before: u32,
+        folder: PathBuf,
+        /// Where RenderDoc writes the captures that its own keys start.
+        template_before: PathBuf,
     }
 
     impl Capture {
-        /// Connects to the loaded RenderDoc; call it before [`crate::HeadlessContext::new`], so that an error comes early.
-        /// Captures are written to `folder`, under names that RenderDoc chooses.
+        /// Connects to the loaded RenderDoc; call it before a context is created for the capture, so that an error comes early.
+        /// Until this is dropped, captures are written to `folder`, under names that RenderDoc chooses.
         pub fn new(folder: &Path) -> Result<Self, GlError> {
             // The crate would panic over others.
             if folder.to_str().is_none() {
@@ -66,9 +79,10 @@ mod platform {
             let mut renderdoc = RenderDoc::<V112>::new().map_err(|error| {
                 GlError::new(format!("cannot take a capture: RenderDoc does not respond in this process ({error})"))
             })?;
+            let template_before = renderdoc.get_capture_file_path_template().to_owned();
             renderdoc.set_capture_file_path_template(folder.join("capture"));
             let captures_before = renderdoc.get_num_captures();
-            Ok(Capture { renderdoc, captures_before })
+            Ok(Capture { renderdoc, captures_before, folder: folder.to_owned(), template_before })
         }
 
         /// Begins the capture. It contains everything that the context does from now on, and the current contents of its objects.
@@ -99,6 +113,22 @@ mod platform {
                 .ok_or_else(|| GlError::new("RenderDoc did not report the path of its capture"))?;
             Ok(path)
         }
+
+        /// Finds out whether the disk was full: RenderDoc does not report it and leaves half a capture, but then the disk is
+        /// still full.
+        pub fn check_room(&self) -> std::io::Result<()> {
+            let probe = self.folder.join("room");
+            let mut more = std::fs::File::create(&probe)?;
+            let written = more.write_all(&[0; 1 << 16]).and_then(|()| more.sync_all());
+            std::fs::remove_file(&probe)?;
+            written
+        }
+    }
+
+    impl Drop for Capture {
+        fn drop(&mut self) {
+            self.renderdoc.set_capture_file_path_template(&self.template_before);
+        }
     }
 }
 
@@ -114,6 +144,9 @@ mod platform {
     pub fn is_loaded() -> bool {
         false
     }
+
+    /// Does nothing.
+    pub fn hide_overlay() {}
 
     /// Always an error.
     pub fn load() -> Result<(), GlError> {
@@ -140,6 +173,11 @@ mod platform {
         /// Always an error.
         pub fn end(&mut self, _gl: &Gl) -> Result<PathBuf, GlError> {
             Err(missing())
+        }
+
+        /// Does nothing.
+        pub fn check_room(&self) -> std::io::Result<()> {
+            Ok(())
         }
     }
 }

@@ -7,7 +7,7 @@
 mod bounds;
 mod call_table;
 mod calls;
-#[cfg(feature = "headless")]
+#[cfg(feature = "capture")]
 pub mod capture;
 mod driver;
 mod functions;

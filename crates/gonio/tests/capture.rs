@@ -4,6 +4,8 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;
+#[path = "common/renderdoc.rs"]
+mod renderdoc;
 
 use common::{Lab, Run, asset};
 use glam::{DMat4, DVec3};
@@ -13,23 +15,6 @@ use gonio_scene::{Frame, Scene, load};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::sync::Mutex;
-
-/// Two X servers that start at once may choose the same display.
-static DISPLAY: Mutex<()> = Mutex::new(());
-
-/// The packages of Debian that these tests run.
-const INSTALL: &str = "apt-get install -y --no-install-recommends librenderdoc python3-renderdoc xvfb xauth";
-/// Debian's Python, for which RenderDoc's module is built.
-const PYTHON: &str = "/usr/bin/python3";
-
-#[track_caller]
-fn require(program: &str, args: &[&str]) {
-    let outcome = Command::new(program).args(args).stdin(Stdio::null()).output();
-    let works = outcome.as_ref().is_ok_and(|o| o.status.success());
-    assert!(works, "`{program} {}` does not run, and this test needs it: {INSTALL}\n{outcome:?}", args.join(" "));
-}
 
 /// The content of a capture according to RenderDoc.
 struct Capture {
@@ -39,17 +24,7 @@ struct Capture {
 impl Capture {
     #[track_caller]
     fn open(lab: &Lab, name: &str) -> Capture {
-        require("xvfb-run", &["--help"]);
-        require("xauth", &["-V"]);
-        require(PYTHON, &["-c", "import renderdoc"]);
-        let _display = DISPLAY.lock();
-        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/capture.py");
-        let (capture, facts) = (lab.path(name), lab.path("facts.json"));
-        let run = Command::new("xvfb-run").args(["-a", PYTHON]).args([&script, &capture, &facts]).output().unwrap();
-        let message = [run.stdout, run.stderr].map(|s| String::from_utf8_lossy(&s).into_owned()).concat();
-        assert!(run.status.success(), "RenderDoc does not open {name}: {message}");
-        let facts = serde_json::from_slice(&std::fs::read(&facts).unwrap()).unwrap();
-        Capture { facts }
+        Capture { facts: renderdoc::read(&lab.path(name)) }
     }
 
     fn draws(&self) -> Vec<Draw<'_>> {

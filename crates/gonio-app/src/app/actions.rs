@@ -5,7 +5,7 @@ use crate::action::Action;
 use crate::document::TruthSettings;
 use crate::exercise::Start;
 use crate::files::link;
-use crate::platform::FileDialog;
+use crate::platform::{CaptureAccess, FileDialog};
 use crate::saving::{self, DisplayedPicture, Product};
 use crate::session::{MessageSeverity, PathField, RecordedFrame, Tab};
 use gonio_image::encode::exr;
@@ -28,6 +28,10 @@ impl App {
                 if self.platform.choose_files(self.purpose(), ctx) == FileDialog::Unavailable {
                     self.session.asking = Some(PathField { saves: None, text: String::new() });
                 }
+            }
+            Action::Save(Product::Capture) if self.session.capture_access != CaptureAccess::Ready => {
+                let obstacle = self.session.capture_access.obstacle().unwrap_or_default();
+                self.session.messages.report(MessageSeverity::Note, obstacle);
             }
             Action::Save(product) => {
                 let name = match product {
@@ -158,6 +162,12 @@ impl App {
         if let Product::Environment(product) = product {
             return self.convert_environment(ctx, product, place);
         }
+        if product == Product::Capture {
+            return match self.capture(place) {
+                Ok(place) => self.session.messages.report(MessageSeverity::Note, tr!("window-captured", place = place)),
+                Err(error) => self.session.messages.report(MessageSeverity::Error, error),
+            };
+        }
         let folder = cfg!(not(target_arch = "wasm32")).then(|| Path::new(place).parent()).flatten();
         let saved = self.produced(product, folder).and_then(|bytes| self.platform.write(place, &bytes));
         match saved {
@@ -169,6 +179,15 @@ impl App {
             }
             Err(error) => self.session.messages.report(MessageSeverity::Error, error),
         }
+    }
+
+    /// Writes a RenderDoc capture of the current pane's picture. Returns its place.
+    fn capture(&mut self, place: &str) -> Result<String, String> {
+        let pane_renderer = self.pane_renderer.as_mut().ok_or(tr!(NOTHING_DRAWN))?;
+        let gl = pane_renderer.gl().clone();
+        let redraw = pane_renderer.redraw(self.document.panes.current, self.session.shaders.as_ref());
+        let mut redraw = redraw.map_err(|error| error.to_string())?.ok_or(tr!(NOTHING_DRAWN))?;
+        self.platform.capture(place, &gl, &mut redraw)
     }
 
     fn produced(&mut self, product: Product, folder: Option<&Path>) -> Result<Vec<u8>, String> {
@@ -183,7 +202,8 @@ impl App {
             Product::BakedObj | Product::BakedGlb | Product::BakedZip => self.baked_product(product, folder),
             // They are written once they were converted.
             Product::ModelGlb | Product::ModelObj | Product::ModelPly => Err(tr!(NOTHING_CONVERTED).to_owned()),
-            Product::Environment(_) => Err(tr!(NOTHING_DRAWN).to_owned()),
+            // It is written while it is drawn.
+            Product::Capture | Product::Environment(_) => Err(tr!(NOTHING_DRAWN).to_owned()),
             Product::Light => {
                 let pane = self.document.panes.current;
                 let light =

@@ -107,6 +107,7 @@ impl App {
             }
         });
         session.settings = platform.settings();
+        session.capture_access = platform.capture_access();
         let language = platform.asked_language().or(session.settings.language);
         let language = language.unwrap_or_else(|| platform.preferred_language());
         language.make_current();

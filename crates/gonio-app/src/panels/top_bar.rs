@@ -3,6 +3,7 @@
 use crate::action::Action;
 use crate::document::{Document, History};
 use crate::exported::{self, WidgetRole};
+use crate::platform::CaptureAccess;
 use crate::saving::Product;
 use crate::session::Session;
 use crate::theme::{self, icons};
@@ -53,7 +54,7 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
                     actions,
                 );
                 ui.separator();
-                save_entries(ui, actions);
+                save_entries(ui, session, actions);
                 ui.separator();
                 samples_entries(ui, actions);
                 recent_entries(ui, session, actions);
@@ -63,7 +64,9 @@ pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &Histo
                 actions.push(Action::ChooseFiles);
             }
             let text = RichText::new(icons::FLOPPY_DISK).font(theme::icon_font(17.0));
-            menu(ui, "save", text, tr!("window-save-the-picture-or-the-scene"), |ui| save_entries(ui, actions));
+            menu(ui, "save", text, tr!("window-save-the-picture-or-the-scene"), |ui| {
+                save_entries(ui, session, actions);
+            });
             menu(ui, "samples", tr!("window-samples").into(), tr!("window-built-in-models-and-scenes"), |ui| {
                 samples_entries(ui, actions);
             });
@@ -150,11 +153,15 @@ fn entry(ui: &mut Ui, id: &str, text: &str, tip: &str, action: Action, actions: 
     }
 }
 
-fn save_entries(ui: &mut Ui, actions: &mut Vec<Action>) {
+fn save_entries(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     for product in Product::OF_SCENE {
         let id = format!("save-{}", product.id());
         let tip = if product == Product::Picture { "Ctrl + S" } else { "" };
         entry(ui, &id, product.title(), tip, Action::Save(product), actions);
+    }
+    if session.capture_access != CaptureAccess::Unsupported {
+        let tip = session.capture_access.obstacle().unwrap_or(tr!("scene-every-draw-texture-and-uniform"));
+        entry(ui, "save-capture", Product::Capture.title(), tip, Action::Save(Product::Capture), actions);
     }
     ui.separator();
     entry(ui, "bake", tr!("window-bake-textures"), tr!(BAKE), Action::ShowBake, actions);

@@ -13,6 +13,7 @@ use crate::session::Settings;
 use crate::stations::StationTask;
 use crate::truth::Tracer;
 use gonio_check::verdict::{Outcome, Verdict};
+use gonio_gl::{Gl, GlError};
 use gonio_language::{Language, tr};
 use gonio_scene::files::FileSource;
 use serde_json::Value;
@@ -86,6 +87,30 @@ pub enum FileDialog {
     Unavailable,
 }
 
+/// Whether this process can capture frames for RenderDoc.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CaptureAccess {
+    /// RenderDoc does not run on this platform.
+    #[default]
+    Unsupported,
+    /// RenderDoc was not loaded when the program started, and cannot be loaded later.
+    NotLoaded,
+    /// RenderDoc records the window's OpenGL.
+    Ready,
+}
+
+impl CaptureAccess {
+    /// Why there are no captures, and what to do, in one sentence; `None` if there are.
+    pub fn obstacle(self) -> Option<&'static str> {
+        match self {
+            CaptureAccess::Ready => None,
+            CaptureAccess::Unsupported => Some(tr!("window-renderdoc-does-not-run-here")),
+            CaptureAccess::NotLoaded if cfg!(windows) => Some(tr!("window-renderdoc-is-not-loaded-launch")),
+            CaptureAccess::NotLoaded => Some(tr!("window-renderdoc-is-not-loaded-preload")),
+        }
+    }
+}
+
 /// State of a search for fonts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FontSearch {
@@ -128,6 +153,28 @@ pub trait Platform {
     fn poll(&mut self, purpose: Purpose, ctx: &egui::Context) -> Vec<Event>;
     /// Writes a file. Returns its place, or an error in one sentence.
     fn write(&mut self, place: &str, bytes: &[u8]) -> Result<String, String>;
+    /// Whether [`Platform::capture`] is possible.
+    fn capture_access(&self) -> CaptureAccess {
+        #[cfg(not(target_arch = "wasm32"))]
+        return desktop::capture::access();
+        #[cfg(target_arch = "wasm32")]
+        CaptureAccess::Unsupported
+    }
+    /// Writes a RenderDoc capture of what `draw` does with `gl`. Returns its place, or an error in one sentence.
+    fn capture(
+        &mut self,
+        place: &str,
+        gl: &Gl,
+        draw: &mut dyn FnMut() -> Result<(), GlError>,
+    ) -> Result<String, String> {
+        #[cfg(not(target_arch = "wasm32"))]
+        return desktop::capture::write(std::path::Path::new(place), gl, draw).map(|()| place.to_owned());
+        #[cfg(target_arch = "wasm32")]
+        {
+            let _ = (place, gl, draw);
+            Err(CaptureAccess::Unsupported.obstacle().unwrap_or_default().into())
+        }
+    }
     /// The address of this page with this fragment, or the fragment alone.
     fn link(&self, fragment: &str) -> String;
     /// Reports changes of these files ([`Event::Changed`]), and no longer of those watched before.

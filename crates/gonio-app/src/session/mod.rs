@@ -19,6 +19,7 @@ pub use settings::Settings;
 use crate::baking::Baking;
 use crate::environment::EnvironmentView;
 use crate::inspector::Inspector;
+use crate::platform::CaptureAccess;
 use crate::saving::Product;
 use crate::truth::{PixelLight, TracedPane};
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -86,6 +87,8 @@ pub struct Session {
     pub facts: FrameFacts,
     /// The recorded OpenGL calls of a picture, once requested.
     pub recorded_frame: Option<RecordedFrame>,
+    /// Whether frames can be captured for RenderDoc.
+    pub capture_access: CaptureAccess,
     /// The probed pixel and its values.
     pub probing: Probing,
     /// The observer's view.
@@ -135,6 +138,7 @@ impl Default for Session {
             settings: Settings::default(),
             facts: FrameFacts::default(),
             recorded_frame: None,
+            capture_access: CaptureAccess::default(),
             probing: Probing::default(),
             observer: Observer::default(),
             announcement: String::new(),

@@ -9,6 +9,7 @@ window-redone = Redone: { $step }
 window-overlays-are-not-drawn-over-a = overlays are not drawn over a traced picture; press Shift + T for OpenGL's
 window-the-frame-cannot-be-recorded = the frame cannot be recorded: { $error }
 window-saved = saved { $place }
+window-captured = The capture is saved: `qrenderdoc "{ $place }"` opens it in RenderDoc
 window-copied-the-picture = copied the picture
 
 ## app/baking
@@ -298,6 +299,9 @@ window-the-answer-of-the-check-could = the answer of the check could not be unde
 
 window-install-a-font-of-this-script-3 = install a font of this script and load the page again
 window-checks-are-not-available-here-run = checks are not available here: run `gonio lab check` on the command line
+window-renderdoc-is-not-loaded-preload = RenderDoc must be loaded when the window starts: run `LD_PRELOAD=librenderdoc.so gonio view` to capture frames
+window-renderdoc-is-not-loaded-launch = RenderDoc must be loaded when the window starts: run `gonio view` from RenderDoc (Launch Application) to capture frames
+window-renderdoc-does-not-run-here = RenderDoc does not run here, only on Linux and Windows
 window-there-are-no-processes-here = there are no processes here
 window-this-shader-is-not-drawn-because = This shader is not drawn because it may never finish: { $reason }
 
@@ -335,6 +339,7 @@ window-picture-as-displayed-png = Picture as displayed (PNG)
 window-picture-at-the-scene-s-resolution = Picture at the scene's resolution (PNG)
 window-linear-light-exr = Linear light (EXR)
 window-scene-toml = Scene (TOML)
+window-renderdoc-capture-rdc = RenderDoc capture (RDC)
 window-plot-svg = Plot (SVG)
 window-plot-png = Plot (PNG)
 window-obj-and-png = OBJ and PNG

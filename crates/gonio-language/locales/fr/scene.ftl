@@ -232,6 +232,8 @@ scene-vertices = { NUMBER($count) ->
     [one] { $other }, { $count } sommet
     *[other] { $other }, { $count } sommets
 }
+scene-capture-with-renderdoc = Capturer avec RenderDoc
+scene-every-draw-texture-and-uniform = Tous les appels de dessin, textures et uniforms de l'image de la vue courante, dans un fichier pour RenderDoc
 scene-no-problems-found-in-this-frame = Aucun problème trouvé dans cette trame
 scene-every-sampler-reads-a-bound-texture = Chaque échantillonneur lit une texture liée, chaque uniform est défini et chaque attribut a des données.
 scene-and-more-2 = {" "}et { $count } de plus

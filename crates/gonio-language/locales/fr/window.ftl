@@ -9,6 +9,7 @@ window-redone = Rétabli : { $step }
 window-overlays-are-not-drawn-over-a = les superpositions ne sont pas dessinées sur une image tracée ; appuyez sur Shift + T pour celle d'OpenGL
 window-the-frame-cannot-be-recorded = la trame ne peut pas être capturée : { $error }
 window-saved = enregistré : { $place }
+window-captured = La capture est enregistrée : `qrenderdoc "{ $place }"` l'ouvre dans RenderDoc
 window-copied-the-picture = image copiée
 
 ## app/baking
@@ -313,6 +314,9 @@ window-the-answer-of-the-check-could = la réponse de la vérification n'a pas p
 
 window-install-a-font-of-this-script-3 = installez une police de cette écriture et rechargez la page
 window-checks-are-not-available-here-run = les vérifications ne sont pas disponibles ici : lancez `gonio lab check` en ligne de commande
+window-renderdoc-is-not-loaded-preload = RenderDoc doit être chargé au démarrage de la fenêtre : lancez `LD_PRELOAD=librenderdoc.so gonio view` pour capturer des trames
+window-renderdoc-is-not-loaded-launch = RenderDoc doit être chargé au démarrage de la fenêtre : lancez `gonio view` depuis RenderDoc (Launch Application) pour capturer des trames
+window-renderdoc-does-not-run-here = RenderDoc ne fonctionne pas ici, seulement sous Linux et Windows
 window-there-are-no-processes-here = il n'y a pas de processus ici
 window-this-shader-is-not-drawn-because = Ce shader n'est pas dessiné, car il risque de ne jamais se terminer : { $reason }
 
@@ -350,6 +354,7 @@ window-picture-as-displayed-png = Image telle qu'affichée (PNG)
 window-picture-at-the-scene-s-resolution = Image à la résolution de la scène (PNG)
 window-linear-light-exr = Lumière linéaire (EXR)
 window-scene-toml = Scène (TOML)
+window-renderdoc-capture-rdc = Capture RenderDoc (RDC)
 window-plot-svg = Graphique (SVG)
 window-plot-png = Graphique (PNG)
 window-obj-and-png = OBJ et PNG

@@ -4,10 +4,13 @@
 
 mod access;
 mod basics;
+mod capture;
 mod driven;
 mod exercise;
 mod files;
 mod pointer;
+#[path = "../common/renderdoc.rs"]
+mod renderdoc;
 mod survival;
 mod traced;
 // Shared with the benchmarks.

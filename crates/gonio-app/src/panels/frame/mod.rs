@@ -5,9 +5,11 @@ mod draw;
 use crate::action::Action;
 use crate::document::Document;
 use crate::exported::{self, WidgetRole};
+use crate::platform::CaptureAccess;
+use crate::saving::Product;
 use crate::session::{RecordedFrame, Session};
 use crate::theme::{self, colors, icons};
-use egui::{Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Stroke, Ui};
+use egui::{Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Stroke, Ui, WidgetInfo};
 use gonio_gl::trace::{DrawRecord, PassRecord, Severity};
 use gonio_language::tr;
 
@@ -27,9 +29,27 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
     };
     findings(ui, taken);
     ui.add_space(8.0);
+    if session.capture_access != CaptureAccess::Unsupported {
+        capture(ui, session.capture_access, actions);
+        ui.add_space(8.0);
+    }
     list(ui, taken);
     ui.add_space(8.0);
     draw::show(ui, taken);
+}
+
+/// A button for a RenderDoc capture. Without RenderDoc it can be pressed too and then tells what to do, because a disabled one
+/// has no place in the order of the Tab key.
+fn capture(ui: &mut Ui, access: CaptureAccess, actions: &mut Vec<Action>) {
+    let name = tr!("scene-capture-with-renderdoc");
+    let icon = RichText::new(icons::FLOPPY_DISK).font(theme::icon_font(15.0));
+    let button = ui.add(egui::Button::new((icon, name)));
+    button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, name));
+    exported::note(ui, &button, "capture", WidgetRole::Button, name, "");
+    let tip = access.obstacle().unwrap_or(tr!("scene-every-draw-texture-and-uniform"));
+    if button.on_hover_text(tip).clicked() {
+        actions.push(Action::Save(Product::Capture));
+    }
 }
 
 /// A heading of the panel.

@@ -1,6 +1,7 @@
 //! The desktop: a window of its own, files on disk.
 
 pub(super) mod bake;
+pub(super) mod capture;
 mod check;
 pub mod child;
 mod dialog;
@@ -105,6 +106,7 @@ pub fn run_within(
     let named: Vec<String> = options.inputs.iter().chain(&options.environments).chain(shaders).cloned().collect();
     let created = move |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
         let gl = creation.gl.clone().map(Gl::of_window);
+        gonio_gl::capture::hide_overlay();
         let opening = SceneOpening {
             inputs: options.inputs,
             adjust: options.adjust,

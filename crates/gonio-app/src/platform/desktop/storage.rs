@@ -34,22 +34,31 @@ fn folder() -> Option<PathBuf> {
 /// Writes a temporary file beside `place` and renames it, so that readers see the old or the new content, and a failure leaves
 /// the old one. An error is one sentence.
 pub fn write_atomically(place: &Path, bytes: &[u8]) -> Result<(), String> {
-    let failed = |error: Error| tr!("window-could-not-be-written", place = place.display(), error = reason(&error));
-    if place.is_dir() {
-        return Err(failed(ErrorKind::IsADirectory.into()));
-    }
-    let name = place.file_name().ok_or_else(|| failed(ErrorKind::InvalidFilename.into()))?;
-    let mut hidden = OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(".{}.part", std::process::id()));
-    let beside = place.with_file_name(hidden);
+    let beside = hidden_beside(place)?;
     let written =
         File::create(&beside).and_then(|mut file| file.write_all(bytes)).and_then(|()| std::fs::rename(&beside, place));
     written.map_err(|error| {
         // It may not exist.
         let _ = std::fs::remove_file(&beside);
-        failed(error)
+        could_not_be_written(place, &error)
     })
+}
+
+/// A hidden name beside `place` that no other process uses. An error in one sentence if `place` cannot be a file.
+pub fn hidden_beside(place: &Path) -> Result<PathBuf, String> {
+    let failed = |kind: ErrorKind| could_not_be_written(place, &kind.into());
+    if place.is_dir() {
+        return Err(failed(ErrorKind::IsADirectory));
+    }
+    let mut hidden = OsString::from(".");
+    hidden.push(place.file_name().ok_or_else(|| failed(ErrorKind::InvalidFilename))?);
+    hidden.push(format!(".{}.part", std::process::id()));
+    Ok(place.with_file_name(hidden))
+}
+
+/// The error of a file that cannot be written, in one sentence.
+pub fn could_not_be_written(place: &Path, error: &Error) -> String {
+    tr!("window-could-not-be-written", place = place.display(), error = reason(error))
 }
 
 fn reason(error: &Error) -> String {

@@ -111,6 +111,24 @@ impl PaneRenderer {
         self.renderer.record_with_thumbnails(uploaded, frame, view).map(Some)
     }
 
+    /// Returns a function that draws a pane's picture by OpenGL as it was drawn last, into a canvas of its own, and waits for the
+    /// GPU. `None` if nothing was drawn. In place of a traced picture it draws OpenGL's.
+    pub fn redraw<'a>(
+        &'a mut self,
+        index: usize,
+        shaders: Option<&'a OwnShaders>,
+    ) -> Result<Option<impl FnMut() -> Result<(), GlError>>, GlError> {
+        let Some(pane) = self.panes.get(index) else { return Ok(None) };
+        let Some((loaded, uploaded, frame, show)) = pane.to_save(None) else { return Ok(None) };
+        let mut canvas = DisplayTexture::new(&self.gl, [frame.width, frame.height])?;
+        let renderer = &mut self.renderer;
+        Ok(Some(move || {
+            pane::paint(renderer, shaders, (loaded, uploaded), &frame, &show, &mut canvas)?;
+            canvas.wait();
+            Ok(())
+        }))
+    }
+
     /// Prepares a frame: keeps the first `panes` panes, and takes meshes that were simplified in a thread. `ctx` is repainted when
     /// another one is finished.
     pub fn begin(&mut self, ctx: &egui::Context, panes: usize) {
