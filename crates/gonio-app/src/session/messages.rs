@@ -27,6 +27,8 @@ pub enum MessageCause {
     BenchFiles,
     /// Unsaved text when the window was to be closed; gone when it is saved.
     Closing,
+    /// Models may lie on their side; gone when they are turned or another scene is opened.
+    UpAxis,
     /// An edited scene was replaced; gone when it is restored or replaced by a newer one.
     Replaced,
 }
@@ -36,6 +38,8 @@ pub enum MessageCause {
 pub enum MessageAnswer {
     /// Restores the edited scene that another one has replaced.
     RestoreScene,
+    /// Turns all models so that their z axis points up.
+    TurnZUp,
 }
 
 /// A message of one sentence.

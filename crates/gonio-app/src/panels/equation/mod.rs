@@ -15,7 +15,7 @@ use crate::action::Action;
 use crate::document::Document;
 use crate::exported::{self, WidgetRole};
 use crate::session::{Session, Tab, Term};
-use crate::theme::icons;
+use crate::theme::{self, icons};
 use crate::typeset::{self, EguiFonts, Laid, Node, Tag};
 use crate::widgets::{self, compact, icon_button};
 use egui::{Color32, CursorIcon, Id, Rect, RichText, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
@@ -50,7 +50,8 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         let wide = ui.available_width() >= WIDE;
-        let room = ui.available_width() - BUTTONS - if wide { SOLO } else { 0.0 };
+        let larger = 2.0 * (theme::touch::least(ui) - widgets::SIDE).max(0.0);
+        let room = ui.available_width() - BUTTONS - larger - if wide { SOLO } else { 0.0 };
         let lines = fitted(ui, &formula::equation(&shown), room);
         let clicked = lines_of_terms(ui, &lines, room, document, session);
         if let Some((term, alone)) = clicked {
