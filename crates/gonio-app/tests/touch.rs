@@ -35,7 +35,8 @@ fn small(window: &Window, found: &mut BTreeMap<String, [f32; 2]>) -> usize {
     let mut count = 0;
     for widget in controls {
         count += 1;
-        let [_, _, width, height] = widget.rect;
+        let [left, _, width, height] = widget.rect;
+        assert!(left >= 0.0 && left + width <= PHONE.x + 0.5, "{} is cut off: {:?}", widget.id, widget.rect);
         // Layout is in f32.
         if width.min(height) < LEAST - 0.01 {
             found.insert(widget.id.clone(), [width, height]);
