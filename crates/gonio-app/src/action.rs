@@ -51,6 +51,8 @@ pub enum Action {
     Special(SpecialView),
     /// Switches between the traced picture and OpenGL's in the current pane.
     ToggleTruth,
+    /// Shows or hides the ground below the objects.
+    ToggleGround,
     /// Shows or hides the keyboard shortcuts.
     ToggleHelp,
     /// Switches between the light and the dark theme.
@@ -93,6 +95,8 @@ pub enum Action {
     RestoreDraft,
     /// Discards them.
     DiscardDraft,
+    /// Turns all STL models so that their z axis points up.
+    TurnZUp,
     /// Dismisses all messages.
     DismissAll,
     /// Shows all messages, or only the newest.

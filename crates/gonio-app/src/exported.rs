@@ -114,7 +114,7 @@ pub fn triangles(session: &Session) -> usize {
 /// | `shaders` | null, or the user's own: whether the present texts `failed`, their `remarks`, `serial`, all `uniforms`, |
 /// | | the `text` that is shown, or null, and the values at the pinned pixel as in an exercise: `step` |
 /// | `selection`, `tab`, `help`, `asking` | the selection, the tab, whether the shortcuts are shown; the text of the path field, or null |
-/// | `probe`, `observer` | the probed pixel by both renderers, or null; whether the observer's view is shown |
+/// | `probe`, `observer`, `ground` | the probed pixel by both renderers, or null; whether the observer's view and the ground are shown |
 /// | `recorded_frame` | the recorded frame: its `picture`, `passes`, `draws` and `findings`; null until it is recorded |
 /// | `undo`, `redo` | whether there is a step to undo, and one to redo |
 /// | `time`, `playing` | time of the scene in seconds, and whether it runs |
@@ -191,6 +191,7 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
         "selection": selection,
         "probe": session.probing.reading().map(|reading| probe(reading, session)),
         "observer": session.observer.open,
+        "ground": !session.settings.hides_ground,
         "help": session.help,
         "asking": session.asking.as_ref().map(|asking| &asking.text),
         "undo": history.can_undo(document),

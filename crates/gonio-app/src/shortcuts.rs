@@ -59,6 +59,8 @@ const TABLE: &[Shortcut] = &[
         .on(Modifiers::SHIFT, Key::N, || Action::Overlay(PaneOverlay::Normals)),
     row(PICTURE, "Shift + B", "window-bounding-boxes")
         .on(Modifiers::SHIFT, Key::B, || Action::Overlay(PaneOverlay::Boxes)),
+    row(PICTURE, "Shift + G", "window-ground-with-a-contact-shadow")
+        .on(Modifiers::SHIFT, Key::G, || Action::ToggleGround),
     row(PICTURE, "Shift + U", "window-checkerboard-of-the-texture-coordinates")
         .on(Modifiers::SHIFT, Key::U, || Action::Special(SpecialView::UvChecker)),
     row(PICTURE, "Shift + V", "window-overdraw-fragments-per-pixel")

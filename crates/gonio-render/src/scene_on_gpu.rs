@@ -3,7 +3,7 @@
 use crate::body::{BodyOnGpu, BodyTable};
 use crate::environment_on_gpu::EnvironmentOnGpu;
 use crate::geometry::{Form, MeshOnGpu};
-use crate::shadows_on_gpu::ShadowMaps;
+use crate::shadows_on_gpu::{ContactShadow, ShadowMaps};
 use crate::textures;
 use glam::{DMat4, Mat3, Vec3};
 use gonio_bsdf::MerlTable;
@@ -36,6 +36,8 @@ pub struct GpuScene {
     overlays: RefCell<HashMap<(usize, Form), Rc<MeshOnGpu>>>,
     /// The shadow maps, as drawn last.
     pub(crate) shadows: RefCell<Option<Rc<ShadowMaps>>>,
+    /// The contact shadow on the ground, as drawn last.
+    pub(crate) contact: RefCell<Option<Rc<ContactShadow>>>,
     /// Bytes of geometry on the GPU.
     pub geometry_bytes: usize,
     /// Triangles of all objects.
@@ -137,6 +139,7 @@ impl GpuScene {
             meshes: scene.meshes.clone(),
             overlays: RefCell::default(),
             shadows: RefCell::default(),
+            contact: RefCell::default(),
             geometry_bytes,
             triangle_count,
         })

@@ -1,10 +1,11 @@
-//! The shadow maps of a scene in OpenGL's memory.
+//! The shadows of a scene in OpenGL's memory.
 
 use crate::glsl::texture_unit;
 use crate::shadow_map::ShadowPlan;
 use gonio_gl::Gl;
 use gonio_gl::objects::TextureObject;
-use gonio_gl::target::DepthTarget;
+use gonio_gl::target::{DepthTarget, OutputTarget};
+use gonio_scene::GroundPlane;
 use std::rc::Rc;
 
 /// The shadow maps of a scene, as drawn last.
@@ -15,6 +16,14 @@ pub(crate) struct ShadowMaps {
     pub atlas: Rc<DepthTarget>,
     /// The plan as a texture.
     pub table: TextureObject,
+}
+
+/// The contact shadow of a scene: an aid, not light of the equation.
+pub(crate) struct ContactShadow {
+    /// The ground.
+    pub plane: GroundPlane,
+    /// The share of the sky that the objects hide, on a square around them.
+    pub map: OutputTarget,
 }
 
 impl ShadowMaps {

@@ -114,6 +114,35 @@ impl Scene {
         self.with_planes(CameraSettings { position: position.to_array(), aim, ..camera.clone() })
     }
 
+    /// `camera` moved back until a picture of this `aspect` shows what the scene's own picture shows: all objects, or the same
+    /// width where that leaves out a part on purpose.
+    pub fn with_all_in(&self, camera: &CameraSettings, aspect: f64) -> CameraSettings {
+        let (min, max) = self.bounds();
+        let around = BoundingSphere::new(min, max, &self.settings.objects);
+        let eye = camera.to_camera();
+        let up = unit(camera.up.into()).unwrap_or(DVec3::Y);
+        let middle = if let Aim::Target(target) = camera.aim { target.into() } else { around.center };
+        let distance = (middle - eye.position).dot(eye.front);
+        let target = eye.position + distance * eye.front;
+        let needed = |aspect: f64, filled: f64| {
+            let fit = Fit::filling(filled, (eye.front, up), camera.fov_y, aspect, around.center, self);
+            fit.distance_from(target, around.radius)
+        };
+        let picture = &self.settings.picture;
+        let own_aspect = f64::from(picture.width) / f64::from(picture.height.max(1));
+        let shows_all = needed(own_aspect, 1.0) <= distance;
+        let wanted = match shows_all {
+            true if needed(aspect, 1.0) > distance => needed(aspect, FILLED),
+            true => distance,
+            false => distance * (own_aspect / aspect).max(1.0),
+        };
+        if distance <= 0.0 || wanted <= distance {
+            return camera.clone();
+        }
+        let position = around.tidy(eye.position - (wanted - distance) * eye.front);
+        self.with_planes(CameraSettings { position, ..camera.clone() })
+    }
+
     /// `camera` with near and far planes that suit its position: no object is cut off, if the depth buffer allows it.
     pub fn with_planes(&self, camera: CameraSettings) -> CameraSettings {
         let (min, max) = self.bounds();
@@ -152,8 +181,19 @@ struct Fit {
 
 impl Fit {
     fn new(front: DVec3, up: DVec3, fov_y: f64, aspect: f64, center: DVec3, objects: &dyn Extent) -> Self {
+        Fit::filling(FILLED, (front, up), fov_y, aspect, center, objects)
+    }
+
+    fn filling(
+        filled: f64,
+        (front, up): (DVec3, DVec3),
+        fov_y: f64,
+        aspect: f64,
+        center: DVec3,
+        objects: &dyn Extent,
+    ) -> Self {
         let c = Camera::looking_along(DVec3::ZERO, front, up, 1.0, 1.0, 2.0);
-        let tan = (0.5 * fov_y.to_radians()).tan() * FILLED;
+        let tan = (0.5 * fov_y.to_radians()).tan() * filled;
         let (k_x, k_y) = (1.0 / (tan * aspect), 1.0 / tan);
         let directions =
             [k_x * c.right - c.front, -k_x * c.right - c.front, k_y * c.up - c.front, -k_y * c.up - c.front, -c.front];

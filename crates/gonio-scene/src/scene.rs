@@ -3,7 +3,7 @@
 use crate::asset_cache::AssetCache;
 use crate::environment::LoadedEnvironment;
 use crate::material_brdf::MaterialBrdf;
-use crate::scene_file::{ObjectSpec, Shading};
+use crate::scene_file::{ObjectSpec, Shading, UpAxis};
 use crate::settings::SceneSettings;
 use crate::texture::Texture;
 use glam::{DMat4, DQuat, DVec3, DVec4};
@@ -143,11 +143,47 @@ pub struct Object {
     pub closed: bool,
 }
 
-/// `M = T * Rz * Ry * Rx * S`: scaled, then turned about the world's x, y and z axes, then moved.
+/// `M = T * Rz * Ry * Rx * S * U`: turned so that the model's up axis is y, scaled, turned about the world's x, y and z axes,
+/// moved.
 pub fn world_from_model(object: &ObjectSpec) -> DMat4 {
     let [x, y, z] = object.rotate.map(f64::to_radians);
     let rotation = DQuat::from_rotation_z(z) * DQuat::from_rotation_y(y) * DQuat::from_rotation_x(x);
-    DMat4::from_scale_rotation_translation(object.scale.into(), rotation, object.translate.into())
+    DMat4::from_scale_rotation_translation(object.scale.into(), rotation, object.translate.into()) * upright(object.up)
+}
+
+/// The rotation that carries a model's up axis to y. Of a model with z up, x stays and -y becomes z, the front; of one with x
+/// up, z stays.
+fn upright(up: UpAxis) -> DMat4 {
+    let columns = match up {
+        UpAxis::Y => return DMat4::IDENTITY,
+        UpAxis::Z => [DVec3::X, DVec3::NEG_Z, DVec3::Y],
+        UpAxis::X => [DVec3::Y, DVec3::NEG_X, DVec3::Z],
+        UpAxis::NegativeY => [DVec3::X, DVec3::NEG_Y, DVec3::NEG_Z],
+        UpAxis::NegativeZ => [DVec3::X, DVec3::Z, DVec3::NEG_Y],
+        UpAxis::NegativeX => [DVec3::NEG_Y, DVec3::X, DVec3::Z],
+    };
+    DMat4::from_mat3(glam::DMat3::from_cols(columns[0], columns[1], columns[2]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_up_axis_becomes_y() {
+        let axis = |up: UpAxis| {
+            let sign = if up.name().starts_with('-') { -1.0 } else { 1.0 };
+            sign * DVec3::AXES[["x", "y", "z"].iter().position(|name| up.name().ends_with(name)).unwrap_or(9)]
+        };
+        for &up in UpAxis::ALL {
+            let matrix = world_from_model(&ObjectSpec { up, ..ObjectSpec::default() });
+            assert_eq!(matrix.transform_vector3(axis(up)), DVec3::Y, "{up}");
+            assert_eq!(matrix.determinant(), 1.0, "{up}: not mirrored");
+        }
+        // The scale is along the world's axes, whatever the model's up axis is.
+        let object = ObjectSpec { up: UpAxis::Z, scale: [1.0, 5.0, 1.0], ..ObjectSpec::default() };
+        assert_eq!(world_from_model(&object).transform_vector3(DVec3::Z), 5.0 * DVec3::Y);
+    }
 }
 
 /// A run of triangles with one material.

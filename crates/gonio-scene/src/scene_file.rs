@@ -46,6 +46,26 @@ named_enum! {
     what "source of normals";
 }
 
+named_enum! {
+    /// The axis of a model that points up.
+    pub enum UpAxis {
+        /// y, as in glTF and in the world.
+        Y = "y",
+        /// z, as in CAD, in files for 3D printers and in Blender.
+        Z = "z",
+        /// x.
+        X = "x",
+        /// -y.
+        NegativeY = "-y",
+        /// -z.
+        NegativeZ = "-z",
+        /// -x.
+        NegativeX = "-x",
+    }
+    default Y;
+    what "up axis";
+}
+
 /// A scene.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -278,11 +298,13 @@ pub struct ObjectSpec {
     /// The name in reports and debug groups; the model's file name by default.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub name: String,
+    /// The axis of the model that points up; it is turned to y first of all.
+    pub up: UpAxis,
     /// Applied last.
     pub translate: [f64; 3],
     /// Degrees about x, then y, then z (the world's axes).
     pub rotate: [f64; 3],
-    /// Applied first, per axis.
+    /// Applied before the rotation, per axis.
     pub scale: [f64; 3],
     /// The points at which the equation is evaluated.
     pub shading: Shading,
@@ -323,6 +345,7 @@ impl Default for ObjectSpec {
         ObjectSpec {
             model: String::new(),
             name: String::new(),
+            up: UpAxis::Y,
             translate: [0.0; 3],
             rotate: [0.0; 3],
             scale: [1.0; 3],

@@ -128,6 +128,7 @@ fn read_object(mut t: TableReader<'_>) -> Result<ObjectSpec, Fault> {
     let object = ObjectSpec {
         model: t.text("model")?.unwrap_or_default(),
         name: t.text("name")?.unwrap_or_default(),
+        up: t.word("up")?.unwrap_or(d.up),
         translate: t.vector("translate")?.unwrap_or(d.translate),
         rotate: t.vector("rotate")?.unwrap_or(d.rotate),
         scale: t.vector("scale")?.unwrap_or(d.scale),

@@ -96,6 +96,10 @@ impl App {
                     pane.show_truth(if pane.truth.is_some() { None } else { Some(TruthSettings::default()) });
                 }
             }
+            Action::ToggleGround => {
+                self.session.settings.hides_ground = !self.session.settings.hides_ground;
+                self.platform.keep(&self.session.settings);
+            }
             Action::ToggleHelp => self.session.help = !self.session.help,
             Action::ToggleTheme => {
                 let theme = if ctx.theme() == egui::Theme::Dark { egui::Theme::Light } else { egui::Theme::Dark };
@@ -121,6 +125,7 @@ impl App {
             Action::RestoreScene => self.restore_scene(ctx),
             Action::RestoreDraft => self.restore_scene_draft(ctx),
             Action::DiscardDraft => self.discard_scene_draft(),
+            Action::TurnZUp => self.turn_z_up(ctx),
             Action::DismissAll => self.session.messages.dismiss_all(),
             Action::ExpandMessages => self.session.messages.is_expanded = !self.session.messages.is_expanded,
             Action::ShowBench => self.bench.open(),

@@ -48,6 +48,7 @@ impl App {
             limits: self.opened.limits,
             view: chosen.view,
             time: chosen.time,
+            is_sample: true,
             ..SceneOpening::default()
         };
         self.start(ctx, opening, files);

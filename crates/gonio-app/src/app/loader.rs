@@ -30,6 +30,8 @@ pub struct SceneOpening {
     pub view: Option<ViewSpec>,
     /// The time at which it is shown, seconds.
     pub time: f64,
+    /// A sample: its own camera is moved back where the window would cut off objects.
+    pub is_sample: bool,
 }
 
 /// A request to load a scene.

@@ -11,6 +11,7 @@ pub mod loader;
 mod scene_drafts;
 mod stations;
 pub mod unsaved;
+mod up_axis;
 
 use crate::action::Action;
 use crate::app::bench::with_places;
@@ -34,7 +35,7 @@ use gonio_gl::Gl;
 use gonio_language::tr;
 use gonio_mesh::Severity as Found;
 use gonio_scene::edit::{self, Edited};
-use gonio_scene::files::FileSource;
+use gonio_scene::files::{BUILTIN, FileSource};
 use gonio_scene::settings::CameraSettings;
 use gonio_scene::{Scene, SceneSettings};
 use std::path::{Path, PathBuf};
@@ -224,6 +225,7 @@ impl App {
 
     /// One frame: input, actions, document, pictures, window.
     pub fn ui(&mut self, ui: &mut Ui) {
+        theme::touch::fit(ui.ctx());
         focus::allow_slow_double_clicks(ui.ctx());
         focus::resume(ui.ctx());
         let reported = self.session.messages.count();
@@ -320,9 +322,13 @@ impl App {
         let pictures = self.session.facts.pictures;
         egui::CentralPanel::no_frame().show(ui, |ui| {
             self.frame_opened(&ctx, ui.available_size());
+            let hid_ground = self.session.settings.hides_ground;
             let drawn = scene_view::show(ui, &mut self.document, &mut self.session, self.pane_renderer.as_mut());
             if let Err(error) = drawn {
                 self.session.messages.report(MessageSeverity::Error, error.to_string());
+            }
+            if self.session.settings.hides_ground != hid_ground {
+                self.platform.keep(&self.session.settings);
             }
         });
         self.trace(&ctx);
@@ -509,7 +515,12 @@ impl App {
                 self.opened = opening;
                 self.begin_scene_draft();
                 self.offer_scene_draft();
+                self.session.messages.clear(MessageCause::UpAxis);
+                self.hint_at_up_axis();
                 self.session.unframed = loaded.camera_was_framed;
+                let is_sample =
+                    self.opened.is_sample || self.opened.inputs.iter().all(|input| input.starts_with(BUILTIN));
+                self.session.is_new_sample = is_sample && !self.session.unframed;
                 self.sketched = None;
                 self.session.sketching = self.pane_renderer.as_ref().is_some_and(PaneRenderer::sketches);
             }
@@ -541,12 +552,17 @@ impl App {
     }
 
     /// Frames a scene that was just opened in a picture of this size, if the scene has no camera
-    /// of its own. This is part of opening it and cannot be undone.
+    /// of its own or is a sample. This is part of opening it and cannot be undone.
     fn frame_opened(&mut self, ctx: &egui::Context, size: egui::Vec2) {
-        let Some(loaded) = self.session.loaded.as_ref().filter(|_| self.session.unframed) else { return };
-        self.session.unframed = false;
+        let (unframed, is_sample) = (self.session.unframed, self.session.is_new_sample);
+        let Some(loaded) = self.session.loaded.as_ref().filter(|_| unframed || is_sample) else { return };
+        (self.session.unframed, self.session.is_new_sample) = (false, false);
         let aspect = f64::from(size.x) / f64::from(size.y.max(1.0));
-        let camera = loaded.framed(&loaded.settings.camera, aspect);
+        let own = &loaded.settings.camera;
+        let camera = if unframed { loaded.framed(own, aspect) } else { loaded.with_all_in(own, aspect) };
+        if camera == *own {
+            return;
+        }
         self.opened_camera = camera.clone();
         self.document.scene.camera = camera;
         self.history = History::new(&self.document);

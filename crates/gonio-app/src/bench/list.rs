@@ -2,9 +2,9 @@
 
 use super::functions::BenchFunctions;
 use crate::exported::{self, WidgetRole};
-use crate::theme::{self, colors, icons};
+use crate::theme::{self, colors, icons, touch};
 use crate::widgets::{self, icon_button};
-use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
+use egui::{Color32, CornerRadius, Frame, Label, Margin, RichText, Sense, Ui, Vec2, WidgetInfo};
 use gonio_bsdf::{BsdfSource, DVec3, Parameter, ParameterValues};
 use gonio_language::tr;
 use gonio_plot::{PlotTheme, palette};
@@ -95,7 +95,7 @@ fn title_of(named: &gonio_bsdf::NamedBsdf) -> String {
 
 /// A line in the function's colour that shows and hides it.
 fn shown(ui: &mut Ui, index: usize, color: Color32, is_shown: &mut bool) {
-    let (rect, response) = ui.allocate_exact_size(vec2(22.0, 22.0), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(Vec2::splat(touch::least(ui).max(22.0)), Sense::click());
     if response.clicked() {
         *is_shown = !*is_shown;
     }

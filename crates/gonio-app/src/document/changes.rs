@@ -92,7 +92,7 @@ fn of_light(before: &LightSettings, after: &LightSettings) -> &'static str {
 fn of_object(before: &ObjectSpec, after: &ObjectSpec) -> &'static str {
     if before.translate != after.translate {
         "window-moved"
-    } else if before.rotate != after.rotate {
+    } else if before.rotate != after.rotate || before.up != after.up {
         "window-turned"
     } else if before.scale != after.scale {
         "window-scaled"
@@ -108,7 +108,7 @@ fn of_object(before: &ObjectSpec, after: &ObjectSpec) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gonio_scene::scene_file::LightSourceKind;
+    use gonio_scene::scene_file::{LightSourceKind, UpAxis};
 
     #[test]
     fn a_step_is_described_by_what_it_changed() {
@@ -127,6 +127,7 @@ mod tests {
         assert_eq!(change(&|d| drop(d.scene.lights.remove(0))), "removed key light");
         assert_eq!(change(&|d| d.scene.lights.push(key.clone())), "added key light");
         assert_eq!(change(&|d| d.scene.objects[0].rotate[1] = 4.0), "turned cube");
+        assert_eq!(change(&|d| d.scene.objects[0].up = UpAxis::Z), "turned cube");
         assert_eq!(change(&|d| d.scene.equation.diffuse = false), "changed the equation");
         assert_eq!(change(&|d| d.scene.picture.exposure = 2.0), "changed the picture's settings");
         assert_eq!(change(&|d| d.scene.camera.position = [9.0; 3]), "moved the camera");

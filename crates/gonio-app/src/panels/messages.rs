@@ -3,9 +3,9 @@
 use crate::action::Action;
 use crate::exported::{self, WidgetRole};
 use crate::session::{MessageAnswer, MessageCause, MessageSeverity, Messages, UserMessage};
-use crate::theme::{self, colors, icons};
+use crate::theme::{self, colors, icons, touch};
 use crate::widgets::icon_button;
-use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
+use egui::{Align, Button, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
 use gonio_language::tr;
 
 /// Most messages that are shown before the tray is opened.
@@ -58,14 +58,14 @@ fn header(ui: &mut Ui, messages: &Messages, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(tr!("window-messages", count = count)).small().weak());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let all = ui.small_button(tr!("window-dismiss-all"));
+            let all = ui.add(small(ui, tr!("window-dismiss-all")));
             exported::note(ui, &all, "dismiss-all", WidgetRole::Button, tr!("window-dismiss-all"), "");
             if all.clicked() {
                 actions.push(Action::DismissAll);
             }
             if count > FEW {
                 let label = if messages.is_expanded { tr!("window-show-fewer") } else { tr!("window-show-all") };
-                let more = ui.small_button(label);
+                let more = ui.add(small(ui, label));
                 exported::note(ui, &more, "messages-all", WidgetRole::Button, label, messages.is_expanded);
                 if more.clicked() {
                     actions.push(Action::ExpandMessages);
@@ -73,6 +73,11 @@ fn header(ui: &mut Ui, messages: &Messages, actions: &mut Vec<Action>) {
             }
         });
     });
+}
+
+/// A small button; on a phone one of the usual size.
+fn small<'a>(ui: &Ui, text: &'a str) -> Button<'a> {
+    if touch::least(ui) > 0.0 { Button::new(text) } else { Button::new(text).small() }
 }
 
 /// A message. Below a heading with its file, the file's name is not repeated.
@@ -168,7 +173,7 @@ mod tests {
 /// The buttons of a message.
 fn answers(ui: &mut Ui, answer: MessageAnswer, actions: &mut Vec<Action>) {
     let mut button = |id, text, action| {
-        let button = ui.small_button(text);
+        let button = ui.add(small(ui, text));
         exported::note(ui, &button, id, WidgetRole::Button, text, "");
         if button.clicked() {
             actions.push(action);
@@ -176,6 +181,7 @@ fn answers(ui: &mut Ui, answer: MessageAnswer, actions: &mut Vec<Action>) {
     };
     match answer {
         MessageAnswer::RestoreScene => button("restore-scene", tr!("window-restore"), Action::RestoreScene),
+        MessageAnswer::TurnZUp => button("turn-z-up", tr!("window-turn-z-up"), Action::TurnZUp),
         MessageAnswer::RestoreDraft => {
             button("restore-draft", tr!("window-restore"), Action::RestoreDraft);
             button("discard-draft", tr!("window-discard"), Action::DiscardDraft);

@@ -26,8 +26,8 @@ use crate::environment;
 use crate::exported::{self, WidgetRole};
 use crate::platform::Purpose;
 use crate::session::{Session, Tab};
-use crate::theme::colors;
-use egui::{Color32, FontId, Frame, Margin, Panel, Rect, ScrollArea, Sense, Ui, Visuals, WidgetInfo, vec2};
+use crate::theme::{colors, touch};
+use egui::{Color32, FontId, Frame, Margin, Panel, Rect, ScrollArea, Sense, Ui, Vec2, Visuals, WidgetInfo, vec2};
 
 /// Below this width (points) the side panel is below the picture: a phone in portrait orientation.
 const NARROW: f32 = 720.0;
@@ -160,7 +160,7 @@ fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
             ui.painter().layout_no_wrap(tab.title().into(), FontId::proportional(size), color)
         };
         let names: Vec<_> = seen().map(name).collect();
-        let all: f32 = names.iter().map(|name| name.size().x).sum();
+        let all: f32 = names.iter().map(|name| name.size().x.max(touch::least(ui))).sum();
         (names, all)
     };
     let gaps = seen().count().saturating_sub(1).max(1) as f32;
@@ -173,11 +173,12 @@ fn tabs(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
         ui.spacing_mut().item_spacing = vec2(gap, 2.0);
         for (tab, name) in seen().zip(names) {
             let chosen = session.tab == tab;
-            let size = vec2(name.size().x, TAB_SIZE + 11.0);
+            let size = vec2(name.size().x, TAB_SIZE + 11.0).max(Vec2::splat(touch::least(ui)));
             let (rect, button) = ui.allocate_exact_size(size, Sense::click());
             button.widget_info(|| WidgetInfo::selected(egui::Role::Tab, true, chosen, tab.title()));
             let color = if button.hovered() { ui.visuals().strong_text_color() } else { color(ui, chosen) };
-            ui.painter().galley_with_override_text_color(rect.min + vec2(0.0, 2.0), name, color);
+            let place = vec2(0.5 * (size.x - name.size().x), 0.5 * (size.y - TAB_SIZE - 11.0) + 2.0);
+            ui.painter().galley_with_override_text_color(rect.min + place, name, color);
             if chosen || button.has_focus() {
                 let line = Rect::from_min_max(rect.left_bottom() - vec2(0.0, 2.0), rect.right_bottom());
                 ui.painter().rect_filled(line, 1.0, color);

@@ -14,6 +14,8 @@ const NARROW: f32 = 560.0;
 
 pub fn show(ui: &mut Ui, session: &Session) {
     let narrow = ui.available_width() < NARROW;
+    // Nothing here is touched.
+    ui.spacing_mut().interact_size.y = ui.spacing().interact_size.y.min(24.0);
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let facts = &session.facts;

@@ -30,6 +30,9 @@ const EXERCISES: &str = "window-shader-exercises-edit-compare-with-the";
 pub fn show(ui: &mut Ui, document: &Document, session: &Session, history: &History, actions: &mut Vec<Action>) {
     let narrow = ui.available_width() < NARROW;
     ui.horizontal(|ui| {
+        if theme::touch::least(ui) > 0.0 {
+            ui.spacing_mut().item_spacing.x = 0.0;
+        }
         ui.label(RichText::new("gonio").font(theme::bold(16.0)).color(ui.visuals().strong_text_color()));
         ui.add_space(if narrow { 0.0 } else { 6.0 });
         if narrow {

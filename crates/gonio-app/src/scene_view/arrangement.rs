@@ -133,7 +133,9 @@ pub fn wipe(
         ui.scope(|ui| {
             ui.set_clip_rect(left.intersect(ui.clip_rect()));
             present(ui, room, picture);
-        });
+            pane::ground(ui, first, room, session, pane_renderer)
+        })
+        .inner?;
     }
     over(ui, second, &whole, document, session, pane_renderer)?;
     divider(ui, room, x, active);

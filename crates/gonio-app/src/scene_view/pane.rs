@@ -38,8 +38,23 @@ pub fn show(
     }
     if let Some(picture) = drawn(ui, index, rect, document, session, pane_renderer)? {
         present(ui, rect, picture);
+        ground(ui, index, rect, session, pane_renderer)?;
     }
     Ok(response)
+}
+
+/// Shows the ground below the objects over a pane's picture.
+pub fn ground(
+    ui: &Ui,
+    index: usize,
+    rect: Rect,
+    session: &Session,
+    pane_renderer: &mut PaneRenderer,
+) -> Result<(), GlError> {
+    if let Some(layer) = pane_renderer.ground(index, session, ui.visuals().dark_mode)? {
+        present(ui, rect, layer);
+    }
+    Ok(())
 }
 
 /// The picture of a pane, drawn for a rectangle.

@@ -2,9 +2,9 @@
 
 use crate::document::{Document, Pane, TruthSettings, VIEW_KEYS};
 use crate::exported::{self, WidgetRole};
-use crate::session::{Session, Tab};
+use crate::session::{Session, Settings, Tab};
 use crate::theme::{self, colors, icons};
-use egui::{Align2, Color32, FontId, Frame, Margin, Painter, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Color32, FontId, Frame, Margin, Painter, Rect, RichText, Ui, UiBuilder, Vec2, pos2, vec2};
 use glam::DVec3;
 use gonio_language::{name, tr};
 use gonio_light::Quantity;
@@ -34,11 +34,11 @@ pub fn show(ui: &mut Ui, rect: Rect, frame: &gonio_scene::Frame, document: &mut 
         .inner_margin(Margin::symmetric(5, 3));
     let shown = ui.scope_builder(UiBuilder::new().max_rect(room), |ui| {
         plate.show(ui, |ui| {
-            ui.horizontal(|ui| {
-                ui.spacing_mut().item_spacing.x = 3.0;
+            ui.horizontal_wrapped(|ui| {
+                ui.spacing_mut().item_spacing.x = if theme::touch::least(ui) > 0.0 { 1.0 } else { 3.0 };
                 chooser(ui, pane, lights);
                 ui.add_space(3.0);
-                overlays(ui, pane);
+                overlays(ui, pane, &mut session.settings);
                 ui.add_space(3.0);
                 tools(ui, session);
             });
@@ -149,7 +149,7 @@ fn title(pane: &Pane) -> String {
     symbol.map_or_else(|| title_of(pane), |symbol| format!("{} {symbol}", title_of(pane)))
 }
 
-fn overlays(ui: &mut Ui, pane: &mut Pane) {
+fn overlays(ui: &mut Ui, pane: &mut Pane, settings: &mut Settings) {
     // None is drawn over a traced picture.
     if pane.truth.is_some() {
         return;
@@ -163,6 +163,9 @@ fn overlays(ui: &mut Ui, pane: &mut Pane) {
         if toggle(ui, id, icon, tip, *on) {
             *on = !*on;
         }
+    }
+    if toggle(ui, "ground", icons::GRID_FOUR, tr!("scene-ground-shift-g"), !settings.hides_ground) {
+        settings.hides_ground = !settings.hides_ground;
     }
 }
 
@@ -181,7 +184,16 @@ fn tools(ui: &mut Ui, session: &mut Session) {
 fn toggle(ui: &mut Ui, id: &str, icon: &str, tip: &str, on: bool) -> bool {
     let color = if on { colors::ACCENT.of(ui) } else { ui.visuals().text_color() };
     let text = RichText::new(icon).font(theme::icon_font(16.0)).color(color);
-    let response = ui.add(egui::Button::new(text).selected(on).frame_when_inactive(on));
+    let button = egui::Button::new(text).selected(on).frame_when_inactive(on);
+    let response = ui
+        .scope(|ui| {
+            let least = theme::touch::least(ui);
+            if least > 0.0 {
+                ui.spacing_mut().button_padding.x = 2.0;
+            }
+            ui.add(button.min_size(Vec2::splat(least)))
+        })
+        .inner;
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, tip));
     exported::note(ui, &response, id, WidgetRole::Toggle, tip, on);
     response.on_hover_text(tip).clicked()

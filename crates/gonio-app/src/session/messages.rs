@@ -27,6 +27,8 @@ pub enum MessageCause {
     BenchFiles,
     /// Unsaved text when the window was to be closed; gone when it is saved.
     Closing,
+    /// Models may lie on their side; gone when they are turned or another scene is opened.
+    UpAxis,
     /// An edited scene was replaced; gone when it is restored or replaced by a newer one.
     Replaced,
     /// An earlier window left edits of the scene; gone when they are restored or discarded, or another scene is opened.
@@ -40,6 +42,8 @@ pub enum MessageAnswer {
     RestoreScene,
     /// Restores or discards the edits that an earlier window left of the scene.
     RestoreDraft,
+    /// Turns all models so that their z axis points up.
+    TurnZUp,
 }
 
 /// A message of one sentence.

@@ -116,6 +116,9 @@ pub struct Session {
     /// The open scene has no camera of its own: all objects are framed once the size of the
     /// picture is known.
     pub unframed: bool,
+    /// The open scene is a sample with a camera of its own, which is moved back if the picture would cut off objects once its
+    /// size is known.
+    pub is_new_sample: bool,
     /// The next pictures are the first ones of a scene: they have one sample per pixel to appear soon, and the
     /// full pictures follow. Only with software drivers.
     pub sketching: bool,
@@ -152,6 +155,7 @@ impl Default for Session {
             adaptive: true,
             moving: false,
             unframed: false,
+            is_new_sample: false,
             sketching: false,
         }
     }

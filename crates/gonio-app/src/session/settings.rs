@@ -15,6 +15,9 @@ pub struct Settings {
     /// The language; `None` follows the system.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub language: Option<Language>,
+    /// Whether the ground below the objects is switched off.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub hides_ground: bool,
     /// Recently opened files, the latest first.
     pub recent: Vec<String>,
     /// The settings of the last bake as JSON, which is parsed when they are shown; `None` before the first.
@@ -76,6 +79,7 @@ mod tests {
         let settings = Settings {
             dark: Some(true),
             language: Some(Language::French),
+            hides_ground: true,
             recent: vec!["a b.obj".into()],
             bake: Some("{}".into()),
             outcomes,

@@ -5,6 +5,7 @@
 
 pub mod colors;
 pub mod icons;
+pub mod touch;
 
 use colors::{ACCENT, Tint};
 use egui::{

@@ -1,7 +1,7 @@
 //! Choices among several names: side by side for a few, in a list for many.
 
 use crate::exported::{self, WidgetRole};
-use crate::theme::colors;
+use crate::theme::{colors, touch};
 use egui::{Button, ComboBox, RichText, Ui, WidgetInfo, vec2};
 use gonio_language::name;
 
@@ -85,6 +85,7 @@ fn segments(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: 
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
         ui.spacing_mut().button_padding = vec2(4.5, 2.0);
+        let least = touch::least(ui);
         for (index, (word, tip)) in words.iter().enumerate() {
             let is_chosen = chosen == Some(index);
             let text = if is_chosen {
@@ -92,7 +93,7 @@ fn segments(ui: &mut Ui, id: &str, label: &str, words: &[(&str, &str)], chosen: 
             } else {
                 RichText::new(name(word)).color(ui.visuals().weak_text_color())
             };
-            let mut button = Button::new(text).min_size(vec2(0.0, 22.0)).frame_when_inactive(is_chosen);
+            let mut button = Button::new(text).min_size(vec2(least, least.max(22.0))).frame_when_inactive(is_chosen);
             if is_chosen {
                 button = button.fill(colors::ACCENT.of(ui).gamma_multiply(0.28));
             }

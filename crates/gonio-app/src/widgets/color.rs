@@ -1,10 +1,11 @@
 //! A colour: a swatch that opens a picker, and a text field.
 
 use crate::exported::{self, WidgetRole};
+use crate::theme::touch;
 use egui::widgets::color_picker::{Alpha, color_picker_color32};
 use egui::{
     Color32, CornerRadius, Id, Popup, PopupCloseBehavior, Response, RichText, Sense, Stroke, StrokeKind, TextEdit, Ui,
-    WidgetInfo, vec2,
+    Vec2, WidgetInfo, vec2,
 };
 use gonio_language::tr;
 use gonio_light::color::{srgb_decode, srgb_encode};
@@ -64,7 +65,7 @@ pub fn color_swatch(ui: &mut Ui, id: &str, label: &str, value: &mut Color, defau
 }
 
 fn swatch(ui: &mut Ui, id: &str, label: &str, value: Color) -> Response {
-    let (rect, response) = ui.allocate_exact_size(vec2(30.0, 22.0), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(30.0, 22.0).max(Vec2::splat(touch::least(ui))), Sense::click());
     let line = ui.style().interact(&response).fg_stroke.color.gamma_multiply(0.4);
     ui.painter().rect(rect, CornerRadius::same(5), shown(value), Stroke::new(1.0, line), StrokeKind::Inside);
     response.widget_info(|| WidgetInfo::labeled(egui::Role::ColorWell, true, label));

@@ -20,10 +20,10 @@ pub use spectrum::spectrum;
 
 use crate::exported::{self, WidgetRole};
 use crate::theme;
-use egui::{Align, Button, Color32, Label, Layout, Response, RichText, Ui, WidgetInfo, vec2};
+use egui::{Align, Button, Color32, Label, Layout, Response, RichText, Ui, Vec2, WidgetInfo, vec2};
 
 /// Side of an icon button, points.
-const SIDE: f32 = 22.0;
+pub const SIDE: f32 = 22.0;
 
 /// An icon button. `tip` is its tooltip and its name for screen readers.
 pub fn icon_button(ui: &mut Ui, id: &str, icon: &str, tip: &str) -> Response {
@@ -34,7 +34,7 @@ pub fn icon_button(ui: &mut Ui, id: &str, icon: &str, tip: &str) -> Response {
 pub fn tool_button(ui: &mut Ui, id: &str, icon: &str, tip: &str, color: Option<Color32>, enabled: bool) -> Response {
     let color = color.unwrap_or_else(|| ui.visuals().text_color());
     let text = RichText::new(icon).font(theme::icon_font(15.0)).color(color);
-    let button = Button::new(text).frame_when_inactive(false).min_size(vec2(SIDE, SIDE));
+    let button = Button::new(text).frame_when_inactive(false).min_size(Vec2::splat(theme::touch::least(ui).max(SIDE)));
     let response = ui
         .scope(|ui| {
             ui.spacing_mut().button_padding = vec2(2.0, 2.0);

@@ -157,6 +157,8 @@ window-show-all = Show all
 window-times = { $text } ({ $times } times)
 window-restore = Restore
 window-discard = Discard
+window-z-may-be-up = { $file } is an STL file: these usually have z up, not y as in this scene.
+window-turn-z-up = Turn z up
 window-dismiss = Dismiss
 window-copy-the-message = Copy the message
 
@@ -422,6 +424,7 @@ window-play-or-pause-the-animation = play or pause the animation
 window-probe-the-pixel-under-the-pointer = probe the pixel under the pointer; a click pins it, Esc unpins it
 window-show-the-camera-and-its-frustum = show the camera and its frustum from outside
 window-bounding-boxes = bounding boxes
+window-ground-with-a-contact-shadow = ground with a contact shadow
 window-checkerboard-of-the-texture-coordinates = checkerboard of the texture coordinates
 window-overdraw-fragments-per-pixel = overdraw: fragments per pixel
 window-the-traced-picture-the-rendering-equation = the traced picture: the rendering equation in place of the light equation

@@ -169,6 +169,8 @@ window-show-all = Tout voir
 window-times = { $text } ({ $times } fois)
 window-restore = Restaurer
 window-discard = Abandonner
+window-z-may-be-up = { $file } est un fichier STL : le plus souvent, z y pointe vers le haut, et non y comme dans cette scène.
+window-turn-z-up = Mettre z vers le haut
 window-dismiss = Fermer
 window-copy-the-message = Copier le message
 
@@ -437,6 +439,7 @@ window-play-or-pause-the-animation = lancer l'animation ou la mettre en pause
 window-probe-the-pixel-under-the-pointer = sonder le pixel sous le pointeur ; un clic l'épingle, Esc le désépingle
 window-show-the-camera-and-its-frustum = afficher la caméra et son volume de vision vus de l'extérieur
 window-bounding-boxes = boîtes englobantes
+window-ground-with-a-contact-shadow = sol avec une ombre de contact
 window-checkerboard-of-the-texture-coordinates = damier des coordonnées de texture
 window-overdraw-fragments-per-pixel = surdessin : fragments par pixel
 window-the-traced-picture-the-rendering-equation = l'image tracée : l'équation de rendu à la place de l'équation d'éclairage

@@ -16,6 +16,9 @@ const WIREFRAME_FRAG: &str = shader_text!("../../shaders/wireframe.frag");
 const LINE_VERT: &str = shader_text!("../../shaders/line.vert");
 const LINE_FRAG: &str = shader_text!("../../shaders/line.frag");
 const SHADOW_MAP_FRAG: &str = shader_text!("../../shaders/shadow_map.frag");
+const CONTACT_FRAG: &str = shader_text!("../../shaders/contact.frag");
+const GROUND_VERT: &str = shader_text!("../../shaders/ground.vert");
+const GROUND_FRAG: &str = shader_text!("../../shaders/ground.frag");
 
 /// The colours of 0, 1, 2 ... fragments at a pixel, as displayed; the last is for 8 and more. Dark to light,
 /// blue through green and yellow to red, so that they can also be distinguished by lightness.
@@ -48,11 +51,15 @@ pub enum SpecialProgram {
     ShadowMap,
     /// The same of a surface with holes.
     MaskedShadowMap,
+    /// The contact shadow on the ground.
+    Contact,
+    /// The ground with its grid.
+    Ground,
 }
 
 impl SpecialProgram {
     /// All programs.
-    pub const ALL: [SpecialProgram; 7] = [
+    pub const ALL: [SpecialProgram; 9] = [
         SpecialProgram::UvChecker,
         SpecialProgram::Count,
         SpecialProgram::Overdraw,
@@ -60,6 +67,8 @@ impl SpecialProgram {
         SpecialProgram::Line,
         SpecialProgram::ShadowMap,
         SpecialProgram::MaskedShadowMap,
+        SpecialProgram::Contact,
+        SpecialProgram::Ground,
     ];
 
     /// Vertex and fragment shader.
@@ -71,11 +80,14 @@ impl SpecialProgram {
             SpecialProgram::Wireframe => (WIREFRAME_VERT, WIREFRAME_FRAG),
             SpecialProgram::Line => (LINE_VERT, LINE_FRAG),
             SpecialProgram::ShadowMap | SpecialProgram::MaskedShadowMap => (PLAIN_VERT, SHADOW_MAP_FRAG),
+            SpecialProgram::Contact => (output_vertex(), CONTACT_FRAG),
+            SpecialProgram::Ground => (GROUND_VERT, GROUND_FRAG),
         };
         let header = dialect.header();
         let constants = match self {
             SpecialProgram::Overdraw => overdraw_scale(),
             SpecialProgram::ShadowMap => "#define MASKED 0\n".to_owned(),
+            SpecialProgram::Contact => format!("#define PI {:e}\n", std::f64::consts::PI),
             SpecialProgram::MaskedShadowMap => {
                 format!("#define MASKED 1\n#define SHADOW_OPACITY {SHADOW_OPACITY:e}\n")
             }
@@ -94,6 +106,8 @@ impl SpecialProgram {
             SpecialProgram::Line => "lines",
             SpecialProgram::ShadowMap => "shadow map",
             SpecialProgram::MaskedShadowMap => "shadow map with holes",
+            SpecialProgram::Contact => "contact shadow",
+            SpecialProgram::Ground => "ground",
         }
     }
 }

@@ -2,6 +2,7 @@
 //! front, samples resolved, and on demand the picture's numbers.
 
 mod bands;
+mod ground;
 mod output;
 mod paint;
 mod pass;
@@ -13,6 +14,7 @@ mod surroundings;
 mod user_pass;
 
 pub use bands::RenderedPicture;
+pub use ground::GroundLook;
 pub use output::RenderedFrame;
 pub use paint::{DifferenceScale, Painted};
 pub use user_pass::{SampledTexture, UniformValues, UserPass, displayed_environment, map_of, shown_unchanged};

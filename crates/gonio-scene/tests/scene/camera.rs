@@ -9,7 +9,7 @@ use gonio_scene::load::{describe, load};
 use gonio_scene::scene::world_from_model;
 use gonio_scene::scene_file::LightSpec;
 use gonio_scene::settings::{Aim, Motion};
-use gonio_scene::{Camera, Scene};
+use gonio_scene::{Camera, Frame, Scene};
 use std::path::Path;
 
 /// Set by rounding: both sides are a few operations on numbers near 1.
@@ -112,6 +112,35 @@ fn a_framed_orbit_has_everything_in_the_picture_from_every_side() {
     scene.camera.position = Some([0.0, 0.0, 3.0]);
     let loaded = load(scene, Path::new(""), &BuiltinOnly).unwrap();
     assert_eq!(loaded.orbit_start(&loaded.frame(0.0)), loaded.frame(0.0));
+}
+
+/// Samples show the same objects in windows of every usual shape.
+#[test]
+fn a_sample_is_in_the_picture_whatever_its_shape() {
+    let mut moved = 0;
+    for name in gonio_scene::files::builtin_names() {
+        let input = format!("builtin:{name}");
+        let loaded = load(describe(&[&input], &BuiltinOnly).unwrap(), Path::new(""), &BuiltinOnly).unwrap();
+        let own = &loaded.settings.camera;
+        // Floors and walls extend beyond the picture.
+        let subject = |frame: &Frame| {
+            let alone = |object: &gonio_scene::Object| Scene { objects: vec![object.clone()], ..loaded.clone() };
+            loaded.objects.iter().filter(|object| all_in_picture(&alone(object), frame)).count()
+        };
+        let whole = subject(&loaded.frame(0.0));
+        assert!(whole > 0 || name == "light-kinds", "{name}: nothing is whole in its own picture");
+        for (width, height) in [(928, 626), (1984, 1266), (640, 300), (390, 366), (300, 600)] {
+            let aspect = f64::from(width) / f64::from(height);
+            let camera = loaded.with_all_in(own, aspect);
+            moved += usize::from(camera != *own);
+            let frame = Frame { width, height, camera: camera.to_camera(), ..loaded.frame(0.0) };
+            assert!(subject(&frame) >= whole, "{name} at {width} x {height}: {} of {whole}", subject(&frame));
+            // Positions are rounded to about a thousandth of the radius.
+            let turned = (camera.to_camera().front - own.to_camera().front).length();
+            assert!(turned < 2e-3, "{name}: the direction stays, but for {turned}");
+        }
+    }
+    assert!(moved > 7, "upright pictures are narrower than those of the samples: {moved}");
 }
 
 fn loaded(input: &str, change: impl Fn(&mut gonio_scene::SceneFile)) -> Scene {

@@ -67,6 +67,7 @@ fn a_scene_with_everything_in_it() {
         [[object]]
         model = "builtin:still-life"
         name = "a \"name\" with \\ and é"
+        up = "-z"
         translate = [0.1, 1e-9, 123456.789]
         rotate = [1, 2, 3]
         scale = [-1, 2.5, 0.333]

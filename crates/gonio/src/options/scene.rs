@@ -5,7 +5,7 @@ use super::{EnvironmentOptions, LimitOptions};
 use clap::{ArgAction, Args};
 use gonio_light::color::{ColorEncoding, ToneMap};
 use gonio_light::{Convention, Specular};
-use gonio_scene::scene_file::{CameraSpec, LightSpec, MaterialOverride, Normals, Shading};
+use gonio_scene::scene_file::{CameraSpec, LightSpec, MaterialOverride, Normals, Shading, UpAxis};
 use gonio_scene::{SceneFile, TextureFilter};
 
 /// Options that replace values of a scene. The same for every command that reads one.
@@ -112,6 +112,13 @@ pub struct SceneOptions {
     #[arg(long, help_heading = "Camera options", value_name = "AXIS", value_parser = values::up,
           allow_hyphen_values = true)]
     pub up: Option<[f64; 3]>,
+    /// The axis of all models that points up.
+    ///
+    /// They are turned, and the world's y stays up; `--up` turns the camera instead. Files of CAD programs and for 3D printers
+    /// (STL) usually have z up, glTF has y.
+    #[arg(long, help_heading = "Camera options", value_name = "AXIS", allow_hyphen_values = true,
+          value_parser = values::named(UpAxis::ALL, UpAxis::name))]
+    pub model_up: Option<UpAxis>,
     /// Full vertical field of view in degrees.
     #[arg(long, help_heading = "Camera options", value_name = "DEG", value_parser = values::field_of_view,
           allow_negative_numbers = true)]
@@ -163,6 +170,7 @@ impl SceneOptions {
 
     fn apply_to_objects(&self, scene: &mut SceneFile) {
         for object in &mut scene.objects {
+            set(&mut object.up, self.model_up);
             set(&mut object.shading, self.shading);
             set(&mut object.normals, self.normals);
             object.crease_angle = self.crease_angle.or(object.crease_angle);

@@ -15,7 +15,7 @@ use crate::action::Action;
 use crate::document::Document;
 use crate::exported::{self, WidgetRole};
 use crate::session::{Session, Tab, Term};
-use crate::theme::icons;
+use crate::theme::{self, icons};
 use crate::typeset::{self, EguiFonts, Laid, Node, Tag};
 use crate::widgets::{self, compact, icon_button};
 use egui::{Color32, CursorIcon, Id, Rect, RichText, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
@@ -48,10 +48,11 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     }
     let narrow = ui.available_width() < NARROW;
     let wide = ui.available_width() >= WIDE;
+    let buttons_width = BUTTONS + 2.0 * (theme::touch::least(ui) - widgets::SIDE).max(0.0);
     let shown = effective(document);
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
-        let room = ui.available_width() - if wide { BUTTONS + SOLO } else { 0.0 };
+        let room = ui.available_width() - if wide { buttons_width + SOLO } else { 0.0 };
         let lines = fitted(ui, &formula::equation(&shown), room);
         let clicked = lines_of_terms(ui, &lines, room, document, session);
         if let Some((term, alone)) = clicked {
@@ -59,15 +60,14 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
         }
         if wide {
             ui.add_space(4.0);
-            solo(ui, document, session, actions);
+            solo(ui, SOLO, document, session, actions);
             buttons(ui, document, session);
         }
     });
     if !wide {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
-            ui.add_space((ui.available_width() - SOLO - BUTTONS).max(0.0));
-            solo(ui, document, session, actions);
+            solo(ui, ui.available_width() - buttons_width, document, session, actions);
             buttons(ui, document, session);
         });
     }
@@ -199,9 +199,10 @@ fn act(document: &mut Document, session: &mut Session, actions: &mut Vec<Action>
     };
 }
 
-/// Buttons that show a term alone.
-fn solo(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
-    let size = vec2(SOLO, ui.spacing().interact_size.y);
+/// Buttons that show a term alone, at the right of a part with this width.
+fn solo(ui: &mut Ui, width: f32, document: &mut Document, session: &mut Session, actions: &mut Vec<Action>) {
+    let least = theme::touch::least(ui);
+    let size = vec2(width, ui.spacing().interact_size.y);
     let mut asked = None;
     ui.allocate_ui_with_layout(size, egui::Layout::right_to_left(egui::Align::Center), |ui| {
         ui.set_min_size(size);
@@ -225,7 +226,9 @@ fn solo(ui: &mut Ui, document: &mut Document, session: &mut Session, actions: &m
                 Some(tint) if !is_alone => tint.of(ui),
                 _ => ui.visuals().strong_text_color(),
             };
-            let button = egui::Button::new(RichText::new(word).small().color(color)).selected(is_alone);
+            let button = egui::Button::new(RichText::new(word).small().color(color))
+                .selected(is_alone)
+                .min_size(vec2(least, least));
             let response = ui.add(button);
             let name = tr!("scene-alone-2", term = term);
             response.widget_info(|| WidgetInfo::selected(egui::Role::Switch, true, is_alone, &name));

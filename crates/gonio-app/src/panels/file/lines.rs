@@ -7,8 +7,8 @@ use crate::session::Session;
 use crate::theme::{self, colors, icons};
 use crate::widgets::{NumberField, icon_button};
 use egui::{
-    Align, Align2, Color32, EventFilter, FontId, Frame, Id, Key, Label, Layout, Link, Margin, Modifiers, Rect,
-    RichText, ScrollArea, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2,
+    Align, Align2, Color32, EventFilter, FontId, Frame, Id, Key, Label, Layout, Margin, Modifiers, Rect, RichText,
+    ScrollArea, Sense, TextStyle, Ui, WidgetInfo, pos2, vec2,
 };
 use gonio_language::tr;
 use gonio_mesh::Severity;
@@ -105,7 +105,7 @@ fn explain(ui: &mut Ui, explanation: &LineExplanation, wanted: &mut Option<u64>)
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.label(RichText::new(format!("{}: {}", setting.what, setting.name)).small().weak());
             let name = tr!("file-line-2", line = setting.line);
-            let link = ui.add(Link::new(RichText::new(&name).small()));
+            let link = super::link(ui, &name);
             exported::note(ui, &link, &format!("file-in-force-{index}"), WidgetRole::Button, &name, setting.line);
             if link.clicked() {
                 *wanted = Some(setting.line);

@@ -12,9 +12,9 @@ use crate::files::short;
 use crate::inspector::missing;
 use crate::saving::Product;
 use crate::session::Session;
-use crate::theme::{self, colors, icons};
+use crate::theme::{self, colors, icons, touch};
 use crate::widgets::{dropdown, heading};
-use egui::{Label, Link, Response, RichText, ScrollArea, Ui, WidgetInfo, vec2};
+use egui::{Button, Label, Link, Response, RichText, ScrollArea, Ui, Vec2, WidgetInfo, vec2};
 use gonio_language::tr;
 use gonio_mesh::{Diagnostic, Severity};
 use gonio_scene::inspect::Inspection;
@@ -182,12 +182,22 @@ fn diagnostics(ui: &mut Ui, list: &[Diagnostic], file: &str, actions: &mut Vec<A
 fn line_link(ui: &mut Ui, id: &str, file: &str, line: u64, is_named: bool, actions: &mut Vec<Action>) {
     let name = short(&[file.to_owned()]);
     let text = if is_named { tr!("file-line-3", name = name, line = line) } else { tr!("file-line-2", line = line) };
-    let link = ui.add(Link::new(RichText::new(&text).small()));
+    let link = link(ui, &text);
     exported::note(ui, &link, id, WidgetRole::Button, &tr!("file-show-line-of", line = line, name = name), line);
     let link = link.on_hover_text(tr!("file-show-line-of", line = line, name = name));
     if link.clicked() {
         actions.push(Action::ShowLine(file.to_owned(), line));
     }
+}
+
+/// A small link; on a phone as large as a finger.
+fn link(ui: &mut Ui, text: &str) -> Response {
+    let small = RichText::new(text).small();
+    if touch::least(ui) == 0.0 {
+        return ui.add(Link::new(small));
+    }
+    let button = Button::new(small.color(ui.visuals().hyperlink_color)).frame(false);
+    ui.add(button.min_size(Vec2::splat(touch::least(ui))))
 }
 
 /// The number of rows that a list leaves out.

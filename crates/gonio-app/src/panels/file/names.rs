@@ -8,7 +8,7 @@ use crate::inspector::missing;
 use crate::session::Session;
 use crate::theme::{self, colors, icons};
 use crate::widgets::heading;
-use egui::{Label, Link, Response, RichText, Ui};
+use egui::{Label, Response, RichText, Ui};
 use gonio_language::tr;
 use gonio_mesh::Diagnostic;
 use gonio_scene::inspect::Inspection;
@@ -185,7 +185,7 @@ pub fn of_scene(ui: &mut Ui, session: &mut Session, loaded: &Scene, actions: &mu
                 let text = tr!("file-files-that-it-names-and-that", lacks = lacks);
                 ui.add(Label::new(RichText::new(text).small().color(colors::WARNING.of(ui))).wrap());
             }
-            let link = ui.add(Link::new(RichText::new(tr!("file-show-its-content")).small()));
+            let link = super::link(ui, tr!("file-show-its-content"));
             exported::note(
                 ui,
                 &link,

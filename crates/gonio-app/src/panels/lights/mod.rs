@@ -128,12 +128,12 @@ fn title(ui: &mut Ui, index: usize, kind: LightSourceKind, name: &str, on: bool,
     let lamp = if on { colors::LIGHT.of(ui) } else { color };
     let icon = RichText::new(icon_of(kind)).font(theme::icon_font(15.0)).color(lamp);
     let text = RichText::new(name).color(color);
-    let width = ui.available_width();
+    let size = vec2(ui.available_width(), theme::touch::least(ui).max(24.0));
     let response = ui
         .scope(|ui| {
             ui.spacing_mut().button_padding.x = 3.0;
             let button = Button::new((icon, text, Atom::grow())).frame_when_inactive(selected).truncate();
-            ui.add_sized(vec2(width, 24.0), button.min_size(vec2(width, 24.0)))
+            ui.add_sized(size, button.min_size(size))
         })
         .inner;
     response.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, selected, name));

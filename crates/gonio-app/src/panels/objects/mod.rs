@@ -13,7 +13,7 @@ use crate::widgets::{
 use egui::{Align, Atom, Button, Frame, Label, Layout, Margin, RichText, TextEdit, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use gonio_language::tr;
-use gonio_scene::scene_file::{MotionSpec, Normals, ObjectSpec, Shading};
+use gonio_scene::scene_file::{MotionSpec, Normals, ObjectSpec, Shading, UpAxis};
 use gonio_scene::settings::{Aim, CameraSettings};
 use gonio_scene::{Scene, files};
 
@@ -79,7 +79,7 @@ fn title(
                     let button = Button::new((icon, RichText::new(&spec.name), Atom::grow()))
                         .frame_when_inactive(selected)
                         .truncate();
-                    let response = ui.add(button.min_size(vec2(width, 24.0)));
+                    let response = ui.add(button.min_size(vec2(width, theme::touch::least(ui).max(24.0))));
                     response.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, selected, &spec.name));
                     exported::note(ui, &response, &format!("object-{index}"), WidgetRole::Button, &spec.name, selected);
                     toggled |= response.clicked();
@@ -136,6 +136,10 @@ fn place(ui: &mut Ui, spec: &mut ObjectSpec, index: usize) {
         let edit = TextEdit::singleline(&mut spec.name).id_salt("name");
         let response = ui.add(edit.desired_width(ui.available_width() - 8.0));
         exported::note(ui, &response, &id("name"), WidgetRole::Text, "name", &spec.name);
+    });
+    let tip = tr!("scene-up-axis-tip");
+    row(ui, tr!("scene-up-axis"), tip, |ui| {
+        choice(ui, &id("up"), tr!("scene-up-axis"), &mut spec.up, &named_options!(UpAxis), UpAxis::Y);
     });
     let tip = tr!("scene-applied-last-in-world-units");
     let mut translate = spec.translate;

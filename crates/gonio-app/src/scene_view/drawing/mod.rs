@@ -4,6 +4,7 @@
 
 mod comparison;
 mod details;
+mod ground;
 mod pane;
 #[cfg(test)]
 mod tests;

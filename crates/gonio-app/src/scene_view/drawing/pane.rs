@@ -1,6 +1,7 @@
 //! One pane's scene, its GPU data and its picture.
 
 use super::details::Details;
+use super::ground::GroundDrawing;
 use crate::baking::{AtlasBackground, BakedResult, Baking};
 use crate::document::{BakedLook, Pane};
 use crate::session::comparison::PaneFacts;
@@ -50,6 +51,8 @@ pub struct PaneDrawing {
     pub traced: Option<(u64, Arc<Picture>)>,
     /// [`OwnShaders::serial`] of the shaders that drew the canvas; `None` for gonio's.
     shaders: Option<u64>,
+    /// The ground below the objects.
+    pub ground: GroundDrawing,
     /// Counts the pictures.
     pub serial: u64,
     pub facts: PaneFacts,

@@ -239,3 +239,87 @@ fn a_pane_is_simplified_beside_the_window() {
     let after = pane_renderer.panes[0].facts.triangles;
     assert!(after <= before / 4 + 1 && after > before / 8, "{after} of {before}");
 }
+
+/// Pixels of the ground's layer; `None` if it is not shown.
+fn ground(pane_renderer: &mut PaneRenderer, session: &Session) -> Option<Vec<[u8; 4]>> {
+    let shown = pane_renderer.ground(0, session, true).unwrap_or_else(|error| panic!("{error}"));
+    shown?;
+    let layer = pane_renderer.panes[0].ground.layer.as_ref()?;
+    assert_eq!(layer.size(), SIZE);
+    Some(layer.read8().as_chunks::<4>().0.to_vec())
+}
+
+/// Pixels with lines, and pixels in the shadow: lines are as bright as they are opaque, the shadow is black.
+fn lines_and_shadow(layer: &[[u8; 4]]) -> [usize; 2] {
+    let brightest = |[r, g, b, _]: &[u8; 4]| *r.max(g).max(b);
+    let is_line = |pixel: &&[u8; 4]| brightest(pixel) > 8;
+    let is_shadow = |pixel: &&[u8; 4]| pixel[3] > brightest(pixel) + 15;
+    [layer.iter().filter(is_line).count(), layer.iter().filter(is_shadow).count()]
+}
+
+#[test]
+fn the_ground_is_over_the_picture_and_no_part_of_it() {
+    let context = context();
+    let (document, mut session) = opened("builtin:cube");
+    let mut pane_renderer = pane_renderer(context.gl());
+    session.settings.hides_ground = true;
+    draw(&mut pane_renderer, &document, &mut session);
+    assert_eq!(ground(&mut pane_renderer, &session), None, "it is switched off");
+    let read = |pane_renderer: &mut PaneRenderer| {
+        let shown = pane_renderer.shown(0, Some([90, 70]), None).unwrap_or_else(|e| panic!("{e}"));
+        let light = pane_renderer.light(0, None).unwrap_or_else(|e| panic!("{e}"));
+        let (displayed, probed) = (pane_renderer.pixels(0), pane_renderer.pixel(0, 80, 110));
+        (displayed, shown.map(|shown| shown.rgba), light.map(|light| light.pixels), probed)
+    };
+    let without = read(&mut pane_renderer);
+    session.settings.hides_ground = false;
+    draw(&mut pane_renderer, &document, &mut session);
+    let layer = ground(&mut pane_renderer, &session).unwrap_or_else(|| panic!("it is on by default"));
+    let [lines, shadow] = lines_and_shadow(&layer);
+    assert!(lines > 300 && shadow > 100, "{lines} pixels with lines, {shadow} in the shadow");
+    // The middle of the picture is the cube.
+    assert_eq!(layer[(60 * SIZE[0] + 80) as usize], [0; 4]);
+    assert!(without == read(&mut pane_renderer), "pixels, files, light and probe are without it");
+}
+
+#[test]
+fn the_ground_is_drawn_only_where_it_helps() {
+    let context = context();
+    let mut pane_renderer = pane_renderer(context.gl());
+    let mut shown = |input: &str, edit: &dyn Fn(&mut Document)| {
+        let (mut document, mut session) = opened(input);
+        edit(&mut document);
+        let loaded = session.loaded.take().unwrap_or_else(|| panic!("it was there"));
+        let Ok(Edited::Done(applied)) = apply(&loaded, document.scene.clone()) else { panic!("it needs no files") };
+        (session.loaded, session.generation) = (Some(Arc::new(applied.loaded)), 1);
+        pane_renderer.panes.clear();
+        draw(&mut pane_renderer, &document, &mut session);
+        ground(&mut pane_renderer, &session).map(|layer| lines_and_shadow(&layer))
+    };
+    assert!(shown("builtin:cube", &|_| {}).is_some_and(|[_, shadow]| shadow > 100));
+    assert_eq!(shown("builtin:still-life", &|_| {}), None, "an object is a floor");
+    assert_eq!(shown("builtin:cube", &|d| d.scene.camera.position = [0.0, -4.0, 4.0]), None, "seen from below");
+    let normal = Some(ViewSpec { quantity: Quantity::Normal, light: None });
+    assert_eq!(shown("builtin:cube", &|d| d.panes.list[0].show_view(normal)), None, "a view of numbers");
+    let shadows = shown("builtin:cube", &|d| d.scene.equation.shadows = true);
+    assert!(shadows.is_some_and(|[lines, shadow]| lines > 300 && shadow == 0), "shadows of the equation: {shadows:?}");
+}
+
+#[test]
+fn the_ground_is_drawn_again_only_for_another_eye() {
+    let context = context();
+    let (mut document, mut session) = opened("builtin:cube");
+    let mut pane_renderer = pane_renderer(context.gl());
+    let mut drawn_after = |edit: &dyn Fn(&mut Document)| {
+        edit(&mut document);
+        let before = session.loaded.take().unwrap_or_else(|| panic!("it was there"));
+        let Ok(Edited::Done(applied)) = apply(&before, document.scene.clone()) else { panic!("it needs no files") };
+        session.loaded = Some(Arc::new(applied.loaded));
+        draw(&mut pane_renderer, &document, &mut session);
+        assert!(ground(&mut pane_renderer, &session).is_some());
+        pane_renderer.panes[0].ground.serial
+    };
+    assert_eq!(drawn_after(&|_| {}), 1);
+    assert_eq!(drawn_after(&|d| d.scene.lights[0].intensity = 2.0), 1, "a light changed");
+    assert_eq!(drawn_after(&|d| d.scene.camera.position[0] += 0.5), 2, "the eye moved");
+}
