@@ -49,6 +49,11 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<ExerciseCom
     let work = Panel::top("exercise bar").frame(bar).resizable(false).show(ui, |ui| {
         let narrow = ui.available_width() < NARROW;
         ui.horizontal(|ui| {
+            let is_phone = theme::touch::least(ui) > 0.0;
+            if is_phone {
+                ui.spacing_mut().item_spacing.x = 0.0;
+                ui.spacing_mut().button_padding.x = 7.0;
+            }
             if icon(ui, "leave", icons::CARET_LEFT, tr!("exercise-back-to-the-scene"), true) {
                 commands.push(ExerciseCommand::Leave);
             }
@@ -83,7 +88,8 @@ pub fn show(ui: &mut Ui, work: Option<&mut Work>, commands: &mut Vec<ExerciseCom
                 ) {
                     commands.push(ExerciseCommand::Theme);
                 }
-                if let Some(language) = language_menu(ui) {
+                // A phone has no room for it: the bar of the scene has it.
+                if !is_phone && let Some(language) = language_menu(ui) {
                     commands.push(ExerciseCommand::SetLanguage(language));
                 }
             });
@@ -177,7 +183,9 @@ fn button(ui: &mut Ui, id: &str, text: RichText, tip: &str, enabled: bool) -> bo
 
 fn icon(ui: &mut Ui, id: &str, icon: &str, tip: &str, enabled: bool) -> bool {
     let text = RichText::new(icon).font(theme::icon_font(17.0));
-    let button = ui.add_enabled(enabled, Button::new(text).frame_when_inactive(false));
+    let least = theme::touch::least(ui);
+    let button = Button::new(text).frame_when_inactive(false).min_size(vec2(least, least));
+    let button = ui.add_enabled(enabled, button);
     button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, enabled, tip));
     exported::note(ui, &button, id, WidgetRole::Button, tip, "");
     button.on_hover_text(tip).clicked()
