@@ -142,6 +142,25 @@ fn shortened<'a>(text: &'a str, heading: Option<&str>) -> &'a str {
         .map_or(text, str::trim_start)
 }
 
+/// The buttons of a message.
+fn answers(ui: &mut Ui, answer: MessageAnswer, actions: &mut Vec<Action>) {
+    let mut button = |id, text, action| {
+        let button = ui.add(small(ui, text));
+        exported::note(ui, &button, id, WidgetRole::Button, text, "");
+        if button.clicked() {
+            actions.push(action);
+        }
+    };
+    match answer {
+        MessageAnswer::RestoreScene => button("restore-scene", tr!("window-restore"), Action::RestoreScene),
+        MessageAnswer::TurnZUp => button("turn-z-up", tr!("window-turn-z-up"), Action::TurnZUp),
+        MessageAnswer::RestoreDraft => {
+            button("restore-draft", tr!("window-restore"), Action::RestoreDraft);
+            button("discard-draft", tr!("window-discard"), Action::DiscardDraft);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -167,24 +186,5 @@ mod tests {
         }
         let places: Vec<_> = messages.list().iter().map(place).collect();
         assert_eq!(places, [Some(("a.mtl", 42)), None, None]);
-    }
-}
-
-/// The buttons of a message.
-fn answers(ui: &mut Ui, answer: MessageAnswer, actions: &mut Vec<Action>) {
-    let mut button = |id, text, action| {
-        let button = ui.add(small(ui, text));
-        exported::note(ui, &button, id, WidgetRole::Button, text, "");
-        if button.clicked() {
-            actions.push(action);
-        }
-    };
-    match answer {
-        MessageAnswer::RestoreScene => button("restore-scene", tr!("window-restore"), Action::RestoreScene),
-        MessageAnswer::TurnZUp => button("turn-z-up", tr!("window-turn-z-up"), Action::TurnZUp),
-        MessageAnswer::RestoreDraft => {
-            button("restore-draft", tr!("window-restore"), Action::RestoreDraft);
-            button("discard-draft", tr!("window-discard"), Action::DiscardDraft);
-        }
     }
 }
