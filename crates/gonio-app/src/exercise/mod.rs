@@ -21,7 +21,7 @@
 mod check;
 mod command;
 mod compiler;
-pub mod drafts;
+pub(crate) mod drafts;
 mod editor;
 mod figure;
 mod file_sets;
