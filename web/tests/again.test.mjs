@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { test as plain } from "node:test";
-import { kept, Lab, PATIENCE, suite } from "./support/lab.mjs";
+import { kept, Lab, PATIENCE, settled, suite } from "./support/lab.mjs";
 import { launch } from "./support/chromium.mjs";
 
 const { test } = suite();
@@ -29,6 +29,21 @@ test("the second visit takes nothing but the page itself from the server", async
   await lab.page.reload();
   await lab.running();
   assert.deepEqual(fetched.filter((path) => !path.endsWith("/worker.js")), []);
+});
+
+test("edits of the scene that were not saved are offered again, and restored", async (lab) => {
+  const opened = await lab.until(settled);
+  const edited = await lab.click("light-0-on");
+  assert.notDeepEqual(edited.scene, opened.scene);
+  await lab.page.waitForFunction(() => Object.keys(localStorage).some((key) => key.startsWith("gonio draft ")));
+  await lab.page.reload();
+  await lab.running();
+  const again = await lab.until((state) => settled(state) && state.messages.length > 0);
+  assert.match(again.messages[0].text, /^Unsaved changes to still-life from less than a minute ago were kept$/);
+  assert.deepEqual(again.scene.light, opened.scene.light, "nothing is restored unasked");
+  await lab.click("restore-draft");
+  const restored = await lab.until((state) => settled(state) && state.messages.length === 0);
+  assert.deepEqual([restored.scene.light, restored.undo], [edited.scene.light, true]);
 });
 
 plain("a static host may put it into any folder, and send no headers of its own", { timeout: 3 * PATIENCE }, async () => {
