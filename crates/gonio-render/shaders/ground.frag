@@ -27,19 +27,6 @@ vec2 repeated(vec2 place, vec2 pixel, float line_distance, float width) {
     return lines(nearest, pixel, width) * (1.0 - smoothstep(0.08, 0.35, density));
 }
 
-// The share of the sky that is hidden, smoothed over nine texels, because the map is computed from few samples of the heights.
-float hidden(vec2 at) {
-    vec2 texel = 1.0 / vec2(textureSize(contact_map, 0));
-    float sum = 0.0;
-    for (int y = -1; y <= 1; y++) {
-        for (int x = -1; x <= 1; x++) {
-            float weight = float((2 - abs(x)) * (2 - abs(y)));
-            sum += weight * textureLod(contact_map, at + texel * vec2(x, y), 0.0).r;
-        }
-    }
-    return sum / 16.0;
-}
-
 void main() {
     vec2 place = v_place - origin;
     vec2 pixel = vec2(length(vec2(dFdx(place.x), dFdy(place.x))), length(vec2(dFdx(place.y), dFdy(place.y))));
@@ -60,7 +47,7 @@ void main() {
 
     vec2 at = 0.5 + 0.5 * v_place / contact_half;
     vec2 edge = min(at, 1.0 - at);
-    float shade = hidden(at) * smoothstep(0.0, 0.12, min(edge.x, edge.y));
+    float shade = textureLod(contact_map, at, 0.0).r * smoothstep(0.0, 0.12, min(edge.x, edge.y));
     shade *= contact_strength;
 
     frag_color = vec4(color * grid, grid + (1.0 - grid) * shade);
