@@ -21,7 +21,6 @@ const DELAY: Duration = Duration::from_secs(1);
 /// A draft as it is stored.
 #[derive(Serialize, Deserialize)]
 struct StoredDraft {
-    title: String,
     /// Seconds since 1970.
     written: u64,
     /// The text of a scene file with absolute paths.
@@ -116,7 +115,7 @@ impl App {
             return None;
         }
         let scene = saving::scene_file_anywhere(&self.document.scene);
-        let draft = StoredDraft { title: self.session.title.clone(), written: now(), scene };
+        let draft = StoredDraft { written: now(), scene };
         let key = self.scene_draft.key_to_write();
         let text = match serde_json::to_string(&draft) {
             Ok(text) => text,
