@@ -1,7 +1,7 @@
 // Puts the page together: node pack.mjs MODULE_FOLDER DIST
 //
 // MODULE_FOLDER holds gonio.js and gonio_bg.wasm as wasm-bindgen and wasm-opt left them, and the same of gonio_first, which draws
-// the first picture, and of gonio_trace, the path tracer. DIST becomes the page: names with their content's hash, brotli and gzip
+// the first picture, of gonio_check, the checker, and of gonio_trace, the path tracer. DIST becomes the page: names with their content's hash, brotli and gzip
 // beside each file, a service worker that knows them all. Prints one JSON object, the sizes; `cargo xtask web` runs this and makes a
 // table of them.
 
@@ -66,7 +66,7 @@ async function bundled(name) {
       name: "wasm-bindgen",
       setup: ({ onResolve, onLoad }) => {
         const place = ({ path }) => ({ path: join(moduleFolder, path), namespace: "wasm-bindgen" });
-        onResolve({ filter: /^\.\/gonio(_first|_trace)?\.js$/ }, place);
+        onResolve({ filter: /^\.\/gonio(_first|_check|_trace)?\.js$/ }, place);
         onLoad({ filter: /.*/, namespace: "wasm-bindgen" }, async ({ path }) => ({ contents: await readFile(path, "utf8") + INNER }));
       },
     }],
@@ -116,8 +116,9 @@ const firstModule = addHashed("gonio-first.wasm", await readFile(join(moduleFold
 const firstScript = addHashed("first.js", await bundled("first.js"), { first: true });
 const module = addHashed("gonio.wasm", await readFile(join(moduleFolder, "gonio_bg.wasm")), { first: false });
 const main = addHashed("main.js", await bundled("main.js"), { first: false });
-/** What checks students' files, in a thread of its own. */
+/** What checks students' files, in a thread and a module of its own. */
 const checker = addHashed("checker.js", await bundled("checker.js"), { first: false });
+const checkModule = addHashed("gonio-check.wasm", await readFile(join(moduleFolder, "gonio_check_bg.wasm")), { first: false });
 
 /** What screen readers read, for those who ask for it. */
 const access = addHashed("access.js", await bundled("access.js"), { first: false });
@@ -132,6 +133,7 @@ const index = replaceAll(withoutComments(await read("index.html")), [
   ['"first.js"', `"${firstScript}"`],
   ['"gonio.wasm"', `"${module}"`],
   ['"checker.js"', `"${checker}"`],
+  ['"gonio-check.wasm"', `"${checkModule}"`],
   ['"access.js"', `"${access}"`],
   ['"tracer.js"', `"${tracer}"`],
   ['"gonio-trace.wasm"', `"${traceModule}"`],

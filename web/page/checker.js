@@ -1,14 +1,14 @@
-// Checks students' files in a worker with the page's module and an OpenGL context of its own, so that a shader cannot block
-// the page and is stopped with the worker. `checking.js` starts it.
+// Checks students' files in a worker with a module of its own (`gonio-web-check`) and an OpenGL context of its own, so that a shader
+// cannot block the page and is stopped with the worker. `checking.js` starts it.
 
-import * as application from "./gonio.js";
+import * as bindings from "./gonio_check.js";
 
 let checker;
 
 /** Instantiates the module that the page has compiled. */
 function begin({ module }) {
-  application.moduleReady(new WebAssembly.Instance(module, application.moduleImports()), module);
-  checker = new application.PageChecker(new OffscreenCanvas(1, 1));
+  bindings.moduleReady(new WebAssembly.Instance(module, bindings.moduleImports()), module);
+  checker = new bindings.PageChecker(new OffscreenCanvas(1, 1));
 }
 
 const given = new Set();

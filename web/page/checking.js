@@ -7,10 +7,38 @@ let page;
 /** An idle worker with compiled programs, ready for the next check. */
 let idle;
 
-/** Sets what workers need: the compiled module; `urls`, the URL of a sample by its name; `endless`, the verdict on a check
- * that was stopped after a number of seconds. */
-export function prepare(module, urls, endless) {
-  page = { module, urls, endless };
+/** Sets what checks need: `urls`, the URL of a sample by its name; `endless`, the verdict on a check that was stopped after a
+ * number of seconds. */
+export function prepare(urls, endless) {
+  page = { urls, endless };
+}
+
+/** A promise of the checker's compiled module. */
+let compiled;
+
+async function compile() {
+  const response = await fetch(document.getElementById("check-module").content, { credentials: "same-origin" });
+  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
+  // Compiled while it arrives, if the server names its type.
+  return response.headers.get("content-type") === "application/wasm"
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** Loads the module, once. If that fails, the next call tries again. */
+async function loaded() {
+  compiled ??= compile();
+  try {
+    return await compiled;
+  } catch (error) {
+    compiled = undefined;
+    throw error;
+  }
+}
+
+/** Loads the module ahead of the first check. If it does not arrive, the check reports that. */
+export function expect() {
+  loaded().catch(() => {});
 }
 
 async function fetchBuiltin(path) {
@@ -29,7 +57,7 @@ class Checker {
 
   /** Initialises it. */
   async begin() {
-    await this.ask("begin", { module: page.module });
+    await this.ask("begin", { module: await loaded() });
   }
 
   ask(what, asked) {

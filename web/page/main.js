@@ -1,6 +1,6 @@
 // Loads the application and starts it in the canvas, after the first picture (`first.js`).
 
-import { begin as beginCheck, prepare as prepareChecks } from "./checking.js";
+import { begin as beginCheck, expect as expectCheck, prepare as prepareChecks } from "./checking.js";
 import { trustDevicePixelRatio } from "./emulated.js";
 import * as application from "./gonio.js";
 import { begin as beginTrace, prefetch as prefetchTracer, prepare as prepareTraces } from "./tracing.js";
@@ -30,14 +30,14 @@ async function fetchModule() {
 /** Whether a module can be compiled while it is downloaded, which needs the right content type. */
 const streams = (response) => response.headers.get("content-type") === "application/wasm";
 
-/** Instantiates the module. The initialisation of `wasm-bindgen` does not return the compiled module, which workers need. */
+/** Instantiates the module. */
 async function begin(response) {
   const imports = application.moduleImports();
   const { instance, module } = await (streams(response)
     ? WebAssembly.instantiateStreaming(response, imports)
     : WebAssembly.instantiate(await response.arrayBuffer(), imports));
   application.moduleReady(instance, module);
-  prepareChecks(module, urlOf, application.endless_check);
+  prepareChecks(urlOf, application.endless_check);
   prepareTraces(() => [...builtinFiles("first"), ...builtinFiles("later")]);
 }
 
@@ -175,7 +175,7 @@ export async function start(shown) {
 /** Starts the application, or resumes it after its graphics context was lost. */
 async function startApplication(inputs = []) {
   try {
-    await application.start(canvas, inputs, beginCheck, beginTrace);
+    await application.start(canvas, inputs, beginCheck, expectCheck, beginTrace);
   } catch (error) {
     stopped(error, application.last_panic());
     return;

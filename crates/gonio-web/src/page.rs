@@ -4,6 +4,7 @@ use crate::access;
 use eframe::egui;
 use gonio_app::App;
 use gonio_app::platform::web::{PageChecks, PageFiles, PageTraces, Web, gl_of};
+use gonio_check::verdict::Verdict;
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -46,13 +47,14 @@ pub fn expect(name: String) {
 }
 
 /// Starts the application in the canvas with `inputs` to open (none: the first scene), or resumes it after
-/// [`pause`]. `check` starts a check of a student's files (`web/page/checking.js`), `trace` starts a worker for traced pictures
-/// (`web/page/tracing.js`). Fails if the canvas has no WebGL 2.
+/// [`pause`]. `check` starts a check of a student's files and `expect_check` announces one (`web/page/checking.js`); `trace` starts
+/// a worker for traced pictures (`web/page/tracing.js`). Fails if the canvas has no WebGL 2.
 #[wasm_bindgen]
 pub async fn start(
     canvas: web_sys::HtmlCanvasElement,
     inputs: Vec<String>,
     check: js_sys::Function,
+    expect_check: js_sys::Function,
     trace: js_sys::Function,
 ) -> Result<(), JsValue> {
     let runner = eframe::WebRunner::new();
@@ -63,11 +65,18 @@ pub async fn start(
         dithering: false,
         ..Default::default()
     };
-    let (checks, traces) = (PageChecks::new(check), PageTraces::new(trace));
+    let (checks, traces) = (PageChecks::new(check, expect_check), PageTraces::new(trace));
     let created = |creation: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
         Ok(Box::new(with_page(|page| page.app(creation, inputs, checks, traces))))
     };
     runner.start(canvas, options, Box::new(created)).await
+}
+
+/// The verdict on a check that was ended after so many seconds, as JSON.
+#[wasm_bindgen]
+pub fn endless_check(exercise: &str, seconds: u32) -> Result<String, String> {
+    let verdict = Verdict::endless(exercise, u64::from(seconds));
+    serde_json::to_string(&verdict).map_err(|error| format!("the verdict cannot be written: {error}"))
 }
 
 /// Stops drawing until the next [`start`], because the graphics context is lost.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! crates/gonio-web-first   cargo, profile `web-first`   the module that draws the first picture
-//! crates/gonio-web   cargo, profile `web`    the application, and the path tracer for a worker
+//! crates/gonio-web   cargo, profile `web`    the application; the checker and the path tracer for workers
 //!                    web/bindgen             their JavaScript bindings
 //!                    binaryen's wasm-opt     optimises them
 //! web/page           web/build/pack.mjs      bundles, hashes names, compresses with brotli and gzip: dist/
@@ -84,6 +84,7 @@ pub fn build_page(root: &Path, build: Build, say: &mut dyn FnMut(&str)) -> Resul
         ("gonio-web-first", first, "gonio_first", "-O3"),
         // -O3 takes five times as long for a module of this size and makes it no smaller.
         ("gonio-web", rest, "gonio", "-O2"),
+        ("gonio-web-check", rest, "gonio_check", "-O2"),
         ("gonio-web-trace", rest, "gonio_trace", "-O2"),
     ];
     for (program, profile, name, _) in programs {

@@ -17,10 +17,19 @@ use web_time::Instant;
 /// The running check, with the texts that it checks.
 #[derive(Default)]
 pub struct Check {
+    /// Whether the platform knows that checks may follow.
+    is_expected: bool,
     running: Option<(Vec<SourceFile>, Box<dyn Pending<CheckResult>>)>,
 }
 
 impl Check {
+    /// Announces to the platform, once, that checks may follow.
+    pub fn expect(&mut self, platform: &mut dyn Platform) {
+        if !std::mem::replace(&mut self.is_expected, true) {
+            platform.expect_check();
+        }
+    }
+
     /// Starts a check of the files in the editor.
     pub fn start(&mut self, ctx: &Context, work: &mut Work, platform: &mut dyn Platform) {
         let content = work.content();

@@ -206,6 +206,7 @@ impl ExerciseView {
         };
         let seconds = ctx.input(|i| f64::from(i.stable_dt));
         work.clock.advance(seconds);
+        self.check.expect(platform);
         let was_checking = work.checking;
         if let Some(outcome) = self.check.poll(work) {
             self.outcomes.insert(work.exercise.id.clone(), outcome);

@@ -240,6 +240,8 @@ pub trait Platform {
         shown(ctx);
         Box::new(shown)
     }
+    /// Announces that checks may follow, so that a platform that has to load the checker does so now.
+    fn expect_check(&mut self) {}
     /// Starts a check of a student's files, isolated from the window.
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         let _ = (request, ctx);

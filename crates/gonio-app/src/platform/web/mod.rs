@@ -227,6 +227,11 @@ impl Platform for Web {
         Box::new(move |_| seen.get())
     }
 
+    fn expect_check(&mut self) {
+        // A checker that cannot be loaded is reported by the check.
+        let _ = self.checks.expect.call0(&JsValue::NULL);
+    }
+
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         match self.checks.begin(&request, ctx) {
             Ok(checking) => Box::new(checking),
@@ -279,16 +284,19 @@ impl Platform for Web {
     }
 }
 
-/// The page's function that starts a check (`web/page/checking.js`). Its arguments are the exercise's id, an array of files, each
+/// The page's functions for checks (`web/page/checking.js`). The arguments of the one that begins a check are the exercise's id, an array of files, each
 /// with `name` and `bytes`, whether variants of the lab's own solutions are accepted, and the code of a language. It returns an object: `answer`, a
 /// promise of the verdict as JSON, and `end`, a function that stops the check.
 #[derive(Clone)]
-pub struct PageChecks(Function);
+pub struct PageChecks {
+    begin: Function,
+    expect: Function,
+}
 
 impl PageChecks {
-    /// Uses this function.
-    pub fn new(begin: Function) -> Self {
-        PageChecks(begin)
+    /// Uses these functions; `expect`, without arguments, loads the checker ahead of a check.
+    pub fn new(begin: Function, expect: Function) -> Self {
+        PageChecks { begin, expect }
     }
 
     /// Starts a check. An error is one sentence.
@@ -304,7 +312,7 @@ impl PageChecks {
         let exercise = JsValue::from_str(&request.exercise);
         let language = JsValue::from_str(Language::current().code());
         let arguments = Array::of4(&exercise, &files, &request.as_the_lab.into(), &language);
-        let begun = self.0.apply(&JsValue::NULL, &arguments).map_err(failed)?;
+        let begun = self.begin.apply(&JsValue::NULL, &arguments).map_err(failed)?;
         let promise: Promise = Reflect::get(&begun, &"answer".into()).and_then(JsCast::dyn_into).map_err(failed)?;
         let end: Function = Reflect::get(&begun, &"end".into()).and_then(JsCast::dyn_into).map_err(failed)?;
         let answer = Rc::new(RefCell::new(None));
