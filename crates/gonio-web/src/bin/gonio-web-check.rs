@@ -33,9 +33,11 @@ mod checker {
                 .and_then(|context| context.dyn_into().ok())
                 .ok_or("this browser has no WebGL 2 in workers: use another one, or `gonio lab check`")?;
             if !matches!(context.get_extension("EXT_color_buffer_float"), Ok(Some(_))) {
-                return Err("this browser cannot draw into float textures (EXT_color_buffer_float): use another one, or \
+                return Err(
+                    "this browser cannot draw into float textures (EXT_color_buffer_float): use another one, or \
                      `gonio lab check`"
-                    .to_owned());
+                        .to_owned(),
+                );
             }
             // `Gl::of_window` takes an `Arc`, as egui does; the page has one thread.
             #[allow(clippy::arc_with_non_send_sync)]
@@ -70,8 +72,10 @@ mod checker {
             let options = CheckOptions { as_the_lab, ..CheckOptions::default() };
             let outcome = gonio_exercises::check(&mut self.checker, exercise, files, &options, exercise.feedback);
             if self.context.is_context_lost() {
-                return Err("the browser reset the graphics during the check: look for a loop in a shader that never ends"
-                    .to_owned());
+                return Err(
+                    "the browser reset the graphics during the check: look for a loop in a shader that never ends"
+                        .to_owned(),
+                );
             }
             let (verdict, _) = outcome.map_err(|error| error.to_string())?;
             serde_json::to_string(&verdict).map_err(|error| format!("the verdict cannot be written: {error}"))
