@@ -22,21 +22,22 @@ const page = join(repository, "web/page");
 /** What browsers with WebGL 2 and WebAssembly's SIMD understand (Safari 16.4, Chrome 91, Firefox 89). */
 const TARGET = ["es2022"];
 
-/** Every file of the page: its name in DIST, its bytes, and whether the first frame waits for it. */
+/** Every file of the page: its name in DIST, its bytes, and what waits for it: the `first` picture, the application's `start`, or
+ * neither (`later`). */
 const files = [];
 
 /** Adds a file under a name that changes with its content, and gives that name. */
-function addHashed(name, bytes, { first }) {
+function addHashed(name, bytes, when) {
   const hash = createHash("sha256").update(bytes).digest("hex").slice(0, 16);
   const end = extname(name);
   const hashed = `${name.slice(0, -end.length)}.${hash}${end}`;
-  files.push({ name: hashed, bytes: Buffer.from(bytes), first });
+  files.push({ name: hashed, bytes: Buffer.from(bytes), when });
   return hashed;
 }
 
 /** Adds a file under this very name: what is asked for by name from outside. */
-function addNamed(name, text, { first }) {
-  files.push({ name, bytes: Buffer.from(text), first });
+function addNamed(name, text, when) {
+  files.push({ name, bytes: Buffer.from(text), when });
 }
 
 /** Replaces each `from`, which must be there: a page that lost one would ask for a file that is not. */
@@ -95,37 +96,37 @@ const ROOM = "environments/room.hdr";
 
 for (const name of [...await builtinFiles(), ROOM]) {
   const first = FIRST.includes(name);
-  const url = addHashed(`samples/${name.replaceAll("/", "-")}`, await readFile(join(repository, "assets", name)), { first });
+  const url = addHashed(`samples/${name.replaceAll("/", "-")}`, await readFile(join(repository, "assets", name)), when);
   builtin += first
     ? `<link rel="preload" as="fetch" crossorigin href="${url}" data-builtin="${name}" data-when="first">`
     : `<meta name="sample" content="${url}" data-builtin="${name}" data-when="later">`;
 }
 
-const icon = addHashed("icon.svg", await read("icon.svg"), { first: false });
+const icon = addHashed("icon.svg", await read("icon.svg"), "later");
 const manifest = addHashed(
   "gonio.webmanifest",
   JSON.stringify(JSON.parse(replaceAll(await read("gonio.webmanifest"), [["icon.svg", icon]]))),
-  { first: false },
+  "later",
 );
 const css = addHashed(
   "page.css",
   (await transform(await read("page.css"), { loader: "css", minify: true })).code,
-  { first: true },
+  "first",
 );
-const firstModule = addHashed("gonio-first.wasm", await readFile(join(moduleFolder, "gonio_first_bg.wasm")), { first: true });
-const firstScript = addHashed("first.js", await bundled("first.js"), { first: true });
-const module = addHashed("gonio.wasm", await readFile(join(moduleFolder, "gonio_bg.wasm")), { first: false });
-const main = addHashed("main.js", await bundled("main.js"), { first: false });
+const firstModule = addHashed("gonio-first.wasm", await readFile(join(moduleFolder, "gonio_first_bg.wasm")), "first");
+const firstScript = addHashed("first.js", await bundled("first.js"), "first");
+const module = addHashed("gonio.wasm", await readFile(join(moduleFolder, "gonio_bg.wasm")), "start");
+const main = addHashed("main.js", await bundled("main.js"), "start");
 /** What checks students' files, in a thread and a module of its own. */
-const checker = addHashed("checker.js", await bundled("checker.js"), { first: false });
-const checkModule = addHashed("gonio-check.wasm", await readFile(join(moduleFolder, "gonio_check_bg.wasm")), { first: false });
+const checker = addHashed("checker.js", await bundled("checker.js"), "later");
+const checkModule = addHashed("gonio-check.wasm", await readFile(join(moduleFolder, "gonio_check_bg.wasm")), "later");
 
 /** What screen readers read, for those who ask for it. */
-const access = addHashed("access.js", await bundled("access.js"), { first: false });
+const access = addHashed("access.js", await bundled("access.js"), "later");
 
 /** What traces pictures, in a thread and a module of its own. */
-const tracer = addHashed("tracer.js", await bundled("tracer.js"), { first: false });
-const traceModule = addHashed("gonio-trace.wasm", await readFile(join(moduleFolder, "gonio_trace_bg.wasm")), { first: false });
+const tracer = addHashed("tracer.js", await bundled("tracer.js"), "later");
+const traceModule = addHashed("gonio-trace.wasm", await readFile(join(moduleFolder, "gonio_trace_bg.wasm")), "later");
 
 const index = replaceAll(withoutComments(await read("index.html")), [
   ['<meta name="builtin-files">', builtin],
@@ -142,7 +143,7 @@ const index = replaceAll(withoutComments(await read("index.html")), [
   ['"icon.svg"', `"${icon}"`],
   ['"gonio.webmanifest"', `"${manifest}"`],
 ]);
-addNamed("index.html", index, { first: true });
+addNamed("index.html", index, "first");
 
 // The page itself is kept under the name by which it is asked for.
 const kept = files.map(({ name }) => (name === "index.html" ? "./" : name));
@@ -151,7 +152,7 @@ const worker = replaceAll(await read("worker.js"), [
   ["%VERSION%", version],
   ['["%FILES%"]', JSON.stringify(kept)],
 ]);
-addNamed("worker.js", (await transform(worker, { minify: true, target: TARGET })).code, { first: false });
+addNamed("worker.js", (await transform(worker, { minify: true, target: TARGET })).code, "later");
 
 // ---- write ----
 
@@ -159,7 +160,7 @@ await rm(dist, { recursive: true, force: true });
 const sizes = [];
 // The page's own file last: with it, the page is whole.
 files.sort((a, b) => (a.name === "index.html") - (b.name === "index.html"));
-for (const { name, bytes, first } of files) {
+for (const { name, bytes, when } of files) {
   const path = join(dist, name);
   await mkdir(dirname(path), { recursive: true });
   const [brotli, gzip] = [
@@ -176,7 +177,7 @@ for (const { name, bytes, first } of files) {
   if (gzip.length < bytes.length) await writeFile(`${path}.gz`, gzip);
   await writeFile(path, bytes);
   const least = (compressed) => Math.min(compressed.length, bytes.length);
-  sizes.push({ name, bytes: bytes.length, gzip: least(gzip), brotli: least(brotli), first });
+  sizes.push({ name, bytes: bytes.length, gzip: least(gzip), brotli: least(brotli), when });
 }
 
 // A file that is there and not meant to be would be served, and embedded.
