@@ -1,9 +1,9 @@
 // Puts the page together: node pack.mjs MODULE_FOLDER DIST
 //
 // MODULE_FOLDER holds gonio.js and gonio_bg.wasm as wasm-bindgen and wasm-opt left them, and the same of gonio_first, which draws
-// the first picture, of gonio_check, the checker, and of gonio_trace, the path tracer. DIST becomes the page: names with their content's hash, brotli and gzip
-// beside each file, a service worker that knows them all. Prints one JSON object, the sizes; `cargo xtask web` runs this and makes a
-// table of them.
+// the first picture, of gonio_check, the checker, and of gonio_trace, the path tracer. DIST becomes the page: names with their
+// content's hash, brotli and gzip beside each file, a service worker that knows them all. Prints one JSON object, the sizes;
+// `cargo xtask web` runs this and makes a table of them.
 
 import { createHash } from "node:crypto";
 import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
@@ -96,7 +96,7 @@ const ROOM = "environments/room.hdr";
 
 for (const name of [...await builtinFiles(), ROOM]) {
   const first = FIRST.includes(name);
-  const url = addHashed(`samples/${name.replaceAll("/", "-")}`, await readFile(join(repository, "assets", name)), when);
+  const url = addHashed(`samples/${name.replaceAll("/", "-")}`, await readFile(join(repository, "assets", name)), first ? "first" : "later");
   builtin += first
     ? `<link rel="preload" as="fetch" crossorigin href="${url}" data-builtin="${name}" data-when="first">`
     : `<meta name="sample" content="${url}" data-builtin="${name}" data-when="later">`;

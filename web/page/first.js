@@ -4,6 +4,7 @@
 // loaded at once. It explains what is wrong with a file, so a failure here only means no early picture.
 
 import initialise, { FirstScene } from "./gonio_first.js";
+import { graphicsOf } from "./graphics.js";
 import { noModule } from "./trouble.js";
 
 const frame = document.getElementById("frame");
@@ -42,6 +43,14 @@ async function fetchFile({ name, url }) {
   return (scene) => scene.give_texture(name, width, height, new Uint8Array(data.buffer));
 }
 
+/** Gives the canvas as many pixels as the frame's view has; the frame may change its size. */
+function fit(canvas) {
+  const { width, height } = frame.querySelector(".view").getBoundingClientRect();
+  const size = [width, height].map((side) => Math.max(1, Math.round(side * devicePixelRatio)));
+  // Setting a size, also the same one, makes new memory.
+  if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
+}
+
 async function draw() {
   const module = fetched(document.getElementById("first-module").href);
   // Reported below.
@@ -54,19 +63,19 @@ async function draw() {
   }
   const arriving = Promise.all([model, ...more].map(fetchFile));
   arriving.catch(() => {});
+  const canvas = document.getElementById("first");
+  fit(canvas);
+  // The browser's graphics start while the module arrives. The picture stays until the application's is there.
+  const context = graphicsOf(canvas, { alpha: false, antialias: false, depth: false, stencil: false, preserveDrawingBuffer: true });
+  if (context === null) return;
   await initialise({ module_or_path: module });
   const scene = new FirstScene();
+  scene.begin(context, more.length > 0);
   for (const hand of await arriving) hand(scene);
-  const canvas = document.getElementById("first");
   // The application was faster.
-  if (canvas === null) return;
-  // The frame may have changed its size meanwhile.
-  const { width, height } = frame.querySelector(".view").getBoundingClientRect();
-  [canvas.width, canvas.height] = [width, height].map((side) => Math.max(1, Math.round(side * devicePixelRatio)));
-  // Its picture stays until the application's is there.
-  const context = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false, preserveDrawingBuffer: true });
-  if (context === null) return;
-  scene.draw(context, model.name);
+  if (!canvas.isConnected) return;
+  fit(canvas);
+  scene.draw(model.name);
   scene.free();
   frame.classList.add("lit");
   performance.mark("gonio-first-picture");

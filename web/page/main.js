@@ -3,6 +3,7 @@
 import { begin as beginCheck, expect as expectCheck, prepare as prepareChecks } from "./checking.js";
 import { trustDevicePixelRatio } from "./emulated.js";
 import * as application from "./gonio.js";
+import { graphicsOf } from "./graphics.js";
 import { begin as beginTrace, prefetch as prefetchTracer, prepare as prepareTraces } from "./tracing.js";
 import { noModule, noWebGl2, stopped } from "./trouble.js";
 
@@ -155,7 +156,7 @@ export async function start(shown) {
   // Errors are reported below, after the first `await`, and not also by the browser.
   module.catch(() => {});
   scene.catch(() => {});
-  if (!canvas.getContext("webgl2", CONTEXT)) {
+  if (graphicsOf(canvas, CONTEXT) === null) {
     noWebGl2();
     return;
   }

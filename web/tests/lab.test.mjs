@@ -71,7 +71,9 @@ test("graphics that are taken away and given back bring the same picture", async
   await lab.page.mouse.move(2, 2);
   const picture = await lab.picture("pane-0");
   await lab.page.evaluate(() => {
-    window.lose = document.getElementById("lab").getContext("webgl2").getExtension("WEBGL_lose_context");
+    // The page's own context has the extensions alone that it uses.
+    const context = document.getElementById("lab").getContext("webgl2");
+    window.lose = WebGL2RenderingContext.prototype.getExtension.call(context, "WEBGL_lose_context");
     window.lose.loseContext();
   });
   await poll(() => lab.page.evaluate(() => document.getElementById("lab").getContext("webgl2").isContextLost()), Boolean);

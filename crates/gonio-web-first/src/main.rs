@@ -5,13 +5,13 @@
 
 #[cfg(target_arch = "wasm32")]
 mod first {
-    use gonio_gl::Gl;
+    use gonio_gl::{Gl, GlError};
     use gonio_mesh::Limits;
-    use gonio_render::{DisplayTexture, Presenter, Renderer};
+    use gonio_render::{DisplayTexture, GpuScene, Renderer};
     use gonio_scene::files::{BUILTIN, FileBytes, FileSource};
     use gonio_scene::readers::{Readers, decoded_picture};
     use gonio_scene::scene_file::{ObjectSpec, SceneFile};
-    use gonio_scene::{Frame, load};
+    use gonio_scene::{Frame, Scene, load};
     use std::collections::BTreeMap;
     use std::io::{Error, ErrorKind};
     use std::path::{Path, PathBuf};
@@ -38,11 +38,72 @@ mod first {
         }
     }
 
+    /// A triangle without and one with a texture, drawn in place of the scene while its files arrive.
+    const STAND_IN: [(&str, &str); 2] = [
+        (
+            "stand-in.obj",
+            "mtllib stand-in.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1//1 2//1 3//1\nusemtl t\nf 1/1/1 2/1/1 3/1/1\n",
+        ),
+        ("stand-in.mtl", "newmtl t\nmap_Kd stand-in.png\n"),
+    ];
+
+    /// A context with what draws into it.
+    struct Canvas {
+        context: WebGl2RenderingContext,
+        gl: Gl,
+        renderer: Renderer,
+    }
+
+    impl Canvas {
+        fn new(context: WebGl2RenderingContext) -> Result<Self, GlError> {
+            let size = [context.drawing_buffer_width(), context.drawing_buffer_height()].map(|side| side.max(1) as u32);
+            // `Gl::of_window` takes an `Arc`, as egui does; the page has one thread.
+            #[allow(clippy::arc_with_non_send_sync)]
+            let gl = Gl::of_window(Arc::new(glow::Context::from_webgl2_context(context.clone())));
+            Ok(Canvas { context, renderer: Renderer::new(gl.clone())?, gl })
+        }
+
+        /// Draws a stand-in for the scene where nobody sees it.
+        fn warm_up(&mut self, stand_in: &mut Scene) -> Result<(), GlError> {
+            let size = [16, 16];
+            let (uploaded, frame) = self.prepare(stand_in, size)?;
+            let mut unseen = DisplayTexture::new(&self.gl, size)?;
+            self.renderer.paint_scene(&uploaded, &frame, &mut unseen)?;
+            // Drivers collect commands until somebody waits for them.
+            self.context.flush();
+            Ok(())
+        }
+
+        /// Draws a scene over the whole canvas.
+        fn draw(&mut self, scene: &mut Scene) -> Result<(), GlError> {
+            let size = [self.context.drawing_buffer_width(), self.context.drawing_buffer_height()];
+            let (uploaded, frame) = self.prepare(scene, size.map(|side| side.max(1) as u32))?;
+            self.renderer.paint_scene_on_window(&uploaded, &frame)?;
+            self.context.flush();
+            Ok(())
+        }
+
+        /// Uploads a scene and makes the frame of the application's first picture.
+        fn prepare(&mut self, scene: &mut Scene, [width, height]: [u32; 2]) -> Result<(GpuScene, Frame), GlError> {
+            scene.settings.camera = scene.framed(&scene.settings.camera, f64::from(width) / f64::from(height));
+            // Programs that show both sides of triangles, so that the stand-in's are the scene's. Depth hides the back of what is closed.
+            for object in &mut scene.objects {
+                object.closed = false;
+            }
+            let mut frame = Frame { width, height, ..scene.frame(0.0) };
+            if self.renderer.info().is_software() {
+                frame.samples = 1;
+            }
+            Ok((self.renderer.upload(scene)?, frame))
+        }
+    }
+
     /// A scene whose files arrive one after the other.
     #[wasm_bindgen]
     #[derive(Default)]
     pub struct FirstScene {
         files: Files,
+        canvas: Option<Canvas>,
     }
 
     #[wasm_bindgen]
@@ -63,33 +124,35 @@ mod first {
             self.files.0.insert(name, decoded_picture(width, height, rgba).into());
         }
 
-        /// Draws the model `builtin:NAME` over the whole canvas of `context`, as the application does first. An error is one
-        /// sentence; the application, which reads the same files, explains it.
-        pub fn draw(&self, context: WebGl2RenderingContext, name: &str) -> Result<(), String> {
-            let object = ObjectSpec { model: format!("{BUILTIN}{name}"), ..ObjectSpec::default() };
-            let scene = SceneFile { objects: vec![object], ..SceneFile::default() };
-            let scene = load::load_by(Readers::OBJ, scene, Path::new(""), &self.files, &Limits::default());
-            let mut scene = scene.map_err(|error| error.message)?;
-            let [width, height] =
-                [context.drawing_buffer_width(), context.drawing_buffer_height()].map(|side| side.max(1) as u32);
-            scene.settings.camera = scene.framed(&scene.settings.camera, f64::from(width) / f64::from(height));
-            // `Gl::of_window` takes an `Arc`, as egui does; the page has one thread.
-            #[allow(clippy::arc_with_non_send_sync)]
-            let gl = Gl::of_window(Arc::new(glow::Context::from_webgl2_context(context)));
-            let text = |error: gonio_gl::GlError| error.to_string();
-            let mut renderer = Renderer::new(gl.clone()).map_err(text)?;
-            let mut frame = Frame { width, height, ..scene.frame(0.0) };
-            // As the application's first picture.
-            if renderer.info().is_software() {
-                frame.samples = 1;
+        /// Takes the context, and draws a stand-in that stays invisible: a software driver compiles programs when it first draws with
+        /// them, and does that while the scene is read. `textured`: the scene has materials with textures. An error is one sentence.
+        pub fn begin(&mut self, context: WebGl2RenderingContext, textured: bool) -> Result<(), String> {
+            let mut canvas = Canvas::new(context).map_err(|error| error.to_string())?;
+            let mut files = Files::default();
+            for (name, text) in STAND_IN {
+                files.0.insert(name.to_owned(), text.as_bytes().to_vec().into());
             }
-            let uploaded = renderer.upload(&scene).map_err(text)?;
-            let mut canvas = DisplayTexture::new(&gl, [width, height]).map_err(text)?;
-            renderer.paint_scene(&uploaded, &frame, &mut canvas).map_err(text)?;
-            let presenter = Presenter::new(&gl).map_err(text)?;
-            presenter.presentation(canvas.texture()).opaque().draw(&gl);
+            if textured {
+                files.0.insert("stand-in.png".to_owned(), decoded_picture(1, 1, &[255; 4]).into());
+            }
+            canvas.warm_up(&mut read(&files, STAND_IN[0].0)?).map_err(|error| error.to_string())?;
+            self.canvas = Some(canvas);
             Ok(())
         }
+
+        /// Draws the model `builtin:NAME` over the whole canvas, as the application does first. An error is one sentence; the
+        /// application, which reads the same files, explains it.
+        pub fn draw(&mut self, name: &str) -> Result<(), String> {
+            let canvas = self.canvas.as_mut().ok_or("there is no canvas")?;
+            canvas.draw(&mut read(&self.files, name)?).map_err(|error| error.to_string())
+        }
+    }
+
+    /// The scene of the model `builtin:NAME`.
+    fn read(files: &Files, name: &str) -> Result<Scene, String> {
+        let object = ObjectSpec { model: format!("{BUILTIN}{name}"), ..ObjectSpec::default() };
+        let scene = SceneFile { objects: vec![object], ..SceneFile::default() };
+        load::load_by(Readers::OBJ, scene, Path::new(""), files, &Limits::default()).map_err(|error| error.message)
     }
 }
 

@@ -76,7 +76,8 @@ impl Sizes {
 
     /// Bytes of the module that draws the first picture, with its bindings, after brotli.
     pub fn first_module(&self) -> u64 {
-        let is_its = |file: &&Size| file.when == When::First && (file.name.ends_with(".wasm") || file.name.ends_with(".js"));
+        let is_its =
+            |file: &&Size| file.when == When::First && (file.name.ends_with(".wasm") || file.name.ends_with(".js"));
         self.files.iter().filter(is_its).map(|file| file.brotli).sum()
     }
 

@@ -110,14 +110,9 @@ impl Shared {
         Ok(())
     }
 
-    /// Draws the displayed pixels of a target over all of another of the same size, which is bound.
-    pub(super) fn output_onto_target(
-        &self,
-        target: &Target,
-        look: &DisplaySettings,
-        onto: &Target,
-    ) -> Result<(), GlError> {
-        let whole = Band { picture_height: onto.size[1], first_row: 0, rows: onto.size[1] };
+    /// Draws the displayed pixels of a target over all of the framebuffer that is bound, which has the same size.
+    pub(super) fn output_onto_bound(&self, target: &Target, look: &DisplaySettings) -> Result<(), GlError> {
+        let whole = Band { picture_height: target.size[1], first_row: 0, rows: target.size[1] };
         self.prepare_output(target, whole, look, look.encoded(), false)?;
         self.draw_over_all(target);
         Ok(())

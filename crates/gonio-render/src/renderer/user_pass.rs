@@ -230,7 +230,7 @@ impl Renderer {
         }
         light.resolve(gl);
         target.begin(gl, 0, rows);
-        shared.output_onto_target(&light, &DisplaySettings::new(None, frame).to_be_shown(), target)
+        shared.output_onto_bound(&light, &DisplaySettings::new(None, frame).to_be_shown())
     }
 
     fn pass_textures(&mut self, pass: &UserPass<'_>) -> Result<PassTextures, GlError> {
