@@ -378,6 +378,18 @@ fn each_file_has_its_own_undo() {
     assert_eq!(window.text(), second);
 }
 
+/// Pairs of shaders have drawn pictures; the goals of other exercises are built in.
+#[test]
+fn exercises_without_shaders_show_their_goals_too() {
+    let mut window = Window::empty(vec2(1000.0, 2000.0));
+    window.click("exercises");
+    window.steps(3);
+    for exercise in exercise::all().iter().filter(|exercise| exercise.kind != exercise::ExerciseKind::Shaders) {
+        let picture = window.widget(&format!("goal-{}", exercise.id));
+        assert_eq!((picture.role, picture.label.as_str()), (exported::WidgetRole::Picture, exercise.title()));
+    }
+}
+
 #[test]
 fn the_exercises_are_listed_begun_and_left_and_the_scene_stays() {
     for size in [DESK, PHONE] {

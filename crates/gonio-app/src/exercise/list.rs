@@ -1,6 +1,7 @@
 //! The list of exercises.
 
 use super::command::ExerciseCommand;
+use super::goal_pictures::GoalPictures;
 use super::thumbnails::Thumbnails;
 use super::work::Work;
 use crate::exported::{self, WidgetRole};
@@ -15,6 +16,7 @@ use gonio_check::verdict::Outcome;
 use gonio_exercises::exercise::{self, Exercise, ExerciseKind};
 use gonio_gl::GlError;
 use gonio_language::tr;
+use gonio_scene::files::FileSource;
 use std::collections::BTreeMap;
 
 /// Longest line of text, points.
@@ -30,11 +32,21 @@ pub struct ExerciseProgress<'a> {
     pub outcomes: &'a BTreeMap<String, Outcome>,
 }
 
+/// The pictures of the goals.
+pub struct Goals<'a> {
+    /// Those of pairs of shaders, if there is OpenGL.
+    pub drawn: Option<&'a mut Thumbnails>,
+    /// All others.
+    pub built_in: &'a mut GoalPictures,
+    /// Has the built-in files.
+    pub files: &'a dyn FileSource,
+}
+
 /// Shows the exercises, a card each, with the picture of the goal.
 pub fn show(
     ui: &mut Ui,
     progress: &ExerciseProgress<'_>,
-    mut thumbnails: Option<&mut Thumbnails>,
+    mut goals: Goals<'_>,
     mut panes: Option<&mut PaneRenderer>,
     commands: &mut Vec<ExerciseCommand>,
 ) -> Result<(), GlError> {
@@ -57,12 +69,16 @@ pub fn show(
                     ui.add_space(8.0);
                     for exercise in exercise::all() {
                         let picture = card(ui, exercise, state_of(exercise, progress), commands);
-                        let (Some(thumbnails), Some(panes)) = (thumbnails.as_deref_mut(), panes.as_deref_mut()) else {
-                            continue;
-                        };
                         if !ui.is_rect_visible(picture) {
                             continue;
                         }
+                        if exercise.kind != ExerciseKind::Shaders {
+                            goals.built_in.show(ui, picture, exercise, goals.files);
+                            continue;
+                        }
+                        let (Some(thumbnails), Some(panes)) = (goals.drawn.as_deref_mut(), panes.as_deref_mut()) else {
+                            continue;
+                        };
                         if let Some(shown) = thumbnails.picture(exercise, panes) {
                             present(ui, picture, shown);
                         } else if !thumbnails.is_done(exercise) {

@@ -11,7 +11,8 @@
 //! | `drafts` | unsaved text, kept for the next window |
 //! | `fix` | the proposed fix of a verdict |
 //! | `editor` | the files' texts, with colours and marked lines |
-//! | `toolbar`, `list`, `thumbnails` | the toolbar; the exercises, with the pictures of their goals |
+//! | `toolbar`, `list` | the toolbar; the exercises |
+//! | `thumbnails`, `goal_pictures` | the pictures of their goals: drawn, or built in |
 //! | `pictures`, `lamp` | the pictures and their settings; the lamp in them |
 //! | `markdown`, `figure`, `pages` | the pages: the text and its figures; the verdict and the variables |
 //! | `state_json` | its part of the exported state |
@@ -26,6 +27,7 @@ mod editor;
 mod figure;
 mod file_sets;
 mod fix;
+mod goal_pictures;
 mod lamp;
 mod list;
 mod markdown;
@@ -57,6 +59,7 @@ use check::Check;
 use compiler::Compiler;
 use drafts::Drafts;
 use egui::{Context, Frame, Margin, Panel, ScrollArea, Ui};
+use goal_pictures::GoalPictures;
 use gonio_check::verdict::Outcome;
 use gonio_exercises::exercise::ExerciseKind;
 use gonio_gl::GlError;
@@ -84,6 +87,7 @@ pub struct ExerciseView {
     drafts: Drafts,
     stepper: Stepper,
     thumbnails: Option<Thumbnails>,
+    goal_pictures: GoalPictures,
     /// The outcome of the last check of each exercise, by id.
     pub outcomes: BTreeMap<String, Outcome>,
     /// A verdict that has just arrived, in words for screen readers.
@@ -200,7 +204,9 @@ impl ExerciseView {
         }
         let Some(work) = work else {
             toolbar::show(ui, None, &mut commands);
-            failures.extend(self.show_list(ui, pane_renderer, &mut commands).err().map(|error| error.to_string()));
+            failures.extend(
+                self.show_list(ui, pane_renderer, platform, &mut commands).err().map(|error| error.to_string()),
+            );
             self.apply(&ctx, commands, platform, actions, &mut failures);
             return failures;
         };
@@ -236,6 +242,7 @@ impl ExerciseView {
         &mut self,
         ui: &mut Ui,
         panes: Option<&mut PaneRenderer>,
+        platform: &dyn Platform,
         commands: &mut Vec<ExerciseCommand>,
     ) -> Result<(), GlError> {
         if let (None, Some(panes)) = (&self.thumbnails, &panes) {
@@ -243,7 +250,9 @@ impl ExerciseView {
         }
         let begun: Vec<&Work> = self.work.iter().chain(&self.aside).collect();
         let progress = list::ExerciseProgress { begun: &begun, outcomes: &self.outcomes };
-        list::show(ui, &progress, self.thumbnails.as_mut(), panes, commands)
+        let files = platform.files();
+        let goals = list::Goals { drawn: self.thumbnails.as_mut(), built_in: &mut self.goal_pictures, files: &*files };
+        list::show(ui, &progress, goals, panes, commands)
     }
 
     /// Applies commands.

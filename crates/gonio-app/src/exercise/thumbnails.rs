@@ -1,8 +1,8 @@
-//! Small pictures of the exercises' goals, for the list.
+//! Small pictures of the goals of exercises about shaders, for the list.
 
 use super::preview::paint;
 use crate::scene_view::drawing::PaneRenderer;
-use gonio_exercises::exercise::{Exercise, ExerciseKind};
+use gonio_exercises::exercise::Exercise;
 use gonio_exercises::preview::{self, CompiledPair, Eye, PreviewRenderer, SubmittedPair};
 use gonio_gl::{Gl, GlError};
 use gonio_render::{DisplayTexture, Presentation};
@@ -51,7 +51,7 @@ impl Thumbnails {
         size: [u32; 2],
         panes: &mut PaneRenderer,
     ) -> Result<Option<DisplayTexture>, GlError> {
-        if exercise.kind != ExerciseKind::Shaders || !preview::is_drawn(exercise) {
+        if !preview::is_drawn(exercise) {
             return Ok(None);
         }
         let pair = preview::reference(exercise).ok().and_then(|pair| pair.compile(&self.gl).ok());

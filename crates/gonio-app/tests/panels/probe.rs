@@ -32,6 +32,31 @@ fn count(bench: &Bench, text: &str) -> usize {
     bench.harness.query_all_by_label(text).count()
 }
 
+/// Each symbol stands above its number: their right edges agree, and the number is the next line.
+#[test]
+fn symbols_stand_above_their_numbers() {
+    let mut bench = bench();
+    let reading = bench.app().session.probing.reading().cloned().unwrap_or_else(|| panic!("a pixel is read"));
+    let light = &reading.probe.as_ref().unwrap_or_else(|| panic!("the cube is there")).terms.lights[0];
+    let factors = [
+        ("<N.L>", light.cos_theta),
+        ("att", light.attenuation),
+        ("spot", light.spot),
+        ("diff", light.diff),
+        ("spec", light.spec),
+    ];
+    for (symbol, value) in factors {
+        let value = if value == 0.0 { "0".to_owned() } else { format!("{value:.4}") };
+        let above = bench.harness.get_by_label(symbol).rect();
+        let is_below = |number: egui::Rect| {
+            (number.right() - above.right()).abs() < 1.0
+                && (0.0..30.0).contains(&(number.center().y - above.center().y))
+        };
+        let numbers: Vec<_> = bench.harness.get_all_by_label(&value).map(|node| node.rect()).collect();
+        assert!(numbers.iter().any(|&number| is_below(number)), "{symbol} at {above:?}, {value} at {numbers:?}");
+    }
+}
+
 #[test]
 fn the_probe_of_a_traced_pane_lists_the_ways_of_light() {
     let mut bench = bench();

@@ -1,4 +1,4 @@
-//! Models and scenes that gonio carries with it.
+//! Models, scenes and pictures that gonio carries with it.
 
 use crate::toml_table::nearest_word;
 use gonio_environment::builtin::ROOM_FILE;
@@ -27,6 +27,10 @@ macro_rules! builtin_files {
 /// Every built-in file, by its path below `assets`. (`web/build/pack.mjs` reads this list, to put them beside the
 /// page.)
 static FILES: &[(&str, Option<&[u8]>)] = builtin_files![
+    "goals/ex02.png",
+    "goals/ex11.png",
+    "goals/ex13.png",
+    "goals/s1.png",
     "models/cube.obj",
     "models/cube.mtl",
     "models/screen.obj",
@@ -74,7 +78,7 @@ pub fn builtin(name: &str) -> Option<&'static [u8]> {
     FILES.iter().find(|(known, _)| *known == path).and_then(|(_, bytes)| *bytes)
 }
 
-/// Whether a built-in file has this path below `assets`: a scene, a model with its files, or the room.
+/// Whether a built-in file has this path below `assets`: a scene, a model with its files, the goal of an exercise, or the room.
 pub fn is_builtin(path: &str) -> bool {
     path == ROOM_FILE || FILES.iter().any(|(known, _)| *known == path)
 }

@@ -58,9 +58,7 @@ fn factors(ui: &mut Ui, light: &LightTerms) {
             ("spec", tr!("scene-specular-factor-without-k-s"), light.spec),
         ];
         for (symbol, tip, _) in factors {
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                ui.label(RichText::new(symbol).small().weak()).on_hover_text(tip);
-            });
+            super::flush_right(ui, RichText::new(symbol).small().weak()).on_hover_text(tip);
         }
         ui.end_row();
         for (_, _, value) in factors {

@@ -282,11 +282,17 @@ fn hex([r, g, b]: [u8; 3]) -> String {
 /// A number in a cell of its own, flush right.
 fn cell(ui: &mut Ui, v: f64, color: Option<Color32>) {
     let text = RichText::new(number(v)).monospace().size(11.5);
-    let text = if let Some(color) = color { text.color(color) } else { text };
-    ui.allocate_ui_with_layout(vec2(NUMBER_WIDTH, 16.0), Layout::right_to_left(Align::Center), |ui| {
+    flush_right(ui, if let Some(color) = color { text.color(color) } else { text });
+}
+
+/// A text in a cell of a number's width, flush right.
+fn flush_right(ui: &mut Ui, text: RichText) -> Response {
+    let layout = Layout::right_to_left(Align::Center);
+    let cell = ui.allocate_ui_with_layout(vec2(NUMBER_WIDTH, 16.0), layout, |ui| {
         ui.set_min_width(NUMBER_WIDTH);
-        ui.label(text);
+        ui.label(text)
     });
+    cell.inner
 }
 
 /// A row of a grid: a name and three numbers.
