@@ -1,6 +1,8 @@
 //! The command line as a person sees it: commands, their overview and help. [`crate::options`] has the shared options.
 
 use crate::commands;
+use crate::commands::lab::LabCommand;
+use crate::commands::lab::format::CheckFormat;
 use crate::error::{CliError, CommandOutcome};
 use crate::options::{GENERAL, GeneralOptions};
 use crate::output::check_folder;
@@ -161,7 +163,9 @@ impl Command {
             Command::View(args) => &args.general,
             Command::Completions(_) | Command::Man(_) | Command::Licenses(_) => return GeneralOptions::default(),
         };
-        options.clone()
+        let mut options = options.clone();
+        options.json |= matches!(self, Command::Lab(LabCommand::Check(args)) if args.format == CheckFormat::Json);
+        options
     }
 
     /// Runs the command.

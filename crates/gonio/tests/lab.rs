@@ -2,6 +2,10 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;
+#[path = "lab/formats.rs"]
+mod formats;
+#[path = "lab/watch.rs"]
+mod watch;
 
 use common::{Lab, Run};
 use gonio_app::platform::desktop::trial;
