@@ -38,6 +38,7 @@ Materials:
 
 Exercises:
   lab          Exercises, students' shaders, and a checker that names the mistake
+  lsp          Serve an editor: messages of compilers, mistakes at their lines, values of variables
 
 Understanding:
   inspect      Show what a model file contains and how each part was interpreted
@@ -102,6 +103,7 @@ pub enum Command {
     /// Exercises, students' shaders, and a checker that names the mistake.
     #[command(subcommand)]
     Lab(commands::lab::LabCommand),
+    Lsp(commands::lsp::LspArgs),
     Scene(Box<commands::scene::SceneArgs>),
     Serve(commands::serve::ServeArgs),
     Tour(commands::tour::TourArgs),
@@ -129,6 +131,7 @@ impl Command {
             Command::Diff(_) => "diff",
             Command::Inspect(_) => "inspect",
             Command::Lab(_) => "lab",
+            Command::Lsp(_) => "lsp",
             Command::Scene(_) => "scene",
             Command::Serve(_) => "serve",
             Command::Tour(_) => "tour",
@@ -156,6 +159,7 @@ impl Command {
             Command::Diff(args) => &args.general,
             Command::Inspect(args) => &args.general,
             Command::Lab(command) => command.general(),
+            Command::Lsp(args) => &args.general,
             Command::Scene(args) => &args.general,
             Command::Serve(args) => &args.general,
             Command::Tour(args) => &args.general,
@@ -184,6 +188,7 @@ impl Command {
             Command::Diff(args) => commands::diff::run(args, reporter),
             Command::Inspect(args) => commands::inspect::run(args, reporter),
             Command::Lab(command) => commands::lab::run(command, reporter),
+            Command::Lsp(args) => commands::lsp::run(args, reporter),
             Command::Scene(args) => commands::scene::run(args, reporter),
             Command::Serve(args) => commands::serve::run(args, reporter),
             Command::Tour(args) => {

@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;
+#[path = "lab/editor.rs"]
+mod editor;
 #[path = "lab/formats.rs"]
 mod formats;
 #[path = "lab/watch.rs"]
