@@ -6,6 +6,8 @@ mod common;
 mod editor;
 #[path = "lab/formats.rs"]
 mod formats;
+#[path = "lab/neovim.rs"]
+mod neovim;
 #[path = "lab/watch.rs"]
 mod watch;
 
