@@ -24,6 +24,19 @@ pub struct SourceProblem {
     pub message: String,
     /// Advice.
     pub help: Option<String>,
+    /// The place of a misspelt name, and the name that was probably meant.
+    pub renaming: Option<SourceRenaming>,
+}
+
+/// A change of one word of a student's file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SourceRenaming {
+    /// Its first character.
+    pub start: LineAndColumn,
+    /// The character after its last one.
+    pub end: LineAndColumn,
+    /// The word in its place.
+    pub name: String,
 }
 
 /// A variable or function of a shader.
@@ -73,6 +86,12 @@ impl<'a> SourceStage<'a> {
         let shown = written.lines().next().unwrap_or_default().trim_end();
         let length = u32::try_from(shown.chars().count()).unwrap_or(u32::MAX).max(1);
         let end = if lines == 0 || !shown.is_empty() { [line, column.saturating_add(length)] } else { start };
+        let renaming = problem.renaming.as_ref().and_then(|(misspelt, name)| {
+            let at = word_in(shown, misspelt)?;
+            let start = [line, column.saturating_add(u32::try_from(shown.get(..at)?.chars().count()).ok()?)];
+            let end = [line, start[1].saturating_add(u32::try_from(misspelt.chars().count()).ok()?)];
+            Some(SourceRenaming { start, end, name: name.clone() })
+        });
         SourceProblem {
             severity: problem.severity,
             code: problem.code,
@@ -81,6 +100,7 @@ impl<'a> SourceStage<'a> {
             end,
             message: problem.message.clone(),
             help: problem.help.clone(),
+            renaming,
         }
     }
 
@@ -107,6 +127,16 @@ impl<'a> SourceStage<'a> {
             })
         })
     }
+}
+
+/// The byte at which a text has a word as a whole.
+fn word_in(text: &str, word: &str) -> Option<usize> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let is_whole = |at: &usize| {
+        let (before, after) = (text.get(..*at), text.get(at + word.len()..));
+        !before.is_some_and(|text| text.ends_with(is_part)) && !after.is_some_and(|text| text.starts_with(is_part))
+    };
+    text.match_indices(word).map(|(at, _)| at).find(is_whole)
 }
 
 /// The problems of a pair: those of each shader, and those of its interface.
@@ -140,6 +170,21 @@ mod tests {
         let errors: Vec<_> = problems.iter().filter(|p| p.severity == Severity::Error).collect();
         assert!(errors.iter().any(|p| p.file == "a.vert" && p.start[0] == 3 && p.end[1] > p.start[1]), "{problems:?}");
         assert!(errors.iter().all(|p| p.end[0] == p.start[0] && p.end > p.start), "{problems:?}");
+    }
+
+    #[test]
+    fn a_misspelt_name_has_the_place_of_the_word_alone() {
+        let code = "#version 330 core\nin vec3 v_n;\nstruct L { vec3 pos; };\nuniform L l;\nout vec4 c;\nvoid main() {\n\
+                    vec3 n = normalise(v_n) + l.poss; c = vec4(nn, 1.0) * saturate(n.x); }\n";
+        let text = StageText::whole("a.frag", code);
+        let stage = SourceStage::new(&text, Stage::Fragment);
+        let renamings: Vec<_> = stage.problems().filter_map(|p| p.renaming).collect();
+        let at = |column: u32, length: u32, name: &str| SourceRenaming {
+            start: [7, column],
+            end: [7, column + length],
+            name: name.to_owned(),
+        };
+        assert_eq!(renamings, [at(10, 9, "normalize"), at(29, 4, "pos")]);
     }
 
     #[test]
