@@ -2,6 +2,7 @@
 
 editor-advice = Advice:
 editor-fix = Apply the change with which every test scene is right
+editor-rename = Replace it by { $name }
 editor-correct = { $exercise } is correct: { $summary }
 editor-unavailable = gonio cannot check here: { $reason }. It still reports errors of syntax and types, values of variables, and lines with wrong values.
 editor-role = Role: { $role } ({ $how })

@@ -2,6 +2,7 @@
 
 editor-advice = Conseil :
 editor-fix = Appliquer la modification qui rend toutes les scènes de test justes
+editor-rename = Remplacer par { $name }
 editor-correct = { $exercise } est juste : { $summary }
 editor-unavailable = gonio ne peut pas vérifier ici : { $reason }. Il signale encore les erreurs de syntaxe et de type, les valeurs des variables et les lignes dont les valeurs sont fausses.
 editor-role = Rôle : { $role } ({ $how })

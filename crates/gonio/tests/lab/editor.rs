@@ -224,15 +224,27 @@ fn a_mistake_is_shown_at_its_line_until_it_is_right() {
 fn the_other_shader_gets_its_diagnostics_too_and_loses_them_with_the_last_document() {
     let lab = Lab::new();
     hand_in(&lab, "ex04", "mine", WRONG.0, WRONG.1);
-    // The text that `gonio lab start` writes tells the exercise.
+    // The text that `gonio lab start` writes tells the exercise, also of the folders below.
+    std::fs::create_dir(lab.path("mine/shaders")).unwrap();
+    for name in ["reference.vert", "reference.frag"] {
+        let text = String::from_utf8(lab.read(&format!("mine/{name}"))).unwrap();
+        lab.write(&format!("mine/shaders/{name}"), text.replace("itM", "qqq"));
+        std::fs::remove_file(lab.path(&format!("mine/{name}"))).unwrap();
+    }
     lab.write("mine/text.md", lab.run(&["lab", "show", "ex04"]).good().stdout);
-    let (vertex, _) = file(&lab, "mine/reference.vert");
-    let (fragment, text) = file(&lab, "mine/reference.frag");
+    lab.write("mine/names.toml", "[names]\nqqq = \"normal-matrix\"\n");
+    let (vertex, other) = file(&lab, "mine/shaders/reference.vert");
+    let (fragment, text) = file(&lab, "mine/shaders/reference.frag");
     let mut editor = Editor::start(&lab, &["--language", "fr"]);
     editor.open(&fragment, &text);
     let found = editor.diagnostics(&vertex, has("normal-by-model-matrix"));
     assert!(found[0]["message"].as_str().unwrap().contains("\nConseil : "), "{found:#?}");
-    editor.notify("textDocument/didClose", json!({ "textDocument": { "uri": fragment } }));
+    editor.open(&vertex, &other);
+    let hover = editor.hover(&vertex, line_of(&other, "mat4 qqq"), column_of(&other, "mat4 qqq") + 5);
+    assert!(hover["contents"]["value"].as_str().unwrap().contains("names.toml"), "{hover}");
+    for uri in [&vertex, &fragment] {
+        editor.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri } }));
+    }
     assert!(editor.diagnostics(&vertex, <[Value]>::is_empty).is_empty());
 }
 
@@ -283,6 +295,24 @@ fn the_proven_fix_is_a_quick_fix_where_feedback_permits_it() {
     // The answer is for the text that the editor has now.
     editor.change(&uri, 2, &format!("{text}\n"));
     assert_eq!(editor.actions(&uri, line as u64), json!([]));
+}
+
+#[test]
+fn a_misspelt_name_has_a_quick_fix_at_once() {
+    let lab = Lab::new();
+    let text = "#version 330 core\nin vec3 v;\nout vec4 c;\nvoid main() { /* 😀 */ c = vec4(normalise(v), 1.0); }\n";
+    lab.write("a.frag", text);
+    let (uri, _) = file(&lab, "a.frag");
+    let mut editor = Editor::start(&lab, &[]);
+    editor.open(&uri, text);
+    editor.diagnostics(&uri, |found| !found.is_empty());
+    let actions = editor.actions(&uri, 3);
+    let [action] = actions.as_array().unwrap().as_slice() else { panic!("{actions:#}") };
+    let edit = &action["edit"]["documentChanges"][0]["edits"][0];
+    let start = column_of(text, "normalise");
+    let range = json!({ "start": { "line": 3, "character": start }, "end": { "line": 3, "character": start + 9 } });
+    assert_eq!(edit, &json!({ "range": range, "newText": "normalize" }));
+    assert_eq!(editor.actions(&uri, 1), json!([]));
 }
 
 #[test]

@@ -5,6 +5,7 @@ use super::positions::Lines;
 use super::sources::Sources;
 use super::uri::uri_of_path;
 use gonio_check::proposed_fix::applied;
+use gonio_check::source_problems::SourceRenaming;
 use gonio_check::verdict::ProposedEdit;
 use lsp_types::{
     DocumentChanges, OneOf, OptionalVersionedTextDocumentIdentifier, Range, TextDocumentEdit, TextEdit, Uri,
@@ -32,6 +33,11 @@ pub fn workspace_edit(
         let edit = difference(&text, &applied(edits, name, &text)?);
         changes.push((uri, version, edit));
     }
+    in_protocol(changes, has_versions)
+}
+
+/// Edits of documents with their versions.
+fn in_protocol(changes: Vec<(Uri, Option<i32>, TextEdit)>, has_versions: bool) -> Option<WorkspaceEdit> {
     Some(match has_versions {
         true => {
             let edit = |(uri, version, edit)| TextDocumentEdit {
@@ -47,6 +53,13 @@ pub fn workspace_edit(
             serde_json::from_value(serde_json::json!({ "changes": edits })).ok()?
         }
     })
+}
+
+/// The edit that replaces a misspelt name in a document.
+pub fn renaming_edit(renaming: &SourceRenaming, document: &OpenDocument, has_versions: bool) -> Option<WorkspaceEdit> {
+    let range = Lines::new(&document.text).range(renaming.start, renaming.end);
+    let edit = TextEdit { range, new_text: renaming.name.clone() };
+    in_protocol(vec![(document.uri.clone(), Some(document.version), edit)], has_versions)
 }
 
 /// One edit from a text to another: the lines between those that both have.

@@ -10,7 +10,7 @@ use super::positions::Lines;
 use super::sources::{FolderCache, Sources};
 use super::uri::path_of_uri;
 use crate::error::CliError;
-use gonio_check::verdict::{Outcome, Verdict};
+use gonio_check::verdict::Outcome;
 use gonio_language::{Language, tr};
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
 use lsp_types::notification::{
@@ -24,7 +24,7 @@ use lsp_types::{
     DidSaveTextDocumentParams, Hover, HoverContents, HoverParams, HoverProviderCapability, InitializeParams,
     MarkupContent, MarkupKind, MessageType, NumberOrString, PublishDiagnosticsParams, Range, ServerCapabilities,
     ShowMessageParams, TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
-    TextDocumentSyncSaveOptions, Uri,
+    TextDocumentSyncSaveOptions, Uri, WorkspaceEdit,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -433,7 +433,7 @@ impl Server {
         let _ = self.hover.send((question, Box::new(answer)));
     }
 
-    /// The proposed fix, at the mistakes that it mends.
+    /// The proposed fix at the mistakes that it mends, and the right spelling of names.
     fn code_actions(&mut self, params: &CodeActionParams) -> Vec<CodeActionOrCommand> {
         let kinds = params.context.only.as_deref();
         // An empty kind contains all.
@@ -446,33 +446,57 @@ impl Server {
         if self.unit(uri).is_none() {
             return Vec::new();
         }
-        let found = self.published.get(uri.as_str()).map_or(&[][..], Vec::as_slice);
-        let Some(unit) = self.unit_of.get(uri.as_str()).and_then(|key| self.units.get(key)) else { return Vec::new() };
-        let Some(CheckResult::Verdict(verdict)) = &unit.checked else { return Vec::new() };
-        let at = |diagnostic: &&Diagnostic| overlap(diagnostic.range, params.range) && is_mended(verdict, diagnostic);
-        let diagnostics: Vec<Diagnostic> = found.iter().filter(at).cloned().collect();
-        if diagnostics.is_empty() || verdict.proposed_fix.is_empty() {
-            return Vec::new();
-        }
-        let edit = fix::workspace_edit(&verdict.proposed_fix, &unit.sources, &self.documents, has_versions);
-        let action = edit.map(|edit| {
-            CodeActionOrCommand::CodeAction(CodeAction {
-                title: tr!("editor-fix").to_owned(),
-                kind: Some(CodeActionKind::QUICKFIX),
-                diagnostics: Some(diagnostics),
-                edit: Some(edit),
-                is_preferred: Some(true),
-                ..CodeAction::default()
+        let here = |diagnostic: &&Diagnostic| overlap(diagnostic.range, params.range);
+        let published = self.published.get(uri.as_str()).into_iter().flatten();
+        let diagnostics: Vec<&Diagnostic> = published.filter(here).collect();
+        let Some((document, unit)) = self.documents.get(uri.as_str()).zip(self.unit_at(uri)) else { return Vec::new() };
+        let file = unit.sources.name_of(document);
+        let lines = Lines::new(&document.text);
+        let problems = unit.sources.problems.iter().filter(|problem| problem.file == file);
+        let mut actions: Vec<CodeActionOrCommand> = problems
+            .filter_map(|problem| {
+                let range = lines.range(problem.start, problem.end);
+                let is_it =
+                    |diagnostic: &&&Diagnostic| diagnostic.range == range && code_of(diagnostic) == Some(problem.code);
+                let diagnostic = diagnostics.iter().find(is_it)?;
+                let renaming = problem.renaming.as_ref()?;
+                let edit = fix::renaming_edit(renaming, document, has_versions)?;
+                Some(quick_fix(tr!("editor-rename", name = renaming.name), vec![(*diagnostic).clone()], edit))
             })
-        });
-        action.into_iter().collect()
+            .collect();
+        if let Some(CheckResult::Verdict(verdict)) = &unit.checked {
+            let is_mistake =
+                |diagnostic: &&&Diagnostic| verdict.mistakes.iter().any(|m| code_of(diagnostic) == Some(&m.id));
+            let mended: Vec<Diagnostic> = diagnostics.iter().filter(is_mistake).map(|found| (*found).clone()).collect();
+            if !mended.is_empty() && !verdict.proposed_fix.is_empty() {
+                let edit = fix::workspace_edit(&verdict.proposed_fix, &unit.sources, &self.documents, has_versions);
+                actions.extend(edit.map(|edit| quick_fix(tr!("editor-fix").to_owned(), mended, edit)));
+            }
+        }
+        actions
+    }
+
+    fn unit_at(&self, uri: &Uri) -> Option<&Unit> {
+        self.units.get(self.unit_of.get(uri.as_str())?)
     }
 }
 
-/// Whether a diagnostic is one of a verdict's mistakes.
-fn is_mended(verdict: &Verdict, diagnostic: &Diagnostic) -> bool {
-    let Some(NumberOrString::String(code)) = &diagnostic.code else { return false };
-    verdict.mistakes.iter().any(|found| found.id == *code)
+fn quick_fix(title: String, diagnostics: Vec<Diagnostic>, edit: WorkspaceEdit) -> CodeActionOrCommand {
+    CodeActionOrCommand::CodeAction(CodeAction {
+        title,
+        kind: Some(CodeActionKind::QUICKFIX),
+        diagnostics: Some(diagnostics),
+        edit: Some(edit),
+        is_preferred: Some(true),
+        ..CodeAction::default()
+    })
+}
+
+fn code_of(diagnostic: &Diagnostic) -> Option<&str> {
+    match &diagnostic.code {
+        Some(NumberOrString::String(code)) => Some(code),
+        _ => None,
+    }
 }
 
 /// Whether two ranges have a line in common: editors ask for the cursor's place.

@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 
 /// Folders above a file that are tried.
 const MOST_FOLDERS: usize = 6;
+/// States the exercise, and the roles of variables.
+const NAMES: &str = "names.toml";
 /// Larger files are no shaders.
 const MOST_BYTES: usize = 1 << 20;
 
@@ -75,7 +77,8 @@ impl Sources {
         }
         let mut complaint = None;
         for folder in path.ancestors().skip(1).take_while(|folder| folder.starts_with(&top)) {
-            let files = with_documents(folder, folders.read(folder), open);
+            let mut files = with_documents(folder, folders.read(folder), open);
+            files.extend(names_above(folder, &top, &files));
             let name = name_in(folder, path);
             match pair_with(exercise, &files, &name) {
                 Ok(Some((submitted, pair))) => return Sources::of_pair(exercise, folder, files, submitted, pair),
@@ -163,13 +166,9 @@ fn located(file: &Path, stated: Option<&'static Exercise>) -> Option<(PathBuf, &
         return Some((file.parent()?.to_owned(), exercise));
     }
     file.ancestors().skip(1).take(MOST_FOLDERS).find_map(|folder| {
-        let text = |name: &str| {
-            let path = folder.join(name);
-            let is_small = path.metadata().is_ok_and(|found| found.is_file() && found.len() <= MOST_BYTES as u64);
-            if is_small { std::fs::read_to_string(path).ok() } else { None }
-        };
+        let text = |name: &str| small_file(&folder.join(name));
         let name = folder.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
-        let found = exercise_of_folder(&name, text("names.toml").as_deref(), text("text.md").as_deref())?;
+        let found = exercise_of_folder(&name, text(NAMES).as_deref(), text("text.md").as_deref())?;
         Some((folder.to_owned(), found))
     })
 }
@@ -190,6 +189,22 @@ fn pair_with(
     }
     let chosen = SubmittedPair::gather_choosing(exercise, files.to_vec(), Some(name)).ok().filter(contains);
     Ok(chosen.map(|pair| (pair, Some(name.to_owned()))))
+}
+
+/// The `names.toml` of a folder above, up to that of the exercise, for a folder without one.
+fn names_above(folder: &Path, top: &Path, files: &[SourceFile]) -> Option<SourceFile> {
+    let is_names = |file: &SourceFile| file.name == NAMES || file.name.ends_with("/names.toml");
+    if files.iter().any(is_names) {
+        return None;
+    }
+    let above = folder.ancestors().skip(1).take_while(|above| above.starts_with(top));
+    above.filter_map(|above| small_file(&above.join(NAMES))).map(|text| SourceFile::new(NAMES, text)).next()
+}
+
+/// The text of a small ordinary file.
+fn small_file(path: &Path) -> Option<String> {
+    let is_small = path.metadata().is_ok_and(|found| found.is_file() && found.len() <= MOST_BYTES as u64);
+    if is_small { std::fs::read_to_string(path).ok() } else { None }
 }
 
 /// The name of a file in its folder.
