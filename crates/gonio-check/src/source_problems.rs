@@ -174,8 +174,8 @@ mod tests {
 
     #[test]
     fn a_misspelt_name_has_the_place_of_the_word_alone() {
-        let code = "#version 330 core\nin vec3 v_n;\nstruct L { vec3 pos; };\nuniform L l;\nout vec4 c;\nvoid main() {\n\
-                    vec3 n = normalise(v_n) + l.poss; c = vec4(nn, 1.0) * saturate(n.x); }\n";
+        let code = "#version 330 core\nin vec3 v_n;\nstruct L { vec3 pos; };\nuniform L poss_l;\nout vec4 c;\nvoid main() {\n\
+                    vec3 n = normalise(v_n) + poss_l.poss; c = vec4(nn, 1.0) * saturate(n.x); }\n";
         let text = StageText::whole("a.frag", code);
         let stage = SourceStage::new(&text, Stage::Fragment);
         let renamings: Vec<_> = stage.problems().filter_map(|p| p.renaming).collect();
@@ -184,7 +184,7 @@ mod tests {
             end: [7, column + length],
             name: name.to_owned(),
         };
-        assert_eq!(renamings, [at(10, 9, "normalize"), at(29, 4, "pos")]);
+        assert_eq!(renamings, [at(10, 9, "normalize"), at(34, 4, "pos")]);
     }
 
     #[test]
