@@ -3,6 +3,7 @@
 mod bench;
 mod book;
 mod checks;
+mod editors;
 mod fixtures;
 mod fuzz;
 mod house;
@@ -39,6 +40,7 @@ cargo xtask bench web        the page in headless Chromium against a three.js pa
 cargo xtask fuzz [TARGET...] [--minutes N]
                              fuzz every reader, 20 minutes each; needs cargo-fuzz and nightly Rust
 cargo xtask web [--dev]      build the web page into dist and print its size; needs node and npm
+cargo xtask vscode           build the extension for VS Code into editors/vscode/dist; needs node and npm
 cargo xtask book [--pictures]
                              write what the program generates for the book in docs, and build it; needs mdbook
     --pictures               also draw the book's pictures
@@ -64,6 +66,7 @@ fn main() -> ExitCode {
         ["bench", names @ ..] => bench::run(names),
         ["fuzz", words @ ..] => fuzz::run(words),
         ["web", words @ ..] => web::run(words),
+        ["vscode"] => editors::run(&root()),
         ["book", words @ ..] => book::run(words),
         ["schema"] => schema(),
         ["score"] => score::run(),

@@ -7,7 +7,7 @@ use std::process::Command;
 
 /// Debian packages that the tests need: OpenGL on the CPU; RenderDoc, its Python module and the X server that opening a
 /// capture requires; libraries for a window under X, simulated input, and a font with Cyrillic letters; D-Bus and the registry of
-/// accessible programs; the browser.
+/// accessible programs; the browser; an editor.
 const PACKAGES: &[&str] = &[
     "libegl1",
     "libgl1-mesa-dri",
@@ -24,6 +24,7 @@ const PACKAGES: &[&str] = &[
     "dbus-daemon",
     "at-spi2-core",
     "chromium",
+    "neovim",
 ];
 
 /// Programs that need not come from a Debian package, each with its package.

@@ -14,6 +14,7 @@ pub mod panorama;
 pub mod proposed_fix;
 pub mod roles;
 pub mod source;
+pub mod source_problems;
 pub mod submission;
 pub mod testbench;
 pub mod user_shaders;

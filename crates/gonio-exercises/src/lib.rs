@@ -8,6 +8,7 @@ pub mod class;
 mod content_hash;
 mod cubemap;
 pub mod exercise;
+mod folder;
 pub mod gl_program;
 pub mod preview;
 pub mod report;
@@ -16,3 +17,4 @@ pub mod step;
 
 pub use check::{Checker, GOAL, check};
 pub use content_hash::content_hash;
+pub use folder::exercise_of_folder;

@@ -26,6 +26,8 @@ pub struct Problem {
     pub message: String,
     /// Advice, if there is any.
     pub help: Option<String>,
+    /// A misspelt name, and the one that was probably meant.
+    pub renaming: Option<(String, String)>,
     /// The limit that the shader exceeds, if any. Such a shader must not be given to a driver.
     pub limit: Option<Limit>,
 }
@@ -33,7 +35,7 @@ pub struct Problem {
 impl Problem {
     /// Creates a problem.
     pub fn new(severity: Severity, span: Span, code: &'static str, message: impl Into<String>) -> Self {
-        Self { severity, span, code, message: message.into(), help: None, limit: None }
+        Self { severity, span, code, message: message.into(), help: None, renaming: None, limit: None }
     }
 
     /// Creates a problem that every compiler rejects.
@@ -49,6 +51,13 @@ impl Problem {
     /// Creates a problem that a strict compiler rejects.
     pub fn strict(span: Span, code: &'static str, message: impl Into<String>) -> Self {
         Self::new(Severity::Strict, span, code, message)
+    }
+
+    /// Adds the name that was probably meant in place of a misspelt one.
+    #[must_use]
+    pub(crate) fn did_you_mean(self, misspelt: &str, near: &str) -> Self {
+        let renaming = Some((misspelt.to_owned(), near.to_owned()));
+        Self { renaming, ..self.with_help(format!("did you mean `{near}`?")) }
     }
 
     /// Adds advice.

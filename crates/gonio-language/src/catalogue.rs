@@ -26,6 +26,7 @@ macro_rules! files {
 files!(
     "bench",
     "check",
+    "editor",
     "environment",
     "exercises",
     "file",

@@ -1,6 +1,8 @@
 //! The command line as a person sees it: commands, their overview and help. [`crate::options`] has the shared options.
 
 use crate::commands;
+use crate::commands::lab::LabCommand;
+use crate::commands::lab::format::CheckFormat;
 use crate::error::{CliError, CommandOutcome};
 use crate::options::{GENERAL, GeneralOptions};
 use crate::output::check_folder;
@@ -36,6 +38,7 @@ Materials:
 
 Exercises:
   lab          Exercises, students' shaders, and a checker that names the mistake
+  lsp          Serve an editor: messages of compilers, mistakes at their lines, values of variables
 
 Understanding:
   inspect      Show what a model file contains and how each part was interpreted
@@ -100,6 +103,7 @@ pub enum Command {
     /// Exercises, students' shaders, and a checker that names the mistake.
     #[command(subcommand)]
     Lab(commands::lab::LabCommand),
+    Lsp(commands::lsp::LspArgs),
     Scene(Box<commands::scene::SceneArgs>),
     Serve(commands::serve::ServeArgs),
     Tour(commands::tour::TourArgs),
@@ -127,6 +131,7 @@ impl Command {
             Command::Diff(_) => "diff",
             Command::Inspect(_) => "inspect",
             Command::Lab(_) => "lab",
+            Command::Lsp(_) => "lsp",
             Command::Scene(_) => "scene",
             Command::Serve(_) => "serve",
             Command::Tour(_) => "tour",
@@ -154,6 +159,7 @@ impl Command {
             Command::Diff(args) => &args.general,
             Command::Inspect(args) => &args.general,
             Command::Lab(command) => command.general(),
+            Command::Lsp(args) => &args.general,
             Command::Scene(args) => &args.general,
             Command::Serve(args) => &args.general,
             Command::Tour(args) => &args.general,
@@ -161,7 +167,9 @@ impl Command {
             Command::View(args) => &args.general,
             Command::Completions(_) | Command::Man(_) | Command::Licenses(_) => return GeneralOptions::default(),
         };
-        options.clone()
+        let mut options = options.clone();
+        options.json |= matches!(self, Command::Lab(LabCommand::Check(args)) if args.format == CheckFormat::Json);
+        options
     }
 
     /// Runs the command.
@@ -180,6 +188,7 @@ impl Command {
             Command::Diff(args) => commands::diff::run(args, reporter),
             Command::Inspect(args) => commands::inspect::run(args, reporter),
             Command::Lab(command) => commands::lab::run(command, reporter),
+            Command::Lsp(args) => commands::lsp::run(args, reporter),
             Command::Scene(args) => commands::scene::run(args, reporter),
             Command::Serve(args) => commands::serve::run(args, reporter),
             Command::Tour(args) => {

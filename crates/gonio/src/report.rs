@@ -187,6 +187,11 @@ impl Reporter {
         }
     }
 
+    /// Begins a new report: on a terminal, in its upper left corner; elsewhere, after an empty line.
+    pub fn begin_again(&self) -> Result<(), CliError> {
+        write_stdout(if self.stdout_is_terminal() { b"\x1b[H\x1b[2J\x1b[3J" } else { b"\n" })
+    }
+
     /// Prints the report to stdout, without styles unless stdout is a terminal.
     pub fn text(&self, page: &TerminalPage) -> Result<(), CliError> {
         let mut out = anstream::stdout().lock();

@@ -2,6 +2,14 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod common;
+#[path = "lab/editor.rs"]
+mod editor;
+#[path = "lab/formats.rs"]
+mod formats;
+#[path = "lab/neovim.rs"]
+mod neovim;
+#[path = "lab/watch.rs"]
+mod watch;
 
 use common::{Lab, Run};
 use gonio_app::platform::desktop::trial;

@@ -66,6 +66,8 @@ fn arguments() {
     quoted(&lab, &["inspect", "builtin:cube", "--line", EVIL], &["\\x1b[2K"]);
     for args in [
         vec!["lab", "check", EVIL, "x"],
+        vec!["lab", "check", "ex04", "x", "--format", EVIL],
+        vec!["lsp", "--exercise", EVIL],
         vec!["lab", "show", EVIL],
         vec!["lab", "mistakes", EVIL],
         vec!["lab", "draw", "ex07", "-o", "x.png", "--scene", EVIL],

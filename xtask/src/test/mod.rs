@@ -5,7 +5,7 @@ mod cargo_output;
 use crate::checks::{dependencies, lints, source, text, translations};
 use crate::report::{Findings, Report};
 use crate::web::{Build, browser};
-use crate::{house as figures, licenses, process, root, score, setup};
+use crate::{editors, house as figures, licenses, process, root, score, setup};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -81,6 +81,10 @@ fn cargo_steps(report: &mut Report, root: &Path, extent: Extent) -> bool {
         report.step("tests", || cargo_test(root));
         report.step("checker, score", || score::check(root));
         report.step("checker, generated", || score::check_generated(root));
+        // It installs packages.
+        if extent != Extent::Fast {
+            report.step("extension for VS Code", || editors::test(root));
+        }
     } else {
         report.step("tests", || Findings::fail("not run, because the tests did not build"));
     }

@@ -161,8 +161,8 @@ fn checked(command: &mut Command) -> Result<(), String> {
     if outcome.success { Ok(()) } else { Err(outcome.text) }
 }
 
-/// Runs `npm ci` in `web/` unless the packages of the lock file are installed.
-fn install_packages(web: &Path, say: &mut dyn FnMut(&str)) -> Result<(), String> {
+/// Runs `npm ci` in `web/` or another folder with a lock file, unless its packages are installed.
+pub fn install_packages(web: &Path, say: &mut dyn FnMut(&str)) -> Result<(), String> {
     let lock = web.join("package-lock.json");
     let locked = std::fs::read(&lock).map_err(|e| format!("cannot read {}: {e}", lock.display()))?;
     // Written last, so an interrupted installation is repeated.

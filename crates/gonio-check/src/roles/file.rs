@@ -19,6 +19,7 @@ pub enum Meaning {
 /// The content of a `names.toml`:
 ///
 /// ```toml
+/// exercise = "ex04"
 /// [names]
 /// sunPlace = "light-pos"
 /// "lamps[1].place" = "light-pos-1"
@@ -32,6 +33,8 @@ pub struct NamesFile {
     pub by_use: BTreeMap<String, Role>,
     /// The lines of the names in the file, from 1.
     pub lines: BTreeMap<String, u32>,
+    /// The exercise of the folder, for editors. A check states its own.
+    pub exercise: Option<String>,
 }
 
 /// An error in a `names.toml`, with its line.
@@ -54,6 +57,7 @@ impl std::error::Error for NamesError {}
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Document {
+    exercise: Option<String>,
     #[serde(default)]
     names: BTreeMap<String, Spanned<Value>>,
 }
@@ -68,7 +72,7 @@ impl NamesFile {
             line: line_at(text, error.span().map_or(0, |span| span.start)),
             message: error.message().to_owned(),
         })?;
-        let mut file = Self::default();
+        let mut file = Self { exercise: document.exercise, ..Self::default() };
         for (name, value) in document.names {
             let line = line_at(text, value.span().start);
             file.take(name, value.into_inner(), line)?;
@@ -146,6 +150,8 @@ mod tests {
         assert_eq!(file.get("on"), Some(&Meaning::Value(vec![1.0])));
         assert_eq!(file.get("nothing"), None);
         assert_eq!(NamesFile::parse("").unwrap(), NamesFile::default());
+        let file = NamesFile::parse("exercise = \"ex04\"\n[names]\nk = 3\n").unwrap();
+        assert_eq!((file.exercise.as_deref(), file.names.len()), (Some("ex04"), 1));
     }
 
     #[test]

@@ -56,6 +56,12 @@ impl StageText {
         }
     }
 
+    /// Whether a part of the text is from this file: the stage's own, or one that it includes.
+    #[must_use]
+    pub fn has_file(&self, name: &str) -> bool {
+        self.file == name || self.inserted.iter().any(|inserted| inserted == name)
+    }
+
     fn source(&self, stretch: &Stretch) -> &str {
         let inserted = stretch.source.checked_sub(1).and_then(|at| self.inserted.get(at));
         inserted.map_or(&self.file, String::as_str)

@@ -4,7 +4,8 @@ use crate::exercise::Exercise;
 use gonio_check::comparison::declared;
 use gonio_check::compile::{self, ParsedStage};
 use gonio_check::roles::{self, Bindings, NamesError, NamesFile};
-use gonio_check::submission::{SourceFile, Submission};
+use gonio_check::source_problems::{SourceProblem, SourceStage, pair_problems};
+use gonio_check::submission::{SourceFile, StageText, Submission};
 use gonio_check::verdict::CompilerMessage;
 use gonio_gl::Gl;
 use gonio_glsl::{Class, OutputVersion, Severity, Stage};
@@ -61,10 +62,18 @@ impl SubmittedPair {
     /// # Errors
     /// The reason why there is none, in one sentence.
     pub fn gather(exercise: &Exercise, files: Vec<SourceFile>) -> Result<Self, String> {
+        Self::gather_choosing(exercise, files, None)
+    }
+
+    /// Finds the pair whose file or variable has a name; `None`: any.
+    ///
+    /// # Errors
+    /// The reason why there is none, in one sentence.
+    pub fn gather_choosing(exercise: &Exercise, files: Vec<SourceFile>, name: Option<&str>) -> Result<Self, String> {
         let is_text = |name: &str| [".md", ".svg", ".obj"].iter().any(|end| name.ends_with(end));
         let files = files.into_iter().filter(|file| !is_text(&file.name)).collect();
         let submission =
-            Submission::gather_with(files, None, &[exercise.id.as_str()]).map_err(|error| error.to_string())?;
+            Submission::gather_with(files, name, &[exercise.id.as_str()]).map_err(|error| error.to_string())?;
         let names = submission.names.as_deref().map(NamesFile::parse).transpose();
         let names = names.map_err(|error: NamesError| error.to_string())?.unwrap_or_default();
         Ok(SubmittedPair { submission, names })
@@ -73,6 +82,21 @@ impl SubmittedPair {
     /// What `names.toml` states.
     pub(crate) fn names(&self) -> &NamesFile {
         &self.names
+    }
+
+    /// The problems that gonio's own front end finds, without a driver.
+    #[must_use]
+    pub fn source_problems(&self) -> Vec<SourceProblem> {
+        pair_problems(
+            &SourceStage::new(&self.submission.vertex, Stage::Vertex),
+            &SourceStage::new(&self.submission.fragment, Stage::Fragment),
+        )
+    }
+
+    /// The text of a stage.
+    #[must_use]
+    pub fn text(&self, stage: Stage) -> &StageText {
+        if stage == Stage::Vertex { &self.submission.vertex } else { &self.submission.fragment }
     }
 
     /// The texts of both stages.

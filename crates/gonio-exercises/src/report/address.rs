@@ -45,6 +45,30 @@ fn is_reserved(name: &str) -> bool {
         || is_port("lpt")
 }
 
+/// The URI of a path: relative, or `file://` of an absolute path. Also those of Windows, whose separators become `/`.
+#[must_use]
+pub fn uri_of(path: &str) -> String {
+    let path = if cfg!(windows) { path.replace('\\', "/") } else { path.to_owned() };
+    let has_drive = cfg!(windows) && path.as_bytes().get(1) == Some(&b':');
+    let mut uri = String::new();
+    match (path.starts_with('/'), has_drive) {
+        (true, _) => uri.push_str("file://"),
+        (false, true) => uri.push_str("file:///"),
+        // A colon in the first part would end a scheme.
+        (false, false) if path.split('/').next().is_some_and(|first| first.contains(':')) => uri.push_str("./"),
+        (false, false) => {}
+    }
+    for byte in path.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'.' | b'_' | b'-' | b'~' | b'/' => uri.push(char::from(byte)),
+            byte => {
+                let _ = write!(uri, "%{byte:02X}");
+            }
+        }
+    }
+    uri
+}
+
 /// The relative address of a submission's page.
 pub fn page_address(label: &str) -> String {
     let mut address = String::from("./");

@@ -4,6 +4,7 @@
 //! is treated as hostile: see `text`.
 
 mod address;
+mod annotations;
 mod graders;
 mod html;
 mod junit;
@@ -12,6 +13,7 @@ mod navigation;
 mod overview;
 mod page;
 mod picture;
+mod sarif;
 mod sha256;
 mod similarity;
 mod table;
@@ -22,7 +24,8 @@ mod verdict_parts;
 #[cfg(test)]
 mod tests;
 
-pub use address::page_name;
+pub use address::{page_name, uri_of};
+pub use annotations::{Annotation, AnnotationKind, COMPILER, VERDICT, WARNING, annotations, gcc, github};
 pub use graders::{code_runner, gradescope};
 pub use junit::junit;
 pub use navigation::{in_page_order, with_neighbours};
@@ -30,6 +33,7 @@ pub use overview::{Overview, overview};
 pub use page::page;
 pub(crate) use picture::NAN_COLOUR;
 pub use picture::contact_sheet;
+pub use sarif::sarif;
 pub use similarity::{Fingerprint, SimilarGroup, similar_groups, similar_pairs, similarity};
 pub use table::{Row, RowMistake, csv};
 pub use text::{is_hidden, push_visible, visible};

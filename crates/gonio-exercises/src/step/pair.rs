@@ -139,6 +139,20 @@ impl SteppedPair {
         Ok(Self { vertex, fragment, bindings: Bindings::default() })
     }
 
+    /// The role of an attribute or uniform of a stage, and the evidence for it, in words; `None` if it has none.
+    #[must_use]
+    pub fn role(&self, stage: Stage, name: &str) -> Option<(String, String)> {
+        let name = self.stage(stage).name_in_program(name);
+        let is_it = |declared: &Declared| {
+            declared.name == name && (stage == Stage::Vertex || declared.kind == VariableKind::Uniform)
+        };
+        if let Some(bound) = self.bindings.bound.iter().find(|bound| is_it(&bound.declared)) {
+            return Some((bound.role.to_string(), bound.how.to_string()));
+        }
+        let is_fixed = self.bindings.fixed.iter().any(|fixed| is_it(&fixed.declared));
+        is_fixed.then(|| (tr!("check-preview-a-value").to_owned(), tr!("check-inputs-by-names-toml").to_owned()))
+    }
+
     /// One of the stages.
     #[must_use]
     pub fn stage(&self, stage: Stage) -> &SteppedStage {

@@ -11,8 +11,10 @@ use gonio_check::cause::SceneSamples;
 use gonio_check::cause::quantity_of::{ExpressionQuantity, PlacedCause, RightQuantities};
 use gonio_check::comparison::Task;
 use gonio_check::feedback::Feedback;
+use gonio_check::verdict::CompilerMessage;
 use gonio_glsl::Stage;
 use gonio_interpreter::{ExprId, Fragment};
+use gonio_language::tr;
 
 /// What the expressions of a pair are and should be.
 pub struct RightAnswer {
@@ -48,6 +50,24 @@ impl RightAnswer {
         }
         let task = Task::find(&exercise.id)?;
         Some(Self { quantities: RightQuantities::new(task, submitted.submission(), submitted.names())? })
+    }
+
+    /// The causes of what is wrong, as messages at their places in a pair's files.
+    #[must_use]
+    pub fn messages(&self, submitted: &SubmittedPair) -> Vec<CompilerMessage> {
+        let message = |cause: &PlacedCause| {
+            let text = submitted.text(cause.stage);
+            let (file, line, column) = text.place(cause.span.line, cause.span.column);
+            CompilerMessage {
+                file: file.to_owned(),
+                line: Some(line),
+                column: Some(column),
+                text: tr!("check-wrong-value", text = one_line(&cause.text), should = cause.should),
+                quoted: text.line(cause.span.line).map(str::to_owned),
+                explanation: None,
+            }
+        };
+        self.quantities.causes().iter().map(message).collect()
     }
 
     /// What an expression is or should be; `None` if no quantity of the light equation has its values.

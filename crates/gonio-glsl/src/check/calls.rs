@@ -141,8 +141,11 @@ impl Checker<'_> {
             "fmod" => Some("mod"),
             _ => None,
         };
-        if let Some(near) = alias.or_else(|| crate::nearest::nearest(&call.name, names.into_iter())) {
+        if let Some(near) = alias {
+            // Its arguments may be others.
             problem = problem.with_help(format!("did you mean `{near}`?"));
+        } else if let Some(near) = crate::nearest::nearest(&call.name, names.into_iter()) {
+            problem = problem.did_you_mean(&call.name, near);
         }
         self.unknown(problem);
     }

@@ -227,7 +227,7 @@ impl Checker<'_> {
                 let of = of.trim_end_matches(" (block)");
                 let mut problem = Problem::error(span, "unknown-member", format!("`{of}` has no member `{name}`"));
                 if let Some(near) = near {
-                    problem = problem.with_help(format!("did you mean `{near}`?"));
+                    problem = problem.did_you_mean(name, &near);
                 }
                 self.unknown(problem);
                 None

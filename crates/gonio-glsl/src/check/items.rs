@@ -68,7 +68,7 @@ impl Checker<'_> {
         };
         let near = alias.or_else(|| crate::nearest::nearest(&ty.name, structs.chain(own).chain(more)));
         if let Some(near) = near {
-            problem = problem.with_help(format!("did you mean `{near}`?"));
+            problem = problem.did_you_mean(&ty.name, near);
         }
         self.unknown(problem);
     }

@@ -196,7 +196,7 @@ impl Checker<'_> {
         names.sort_unstable();
         let mut problem = Problem::error(span, "unknown-name", format!("`{name}` is not declared"));
         if let Some(near) = crate::nearest::nearest(name, names.into_iter()) {
-            problem = problem.with_help(format!("did you mean `{near}`?"));
+            problem = problem.did_you_mean(name, near);
         }
         self.unknown(problem);
         None

@@ -11,6 +11,7 @@ pub mod environment;
 pub mod frame;
 pub mod inspect;
 pub mod lab;
+pub mod lsp;
 pub mod probe;
 pub mod reference;
 pub mod render;

@@ -1,7 +1,8 @@
 //! `gonio lab check`: the verdict about a student's answer, or about those of a class.
 
+use super::format::{self, CheckFormat};
 use super::intake::{self, GatheredFiles, Intake, Submissions};
-use super::{batch, child_process, exercise, text};
+use super::{batch, child_process, exercise, watch};
 use crate::backend;
 use crate::error::{CliError, CommandOutcome};
 use crate::options::{GeneralOptions, values};
@@ -25,6 +26,10 @@ Examples:
   gonio lab check ex04 mine
   gonio lab check ex07 light.vert light.frag --page verdict.html
   gonio lab check ex09 main.cpp --json
+  gonio lab check ex04 mine --watch
+      Checks again whenever a file changes, until Ctrl-C.
+  gonio lab check ex04 mine --format gcc
+      The mistakes as a compiler's messages, for an editor.
   gonio lab check ex02 cube.csv
   gonio lab check ex07 mine --feedback verdict
       Only whether it is right, and in which test scenes.
@@ -58,10 +63,18 @@ pub struct CheckArgs {
     /// Number of submissions in the files, instead of deciding by names and contents.
     #[arg(long, value_name = "NUMBER", default_value = "auto", help_heading = "Check options")]
     pub submissions: Submissions,
+    /// Check again whenever a file changes, until Ctrl-C.
+    #[arg(long, help_heading = "Check options")]
+    pub watch: bool,
     /// Time limit of a check, in seconds.
     #[arg(long, value_name = "SECONDS", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=86_400),
           help_heading = "Check options")]
     pub patience: u64,
+    /// Form of the verdict on stdout: for people, one JSON object (as --json), the same text with workflow commands for GitHub
+    /// Actions, SARIF 2.1.0, or one line for each message, as compilers print them.
+    #[arg(long, value_name = "FORMAT", value_parser = values::named(&CheckFormat::ALL, CheckFormat::word),
+          default_value = "text", help_heading = "Output options")]
+    pub format: CheckFormat,
     /// Folder for the pages, table and overview of many submissions.
     ///
     /// It must be outside the submissions; by default it is created beside them.
@@ -111,6 +124,12 @@ impl CheckArgs {
         options.into_iter().filter(|(_, is_used)| *is_used).map(|(option, _)| option)
     }
 
+    /// The files that the command writes, none of which is an answer.
+    fn output_files(&self) -> impl Iterator<Item = PathBuf> {
+        let outputs = [&self.page, &self.sheet, &self.junit, &self.gradescope, &self.code_runner];
+        outputs.into_iter().flatten().filter_map(OutputPath::file).map(Path::to_owned)
+    }
+
     /// The request for a worker process, without a page and a sheet.
     pub fn request(&self, exercise: &Exercise, gathered: GatheredFiles) -> WorkerRequest {
         WorkerRequest {
@@ -146,6 +165,7 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
     let texts = [&args.page, &args.junit, &args.gradescope, &args.code_runner].into_iter().flatten();
     let texts = texts.map(|output| (output, OutputKind::Text));
     let is_stdout_taken = check_stdout(texts.chain(args.sheet.iter().map(|o| (o, OutputKind::Binary))), reporter)?;
+    args.format.check(args.general.json, is_stdout_taken)?;
     // A folder for results is for those of a class, even a class of one.
     let as_class = args.output.is_some() || args.submissions == Submissions::Many;
     match intake::take(&args.files, exercise, args.submissions, as_class)? {
@@ -157,6 +177,13 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
                     class.submissions.len()
                 )));
             }
+            let of_one = [("--watch", args.watch), ("--format", args.format.lists_places())];
+            if let Some((option, _)) = of_one.into_iter().find(|(_, is_used)| *is_used) {
+                return Err(CliError::new(format!(
+                    "{option} is for the files of one submission, and these are {} submissions",
+                    class.submissions.len()
+                )));
+            }
             batch::run(args, exercise, &class, reporter)
         }
         Intake::One(gathered) => {
@@ -164,7 +191,15 @@ pub fn run(args: &CheckArgs, reporter: &Reporter) -> Result<CommandOutcome, CliE
                 reporter.verbose(format_args!("read `{}`, {} bytes", file.name, file.bytes.len()));
             }
             backend::report_driver(reporter);
-            check_one(args, exercise, gathered, is_stdout_taken, reporter)
+            let check = |gathered, given_up: &dyn Fn() -> bool| {
+                check_one(args, exercise, gathered, is_stdout_taken, given_up, reporter)
+            };
+            match args.watch {
+                true => watch::run(&args.files, args.output_files(), reporter, |given_up| {
+                    check(intake::gather_files(&args.files)?, given_up)
+                }),
+                false => check(gathered, &|| false),
+            }
         }
     }
 }
@@ -175,6 +210,7 @@ fn check_one(
     exercise: &Exercise,
     gathered: GatheredFiles,
     is_stdout_taken: bool,
+    given_up: &dyn Fn() -> bool,
     reporter: &Reporter,
 ) -> Result<CommandOutcome, CliError> {
     let label = args.label();
@@ -184,15 +220,13 @@ fn check_one(
     let program = child_process::own_program()?;
     let not_started = |error| CliError::io("gonio cannot start itself for a check", &error);
     let worker = worker::start(&program, request, false).map_err(not_started)?;
-    let answer = worker.wait(args.patience(), || false).map_err(CliError::new)?;
-    write(args, &label, &answer)?;
-    if reporter.json() {
-        reporter.report(&answer.verdict)?;
-    } else if is_stdout_taken {
-        reporter.text_on_stderr(&text::verdict(&answer.verdict));
-    } else {
-        reporter.text(&text::verdict(&answer.verdict))?;
+    let answer = worker.wait(args.patience(), given_up).map_err(CliError::new)?;
+    if given_up() {
+        // Ctrl-C ended the worker too, which is no crash.
+        return Ok(CommandOutcome::Done);
     }
+    write(args, &label, &answer)?;
+    format::print(args.format, &args.files, &answer.verdict, is_stdout_taken, reporter)?;
     Ok(if answer.verdict.verdict == Word::Correct { CommandOutcome::Done } else { CommandOutcome::CheckFailed })
 }
 

@@ -1,16 +1,18 @@
 //! `gonio lab`: the exercises, and the checker that names the mistake.
 
 mod batch;
-mod check;
+pub mod check;
 pub mod child_process;
 pub mod draw;
 mod exercises;
-mod intake;
+pub mod format;
+pub mod intake;
 pub mod mistakes;
 mod open;
 mod score;
 pub mod step;
 mod text;
+mod watch;
 
 use crate::error::{CliError, CommandOutcome};
 use crate::options::GeneralOptions;
@@ -91,7 +93,7 @@ pub fn run(command: &LabCommand, reporter: &Reporter) -> Result<CommandOutcome, 
 }
 
 /// The exercise with this id or number.
-fn exercise(word: &str) -> Result<&'static Exercise, CliError> {
+pub fn exercise(word: &str) -> Result<&'static Exercise, CliError> {
     exercise::find(word).ok_or_else(|| {
         let ids: Vec<&str> = exercise::all().iter().map(|exercise| exercise.id.as_str()).collect();
         CliError::new(format!("there is no exercise `{word}`; the exercises are {}", ids.join(", ")))

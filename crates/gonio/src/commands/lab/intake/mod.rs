@@ -94,8 +94,16 @@ fn first_name(trees: &[Tree]) -> String {
 /// # Errors
 /// A path that cannot be read, or no files in them.
 pub fn read(paths: &[PathBuf]) -> Result<Vec<SourceFile>, CliError> {
+    gather_files(paths).map(|gathered| gathered.files)
+}
+
+/// The same, with the entries that were left out.
+///
+/// # Errors
+/// A path that cannot be read, or no files in them.
+pub fn gather_files(paths: &[PathBuf]) -> Result<GatheredFiles, CliError> {
     let trees = paths.iter().map(|path| tree_of(path)).collect::<Result<Vec<Tree>, CliError>>()?;
-    gather_some(&members(paths, trees)).map(|gathered| gathered.files)
+    gather_some(&members(paths, trees))
 }
 
 fn tree_of(path: &Path) -> Result<Tree, CliError> {
