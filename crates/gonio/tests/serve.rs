@@ -275,10 +275,10 @@ fn the_embedded_page_is_served_or_reported_missing() {
     // Every file that the page names is complete, also for a client that accepts no compression.
     let names: Vec<&str> =
         index.text().split('"').filter(|word| word.ends_with(".wasm") || word.ends_with(".js")).collect();
-    // Three modules, those of the first picture, the application and the tracer, with their scripts, and those of the checker
-    // and of the mirror for screen readers.
+    // Four modules, those of the first picture, the application, the checker and the tracer, with their scripts, and the script of
+    // the mirror for screen readers.
     let modules = names.iter().filter(|name| name.ends_with(".wasm")).count();
-    assert!(modules == 3 && names.len() == modules + 5, "{names:?}");
+    assert!(modules == 4 && names.len() == modules + 5, "{names:?}");
     for name in names {
         let answer = server.get(&format!("/{name}"));
         assert_eq!((answer.status, answer.header("content-encoding")), (200, ""), "{name}");
