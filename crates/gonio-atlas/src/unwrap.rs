@@ -38,6 +38,9 @@ pub struct UnwrapSettings {
     /// Texels per unit of length in each part of the mesh, relative to the other parts, > 0; 1 for parts beyond its length. Does
     /// not apply to [`UvSource::Kept`].
     pub density_of_part: Vec<f64>,
+    /// A number for each part of the mesh: parts with different ones share no chart. 0 for parts beyond its length. Does not apply to
+    /// [`UvSource::Kept`].
+    pub group_of_part: Vec<usize>,
 }
 
 impl Default for UnwrapSettings {
@@ -48,6 +51,7 @@ impl Default for UnwrapSettings {
             margin: 0.01,
             source: UvSource::New,
             density_of_part: Vec::new(),
+            group_of_part: Vec::new(),
         }
     }
 }
@@ -92,7 +96,8 @@ impl std::error::Error for UnwrapError {}
 /// Unwraps a mesh. `progress` gets the share done, 0 to 1, from any thread; it returns whether to go on.
 ///
 /// All triangles of the mesh, whatever their part, share one atlas with equal texel density, unless the settings weight it: the
-/// area of a chart in the atlas is proportional to its area in space. Parts of different density share no chart. Edges of more than two triangles, or of two with opposite orientation,
+/// area of a chart in the atlas is proportional to its area in space. Parts of different density or group share no
+/// chart. Edges of more than two triangles, or of two with opposite orientation,
 /// are cut.
 ///
 /// # Errors
@@ -107,9 +112,13 @@ pub fn unwrap(
     if faces.areas.iter().all(|area| *area == 0.0) {
         return Err(UnwrapError::NoArea);
     }
-    let density = triangle_densities(mesh, &settings.density_of_part);
+    let density = of_triangles(mesh, &settings.density_of_part, 1.0);
     if settings.source != UvSource::Kept && !settings.density_of_part.is_empty() {
         faces.cut_between(|a, b| density[a] != density[b]);
+    }
+    if settings.source != UvSource::Kept && !settings.group_of_part.is_empty() {
+        let group = of_triangles(mesh, &settings.group_of_part, 0);
+        faces.cut_between(|a, b| group[a] != group[b]);
     }
     let step = |share: f64| if progress(share) { Ok(()) } else { Err(UnwrapError::Stopped) };
     step(0.1)?;
@@ -156,14 +165,14 @@ impl FlatChart {
     }
 }
 
-/// The density of each triangle.
-fn triangle_densities(mesh: &Mesh, of_part: &[f64]) -> Vec<f64> {
-    let mut densities = vec![1.0; mesh.triangle_count()];
-    for (part, &density) in mesh.parts.iter().zip(of_part) {
-        let triangles = densities.iter_mut().skip(part.first_triangle).take(part.triangle_count);
-        triangles.for_each(|own| *own = density);
+/// The value of each triangle's part.
+fn of_triangles<T: Copy>(mesh: &Mesh, of_part: &[T], otherwise: T) -> Vec<T> {
+    let mut values = vec![otherwise; mesh.triangle_count()];
+    for (part, &value) in mesh.parts.iter().zip(of_part) {
+        let triangles = values.iter_mut().skip(part.first_triangle).take(part.triangle_count);
+        triangles.for_each(|own| *own = value);
     }
-    densities
+    values
 }
 
 /// Flattens all charts, and divides those that overlap themselves until none does.

@@ -203,6 +203,21 @@ fn density_is_equal_unless_it_is_weighted() {
     }
 }
 
+/// Parts of another group have a chart of their own, of the same density.
+#[test]
+fn groups_share_no_chart() {
+    let mesh = two_parts();
+    for source in [UvSource::New, UvSource::Repacked] {
+        for (group_of_part, charts) in [(vec![], 1), (vec![7, 7], 1), (vec![7, 8], 2), (vec![7], 2)] {
+            let name = format!("{source:?}, {group_of_part:?}");
+            let settings = UnwrapSettings { source, group_of_part, ..Default::default() };
+            let atlas = unwrap(&mesh, &settings, &|_| true).unwrap();
+            assert_eq!(atlas.chart_count, charts, "{name}");
+            assert!((uv_report(&mesh, &atlas, SIZE).area_stretch - 1.0).abs() < 1e-4, "{name}");
+        }
+    }
+}
+
 /// Two triangles with the same coordinates, half of the square: every texel is covered twice, and the report says so.
 #[test]
 fn overlaps_are_counted() {

@@ -1,5 +1,6 @@
 //! Unwrapping, baking and files in one piece of work, for programs that show its progress.
 
+use crate::detail::MaterialDetail;
 use crate::maps::{BakeSettings, BakedMap, Baker, MapKind};
 use crate::model::{AtlasSet, MapFile, baked_model};
 use crate::surface::SceneSurface;
@@ -135,6 +136,10 @@ impl BakeJob {
         let scene = &scene.at(time);
         let surface = SceneSurface::new(scene);
         let settings = UnwrapSettings { margin: self.margin, source: self.uv_source, ..UnwrapSettings::default() };
+        let settings = match MaterialDetail::new(scene, &surface, &kinds) {
+            Some(detail) => detail.applied_to(settings),
+            None => settings,
+        };
         let uv = unwrap(&surface.mesh, &settings, &|share| progress("unwrapping", share_of.step(0, share)))?;
         let report = uv_report(&surface.mesh, &uv, self.size);
         let mut warnings = self.warnings(&report);

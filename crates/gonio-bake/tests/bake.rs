@@ -5,7 +5,7 @@ use glam::{DMat4, DVec3};
 use gonio_atlas::{AtlasUv, UnwrapSettings, unwrap};
 use gonio_bake::model::{AtlasSet, MapFile, baked_model};
 use gonio_bake::texels::BakedTexels;
-use gonio_bake::{BakeSettings, BakedMap, Baker, MapKind, SceneSurface};
+use gonio_bake::{BakeSettings, BakedMap, Baker, MapKind, MaterialDetail, SceneSurface};
 use gonio_light::color::{ColorEncoding, OutputTransform};
 use gonio_light::{Attenuation, Light, Quantity, Specular};
 use gonio_mesh::{Material, Mesh, Wrap, sphere};
@@ -34,7 +34,11 @@ struct Baked {
 
 fn bake(scene: &Scene, kind: MapKind, settings: BakeSettings, finer: Option<&Scene>) -> Baked {
     let surface = SceneSurface::new(scene);
-    let atlas = unwrap(&surface.mesh, &UnwrapSettings::default(), &|_| true).unwrap();
+    let settings_of_atlas = match MaterialDetail::new(scene, &surface, &[kind]) {
+        Some(detail) if finer.is_none() => detail.applied_to(UnwrapSettings::default()),
+        _ => UnwrapSettings::default(),
+    };
+    let atlas = unwrap(&surface.mesh, &settings_of_atlas, &|_| true).unwrap();
     let frame = scene.frame(0.0);
     let finer = finer.map(|finer| (finer, SceneSurface::new(finer)));
     let map = {
@@ -99,20 +103,67 @@ fn share_of_equal_pixels(a: &Scene, b: &Scene, frame: &gonio_scene::Frame) -> f6
     equal as f64 / (a.len() / 4) as f64
 }
 
-/// Issue 20 asks for 2/255 in 99 % of the pixels, at about one texel per pixel: the floor of the still life, 8 x 8 units with 91
-/// texels each, covers 551,000 of 1600 x 1200 pixels. (In smaller pictures both textures are minified, from other levels.) What
-/// differs lies along the hard edges of its checker.
+/// Issue 20 asks for 2/255 in 99 % of the pixels, at about one texel per pixel: of the still life's floor a pixel covers 1.0 texels
+/// in the mean. (In smaller pictures both textures are minified, from other levels.) What differs lies along the hard edges of its
+/// checker, in the texels in which the ramp between two texels of the source begins or ends: 99.09 % without, 99.22 % with more
+/// texels for the parts that have a texture.
 #[test]
 fn a_picture_with_the_baked_texture_is_the_same() {
-    for name in ["builtin:still-life", "builtin:suzanne"] {
+    for (name, least) in [("builtin:still-life", 0.992), ("builtin:suzanne", 0.992)] {
         let scene = builtin(name);
         let mut frame = scene.frame(0.0);
         (frame.width, frame.height, frame.samples) = (1600, 1200, 1);
         frame.equation.specular = Specular::None;
         let baked = bake(&scene, MapKind::Diffuse, BakeSettings::default(), None);
         let share = share_of_equal_pixels(&scene, &rebuilt(&scene, &baked), &frame);
-        assert!(share >= 0.99, "{name}: {share}");
+        assert!(share >= least, "{name}: {share}");
     }
+}
+
+/// A triangle with a texture between two plain ones of two materials: each has a chart of its own, the textured one with twice as many
+/// texels along its edges. Light varies over all of them, so a map of it weights nothing.
+#[test]
+fn detail_is_where_textures_are() {
+    let part = |material: usize| gonio_mesh::Part {
+        material,
+        first_triangle: material,
+        triangle_count: 1,
+        ..Default::default()
+    };
+    let mesh = Mesh {
+        positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.0, 0.0]],
+        normals: vec![[0.0, 0.0, 1.0]; 5],
+        tex_coords: vec![[0.0; 2], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]],
+        indices: vec![0, 1, 2, 0, 2, 3, 1, 4, 2],
+        parts: (0..3).map(part).collect(),
+        ..Mesh::default()
+    };
+    let mut scene = one_object(mesh, Material::default());
+    scene.materials = vec![SceneMaterial::from(Material::default()); 3];
+    scene.objects[0].parts = (0..3)
+        .map(|material| gonio_scene::ObjectPart {
+            name: String::new(),
+            first_triangle: material,
+            triangle_count: 1,
+            material,
+        })
+        .collect();
+    scene.textures = vec![Arc::new(Texture::new("grey", 1, 1, vec![128; 4], ColorSpace::Srgb))];
+    scene.materials[0].maps.diffuse = Some(BoundTexture::plain(0));
+    let baked = bake(&scene, MapKind::Diffuse, BakeSettings { size: 64, ..BakeSettings::default() }, None);
+    assert_eq!(baked.atlas.chart_count, 3);
+    let edge = |triangle: usize| {
+        let [a, b] = [0, 1].map(|k| glam::Vec2::from(baked.atlas.tex_coords[3 * triangle + k]));
+        a.distance(b)
+    };
+    // Edges of the lengths 1, root of 2 and root of 2.
+    assert!((edge(0) / edge(1) * 2.0_f32.sqrt() - 2.0).abs() < 1e-4, "{} {}", edge(0), edge(1));
+    assert!((edge(1) - edge(2)).abs() < 1e-4);
+    let surface = SceneSurface::new(&scene);
+    let plain = |kinds: &[MapKind]| MaterialDetail::new(&scene, &surface, kinds).map(|detail| detail.plain_parts());
+    assert_eq!(plain(&[MapKind::Diffuse, MapKind::Emitted]), Some(2));
+    assert_eq!(plain(&[MapKind::Specular]), Some(0), "all parts have one specular colour");
+    assert_eq!(plain(&[MapKind::Diffuse, MapKind::Light]), None);
 }
 
 /// A white sphere: every texel of every level is white, so a lookup that reads beyond a chart sees no seam.

@@ -8,6 +8,7 @@ use crate::terminal::TerminalPage;
 use clap::{ArgAction, Args};
 use glam::DMat4;
 use gonio_atlas::{AtlasUv, UnwrapSettings, UvReport, UvSource, layout, unwrap};
+use gonio_bake::MaterialDetail;
 use gonio_image::encode::png::encode8;
 use gonio_mesh::{Diagnostic, Material, Mesh, Part};
 use gonio_reference::ReferenceScene;
@@ -38,6 +39,9 @@ pub struct AtlasOptions {
     #[arg(long)]
     pub repack: bool,
     /// Texels per unit of length in the parts or the material NAME, relative to all others; repeat it for several.
+    ///
+    /// Without it all parts have the same density, except in `gonio bake` of diffuse, specular or emitted colours alone: there,
+    /// parts of one colour have half the density of those with a texture.
     #[arg(long, value_name = "NAME=FACTOR", action = ArgAction::Append, value_parser = values::density,
           conflicts_with = "keep_uvs")]
     pub density: Vec<values::Density>,
@@ -68,7 +72,7 @@ impl AtlasOptions {
             _ => UvSource::New,
         };
         let angle_limit_rad = self.angle_limit.to_radians();
-        Ok(UnwrapSettings { angle_limit_rad, margin, source, density_of_part: Vec::new() })
+        Ok(UnwrapSettings { angle_limit_rad, margin, source, ..UnwrapSettings::default() })
     }
 
     /// The density of each part; a later option replaces an earlier one.
@@ -97,11 +101,13 @@ impl AtlasOptions {
         Ok(densities)
     }
 
-    /// Unwraps a mesh with a progress bar. Warns if the margin had to be reduced.
+    /// Unwraps a mesh with a progress bar. `detail` gives the densities if there is no option for them. Warns if the margin had to be
+    /// reduced.
     pub fn unwrap(
         &self,
         mesh: &Mesh,
         material_names: &[&str],
+        detail: Option<&MaterialDetail>,
         name: &str,
         reporter: &Reporter,
     ) -> Result<AtlasUv, CliError> {
@@ -110,7 +116,10 @@ impl AtlasOptions {
                 "{name}: the model has no texture coordinates that could be the first set; leave --second-uv out"
             )));
         }
-        let settings = UnwrapSettings { density_of_part: self.densities(mesh, material_names)?, ..self.settings()? };
+        let settings = match detail.filter(|_| self.density.is_empty()) {
+            Some(detail) => detail.applied_to(self.settings()?),
+            None => UnwrapSettings { density_of_part: self.densities(mesh, material_names)?, ..self.settings()? },
+        };
         let progress = reporter.progress("unwrapping");
         let atlas = unwrap(mesh, &settings, &|share| {
             progress.set(share);
@@ -137,6 +146,8 @@ pub struct AtlasReport<'a> {
     /// The files that were written.
     pub outputs: &'a [String],
     pub uv: &'a UvReport,
+    /// Parts of one colour that have half the density of the others.
+    pub plain_parts: usize,
     /// The names of the baked maps.
     pub maps: &'a [&'static str],
     /// The relative noise of a lightmap.
@@ -159,6 +170,7 @@ impl AtlasReport<'_> {
                 "outputs": self.outputs,
                 "maps": self.maps,
                 "uv": self.uv,
+                "plain_parts": self.plain_parts,
                 "light_error": self.light_error,
                 "warnings": diagnostics,
                 "times_ms": times.to_json(),
@@ -188,6 +200,9 @@ impl AtlasReport<'_> {
         line("angle stretch", format!("{:.3} (1 keeps angles)", report.angle_stretch));
         line("area stretch", format!("{:.3} (1 keeps areas)", report.area_stretch));
         line("density", format!("{} texels per unit of length", significant(report.texels_per_unit)));
+        if self.plain_parts > 0 {
+            line("plain parts", format!("{}, of one colour, with half the density of the others", self.plain_parts));
+        }
         if report.margin_texels > 0.0 {
             line("margin", format!("{:.1} texels", report.margin_texels));
         }

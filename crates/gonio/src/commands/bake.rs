@@ -11,7 +11,7 @@ use clap::{ArgAction, Args};
 use glam::DVec3;
 use gonio_atlas::{AtlasUv, layout, uv_report};
 use gonio_bake::model::{AtlasSet, MapFile, baked_model};
-use gonio_bake::{BakeSettings, BakedMap, Baker, LitPoint, MapKind, SceneSurface};
+use gonio_bake::{BakeSettings, BakedMap, Baker, LitPoint, MapKind, MaterialDetail, SceneSurface};
 use gonio_image::encode::png::{ColorTag, encode8};
 use gonio_mesh::{Diagnostic, write};
 use gonio_scene::scene_file::LightSpec;
@@ -235,8 +235,13 @@ pub fn run(args: &BakeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
     let surface = SceneSurface::new(&scene);
     let stem = stem(&args.inputs);
     let names: Vec<&str> = scene.materials.iter().map(|material| material.material.name.as_str()).collect();
+    // A finer model has materials of its own.
+    let detail = if finer.is_none() { MaterialDetail::new(&scene, &surface, &args.what) } else { None };
+    let plain_parts = detail.as_ref().filter(|_| args.atlas.density.is_empty() && !args.atlas.keep_uvs);
+    let plain_parts = plain_parts.map_or(0, MaterialDetail::plain_parts);
+    let name = args.inputs.join(", ");
     let atlas =
-        times.measure("unwrap", || args.atlas.unwrap(&surface.mesh, &names, &args.inputs.join(", "), reporter))?;
+        times.measure("unwrap", || args.atlas.unwrap(&surface.mesh, &names, detail.as_ref(), &name, reporter))?;
     let uv = times.measure("measure", || uv_report(&surface.mesh, &atlas, args.atlas.size));
     if uv.overlapping_texels > 0 {
         diagnostics.push(Diagnostic::warning(format!(
@@ -257,6 +262,7 @@ pub fn run(args: &BakeArgs, reporter: &Reporter) -> Result<CommandOutcome, CliEr
         inputs: &args.inputs,
         outputs: &outputs,
         uv: &uv,
+        plain_parts,
         maps: &maps.iter().map(|map| map.file.kind.name()).collect::<Vec<_>>(),
         light_error: maps.iter().find_map(|map| map.relative_error),
     };

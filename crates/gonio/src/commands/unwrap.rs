@@ -79,7 +79,7 @@ pub fn run(args: &UnwrapArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
     let mut diagnostics = std::mem::take(&mut file.model.diagnostics);
     let mut model = std::mem::take(&mut file.model);
     let names: Vec<&str> = model.materials.iter().map(|material| material.name.as_str()).collect();
-    let atlas = times.measure("unwrap", || args.atlas.unwrap(&model.mesh, &names, &args.input, reporter))?;
+    let atlas = times.measure("unwrap", || args.atlas.unwrap(&model.mesh, &names, None, &args.input, reporter))?;
     let uv = times.measure("measure", || uv_report(&model.mesh, &atlas, args.atlas.size));
     let mut written = OutputFiles::new();
     if let (Some(output), Some(format)) = (&output, format) {
@@ -119,6 +119,7 @@ pub fn run(args: &UnwrapArgs, reporter: &Reporter) -> Result<CommandOutcome, Cli
         inputs: std::slice::from_ref(&args.input),
         outputs: &outputs,
         uv: &uv,
+        plain_parts: 0,
         maps: &[],
         light_error: None,
     };
