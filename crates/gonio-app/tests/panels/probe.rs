@@ -46,13 +46,17 @@ fn symbols_stand_above_their_numbers() {
         ("spec", light.spec),
     ];
     for (symbol, value) in factors {
-        let value = if value == 0.0 { "0".to_owned() } else { format!("{value:.4}") };
+        let value = match value.abs() {
+            _ if gonio_light::is_noise(value) => "0".to_owned(),
+            size if size < 1e-3 => format!("{value:.0e}"),
+            _ => format!("{value:.4}"),
+        };
         let above = bench.harness.get_by_label(symbol).rect();
         let is_below = |number: egui::Rect| {
             (number.right() - above.right()).abs() < 1.0
                 && (0.0..30.0).contains(&(number.center().y - above.center().y))
         };
-        let numbers: Vec<_> = bench.harness.get_all_by_label(&value).map(|node| node.rect()).collect();
+        let numbers: Vec<_> = bench.harness.query_all_by_label(&value).map(|node| node.rect()).collect();
         assert!(numbers.iter().any(|&number| is_below(number)), "{symbol} at {above:?}, {value} at {numbers:?}");
     }
 }
