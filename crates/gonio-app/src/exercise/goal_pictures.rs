@@ -1,7 +1,8 @@
 //! The goals of exercises whose answer is not a pair of shaders: pictures that were drawn ahead, as built-in files.
 
+use super::picture_files::reduced;
 use crate::exported::{self, WidgetRole};
-use egui::{Color32, ColorImage, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2};
+use egui::{Color32, Rect, Sense, TextureHandle, TextureOptions, Ui, pos2};
 use gonio_exercises::exercise::Exercise;
 use gonio_scene::Texture;
 use gonio_scene::files::FileSource;
@@ -25,7 +26,8 @@ impl GoalPictures {
                 return;
             }
             let picture = bytes.and_then(|bytes| Texture::decode(&name, &bytes).ok());
-            let texture = picture.map(|picture| ui.ctx().load_texture(&name, image(&picture), TextureOptions::LINEAR));
+            let texture =
+                picture.map(|picture| ui.ctx().load_texture(&name, reduced(&picture), TextureOptions::LINEAR));
             self.known.insert(exercise.id.clone(), texture);
         }
         let Some(Some(texture)) = self.known.get(&exercise.id) else { return };
@@ -35,8 +37,4 @@ impl GoalPictures {
         let response = ui.interact(place, ui.scope_id().with(&id), Sense::hover());
         exported::note(ui, &response, &id, WidgetRole::Picture, exercise.title(), "");
     }
-}
-
-fn image(picture: &Texture) -> ColorImage {
-    ColorImage::from_rgba_unmultiplied([picture.width as usize, picture.height as usize], &picture.rgba)
 }

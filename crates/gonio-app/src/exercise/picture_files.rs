@@ -69,8 +69,8 @@ fn texture(ui: &Ui, file: &OpenFile) -> Option<TextureHandle> {
     texture
 }
 
-/// Every n-th pixel of a large picture.
-fn reduced(texture: &Texture) -> ColorImage {
+/// Every n-th pixel of a large picture, and all of a small one.
+pub(super) fn reduced(texture: &Texture) -> ColorImage {
     let (width, height) = (texture.width as usize, texture.height as usize);
     let step = width.max(height).div_ceil(LARGEST).max(1);
     let (columns, rows) = (width.div_ceil(step), height.div_ceil(step));
