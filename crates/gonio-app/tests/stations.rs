@@ -90,11 +90,12 @@ fn a_film_runs_until_it_is_stopped_and_the_work_until_it_is_paused() {
         room["playing"] == true && (now - speed.as_f64().unwrap()).abs() > 0.015
     });
     window.click("film");
-    let room = window.until("the end", |room| room["playing"] == false);
+    let room = window.until("the end", |room| room["playing"] == false && room["picture"]["newest"] == true);
     assert_eq!(room["running"], true);
     window.click("pause");
     let paused = window.until("the pause", |room| room["running"] == false);
     assert_eq!(paused["paused"], true);
+    std::thread::sleep(Duration::from_millis(300));
     window.steps(30);
     let later = window.until("the same", |_| true);
     assert_eq!(later["picture"]["samples"], paused["picture"]["samples"]);

@@ -155,6 +155,8 @@ impl RoomWork {
             return;
         }
         match result {
+            // The step that was under way when the user paused ends after that.
+            StationResult::Picture(_) if self.is_paused && self.picture.is_newest => {}
             StationResult::Picture(picture) if film.is_playing && picture.samples == 0 => {
                 self.held = Some((number, picture));
             }
