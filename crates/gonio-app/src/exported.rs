@@ -168,6 +168,10 @@ pub fn state(ctx: &Context, document: &Document, session: &Session, history: &Hi
         Selection::None => Value::Null,
         Selection::Light(index) => json!({ "light": index }),
         Selection::Object(index) => json!({ "object": index }),
+        Selection::Part(object, part) => {
+            let name = session.loaded.as_ref().map(|loaded| loaded.part_name(object, part));
+            json!({ "object": object, "part": part, "part_name": name })
+        }
         Selection::Camera => json!("camera"),
     };
     let room = ctx.content_rect();

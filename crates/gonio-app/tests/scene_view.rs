@@ -210,6 +210,57 @@ fn a_click_pins_the_probe_and_both_renderers_agree_there() {
     assert_eq!(window.app().session().probing.pinned, None);
 }
 
+/// A model of several parts.
+const PARTS: &str = "[camera]\nposition = [3, 4, 6]\ntarget = [0, 0, 0]\n[[object]]\nmodel = \"builtin:still_life\"\n";
+
+#[test]
+fn a_click_selects_a_part_and_so_does_its_draw_call() {
+    let mut window = Window::showing("parts", PARTS, vec2(1100.0, 720.0));
+    window.click_at(window.center("pane-0"));
+    for _ in 0..600 {
+        window.steps(1);
+        if window.app().session().selection.part().is_some() {
+            break;
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let clicked = window.app().session().selection.part().unwrap();
+    let reading = window.app().session().probing.reading().cloned().unwrap();
+    assert_eq!(reading.part(), Some(clicked));
+    // From the probe to the material of this part.
+    window.click_at(window.center("probe-edit-material"));
+    window.steps(30);
+    assert_eq!(window.app().session().tab, Tab::Objects);
+    assert_eq!(window.widget(&format!("object-0-part-{}", clicked[1])).value, "true");
+    // Among the objects, a click selects without leaving.
+    let other = window.center("pane-0") + vec2(-60.0, -70.0);
+    window.click_at(other);
+    window.steps(30);
+    assert_eq!(window.app().session().tab, Tab::Objects);
+    let now = window.app().session().probing.reading().and_then(|reading| reading.part());
+    assert!(now.is_some() && now != Some(clicked), "{now:?}");
+    assert_eq!(window.app().session().selection.part(), now);
+    window.click_at(window.center("tab-frame"));
+    for _ in 0..200 {
+        window.steps(1);
+        if window.app().session().recorded_frame.is_some() {
+            break;
+        }
+    }
+    let draws = window.app().session().recorded_frame.as_ref().unwrap().record.draws.clone();
+    let loaded = window.app().session().loaded.clone().unwrap();
+    let draw =
+        draws.iter().find(|draw| draw.subject.as_ref().is_some_and(|subject| subject.material == "Wood")).unwrap();
+    window.click_at(window.center(&format!("draw-{}", draw.index)));
+    let [object, part] = window.app().session().selection.part().unwrap();
+    assert_eq!(loaded.materials[loaded.objects[object].parts[part].material].material.name, "Wood");
+    // Nothing is selected where there is only background.
+    let [left, top, ..] = window.widget("pane-0").rect;
+    window.click_at(pos2(left + 20.0, top + 90.0));
+    window.steps(30);
+    assert_eq!(window.app().session().selection, Selection::None);
+}
+
 #[test]
 fn the_axes_the_views_and_the_second_camera() {
     let mut window = Window::open("views");

@@ -26,8 +26,8 @@ pub use geometry::VertexData;
 pub use glsl::OVERDRAW_SCALE;
 pub use gonio_scene::{Overlays, SpecialView};
 pub use renderer::{
-    DifferenceScale, GroundLook, Painted, RenderedFrame, RenderedPicture, Renderer, SampledTexture, UniformValues,
-    UserPass, displayed_environment, map_of, shown_unchanged,
+    DifferenceScale, GroundLook, OutlinedPart, Painted, RenderedFrame, RenderedPicture, Renderer, SampledTexture,
+    UniformValues, UserPass, displayed_environment, map_of, shown_unchanged,
 };
 pub use scene_on_gpu::{GpuScene, wants_unshared};
 

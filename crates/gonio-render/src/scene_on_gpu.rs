@@ -31,7 +31,7 @@ pub struct GpuScene {
     /// Limits of the driver that change the picture.
     pub(crate) notes: Vec<String>,
     /// The meshes, for overlays.
-    meshes: Vec<Arc<Mesh>>,
+    pub(crate) meshes: Vec<Arc<Mesh>>,
     /// The geometry of overlays, by mesh and form.
     overlays: RefCell<HashMap<(usize, Form), Rc<MeshOnGpu>>>,
     /// The shadow maps, as drawn last.
@@ -148,6 +148,11 @@ impl GpuScene {
     /// The texture of a measured BRDF.
     pub(crate) fn table(&self, table: &Arc<MerlTable>) -> Option<&TextureObject> {
         self.tables.iter().find(|(known, _)| Arc::ptr_eq(known, table)).map(|(_, texture)| texture.as_ref())
+    }
+
+    /// The place of one of its objects in the list of all.
+    pub(crate) fn index_of(&self, object: &GpuObject) -> usize {
+        self.objects.iter().position(|known| std::ptr::eq(known, object)).unwrap_or(0)
     }
 
     /// The geometry that an object's shading draws.

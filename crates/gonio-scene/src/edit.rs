@@ -49,8 +49,8 @@ pub struct Applied {
 /// The first value that is out of its range.
 pub fn apply(loaded: &Scene, mut scene: SceneSettings) -> Result<Edited, InvalidValue> {
     scene.lights.iter_mut().for_each(LightSettings::keep_spectrum);
-    for object in scene.objects.iter_mut().filter(|o| o.material.diffuse.is_some()) {
-        object.material.diffuse_spectrum = None;
+    for material in scene.objects.iter_mut().flat_map(ObjectSpec::materials_mut).filter(|m| m.diffuse.is_some()) {
+        material.diffuse_spectrum = None;
     }
     validate::check(&SceneFile::from(&scene))?;
     let cache = &loaded.cache;
@@ -89,7 +89,7 @@ pub fn apply(loaded: &Scene, mut scene: SceneSettings) -> Result<Edited, Invalid
 /// Whether an object has the same mesh and the same materials as before.
 fn is_same_thing(before: &ObjectSpec, now: &ObjectSpec) -> bool {
     before.model == now.model
-        && before.material == now.material
+        && (&before.material, &before.parts) == (&now.material, &now.parts)
         && NormalChoice::for_object(before) == NormalChoice::for_object(now)
 }
 
@@ -107,19 +107,20 @@ fn moved(loaded: &Scene, scene: &SceneSettings) -> Scene {
 /// Other objects or materials from the cache; `None` if it lacks something.
 fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> Option<Scene> {
     let mut cache = (*loaded.cache).clone();
-    for object in &scene.objects {
-        cache.brdfs.add_model(&object.material);
-        if cache.brdfs.lacks(&object.material) {
+    for material in scene.objects.iter().flat_map(ObjectSpec::materials) {
+        cache.brdfs.add_model(material);
+        if cache.brdfs.lacks(material) {
             return None;
         }
     }
     let mut binder = MaterialBinder::from_cache(&cache.textures, cache.brdfs.clone());
-    let first_material: Vec<usize> = scene
+    let materials_of_parts: Vec<Vec<usize>> = scene
         .objects
         .iter()
         .zip(known)
-        .map(|(object, &(model, _))| {
-            binder.add(model, &object.material, &MaterialSource::of_cached(&cache.models[model]))
+        .map(|(object, &(model, mesh))| {
+            let parts = cache.meshes[mesh].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
+            binder.add_object(model, object, parts, &MaterialSource::of_cached(&cache.models[model]))
         })
         .collect();
     let bound = binder.recall(&cache.textures)?;
@@ -132,7 +133,15 @@ fn rebound(loaded: &Scene, scene: &SceneSettings, known: &[(usize, usize)]) -> O
     };
     let mut new_diagnostics: Vec<Diagnostic> = Vec::new();
     let (meshes, with_tangents) = (&mut cache.meshes, Readers::ALL.tangents);
-    assemble(&mut next, &scene.objects, meshes, &mesh_of_object, &first_material, with_tangents, &mut new_diagnostics);
+    assemble(
+        &mut next,
+        &scene.objects,
+        meshes,
+        &mesh_of_object,
+        &materials_of_parts,
+        with_tangents,
+        &mut new_diagnostics,
+    );
     new_diagnostics.retain(|new| !loaded.diagnostics.contains(new));
     next.diagnostics.append(&mut new_diagnostics);
     next.cache = Arc::new(cache);

@@ -29,6 +29,7 @@ mod material_brdf;
 pub mod model_file;
 mod model_scene;
 mod option_text;
+pub mod part_material;
 pub mod picture;
 pub mod readers;
 pub mod scene;

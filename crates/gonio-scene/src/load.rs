@@ -9,6 +9,7 @@ use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
 use crate::material_brdf::{self, BrdfLibrary};
 use crate::model_file::{self, ModelFile};
 use crate::model_scene;
+use crate::part_material::{self, NamedParts};
 use crate::readers::Readers;
 use crate::scene::{Object, ObjectPart, Scene, SceneMaterial, world_from_model};
 use crate::scene_file::{ObjectSpec, SceneFile};
@@ -72,7 +73,7 @@ fn describe_one(input: &str, files: &dyn FileSource) -> Result<(SceneFile, bool)
                 if !object.model.starts_with(files::BUILTIN) {
                     object.model = files::resolve(base, &object.model).to_string_lossy().into_owned();
                 }
-                if let Some(file) = &mut object.material.brdf_file {
+                for file in object.materials_mut().filter_map(|material| material.brdf_file.as_mut()) {
                     *file = material_brdf::rebased(base, file);
                 }
             }
@@ -160,17 +161,21 @@ pub fn load_by(
 
     let mut diagnostics = Vec::new();
     let mut brdfs = BrdfLibrary::default();
-    for object in &scene.objects {
-        (readers.brdf)(&mut brdfs, &object.material, base, files, &mut diagnostics)?;
+    for material in scene.objects.iter().flat_map(ObjectSpec::materials) {
+        (readers.brdf)(&mut brdfs, material, base, files, &mut diagnostics)?;
     }
     let mut binder = MaterialBinder::new(files, files.budget(), readers.pictures, brdfs.clone());
-    let mut first_material = Vec::with_capacity(scene.objects.len());
+    let mut materials_of_parts = Vec::with_capacity(scene.objects.len());
     let used: Vec<Vec<bool>> = models.iter().map(|file| used_materials(&file.model)).collect();
     let folders: Vec<Vec<PathBuf>> = models.iter().map(ModelFile::texture_folders).collect();
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
         let source = MaterialSource::of_file(&models[m], &folders[m], &used[m]);
-        first_material.push(binder.add(m, &object.material, &source));
+        materials_of_parts.push(binder.add_object(m, object, &models[m].model.mesh.parts, &source));
     }
+    let of_object =
+        |&m: &usize| NamedParts { parts: &models[m].model.mesh.parts, materials: &models[m].model.materials };
+    let named: Vec<NamedParts<'_>> = model_of_object.iter().map(of_object).collect();
+    diagnostics.extend(part_material::unknown_parts(&scene.objects, &named));
     for model in &mut models {
         diagnostics.append(&mut model.model.diagnostics);
     }
@@ -222,7 +227,7 @@ pub fn load_by(
 
     let mut loaded = Scene { materials: bound.materials, textures: bound.textures, ..Scene::default() };
     let (meshes, of_object) = (&mut cache.meshes, &prepared_of_object);
-    assemble(&mut loaded, &scene.objects, meshes, of_object, &first_material, readers.tangents, &mut diagnostics);
+    assemble(&mut loaded, &scene.objects, meshes, of_object, &materials_of_parts, readers.tangents, &mut diagnostics);
     model_scene::take_camera(&mut scene, &models, &model_of_object)?;
     model_scene::take_lights(&mut scene, &models, &model_of_object, loaded.bounds(), &mut diagnostics);
     if let Some(mut read) = environment {
@@ -276,26 +281,28 @@ fn complete(file: SceneFile, scene: &Scene) -> SceneSettings {
 }
 
 /// Fills in `meshes` and `objects` of `loaded`, which has its materials: objects in the scene's order, with tangents
-/// where a normal map or a BRDF needs them. `mesh_of_object` indexes `cache`, `first_material` the materials.
+/// where a normal map or a BRDF needs them. `mesh_of_object` indexes `cache`, `materials_of_parts` the materials, for each part of
+/// each object.
 pub(crate) fn assemble(
     loaded: &mut Scene,
     specs: &[ObjectSpec],
     cache: &mut [CachedMesh],
     mesh_of_object: &[usize],
-    first_material: &[usize],
+    materials_of_parts: &[Vec<usize>],
     with_tangents: fn(&Mesh) -> Option<Mesh>,
     diagnostics: &mut Vec<Diagnostic>,
 ) {
     // Meshes of the cache, with or without tangents, each once.
     let mut needed: Vec<(usize, bool)> = Vec::new();
     let mut index_of_object = Vec::with_capacity(specs.len());
-    for (&mesh, &first) in mesh_of_object.iter().zip(first_material) {
-        let needs_tangents = |material: usize| {
+    for (&mesh, materials) in mesh_of_object.iter().zip(materials_of_parts) {
+        let needs_tangents = |&material: &usize| {
             let has_direction = |m: &SceneMaterial| m.brdf.as_ref().is_some_and(|brdf| brdf.has_direction());
             loaded.materials.get(material).is_some_and(|m| m.maps.normal.is_some() || has_direction(m))
         };
         let parts = cache[mesh].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
-        let tangents = parts.iter().any(|part| part.triangle_count > 0 && needs_tangents(first + part.material));
+        let mut drawn = parts.iter().zip(materials).filter(|(part, _)| part.triangle_count > 0);
+        let tangents = drawn.any(|(_, material)| needs_tangents(material));
         let index = needed.iter().position(|key| *key == (mesh, tangents)).unwrap_or(needed.len());
         if index == needed.len() {
             needed.push((mesh, tangents));
@@ -313,13 +320,11 @@ pub(crate) fn assemble(
         }
         let object = mesh_of_object.iter().position(|mesh| *mesh == m).unwrap_or(0);
         let name = specs.get(object).map_or("", |object| object.model.as_str());
-        let first = first_material.get(object).copied().unwrap_or(0);
-        let parts = cache[m].any().map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
-        let is_mapped = |part: &gonio_mesh::mesh::Part| {
-            loaded.materials.get(first + part.material).is_some_and(|material| material.maps.normal.is_some())
-        };
+        let materials = materials_of_parts.get(object).map(Vec::as_slice).unwrap_or_default();
+        let is_mapped =
+            |&material: &usize| loaded.materials.get(material).is_some_and(|material| material.maps.normal.is_some());
         // A BRDF with a direction follows the vertical axis instead.
-        if parts.iter().any(is_mapped) {
+        if materials.iter().any(is_mapped) {
             let message = "the normal map is ignored: the mesh has no texture coordinates";
             diagnostics.push(Diagnostic::warning(message).in_file(name));
         }
@@ -342,11 +347,12 @@ pub(crate) fn assemble(
         let parts: Vec<ObjectPart> = mesh
             .parts
             .iter()
-            .map(|part| ObjectPart {
+            .zip(&materials_of_parts[i])
+            .map(|(part, &material)| ObjectPart {
                 name: part.name.clone(),
                 first_triangle: part.first_triangle,
                 triangle_count: part.triangle_count,
-                material: (first_material[i] + part.material).min(last_material),
+                material: material.min(last_material),
             })
             .collect();
         let opaque = parts.iter().all(|p| !loaded.materials[p.material].is_transparent());

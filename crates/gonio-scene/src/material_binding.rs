@@ -5,14 +5,16 @@ use crate::color_value::Color;
 use crate::files::{Budget, FileSource};
 use crate::material_brdf::{BrdfLibrary, MaterialBrdf};
 use crate::model_file::ModelFile;
+use crate::part_material::PartName;
 use crate::readers::PictureReader;
 use crate::scene::{BoundTexture, Maps, SceneMaterial};
-use crate::scene_file::MaterialOverride;
+use crate::scene_file::{MaterialOverride, ObjectSpec};
 use crate::texture::Texture;
 use crate::texture_library::{DecodedLibrary, Requester, TextureCache, TextureLibrary, TextureUse};
 use crate::texture_recipe::{Metal, Purpose, Rule};
 use glam::DVec3;
 use gonio_light::{Fresnel, Optics, Spectrum};
+use gonio_mesh::mesh::Part;
 use gonio_mesh::{AmbientRule, Diagnostic, EmbeddedImage, Format, Material, Model, TextureMap};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -93,12 +95,20 @@ pub(crate) struct MaterialBinder<'a> {
     pending: Vec<PendingMaterial>,
     /// Model and override, with the first of their materials.
     known: Vec<(usize, MaterialOverride, usize)>,
+    /// Model, its material and override of a part, with their material.
+    known_parts: Vec<(usize, usize, MaterialOverride, usize)>,
 }
 
 impl MaterialBinder<'static> {
     /// Binds textures of the cache only.
     pub fn from_cache(cache: &TextureCache, brdfs: BrdfLibrary) -> Self {
-        MaterialBinder { library: TextureLibrary::from_cache(cache), brdfs, pending: Vec::new(), known: Vec::new() }
+        MaterialBinder {
+            library: TextureLibrary::from_cache(cache),
+            brdfs,
+            pending: Vec::new(),
+            known: Vec::new(),
+            known_parts: Vec::new(),
+        }
     }
 
     /// [`Self::finish`] without files: `None` where the cache lacks a texture.
@@ -111,7 +121,38 @@ impl<'a> MaterialBinder<'a> {
     /// Textures are read from `files`, and decoded ones are paid for from `budget`. BRDFs were read before.
     pub fn new(files: &'a dyn FileSource, budget: &'a Budget, pictures: PictureReader, brdfs: BrdfLibrary) -> Self {
         let library = TextureLibrary::new(files, budget, pictures);
-        MaterialBinder { library, brdfs, pending: Vec::new(), known: Vec::new() }
+        MaterialBinder { library, brdfs, pending: Vec::new(), known: Vec::new(), known_parts: Vec::new() }
+    }
+
+    /// The materials of an object whose model is `from`, numbered `index`; returns the material of each of its `parts`.
+    pub fn add_object(
+        &mut self,
+        index: usize,
+        object: &ObjectSpec,
+        parts: &[Part],
+        from: &MaterialSource<'_>,
+    ) -> Vec<usize> {
+        let first = self.add(index, &object.material, from);
+        let of_part = |part: &Part| {
+            let own = PartName::of(part, from.materials).material_in(object);
+            own.map_or(first + part.material, |with| self.add_one(index, part.material, &with, from))
+        };
+        parts.iter().map(of_part).collect()
+    }
+
+    /// One material of a model, with an override of its own; returns its index.
+    fn add_one(&mut self, index: usize, material: usize, with: &MaterialOverride, from: &MaterialSource<'_>) -> usize {
+        let is_it =
+            |known: &&(usize, usize, MaterialOverride, usize)| (known.0, known.1, &known.2) == (index, material, with);
+        if let Some((.., known)) = self.known_parts.iter().find(is_it) {
+            return *known;
+        }
+        let Some(own) = from.materials.get(material) else { return 0 };
+        let number = self.pending.len();
+        self.known_parts.push((index, material, with.clone(), number));
+        let used = from.used.get(material).copied().unwrap_or(false);
+        self.request(own, used, with, from);
+        number
     }
 
     /// All materials of the model `from`, numbered `index`, with the override; returns the index of the first.
@@ -122,32 +163,37 @@ impl<'a> MaterialBinder<'a> {
         let first = self.pending.len();
         self.known.push((index, with.clone(), first));
         for (material, &used) in from.materials.iter().zip(from.used) {
-            let requester = Requester {
-                model: from.name,
-                file: material.file.as_deref().unwrap_or(from.name),
-                material: &material.name,
-                folders: from.folders,
-                images: from.images,
-            };
-            let mut material = overridden(material.clone(), with);
-            let brdf = self.brdfs.find(with).cloned();
-            if let Some(brdf) = &brdf {
-                brdf.replace(&mut material);
-            }
-            let mut pending = if used {
-                Requests { library: &mut self.library, requester, format: from.format }.for_material(material, with)
-            } else {
-                PendingMaterial::without_textures(material)
-            };
-            if brdf.is_none() {
-                pending.optics = optics_of(with);
-                let spectrum = with.diffuse_spectrum.clone();
-                pending.diffuse_spectrum = spectrum.map(|samples| Arc::new(Spectrum::new(samples)));
-            }
-            pending.brdf = brdf;
-            self.pending.push(pending);
+            self.request(material, used, with, from);
         }
         first
+    }
+
+    /// Adds a material with an override, and requests its textures if it is used.
+    fn request(&mut self, material: &Material, used: bool, with: &MaterialOverride, from: &MaterialSource<'_>) {
+        let requester = Requester {
+            model: from.name,
+            file: material.file.as_deref().unwrap_or(from.name),
+            material: &material.name,
+            folders: from.folders,
+            images: from.images,
+        };
+        let mut material = with.applied_to(material.clone());
+        let brdf = self.brdfs.find(with).cloned();
+        if let Some(brdf) = &brdf {
+            brdf.replace(&mut material);
+        }
+        let mut pending = if used {
+            Requests { library: &mut self.library, requester, format: from.format }.for_material(material, with)
+        } else {
+            PendingMaterial::without_textures(material)
+        };
+        if brdf.is_none() {
+            pending.optics = optics_of(with);
+            let spectrum = with.diffuse_spectrum.clone();
+            pending.diffuse_spectrum = spectrum.map(|samples| Arc::new(Spectrum::new(samples)));
+        }
+        pending.brdf = brdf;
+        self.pending.push(pending);
     }
 
     /// Decodes the textures; returns them with the materials and the diagnostics.
@@ -305,48 +351,51 @@ impl Requests<'_, '_> {
     }
 }
 
-/// The material of an object: the model's, with the values that the scene replaces.
-fn overridden(mut material: Material, with: &MaterialOverride) -> Material {
-    let rgb = |c: Color| c.0.map(|v| v as f32);
-    if with.textures == Some(false) {
-        material.diffuse_map = None;
-        material.specular_map = None;
-        material.emitted_map = None;
-        material.shininess_map = None;
-        material.opacity_map = None;
-        material.normal_map = None;
-        material.bump_map = None;
-        material.metallic_roughness = None;
+impl MaterialOverride {
+    /// A model's material with the values that the scene replaces.
+    pub fn applied_to(&self, mut material: Material) -> Material {
+        let with = self;
+        let rgb = |c: Color| c.0.map(|v| v as f32);
+        if with.textures == Some(false) {
+            material.diffuse_map = None;
+            material.specular_map = None;
+            material.emitted_map = None;
+            material.shininess_map = None;
+            material.opacity_map = None;
+            material.normal_map = None;
+            material.bump_map = None;
+            material.metallic_roughness = None;
+        }
+        if let Some(c) = with.ambient {
+            material.ambient = AmbientRule::Value(rgb(c));
+        }
+        if let Some(c) = with.diffuse {
+            (material.diffuse, material.diffuse_map) = (rgb(c), None);
+        }
+        if let Some(samples) = &with.diffuse_spectrum {
+            let color = Spectrum::new(samples.clone()).color_of_surface();
+            (material.diffuse, material.diffuse_map) = (color.as_vec3().to_array(), None);
+        }
+        if let Some(c) = with.specular {
+            (material.specular, material.specular_map) = (rgb(c), None);
+        }
+        if let Some(c) = with.emitted {
+            (material.emitted, material.emitted_map) = (rgb(c), None);
+        }
+        if let Some(v) = with.shininess {
+            (material.shininess, material.shininess_map) = (v as f32, None);
+        }
+        if let Some(medium) = with.medium {
+            material.refraction_index = medium.refraction_index() as f32;
+        }
+        if let Some(v) = with.refraction_index {
+            material.refraction_index = v as f32;
+        }
+        if let Some(v) = with.opacity {
+            (material.opacity, material.opacity_map) = (v as f32, None);
+        }
+        material
     }
-    if let Some(c) = with.ambient {
-        material.ambient = AmbientRule::Value(rgb(c));
-    }
-    if let Some(c) = with.diffuse {
-        (material.diffuse, material.diffuse_map) = (rgb(c), None);
-    }
-    if let Some(samples) = &with.diffuse_spectrum {
-        let color = Spectrum::new(samples.clone()).color_of_surface();
-        (material.diffuse, material.diffuse_map) = (color.as_vec3().to_array(), None);
-    }
-    if let Some(c) = with.specular {
-        (material.specular, material.specular_map) = (rgb(c), None);
-    }
-    if let Some(c) = with.emitted {
-        (material.emitted, material.emitted_map) = (rgb(c), None);
-    }
-    if let Some(v) = with.shininess {
-        (material.shininess, material.shininess_map) = (v as f32, None);
-    }
-    if let Some(medium) = with.medium {
-        material.refraction_index = medium.refraction_index() as f32;
-    }
-    if let Some(v) = with.refraction_index {
-        material.refraction_index = v as f32;
-    }
-    if let Some(v) = with.opacity {
-        (material.opacity, material.opacity_map) = (v as f32, None);
-    }
-    material
 }
 
 /// Reflection and refraction of an object. Only the scene file has them: model files have no keys for them.

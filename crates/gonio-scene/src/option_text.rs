@@ -1,5 +1,6 @@
 //! Lights and materials as options of a command line: the same keys as in a scene file, in one line.
 
+use crate::part_material::PartMaterial;
 use crate::scene_file::{LightSpec, MaterialOverride};
 use crate::toml_file;
 use crate::toml_table::{Entry, Fault, Item, TableReader, Value, nearest_word, unknown_key};
@@ -51,6 +52,22 @@ impl MaterialOverride {
     /// `medium=glass`, `mirror` means `reflectivity=1`.
     pub fn from_option_text(text: &str) -> Result<MaterialOverride, String> {
         read_material(text).map_err(|fault| in_option(text, fault))
+    }
+}
+
+impl PartMaterial {
+    /// `NAME:key=value ...`, for example `Cup:diffuse=#ff8800,shininess=32`: a name of a part, which may contain colons, and the
+    /// values of [`MaterialOverride::from_option_text`].
+    pub fn from_option_text(text: &str) -> Result<PartMaterial, String> {
+        let before_values = text.find('=').unwrap_or(text.len());
+        let Some(colon) = text[..before_values].rfind(':').filter(|colon| *colon > 0) else {
+            return Err(format!("`{text}`: expected NAME:KEY=VALUE,..., such as Cup:diffuse=#ff8800,shininess=32"));
+        };
+        let material = MaterialOverride::from_option_text(&text[colon + 1..])?;
+        if material.is_empty() {
+            return Err(format!("`{text}`: there are no values after the name of the part"));
+        }
+        Ok(PartMaterial { part: text[..colon].to_owned(), material })
     }
 }
 

@@ -3,12 +3,14 @@
 use crate::asset_cache::AssetCache;
 use crate::environment::LoadedEnvironment;
 use crate::material_brdf::MaterialBrdf;
-use crate::scene_file::{ObjectSpec, Shading, UpAxis};
+use crate::part_material::PartName;
+use crate::scene_file::{MaterialOverride, ObjectSpec, Shading, UpAxis};
 use crate::settings::SceneSettings;
 use crate::texture::Texture;
 use glam::{DMat4, DQuat, DVec3, DVec4};
 use gonio_light::microfacet::shininess_of_roughness;
 use gonio_light::{Optics, Spectrum, Surface};
+use gonio_mesh::mesh::Part;
 use gonio_mesh::{AmbientRule, Diagnostic, Material, Mesh, Wrap};
 use std::sync::{Arc, OnceLock};
 
@@ -89,6 +91,39 @@ impl Scene {
         cached.materials.iter().enumerate().filter(|(i, _)| used(*i)).map(|(_, material)| material).collect()
     }
 
+    /// The material of a part in its model's file, without overrides of the scene. `None` if the scene was built by hand, or has
+    /// no such part.
+    pub fn part_material_in_file(&self, object: usize, part: usize) -> Option<&Material> {
+        let (model, _) = self.cache.find(self.settings.objects.get(object)?)?;
+        self.cache.models.get(model)?.materials.get(self.mesh_part(object, part)?.material)
+    }
+
+    /// The values that `spec`, in place of the object's present settings, has for a part.
+    pub fn part_material(&self, object: usize, part: usize, spec: &ObjectSpec) -> MaterialOverride {
+        let name = self.part_names(object).nth(part);
+        name.and_then(|name| name.material_in(spec)).unwrap_or_else(|| spec.material.clone())
+    }
+
+    /// The shortest name that the scene file can use for a part and for no other part of its object.
+    pub fn part_name(&self, object: usize, part: usize) -> String {
+        let others = self.part_names(object).enumerate().filter(|(index, _)| *index != part).map(|(_, name)| name);
+        self.part_names(object).nth(part).map_or_else(String::new, |name| name.unique_among(others))
+    }
+
+    /// The names of an object's parts, in order.
+    fn part_names(&self, object: usize) -> impl Iterator<Item = PartName<'_>> + Clone {
+        let mesh = self.objects.get(object).and_then(|object| self.meshes.get(object.mesh));
+        let model = self.settings.objects.get(object).and_then(|spec| self.cache.find(spec));
+        let materials =
+            model.and_then(|(model, _)| self.cache.models.get(model)).map(|model| model.materials.as_slice());
+        let parts = mesh.map(|mesh| mesh.parts.as_slice()).unwrap_or_default();
+        parts.iter().map(move |part| PartName::of(part, materials.unwrap_or_default()))
+    }
+
+    fn mesh_part(&self, object: usize, part: usize) -> Option<&Part> {
+        self.meshes.get(self.objects.get(object)?.mesh)?.parts.get(part)
+    }
+
     /// The smallest box around all vertices, world space; both corners 0 where there is no vertex.
     pub fn bounds(&self) -> (DVec3, DVec3) {
         *self.known_bounds.get_or_init(|| {
@@ -141,6 +176,15 @@ pub struct Object {
     pub parts: Vec<ObjectPart>,
     /// Closed, front faces outward, opaque: back faces are never seen.
     pub closed: bool,
+}
+
+impl Object {
+    /// The part that a triangle of its mesh belongs to.
+    pub fn part_of(&self, triangle: usize) -> Option<usize> {
+        let is_in =
+            |part: &ObjectPart| (part.first_triangle..part.first_triangle + part.triangle_count).contains(&triangle);
+        self.parts.iter().position(is_in)
+    }
 }
 
 /// `M = T * Rz * Ry * Rx * S * U`: turned so that the model's up axis is y, scaled, turned about the world's x, y and z axes,

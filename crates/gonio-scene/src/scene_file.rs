@@ -6,6 +6,7 @@
 use crate::color_value::Color;
 use crate::defaults;
 pub use crate::light_spec::{LightSourceKind, LightSpec, MotionKind, MotionSpec};
+use crate::part_material::PartMaterials;
 use crate::texture::TextureFilter;
 use gonio_environment::Layout;
 use gonio_light::brdf::BrdfKind;
@@ -320,6 +321,10 @@ pub struct ObjectSpec {
     /// Values that replace those of the model's materials.
     #[serde(skip_serializing_if = "MaterialOverride::is_empty")]
     pub material: MaterialOverride,
+    /// Values that replace those of single parts, in tables by their names in the model's file: of a part (an object or a
+    /// group), of a material, or of both (`PART/MATERIAL`).
+    #[serde(skip_serializing_if = "PartMaterials::is_empty")]
+    pub parts: PartMaterials,
 }
 
 impl ObjectSpec {
@@ -354,6 +359,7 @@ impl Default for ObjectSpec {
             crease_angle: None,
             motion: None,
             material: MaterialOverride::default(),
+            parts: PartMaterials::default(),
         }
     }
 }

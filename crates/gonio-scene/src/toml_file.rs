@@ -125,6 +125,7 @@ fn read_equation(mut t: TableReader<'_>) -> Result<EquationSpec, Fault> {
 fn read_object(mut t: TableReader<'_>) -> Result<ObjectSpec, Fault> {
     let d = ObjectSpec::default();
     let material = t.table("material", "[object.material]")?;
+    let parts = t.tables_by_name("parts", "[object.parts]")?;
     let object = ObjectSpec {
         model: t.text("model")?.unwrap_or_default(),
         name: t.text("name")?.unwrap_or_default(),
@@ -137,6 +138,7 @@ fn read_object(mut t: TableReader<'_>) -> Result<ObjectSpec, Fault> {
         crease_angle: t.number("crease_angle")?,
         motion: t.table("motion", "[object.motion]")?.map(read_motion).transpose()?,
         material: material.map_or(Ok(d.material), read_material)?,
+        parts: parts.into_iter().map(|(name, part)| Ok((name, read_material(part)?))).collect::<Result<_, Fault>>()?,
     };
     t.finish().map(|()| object)
 }

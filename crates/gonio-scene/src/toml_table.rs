@@ -275,6 +275,20 @@ impl<'a> TableReader<'a> {
         self.get(key).map(|item| TableReader::new(heading, item)).transpose()
     }
 
+    /// A table of tables with names that the user chose; `heading` is that of the outer one.
+    pub fn tables_by_name(
+        &mut self,
+        key: &'static str,
+        heading: &str,
+    ) -> Result<Vec<(String, TableReader<'a>)>, Fault> {
+        let Some(table) = self.table(key, heading)? else { return Ok(Vec::new()) };
+        let named = |entry: &'a Entry| {
+            let heading = format!("{}.{}]", heading.trim_end_matches(']'), entry.key);
+            Ok((entry.key.clone(), TableReader::new(heading, &entry.item)?))
+        };
+        table.entries.iter().map(named).collect()
+    }
+
     /// A list of tables, `[[key]]`.
     pub fn tables(&mut self, key: &'static str) -> Result<Vec<TableReader<'a>>, Fault> {
         let Some(item) = self.get(key) else { return Ok(Vec::new()) };
@@ -338,8 +352,9 @@ pub fn nearest_word<'a>(given: &str, known: impl IntoIterator<Item = &'a str>) -
     let allowed = (given.chars().count() / 3).max(1);
     known
         .into_iter()
-        .map(|word| (strsim::damerau_levenshtein(&given, word), word))
-        .filter(|(distance, word)| *distance <= allowed || (given.len() >= 3 && word.starts_with(given.as_str())))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, word)| word)
+        .map(|word| (word.to_lowercase(), word))
+        .map(|(lower, word)| (strsim::damerau_levenshtein(&given, &lower), lower, word))
+        .filter(|(distance, lower, _)| *distance <= allowed || (given.len() >= 3 && lower.starts_with(&given)))
+        .min_by_key(|(distance, ..)| *distance)
+        .map(|(.., word)| word)
 }

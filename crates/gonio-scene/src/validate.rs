@@ -149,7 +149,8 @@ fn check_object(at: &str, o: &ObjectSpec) -> Check {
             return fail(at, "translate", message);
         }
     }
-    check_material(&format!("{at}.material"), &o.material)
+    check_material(&format!("{at}.material"), &o.material)?;
+    o.parts.iter().try_for_each(|(name, material)| check_material(&format!("{at}.parts.{name}"), material))
 }
 
 /// Most texels along an edge of a cubemap.

@@ -98,7 +98,7 @@ fn of_object(before: &ObjectSpec, after: &ObjectSpec) -> &'static str {
         "window-scaled"
     } else if before.name != after.name {
         "window-renamed"
-    } else if before.material != after.material {
+    } else if (&before.material, &before.parts) != (&after.material, &after.parts) {
         "window-changed-the-material-of"
     } else {
         "window-changed"

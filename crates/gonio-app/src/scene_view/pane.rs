@@ -39,6 +39,9 @@ pub fn show(
     if let Some(picture) = drawn(ui, index, rect, document, session, pane_renderer)? {
         present(ui, rect, picture);
         ground(ui, index, rect, session, pane_renderer)?;
+        if let Some(layer) = pane_renderer.outline(index, session, ui.visuals().dark_mode)? {
+            present(ui, rect, layer);
+        }
     }
     Ok(response)
 }
@@ -117,6 +120,9 @@ pub fn over(
         && is_here(probed)
     {
         session.probing.update(ui.ctx(), &loaded, &frame, |x, y| pane_renderer.pixel(probed, x, y));
+        if let Some(found) = session.probing.take_selected(&frame) {
+            session.selection = found.map_or(Selection::None, |[object, part]| Selection::Part(object, part));
+        }
         if is_probe {
             vectors::show(ui, &projection, &session.probing, session.selection);
         }
@@ -182,8 +188,10 @@ fn point(index: usize, response: &Response, session: &mut Session, is_users: boo
         }
         probing.pinned = Some(share(place));
         probing.pane = index;
+        probing.selects = true;
         session.baking.picked = None;
-        if !shows_texels {
+        // Among the objects, a click opens the material of the part.
+        if !shows_texels && session.tab != Tab::Objects {
             session.tab = Tab::Probe;
         }
         session.selection = Selection::None;

@@ -65,7 +65,7 @@ pub struct Session {
     pub title: String,
     /// The animation's time.
     pub clock: Clock,
-    /// The selected light or object.
+    /// The selected light, object or part.
     pub selection: Selection,
     /// The visible tab.
     pub tab: Tab,
@@ -197,7 +197,7 @@ impl Observer {
     }
 }
 
-/// The selected light, object or camera.
+/// The selected light, object, part or camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Selection {
     /// Nothing.
@@ -207,8 +207,28 @@ pub enum Selection {
     Light(usize),
     /// An object of the scene, by its index.
     Object(usize),
+    /// A part of an object, by the object's index and its own.
+    Part(usize, usize),
     /// The camera.
     Camera,
+}
+
+impl Selection {
+    /// The selected object, or that of the selected part.
+    pub fn object(self) -> Option<usize> {
+        match self {
+            Selection::Object(object) | Selection::Part(object, _) => Some(object),
+            _ => None,
+        }
+    }
+
+    /// The selected part: the object's index and its own.
+    pub fn part(self) -> Option<[usize; 2]> {
+        match self {
+            Selection::Part(object, part) => Some([object, part]),
+            _ => None,
+        }
+    }
 }
 
 /// The tabs of the side panel.

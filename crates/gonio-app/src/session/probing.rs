@@ -25,6 +25,8 @@ pub struct Probing {
     pub shows_lobe: bool,
     /// The pane that is probed.
     pub pane: usize,
+    /// Whether the part at the pinned place is to be selected, once it is known.
+    pub selects: bool,
     geometry: Option<Arc<ReferenceGeometry>>,
     building: Option<Building>,
     reading: Option<Arc<Reading>>,
@@ -38,6 +40,7 @@ impl Default for Probing {
             hovered: None,
             shows_lobe: true,
             pane: 0,
+            selects: false,
             geometry: None,
             building: None,
             reading: None,
@@ -146,6 +149,15 @@ impl Probing {
         ctx.request_repaint();
     }
 
+    /// The part at the pinned place of `frame`, once, after a click and when it is known: its object's index and its own; `Some(None)`
+    /// where there is no surface.
+    pub fn take_selected(&mut self, frame: &Frame) -> Option<Option<[usize; 2]>> {
+        let [x, y] = pixel_at(self.pinned.filter(|_| self.selects)?, [frame.width, frame.height]);
+        let reading = self.reading.as_ref().filter(|reading| (reading.x, reading.y) == (x, y))?;
+        self.selects = false;
+        Some(reading.part())
+    }
+
     /// Takes the finished hierarchy, or starts to build one.
     fn build(&mut self, ctx: &egui::Context, loaded: &Arc<Scene>) {
         if let Some(building) = &self.building {
@@ -185,6 +197,12 @@ impl Probing {
 }
 
 impl Reading {
+    /// The part that is seen: its object's index and its own.
+    pub fn part(&self) -> Option<[usize; 2]> {
+        let probe = self.probe.as_ref()?;
+        Some([probe.object, self.loaded.objects.get(probe.object)?.part_of(probe.triangle)?])
+    }
+
     /// A light's name, or its kind and number.
     pub fn light_name(&self, index: usize) -> String {
         match self.loaded.settings.lights.get(index) {

@@ -149,6 +149,41 @@ fn a_material_shows_the_files_values_until_changed_and_after_a_reset() {
 }
 
 #[test]
+fn a_part_has_a_material_of_its_own() {
+    let mut bench = Bench::new("builtin:still_life", Tab::Objects);
+    bench.click("object-0");
+    let parts = bench.app().session.loaded.as_ref().map_or(0, |loaded| loaded.objects[0].parts.len());
+    assert!(parts > 4);
+    bench.click("object-0-part-1");
+    let wood = bench.widget("object-0-part-1");
+    assert_eq!((wood.label.as_str(), wood.value.as_str()), ("Crate_Wood", "true"));
+    let shininess = |bench: &mut Bench| -> Vec<f32> {
+        let loaded = bench.app().session.loaded.clone();
+        loaded
+            .iter()
+            .flat_map(|l| l.objects[0].parts.iter().map(|p| l.materials[p.material].material.shininess))
+            .collect()
+    };
+    let before = shininess(&mut bench);
+    let shown: f64 = bench.widget("object-0-shininess").value.parse().unwrap_or(f64::NAN);
+    assert!((shown - f64::from(before[1])).abs() < 1e-3 * shown, "{shown} {before:?}");
+    bench.type_into("object-0-shininess", "77");
+    let mut expected = before.clone();
+    expected[1] = 77.0;
+    assert_eq!(shininess(&mut bench), expected);
+    assert_eq!(bench.document().scene.objects[0].material.shininess, None);
+    // All parts, apart from the one with a value of its own.
+    bench.click("object-0-all-parts");
+    bench.type_into("object-0-shininess", "5");
+    assert_eq!(shininess(&mut bench), (0..parts).map(|i| if i == 1 { 77.0 } else { 5.0 }).collect::<Vec<f32>>());
+    bench.click("object-0-part-1");
+    bench.click("object-0-shininess-reset");
+    assert!(bench.document().scene.objects[0].parts.is_empty());
+    assert_eq!(shininess(&mut bench), vec![5.0; parts]);
+    assert_eq!(bench.app().file_edits, 0);
+}
+
+#[test]
 fn refraction_values_are_edited_and_reset() {
     let mut bench = Bench::new("builtin:glass-and-mirror", Tab::Objects);
     bench.click("object-0");

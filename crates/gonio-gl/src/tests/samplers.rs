@@ -132,6 +132,7 @@ fn a_texture_left_over_from_another_material() {
         lab.program(CORNERS, ONE);
         lab.used().set_i32("picture", 0);
         let subject = |object: &str, material: &str| DrawSubject {
+            index: 0,
             object: object.into(),
             part: String::new(),
             material: material.into(),

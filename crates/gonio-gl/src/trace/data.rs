@@ -158,6 +158,8 @@ impl DrawRecord {
 /// The subject of a draw.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct DrawSubject {
+    /// The object's index in its scene.
+    pub index: usize,
     /// The object's name.
     pub object: String,
     /// The part's name; may be empty.
@@ -168,7 +170,7 @@ pub struct DrawSubject {
 
 impl std::fmt::Display for DrawSubject {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let DrawSubject { object, part, material } = self;
+        let DrawSubject { index: _, object, part, material } = self;
         f.write_str(object)?;
         if !part.is_empty() && part != object {
             write!(f, " {part}")?;

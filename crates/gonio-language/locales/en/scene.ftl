@@ -322,6 +322,7 @@ scene-transmission = Transmission
 scene-0-is-opaque-1-transparent = 0 is opaque, 1 transparent
 scene-default-exact = default (exact)
 scene-default-none = default (none)
+scene-default-schlick = default (Schlick)
 scene-exact-for-a-medium-none-for = Exact for a medium, none for a surface
 scene-fresnel = Fresnel
 scene-dependence-of-the-reflection-on-the = Dependence of the reflection on the angle
@@ -332,11 +333,18 @@ scene-per-world-unit-and-channel-between = Per world unit and channel, between t
 scene-dispersion = Dispersion
 scene-index-of-refraction-for-blue-light = Index of refraction for blue light minus that for red
 scene-default-one = default (one)
+scene-default-two = default (two)
 scene-as-in-the-lab = As in the lab
 scene-surfaces = Surfaces
 scene-number-of-surfaces-at-which-light = Number of surfaces at which light is refracted
 scene-reset-to-the-value-in-the = Reset to the value in the file
 scene-as-in-the-file = As in the file
+
+## panels/objects/parts
+
+scene-parts = Parts ({ $count })
+scene-all-parts = All parts
+scene-material-of-part = Material of { $name }
 
 ## panels/objects/mod
 
@@ -515,6 +523,7 @@ scene-n-geometric = N geometric
 scene-normal-of-the-triangle = Normal of the triangle
 scene-to-the-eye = To the eye
 scene-material-2 = Material { $material_name }
+scene-edit-material-of-part = Edit the material of this part
 scene-ambient = Ambient
 scene-diffuse-textures-included = Diffuse, textures included
 scene-specular-textures-included = Specular, textures included

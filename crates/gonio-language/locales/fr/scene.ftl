@@ -334,6 +334,7 @@ scene-transmission = Transmission
 scene-0-is-opaque-1-transparent = 0 est opaque, 1 transparent
 scene-default-exact = par défaut (exact)
 scene-default-none = par défaut (aucun)
+scene-default-schlick = par défaut (Schlick)
 scene-exact-for-a-medium-none-for = Exact pour un milieu, aucun pour une surface
 scene-fresnel = Fresnel
 scene-dependence-of-the-reflection-on-the = Dépendance de la réflexion à l'angle
@@ -344,11 +345,18 @@ scene-per-world-unit-and-channel-between = Par unité du monde et par canal, ent
 scene-dispersion = Dispersion
 scene-index-of-refraction-for-blue-light = Indice de réfraction pour le bleu moins celui pour le rouge
 scene-default-one = par défaut (une)
+scene-default-two = par défaut (deux)
 scene-as-in-the-lab = Comme dans le TP
 scene-surfaces = Surfaces
 scene-number-of-surfaces-at-which-light = Nombre de surfaces où la lumière est réfractée
 scene-reset-to-the-value-in-the = Revenir à la valeur du fichier
 scene-as-in-the-file = Comme dans le fichier
+
+## panels/objects/parts
+
+scene-parts = Parties ({ $count })
+scene-all-parts = Toutes les parties
+scene-material-of-part = Matériau de { $name }
 
 ## panels/objects/mod
 
@@ -527,6 +535,7 @@ scene-n-geometric = N géométrique
 scene-normal-of-the-triangle = Normale du triangle
 scene-to-the-eye = Vers l'œil
 scene-material-2 = Matériau { $material_name }
+scene-edit-material-of-part = Modifier le matériau de cette partie
 scene-ambient = Ambiant
 scene-diffuse-textures-included = Diffus, textures comprises
 scene-specular-textures-included = Spéculaire, textures comprises

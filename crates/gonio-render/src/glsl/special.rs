@@ -17,6 +17,7 @@ const LINE_VERT: &str = shader_text!("../../shaders/line.vert");
 const LINE_FRAG: &str = shader_text!("../../shaders/line.frag");
 const SHADOW_MAP_FRAG: &str = shader_text!("../../shaders/shadow_map.frag");
 const CONTACT_FRAG: &str = shader_text!("../../shaders/contact.frag");
+const OUTLINE_FRAG: &str = shader_text!("../../shaders/outline.frag");
 const GROUND_VERT: &str = shader_text!("../../shaders/ground.vert");
 const GROUND_FRAG: &str = shader_text!("../../shaders/ground.frag");
 
@@ -55,11 +56,13 @@ pub enum SpecialProgram {
     Contact,
     /// The ground with its grid.
     Ground,
+    /// The line around a mask.
+    Outline,
 }
 
 impl SpecialProgram {
     /// All programs.
-    pub const ALL: [SpecialProgram; 9] = [
+    pub const ALL: [SpecialProgram; 10] = [
         SpecialProgram::UvChecker,
         SpecialProgram::Count,
         SpecialProgram::Overdraw,
@@ -69,6 +72,7 @@ impl SpecialProgram {
         SpecialProgram::MaskedShadowMap,
         SpecialProgram::Contact,
         SpecialProgram::Ground,
+        SpecialProgram::Outline,
     ];
 
     /// Vertex and fragment shader.
@@ -82,6 +86,7 @@ impl SpecialProgram {
             SpecialProgram::ShadowMap | SpecialProgram::MaskedShadowMap => (PLAIN_VERT, SHADOW_MAP_FRAG),
             SpecialProgram::Contact => (output_vertex(), CONTACT_FRAG),
             SpecialProgram::Ground => (GROUND_VERT, GROUND_FRAG),
+            SpecialProgram::Outline => (output_vertex(), OUTLINE_FRAG),
         };
         let header = dialect.header();
         let constants = match self {
@@ -108,6 +113,7 @@ impl SpecialProgram {
             SpecialProgram::MaskedShadowMap => "shadow map with holes",
             SpecialProgram::Contact => "contact shadow",
             SpecialProgram::Ground => "ground",
+            SpecialProgram::Outline => "outline",
         }
     }
 }

@@ -3,6 +3,7 @@
 
 mod bands;
 mod ground;
+mod outline;
 mod output;
 mod paint;
 mod pass;
@@ -15,6 +16,7 @@ mod user_pass;
 
 pub use bands::RenderedPicture;
 pub use ground::GroundLook;
+pub use outline::OutlinedPart;
 pub use output::RenderedFrame;
 pub use paint::{DifferenceScale, Painted};
 pub use user_pass::{SampledTexture, UniformValues, UserPass, displayed_environment, map_of, shown_unchanged};

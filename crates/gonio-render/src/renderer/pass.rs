@@ -61,6 +61,7 @@ impl Pass<'_> {
         let _group =
             DebugGroup::new(gl, &format!("{} {} [{}]", object.object.name, draw.run.name, material.material.name));
         let _drawing = gl.drawing(|| DrawSubject {
+            index: self.scene.index_of(object),
             object: object.object.name.clone(),
             part: draw.run.name.clone(),
             material: material.material.name.clone(),

@@ -59,7 +59,7 @@ impl Shared {
         Ok(calls)
     }
 
-    fn set_plain_object(
+    pub(super) fn set_plain_object(
         &self,
         program: &Program,
         scene: &GpuScene,

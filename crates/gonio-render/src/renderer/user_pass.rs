@@ -182,6 +182,7 @@ impl Renderer {
             for draw in &draws {
                 let material = &scene.materials[draw.run.material];
                 let _drawing = gl.drawing(|| DrawSubject {
+                    index: scene.index_of(draw.object),
                     object: draw.object.object.name.clone(),
                     part: draw.run.name.clone(),
                     material: material.material.name.clone(),

@@ -4,7 +4,7 @@ use super::paint::{loaded, renderer};
 use crate::DisplayTexture;
 use crate::display::{DisplayOptions, View};
 use crate::glsl::OVERDRAW_SCALE;
-use crate::renderer::Renderer;
+use crate::renderer::{OutlinedPart, Renderer};
 use glam::{DVec3, DVec4};
 use gonio_gl::Gl;
 use gonio_scene::{Frame, Scene};
@@ -103,6 +103,56 @@ fn a_wireframe_is_on_the_visible_edges() {
         let wired = bench.paint(&hidden, View::Picture, wires);
         assert_eq!(differing(&plain, &wired), changed, "the far cube is hidden");
     }
+}
+
+#[test]
+fn an_outline_is_around_the_part_and_nowhere_else() {
+    for es in [false, true] {
+        let mut bench = Bench::new(es);
+        // The second cube is behind the first.
+        let scene = cubes(&[([0.0, 0.0, 0.0], 1.0), ([0.7, 0.0, -2.0], 0.6)], "phong");
+        let frame = scene.frame(0.0);
+        let uploaded = bench.renderer.upload(&scene).unwrap_or_else(|error| panic!("{error}"));
+        for object in 0..2 {
+            let mut layer = DisplayTexture::new(&bench.gl, [1, 1]).unwrap_or_else(|error| panic!("{error}"));
+            let outlined = OutlinedPart { object, part: 0, color: [1.0, 0.5, 0.0, 1.0] };
+            bench.renderer.paint_outline(&uploaded, &frame, &outlined, &mut layer).unwrap_or_else(|e| panic!("{e}"));
+            let pixels = layer.read8();
+            let drawn: Vec<(f64, f64)> = (0..SIZE * SIZE)
+                .filter(|i| pixels[4 * i + 3] > 0)
+                .map(|i| ((i % SIZE) as f64 + 0.5, (i / SIZE) as f64 + 0.5))
+                .collect();
+            let mesh = &scene.meshes[scene.objects[object].mesh];
+            let matrix = scene.objects[object].world_from_model;
+            let triangles: Vec<[(f64, f64); 3]> = (0..mesh.triangle_count())
+                .map(|t| mesh.triangle_positions(t).map(|p| on_screen(&frame, matrix.transform_point3(p.as_dvec3()))))
+                .collect();
+            let edges = || triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+            assert!(drawn.len() > 100, "{} pixels of object {object}", drawn.len());
+            for &at in &drawn {
+                assert!(!triangles.iter().any(|t| is_inside(at, t)), "{at:?} is on the part");
+                let nearest = edges().map(|(a, b)| distance(at, a, b)).fold(f64::INFINITY, f64::min);
+                assert!(nearest < 3.5, "{at:?} is {nearest} pixels from the part");
+            }
+            // The outline is closed: it is at every corner of the silhouette's box.
+            let corners = || triangles.iter().flatten().copied();
+            let right = corners().map(|(x, _)| x).fold(0.0, f64::max);
+            assert!(drawn.iter().any(|(x, _)| *x > right), "nothing at the right");
+        }
+        let nothing = OutlinedPart { object: 7, part: 0, color: [1.0; 4] };
+        let mut layer = DisplayTexture::new(&bench.gl, [1, 1]).unwrap_or_else(|error| panic!("{error}"));
+        bench.renderer.paint_outline(&uploaded, &frame, &nothing, &mut layer).unwrap_or_else(|e| panic!("{e}"));
+        assert!(layer.read8().iter().all(|v| *v == 0));
+    }
+}
+
+/// Whether a place is inside a triangle, and not within half a pixel of its edges.
+fn is_inside((x, y): (f64, f64), triangle: &[(f64, f64); 3]) -> bool {
+    let side = |a: (f64, f64), b: (f64, f64)| (b.0 - a.0) * (y - a.1) - (b.1 - a.1) * (x - a.0);
+    let [a, b, c] = *triangle;
+    let sides = [side(a, b), side(b, c), side(c, a)];
+    let is_clear = [(a, b), (b, c), (c, a)].iter().all(|(a, b)| distance((x, y), *a, *b) > 0.71);
+    is_clear && (sides.iter().all(|s| *s > 0.0) || sides.iter().all(|s| *s < 0.0))
 }
 
 #[test]

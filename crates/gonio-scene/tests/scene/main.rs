@@ -10,6 +10,7 @@ mod lamps;
 mod limits;
 mod messages;
 mod own_brdfs;
+mod parts;
 mod readers;
 mod round_trip;
 mod textures;

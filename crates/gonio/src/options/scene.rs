@@ -5,6 +5,7 @@ use super::{EnvironmentOptions, LimitOptions};
 use clap::{ArgAction, Args};
 use gonio_light::color::{ColorEncoding, ToneMap};
 use gonio_light::{Convention, Specular};
+use gonio_scene::part_material::PartMaterial;
 use gonio_scene::scene_file::{CameraSpec, LightSpec, MaterialOverride, Normals, Shading, UpAxis};
 use gonio_scene::{SceneFile, TextureFilter};
 
@@ -31,6 +32,13 @@ pub struct SceneOptions {
     #[arg(long, help_heading = "Shading options", value_name = "KEY=VALUE,...",
           value_parser = MaterialOverride::from_option_text)]
     pub material: Option<MaterialOverride>,
+    /// Replace values of the materials of single parts. Repeatable.
+    ///
+    /// A part has its name in the model's file, the name of its material, or both as PART/MATERIAL; `gonio inspect` prints them.
+    /// The values are those of --material, which they replace.
+    #[arg(long, help_heading = "Shading options", value_name = "NAME:KEY=VALUE,...",
+          value_parser = PartMaterial::from_option_text)]
+    pub part: Vec<PartMaterial>,
     /// Texture filter.
     #[arg(long, help_heading = "Shading options", value_name = "FILTER",
           value_parser = values::named(TextureFilter::ALL, TextureFilter::name))]
@@ -175,13 +183,16 @@ impl SceneOptions {
             set(&mut object.normals, self.normals);
             object.crease_angle = self.crease_angle.or(object.crease_angle);
             if let Some(material) = &self.material {
-                merge_material(&mut object.material, material);
+                object.material.replace_by(material);
+            }
+            for PartMaterial { part, material } in &self.part {
+                object.parts.entry(part.clone()).or_default().replace_by(material);
             }
             let (model, file) = match &self.brdf {
                 Some(BrdfValue::Model(text)) => (Some(text.clone()), None),
                 _ => (None, self.brdf_file.clone()),
             };
-            replace_brdf(&mut object.material, model, file);
+            object.material.replace_brdf(model, file);
         }
     }
 
@@ -258,33 +269,6 @@ impl SceneOptions {
 fn set<T>(place: &mut T, value: Option<T>) {
     if let Some(value) = value {
         *place = value;
-    }
-}
-
-fn merge_material(place: &mut MaterialOverride, changes: &MaterialOverride) {
-    place.ambient = changes.ambient.or(place.ambient);
-    place.diffuse = changes.diffuse.or(place.diffuse);
-    place.specular = changes.specular.or(place.specular);
-    place.emitted = changes.emitted.or(place.emitted);
-    place.shininess = changes.shininess.or(place.shininess);
-    place.refraction_index = changes.refraction_index.or(place.refraction_index);
-    place.opacity = changes.opacity.or(place.opacity);
-    place.textures = changes.textures.or(place.textures);
-    place.medium = changes.medium.or(place.medium);
-    place.reflectivity = changes.reflectivity.or(place.reflectivity);
-    place.transmission = changes.transmission.or(place.transmission);
-    place.fresnel = changes.fresnel.or(place.fresnel);
-    place.tint = changes.tint.or(place.tint);
-    place.absorption = changes.absorption.or(place.absorption);
-    place.dispersion = changes.dispersion.or(place.dispersion);
-    place.surfaces = changes.surfaces.or(place.surfaces);
-    replace_brdf(place, changes.brdf.clone(), changes.brdf_file.clone());
-}
-
-/// A material has a model or a file.
-fn replace_brdf(place: &mut MaterialOverride, model: Option<String>, file: Option<String>) {
-    if model.is_some() || file.is_some() {
-        (place.brdf, place.brdf_file) = (model, file);
     }
 }
 

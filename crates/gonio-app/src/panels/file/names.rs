@@ -12,6 +12,7 @@ use egui::{Label, Response, RichText, Ui};
 use gonio_language::tr;
 use gonio_mesh::Diagnostic;
 use gonio_scene::inspect::Inspection;
+use gonio_scene::scene_file::ObjectSpec;
 use gonio_scene::{Scene, environment_file};
 
 /// A file that a model names.
@@ -205,7 +206,8 @@ pub fn of_scene(ui: &mut Ui, session: &mut Session, loaded: &Scene, actions: &mu
     for picture in pictures.filter(|name| environment_file::builtin_of(name).is_none()) {
         marked(ui, true, picture, |ui| drop(ui.label(RichText::new("environment").small().weak())));
     }
-    for function in loaded.settings.objects.iter().filter_map(|object| object.material.brdf_file.as_ref()) {
+    let materials = loaded.settings.objects.iter().flat_map(ObjectSpec::materials);
+    for function in materials.filter_map(|material| material.brdf_file.as_ref()) {
         marked(ui, true, function, |ui| drop(ui.label(RichText::new(tr!("file-brdf-of-an-object")).small().weak())));
     }
     let is_of_model = |found: &&Diagnostic| found.place.file.as_ref().is_some_and(|file| models.contains(file));

@@ -7,11 +7,12 @@ use crate::document::Document;
 use crate::exported::{self, WidgetRole};
 use crate::platform::CaptureAccess;
 use crate::saving::Product;
-use crate::session::{RecordedFrame, Session};
+use crate::session::{RecordedFrame, Selection, Session};
 use crate::theme::{self, colors, icons};
 use egui::{Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Stroke, Ui, WidgetInfo};
 use gonio_gl::trace::{DrawRecord, PassRecord, Severity};
 use gonio_language::tr;
+use gonio_scene::Scene;
 
 /// Height of the list of draws, points: about ten rows.
 const LIST_HEIGHT: f32 = 190.0;
@@ -27,6 +28,7 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
         ui.label(RichText::new(tr!("scene-there-is-no-picture-yet")).weak());
         return;
     };
+    let before = taken.draw;
     findings(ui, taken);
     ui.add_space(8.0);
     if session.capture_access != CaptureAccess::Unsupported {
@@ -36,6 +38,17 @@ pub fn show(ui: &mut Ui, _: &mut Document, session: &mut Session, actions: &mut 
     list(ui, taken);
     ui.add_space(8.0);
     draw::show(ui, taken);
+    let is_other = taken.draw != before;
+    if let Some(draw) = taken.record.draws.get(taken.draw).filter(|_| is_other) {
+        let selected = session.loaded.as_ref().and_then(|loaded| part_of(draw, loaded));
+        session.selection = selected.map_or(Selection::None, |[object, part]| Selection::Part(object, part));
+    }
+}
+
+/// The part that a draw begins with: its object's index and its own. `None` if the draw has no part of the scene.
+fn part_of(draw: &DrawRecord, loaded: &Scene) -> Option<[usize; 2]> {
+    let object = draw.subject.as_ref()?.index;
+    Some([object, loaded.objects.get(object)?.part_of(draw.first as usize / 3)?])
 }
 
 /// A button for a RenderDoc capture. Without RenderDoc it can be pressed too and then tells what to do, because a disabled one

@@ -22,8 +22,9 @@ struct Line<'a> {
     tip: &'a str,
 }
 
-/// Shows the material. `files` are the materials of the model's file, `index` the object's number.
-pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index: usize) {
+/// Shows the values of `with`, which replace those of `below`, and these those of `files`, the materials of the model's file. `index`
+/// is the object's number.
+pub fn show(ui: &mut Ui, with: &mut MaterialOverride, below: &MaterialOverride, files: &[&Material], index: usize) {
     let first = files.first().copied().cloned().unwrap_or_default();
     match files {
         [] => {}
@@ -80,7 +81,7 @@ pub fn show(ui: &mut Ui, with: &mut MaterialOverride, files: &[&Material], index
     let textures = line("textures", tr!("scene-textures"), tr!("scene-whether-the-model-s-textures-are"));
     let options = [(None, tr!("scene-as-in-the-file-2"), ""), (Some(false), "none", tr!("scene-ignore-the-textures"))];
     words(ui, &textures, &mut with.textures, &options);
-    optics(ui, with, &first, &line);
+    optics(ui, with, below, &first, &line);
 }
 
 /// Whether the material reflects or refracts its surroundings.
@@ -97,10 +98,12 @@ fn named(material: &Material) -> &str {
 fn optics<'a>(
     ui: &mut Ui,
     with: &mut MaterialOverride,
+    below: &MaterialOverride,
     first: &Material,
     line: &dyn Fn(&str, &'static str, &'static str) -> Line<'a>,
 ) {
-    let mut media = vec![(None, "none", tr!("scene-an-opaque-surface"))];
+    let usual = below.medium.map_or(("none", tr!("scene-an-opaque-surface")), |m| (m.name(), m.description()));
+    let mut media = vec![(None, usual.0, usual.1)];
     media.extend(Medium::ALL.iter().map(|m| (Some(*m), m.name(), m.description())));
     words(
         ui,
@@ -108,16 +111,22 @@ fn optics<'a>(
         &mut with.medium,
         &media,
     );
-    let clear = with.medium.is_some();
-    let index = with.medium.map_or(tidy(first.refraction_index), Medium::refraction_index);
+    let medium = with.medium.or(below.medium);
+    let clear = medium.is_some();
+    let index = medium.map_or(tidy(first.refraction_index), Medium::refraction_index);
     let refraction = line("refraction-index", tr!("scene-index"), tr!("scene-index-of-refraction-air-1"));
     number(ui, &refraction, &mut with.refraction_index, index, 0.01..=100.0);
     let reflectivity = line("reflectivity", tr!("scene-reflectivity"), tr!("scene-0-is-the-lit-surface-1"));
-    number(ui, &reflectivity, &mut with.reflectivity, 0.0, 0.0..=1.0);
+    number(ui, &reflectivity, &mut with.reflectivity, below.reflectivity.unwrap_or(0.0), 0.0..=1.0);
     let transmission = line("transmission", tr!("scene-transmission"), tr!("scene-0-is-opaque-1-transparent"));
-    number(ui, &transmission, &mut with.transmission, if clear { 1.0 } else { 0.0 }, 0.0..=1.0);
-    let usual = if clear { Fresnel::Exact } else { Fresnel::None };
-    let usual = if usual == Fresnel::Exact { tr!("scene-default-exact") } else { tr!("scene-default-none") };
+    let usual = below.transmission.unwrap_or(if clear { 1.0 } else { 0.0 });
+    number(ui, &transmission, &mut with.transmission, usual, 0.0..=1.0);
+    let usual = below.fresnel.unwrap_or(if clear { Fresnel::Exact } else { Fresnel::None });
+    let usual = match usual {
+        Fresnel::Exact => tr!("scene-default-exact"),
+        Fresnel::Schlick => tr!("scene-default-schlick"),
+        Fresnel::None => tr!("scene-default-none"),
+    };
     let mut factors = vec![(None, usual, tr!("scene-exact-for-a-medium-none-for"))];
     factors.extend(named_options!(Fresnel).into_iter().map(|(f, name, tip)| (Some(f), name, tip)));
     words(
@@ -131,17 +140,18 @@ fn optics<'a>(
         ui,
         &line("tint", tr!("scene-tint"), tr!("scene-colour-of-the-transmitted-light-0")),
         &mut with.tint,
-        white,
+        below.tint.unwrap_or(white),
     );
     if let Some(tint) = &mut with.tint {
         // A body transmits at most the incident light.
         tint.0 = tint.0.map(|v| v.min(1.0));
     }
     let absorption = line("absorption", tr!("scene-absorption"), tr!("scene-per-world-unit-and-channel-between"));
-    colored(ui, &absorption, &mut with.absorption, Color::grey(0.0));
+    colored(ui, &absorption, &mut with.absorption, below.absorption.unwrap_or(Color::grey(0.0)));
     let dispersion = line("dispersion", tr!("scene-dispersion"), tr!("scene-index-of-refraction-for-blue-light"));
-    number(ui, &dispersion, &mut with.dispersion, 0.0, -1.0..=1.0);
-    let mut surfaces = vec![(None, tr!("scene-default-one"), tr!("scene-as-in-the-lab"))];
+    number(ui, &dispersion, &mut with.dispersion, below.dispersion.unwrap_or(0.0), -1.0..=1.0);
+    let usual = if below.surfaces == Some(Surfaces::Two) { tr!("scene-default-two") } else { tr!("scene-default-one") };
+    let mut surfaces = vec![(None, usual, tr!("scene-as-in-the-lab"))];
     surfaces.extend(named_options!(Surfaces).into_iter().map(|(s, name, tip)| (Some(s), name, tip)));
     words(
         ui,

@@ -1,6 +1,7 @@
 //! Objects: models, their transformations and materials.
 
 mod material;
+mod parts;
 
 use crate::action::Action;
 use crate::document::Document;
@@ -13,7 +14,7 @@ use crate::widgets::{
 use egui::{Align, Atom, Button, Frame, Label, Layout, Margin, RichText, TextEdit, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use gonio_language::tr;
-use gonio_scene::scene_file::{MotionSpec, Normals, ObjectSpec, Shading, UpAxis};
+use gonio_scene::scene_file::{MaterialOverride, MotionSpec, Normals, ObjectSpec, Shading, UpAxis};
 use gonio_scene::settings::{Aim, CameraSettings};
 use gonio_scene::{Scene, files};
 
@@ -26,10 +27,10 @@ pub fn show(ui: &mut Ui, document: &mut Document, session: &mut Session, actions
     let mut requested = None;
     for index in 0..count {
         ui.push_id(index, |ui| {
-            let selected = session.selection == Selection::Object(index);
+            let selected = session.selection.object() == Some(index);
             title(ui, document, session, loaded.as_deref(), index, selected);
             if selected {
-                let asked = details(ui, document, loaded.as_deref(), index, count);
+                let asked = details(ui, document, session, index, count);
                 requested = requested.take().or(asked);
             }
         });
@@ -94,7 +95,9 @@ fn title(
     }
 }
 
-fn details(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>, index: usize, count: usize) -> Option<Edit> {
+fn details(ui: &mut Ui, document: &mut Document, session: &mut Session, index: usize, count: usize) -> Option<Edit> {
+    let shared = session.loaded.clone();
+    let loaded = shared.as_deref();
     let has_environment = document.scene.environment.is_some();
     let mut wants_sky = false;
     let spec = document.scene.objects.get_mut(index)?;
@@ -105,10 +108,10 @@ fn details(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>, index: 
             place(ui, spec, index);
             motion(ui, spec, index);
             surface(ui, spec, loaded, index);
-            let files = loaded.map(|l| l.materials_in_file(index)).unwrap_or_default();
-            heading(ui, tr!("scene-material"));
-            material::show(ui, &mut spec.material, &files, index);
-            if !has_environment && material::mirrors_surroundings(&spec.material) {
+            if let Some(loaded) = loaded {
+                material(ui, spec, loaded, &mut session.selection, index);
+            }
+            if !has_environment && spec.materials().any(material::mirrors_surroundings) {
                 wants_sky = without_surroundings(ui, index);
             }
             tools(ui, index, count)
@@ -118,6 +121,24 @@ fn details(ui: &mut Ui, document: &mut Document, loaded: Option<&Scene>, index: 
         document.scene.set_environment("sky");
     }
     edit
+}
+
+/// The list of the parts, and the material of the selected one or of all.
+fn material(ui: &mut Ui, spec: &mut ObjectSpec, loaded: &Scene, selection: &mut Selection, index: usize) {
+    let parts = loaded.objects.get(index).map_or(0, |object| object.parts.len());
+    let selected = selection.part().map(|[_, part]| part).filter(|part| parts > 1 && *part < parts);
+    match parts::list(ui, loaded, index, selected) {
+        Some(Some(part)) => *selection = Selection::Part(index, part),
+        Some(None) => *selection = Selection::Object(index),
+        None => {}
+    }
+    if let Some(part) = selected {
+        parts::material_of(ui, spec, loaded, index, part);
+        return;
+    }
+    let files = loaded.materials_in_file(index);
+    heading(ui, tr!("scene-material"));
+    material::show(ui, &mut spec.material, &MaterialOverride::default(), &files, index);
 }
 
 /// Says why glass and mirrors look flat without an environment. Returns whether to add one.

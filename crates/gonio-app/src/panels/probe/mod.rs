@@ -8,8 +8,8 @@ mod surface;
 use crate::action::Action;
 use crate::document::Document;
 use crate::exported::{self, WidgetRole};
-use crate::session::Session;
 use crate::session::probing::{GpuValue, Reading};
+use crate::session::{Selection, Session, Tab};
 use crate::theme::{self, icons};
 use crate::truth::PixelLight;
 use egui::{Align, Color32, Grid, Layout, Response, RichText, Sense, Ui, vec2};
@@ -104,6 +104,14 @@ fn header(ui: &mut Ui, session: &mut Session, reading: Option<&Reading>, actions
             let tip = tr!("scene-show-or-hide-the-lobe-at");
             if button(ui, "probe-lobe", icons::FLASHLIGHT, tip, pinned).clicked() {
                 probing.shows_lobe = !probing.shows_lobe;
+            }
+            let part = reading.and_then(Reading::part);
+            let tip = tr!("scene-edit-material-of-part");
+            if button(ui, "probe-edit-material", icons::SLIDERS_HORIZONTAL, tip, part.is_some()).clicked()
+                && let Some([object, part]) = part
+            {
+                session.selection = Selection::Part(object, part);
+                session.tab = Tab::Objects;
             }
             let tip = tr!("scene-copy-all-numbers-as-json");
             if button(ui, "probe-copy-json", icons::CODE, tip, reading.is_some()).clicked()

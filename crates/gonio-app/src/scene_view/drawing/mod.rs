@@ -5,6 +5,7 @@
 mod comparison;
 mod details;
 mod ground;
+mod outline;
 mod pane;
 #[cfg(test)]
 mod tests;

@@ -2,6 +2,7 @@
 
 use super::details::Details;
 use super::ground::GroundDrawing;
+use super::outline::OutlineDrawing;
 use crate::baking::{AtlasBackground, BakedResult, Baking};
 use crate::document::{BakedLook, Pane};
 use crate::session::comparison::PaneFacts;
@@ -53,6 +54,8 @@ pub struct PaneDrawing {
     shaders: Option<u64>,
     /// The ground below the objects.
     pub ground: GroundDrawing,
+    /// The outline of the selected part.
+    pub outline: OutlineDrawing,
     /// Counts the pictures.
     pub serial: u64,
     pub facts: PaneFacts,
