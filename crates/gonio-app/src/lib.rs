@@ -39,6 +39,7 @@ pub mod baking;
 pub mod bench;
 mod beside;
 pub mod document;
+mod drafting;
 pub mod environment;
 pub mod exercise;
 pub mod exported;

@@ -1,22 +1,18 @@
 //! Drafts of the scene: edits that were not saved, kept for the next window.
 //!
-//! A draft is a scene file. It is written at most [`DELAY`] after an edit, and removed when the scene is saved or the edits
+//! A draft is a scene file. It is written at most a second after an edit, and removed when the scene is saved or the edits
 //! are undone. When the same scene is opened again, its draft is offered in a message: restoring it is a step that can be
 //! undone.
 
 use super::App;
 use super::loader::LoadRequest;
-use crate::exercise::drafts::{fingerprint, hexadecimal, in_words, now};
+use crate::drafting::{DraftWriting, fingerprint, hexadecimal, in_words, now};
 use crate::saving;
 use crate::session::{MessageAnswer, MessageCause, MessageSeverity};
 use gonio_language::tr;
 use gonio_scene::{SceneFile, SceneSettings, toml_file};
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
-use web_time::Instant;
-
-/// A crash loses at most the edits of this time.
-const DELAY: Duration = Duration::from_secs(1);
 
 /// A draft as it is stored.
 #[derive(Serialize, Deserialize)]
@@ -34,12 +30,9 @@ pub struct SceneDraft {
     key: String,
     /// What was written last, with its key.
     kept: Option<(String, SceneSettings)>,
-    /// The time at which changed edits are written.
-    due: Option<Instant>,
+    writing: DraftWriting,
     /// The draft of an earlier window, which is offered.
     offered: Option<SceneFile>,
-    /// The failure that was reported last, so that it is not reported every second.
-    reported: Option<String>,
 }
 
 impl SceneDraft {
@@ -82,35 +75,32 @@ impl App {
     /// Keeps edits after a moment, and removes the draft when there are none; called in every frame.
     pub(super) fn follow_scene_draft(&mut self, ctx: &egui::Context) {
         if !self.is_scene_edited() {
-            self.scene_draft.due = None;
+            self.scene_draft.writing.rest();
             if let Some((key, _)) = self.scene_draft.kept.take() {
                 self.platform.remove_draft(&key);
             }
             return;
         }
         if self.scene_draft.kept.as_ref().is_some_and(|(_, kept)| *kept == self.document.scene) {
-            self.scene_draft.due = None;
+            self.scene_draft.writing.rest();
             return;
         }
-        let now = Instant::now();
-        let due = *self.scene_draft.due.get_or_insert(now + DELAY);
-        if now < due && ctx.input(|input| input.focused) {
-            return ctx.request_repaint_after(due - now);
+        if !self.scene_draft.writing.is_due(ctx) {
+            return;
         }
         let failure = self.flush_scene_draft();
-        if failure != self.scene_draft.reported
+        if self.scene_draft.writing.is_news(failure.as_ref())
             && let Some(error) = &failure
         {
             let title = &self.session.title;
             let sentence = tr!("exercise-the-unsaved-changes-to-could-not", name = title, error = error);
             self.session.messages.report(MessageSeverity::Error, sentence);
         }
-        self.scene_draft.reported = failure;
     }
 
     /// Keeps edits now. Returns why they could not be kept.
     pub(super) fn flush_scene_draft(&mut self) -> Option<String> {
-        self.scene_draft.due = None;
+        self.scene_draft.writing.rest();
         if !self.is_scene_edited() || self.scene_draft.key.is_empty() {
             return None;
         }

@@ -1,21 +1,19 @@
 //! Drafts: unsaved text, kept for the next window.
 //!
-//! A draft belongs to one file of one exercise. It is written at most [`DELAY`] after the first change, and at once when the
+//! A draft belongs to one file of one exercise. It is written at most a second after the first change, and at once when the
 //! window loses the focus or closes; it is removed when the file is saved or the text is discarded. A draft is never written
 //! into the student's file: the next window puts it into the editor, as text that is not saved yet.
 
 use super::editor;
 use super::work::{OpenFile, Work};
+use crate::drafting::{DraftWriting, fingerprint, hexadecimal, in_words, now};
 use crate::platform::Platform;
 use egui::Context;
 use gonio_language::tr;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::time::Duration;
-use web_time::{Instant, SystemTime, UNIX_EPOCH};
 
-/// A crash loses at most the typing of this time.
-const DELAY: Duration = Duration::from_secs(1);
 /// Longer texts are not kept, which is reported.
 const MOST_BYTES: usize = 1024 * 1024;
 /// Drafts that are older are not restored, and are removed.
@@ -39,10 +37,7 @@ struct Draft {
 pub struct Drafts {
     /// The last kept text by key.
     kept: BTreeMap<String, String>,
-    /// The time at which changed texts are written.
-    due: Option<Instant>,
-    /// The failure that was reported last, so that it is not reported every second.
-    reported: Option<String>,
+    writing: DraftWriting,
 }
 
 impl Drafts {
@@ -105,20 +100,14 @@ impl Drafts {
         let unsaved = unsaved(works);
         self.forget(&unsaved, platform);
         if !self.is_behind(&unsaved) {
-            self.due = None;
+            self.writing.rest();
             return Vec::new();
         }
-        let now = Instant::now();
-        let due = *self.due.get_or_insert(now + DELAY);
-        if now < due && ctx.input(|input| input.focused) {
-            ctx.request_repaint_after(due - now);
+        if !self.writing.is_due(ctx) {
             return Vec::new();
         }
         let failures = self.write(&unsaved, platform);
-        // Writing is retried every second, and a failure reported once.
-        let is_news = failures.first() != self.reported.as_ref();
-        self.reported = failures.first().cloned();
-        if is_news { failures } else { Vec::new() }
+        if self.writing.is_news(failures.first()) { failures } else { Vec::new() }
     }
 
     /// Keeps all unsaved text now, because the window closes. Returns a sentence for each text that could not be kept.
@@ -143,7 +132,7 @@ impl Drafts {
     }
 
     fn write(&mut self, unsaved: &[Unsaved<'_>], platform: &mut dyn Platform) -> Vec<String> {
-        self.due = None;
+        self.writing.rest();
         let mut failures = Vec::new();
         for Unsaved { key, exercise, file } in unsaved {
             if self.kept.get(key) == Some(&file.text) {
@@ -219,32 +208,6 @@ fn key(exercise: &str, file: &OpenFile) -> String {
         }
     }
     hexadecimal(fingerprint(&bytes))
-}
-
-/// FNV-1a, 64 bits: the same in every version of gonio and on every machine.
-pub fn fingerprint(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(0x100_0000_01b3))
-}
-
-/// Sixteen digits.
-pub fn hexadecimal(number: u64) -> String {
-    format!("{number:016x}")
-}
-
-/// Seconds since 1970.
-pub fn now() -> u64 {
-    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs())
-}
-
-/// An age in words: "5 minutes ago".
-pub fn in_words(age: Duration) -> String {
-    let minutes = age.as_secs() / 60;
-    match minutes {
-        0 => tr!("exercise-less-than-a-minute-ago").to_owned(),
-        1..60 => tr!("exercise-minutes-ago", count = minutes),
-        60..1440 => tr!("exercise-hours-ago", count = minutes / 60),
-        _ => tr!("exercise-days-ago", count = minutes / 1440),
-    }
 }
 
 #[cfg(test)]
