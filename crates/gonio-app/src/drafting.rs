@@ -12,7 +12,7 @@ const DELAY: Duration = Duration::from_secs(1);
 #[derive(Default)]
 pub struct DraftWriting {
     /// The time at which edits are written.
-    due: Option<Instant>,
+    pub(crate) due: Option<Instant>,
     /// The failure that was reported last, so that it is not reported every second.
     reported: Option<String>,
 }

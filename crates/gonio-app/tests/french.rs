@@ -7,6 +7,7 @@ use egui::{Event, Key, MissingGlyphPolicy, Modifiers, vec2};
 use egui_kittest::kittest::NodeT;
 use gonio_app::exercise::Start;
 use gonio_app::exported;
+use gonio_app::files::ExerciseFile;
 use gonio_app::session::Tab;
 use gonio_exercises::exercise;
 use gonio_language::{Language, name_id, text_in};
@@ -204,6 +205,41 @@ fn a_student_s_evening_works_with_the_keyboard_alone() {
         window.texts()
     );
     window.is_in_french("second verdict");
+}
+
+#[test]
+fn the_proven_fix_is_applied_with_the_keyboard_alone() {
+    Language::French.make_current();
+    let mut window = Window::with("builtin:cube", vec2(1280.0, 800.0));
+    let ctx = window.harness.ctx.clone();
+    let files = exercise::find("ex04").unwrap().reference_files().unwrap().into_iter().map(|(name, text)| {
+        ExerciseFile { name: name.to_owned(), bytes: text.replace("mat3(itM)", "mat3(M)").into_bytes(), path: None }
+    });
+    let start = Start { exercise: "ex04".into(), files: files.collect() };
+    window.harness.state_mut().as_mut().unwrap().begin_exercise(&ctx, start);
+    window.wait("the exercise", |window| window.app().exercise().work.is_some());
+    window.press(Modifiers::COMMAND, Key::Enter);
+    window.wait("the verdict", |window| window.verdict()["word"] == "wrong");
+    window.steps(4);
+    // The editor has the focus, to show the line.
+    window.press(Modifiers::NONE, Key::Escape);
+    window.tab_to("hints-fix");
+    window.press(Modifiers::NONE, Key::Enter);
+    window.steps(2);
+    eprintln!(
+        "{:?}",
+        window
+            .app()
+            .exercise()
+            .work
+            .as_ref()
+            .map(|work| (work.hints, work.judged.as_ref().map(|j| j.verdict.as_ref().map(|v| v.proposed_fix.clone()))))
+    );
+    window.tab_to("apply-fix");
+    window.press(Modifiers::NONE, Key::Enter);
+    window.steps(2);
+    window.press(Modifiers::COMMAND, Key::Enter);
+    window.wait("the second verdict", |window| window.verdict()["word"] == "correct");
 }
 
 #[test]

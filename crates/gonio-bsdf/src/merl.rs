@@ -260,20 +260,25 @@ pub fn cell_middle(cell: usize) -> HalfAngles {
     }
 }
 
-/// Whether turning both directions about the normal changes nothing, by a few pairs of them.
+/// Whether turning both directions about the normal changes nothing, by pairs all over the hemisphere: a narrow lobe is seen
+/// at few of them.
 pub(crate) fn is_isotropic(bsdf: &dyn Bsdf) -> bool {
     if bsdf.is_isotropic() {
         return true;
     }
-    let angles = [(0.3, 0.3, 0.1), (0.3, 0.5, 1.0), (0.1, 0.9, 2.0), (0.6, 0.2, 1.5), (0.05, 0.4, 0.5)];
-    let pairs = angles.map(|(theta_h, theta_d, phi_d)| HalfAngles { theta_h, theta_d, phi_d }.directions());
+    let of_half = |theta_h: f64| {
+        let of_difference =
+            move |theta_d: f64| [0.1, 1.0, 2.0].map(|phi_d| HalfAngles { theta_h, theta_d, phi_d }.directions());
+        [0.02, 0.15, 0.4, 0.7, 1.0, 1.25].map(of_difference).into_iter().flatten()
+    };
+    let pairs: Vec<_> = [0.02, 0.1, 0.25, 0.5, 0.8, 1.1, 1.35].map(of_half).into_iter().flatten().collect();
     let turned = |angle: f64| {
         let (sin, cos) = angle.sin_cos();
         let turn = |w: DVec3| DVec3::new(cos * w.x - sin * w.y, sin * w.x + cos * w.y, w.z);
-        bsdf.evaluate_all(&pairs.map(|(wi, wo)| (turn(wi), turn(wo))))
+        bsdf.evaluate_all(&pairs.iter().map(|(wi, wo)| (turn(*wi), turn(*wo))).collect::<Vec<_>>())
     };
     let first = turned(0.0);
-    [0.7, 1.6, 4.0].into_iter().all(|angle| {
+    [0.7, 1.6, 2.3, 4.0, 5.2].into_iter().all(|angle| {
         first.iter().zip(turned(angle)).all(|(a, b)| {
             let largest = a.abs().max_element().max(b.abs().max_element());
             let difference = (*a - b).abs().max_element();

@@ -150,6 +150,27 @@ fn functions_in_glsl_are_fitted() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// Lobes of all widths and directions, from numbers that nobody chose.
+#[test]
+fn lobes_with_any_matrix_are_recovered() {
+    let mut wrong = Vec::new();
+    let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut random = |least: f64, most: f64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        least + (most - least) * (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    for _ in 0..8 {
+        let elements = [random(0.4, 1.0), random(0.4, 1.0), random(0.4, 1.0)];
+        let largest = elements.iter().fold(0.0_f64, |most, v| most.max(*v));
+        let back = if random(0.0, 1.0) < 0.25 { -1.0 } else { 1.0 };
+        let [x, y, z] = elements.map(|element| element / largest);
+        let (a, b, k) = (random(0.02, 0.4), random(0.1, 0.5), 5.0 * 40.0_f64.powf(random(0.0, 1.0)));
+        let truth = format!("lafortune-normalised:a={a},b={b},k={k},ax={},ay={},az={}", back * x, back * y, -z);
+        recovers(&truth, &FitTarget::of_function(build(&truth).as_ref()).unwrap(), 0.02, &mut wrong);
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
 /// The lobes of `lafortune-2` come in the order of their exponents, and a number at its limit has its name after that.
 #[test]
 fn lobes_are_ordered_and_limits_named() {

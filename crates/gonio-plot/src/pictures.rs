@@ -8,8 +8,8 @@ use crate::{PlotError, PlotSettings, PlottedBsdf};
 use gonio_bsdf::half_angles::HalfAngles;
 use gonio_bsdf::sampling::direction;
 use gonio_image::EncodedPicture;
+use gonio_image::srgb::ENCODER;
 use gonio_light::DVec3;
-use gonio_light::color::srgb_encode;
 use gonio_light::vector::{half_vector, unit_or};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -63,11 +63,10 @@ pub fn panel_label(figure: &mut PlotFigure, panel: Panel, label: &str, most: f64
 
 /// A value in `[0, 1]` of a scale as 8 bits: light is encoded as sRGB, other scales are shown as they are.
 fn tone(value: f64, largest: f64, scale: PlotScale) -> u8 {
-    let position = match scale {
-        PlotScale::Linear => srgb_encode((value / largest).clamp(0.0, 1.0)),
-        _ => scale.position(value, largest).clamp(0.0, 1.0),
-    };
-    (255.0 * position + 0.5) as u8
+    match scale {
+        PlotScale::Linear => ENCODER.encode_f64(value / largest),
+        _ => (255.0 * scale.position(value, largest).clamp(0.0, 1.0) + 0.5) as u8,
+    }
 }
 
 /// The image slice of measured BRDFs: half angle to the right, by its square root as in the tables, and difference angle
@@ -228,7 +227,7 @@ fn sphere(function: &PlottedBsdf<'_>, light: DVec3, side: u32) -> Result<Encoded
     let mut rgba = vec![0; 4 * (side * side) as usize];
     for (((index, coverage), (wi, _)), f) in covered.into_iter().zip(&pairs).zip(values) {
         let light = if f.is_finite() { f * (PI * wi.z.max(0.0)) } else { DVec3::ZERO };
-        let encoded = light.to_array().map(|channel| (255.0 * srgb_encode(channel.clamp(0.0, 1.0)) + 0.5) as u8);
+        let encoded = light.to_array().map(|channel| ENCODER.encode_f64(channel));
         rgba[4 * index..4 * index + 3].copy_from_slice(&encoded);
         rgba[4 * index + 3] = (255.0 * coverage + 0.5) as u8;
     }

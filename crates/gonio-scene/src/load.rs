@@ -9,7 +9,7 @@ use crate::material_binding::{MaterialBinder, MaterialSource, used_materials};
 use crate::material_brdf::{self, BrdfLibrary};
 use crate::model_file::{self, ModelFile};
 use crate::model_scene;
-use crate::part_material::{self, NamedParts};
+use crate::part_material::NamedParts;
 use crate::readers::Readers;
 use crate::scene::{Object, ObjectPart, Scene, SceneMaterial, world_from_model};
 use crate::scene_file::{ObjectSpec, SceneFile};
@@ -170,12 +170,12 @@ pub fn load_by(
     let folders: Vec<Vec<PathBuf>> = models.iter().map(ModelFile::texture_folders).collect();
     for (object, &m) in scene.objects.iter().zip(&model_of_object) {
         let source = MaterialSource::of_file(&models[m], &folders[m], &used[m]);
-        materials_of_parts.push(binder.add_object(m, object, &models[m].model.mesh.parts, &source));
+        materials_of_parts.push((readers.materials)(&mut binder, m, object, &models[m].model.mesh.parts, &source));
     }
     let of_object =
         |&m: &usize| NamedParts { parts: &models[m].model.mesh.parts, materials: &models[m].model.materials };
     let named: Vec<NamedParts<'_>> = model_of_object.iter().map(of_object).collect();
-    diagnostics.extend(part_material::unknown_parts(&scene.objects, &named));
+    diagnostics.extend((readers.unknown_parts)(&scene.objects, &named));
     for model in &mut models {
         diagnostics.append(&mut model.model.diagnostics);
     }

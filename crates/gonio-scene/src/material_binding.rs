@@ -140,6 +140,18 @@ impl<'a> MaterialBinder<'a> {
         parts.iter().map(of_part).collect()
     }
 
+    /// [`Self::add_object`] without materials of single parts.
+    pub fn add_alike(
+        &mut self,
+        index: usize,
+        object: &ObjectSpec,
+        parts: &[Part],
+        from: &MaterialSource<'_>,
+    ) -> Vec<usize> {
+        let first = self.add(index, &object.material, from);
+        parts.iter().map(|part| first + part.material).collect()
+    }
+
     /// One material of a model, with an override of its own; returns its index.
     fn add_one(&mut self, index: usize, material: usize, with: &MaterialOverride, from: &MaterialSource<'_>) -> usize {
         let is_it =

@@ -4,9 +4,12 @@ use crate::environment_file::{self, ReadEnvironment};
 use crate::files::{Budget, Budgeted, FileSource};
 use crate::image_file::{self, Decoded, MAX_TEXTURE_SIDE};
 use crate::input_kind;
+use crate::material_binding::{MaterialBinder, MaterialSource};
 use crate::material_brdf::BrdfLibrary;
 use crate::model_file;
-use crate::scene_file::{EnvironmentSpec, MaterialOverride};
+use crate::part_material::{self, NamedParts};
+use crate::scene_file::{EnvironmentSpec, MaterialOverride, ObjectSpec};
+use gonio_mesh::mesh::Part;
 use gonio_mesh::{Diagnostic, Format, Limits, Mesh, Model, ReadError, Sidecars, obj, tangents};
 use std::path::Path;
 
@@ -15,6 +18,8 @@ type ReadModel = fn(Format, &[u8], &mut dyn Sidecars, &Limits) -> Result<Model, 
 type ReadEnvironmentOf = fn(&EnvironmentSpec, &Path, &Budgeted<&dyn FileSource>) -> Result<ReadEnvironment, ReadError>;
 type ReadBrdf =
     fn(&mut BrdfLibrary, &MaterialOverride, &Path, &dyn FileSource, &mut Vec<Diagnostic>) -> Result<(), ReadError>;
+
+type BindParts = fn(&mut MaterialBinder<'_>, usize, &ObjectSpec, &[Part], &MaterialSource<'_>) -> Vec<usize>;
 
 /// Readers of the files of a scene.
 ///
@@ -30,6 +35,10 @@ pub struct Readers {
     pub(crate) tangents: fn(&Mesh) -> Option<Mesh>,
     pub(crate) environment: ReadEnvironmentOf,
     pub(crate) brdf: ReadBrdf,
+    /// The material of each part of an object.
+    pub(crate) materials: BindParts,
+    /// Warnings about names of parts that no model has.
+    pub(crate) unknown_parts: fn(&[ObjectSpec], &[NamedParts<'_>]) -> Vec<Diagnostic>,
 }
 
 /// The reader of textures.
@@ -54,10 +63,12 @@ impl Readers {
         tangents: tangents::with_tangents,
         environment: |spec, base, files| environment_file::load(spec, base, files),
         brdf: |brdfs, material, base, files, diagnostics| brdfs.add(material, base, files, diagnostics),
+        materials: |binder, index, object, parts, from| binder.add_object(index, object, parts, from),
+        unknown_parts: part_material::unknown_parts,
     };
 
-    /// Plain OBJ models with textures that are decoded already ([`decoded_picture`]); no normal maps, no environments and
-    /// no BRDFs.
+    /// Plain OBJ models with textures that are decoded already ([`decoded_picture`]); no normal maps, no environments, no
+    /// BRDFs, and no materials of single parts.
     pub const OBJ: &Readers = &Readers {
         unpack: |_, _, _| Ok(None),
         format: |_, _| Ok(Format::Obj),
@@ -66,6 +77,8 @@ impl Readers {
         tangents: |_| None,
         environment: |_, _, _| Err(ReadError::new("environments cannot be read yet")),
         brdf: |_, _, _, _, _| Ok(()),
+        materials: |binder, index, object, parts, from| binder.add_alike(index, object, parts, from),
+        unknown_parts: |_, _| Vec::new(),
     };
 }
 

@@ -9,6 +9,7 @@ use gonio_exercises::exercise;
 use gonio_scene::files::FileSource;
 use std::path::PathBuf;
 use std::sync::Arc;
+use web_time::Instant;
 
 /// A platform that keeps drafts in memory, and has nothing else.
 #[derive(Default)]
@@ -163,15 +164,15 @@ fn drafts_are_written_once_after_typing() {
     let mut drafts = Drafts::default();
     let ctx = window(true);
     drafts.follow(&ctx, [&work].into_iter(), &mut platform);
-    assert_eq!((platform.written, drafts.due), (0, None));
+    assert_eq!((platform.written, drafts.writing.due), (0, None));
     work.files[0].text = "typed".into();
     drafts.follow(&ctx, [&work].into_iter(), &mut platform);
-    assert!(platform.written == 0 && drafts.due.is_some(), "it waits for more typing");
-    drafts.due = Some(Instant::now());
+    assert!(platform.written == 0 && drafts.writing.due.is_some(), "it waits for more typing");
+    drafts.writing.due = Some(Instant::now());
     for _ in 0..3 {
         drafts.follow(&ctx, [&work].into_iter(), &mut platform);
     }
-    assert_eq!((platform.written, drafts.due), (1, None));
+    assert_eq!((platform.written, drafts.writing.due), (1, None));
 }
 
 #[test]
@@ -207,7 +208,7 @@ fn a_failure_to_keep_a_draft_is_reported_once_and_retried() {
     let ctx = window(true);
     let mut messages = Vec::new();
     let mut follow = |work: &Work, platform: &mut Memory| {
-        drafts.due = Some(Instant::now());
+        drafts.writing.due = Some(Instant::now());
         messages.extend(drafts.follow(&ctx, [work].into_iter(), platform));
     };
     work.files[0].text = "typed".into();

@@ -11,6 +11,7 @@ use gonio_app::platform::{
 use gonio_app::saving::Product;
 use gonio_app::session::Settings;
 use gonio_app::{App, theme};
+use gonio_check::feedback::Feedback;
 use gonio_check::submission::SourceFile;
 use gonio_check::verdict::Verdict;
 use gonio_exercises::Checker;
@@ -38,6 +39,8 @@ pub struct Here {
     pub searches: Rc<RefCell<usize>>,
     /// The drafts that were kept, by key.
     pub drafts: Rc<RefCell<BTreeMap<String, String>>>,
+    /// How much verdicts tell, in place of the exercises' own setting.
+    pub feedback: Option<Feedback>,
 }
 
 /// Trials whose outcome the test decides.
@@ -133,13 +136,14 @@ impl Platform for Here {
     fn check(&mut self, request: CheckRequest, ctx: &egui::Context) -> Box<dyn Pending<CheckResult>> {
         let (sender, receiver) = channel();
         let ctx = ctx.clone();
+        let feedback = self.feedback;
         std::thread::spawn(move || {
             let context = HeadlessContext::new().unwrap();
             let exercise = exercise::find(&request.exercise).unwrap();
             let files = request.files.into_iter().map(|(name, bytes)| SourceFile { name, bytes }).collect();
             let options = gonio_check::CheckOptions { pair: None, as_the_lab: request.as_the_lab };
-            let verdict =
-                gonio_exercises::check(&mut Checker::new(context.gl()), exercise, files, &options, exercise.feedback);
+            let feedback = feedback.unwrap_or(exercise.feedback);
+            let verdict = gonio_exercises::check(&mut Checker::new(context.gl()), exercise, files, &options, feedback);
             let _ = sender.send(verdict.map(|(verdict, _)| verdict).map_err(|error| error.to_string()));
             ctx.request_repaint();
         });

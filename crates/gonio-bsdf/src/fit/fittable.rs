@@ -53,10 +53,6 @@ const fn entry(model: &'static str, colors: &'static [&'static str], numbers: &'
     Fittable { model, colors, numbers, anisotropy: None, matrix: &[], lobes: &[] }
 }
 
-/// The matrices with which fits begin: lobes about the mirror direction, wider along one of the axes, and one that
-/// reflects back to the light.
-pub(super) const MATRICES: [[f64; 3]; 4] = [[0.9, 0.9, -0.9], [0.6, 0.9, -0.8], [0.9, 0.6, -0.8], [-0.9, -0.9, -0.9]];
-
 const FITTABLE: &[Fittable] = &[
     entry("lambert", &["a"], &[]),
     entry("phong", &["a", "b"], &[number(&["c"])]),

@@ -14,10 +14,12 @@
 //! | module | contents |
 //! |---|---|
 //! | `fittable` | the models, and which of their parameters vary |
+//! | `matrix_lobe` | starting points of Lafortune's lobe |
 //! | `target` | the values that a fit compares with |
 //! | `problem` | starting points and residuals |
 
 mod fittable;
+mod matrix_lobe;
 mod problem;
 mod target;
 
@@ -150,9 +152,11 @@ pub fn fit(target: &FitTarget, start: &ModelSpec) -> Result<BsdfFit, FitError> {
     }
     let (mut iterations, mut starts_used) = (0, 0);
     let mut best: Option<(f64, Vec<f64>)> = None;
-    let signal = mean_square(&target.coarse);
-    for mut x in starting_points(entry, &numbers, start.model, &target.coarse) {
-        let mut problem = Problem::new(&target.coarse, &start, entry, &numbers, true);
+    // A narrow lobe is seen at few pairs of directions, and may be at none of the coarse ones.
+    let points = if entry.matrix.is_empty() { &target.coarse } else { &target.fine };
+    let signal = mean_square(points);
+    for mut x in starting_points(entry, &numbers, start.model, points) {
+        let mut problem = Problem::new(points, &start, entry, &numbers, true);
         let Some((norm, steps)) = problem.solve(&mut x) else { continue };
         iterations += steps;
         if best.as_ref().is_none_or(|(least, _)| norm < *least) {

@@ -1,6 +1,7 @@
 //! The problem of least squares: the numbers that vary, their starting points, and the residuals.
 
-use super::fittable::{Fittable, FittedNumber, MATRICES};
+use super::fittable::{Fittable, FittedNumber};
+use super::matrix_lobe::{MatrixLobe, best_lobes};
 use super::target::Point;
 use crate::bsdf::mean;
 use crate::model_spec::ModelSpec;
@@ -153,13 +154,16 @@ pub(super) fn starting_points(
     let mut dark: Vec<f64> =
         points.iter().map(|point| mean(point.target * point.target * point.target) / point.wi.z * PI).collect();
     dark.sort_by(f64::total_cmp);
-    let diffuse = dark[dark.len() / 4].clamp(0.0, 0.95);
+    let darkest = |share: usize| dark[dark.len() * share / 100].clamp(0.0, 0.95);
     let free = free(entry, numbers, model, true);
+    if !entry.matrix.is_empty() {
+        return matrix_starts(entry, numbers, &free, points, &[0, 3, 10, 25].map(darkest));
+    }
+    let diffuse = darkest(25);
     let colors: Vec<f64> = (0..entry.colors.len()).map(|index| if index == 0 { diffuse } else { 0.3 }).collect();
     let free = &free[entry.colors.len()..];
     let places: Vec<[f64; 3]> = free.iter().zip(numbers).map(|(free, number)| number.places(free)).collect();
     let numbers: Vec<Vec<f64>> = match places.len() {
-        _ if !entry.matrix.is_empty() => matrices(entry, free, &places),
         // Many numbers, as of several lobes: each start gives them other places in turn, in two orders.
         4.. => (0..6)
             .map(|turn| {
@@ -180,17 +184,25 @@ pub(super) fn starting_points(
     numbers.into_iter().map(|numbers| [&colors[..], &numbers].concat()).collect()
 }
 
-/// Each matrix with each place of the numbers that are not its elements.
-fn matrices(entry: &Fittable, free: &[Free], places: &[[f64; 3]]) -> Vec<Vec<f64>> {
-    let starts = MATRICES.iter().flat_map(|matrix| {
-        (0..3).map(move |place| {
-            let element = |free: &Free| entry.matrix.iter().position(|name| free.names.contains(name));
-            let at = |(free, places): (&Free, &[f64; 3])| match element(free) {
-                Some(row) => free.coordinate(matrix[row]),
-                None => places[place],
-            };
-            free.iter().zip(places).map(at).collect()
-        })
-    });
-    starts.collect()
+/// The starting points of a lobe with a matrix.
+fn matrix_starts(
+    entry: &Fittable,
+    numbers: &[FittedNumber],
+    free: &[Free],
+    points: &[Point],
+    diffuse: &[f64],
+) -> Vec<Vec<f64>> {
+    let row = |free: &Free| entry.matrix.iter().position(|name| free.names.contains(name));
+    let is_isotropic =
+        numbers.iter().filter(|number| number.names.iter().any(|n| entry.matrix.contains(n))).count() < 3;
+    let start = |lobe: MatrixLobe| {
+        let value = |(index, free): (usize, &Free)| match (index, row(free)) {
+            (0, _) => lobe.a,
+            (1, _) => lobe.b,
+            (_, Some(row)) => lobe.matrix[row],
+            (_, None) => lobe.k,
+        };
+        free.iter().enumerate().map(|(index, free)| free.coordinate(value((index, free)))).collect()
+    };
+    best_lobes(points, diffuse, is_isotropic).into_iter().map(start).collect()
 }

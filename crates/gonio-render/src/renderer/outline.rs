@@ -13,7 +13,7 @@ use gonio_gl::{GlError, SavedState};
 use gonio_scene::Frame;
 
 /// Pixels around the part's box: the line, with a margin.
-const AROUND: f64 = 6.0;
+const AROUND: f64 = 4.0;
 
 /// A part of an object to be outlined.
 #[derive(Clone, Copy, Debug, PartialEq)]
