@@ -96,6 +96,10 @@ impl FunctionLobe {
                 (DVec3::new(h.dot(tangent), h.dot(axis.cross(tangent)), h.dot(axis)), DVec3::Z)
             }
         };
+        // No facet faces down.
+        if h.z <= 0.0 {
+            return 0.0;
+        }
         let slopes = (h.x / ax).powi(2) + (h.y / ay).powi(2) + h.z * h.z;
         let stretched = DVec3::new(ax * seen.x, ay * seen.y, seen.z).length();
         FRAC_1_PI / (ax * ay * slopes * slopes) / (2.0 * (seen.z + stretched))
@@ -192,13 +196,15 @@ mod tests {
         }
     }
 
-    /// White matte in light that is 1 everywhere reflects 1, however the directions are divided.
+    /// White matte in light that is 1 everywhere reflects 1, however the directions are divided. Few directions of a lobe that
+    /// does not fit the function err by some percent.
     #[test]
     fn solid_angles_cover_the_hemisphere() {
         for lobe in LOBES.into_iter().filter(|lobe| lobe.cosine_count > 0) {
+            let lobe = FunctionLobe { lobe_count: 32 * lobe.lobe_count, cosine_count: 32 * lobe.cosine_count, ..lobe };
             for v in views() {
                 let sum: f64 = lobe.directions(v).iter().map(|(l, w)| FRAC_1_PI * l.z * w).sum();
-                assert!((sum - 1.0).abs() < 0.04, "{lobe:?} {v}: {sum}");
+                assert!((sum - 1.0).abs() < 0.01, "{lobe:?} {v}: {sum}");
             }
         }
     }

@@ -47,7 +47,8 @@ float lobe_density(vec4 lobe, vec3 v, vec3 l) {
     vec2 slope = h.xy / lobe.xy;
     float slopes = dot(slope, slope) + h.z * h.z;
     float stretched = length(vec3(lobe.xy * seen.xy, seen.z));
-    return 1.0 / (PI * lobe.x * lobe.y * slopes * slopes) / (2.0 * (seen.z + stretched));
+    // No facet faces down.
+    return h.z > 0.0 ? 1.0 / (PI * lobe.x * lobe.y * slopes * slopes) / (2.0 * (seen.z + stretched)) : 0.0;
 }
 
 // A direction of the upper hemisphere with the density cos theta / pi.
