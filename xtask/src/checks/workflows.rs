@@ -83,6 +83,7 @@ jobs:
             ("    permissions:\n      contents: read\n", "", "a.yml:4: the job states no permissions"),
             ("    timeout-minutes: 5\n", "", "a.yml:4: the job has no timeout"),
             ("@0123456789abcdef0123456789abcdef01234567 # v1.2.3", "@v1", "not pinned"),
+            ("@0123456789abcdef0123456789abcdef01234567", "@0123456", "not pinned"),
             (" # v1.2.3", "", "not pinned"),
             ("persist-credentials: false", "fetch-depth: 0", "leaves credentials"),
         ] {
