@@ -14,7 +14,7 @@ pub mod sha256;
 pub mod trial;
 
 use crate::web::{self, target_folder};
-use crate::{process, root};
+use crate::{book, process, root};
 use archive::ArchiveFile;
 use manifests::Release;
 use std::path::{Path, PathBuf};
@@ -154,7 +154,8 @@ pub fn build(root: &Path, package: &Package, target: &str, say: &mut dyn FnMut(&
     };
     say("writing completions and manual pages");
     let runs_here = target == host(root)? || target == UNIVERSAL;
-    let generator = if runs_here { program.clone() } else { built_for_here(root)? };
+    // Completions and manual pages are the same on every system.
+    let generator = if runs_here { program.clone() } else { book::program(root)? };
     let top = format!("gonio-{}-{target}", package.version);
     let mut files = accompanying(root, &generator, &top)?;
     let exe = if target.contains("windows") { ".exe" } else { "" };
@@ -207,12 +208,6 @@ fn universal(root: &Path, say: &mut dyn FnMut(&str)) -> Result<PathBuf, String> 
     let program = folder.join("gonio");
     process::stdout_of(Command::new("lipo").args(["-create", "-output"]).arg(&program).args(&parts))?;
     Ok(program)
-}
-
-/// A program that runs on this machine: it writes completions and manual pages, which are the same on every system.
-fn built_for_here(root: &Path) -> Result<PathBuf, String> {
-    process::stdout_of(process::cargo(root).args(["build", "--quiet", "--locked", "--package", "gonio"]))?;
-    Ok(target_folder(root).join("debug").join(format!("gonio{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// Everything but the program.
