@@ -48,8 +48,8 @@ impl Wine {
         Ok(wine)
     }
 
-    /// Adds the library with Windows' random numbers, which every program in Rust loads at its start. Wine has it since version 9; this
-    /// one asks an older function, which Wine has.
+    /// Adds the library with Windows' random numbers, which every program in Rust loads at its start. Wine has it since version 8.13; this
+    /// one asks an older function.
     fn add_random_numbers(&self) -> Result<(), String> {
         if self.has_library(RANDOM_LIBRARY) {
             return Ok(());
